@@ -1,1 +1,10 @@
-pub fn x(){}
+//! raywalk: a deterministic ray tracer whose every computed value can be walked through in the terminal.
+//!
+//! Start reading at [`trace`], the recursion; [`probe`] is what sees its values, [`log`] is what they are recorded in.
+
+pub mod geometry;
+pub mod log;
+pub mod probe;
+pub mod sampling;
+pub mod scene;
+pub mod trace;

@@ -1,0 +1,7 @@
+//! Rays, shapes and where they meet. This room knows numbers and their names, no materials, lights or scenes.
+
+pub mod ray;
+pub mod shape;
+
+pub use ray::{Crossing, Leaving, Ray, Side, Surface};
+pub use shape::Shape;

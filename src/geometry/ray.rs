@@ -1,0 +1,83 @@
+//! A ray, and what it meets.
+
+use glam::DVec3;
+
+/// A half line from `origin` along `direction`, of which `t_min < t < t_max` counts.
+///
+/// Distances `t` are in units of the direction, which the tracer keeps at unit length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where it begins.
+    pub origin: DVec3,
+    /// Where it goes.
+    pub direction: DVec3,
+    /// The surface that it leaves, which it can't meet again at its origin.
+    pub leaving: Option<Leaving>,
+    /// Hits lie beyond this distance.
+    pub t_min: f64,
+    /// Hits lie before this distance.
+    pub t_max: f64,
+}
+
+/// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Leaving {
+    /// The object, by its number in the scene.
+    pub object: u32,
+    /// The triangle, for a mesh; else 0.
+    pub primitive: u32,
+    /// The side of the surface on which the ray sets off.
+    pub side: Side,
+}
+
+/// A side of a surface: the front is where its outward normal points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The side of the outward normal.
+    Front,
+    /// The other side, the inside of a closed shape.
+    Back,
+}
+
+/// A point of a ray where it crosses a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// The distance along the ray, in units of its direction.
+    pub t: f64,
+    /// The side from which the ray arrives.
+    pub side: Side,
+}
+
+/// A surface as the arriving ray sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// The point.
+    pub point: DVec3,
+    /// The unit normal, on the side of the arriving ray.
+    pub normal: DVec3,
+    /// The side from which the ray arrives.
+    pub side: Side,
+}
+
+impl Ray {
+    /// A ray that leaves no surface and ends nowhere.
+    pub fn new(origin: DVec3, direction: DVec3) -> Ray {
+        Ray { origin, direction, leaving: None, t_min: 0.0, t_max: f64::INFINITY }
+    }
+
+    /// Whether a hit at this distance counts.
+    #[inline]
+    pub fn reaches(&self, t: f64) -> bool {
+        self.t_min < t && t < self.t_max
+    }
+}
+
+impl Side {
+    /// The other side.
+    pub fn opposite(self) -> Side {
+        match self {
+            Side::Front => Side::Back,
+            Side::Back => Side::Front,
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! The sphere, by the geometric method of the source text (Ramos, section 1.3, step 5) and by a robust one.
+//!
+//! The geometric method loses digits where r², L2oc and T_A² nearly cancel. The robust one takes the half chord from the
+//! vector OC − T_A·d, and the near root from the product of the roots (Haines et al., Ray Tracing Gems, chapter 7).
+
+use super::decide;
+use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::log::{Decision, Miss, Name};
+use crate::probe::Probe;
+use glam::DVec3;
+
+/// A sphere. Its front is the outside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sphere {
+    center: DVec3,
+    radius: f64,
+    radius_squared: f64,
+    method: SphereMethod,
+}
+
+/// By which formulas a sphere is met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SphereMethod {
+    /// Those that keep their digits.
+    Robust,
+    /// Those of the source text.
+    Geometric,
+}
+
+/// The part of the ray's line inside the sphere: from `t_a − √t2_a` to `t_a + √t2_a`.
+struct Chord {
+    l2_oc: f64,
+    t_a: f64,
+    t2_a: f64,
+    is_origin_outside: bool,
+}
+
+impl Sphere {
+    /// The sphere with this centre and positive radius.
+    pub fn new(center: DVec3, radius: f64, method: SphereMethod) -> Sphere {
+        Sphere { center, radius, radius_squared: radius * radius, method }
+    }
+
+    pub(super) fn give<P: Probe>(&self, probe: &mut P) {
+        probe.given(Name::SphereCenter, self.center);
+        probe.given(Name::SphereRadius, self.radius);
+        probe.given(Name::SphereRadiusSquared, self.radius_squared);
+    }
+
+    /// The first crossing; `leaving` is the side of this very sphere on which the ray sets off.
+    #[inline]
+    pub(super) fn first_crossing<P: Probe>(&self, ray: &Ray, leaving: Option<Side>, probe: &mut P) -> Option<Crossing> {
+        if leaving.is_some() {
+            return self.other_end(ray, probe);
+        }
+        let chord = self.chord(ray, probe)?;
+        if chord.is_origin_outside {
+            let near = self.near(&chord, probe);
+            // Only a ray that is asked to begin later (t_min) can begin inside.
+            if near.t > ray.t_min {
+                return decide(ray, near, probe);
+            }
+        }
+        let far = self.far(&chord, probe);
+        decide(ray, far, probe)
+    }
+
+    /// Both crossings that the ray reaches.
+    pub(super) fn all_crossings<P: Probe>(
+        &self,
+        ray: &Ray,
+        leaving: Option<Side>,
+        probe: &mut P,
+    ) -> [Option<Crossing>; 2] {
+        if leaving.is_some() {
+            return [self.other_end(ray, probe), None];
+        }
+        let Some(chord) = self.chord(ray, probe) else { return [None; 2] };
+        if !chord.is_origin_outside {
+            let far = self.far(&chord, probe);
+            return [decide(ray, far, probe), None];
+        }
+        let near = self.near(&chord, probe);
+        let near = decide(ray, near, probe);
+        let far = self.far(&chord, probe);
+        [near, decide(ray, far, probe)]
+    }
+
+    /// Point and normal. The robust method puts the point back onto the sphere, from which rounding took it.
+    pub(super) fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        let along_ray = ray.origin + ray.direction * crossing.t;
+        let point = match self.method {
+            SphereMethod::Geometric => probe.note(Name::HitPoint, along_ray),
+            SphereMethod::Robust => {
+                let from_center = along_ray - self.center;
+                let scale = self.radius / from_center.length();
+                probe.note(Name::HitPointSphere, self.center + from_center * scale)
+            }
+        };
+        let normal = match crossing.side {
+            Side::Front => probe.note(Name::HitNormalSphere, (point - self.center) / self.radius),
+            Side::Back => probe.note(Name::HitNormalSphereBack, (self.center - point) / self.radius),
+        };
+        Surface { point, normal, side: crossing.side }
+    }
+
+    /// The chord, unless the ray's line passes beside the sphere or the sphere lies behind the origin.
+    #[inline]
+    fn chord<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Chord> {
+        let oc = probe.note(Name::SphereOc, self.center - ray.origin);
+        let l2_oc = probe.note(Name::SphereL2oc, oc.dot(oc));
+        let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
+        let is_origin_outside = l2_oc > self.radius_squared;
+        probe.mark(if is_origin_outside { Decision::Outside } else { Decision::Inside });
+        if is_origin_outside && t_a < 0.0 {
+            probe.mark(Decision::Miss { why: Miss::Behind });
+            return None;
+        }
+        let t2_a = match self.method {
+            SphereMethod::Geometric => probe.note(Name::SphereT2a, self.radius_squared - l2_oc + t_a * t_a),
+            SphereMethod::Robust => {
+                let to_chord = oc - ray.direction * t_a;
+                probe.note(Name::SphereT2aRobust, self.radius_squared - to_chord.dot(to_chord))
+            }
+        };
+        if t2_a < 0.0 {
+            probe.mark(Decision::Miss { why: Miss::Beside });
+            return None;
+        }
+        Some(Chord { l2_oc, t_a, t2_a, is_origin_outside })
+    }
+
+    #[inline]
+    fn near<P: Probe>(&self, chord: &Chord, probe: &mut P) -> Crossing {
+        let t = match self.method {
+            SphereMethod::Geometric => probe.note(Name::SphereT, chord.t_a - chord.t2_a.sqrt()),
+            SphereMethod::Robust => {
+                let t = (chord.l2_oc - self.radius_squared) / (chord.t_a + chord.t2_a.sqrt());
+                probe.note(Name::SphereTNearRobust, t)
+            }
+        };
+        Crossing { t, side: Side::Front }
+    }
+
+    #[inline]
+    fn far<P: Probe>(&self, chord: &Chord, probe: &mut P) -> Crossing {
+        let cancels = chord.t_a < 0.0 && self.method == SphereMethod::Robust;
+        let t = if cancels {
+            let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
+            probe.note(Name::SphereTFarRobust, t)
+        } else {
+            probe.note(Name::SphereTFar, chord.t_a + chord.t2_a.sqrt())
+        };
+        Crossing { t, side: Side::Back }
+    }
+
+    /// The other end of the chord of a ray that sets off inward from the sphere itself: one root is 0, the other 2·T_A.
+    fn other_end<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+        let oc = probe.note(Name::SphereOc, self.center - ray.origin);
+        let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
+        probe.mark(Decision::Inside);
+        let t = probe.note(Name::SphereTLeaving, 2.0 * t_a);
+        decide(ray, Crossing { t, side: Side::Back }, probe)
+    }
+}

@@ -1,0 +1,258 @@
+//! What happens in a computation, as typed data. Objects and lights are numbers here; the header of the log names them.
+
+use super::name::Name;
+
+/// An event of the log, in the order of the computation.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Event {
+    /// The number of the event in its pixel, from 1 (0 opens a pixel of a region log).
+    pub at: u32,
+    /// The node that the event belongs to; for [`What::Enter`] the new node itself.
+    pub node: u32,
+    /// What happened.
+    pub what: What,
+    /// Inputs that the problem states and no arithmetic rounds, used from this event on.
+    pub given: Vec<(Name, Value)>,
+}
+
+/// What an event says.
+#[derive(Clone, PartialEq, Debug)]
+pub enum What {
+    /// A node begins, inside the node `parent`.
+    Enter {
+        /// The enclosing node (0 is the pixel).
+        parent: u32,
+        /// What the node is.
+        step: Step,
+    },
+    /// A named quantity was computed; the computation went on with this value.
+    Note {
+        /// Which quantity, by which formula.
+        name: Name,
+        /// Its value.
+        value: Value,
+    },
+    /// A decision was taken.
+    Mark(Decision),
+    /// The node ends.
+    Leave,
+    /// The colour of the pixel.
+    Result {
+        /// Red, green, blue; linear, not clipped.
+        color: [f64; 3],
+    },
+}
+
+/// What a node of the computation is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Step {
+    /// A pixel (opens the pixels of a region log).
+    Pixel([u32; 2]),
+    /// One sample of a pixel that takes several.
+    Sample {
+        /// Its number, from 1.
+        number: u32,
+    },
+    /// A ray with everything that it brings.
+    Ray {
+        /// What the ray is for.
+        kind: RayKind,
+        /// Its level in the ray tree; the camera's ray has 0. A shadow ray has its surface's.
+        depth: u32,
+    },
+    /// An intersection test of the enclosing ray with an object.
+    Test {
+        /// The object.
+        object: u32,
+        /// The triangle, for a mesh.
+        triangle: Option<u32>,
+    },
+    /// The local model at the hit of the enclosing ray.
+    Shade {
+        /// The object that was hit.
+        object: u32,
+    },
+    /// What one light adds to the local model.
+    Light {
+        /// The light.
+        light: u32,
+    },
+    /// The weighted sum of the three contributions.
+    Combine,
+}
+
+/// What a ray is for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum RayKind {
+    /// From the eye through the picture.
+    Camera,
+    /// From a surface toward the light with this number.
+    Shadow {
+        /// The light, from 0.
+        light: u32,
+    },
+    /// Mirrored at a surface.
+    Reflected,
+    /// Refracted through a surface.
+    Transmitted,
+}
+
+impl RayKind {
+    /// The word that stands for the kind in a log.
+    pub fn word(self) -> &'static str {
+        match self {
+            RayKind::Camera => "camera",
+            RayKind::Shadow { .. } => "shadow",
+            RayKind::Reflected => "reflected",
+            RayKind::Transmitted => "transmitted",
+        }
+    }
+
+    /// The letter of the kind in a path such as `C R T S1`.
+    pub fn letter(self) -> char {
+        match self {
+            RayKind::Camera => 'C',
+            RayKind::Shadow { .. } => 'S',
+            RayKind::Reflected => 'R',
+            RayKind::Transmitted => 'T',
+        }
+    }
+}
+
+/// A decision of the computation.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Decision {
+    /// The tested object lies on the ray.
+    Hit,
+    /// It doesn't.
+    Miss {
+        /// Why not.
+        why: Miss,
+    },
+    /// The ray's origin lies outside the tested solid.
+    Outside,
+    /// The ray's origin lies inside the tested solid.
+    Inside,
+    /// This object is the nearest on the ray.
+    Nearest {
+        /// The object.
+        object: u32,
+    },
+    /// The ray leaves the scene and gets the background colour.
+    Background,
+    /// The shadow ray ends at an opaque object.
+    Occluded {
+        /// The object.
+        object: u32,
+    },
+    /// The shadow ray passes a surface that lets a part of the light through.
+    Attenuated {
+        /// The object.
+        object: u32,
+        /// The part let through, per channel.
+        factor: [f64; 3],
+    },
+    /// No ray can be transmitted here.
+    TotalInternalReflection,
+    /// A bounce isn't traced because it would lie too deep in the ray tree.
+    DepthLimit {
+        /// Which bounce.
+        what: Skippable,
+    },
+    /// Work isn't done because it can't change the colour.
+    Skipped {
+        /// What isn't done.
+        what: Skippable,
+        /// By which rule.
+        why: SkipReason,
+    },
+}
+
+/// Declares an enum whose variants stand as words in a log.
+macro_rules! words {
+    ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub enum $name { $($(#[$variant_doc])* $variant,)* }
+
+        impl $name {
+            /// Every value.
+            pub const ALL: &[$name] = &[$($name::$variant,)*];
+
+            /// The word in a log.
+            pub fn word(self) -> &'static str {
+                match self { $($name::$variant => $word,)* }
+            }
+
+            /// The value that a word stands for.
+            pub fn find(word: &str) -> Option<$name> {
+                Self::ALL.iter().copied().find(|value| value.word() == word)
+            }
+        }
+    };
+}
+
+words! {
+    /// Why a ray misses an object.
+    Miss {
+        /// The ray runs parallel to the surface.
+        Parallel = "parallel",
+        /// The object lies behind the ray's origin.
+        Behind = "behind",
+        /// The line of the ray passes beside the object.
+        Beside = "beside",
+        /// The surface lies beyond the end of the ray (the light).
+        Beyond = "beyond",
+    }
+}
+
+words! {
+    /// What may be left out.
+    Skippable {
+        /// The reflected ray.
+        Reflected = "reflected",
+        /// The transmitted ray.
+        Transmitted = "transmitted",
+        /// The shadow ray.
+        Shadow = "shadow",
+    }
+}
+
+words! {
+    /// The rule by which work is left out. Each can be switched off (`--skip`).
+    SkipReason {
+        /// A bounce whose weight is zero in all channels.
+        ZeroWeight = "zero_weight",
+        /// A shadow ray to a light that no coefficient of the surface could use.
+        NoLocalTerm = "no_local_term",
+        /// The rest of a shadow ray that is fully blocked.
+        Blocked = "blocked",
+        /// A bounce whose product of weights lies below `tracing.cutoff`.
+        Cutoff = "cutoff",
+    }
+}
+
+/// The value of a quantity: a number, or a triple (a point, a vector, a colour).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A triple.
+    Triple([f64; 3]),
+}
+
+impl Value {
+    /// The components: one or three.
+    pub fn components(&self) -> &[f64] {
+        match self {
+            Value::Number(number) => std::slice::from_ref(number),
+            Value::Triple(triple) => triple,
+        }
+    }
+
+    /// Whether the two have the same bits.
+    pub fn same_bits(&self, other: &Value) -> bool {
+        let (ours, theirs) = (self.components(), other.components());
+        ours.len() == theirs.len() && ours.iter().zip(theirs).all(|(a, b)| a.to_bits() == b.to_bits())
+    }
+}

@@ -1,0 +1,33 @@
+//! What can be wrong with a log.
+
+use crate::log::header::FORMAT;
+
+/// Why a log can't be read.
+#[derive(Debug, thiserror::Error)]
+pub enum LogError {
+    /// The bytes couldn't be had.
+    #[error("{0}")]
+    Io(#[from] std::io::Error),
+    /// There is no header.
+    #[error("1:1: not a log: expected the header of a `{FORMAT}` log, found {found}")]
+    NotALog {
+        /// What stands there instead.
+        found: String,
+    },
+    /// The log is of another version.
+    #[error("1:1: log: this program reads `{FORMAT}`, the log is `{found}`")]
+    OtherVersion {
+        /// The version that the log names.
+        found: String,
+    },
+    /// A record is damaged.
+    #[error("{line}:{column}: {message}")]
+    Damaged {
+        /// The line of the record, from 1.
+        line: usize,
+        /// The column in it, from 1.
+        column: usize,
+        /// What is wrong with it.
+        message: String,
+    },
+}

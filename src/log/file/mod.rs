@@ -1,0 +1,10 @@
+//! Logs as files: `raywalk-log/1`, one event a line (NDJSON) or one nested document (JSON).
+
+mod error;
+mod line;
+mod read;
+mod write;
+
+pub use error::LogError;
+pub use read::{Ending, ReadLog, read};
+pub use write::{Writer, to_json, to_ndjson};

@@ -1,0 +1,275 @@
+//! Reading logs, also such as were cut off or damaged: what is complete is read, and what isn't is said.
+
+use super::LogError;
+use super::line::{Enter, Line, Mark};
+use crate::log::event::{Decision, Event, Miss, RayKind, SkipReason, Skippable, Step, What};
+use crate::log::header::{FORMAT, Header};
+use crate::log::name::Name;
+use crate::log::{Log, file::line::End};
+use serde::Deserialize;
+use std::collections::HashMap;
+
+/// A log as it was found.
+#[derive(Debug)]
+pub struct ReadLog {
+    /// What could be read.
+    pub log: Log,
+    /// How it ends.
+    pub ending: Ending,
+}
+
+/// How a log ends.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Ending {
+    /// With an end line that fits.
+    Complete,
+    /// Without an end line: the log was cut off, or is still being written.
+    Missing {
+        /// Whether the last line is incomplete (it was passed over).
+        incomplete_record: bool,
+    },
+    /// With an end line that doesn't fit what stands before it.
+    Mismatch {
+        /// What doesn't fit.
+        what: String,
+    },
+}
+
+impl Ending {
+    /// A sentence for people; `None` if all is well.
+    pub fn warning(&self) -> Option<String> {
+        match self {
+            Ending::Complete => None,
+            Ending::Missing { incomplete_record: false } => Some("the log has no end line: it was cut off".into()),
+            Ending::Missing { incomplete_record: true } => {
+                Some("the log was cut off: 1 incomplete record was passed over".into())
+            }
+            Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
+        }
+    }
+}
+
+/// Reads a log, NDJSON or one JSON document.
+pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
+    if bytes.trim_ascii_start().starts_with(b"{\"header\"") {
+        return read_document(bytes);
+    }
+    let mut lines = Lines { rest: bytes, number: 0 };
+    let header = header(lines.next().map(|line| line.text).unwrap_or_default())?;
+    let mut reader = Reader::new(&header);
+    let mut hashed = bytes.len() - lines.rest.len();
+    let mut ending = Ending::Missing { incomplete_record: false };
+    while let Some(line) = lines.next() {
+        if line.text.trim_ascii().is_empty() {
+            continue;
+        }
+        let parsed = serde_json::from_slice::<Line>(line.text).map_err(|error| error_at(line.number, &error));
+        let parsed = match parsed {
+            Ok(parsed) => parsed,
+            Err(_) if !line.is_terminated => {
+                ending = Ending::Missing { incomplete_record: true };
+                break;
+            }
+            Err(error) => return Err(error),
+        };
+        if let Some(end) = parsed.end {
+            ending = check_end(&end, reader.events.len(), &bytes[..hashed]);
+            break;
+        }
+        reader.take(parsed, line.number)?;
+        hashed = bytes.len() - lines.rest.len();
+    }
+    let events = reader.events;
+    Ok(ReadLog { log: Log { header, events }, ending })
+}
+
+fn read_document(bytes: &[u8]) -> Result<ReadLog, LogError> {
+    #[derive(Deserialize)]
+    struct Document {
+        header: Header,
+        children: Vec<Line>,
+        end: Option<End>,
+    }
+    let document: Document =
+        serde_json::from_slice(bytes).map_err(|error| error_at(error.line().saturating_sub(1) + 1, &error))?;
+    check_version(&document.header.log)?;
+    let mut reader = Reader::new(&document.header);
+    for child in document.children {
+        reader.take(child, 1)?;
+    }
+    let log = Log { events: reader.events, header: document.header };
+    // The digest is that of the same log as lines.
+    let ending = match document.end {
+        None => Ending::Missing { incomplete_record: false },
+        Some(end) => {
+            let lines = super::to_ndjson(&log)?;
+            let before_end = lines[..lines.len() - 1].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+            check_end(&end, log.events.len(), &lines[..before_end])
+        }
+    };
+    Ok(ReadLog { log, ending })
+}
+
+fn header(line: &[u8]) -> Result<Header, LogError> {
+    #[derive(Deserialize)]
+    struct Version {
+        log: String,
+    }
+    let Ok(version) = serde_json::from_slice::<Version>(line) else {
+        let found: String = String::from_utf8_lossy(line).chars().take(40).flat_map(char::escape_default).collect();
+        return Err(LogError::NotALog {
+            found: if found.is_empty() { "nothing".into() } else { format!("`{found}`") },
+        });
+    };
+    check_version(&version.log)?;
+    serde_json::from_slice(line).map_err(|error| error_at(1, &error))
+}
+
+fn check_version(found: &str) -> Result<(), LogError> {
+    if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: found.to_owned() }) }
+}
+
+fn check_end(end: &End, events: usize, hashed: &[u8]) -> Ending {
+    let digest = format!("blake3:{}", blake3::hash(hashed).to_hex());
+    if end.events != events as u64 {
+        Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) }
+    } else if end.digest != digest {
+        Ending::Mismatch { what: "its digest doesn't fit its bytes".into() }
+    } else {
+        Ending::Complete
+    }
+}
+
+fn error_at(line: usize, error: &serde_json::Error) -> LogError {
+    let text = error.to_string();
+    let message = text.split(" at line ").next().unwrap_or(&text).to_owned();
+    LogError::Damaged { line, column: error.column().max(1), message }
+}
+
+struct Lines<'b> {
+    rest: &'b [u8],
+    number: usize,
+}
+
+struct TextLine<'b> {
+    text: &'b [u8],
+    number: usize,
+    is_terminated: bool,
+}
+
+impl<'b> Iterator for Lines<'b> {
+    type Item = TextLine<'b>;
+
+    fn next(&mut self) -> Option<TextLine<'b>> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        self.number += 1;
+        let end = self.rest.iter().position(|byte| *byte == b'\n');
+        let (text, rest) = match end {
+            Some(end) => (&self.rest[..end], &self.rest[end + 1..]),
+            None => (self.rest, &self.rest[..0]),
+        };
+        self.rest = rest;
+        Some(TextLine { text, number: self.number, is_terminated: end.is_some() })
+    }
+}
+
+/// Turns lines into events: names into numbers, words into decisions.
+struct Reader {
+    objects: HashMap<String, u32>,
+    lights: HashMap<String, u32>,
+    events: Vec<Event>,
+}
+
+impl Reader {
+    fn new(header: &Header) -> Reader {
+        let numbered = |names: &[String]| {
+            // The first of equal names wins, as it does in a scene.
+            names.iter().enumerate().rev().map(|(number, name)| (name.clone(), number as u32)).collect()
+        };
+        Reader { objects: numbered(&header.objects), lights: numbered(&header.lights), events: Vec::new() }
+    }
+
+    fn take(&mut self, line: Line, number: usize) -> Result<(), LogError> {
+        let damaged = |message: String| LogError::Damaged { line: number, column: 1, message };
+        let missing = |field: &str| damaged(format!("expected an event, found no `{field}`"));
+        let at = line.at.ok_or_else(|| missing("at"))?;
+        let node = line.node.ok_or_else(|| missing("node"))?;
+        let what = if let Some(enter) = line.enter {
+            What::Enter { parent: line.parent, step: self.step(enter).map_err(damaged)? }
+        } else if let Some(key) = line.note {
+            let name = Name::find(&key, &line.form).ok_or_else(|| damaged(format!("unknown quantity `{key}`")))?;
+            What::Note { name, value: line.value.ok_or_else(|| missing("value"))? }
+        } else if let Some(mark) = line.mark {
+            What::Mark(self.decision(mark).map_err(damaged)?)
+        } else if line.leave.is_some() {
+            What::Leave
+        } else if let Some(result) = line.result {
+            What::Result { color: result.color }
+        } else {
+            return Err(damaged("expected `enter`, `note`, `mark`, `leave` or `result`".into()));
+        };
+        let given = line.given.0.into_iter().map(|(key, value)| match Name::find(&key, "") {
+            Some(name) => Ok((name, value)),
+            None => Err(damaged(format!("unknown quantity `{key}`"))),
+        });
+        let given = given.collect::<Result<_, _>>()?;
+        self.events.push(Event { at, node, what, given });
+        for child in line.children {
+            self.take(child, number)?;
+        }
+        Ok(())
+    }
+
+    fn step(&self, enter: Enter) -> Result<Step, String> {
+        Ok(match enter {
+            Enter::Pixel(pixel) => Step::Pixel(pixel),
+            Enter::Sample { number } => Step::Sample { number },
+            Enter::Ray { kind, depth, light } => {
+                let kind = match (kind.as_str(), light) {
+                    ("camera", _) => RayKind::Camera,
+                    ("reflected", _) => RayKind::Reflected,
+                    ("transmitted", _) => RayKind::Transmitted,
+                    ("shadow", Some(light)) => RayKind::Shadow { light: self.light(&light)? },
+                    (other, _) => return Err(format!("unknown kind of ray `{other}`")),
+                };
+                Step::Ray { kind, depth }
+            }
+            Enter::Test { object, triangle } => Step::Test { object: self.object(&object)?, triangle },
+            Enter::Shade { object } => Step::Shade { object: self.object(&object)? },
+            Enter::Light { light } => Step::Light { light: self.light(&light)? },
+            Enter::Combine {} => Step::Combine,
+        })
+    }
+
+    fn decision(&self, mark: Mark) -> Result<Decision, String> {
+        let skippable = |word: &str| Skippable::find(word).ok_or_else(|| format!("unknown work `{word}`"));
+        Ok(match mark {
+            Mark::Hit {} => Decision::Hit,
+            Mark::Miss { why } => {
+                Decision::Miss { why: Miss::find(&why).ok_or_else(|| format!("unknown reason `{why}`"))? }
+            }
+            Mark::Outside {} => Decision::Outside,
+            Mark::Inside {} => Decision::Inside,
+            Mark::Nearest { object } => Decision::Nearest { object: self.object(&object)? },
+            Mark::Background {} => Decision::Background,
+            Mark::Occluded { object } => Decision::Occluded { object: self.object(&object)? },
+            Mark::Attenuated { object, factor } => Decision::Attenuated { object: self.object(&object)?, factor },
+            Mark::TotalInternalReflection {} => Decision::TotalInternalReflection,
+            Mark::DepthLimit { what } => Decision::DepthLimit { what: skippable(&what)? },
+            Mark::Skipped { what, why } => Decision::Skipped {
+                what: skippable(&what)?,
+                why: SkipReason::find(&why).ok_or_else(|| format!("unknown rule `{why}`"))?,
+            },
+        })
+    }
+
+    fn object(&self, name: &str) -> Result<u32, String> {
+        self.objects.get(name).copied().ok_or_else(|| format!("object `{name}` isn't in the header"))
+    }
+
+    fn light(&self, name: &str) -> Result<u32, String> {
+        self.lights.get(name).copied().ok_or_else(|| format!("light `{name}` isn't in the header"))
+    }
+}

@@ -1,0 +1,261 @@
+//! Writing logs. A log is written while it grows, and its last line counts and digests what stands before it.
+
+use crate::log::event::{Decision, Event, RayKind, Step, Value, What};
+use crate::log::header::Header;
+use crate::log::name::Name;
+use crate::log::{Log, tree::path_of_child};
+use std::io::{self, Write};
+
+/// Writes a log line by line as NDJSON.
+pub struct Writer<'h, W: Write> {
+    out: W,
+    header: &'h Header,
+    hasher: blake3::Hasher,
+    events: u64,
+    /// The paths of the open nodes.
+    paths: Vec<String>,
+    line: Vec<u8>,
+}
+
+impl<'h, W: Write> Writer<'h, W> {
+    /// Starts a log with its header.
+    pub fn new(out: W, header: &'h Header) -> io::Result<Self> {
+        let mut writer =
+            Writer { out, header, hasher: blake3::Hasher::new(), events: 0, paths: Vec::new(), line: Vec::new() };
+        serde_json::to_writer(&mut writer.line, header)?;
+        writer.end_line()?;
+        Ok(writer)
+    }
+
+    /// Writes further events.
+    pub fn write(&mut self, events: &[Event]) -> io::Result<()> {
+        for event in events {
+            event_fields(&mut self.line, self.header, event, &mut self.paths);
+            self.line.push(b'}');
+            self.end_line()?;
+            self.events += 1;
+        }
+        Ok(())
+    }
+
+    /// Ends the log with its count and digest, and gives the output back.
+    pub fn finish(mut self) -> io::Result<W> {
+        let end = end_object(self.events, &self.hasher);
+        self.line.extend_from_slice(end.as_bytes());
+        self.end_line()?;
+        self.out.flush()?;
+        Ok(self.out)
+    }
+
+    fn end_line(&mut self) -> io::Result<()> {
+        self.line.push(b'\n');
+        self.hasher.update(&self.line);
+        self.out.write_all(&self.line)?;
+        self.line.clear();
+        Ok(())
+    }
+}
+
+/// The whole log as NDJSON.
+pub fn to_ndjson(log: &Log) -> io::Result<Vec<u8>> {
+    let mut writer = Writer::new(Vec::new(), &log.header)?;
+    writer.write(&log.events)?;
+    writer.finish()
+}
+
+/// The whole log as one document: the header, and each node's events as its `children`. The `end` is the NDJSON's.
+pub fn to_json(log: &Log) -> io::Result<Vec<u8>> {
+    let ndjson = to_ndjson(log)?;
+    let last_line = ndjson.trim_ascii_end().rsplit(|byte| *byte == b'\n').next().unwrap_or_default();
+
+    let mut out = b"{\"header\":".to_vec();
+    serde_json::to_writer(&mut out, &log.header)?;
+    out.extend_from_slice(b",\n\"children\":[");
+    let mut paths = Vec::new();
+    let mut first_child = true;
+    for event in &log.events {
+        out.extend_from_slice(if first_child { b"\n" } else { b",\n" });
+        out.resize(out.len() + paths.len() + 1, b' ');
+        event_fields(&mut out, &log.header, event, &mut paths);
+        first_child = matches!(event.what, What::Enter { .. });
+        match event.what {
+            What::Enter { .. } => out.extend_from_slice(b",\"children\":["),
+            What::Leave => out.extend_from_slice(b"}]}"),
+            _ => out.push(b'}'),
+        }
+    }
+    // Pixels of a region log are opened but never left.
+    for _ in &paths {
+        out.extend_from_slice(b"]}");
+    }
+    out.extend_from_slice(b"\n],\n");
+    out.extend_from_slice(last_line.strip_prefix(b"{").unwrap_or(last_line));
+    out.push(b'\n');
+    Ok(out)
+}
+
+fn end_object(events: u64, hasher: &blake3::Hasher) -> String {
+    format!("{{\"end\":{{\"events\":{events},\"digest\":\"blake3:{}\"}}}}", hasher.finalize().to_hex())
+}
+
+/// The event as a JSON object without its closing brace.
+fn event_fields(out: &mut Vec<u8>, header: &Header, event: &Event, paths: &mut Vec<String>) {
+    text(out, &format!("{{\"at\":{},\"node\":{}", event.at, event.node));
+    match &event.what {
+        What::Enter { parent, step } => {
+            text(out, ",\"enter\":");
+            enter(out, header, *step);
+            if !matches!(step, Step::Pixel(_)) {
+                text(out, &format!(",\"parent\":{parent}"));
+            }
+            let path = path_of_child(paths.last().map_or("", String::as_str), *step);
+            if matches!(step, Step::Ray { .. }) {
+                text(out, ",\"path\":");
+                string(out, &path);
+            }
+            if matches!(step, Step::Pixel(_)) {
+                paths.clear();
+            }
+            paths.push(path);
+        }
+        What::Note { name, value } => note(out, *name, *value),
+        What::Mark(decision) => {
+            text(out, ",\"mark\":{\"");
+            mark(out, header, decision);
+            text(out, "}}");
+        }
+        What::Leave => {
+            text(out, ",\"leave\":{}");
+            paths.pop();
+        }
+        What::Result { color } => {
+            text(out, ",\"result\":{\"color\":");
+            triple(out, color);
+            text(out, "}");
+        }
+    }
+    if !event.given.is_empty() {
+        text(out, ",\"given\":{");
+        for (index, (name, given)) in event.given.iter().enumerate() {
+            text(out, if index == 0 { "\"" } else { ",\"" });
+            text(out, name.key());
+            text(out, "\":");
+            value(out, *given);
+        }
+        text(out, "}");
+    }
+}
+
+fn enter(out: &mut Vec<u8>, header: &Header, step: Step) {
+    match step {
+        Step::Pixel([x, y]) => text(out, &format!("{{\"pixel\":[{x},{y}]}}")),
+        Step::Sample { number } => text(out, &format!("{{\"sample\":{{\"number\":{number}}}}}")),
+        Step::Ray { kind, depth } => {
+            text(out, &format!("{{\"ray\":{{\"kind\":\"{}\",\"depth\":{depth}", kind.word()));
+            if let RayKind::Shadow { light } = kind {
+                text(out, ",\"light\":");
+                string(out, header.light(light));
+            }
+            text(out, "}}");
+        }
+        Step::Test { object, triangle } => {
+            text(out, "{\"test\":{\"object\":");
+            string(out, header.object(object));
+            if let Some(triangle) = triangle {
+                text(out, &format!(",\"triangle\":{triangle}"));
+            }
+            text(out, "}}");
+        }
+        Step::Shade { object } => {
+            text(out, "{\"shade\":{\"object\":");
+            string(out, header.object(object));
+            text(out, "}}");
+        }
+        Step::Light { light } => {
+            text(out, "{\"light\":{\"light\":");
+            string(out, header.light(light));
+            text(out, "}}");
+        }
+        Step::Combine => text(out, "{\"combine\":{}}"),
+    }
+}
+
+fn note(out: &mut Vec<u8>, name: Name, noted: Value) {
+    text(out, ",\"note\":\"");
+    text(out, name.key());
+    text(out, "\"");
+    if !name.form().is_empty() {
+        text(out, ",\"form\":\"");
+        text(out, name.form());
+        text(out, "\"");
+    }
+    text(out, ",\"value\":");
+    value(out, noted);
+}
+
+/// The decision's name and fields, without the braces around them and after the opening quote.
+fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
+    match decision {
+        Decision::Hit => text(out, "hit\":{"),
+        Decision::Miss { why } => text(out, &format!("miss\":{{\"why\":\"{}\"", why.word())),
+        Decision::Outside => text(out, "outside\":{"),
+        Decision::Inside => text(out, "inside\":{"),
+        Decision::Nearest { object } => {
+            text(out, "nearest\":{\"object\":");
+            string(out, header.object(*object));
+        }
+        Decision::Background => text(out, "background\":{"),
+        Decision::Occluded { object } => {
+            text(out, "occluded\":{\"object\":");
+            string(out, header.object(*object));
+        }
+        Decision::Attenuated { object, factor } => {
+            text(out, "attenuated\":{\"object\":");
+            string(out, header.object(*object));
+            text(out, ",\"factor\":");
+            triple(out, factor);
+        }
+        Decision::TotalInternalReflection => text(out, "total_internal_reflection\":{"),
+        Decision::DepthLimit { what } => text(out, &format!("depth_limit\":{{\"what\":\"{}\"", what.word())),
+        Decision::Skipped { what, why } => {
+            text(out, &format!("skipped\":{{\"what\":\"{}\",\"why\":\"{}\"", what.word(), why.word()));
+        }
+    }
+}
+
+fn value(out: &mut Vec<u8>, value: Value) {
+    match value {
+        Value::Number(x) => number(out, x),
+        Value::Triple(xyz) => triple(out, &xyz),
+    }
+}
+
+fn triple(out: &mut Vec<u8>, [x, y, z]: &[f64; 3]) {
+    text(out, "[");
+    number(out, *x);
+    text(out, ",");
+    number(out, *y);
+    text(out, ",");
+    number(out, *z);
+    text(out, "]");
+}
+
+/// The shortest text that reads back as the same bits; whole numbers without a decimal point, but for `-0.0`.
+fn number(out: &mut Vec<u8>, x: f64) {
+    debug_assert!(x.is_finite(), "a log holds finite numbers only");
+    if x == x.trunc() && x.abs() < 1e15 && !(x == 0.0 && x.is_sign_negative()) {
+        text(out, &(x as i64).to_string());
+    } else if serde_json::to_writer(&mut *out, &x).is_err() {
+        // Writing to memory can't fail.
+        text(out, "0");
+    }
+}
+
+fn string(out: &mut Vec<u8>, content: &str) {
+    // Control characters are escaped by serde_json; writing to memory can't fail.
+    let _ = serde_json::to_writer(out, content);
+}
+
+fn text(out: &mut Vec<u8>, content: &str) {
+    out.extend_from_slice(content.as_bytes());
+}

@@ -1,0 +1,255 @@
+//! The grammar of the formula texts: one parser, so that every view and every check reads them alike.
+//!
+//! ```text
+//! sum      = product { ("+" | "−") product }
+//! product  = power { ("·" | "∘" | "/") power }
+//! power    = prefix [ "^" power ]
+//! prefix   = "−" power | "√" postfix | postfix
+//! postfix  = atom { "²" | "⁺" }
+//! atom     = number | symbol | "(" sum ")" | "|" sum "|" | "min(" sum "," sum ")" | "Σ(" sum ")"
+//! ```
+//!
+//! `·` is the product of two numbers, the scaling of a triple, or the dot product of two triples; `∘` multiplies colours
+//! channel by channel; `x⁺` is max(0, x); `|v|` is a length; `Σ` adds over the lights of a surface point. A symbol is the
+//! longest one of the table of names that the text goes on with, so `N·L` is the quantity and `N · L` its formula.
+
+use super::name::Name;
+use std::sync::LazyLock;
+
+/// A formula as a tree.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Formula {
+    /// A number.
+    Number(f64),
+    /// The symbol of a quantity.
+    Symbol(&'static str),
+    /// `−a`
+    Negated(Box<Formula>),
+    /// `√a`
+    Root(Box<Formula>),
+    /// `a²`
+    Squared(Box<Formula>),
+    /// `a⁺`
+    Positive(Box<Formula>),
+    /// `|a|`
+    Length(Box<Formula>),
+    /// `(a)`, kept because it is written.
+    Grouped(Box<Formula>),
+    /// `Σ(a)`
+    OverLights(Box<Formula>),
+    /// `min(a, b)`
+    Min(Box<Formula>, Box<Formula>),
+    /// Two operands.
+    Binary(Operator, Box<Formula>, Box<Formula>),
+}
+
+/// An operator between two operands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Operator {
+    /// `+`
+    Plus,
+    /// `−`
+    Minus,
+    /// `·`
+    Times,
+    /// `∘`
+    Channelwise,
+    /// `/`
+    Over,
+    /// `^`
+    Power,
+}
+
+/// The formula of a name, parsed; `None` for what is given.
+pub fn of(name: Name) -> Option<&'static Formula> {
+    static PARSED: LazyLock<Vec<Option<Formula>>> = LazyLock::new(|| {
+        // The texts are part of the program, and a test parses each of them.
+        Name::all().map(|name| name.formula().and_then(|text| parse(text).ok())).collect()
+    });
+    PARSED[name as usize].as_ref()
+}
+
+/// Reads a formula text; the error says what was expected where.
+pub fn parse(text: &str) -> Result<Formula, String> {
+    let mut parser = Parser { rest: text };
+    let formula = parser.sum()?;
+    match parser.peek() {
+        "" => Ok(formula),
+        rest => Err(format!("expected the end of the formula, found `{rest}`")),
+    }
+}
+
+struct Parser<'t> {
+    rest: &'t str,
+}
+
+impl<'t> Parser<'t> {
+    fn sum(&mut self) -> Result<Formula, String> {
+        let mut left = self.product()?;
+        loop {
+            let operator = match () {
+                _ if self.eat("+") => Operator::Plus,
+                _ if self.eat("−") => Operator::Minus,
+                _ => return Ok(left),
+            };
+            left = binary(operator, left, self.product()?);
+        }
+    }
+
+    fn product(&mut self) -> Result<Formula, String> {
+        let mut left = self.power()?;
+        loop {
+            let operator = match () {
+                _ if self.eat("·") => Operator::Times,
+                _ if self.eat("∘") => Operator::Channelwise,
+                _ if self.eat("/") => Operator::Over,
+                _ => return Ok(left),
+            };
+            left = binary(operator, left, self.power()?);
+        }
+    }
+
+    fn power(&mut self) -> Result<Formula, String> {
+        let base = self.prefix()?;
+        if self.eat("^") { Ok(binary(Operator::Power, base, self.power()?)) } else { Ok(base) }
+    }
+
+    fn prefix(&mut self) -> Result<Formula, String> {
+        if self.symbol_ahead().is_some() {
+            // Symbols first: the quantity `−N·H′` begins with a sign.
+            self.postfix()
+        } else if self.eat("−") {
+            Ok(Formula::Negated(Box::new(self.power()?)))
+        } else if self.eat("√") {
+            Ok(Formula::Root(Box::new(self.postfix()?)))
+        } else {
+            self.postfix()
+        }
+    }
+
+    fn postfix(&mut self) -> Result<Formula, String> {
+        let mut inner = self.atom()?;
+        loop {
+            if self.eat("²") {
+                inner = Formula::Squared(Box::new(inner));
+            } else if self.eat("⁺") {
+                inner = Formula::Positive(Box::new(inner));
+            } else {
+                return Ok(inner);
+            }
+        }
+    }
+
+    fn atom(&mut self) -> Result<Formula, String> {
+        if let Some(symbol) = self.symbol_ahead() {
+            self.rest = &self.rest[symbol.len()..];
+            return Ok(Formula::Symbol(symbol));
+        }
+        if self.eat("Σ(") {
+            let inner = self.sum()?;
+            self.expect(")")?;
+            return Ok(Formula::OverLights(Box::new(inner)));
+        }
+        if self.eat("min(") {
+            let first = self.sum()?;
+            self.expect(",")?;
+            let second = self.sum()?;
+            self.expect(")")?;
+            return Ok(Formula::Min(Box::new(first), Box::new(second)));
+        }
+        if self.eat("(") {
+            let inner = self.sum()?;
+            self.expect(")")?;
+            return Ok(Formula::Grouped(Box::new(inner)));
+        }
+        if self.eat("|") {
+            let inner = self.sum()?;
+            self.expect("|")?;
+            return Ok(Formula::Length(Box::new(inner)));
+        }
+        self.number()
+    }
+
+    fn number(&mut self) -> Result<Formula, String> {
+        let digits = self.peek();
+        let end = digits.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(digits.len());
+        let number = digits[..end].parse().map_err(|_| format!("expected a number or a symbol, found `{digits}`"))?;
+        self.rest = &digits[end..];
+        Ok(Formula::Number(number))
+    }
+
+    /// The longest symbol that the text goes on with.
+    fn symbol_ahead(&mut self) -> Option<&'static str> {
+        static LONGEST_FIRST: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
+            let mut symbols: Vec<_> = Name::all().map(Name::symbol).collect();
+            symbols.sort_by_key(|symbol| std::cmp::Reverse(symbol.len()));
+            symbols
+        });
+        let rest = self.peek();
+        LONGEST_FIRST.iter().copied().find(|symbol| rest.starts_with(symbol))
+    }
+
+    fn peek(&mut self) -> &'t str {
+        self.rest = self.rest.trim_start();
+        self.rest
+    }
+
+    fn eat(&mut self, token: &str) -> bool {
+        match self.peek().strip_prefix(token) {
+            Some(rest) => {
+                self.rest = rest;
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn expect(&mut self, token: &str) -> Result<(), String> {
+        if self.eat(token) { Ok(()) } else { Err(format!("expected `{token}`, found `{}`", self.rest)) }
+    }
+}
+
+fn binary(operator: Operator, left: Formula, right: Formula) -> Formula {
+    Formula::Binary(operator, Box::new(left), Box::new(right))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    fn symbol(text: &'static str) -> Formula {
+        Formula::Symbol(text)
+    }
+
+    #[test]
+    fn every_formula_of_the_table_parses() {
+        for name in Name::all() {
+            if let Some(text) = name.formula() {
+                assert!(parse(text).is_ok(), "{name:?}: {text}: {:?}", parse(text));
+                assert!(of(name).is_some());
+            }
+        }
+    }
+
+    #[test]
+    fn the_longest_symbol_wins() {
+        assert_eq!(parse("N·L").unwrap(), symbol("N·L"));
+        assert_eq!(parse("N · L").unwrap(), binary(Operator::Times, symbol("N"), symbol("L")));
+        assert_eq!(parse("−N·H′").unwrap(), symbol("−N·H′"));
+    }
+
+    #[test]
+    fn sums_and_quotients_group_to_the_left() {
+        let minus_then_plus = parse("r² − L2oc + T_A²").unwrap();
+        let Formula::Binary(Operator::Plus, left, _) = minus_then_plus else { panic!("a sum") };
+        assert!(matches!(*left, Formula::Binary(Operator::Minus, ..)));
+    }
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        assert_eq!(parse("r +").unwrap_err(), "expected a number or a symbol, found ``");
+        assert_eq!(parse("(r").unwrap_err(), "expected `)`, found ``");
+        assert_eq!(parse("r )").unwrap_err(), "expected the end of the formula, found `)`");
+    }
+}

@@ -1,0 +1,26 @@
+//! The structured log of a computation: events as typed data, their files, and the tree that they make.
+//!
+//! This room knows no geometry: objects and lights are numbers that the header names, and what a quantity means stands
+//! in the table of [`Name`].
+
+pub mod event;
+pub mod file;
+pub mod formula;
+pub mod header;
+pub mod name;
+pub mod scope;
+pub mod tree;
+
+pub use event::{Decision, Event, Miss, RayKind, SkipReason, Skippable, Step, Value, What};
+pub use header::{Header, Subject};
+pub use name::Name;
+pub use tree::{Node, Tree};
+
+/// A whole log: what it says about itself, and its events.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Log {
+    /// What the log says about itself.
+    pub header: Header,
+    /// The events, in the order of the computation.
+    pub events: Vec<Event>,
+}

@@ -1,0 +1,214 @@
+//! The named quantities: their keys in a log, their symbols and formulas on paper, and where the source text has them.
+//!
+//! One row a quantity. Adding a logged quantity is one row here and one `note` in the kernel that computes it. A formula
+//! is written with the symbols of this same table (see [`super::formula`] for its grammar), and a test evaluates every
+//! formula on the logged operands and must get the logged value.
+
+/// Declares [`Name`] from rows `Variant: key, form, symbol, formula, source section`.
+macro_rules! names {
+    ($($variant:ident: $key:literal, $form:literal, $symbol:literal, $formula:literal, $section:literal;)*) => {
+        /// A named quantity of the computation.
+        ///
+        /// Several names may share a key: they are the same quantity computed by different formulas, told apart in the
+        /// log by their `form`.
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
+        #[repr(u8)]
+        pub enum Name {
+            $(#[doc = concat!("`", $key, "`: ", $symbol, " = ", $formula)] $variant,)*
+        }
+
+        const ROWS: &[(Name, Row)] = &[$((Name::$variant, Row {
+            key: $key, form: $form, symbol: $symbol, formula: $formula, section: $section,
+        }),)*];
+    };
+}
+
+struct Row {
+    key: &'static str,
+    form: &'static str,
+    symbol: &'static str,
+    formula: &'static str,
+    section: &'static str,
+}
+
+names! {
+    // The camera and its ray. G is the direction of view, e_x and e_y point right and up in the picture.
+    CameraDirection: "camera.direction", "", "G", "", "1.1.1";
+    CameraLength: "camera.length", "", "|G|", "", "1.1.1";
+    CameraRight: "camera.right", "", "e_x", "", "1.1.1";
+    CameraUp: "camera.up", "", "e_y", "", "1.1.1";
+    PixelX: "pixel.x", "", "x", "", "1.1.1";
+    PixelY: "pixel.y", "", "y", "", "1.1.1";
+    RayVector: "ray.vector", "", "D", "G + |G|·(x·e_x + y·e_y)", "1.1.1";
+    RayOrigin: "ray.origin", "", "O", "", "1.1.1";
+    RayLength: "ray.length", "", "|D|", "√(D · D)", "1.3 (1)";
+    RayDirection: "ray.direction", "", "d", "D/|D|", "1.3 (1)";
+
+    // Plane.
+    PlaneNormal: "plane.normal", "", "N_p", "", "1.3 (2)";
+    PlaneOffset: "plane.offset", "", "D_p", "", "1.3 (2)";
+    PlaneUnitNormal: "plane.unit_normal", "", "n_p", "", "1.3 (2)";
+    PlaneVd: "plane.v_d", "", "V_d", "N_p · d", "1.3 (2)";
+    PlaneVo: "plane.v_o", "", "V_o", "−(N_p · O + D_p)", "1.3 (2)";
+    PlaneT: "plane.t", "", "t", "V_o/V_d", "1.3 (2)";
+
+    // Sphere: the geometric method of the source text, and the robust one (Haines et al., Ray Tracing Gems, chapter 7).
+    SphereCenter: "sphere.center", "", "S_c", "", "1.3 (5a)";
+    SphereRadius: "sphere.radius", "", "r", "", "1.3 (5c)";
+    SphereRadiusSquared: "sphere.radius_squared", "", "r²", "", "1.3 (5c)";
+    SphereOc: "sphere.oc", "", "OC", "S_c − O", "1.3 (5a)";
+    SphereL2oc: "sphere.l2_oc", "", "L2oc", "OC · OC", "1.3 (5a)";
+    SphereTa: "sphere.t_a", "", "T_A", "OC · d", "1.3 (5b)";
+    SphereT2a: "sphere.t2_a", "", "T2_A", "r² − L2oc + T_A²", "1.3 (5d)";
+    SphereT2aRobust: "sphere.t2_a", "robust", "T2_A", "r² − |OC − T_A·d|²", "1.3 (5d)";
+    SphereT: "sphere.t", "", "t", "T_A − √T2_A", "1.3 (5e)";
+    SphereTFar: "sphere.t", "far", "t", "T_A + √T2_A", "1.3 (5e)";
+    SphereTNearRobust: "sphere.t", "near_robust", "t", "(L2oc − r²)/(T_A + √T2_A)", "1.3 (5e)";
+    SphereTFarRobust: "sphere.t", "far_robust", "t", "(r² − L2oc)/(√T2_A − T_A)", "1.3 (5e)";
+    SphereTLeaving: "sphere.t", "leaving", "t", "2·T_A", "1.3 (5e)";
+
+    // The nearest hit: its point, and the normal turned toward the arriving ray.
+    HitPoint: "hit.point", "", "P", "O + d·t", "1.3 (3)";
+    HitPointSphere: "hit.point", "on_sphere", "P", "S_c + (O + d·t − S_c)·(r/|O + d·t − S_c|)", "1.3 (5f)";
+    HitNormalPlane: "hit.normal", "plane", "N", "n_p", "1.3 (4)";
+    HitNormalPlaneBack: "hit.normal", "plane_back", "N", "−n_p", "1.3 (4)";
+    HitNormalSphere: "hit.normal", "sphere", "N", "(P − S_c)/r", "1.3 (5g)";
+    HitNormalSphereBack: "hit.normal", "sphere_back", "N", "(S_c − P)/r", "1.3 (5g)";
+
+    // The two bounces.
+    ReflectDirection: "reflect.direction", "", "R", "d − 2·N·(d · N)", "1.2.2";
+    RefractEta1: "refract.eta_1", "", "η_1", "", "1.2.1";
+    RefractEta2: "refract.eta_2", "", "η_2", "", "1.2.1";
+    RefractEta: "refract.eta", "", "η", "η_2/η_1", "1.2.1";
+    RefractCos1: "refract.cos_1", "", "cosφ_1", "−(N · d)", "1.2.1";
+    RefractCos2: "refract.cos_2", "", "cosφ_2", "√(η² − |d + cosφ_1·N|²)/η", "1.2.1";
+    RefractDirection: "refract.direction", "", "T", "d/η − (cosφ_2 − cosφ_1/η)·N", "1.2.1";
+
+    // A light as a surface point sees it. ℓ is not normalised, L is.
+    LightPosition: "light.position", "", "F", "", "1.3 (6)";
+    LightTravel: "light.travel", "", "u", "", "1.2.1";
+    LightColor: "light.color", "", "I_i", "", "1.2.1";
+    LightConstant: "light.constant", "", "a_c", "", "1.2.1";
+    LightLinear: "light.linear", "", "a_l", "", "1.2.1";
+    LightQuadratic: "light.quadratic", "", "a_q", "", "1.2.1";
+    LightVector: "light.vector", "", "ℓ", "F − P", "1.3 (6)";
+    LightDistance: "light.distance", "", "|ℓ|", "√(ℓ · ℓ)", "1.3 (6)";
+    LightDirection: "light.direction", "", "L", "ℓ/|ℓ|", "1.3 (6)";
+    LightDirectionFixed: "light.direction", "directional", "L", "−u", "1.2.1";
+    LightAttenuation: "light.attenuation", "", "att", "min(1, 1/(a_c + a_l·|ℓ| + a_q·|ℓ|²))", "1.2.1";
+    ShadowTransmittance: "shadow.transmittance", "", "τ", "", "1.2.5";
+
+    // The local model, in H form and in R form, and its transmitted term.
+    ViewDirection: "view.direction", "", "V", "−d", "1.3 (6)";
+    HalfSum: "half.sum", "", "h", "L + V", "1.3 (6)";
+    HalfLength: "half.length", "", "|h|", "√(h · h)", "1.3 (6)";
+    HalfDirection: "half.direction", "", "H", "h/|h|", "1.3 (6)";
+    MirrorDirection: "mirror.direction", "", "R_L", "2·N·N·L − L", "1.2.1";
+    TransmitEta: "transmit.eta", "", "η_t", "η_2/η_1", "1.2.1";
+    TransmitSum: "transmit.sum", "", "h′", "−(L + V)/(η_t − 1) − V", "1.2.1";
+    TransmitLength: "transmit.length", "", "|h′|", "√(h′ · h′)", "1.2.1";
+    TransmitDirection: "transmit.direction", "", "H′", "h′/|h′|", "1.2.1";
+    ShadeNDotL: "shade.n_dot_l", "", "N·L", "N · L", "1.3 (7)";
+    ShadeNDotH: "shade.n_dot_h", "", "N·H", "N · H", "1.3 (7)";
+    ShadeRDotV: "shade.r_dot_v", "", "R·V", "R_L · V", "1.2.1";
+    ShadeNDotTransmitted: "shade.n_dot_transmitted", "", "−N·H′", "−(N · H′)", "1.2.1";
+    MaterialAmbient: "material.ambient", "", "K_a", "", "1.2.1";
+    MaterialDiffuse: "material.diffuse", "", "K_d", "", "1.2.1";
+    MaterialSpecular: "material.specular", "", "K_e", "", "1.2.1";
+    MaterialShininess: "material.shininess", "", "n_e", "", "1.2.1";
+    MaterialTransmission: "material.transmission", "", "K_t", "", "1.2.1";
+    MaterialTransmissionExponent: "material.transmission_exponent", "", "n_t", "", "1.2.1";
+    AmbientLight: "light.ambient", "", "I_a", "", "1.2.1";
+    ShadeLocal: "shade.local", "", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^n_e))", "1.2.1";
+    ShadeLocalMirror: "shade.local", "reflection_vector", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((R·V)⁺)^n_e))", "1.2.1";
+    ShadeLocalTransmitting: "shade.local", "transmitting", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^n_e + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
+    ShadeLocalMirrorTransmitting: "shade.local", "reflection_vector_transmitting", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((R·V)⁺)^n_e + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
+    ShadeLocalAmbient: "shade.local", "ambient", "I_local", "I_a∘K_a", "1.1.2";
+
+    // The sum of the three contributions.
+    WeightLocal: "weight.local", "", "W_l", "", "1.2.3";
+    WeightReflected: "weight.reflected", "", "W_r", "", "1.2.3";
+    WeightTransmitted: "weight.transmitted", "", "W_t", "", "1.2.3";
+    IncomingReflected: "incoming.reflected", "", "I_reflected", "", "1.2.3";
+    IncomingTransmitted: "incoming.transmitted", "", "I_transmitted", "", "1.2.3";
+    CombineLocal: "combine.local", "", "C_l", "W_l∘I_local", "1.2.3";
+    CombineReflected: "combine.reflected", "", "C_r", "W_r∘I_reflected", "1.2.3";
+    CombineTransmitted: "combine.transmitted", "", "C_t", "W_t∘I_transmitted", "1.2.3";
+    CombineColor: "combine.color", "", "I", "C_l + C_r + C_t", "1.2.3";
+}
+
+impl Name {
+    /// Every name, in the order of the table.
+    pub fn all() -> impl Iterator<Item = Name> {
+        ROWS.iter().map(|(name, _)| *name)
+    }
+
+    /// The name with this key and form, if there is one.
+    pub fn find(key: &str, form: &str) -> Option<Name> {
+        ROWS.iter().find(|(_, row)| row.key == key && row.form == form).map(|(name, _)| *name)
+    }
+
+    /// The key of the quantity in a log, such as `sphere.t2_a`.
+    pub fn key(self) -> &'static str {
+        self.row().key
+    }
+
+    /// Which of several formulas gave the quantity, such as `far`; empty for the usual one.
+    pub fn form(self) -> &'static str {
+        self.row().form
+    }
+
+    /// The symbol of the quantity in formulas, such as `T2_A`.
+    pub fn symbol(self) -> &'static str {
+        self.row().symbol
+    }
+
+    /// The formula text, such as `r² − L2oc + T_A²`; `None` for what is given.
+    pub fn formula(self) -> Option<&'static str> {
+        Some(self.row().formula).filter(|text| !text.is_empty())
+    }
+
+    /// The section of the source text (Ramos, "Trazado de rayos") that has the quantity.
+    pub fn section(self) -> &'static str {
+        self.row().section
+    }
+
+    fn row(self) -> &'static Row {
+        &ROWS[self as usize].1
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn rows_stand_in_the_order_of_the_variants() {
+        for (index, (name, _)) in ROWS.iter().enumerate() {
+            assert_eq!(*name as usize, index);
+        }
+    }
+
+    #[test]
+    fn key_and_form_tell_every_name_apart() {
+        let pairs: HashSet<_> = Name::all().map(|name| (name.key(), name.form())).collect();
+        assert_eq!(pairs.len(), ROWS.len());
+        for name in Name::all() {
+            assert_eq!(Name::find(name.key(), name.form()), Some(name));
+        }
+    }
+
+    #[test]
+    fn names_of_one_key_share_their_symbol() {
+        for name in Name::all() {
+            let first = ROWS.iter().find(|(_, row)| row.key == name.key()).unwrap().0;
+            assert_eq!(name.symbol(), first.symbol(), "{}", name.key());
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Where the operands of a formula come from: the provenance of each value.
+//!
+//! The symbols of a formula mean the latest quantity of that symbol that the computation could see: in the node itself,
+//! in the intersection test that found the nearest hit, then in the enclosing nodes.
+
+use super::event::{Decision, Event, Step, Value, What};
+use super::tree::Tree;
+
+/// A value that a formula puts in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Operand {
+    /// The event that noted it or has it among its inputs.
+    pub event: usize,
+    /// The value.
+    pub value: Value,
+}
+
+/// What a symbol in the formula of the quantity noted by `event` stands for.
+pub fn operand(events: &[Event], tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
+    if let Some(value) = given(&events[event], symbol) {
+        return Some(Operand { event, value });
+    }
+    seen_from(events, tree, tree.owner(event), event, symbol)
+}
+
+/// What a symbol under the Σ of a local intensity stands for, in the part of one light (see [`lights`]).
+pub fn operand_of_light(events: &[Event], tree: &Tree, light: usize, symbol: &str) -> Option<Operand> {
+    seen_from(events, tree, light, tree.nodes()[light].events.end, symbol)
+}
+
+/// The nodes of the lights over which the Σ in the formula of `event` adds.
+pub fn lights<'t>(tree: &'t Tree, event: usize) -> impl Iterator<Item = usize> + 't {
+    tree.children(tree.owner(event)).filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Light { .. })))
+}
+
+fn seen_from(events: &[Event], tree: &Tree, mut node: usize, mut before: usize, symbol: &str) -> Option<Operand> {
+    loop {
+        let found = in_node(events, tree, node, before, symbol).or_else(|| {
+            nearest_test(events, tree, node, before).and_then(|test| in_node(events, tree, test, before, symbol))
+        });
+        if found.is_some() || node == 0 {
+            return found;
+        }
+        before = tree.nodes()[node].events.start;
+        node = tree.nodes()[node].parent;
+    }
+}
+
+fn in_node(events: &[Event], tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
+    tree.own_events(node).rev().skip_while(|event| *event >= before).find_map(|event| {
+        let value = noted(&events[event], symbol).or_else(|| given(&events[event], symbol))?;
+        Some(Operand { event, value })
+    })
+}
+
+/// The test, directly inside `node`, that found the nearest object.
+fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -> Option<usize> {
+    let nearest =
+        tree.own_events(node).take_while(|event| *event < before).find_map(|event| match events[event].what {
+            What::Mark(Decision::Nearest { object }) => Some(object),
+            _ => None,
+        })?;
+    let is_of_nearest = |child: &usize| match tree.nodes()[*child].step {
+        Some(Step::Test { object, .. }) => object == nearest,
+        _ => false,
+    };
+    tree.children(node).filter(is_of_nearest).last()
+}
+
+fn noted(event: &Event, symbol: &str) -> Option<Value> {
+    match event.what {
+        What::Note { name, value } if name.symbol() == symbol => Some(value),
+        _ => None,
+    }
+}
+
+fn given(event: &Event, symbol: &str) -> Option<Value> {
+    event.given.iter().rev().find(|(name, _)| name.symbol() == symbol).map(|(_, value)| *value)
+}

@@ -1,0 +1,117 @@
+//! The events as a tree: nodes in pre-order in one flat array, so that a view needs to touch only what it shows.
+
+use super::event::{Event, RayKind, Step, What};
+use std::ops::Range;
+
+/// The tree of a log's nodes. Node 0 is the root: the pixel, or the whole region.
+#[derive(Clone, Debug)]
+pub struct Tree {
+    nodes: Vec<Node>,
+    /// The node of each event.
+    owner: Vec<u32>,
+}
+
+/// A node of the tree.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Node {
+    /// What the node is; `None` for the root.
+    pub step: Option<Step>,
+    /// The index of the enclosing node (the root's is its own).
+    pub parent: usize,
+    /// How many nodes enclose it.
+    pub level: usize,
+    /// Its events, from the one that enters to the one that leaves, with those of the nodes inside.
+    pub events: Range<usize>,
+    /// The index after its last descendant.
+    pub subtree_end: usize,
+}
+
+impl Tree {
+    /// The tree of these events. Nodes that are never left (in a log that was cut off) end where the events do.
+    pub fn of(events: &[Event]) -> Tree {
+        let root = Node { step: None, parent: 0, level: 0, events: 0..events.len(), subtree_end: 1 };
+        let mut tree = Tree { nodes: vec![root], owner: Vec::with_capacity(events.len()) };
+        let mut open = vec![0];
+        for (index, event) in events.iter().enumerate() {
+            if let What::Enter { step, .. } = event.what {
+                if matches!(step, Step::Pixel(_)) {
+                    // Pixels of a region follow one another without being left.
+                    tree.close_down_to(1, &mut open, index);
+                }
+                let parent = open[open.len() - 1];
+                open.push(tree.nodes.len());
+                let node = Node {
+                    step: Some(step),
+                    parent,
+                    level: open.len() - 1,
+                    events: index..events.len(),
+                    subtree_end: tree.nodes.len() + 1,
+                };
+                tree.nodes.push(node);
+            }
+            tree.owner.push(open[open.len() - 1] as u32);
+            if event.what == What::Leave && open.len() > 1 {
+                tree.close_down_to(open.len() - 1, &mut open, index + 1);
+            }
+        }
+        tree.close_down_to(0, &mut open, events.len());
+        tree
+    }
+
+    fn close_down_to(&mut self, count: usize, open: &mut Vec<usize>, end: usize) {
+        while open.len() > count {
+            if let Some(node) = open.pop() {
+                self.nodes[node].events.end = end;
+                self.nodes[node].subtree_end = self.nodes.len();
+            }
+        }
+    }
+
+    /// The nodes in pre-order.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The node that an event belongs to.
+    pub fn owner(&self, event: usize) -> usize {
+        self.owner.get(event).map_or(0, |node| *node as usize)
+    }
+
+    /// The nodes directly inside a node.
+    pub fn children(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
+        let end = self.nodes[node].subtree_end;
+        let first = Some(node + 1).filter(|first| *first < end);
+        std::iter::successors(first, move |child| Some(self.nodes[*child].subtree_end).filter(|next| *next < end))
+    }
+
+    /// The events of a node itself, without those of the nodes inside it, in order.
+    pub fn own_events(&self, node: usize) -> impl DoubleEndedIterator<Item = usize> + '_ {
+        self.nodes[node].events.clone().filter(move |event| self.owner(*event) == node)
+    }
+
+    /// The way of a node's ray from the eye, such as `C R S1`; empty outside every ray.
+    pub fn path(&self, node: usize) -> String {
+        let mut steps = Vec::new();
+        let mut at = node;
+        while at != 0 {
+            steps.extend(self.nodes[at].step);
+            at = self.nodes[at].parent;
+        }
+        steps.iter().rev().fold(String::new(), |path, step| path_of_child(&path, *step))
+    }
+}
+
+/// The path of a node inside a node with this path: rays add their letter, a shadow ray also its light's number from 1.
+pub fn path_of_child(path: &str, step: Step) -> String {
+    match step {
+        Step::Pixel(_) => String::new(),
+        Step::Ray { kind, .. } => {
+            let gap = if path.is_empty() { "" } else { " " };
+            match kind {
+                RayKind::Shadow { light } => format!("{path}{gap}S{}", light + 1),
+                _ => format!("{path}{gap}{}", kind.letter()),
+            }
+        }
+        _ => path.to_owned(),
+    }
+}

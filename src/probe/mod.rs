@@ -1,0 +1,83 @@
+//! The probe: what sees, and may alter, every named quantity of the one tracing path.
+//!
+//! There is one implementation of intersecting, shading and recursion, generic over [`Probe`]. Every quantity that the
+//! source text names goes through [`Probe::note`], and the computation goes on with what that returns. The default of
+//! every method does nothing, so that [`Silent`] compiles to nothing.
+
+mod altered;
+mod printed;
+mod recorder;
+mod silent;
+
+pub use altered::{Alteration, Altered, Decimal, Single, round_half_away};
+pub use printed::Printed;
+pub use recorder::Recorder;
+pub use silent::Silent;
+
+use crate::log::{Decision, Name, Step, Value};
+use glam::DVec3;
+
+/// Sees a computation as it happens.
+pub trait Probe: Sized {
+    /// An input that the problem states, for the next event. Inputs are never altered.
+    #[inline(always)]
+    fn given<Q: Quantity>(&mut self, _name: Name, _value: Q) {}
+
+    /// A named quantity was computed. The computation goes on with the value returned.
+    #[inline(always)]
+    fn note<Q: Quantity>(&mut self, _name: Name, value: Q) -> Q {
+        value
+    }
+
+    /// A decision was taken.
+    #[inline(always)]
+    fn mark(&mut self, _decision: Decision) {}
+
+    /// A node begins. Kernels call [`Probe::within`], which can't forget the end.
+    #[inline(always)]
+    fn enter(&mut self, _step: Step) {}
+
+    /// The latest node ends.
+    #[inline(always)]
+    fn leave(&mut self) {}
+
+    /// A part of the computation, as a node of its own.
+    #[inline(always)]
+    fn within<T>(&mut self, step: Step, body: impl FnOnce(&mut Self) -> T) -> T {
+        self.enter(step);
+        let result = body(self);
+        self.leave();
+        result
+    }
+}
+
+/// What can be noted: a number, or a triple.
+pub trait Quantity: Copy {
+    /// The same quantity with each component put through `f`, which is told the component's index.
+    fn map(self, f: impl FnMut(usize, f64) -> f64) -> Self;
+
+    /// The quantity as it stands in a log.
+    fn value(self) -> Value;
+}
+
+impl Quantity for f64 {
+    #[inline]
+    fn map(self, mut f: impl FnMut(usize, f64) -> f64) -> f64 {
+        f(0, self)
+    }
+
+    fn value(self) -> Value {
+        Value::Number(self)
+    }
+}
+
+impl Quantity for DVec3 {
+    #[inline]
+    fn map(self, mut f: impl FnMut(usize, f64) -> f64) -> DVec3 {
+        DVec3::new(f(0, self.x), f(1, self.y), f(2, self.z))
+    }
+
+    fn value(self) -> Value {
+        Value::Triple(self.to_array())
+    }
+}

@@ -1,0 +1,72 @@
+//! The eye: which ray goes through which place of the picture.
+
+use crate::geometry::Ray;
+use crate::log::Name;
+use crate::probe::Probe;
+use glam::DVec3;
+
+/// A pinhole camera with square pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    position: DVec3,
+    /// The direction of view as given; its length doesn't matter.
+    direction: DVec3,
+    length: f64,
+    right: DVec3,
+    up: DVec3,
+    /// The side of a pixel in the plane at distance 1.
+    pixel_side: f64,
+    /// Pixels across and down.
+    pub resolution: [u32; 2],
+}
+
+impl Camera {
+    /// A camera at `position` that looks along `direction`, of any length, with `up` not parallel to it, and
+    /// `vertical_fov` degrees from the picture's top edge to its bottom edge.
+    pub fn new(position: DVec3, direction: DVec3, up: DVec3, vertical_fov: f64, resolution: [u32; 2]) -> Camera {
+        let right = unit(direction.cross(up));
+        let half_height = libm::tan(vertical_fov.to_radians() / 2.0);
+        Camera {
+            position,
+            direction,
+            length: direction.length(),
+            right,
+            up: unit(right.cross(direction)),
+            pixel_side: 2.0 * half_height / f64::from(resolution[1]),
+            resolution,
+        }
+    }
+
+    /// The ray through a place of the picture, in pixels from its top left corner.
+    ///
+    /// Through the centre it has the direction of view as given, normalised; others normalise
+    /// G + |G|·(x·e_x + y·e_y), x and y measured in the plane at distance 1.
+    pub fn ray<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> Ray {
+        let x = (column - f64::from(self.resolution[0]) / 2.0) * self.pixel_side;
+        let y = (f64::from(self.resolution[1]) / 2.0 - row) * self.pixel_side;
+        probe.given(Name::RayOrigin, self.position);
+        let vector = if x == 0.0 && y == 0.0 {
+            probe.given(Name::RayVector, self.direction);
+            self.direction
+        } else {
+            probe.given(Name::CameraDirection, self.direction);
+            probe.given(Name::CameraLength, self.length);
+            probe.given(Name::CameraRight, self.right);
+            probe.given(Name::CameraUp, self.up);
+            probe.given(Name::PixelX, x);
+            probe.given(Name::PixelY, y);
+            probe.note(Name::RayVector, self.direction + (self.right * x + self.up * y) * self.length)
+        };
+        along(self.position, vector, probe)
+    }
+}
+
+/// The ray from `origin` along `vector`, which is normalised (Ramos, section 1.3, step 1).
+pub fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Ray {
+    let length = probe.note(Name::RayLength, vector.dot(vector).sqrt());
+    Ray::new(origin, probe.note(Name::RayDirection, vector / length))
+}
+
+fn unit(vector: DVec3) -> DVec3 {
+    vector / vector.length()
+}

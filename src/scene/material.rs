@@ -1,0 +1,58 @@
+//! What a surface does with light.
+
+use super::Color;
+use glam::DVec3;
+
+/// The coefficients of a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// K_a per channel.
+    pub ambient: Color,
+    /// K_d per channel.
+    pub diffuse: Color,
+    /// K_e per channel.
+    pub specular: Color,
+    /// K_t per channel: the transmitted term of the local model.
+    pub transmission: Color,
+    /// n_e.
+    pub shininess: f64,
+    /// n_t.
+    pub transmission_exponent: f64,
+    /// The refractive index of the medium behind the surface.
+    pub ior: f64,
+    /// The weights of the three contributions.
+    pub weights: Weights,
+}
+
+/// W_l, W_r and W_t (Ramos, section 1.2.3), per channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weights {
+    /// W_l.
+    pub local: Color,
+    /// W_r.
+    pub reflected: Color,
+    /// W_t; also the part of the light that a shadow ray keeps.
+    pub transmitted: Color,
+}
+
+impl Material {
+    /// Whether a hit spawns a reflected ray.
+    pub fn reflects(&self) -> bool {
+        self.weights.reflected != DVec3::ZERO || self.transmits()
+    }
+
+    /// Whether a hit spawns a transmitted ray, and whether light passes.
+    pub fn transmits(&self) -> bool {
+        self.weights.transmitted != DVec3::ZERO
+    }
+
+    /// Whether the local model can use a light on the viewer's side.
+    pub fn uses_light_in_front(&self) -> bool {
+        self.diffuse != DVec3::ZERO || self.specular != DVec3::ZERO
+    }
+
+    /// Whether the local model can use a light on the other side.
+    pub fn uses_light_behind(&self) -> bool {
+        self.transmission != DVec3::ZERO
+    }
+}

@@ -1,0 +1,84 @@
+//! What is traced: a scene, validated, in numbers and ready.
+//!
+//! Behind the door of [`file`] there are indices and no surprises: names are resolved, vectors have a length, and numbers
+//! are finite.
+
+pub mod camera;
+pub mod light;
+pub mod material;
+pub mod tracing;
+
+pub use camera::Camera;
+pub use light::{Arrival, Light, LightKind};
+pub use material::{Material, Weights};
+pub use tracing::{Algorithm, Skip, Specular, Tracing};
+
+use crate::geometry::Shape;
+use glam::DVec3;
+
+/// A colour: red, green and blue, linear and unbounded.
+pub type Color = DVec3;
+
+/// A scene that can be traced.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// Its name.
+    pub name: String,
+    /// The digest of the resolved scene file, `blake3:…`.
+    pub digest: String,
+    /// The eye.
+    pub camera: Camera,
+    /// The ambient light, I_a.
+    pub ambient: Color,
+    /// What a ray brings that leaves the scene.
+    pub background: Color,
+    /// The lights.
+    pub lights: Vec<Light>,
+    /// The materials.
+    pub materials: Vec<Material>,
+    /// The objects, in the order that decides ties.
+    pub objects: Vec<Object>,
+    /// How rays are traced.
+    pub tracing: Tracing,
+    /// How the picture is shown.
+    pub output: Output,
+}
+
+/// A thing in the scene.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// Its name, unique in the scene.
+    pub name: String,
+    /// Its shape.
+    pub shape: Shape,
+    /// Its material, by number.
+    pub material: usize,
+}
+
+/// How traced values become the numbers of a picture file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Output {
+    /// The value that is shown as full white.
+    pub white: f64,
+    /// The curve of the integer formats.
+    pub transfer: Transfer,
+    /// Stops of exposure: values are multiplied by 2 to this power.
+    pub exposure: f64,
+}
+
+/// The curve from linear light to the numbers of an integer format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Transfer {
+    /// No curve.
+    Linear,
+    /// That of sRGB (IEC 61966-2-1).
+    Srgb,
+}
+
+impl Scene {
+    /// The material of an object.
+    #[inline]
+    pub fn material_of(&self, object: u32) -> &Material {
+        &self.materials[self.objects[object as usize].material]
+    }
+}

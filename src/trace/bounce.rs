@@ -1,0 +1,98 @@
+//! The two bounces: the mirrored and the refracted ray (Ramos, section 1.2.2).
+
+use super::shade::give_ray;
+use super::{Media, Meeting, Path, radiance};
+use crate::geometry::{Leaving, Ray};
+use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
+use crate::probe::Probe;
+use crate::scene::{Color, Scene};
+use glam::DVec3;
+
+/// What the reflected ray brings; nothing where there is none.
+pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+    let material = scene.material_of(meeting.object);
+    let weight = material.weights.reflected;
+    if !material.reflects() || is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
+        return Color::ZERO;
+    }
+    let direction = mirror(meeting.ray.direction, meeting.surface.normal, probe);
+    let ray = leaving_ray(meeting, direction, meeting.leaving_here());
+    follow(scene, meeting, RayKind::Reflected, &ray, weight, meeting.path.media.clone(), probe)
+}
+
+/// What the transmitted ray brings; nothing where there is none, as at a total internal reflection.
+pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+    let material = scene.material_of(meeting.object);
+    let weight = material.weights.transmitted;
+    if !material.transmits() || is_left_out(scene, meeting, Skippable::Transmitted, weight, probe) {
+        return Color::ZERO;
+    }
+    let inside = &meeting.path.media;
+    let beyond = inside.beyond(meeting.object, material.ior, meeting.surface.side);
+    let Some(direction) = refract(meeting, inside.ior(), beyond.ior(), probe) else {
+        probe.mark(Decision::TotalInternalReflection);
+        return Color::ZERO;
+    };
+    let ray = leaving_ray(meeting, direction, meeting.leaving_beyond());
+    follow(scene, meeting, RayKind::Transmitted, &ray, weight, beyond, probe)
+}
+
+/// R = d − 2N(d·N). It isn't normalised again.
+fn mirror<P: Probe>(direction: DVec3, normal: DVec3, probe: &mut P) -> DVec3 {
+    probe.note(Name::ReflectDirection, direction - normal * 2.0 * direction.dot(normal))
+}
+
+/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None` at a total internal reflection.
+///
+/// The usual k = 1 − (1 − cos²φ₁)/η² cancels; here sin²φ₁ is the squared length of the direction's tangential part.
+fn refract<P: Probe>(meeting: &Meeting, eta_1: f64, eta_2: f64, probe: &mut P) -> Option<DVec3> {
+    let (direction, normal) = (meeting.ray.direction, meeting.surface.normal);
+    probe.given(Name::RefractEta1, eta_1);
+    probe.given(Name::RefractEta2, eta_2);
+    let eta = probe.note(Name::RefractEta, eta_2 / eta_1);
+    let cos_1 = probe.note(Name::RefractCos1, -normal.dot(direction));
+    let tangential = direction + normal * cos_1;
+    let k_eta_squared = eta * eta - tangential.dot(tangential);
+    if k_eta_squared < 0.0 {
+        return None;
+    }
+    let cos_2 = probe.note(Name::RefractCos2, k_eta_squared.sqrt() / eta);
+    Some(probe.note(Name::RefractDirection, direction / eta - normal * (cos_2 - cos_1 / eta)))
+}
+
+/// Whether a bounce isn't traced: because of the depth limit, or because it can't be seen.
+fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weight: Color, probe: &mut P) -> bool {
+    let tracing = &scene.tracing;
+    if !tracing.goes_deeper(meeting.path.level) {
+        probe.mark(Decision::DepthLimit { what });
+        return true;
+    }
+    let is_below_cutoff = (meeting.path.weight * weight).cmplt(Color::splat(tracing.cutoff)).all();
+    let why = match () {
+        _ if weight == Color::ZERO && tracing.skip.has(SkipReason::ZeroWeight) => SkipReason::ZeroWeight,
+        _ if is_below_cutoff && tracing.skip.has(SkipReason::Cutoff) => SkipReason::Cutoff,
+        _ => return false,
+    };
+    probe.mark(Decision::Skipped { what, why });
+    true
+}
+
+fn leaving_ray(meeting: &Meeting, direction: DVec3, leaving: Leaving) -> Ray {
+    Ray { leaving: Some(leaving), ..Ray::new(meeting.surface.point, direction) }
+}
+
+/// The colour that a ray one level deeper brings.
+fn follow<P: Probe>(
+    scene: &Scene,
+    meeting: &Meeting,
+    kind: RayKind,
+    ray: &Ray,
+    weight: Color,
+    media: Media,
+    probe: &mut P,
+) -> Color {
+    let level = meeting.path.level + 1;
+    let path = Path { level, media, weight: meeting.path.weight * weight };
+    give_ray(ray, probe);
+    probe.within(Step::Ray { kind, depth: level }, |probe| radiance(scene, ray, &path, probe))
+}

@@ -1,0 +1,93 @@
+//! The recursion: the colour that a ray brings (Ramos, sections 1.1 and 1.2).
+//!
+//! This is the only tracer there is. What sees its values, and in which arithmetic they go on, is the probe's business.
+
+mod bounce;
+mod media;
+mod shade;
+mod visibility;
+
+pub use media::Media;
+pub use visibility::{Hit, closest_hit, transmittance};
+
+use crate::geometry::{Leaving, Ray, Surface};
+use crate::log::{Decision, Name, RayKind, Step};
+use crate::probe::Probe;
+use crate::scene::{Color, Scene, Weights};
+
+/// What a ray carries with it down the ray tree.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// The ray's level; the camera's ray has 0.
+    pub level: u32,
+    /// The media that the ray is inside.
+    pub media: Media,
+    /// The product of the weights so far.
+    pub weight: Color,
+}
+
+/// Where a ray has met a surface, and how it came there.
+struct Meeting<'a> {
+    object: u32,
+    primitive: u32,
+    ray: &'a Ray,
+    surface: Surface,
+    path: &'a Path,
+}
+
+/// The colour that a camera ray brings.
+pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Ray, probe: &mut P) -> Color {
+    probe.within(Step::Ray { kind: RayKind::Camera, depth: 0 }, |probe| {
+        let ray = aim(probe);
+        radiance(scene, &ray, &Path::from_eye(), probe)
+    })
+}
+
+/// The colour that a ray brings: the recursion of the source text.
+fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> Color {
+    let Some(hit) = closest_hit(scene, ray, probe) else {
+        probe.mark(Decision::Background);
+        return scene.background;
+    };
+    let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);
+    let meeting = Meeting { object: hit.object, primitive: hit.primitive, ray, surface, path };
+    let local = shade::local_intensity(scene, &meeting, probe);
+    let reflected = bounce::reflected(scene, &meeting, probe);
+    let transmitted = bounce::transmitted(scene, &meeting, probe);
+    combine(&scene.material_of(hit.object).weights, local, reflected, transmitted, probe)
+}
+
+/// I = W_l·I_local + W_r·I_reflected + W_t·I_transmitted (Ramos, section 1.2.3).
+fn combine<P: Probe>(weights: &Weights, local: Color, reflected: Color, transmitted: Color, probe: &mut P) -> Color {
+    probe.within(Step::Combine, |probe| {
+        probe.given(Name::WeightLocal, weights.local);
+        probe.given(Name::ShadeLocal, local);
+        let local = probe.note(Name::CombineLocal, weights.local * local);
+        probe.given(Name::WeightReflected, weights.reflected);
+        probe.given(Name::IncomingReflected, reflected);
+        let reflected = probe.note(Name::CombineReflected, weights.reflected * reflected);
+        probe.given(Name::WeightTransmitted, weights.transmitted);
+        probe.given(Name::IncomingTransmitted, transmitted);
+        let transmitted = probe.note(Name::CombineTransmitted, weights.transmitted * transmitted);
+        probe.note(Name::CombineColor, local + reflected + transmitted)
+    })
+}
+
+impl Path {
+    /// The path of a camera ray.
+    fn from_eye() -> Path {
+        Path { level: 0, media: Media::default(), weight: Color::ONE }
+    }
+}
+
+impl Meeting<'_> {
+    /// The surface, for a ray that leaves it on the side where `ray` arrived.
+    fn leaving_here(&self) -> Leaving {
+        Leaving { object: self.object, primitive: self.primitive, side: self.surface.side }
+    }
+
+    /// The surface, for a ray that leaves it on the other side.
+    fn leaving_beyond(&self) -> Leaving {
+        Leaving { side: self.surface.side.opposite(), ..self.leaving_here() }
+    }
+}

@@ -1,0 +1,170 @@
+//! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
+
+use super::{Meeting, transmittance};
+use crate::geometry::{Leaving, Ray};
+use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
+use crate::probe::Probe;
+use crate::scene::{Arrival, Color, Light, Material, Scene, Specular};
+use glam::DVec3;
+
+/// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
+/// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead.
+pub(super) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+    let material = scene.material_of(meeting.object);
+    probe.within(Step::Shade { object: meeting.object }, |probe| {
+        probe.given(Name::AmbientLight, scene.ambient);
+        probe.given(Name::MaterialAmbient, material.ambient);
+        let ambient = scene.ambient * material.ambient;
+        if scene.tracing.shades_ambient_only(meeting.path.level) {
+            return probe.note(Name::ShadeLocalAmbient, ambient);
+        }
+        give(material, probe);
+        let view = probe.note(Name::ViewDirection, -meeting.ray.direction);
+        let mut sum = ambient;
+        for (number, light) in (0..).zip(&scene.lights) {
+            light.give(probe);
+            sum += probe
+                .within(Step::Light { light: number }, |probe| from_light(scene, meeting, view, number, light, probe));
+        }
+        probe.note(local_name(scene, material), sum)
+    })
+}
+
+/// What one light adds.
+fn from_light<P: Probe>(
+    scene: &Scene,
+    meeting: &Meeting,
+    view: DVec3,
+    number: u32,
+    light: &Light,
+    probe: &mut P,
+) -> Color {
+    let material = scene.material_of(meeting.object);
+    let normal = meeting.surface.normal;
+    let Some(arrival) = light.seen_from(meeting.surface.point, probe) else { return Color::ZERO };
+    let n_dot_l = probe.note(Name::ShadeNDotL, normal.dot(arrival.direction));
+
+    let is_in_front = n_dot_l > 0.0;
+    let is_behind = n_dot_l < 0.0;
+    let leaving = match () {
+        _ if is_in_front => meeting.leaving_here(),
+        _ if is_behind && material.uses_light_behind() => meeting.leaving_beyond(),
+        _ => return Color::ZERO,
+    };
+    if is_in_front && !material.uses_light_in_front() && scene.tracing.skip.has(SkipReason::NoLocalTerm) {
+        probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm });
+        return Color::ZERO;
+    }
+    let passed = shadow_ray(scene, meeting, number, arrival, leaving, probe);
+    if passed == Color::ZERO {
+        return Color::ZERO;
+    }
+    let arriving = light.faded(arrival.distance, probe) * passed;
+    let reflectance = if is_in_front {
+        material.diffuse * n_dot_l + specular(scene, material, normal, view, arrival.direction, n_dot_l, probe)
+    } else {
+        transmission(meeting, material, view, arrival.direction, probe)
+    };
+    arriving * reflectance
+}
+
+/// The part of a light's intensity that reaches the surface point.
+fn shadow_ray<P: Probe>(
+    scene: &Scene,
+    meeting: &Meeting,
+    light: u32,
+    arrival: Arrival,
+    leaving: Leaving,
+    probe: &mut P,
+) -> Color {
+    let ray = Ray {
+        origin: meeting.surface.point,
+        direction: arrival.direction,
+        leaving: Some(leaving),
+        t_min: 0.0,
+        t_max: arrival.distance,
+    };
+    give_ray(&ray, probe);
+    let kind = RayKind::Shadow { light };
+    let passed = probe.within(Step::Ray { kind, depth: meeting.path.level }, |probe| transmittance(scene, &ray, probe));
+    if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
+}
+
+/// K_e ((N·H)⁺)^n_e, or K_e ((R·V)⁺)^n_e.
+fn specular<P: Probe>(
+    scene: &Scene,
+    material: &Material,
+    normal: DVec3,
+    view: DVec3,
+    light: DVec3,
+    n_dot_l: f64,
+    probe: &mut P,
+) -> Color {
+    let cosine = match scene.tracing.specular {
+        Specular::HalfVector => {
+            let sum = probe.note(Name::HalfSum, light + view);
+            let length = probe.note(Name::HalfLength, sum.dot(sum).sqrt());
+            if length == 0.0 {
+                // The light stands exactly behind the viewer's back: along the surface there is no half vector.
+                return Color::ZERO;
+            }
+            let half = probe.note(Name::HalfDirection, sum / length);
+            probe.note(Name::ShadeNDotH, normal.dot(half))
+        }
+        Specular::ReflectionVector => {
+            let mirrored = probe.note(Name::MirrorDirection, normal * 2.0 * n_dot_l - light);
+            probe.note(Name::ShadeRDotV, mirrored.dot(view))
+        }
+    };
+    material.specular * libm::pow(cosine.max(0.0), material.shininess)
+}
+
+/// K_t ((−N·H′)⁺)^n_t with H′ = (−L − ηV)/(η − 1), normalised; the light's side is medium 1, the viewer's medium 2.
+///
+/// The sum is written as −(L + V)/(η − 1) − V, which keeps its digits where η is near 1.
+fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, light: DVec3, probe: &mut P) -> Color {
+    let media = &meeting.path.media;
+    let eta_light = media.beyond(meeting.object, material.ior, meeting.surface.side).ior();
+    probe.given(Name::RefractEta1, eta_light);
+    probe.given(Name::RefractEta2, media.ior());
+    let eta = probe.note(Name::TransmitEta, media.ior() / eta_light);
+    if eta == 1.0 {
+        // No interface: the lobe has narrowed to the straight line.
+        return if view == -light { material.transmission } else { Color::ZERO };
+    }
+    let sum = probe.note(Name::TransmitSum, -(light + view) / (eta - 1.0) - view);
+    let length = probe.note(Name::TransmitLength, sum.dot(sum).sqrt());
+    if length == 0.0 {
+        return Color::ZERO;
+    }
+    let half = probe.note(Name::TransmitDirection, sum / length);
+    let cosine = probe.note(Name::ShadeNDotTransmitted, -meeting.surface.normal.dot(half));
+    material.transmission * libm::pow(cosine.max(0.0), material.transmission_exponent)
+}
+
+/// Which formula the local intensity has under the scene's options and on this material.
+fn local_name(scene: &Scene, material: &Material) -> Name {
+    match (scene.tracing.specular, material.uses_light_behind()) {
+        (Specular::HalfVector, false) => Name::ShadeLocal,
+        (Specular::HalfVector, true) => Name::ShadeLocalTransmitting,
+        (Specular::ReflectionVector, false) => Name::ShadeLocalMirror,
+        (Specular::ReflectionVector, true) => Name::ShadeLocalMirrorTransmitting,
+    }
+}
+
+/// The coefficients that the formula of the local intensity puts in.
+fn give<P: Probe>(material: &Material, probe: &mut P) {
+    probe.given(Name::MaterialDiffuse, material.diffuse);
+    probe.given(Name::MaterialSpecular, material.specular);
+    probe.given(Name::MaterialShininess, material.shininess);
+    if material.uses_light_behind() {
+        probe.given(Name::MaterialTransmission, material.transmission);
+        probe.given(Name::MaterialTransmissionExponent, material.transmission_exponent);
+    }
+}
+
+/// Origin and direction of a ray that other quantities have already named.
+pub(super) fn give_ray<P: Probe>(ray: &Ray, probe: &mut P) {
+    probe.given(Name::RayOrigin, ray.origin);
+    probe.given(Name::RayDirection, ray.direction);
+}
