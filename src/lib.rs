@@ -5,6 +5,7 @@
 pub mod geometry;
 pub mod log;
 pub mod probe;
+pub mod report;
 pub mod sampling;
 pub mod scene;
 pub mod trace;
