@@ -1,1 +1,3 @@
-pub fn x(){}
+//! A deterministic ray tracer whose every computed value can be walked through in the terminal.
+
+pub mod scene;

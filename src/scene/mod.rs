@@ -1,0 +1,3 @@
+//! What is traced, and where it comes from.
+
+pub mod file;
