@@ -29,7 +29,7 @@ pub fn build(scene: &file::SceneFile) -> Result<Scene, Unsupported> {
     let default_material = materials.len();
     materials.push(self::material(&file::Material::default()));
     let object = |(index, object): (usize, &file::Object)| {
-        let named = |name: &String| scene.materials.iter().position(|(known, _)| known == name);
+        let named = |name: &String| scene.materials.index_of(name);
         Ok(Object {
             name: object.name.clone(),
             shape: shape(&object.shape, sphere_method, index)?,
