@@ -73,7 +73,10 @@ impl SceneError {
 
 impl From<Problem> for SceneError {
     fn from(problem: Problem) -> Self {
-        Self::Invalid { problems: vec![problem], omitted: 0 }
+        Self::Invalid {
+            problems: vec![problem],
+            omitted: 0,
+        }
     }
 }
 
@@ -84,7 +87,7 @@ fn in_lines(problems: &[Problem], omitted: usize) -> String {
 }
 
 fn and_more(omitted: usize) -> String {
-    format!("and {omitted} more problems of this kind, not shown")
+    format!("and {omitted} more problems, not shown")
 }
 
 /// How bad a problem is.
@@ -110,7 +113,11 @@ impl Severity {
             Self::Error => "1;31",
             Self::Warning => "1;33",
         };
-        if colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() }
+        if colour {
+            format!("\x1b[{code}m{text}\x1b[0m")
+        } else {
+            text.to_string()
+        }
     }
 }
 
@@ -168,8 +175,15 @@ mod tests {
     use crate::scene::file::Source;
 
     fn problem() -> Problem {
-        let source = Source { name: "a.json", text: b"{\n  \"radius\": -1\n}" };
-        source.problem(14..16, KeyPath::default().join("radius"), "must be positive, found -1".into())
+        let source = Source {
+            name: "a.json",
+            text: b"{\n  \"radius\": -1\n}",
+        };
+        source.problem(
+            14..16,
+            KeyPath::default().join("radius"),
+            "must be positive, found -1".into(),
+        )
     }
 
     #[test]
@@ -181,19 +195,36 @@ mod tests {
     #[test]
     fn colour_leaves_the_words_as_they_are() {
         let report = problem().report(Severity::Warning, true);
-        assert!(report.starts_with("\x1b[1;33mwarning\x1b[0m: a.json:2:13: radius:"), "{report}");
+        assert!(
+            report.starts_with("\x1b[1;33mwarning\x1b[0m: a.json:2:13: radius:"),
+            "{report}"
+        );
     }
 
     #[test]
     fn problems_that_are_not_shown_are_counted() {
-        let error = SceneError::Invalid { problems: vec![problem()], omitted: 7 };
-        assert!(error.to_string().ends_with("\nand 7 more problems of this kind, not shown"));
+        let error = SceneError::Invalid {
+            problems: vec![problem()],
+            omitted: 7,
+        };
+        assert!(
+            error
+                .to_string()
+                .ends_with("\nand 7 more problems, not shown")
+        );
     }
 
     #[test]
     fn a_retry_helps_only_against_the_machine() {
         let source = io::Error::from(io::ErrorKind::PermissionDenied);
-        assert_eq!(SceneError::Unreadable { file: "a".into(), source }.exit_code(), 3);
+        assert_eq!(
+            SceneError::Unreadable {
+                file: "a".into(),
+                source
+            }
+            .exit_code(),
+            3
+        );
         assert_eq!(SceneError::from(problem()).exit_code(), 2);
     }
 }

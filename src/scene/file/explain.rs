@@ -54,7 +54,10 @@ fn offset_of(text: &str, line: usize, column: usize) -> usize {
     let newlines = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
     let line_start = match line {
         0 | 1 => 0,
-        _ => newlines.map(|(at, _)| at + 1).nth(line - 2).unwrap_or(text.len()),
+        _ => newlines
+            .map(|(at, _)| at + 1)
+            .nth(line - 2)
+            .unwrap_or(text.len()),
     };
     (line_start + column.saturating_sub(1)).min(text.len())
 }
@@ -70,35 +73,55 @@ fn other_format(text: &str) -> Option<(Range<usize>, KeyPath, String)> {
 
 /// The message for another `format`.
 pub fn unknown_format(found: &str) -> String {
-    format!("this program reads `{FORMAT}`, found `{}`", shortened(found, QUOTED))
+    format!(
+        "this program reads `{FORMAT}`, found `{}`",
+        shortened(found, QUOTED)
+    )
 }
 
 fn wrong_data(text: &str, mut path: KeyPath, said: &str) -> (Range<usize>, KeyPath, String) {
     let place = locate(text, &path);
+    // A word counts as a step of the path for serde, but in the text it is the value.
+    while path.steps().len() > place.depth {
+        path.pop();
+    }
     match Complaint::of(said) {
         Complaint::UnknownKey { name, valid } => {
-            let message = format!("unknown key `{}`, {}", shortened(name, QUOTED), alternatives(name, &valid));
+            let message = format!(
+                "unknown key `{}`, {}",
+                shortened(name, QUOTED),
+                alternatives(name, &valid)
+            );
             (key_span(place), path, message)
         }
         Complaint::UnknownWord { name, valid } => {
-            let is_word = place.depth < path.steps().len();
-            let message = format!("unknown word `{}`, {}", shortened(name, QUOTED), alternatives(name, &valid));
-            if is_word {
-                path.pop();
+            let message = format!(
+                "unknown word `{}`, {}",
+                shortened(name, QUOTED),
+                alternatives(name, &valid)
+            );
+            let is_string = text[place.value.clone()].starts_with('"');
+            if is_string {
+                return (place.value, path, message);
             }
-            let span = if is_word { place.value } else { key_span(place) };
-            (span, path, message)
+            path.push(name.to_string());
+            (key_span(locate(text, &path)), path, message)
         }
-        Complaint::Missing { name } => {
-            (place.value, path, format!("the key `{name}` is missing, expected it here"))
-        }
+        Complaint::Missing { name } => (
+            place.value,
+            path,
+            format!("the key `{name}` is missing, expected it here"),
+        ),
         Complaint::Repeated { name } => {
             let is_at_key = matches!(path.steps().last(), Some(Step::Key(key)) if key == name);
             if !is_at_key {
                 path.push(name.to_string());
             }
             let second = key_span(locate_repeated(text, &path, 1));
-            let message = format!("the key `{}` stands twice, expected it once", shortened(name, QUOTED));
+            let message = format!(
+                "the key `{}` stands twice, expected it once",
+                shortened(name, QUOTED)
+            );
             (second, path, message)
         }
         Complaint::Length { found, expected } => {
@@ -107,7 +130,11 @@ fn wrong_data(text: &str, mut path: KeyPath, said: &str) -> (Range<usize>, KeyPa
         }
         Complaint::Type { expected } => {
             let found = describe(&text[place.value.clone()]);
-            (place.value, path, format!("expected {}, found {found}", in_words(expected)))
+            (
+                place.value,
+                path,
+                format!("expected {}, found {found}", in_words(expected)),
+            )
         }
         Complaint::Other => (place.value, path, said.to_string()),
     }
@@ -140,13 +167,19 @@ impl<'s> Complaint<'s> {
             return Self::UnknownWord { name, valid };
         }
         if let Some(name) = after("missing field `") {
-            return Self::Missing { name: name.trim_end_matches('`') };
+            return Self::Missing {
+                name: name.trim_end_matches('`'),
+            };
         }
         if let Some(name) = after("duplicate field `") {
-            return Self::Repeated { name: name.strip_suffix('`').unwrap_or(name) };
+            return Self::Repeated {
+                name: name.strip_suffix('`').unwrap_or(name),
+            };
         }
         // The name of a wrong value may itself hold the words, so the last ones count.
-        if let Some((found, expected)) = after("invalid length ").and_then(|rest| rest.rsplit_once(", expected ")) {
+        if let Some((found, expected)) =
+            after("invalid length ").and_then(|rest| rest.rsplit_once(", expected "))
+        {
             return Self::Length { found, expected };
         }
         let is_type = said.starts_with("invalid type: ") || said.starts_with("invalid value: ");
@@ -166,7 +199,7 @@ fn name_and_valid(rest: &str) -> (&str, Vec<&str>) {
 }
 
 /// "expected `a`, `b` or `c`; did you mean `b`?"
-pub fn alternatives<'n>(name: &str, valid: &[&'n str]) -> String {
+pub fn alternatives(name: &str, valid: &[&str]) -> String {
     let quoted: Vec<String> = valid.iter().map(|name| format!("`{name}`")).collect();
     let list = match quoted.as_slice() {
         [] => return "expected no key here".to_string(),

@@ -77,7 +77,10 @@ pub fn is_callers_fault(error: &io::Error) -> bool {
 
 fn refuse_what_is_no_file(metadata: &Metadata, name: &str) -> Result<(), SceneError> {
     if let Some(thing) = irregular(metadata) {
-        return Err(refused(name, format!("expected a regular file, found {thing}")));
+        return Err(refused(
+            name,
+            format!("expected a regular file, found {thing}"),
+        ));
     }
     if metadata.len() > MAX_BYTES {
         return Err(too_large(name, &format!("found {} bytes", metadata.len())));
@@ -90,7 +93,10 @@ fn read_bounded(input: impl Read, expected: u64, name: &str) -> Result<Vec<u8>, 
     bytes
         .try_reserve(usize::try_from(expected).unwrap_or(usize::MAX))
         .map_err(|_| failure(name, ErrorKind::OutOfMemory.into()))?;
-    input.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| failure(name, error))?;
+    input
+        .take(MAX_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| failure(name, error))?;
     if bytes.len() as u64 > MAX_BYTES {
         return Err(too_large(name, "found more"));
     }
@@ -103,16 +109,25 @@ fn failure(name: &str, source: io::Error) -> SceneError {
     } else if is_callers_fault(&source) {
         refused(name, format!("expected a scene file: {source}"))
     } else {
-        SceneError::Unreadable { file: name.to_string(), source }
+        SceneError::Unreadable {
+            file: name.to_string(),
+            source,
+        }
     }
 }
 
 fn too_large(name: &str, found: &str) -> SceneError {
-    refused(name, format!("too large, expected at most {MAX_BYTES} bytes, {found}"))
+    refused(
+        name,
+        format!("too large, expected at most {MAX_BYTES} bytes, {found}"),
+    )
 }
 
 fn refused(name: &str, reason: String) -> SceneError {
-    SceneError::Refused { file: name.to_string(), reason }
+    SceneError::Refused {
+        file: name.to_string(),
+        reason,
+    }
 }
 
 #[cfg(test)]
@@ -134,7 +149,11 @@ mod tests {
 
     #[test]
     fn a_directory() {
-        refuses(&std::env::temp_dir(), 2, "expected a regular file, found a directory");
+        refuses(
+            &std::env::temp_dir(),
+            2,
+            "expected a regular file, found a directory",
+        );
     }
 
     #[test]
@@ -144,10 +163,27 @@ mod tests {
     }
 
     #[test]
+    #[cfg(unix)]
+    fn a_fifo_that_nobody_writes_does_not_hang() {
+        let folder = tempfile::tempdir().unwrap();
+        let fifo = folder.path().join("fifo");
+        let made = std::process::Command::new("mkfifo")
+            .arg(&fifo)
+            .status()
+            .unwrap();
+        assert!(made.success());
+        refuses(&fifo, 2, "found a FIFO");
+    }
+
+    #[test]
     fn a_huge_file_is_refused_by_its_size() {
         let file = tempfile::NamedTempFile::new().unwrap();
         file.as_file().set_len(5 << 30).unwrap();
-        refuses(file.path(), 2, "expected at most 268435456 bytes, found 5368709120 bytes");
+        refuses(
+            file.path(),
+            2,
+            "expected at most 268435456 bytes, found 5368709120 bytes",
+        );
     }
 
     #[test]

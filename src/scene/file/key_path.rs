@@ -103,7 +103,10 @@ mod tests {
 
     #[test]
     fn keys_and_indices() {
-        shows(&["objects".into(), 2.into(), "shape".into()], "objects[2].shape");
+        shows(
+            &["objects".into(), 2.into(), "shape".into()],
+            "objects[2].shape",
+        );
     }
 
     #[test]
@@ -113,6 +116,9 @@ mod tests {
 
     #[test]
     fn odd_keys_are_quoted_and_escaped() {
-        shows(&["materials".into(), "a.b\u{7}".into()], "materials[\"a.b\\u{7}\"]");
+        shows(
+            &["materials".into(), "a.b\u{7}".into()],
+            "materials[\"a.b\\u{7}\"]",
+        );
     }
 }

@@ -14,7 +14,7 @@ use super::names::fill_in_names;
 use super::schema::SceneFile;
 use super::source::Source;
 use super::strict::Strict;
-use super::validate::{Finding, validate};
+use super::validate::{Finding, Findings, validate};
 
 /// A scene that may be traced.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,13 +39,43 @@ pub fn read(path: &Path) -> Result<Loaded, SceneError> {
 /// [`SceneError::Invalid`], with every problem that validation finds, or the first that parsing finds.
 pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, SceneError> {
     let scene = parse(text, file_name)?;
-    let findings = validate(&scene);
-    let errors = place(&findings.errors, text, file_name)?;
-    if !errors.is_empty() {
-        return Err(SceneError::Invalid { problems: errors, omitted: findings.omitted });
-    }
-    let warnings = place(&findings.warnings, text, file_name)?;
+    let (source, text) = decode(text, file_name)?;
+    let warnings = judge(validate(&scene), |findings| place(findings, &source, text))?;
     Ok(Loaded { scene, warnings })
+}
+
+/// Validates a scene that did not come from JSON text as it is: from another format, or changed by options. Gives the
+/// warnings; its problems have paths but no lines.
+///
+/// # Errors
+/// [`SceneError::Invalid`], with every problem.
+pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, SceneError> {
+    let unplaced = |finding: &Finding| Problem {
+        file: file_name.to_string(),
+        line: 0,
+        column: 0,
+        path: finding.path.clone(),
+        message: finding.message.clone(),
+        span: None,
+        excerpt: None,
+    };
+    judge(validate(scene), |findings| {
+        findings.iter().map(unplaced).collect()
+    })
+}
+
+/// The warnings, when there are no errors.
+fn judge(
+    findings: Findings,
+    place: impl Fn(&[Finding]) -> Vec<Problem>,
+) -> Result<Vec<Problem>, SceneError> {
+    if findings.errors.is_empty() {
+        return Ok(place(&findings.warnings));
+    }
+    Err(SceneError::Invalid {
+        problems: place(&findings.errors),
+        omitted: findings.omitted,
+    })
 }
 
 /// Parses the text of a scene file: syntax, keys and types, but not whether the numbers make sense. A byte-order mark is
@@ -75,7 +105,9 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), S
     let skipped = bytes.len() - body.len();
     let source = Source { name, text: body };
     let problem = |offset: usize, message: String| {
-        Err(source.problem(offset..offset + 1, KeyPath::default(), message).into())
+        Err(source
+            .problem(offset..offset + 1, KeyPath::default(), message)
+            .into())
     };
     if let [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [b'{', 0, ..] | [0, b'{', ..] = body {
         return problem(0, "the text is UTF-16, expected UTF-8".to_string());
@@ -87,22 +119,31 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), S
             let byte = body[offset];
             problem(
                 offset,
-                format!("not UTF-8: byte {byte:#04x} at offset {}, expected UTF-8 text", offset + skipped),
+                format!(
+                    "not UTF-8: byte {byte:#04x} at offset {}, expected UTF-8 text",
+                    offset + skipped
+                ),
             )
         }
     }
 }
 
-fn place(findings: &[Finding], text: &[u8], file_name: &str) -> Result<Vec<Problem>, SceneError> {
+fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
     if findings.is_empty() {
-        return Ok(Vec::new());
+        return Vec::new();
     }
-    let (source, text) = decode(text, file_name)?;
-    let paths: Vec<KeyPath> = findings.iter().map(|finding| finding.path.clone()).collect();
+    let paths: Vec<KeyPath> = findings
+        .iter()
+        .map(|finding| finding.path.clone())
+        .collect();
     let places = locate_all(text, &paths);
     let problems = findings.iter().zip(places).map(|(finding, place)| {
-        let span = if finding.is_about_key { place.key.unwrap_or(place.value) } else { place.value };
+        let span = if finding.is_about_key {
+            place.key.unwrap_or(place.value)
+        } else {
+            place.value
+        };
         source.problem(span, finding.path.clone(), finding.message.clone())
     });
-    Ok(problems.collect())
+    problems.collect()
 }

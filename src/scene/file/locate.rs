@@ -59,7 +59,11 @@ impl Search<'_> {
         let next = self.scanner.peek();
         let start = self.scanner.at;
         for &path in wanted {
-            self.places[path] = Place { key: key.clone(), value: start..start, depth };
+            self.places[path] = Place {
+                key: key.clone(),
+                value: start..start,
+                depth,
+            };
         }
         let deeper: Vec<usize> = wanted
             .iter()
@@ -90,7 +94,11 @@ impl Search<'_> {
             if !self.scanner.take(b':') {
                 return;
             }
-            let found = self.matching(depth, wanted, |step| matches!(step, Step::Key(key) if *key == name));
+            let found = self.matching(
+                depth,
+                wanted,
+                |step| matches!(step, Step::Key(key) if *key == name),
+            );
             self.member(depth, Some(key), &found);
             if !self.scanner.take(b',') {
                 break;
@@ -194,14 +202,23 @@ mod tests {
 
     #[test]
     fn a_path_that_ends_early_finds_what_there_is() {
-        finds(&["a".into(), 1.into(), "missing".into(), "too".into()], "{\"b\": \"x\"}");
+        finds(
+            &["a".into(), 1.into(), "missing".into(), "too".into()],
+            "{\"b\": \"x\"}",
+        );
     }
 
     #[test]
     fn many_paths_in_one_walk() {
-        let paths = [path(&["e".into()]), path(&["a".into(), 0.into()]), path(&["a".into()])];
-        let found: Vec<&str> =
-            locate_all(TEXT, &paths).into_iter().map(|place| &TEXT[place.value]).collect();
+        let paths = [
+            path(&["e".into()]),
+            path(&["a".into(), 0.into()]),
+            path(&["a".into()]),
+        ];
+        let found: Vec<&str> = locate_all(TEXT, &paths)
+            .into_iter()
+            .map(|place| &TEXT[place.value])
+            .collect();
         assert_eq!(found, ["4", "1", "[1, {\"b\": \"x\"}]"]);
     }
 }

@@ -47,9 +47,16 @@ pub fn resolve_mesh_path(scene_path: &Path, mesh_path: &str) -> Result<PathBuf, 
     let resolved = folder.join(mesh_path);
     let shown = visible(&resolved.to_string_lossy()).into_owned();
     let failure = |source: io::Error| match source.kind() {
-        io::ErrorKind::NotFound => MeshPathError::Refused(format!("no such file, `{shown}`, expected a mesh")),
-        _ if is_callers_fault(&source) => MeshPathError::Refused(format!("expected a mesh at `{shown}`: {source}")),
-        _ => MeshPathError::Unreadable { path: resolved.clone(), source },
+        io::ErrorKind::NotFound => {
+            MeshPathError::Refused(format!("no such file, `{shown}`, expected a mesh"))
+        }
+        _ if is_callers_fault(&source) => {
+            MeshPathError::Refused(format!("expected a mesh at `{shown}`: {source}"))
+        }
+        _ => MeshPathError::Unreadable {
+            path: resolved.clone(),
+            source,
+        },
     };
     let metadata = fs::metadata(&resolved).map_err(failure)?;
     if let Some(thing) = irregular(&metadata) {
@@ -59,7 +66,8 @@ pub fn resolve_mesh_path(scene_path: &Path, mesh_path: &str) -> Result<PathBuf, 
     let real = fs::canonicalize(&resolved).map_err(failure)?;
     let real_folder = fs::canonicalize(folder).map_err(failure)?;
     if !real.starts_with(&real_folder) {
-        let message = format!("`{shown}` is a link out of the scene's folder, expected a file inside it");
+        let message =
+            format!("`{shown}` is a link out of the scene's folder, expected a file inside it");
         return Err(MeshPathError::Refused(message));
     }
     if fs::canonicalize(scene_path).is_ok_and(|scene| scene == real) {
@@ -85,10 +93,14 @@ pub fn check_as_written(mesh_path: &str) -> Result<(), String> {
             Component::CurDir => {}
             Component::ParentDir if depth > 0 => depth -= 1,
             Component::ParentDir => {
-                return Err(format!("must stay inside the scene's folder, found `{shown}`"));
+                return Err(format!(
+                    "must stay inside the scene's folder, found `{shown}`"
+                ));
             }
             Component::RootDir | Component::Prefix(_) => {
-                return Err(format!("must be relative to the scene file, found the absolute path `{shown}`"));
+                return Err(format!(
+                    "must be relative to the scene file, found the absolute path `{shown}`"
+                ));
             }
         }
     }
@@ -116,7 +128,8 @@ mod tests {
     #[track_caller]
     fn refuses(mesh_path: &str, part: &str) {
         let folder = folder();
-        let error = resolve_mesh_path(&folder.path().join("scenes/scene.json"), mesh_path).unwrap_err();
+        let error =
+            resolve_mesh_path(&folder.path().join("scenes/scene.json"), mesh_path).unwrap_err();
         assert_eq!(error.exit_code(), 2);
         assert!(error.to_string().contains(part), "{error}");
     }
@@ -136,7 +149,10 @@ mod tests {
 
     #[test]
     fn b45_a_way_out_of_the_folder() {
-        refuses("meshes/../../secret.obj", "must stay inside the scene's folder");
+        refuses(
+            "meshes/../../secret.obj",
+            "must stay inside the scene's folder",
+        );
     }
 
     #[test]
@@ -153,6 +169,21 @@ mod tests {
     #[test]
     fn b47_not_a_regular_file() {
         refuses("meshes", "found a directory");
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn b48_a_fifo_does_not_hang() {
+        let folder = folder();
+        let fifo = folder.path().join("scenes/fifo.obj");
+        let made = std::process::Command::new("mkfifo")
+            .arg(&fifo)
+            .status()
+            .unwrap();
+        assert!(made.success());
+        let scene = folder.path().join("scenes/scene.json");
+        let error = resolve_mesh_path(&scene, "fifo.obj").unwrap_err();
+        assert!(error.to_string().contains("found a FIFO"), "{error}");
     }
 
     #[test]

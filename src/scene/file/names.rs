@@ -11,17 +11,38 @@ pub fn fill_in_names(scene: &mut SceneFile, file_name: &str) {
         let stem = Path::new(file_name).file_stem().unwrap_or_default();
         scene.name = stem.to_string_lossy().trim_matches(['<', '>']).to_string();
     }
-    fill_in("object", scene.objects.iter_mut().map(|object| &mut object.name).collect());
-    fill_in("light", scene.lights.iter_mut().map(|light| &mut light.name).collect());
+    fill_in(
+        "object",
+        scene
+            .objects
+            .iter_mut()
+            .map(|object| &mut object.name)
+            .collect(),
+    );
+    fill_in(
+        "light",
+        scene
+            .lights
+            .iter_mut()
+            .map(|light| &mut light.name)
+            .collect(),
+    );
 }
 
 fn fill_in(kind: &str, names: Vec<&mut String>) {
     if names.iter().all(|name| !name.is_empty()) {
         return;
     }
-    let taken: HashSet<String> =
-        names.iter().map(|name| name.to_string()).filter(|name| !name.is_empty()).collect();
-    for (index, name) in names.into_iter().enumerate().filter(|(_, name)| name.is_empty()) {
+    let taken: HashSet<String> = names
+        .iter()
+        .map(|name| name.to_string())
+        .filter(|name| !name.is_empty())
+        .collect();
+    for (index, name) in names
+        .into_iter()
+        .enumerate()
+        .filter(|(_, name)| name.is_empty())
+    {
         *name = format!("{kind}-{}", index + 1);
         while taken.contains(name) {
             name.push('\'');

@@ -11,7 +11,11 @@ impl SceneFile {
     pub fn to_json(&self) -> String {
         let compact = serde_json::to_string(self)
             .expect("a scene holds only strings, numbers, lists and string-keyed maps");
-        let mut printer = Printer { text: &compact, scanner: Scanner::new(&compact), printed: String::new() };
+        let mut printer = Printer {
+            text: &compact,
+            scanner: Scanner::new(&compact),
+            printed: String::new(),
+        };
         printer.value(0, 0, true);
         printer.printed.push('\n');
         printer.printed
@@ -30,12 +34,17 @@ impl Printer<'_> {
         let start = self.scanner.at;
         match self.scanner.peek() {
             Some(b'{' | b'[') => {
-                let on_one_line = one_line(&self.text[self.scanner.skip_value()]);
-                if on_one_line.len() + used <= WIDTH && !is_root {
-                    self.printed.push_str(&on_one_line);
-                } else {
-                    self.scanner.at = start;
-                    self.container(indent);
+                let compact = &self.text[self.scanner.skip_value()];
+                let may_fit = compact.len() <= 2 * WIDTH && !is_root;
+                match may_fit
+                    .then(|| one_line(compact))
+                    .filter(|line| line.len() + used <= WIDTH)
+                {
+                    Some(line) => self.printed.push_str(&line),
+                    None => {
+                        self.scanner.at = start;
+                        self.container(indent);
+                    }
                 }
             }
             _ => {

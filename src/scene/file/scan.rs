@@ -15,7 +15,10 @@ pub struct Scanner<'t> {
 impl<'t> Scanner<'t> {
     /// Starts at the first byte.
     pub fn new(text: &'t str) -> Self {
-        Self { text: text.as_bytes(), at: 0 }
+        Self {
+            text: text.as_bytes(),
+            at: 0,
+        }
     }
 
     /// The next byte that is no white space, not taken.

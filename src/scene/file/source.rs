@@ -6,7 +6,7 @@ use super::error::Problem;
 use super::escape::visible;
 use super::key_path::KeyPath;
 
-/// How many bytes of a long line are shown before and after the place.
+/// How many bytes of a long line are shown before and after the place; twice as many are not yet long.
 const SHOWN: usize = 60;
 
 /// A text with the name of the file that it came from.
@@ -49,7 +49,11 @@ impl Source<'_> {
         let before = &self.text[..offset.min(self.text.len())];
         let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
         let in_line = &before[start_of_last_line(before)..];
-        let column = in_line.iter().filter(|&&byte| starts_character(byte)).count() + 1;
+        let column = in_line
+            .iter()
+            .filter(|&&byte| starts_character(byte))
+            .count()
+            + 1;
         (line, column)
     }
 
@@ -61,17 +65,23 @@ impl Source<'_> {
             .position(|&byte| byte == b'\n' || byte == b'\r')
             .map_or(self.text.len(), |length| start + length);
         let end = span.end.clamp(start, line_end);
-        let from = self.to_boundary(start.saturating_sub(SHOWN).max(line_start));
-        let cut = end.min(start + SHOWN);
-        let to = self.to_boundary(line_end.min(cut + SHOWN));
+        let shown = if line_end - line_start <= 2 * SHOWN {
+            2 * SHOWN
+        } else {
+            SHOWN
+        };
+        let from = start.saturating_sub(shown).max(line_start);
+        let from = self.next_boundary(from).min(start);
+        let cut = end.min(start + shown);
+        let to = self.next_boundary(line_end.min(cut + shown));
         let part = |range: Range<usize>| {
             visible(&String::from_utf8_lossy(&self.text[range]).replace('\t', " ")).into_owned()
         };
         let head = if from > line_start { "…" } else { "" };
         let tail = if to < line_end { "…" } else { "" };
         let before = format!("{head}{}", part(from..start));
-        let place = part(start..self.to_boundary(cut));
-        let after = part(self.to_boundary(cut)..to);
+        let place = part(start..self.next_boundary(cut));
+        let after = part(self.next_boundary(cut)..to);
         Excerpt {
             before: before.chars().count(),
             width: place.chars().count().max(1),
@@ -80,7 +90,7 @@ impl Source<'_> {
     }
 
     /// The first beginning of a character at or after an offset.
-    fn to_boundary(&self, offset: usize) -> usize {
+    fn next_boundary(&self, offset: usize) -> usize {
         let rest = &self.text[offset..];
         let skipped = rest.iter().position(|&byte| starts_character(byte));
         skipped.map_or(self.text.len(), |skipped| offset + skipped)
@@ -88,7 +98,9 @@ impl Source<'_> {
 }
 
 fn start_of_last_line(text: &[u8]) -> usize {
-    text.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1)
+    text.iter()
+        .rposition(|&byte| byte == b'\n')
+        .map_or(0, |newline| newline + 1)
 }
 
 fn starts_character(byte: u8) -> bool {
@@ -101,16 +113,27 @@ mod tests {
 
     #[track_caller]
     fn shows(text: &str, span: Range<usize>, line: &str, underlined: &str) {
-        let source = Source { name: "t", text: text.as_bytes() };
+        let source = Source {
+            name: "t",
+            text: text.as_bytes(),
+        };
         let excerpt = source.excerpt(&span);
         assert_eq!(excerpt.line, line);
-        let part: String = excerpt.line.chars().skip(excerpt.before).take(excerpt.width).collect();
+        let part: String = excerpt
+            .line
+            .chars()
+            .skip(excerpt.before)
+            .take(excerpt.width)
+            .collect();
         assert_eq!(part, underlined);
     }
 
     #[test]
     fn columns_count_characters() {
-        let source = Source { name: "t", text: "ñ\nñañ".as_bytes() };
+        let source = Source {
+            name: "t",
+            text: "ñ\nñañ".as_bytes(),
+        };
         assert_eq!(source.line_and_column(6), (2, 3));
     }
 

@@ -124,19 +124,27 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for StrictVisitor<V> {
     }
 
     fn visit_bool<E: Error>(self, value: bool) -> Result<V::Value, E> {
-        self.plain(Unexpected::Bool(value), |delegate| delegate.visit_bool(value))
+        self.plain(Unexpected::Bool(value), |delegate| {
+            delegate.visit_bool(value)
+        })
     }
 
     fn visit_i64<E: Error>(self, value: i64) -> Result<V::Value, E> {
-        self.plain(Unexpected::Signed(value), |delegate| delegate.visit_i64(value))
+        self.plain(Unexpected::Signed(value), |delegate| {
+            delegate.visit_i64(value)
+        })
     }
 
     fn visit_u64<E: Error>(self, value: u64) -> Result<V::Value, E> {
-        self.plain(Unexpected::Unsigned(value), |delegate| delegate.visit_u64(value))
+        self.plain(Unexpected::Unsigned(value), |delegate| {
+            delegate.visit_u64(value)
+        })
     }
 
     fn visit_f64<E: Error>(self, value: f64) -> Result<V::Value, E> {
-        self.plain(Unexpected::Float(value), |delegate| delegate.visit_f64(value))
+        self.plain(Unexpected::Float(value), |delegate| {
+            delegate.visit_f64(value)
+        })
     }
 
     fn visit_unit<E: Error>(self) -> Result<V::Value, E> {
@@ -145,14 +153,18 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for StrictVisitor<V> {
 
     fn visit_str<E: Error>(self, value: &str) -> Result<V::Value, E> {
         match self.form {
-            Form::Variant { .. } => self.delegate.visit_enum(Word::<E>(value, Default::default())),
+            Form::Variant { .. } => self
+                .delegate
+                .visit_enum(Word::<E>(value, Default::default())),
             Form::Anything | Form::Object | Form::Tuple { .. } => self.delegate.visit_str(value),
         }
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut elements: A) -> Result<V::Value, A::Error> {
         match self.form {
-            Form::Object | Form::Variant { .. } => Err(A::Error::invalid_type(Unexpected::Seq, &self)),
+            Form::Object | Form::Variant { .. } => {
+                Err(A::Error::invalid_type(Unexpected::Seq, &self))
+            }
             Form::Anything => self.delegate.visit_seq(Elements(elements)),
             Form::Tuple { length } => {
                 let value = self.delegate.visit_seq(Elements(&mut elements))?;
@@ -234,13 +246,12 @@ impl<'de, A: MapAccess<'de>> EnumAccess<'de> for Variant<'_, A> {
     type Error = A::Error;
     type Variant = Self;
 
-    fn variant_seed<K: DeserializeSeed<'de>>(
-        self,
-        seed: K,
-    ) -> Result<(K::Value, Self), A::Error> {
+    fn variant_seed<K: DeserializeSeed<'de>>(self, seed: K) -> Result<(K::Value, Self), A::Error> {
         match self.0.next_key_seed(seed)? {
             Some(name) => Ok((name, self)),
-            None => Err(A::Error::custom("expected an object with exactly one key, found none")),
+            None => Err(A::Error::custom(
+                "expected an object with exactly one key, found none",
+            )),
         }
     }
 }
@@ -249,14 +260,20 @@ impl<'de, A: MapAccess<'de>> VariantAccess<'de> for Variant<'_, A> {
     type Error = A::Error;
 
     fn unit_variant(self) -> Result<(), A::Error> {
-        Err(A::Error::custom("expected the word alone, as a string, found it as a key"))
+        Err(A::Error::custom(
+            "expected the word alone, as a string, found it as a key",
+        ))
     }
 
     fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, A::Error> {
         self.0.next_value_seed(StrictSeed(seed))
     }
 
-    fn tuple_variant<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, A::Error> {
+    fn tuple_variant<V: Visitor<'de>>(
+        self,
+        length: usize,
+        visitor: V,
+    ) -> Result<V::Value, A::Error> {
         let form = Form::Tuple { length };
         self.0.next_value_seed(FormSeed { form, visitor })
     }

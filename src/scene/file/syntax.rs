@@ -8,15 +8,22 @@ use super::escape::{is_hidden, shortened};
 pub fn explain(text: &str, offset: usize, said: &str) -> (Range<usize>, String) {
     let offset = floor_to_character(text, offset);
     if text.trim().is_empty() {
-        return (0..0, "the file is empty, expected a scene, `{…}`".to_string());
+        return (
+            0..0,
+            "the file is empty, expected a scene, `{…}`".to_string(),
+        );
     }
     if said.starts_with("EOF") {
         let end = text.trim_end().len();
-        return (end..end, format!("the file ends too early, {}", wanted_at_end(said)));
+        return (
+            end..end,
+            format!("the file ends too early, {}", wanted_at_end(said)),
+        );
     }
     if said == "trailing comma" {
         let comma = text[..offset].rfind(',').unwrap_or(offset);
-        let message = "a comma before the closing bracket, expected none (JSON has no trailing commas)";
+        let message =
+            "a comma before the closing bracket, expected none (JSON has no trailing commas)";
         return (comma..comma + 1, message.to_string());
     }
     let start = start_of_word(text, offset);
@@ -45,26 +52,41 @@ fn hint(rest: &str, word: &str) -> Option<String> {
         return Some("comments are not part of JSON, expected none".to_string());
     }
     if rest.starts_with('\'') {
-        return Some("strings and keys stand in double quotes in JSON, found a single quote".to_string());
+        return Some(
+            "strings and keys stand in double quotes in JSON, found a single quote".to_string(),
+        );
     }
     if rest.starts_with('\0') {
         return Some("found a NUL byte, expected JSON text".to_string());
     }
-    match word.trim_start_matches(['-', '+']).to_ascii_lowercase().as_str() {
-        "nan" | "inf" | "infinity" => Some(format!("`{word}` is no number in JSON, expected a finite number")),
-        "none" | "nil" | "undefined" => Some(format!("`{word}` is no value in JSON, leave the key out instead")),
-        "true" | "false" if !matches!(word, "true" | "false") => {
-            Some(format!("`{word}` is no value in JSON, expected `true` or `false`"))
-        }
+    match word
+        .trim_start_matches(['-', '+'])
+        .to_ascii_lowercase()
+        .as_str()
+    {
+        "nan" | "inf" | "infinity" => Some(format!(
+            "`{word}` is no number in JSON, expected a finite number"
+        )),
+        "none" | "nil" | "undefined" => Some(format!(
+            "`{word}` is no value in JSON, leave the key out instead"
+        )),
+        "true" | "false" if !matches!(word, "true" | "false") => Some(format!(
+            "`{word}` is no value in JSON, expected `true` or `false`"
+        )),
         lower => is_odd_number(word, lower).then(|| {
-            format!("`{}` is no number in JSON, expected one like 12, -0.5 or 1e3", shortened(word, 40))
+            format!(
+                "`{}` is no number in JSON, expected one like 12, -0.5 or 1e3",
+                shortened(word, 40)
+            )
         }),
     }
 }
 
 /// Whether a word looks like a number of another language: `.5`, `5.`, `+1`, `01`, `0x10`, `1_000`, `2f`.
 fn is_odd_number(word: &str, unsigned: &str) -> bool {
-    let begins_like_number = unsigned.trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit());
+    let begins_like_number = unsigned
+        .trim_start_matches('.')
+        .starts_with(|c: char| c.is_ascii_digit());
     begins_like_number && serde_json::from_str::<serde::de::IgnoredAny>(word).is_err()
 }
 
@@ -75,16 +97,24 @@ fn reworded(said: &str, rest: &str) -> String {
         Some(character) => format!("`{character}`"),
     };
     match said {
-        "trailing characters" => format!("expected the end of the file after the scene, found {found}"),
-        "number out of range" => "the number is too large, expected at most 1.797e308 in size".to_string(),
+        "trailing characters" => {
+            format!("expected the end of the file after the scene, found {found}")
+        }
+        "number out of range" => {
+            "the number is too large, expected at most 1.797e308 in size".to_string()
+        }
         "recursion limit exceeded" => "nested too deeply, expected at most 128 levels".to_string(),
         "key must be a string" => format!("expected a key in double quotes, found {found}"),
         "expected value" | "expected ident" => format!("expected a value, found {found}"),
         "invalid number" => format!("expected a digit, found {found}"),
         "lone leading surrogate in hex escape" | "unexpected end of hex escape" => {
-            "half a surrogate pair (\\ud800 to \\udfff) in a string, expected both halves".to_string()
+            "half a surrogate pair (\\ud800 to \\udfff) in a string, expected both halves"
+                .to_string()
         }
-        "invalid escape" => "unknown escape in a string, expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u".to_string(),
+        "invalid escape" => {
+            "unknown escape in a string, expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u"
+                .to_string()
+        }
         _ if said.starts_with("control character") => {
             format!("found {found} in a string, expected it as an escape (\\n, \\t, \\u001b)")
         }
@@ -109,5 +139,8 @@ fn is_in_word(character: char) -> bool {
 }
 
 fn floor_to_character(text: &str, offset: usize) -> usize {
-    (0..=offset.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
+    (0..=offset.min(text.len()))
+        .rev()
+        .find(|&at| text.is_char_boundary(at))
+        .unwrap_or(0)
 }

@@ -198,7 +198,9 @@ impl Materials {
 
     /// All names and materials, in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &Material)> {
-        self.entries.iter().map(|(name, material)| (name.as_str(), material))
+        self.entries
+            .iter()
+            .map(|(name, material)| (name.as_str(), material))
     }
 
     /// How many there are.

@@ -47,7 +47,10 @@ fn aim(check: &mut Checker<'_>, camera: &Camera) -> bool {
 }
 
 fn resolution(mut check: Checker<'_>, [width, height]: [u32; 2]) {
-    for (index, (side, pixels)) in [("width", width), ("height", height)].into_iter().enumerate() {
+    for (index, (side, pixels)) in [("width", width), ("height", height)]
+        .into_iter()
+        .enumerate()
+    {
         if !(1..=MAX_SIDE).contains(&pixels) {
             let message = format!("the {side} must be from 1 to {MAX_SIDE} pixels, found {pixels}");
             check.at(index).error(message);
@@ -65,6 +68,8 @@ fn shutter(mut check: Checker<'_>, [open, close]: [f64; 2]) {
     check.finite(0, open);
     check.finite(1, close);
     if open > close {
-        check.error(format!("must open before it closes, found [{open}, {close}]"));
+        check.error(format!(
+            "must open before it closes, found [{open}, {close}]"
+        ));
     }
 }

@@ -26,7 +26,9 @@ enum Place<'w> {
 
 impl Default for Checker<'_> {
     fn default() -> Self {
-        Self { walk: Place::Root(Walk::default()) }
+        Self {
+            walk: Place::Root(Walk::default()),
+        }
     }
 }
 
@@ -43,7 +45,9 @@ impl Checker<'_> {
     pub fn at(&mut self, step: impl Into<Step>) -> Checker<'_> {
         let walk = self.walk();
         walk.path.push(step);
-        Checker { walk: Place::Inside(walk) }
+        Checker {
+            walk: Place::Inside(walk),
+        }
     }
 
     /// What was found.
@@ -79,7 +83,11 @@ impl Checker<'_> {
     fn add_error(&mut self, message: String, is_about_key: bool) {
         let walk = self.walk();
         if walk.findings.errors.len() < MAX_PROBLEMS {
-            walk.findings.errors.push(Finding { path: walk.path.clone(), message, is_about_key });
+            walk.findings.errors.push(Finding {
+                path: walk.path.clone(),
+                message,
+                is_about_key,
+            });
         } else {
             walk.findings.omitted += 1;
         }
@@ -88,7 +96,11 @@ impl Checker<'_> {
     fn add_warning(&mut self, message: String, is_about_key: bool) {
         let walk = self.walk();
         if walk.findings.warnings.len() < MAX_PROBLEMS {
-            walk.findings.warnings.push(Finding { path: walk.path.clone(), message, is_about_key });
+            walk.findings.warnings.push(Finding {
+                path: walk.path.clone(),
+                message,
+                is_about_key,
+            });
         }
     }
 
@@ -101,8 +113,13 @@ impl Checker<'_> {
 
     fn require(&mut self, step: impl Into<Step>, value: f64, holds: bool, rule: &str) {
         if !(holds && value.is_finite()) {
-            let rule = if value.is_finite() { rule } else { "must be finite" };
-            self.at(step).error(format!("{rule}, found {}", number(value)));
+            let rule = if value.is_finite() {
+                rule
+            } else {
+                "must be finite"
+            };
+            self.at(step)
+                .error(format!("{rule}, found {}", number(value)));
         }
     }
 
@@ -137,23 +154,30 @@ impl Checker<'_> {
     pub fn count(&mut self, step: impl Into<Step>, value: impl Into<u64>, low: u64, high: u64) {
         let value = value.into();
         if !(low..=high).contains(&value) {
-            self.at(step).error(format!("must be from {low} to {high}, found {value}"));
+            self.at(step)
+                .error(format!("must be from {low} to {high}, found {value}"));
         }
     }
 
     /// Finite coordinates.
     pub fn point(&mut self, step: impl Into<Step>, value: Vec3) {
-        self.each(step, value, |check, axis, coordinate| check.finite(axis, coordinate));
+        self.each(step, value, |check, axis, coordinate| {
+            check.finite(axis, coordinate)
+        });
     }
 
     /// Channels from 0; there is no upper limit.
     pub fn colour(&mut self, step: impl Into<Step>, value: Rgb) {
-        self.each(step, value, |check, channel, value| check.not_negative(channel, value));
+        self.each(step, value, |check, channel, value| {
+            check.not_negative(channel, value)
+        });
     }
 
     /// Components above 0.
     pub fn positive_each(&mut self, step: impl Into<Step>, value: Vec3) {
-        self.each(step, value, |check, axis, value| check.positive(axis, value));
+        self.each(step, value, |check, axis, value| {
+            check.positive(axis, value)
+        });
     }
 
     /// A vector that has a direction; says whether it does.
@@ -171,7 +195,8 @@ impl Checker<'_> {
         } else {
             return true;
         };
-        self.at(step).error(format!("{problem}, found {}", triple(value)));
+        self.at(step)
+            .error(format!("{problem}, found {}", triple(value)));
         false
     }
 
@@ -180,9 +205,7 @@ impl Checker<'_> {
         step: impl Into<Step>,
         value: [f64; 3],
         mut component: impl FnMut(&mut Self, usize, f64),
-    ) where
-        Self: Sized,
-    {
+    ) {
         self.walk().path.push(step);
         for (index, value) in value.into_iter().enumerate() {
             component(self, index, value);

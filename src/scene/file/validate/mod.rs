@@ -75,8 +75,11 @@ fn lights(mut check: Checker<'_>, scene: &SceneFile) {
 }
 
 fn materials(mut check: Checker<'_>, scene: &SceneFile) {
-    let used: HashSet<&str> =
-        scene.objects.iter().filter_map(|object| object.material.as_deref()).collect();
+    let used: HashSet<&str> = scene
+        .objects
+        .iter()
+        .filter_map(|object| object.material.as_deref())
+        .collect();
     for (key, each) in scene.materials.iter() {
         let mut check = check.at(key.to_string());
         if let Some(problem) = wrong_name(key) {
@@ -110,7 +113,9 @@ fn objects(mut check: Checker<'_>, scene: &SceneFile) {
 fn unique_name<'s>(mut check: Checker<'_>, given: &'s str, taken: &mut HashSet<&'s str>) {
     if !taken.insert(given) {
         let shown = shortened(given, 40);
-        check.error(format!("names must be unique, found `{shown}` a second time"));
+        check.error(format!(
+            "names must be unique, found `{shown}` a second time"
+        ));
     }
     name(check, given);
 }
@@ -126,5 +131,8 @@ fn wrong_name(name: &str) -> Option<String> {
         return Some("a name must not be empty".to_string());
     }
     let hidden = name.chars().find(|character| is_hidden(*character))?;
-    Some(format!("a name must not hold control characters, found {}", hidden.escape_unicode()))
+    Some(format!(
+        "a name must not hold control characters, found {}",
+        hidden.escape_unicode()
+    ))
 }

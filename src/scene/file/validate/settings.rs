@@ -27,14 +27,21 @@ pub fn sampling(mut check: Checker<'_>, sampling: &Sampling) {
         Sampling::Stochastic { n } => check.at("stochastic").count("n", n, 1, MAX_SAMPLES),
         Sampling::Random { n } => check.at("random").count("n", n, 1, MAX_SAMPLES),
         Sampling::Sobol { n } => check.at("sobol").count("n", n, 1, MAX_SAMPLES),
-        Sampling::Statistical { confidence, tolerance, min, max } => {
+        Sampling::Statistical {
+            confidence,
+            tolerance,
+            min,
+            max,
+        } => {
             let mut check = check.at("statistical");
             check.between("confidence", confidence, 0.0, 1.0);
             check.positive("tolerance", tolerance);
             check.count("min", min, 1, MAX_SAMPLES);
             check.count("max", max, 1, MAX_SAMPLES);
             if max < min {
-                check.at("max").error(format!("must be `min`, {min}, or more, found {max}"));
+                check
+                    .at("max")
+                    .error(format!("must be `min`, {min}, or more, found {max}"));
             }
         }
     }

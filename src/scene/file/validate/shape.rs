@@ -1,7 +1,9 @@
 //! The checks of the `shape` and `motion` of one of the `objects`.
 
 use crate::scene::file::mesh_path::check_as_written;
-use crate::scene::file::schema::{AxisBox, Cone, Ellipsoid, Motion, Polygon, Shape, Triangle, Vec3};
+use crate::scene::file::schema::{
+    AxisBox, Cone, Ellipsoid, Motion, Polygon, Shape, Triangle, Vec3,
+};
 
 use super::checker::{Checker, number, triple};
 use super::vector::{are_parallel, cross, dot, is_proper_rotation, length, minus, over, size};
@@ -99,17 +101,25 @@ fn polygon(mut check: Checker<'_>, polygon: &Polygon) {
     };
     directions(check.at("normals"), normals);
     if normals.len() != vertices.len() {
-        let message =
-            format!("must be one for each of the {} vertices, found {}", vertices.len(), normals.len());
+        let message = format!(
+            "must be one for each of the {} vertices, found {}",
+            vertices.len(),
+            normals.len()
+        );
         check.at("normals").error(message);
     }
 }
 
 /// A polygon needs an area, and should be flat.
 fn flatness(mut check: Checker<'_>, vertices: &[Vec3]) {
-    let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
-    let corners: Vec<Vec3> =
-        vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent)).collect();
+    let extent = vertices
+        .iter()
+        .map(|vertex| size(minus(*vertex, vertices[0])))
+        .fold(0.0, f64::max);
+    let corners: Vec<Vec3> = vertices
+        .iter()
+        .map(|vertex| over(minus(*vertex, vertices[0]), extent))
+        .collect();
     let mut normal = [0.0; 3];
     for pair in corners.windows(2) {
         let twice_area = cross(pair[0], pair[1]);
@@ -120,10 +130,15 @@ fn flatness(mut check: Checker<'_>, vertices: &[Vec3]) {
     if area.is_nan() || area <= rounding {
         return check.error("must span an area, found a polygon without".to_string());
     }
-    let height =
-        corners.iter().map(|corner| (dot(*corner, normal) / area).abs()).fold(0.0, f64::max);
+    let height = corners
+        .iter()
+        .map(|corner| (dot(*corner, normal) / area).abs())
+        .fold(0.0, f64::max);
     if height > FLATNESS {
-        check.warning(format!("should lie in one plane, found one {} away from it", number(height * extent)));
+        check.warning(format!(
+            "should lie in one plane, found one {} away from it",
+            number(height * extent)
+        ));
     }
 }
 
@@ -133,8 +148,11 @@ fn axis_box(mut check: Checker<'_>, axis_box: &AxisBox) {
     for axis in 0..3 {
         let (low, high) = (axis_box.min[axis], axis_box.max[axis]);
         if low >= high {
-            let message =
-                format!("must be greater than min[{axis}], {}, found {}", number(low), number(high));
+            let message = format!(
+                "must be greater than min[{axis}], {}, found {}",
+                number(low),
+                number(high)
+            );
             check.at("max").at(axis).error(message);
         }
     }
@@ -153,7 +171,9 @@ fn axis(check: &mut Checker<'_>, base: Vec3, apex: Vec3) {
     check.point("base", base);
     check.point("apex", apex);
     if base == apex {
-        check.at("apex").error(format!("must not be the base, found {}", triple(apex)));
+        check
+            .at("apex")
+            .error(format!("must not be the base, found {}", triple(apex)));
     }
 }
 
@@ -162,7 +182,10 @@ fn points(mut check: Checker<'_>, points: &[Vec3]) -> bool {
     for (index, point) in points.iter().enumerate() {
         check.point(index, *point);
     }
-    points.iter().flatten().all(|coordinate| coordinate.is_finite())
+    points
+        .iter()
+        .flatten()
+        .all(|coordinate| coordinate.is_finite())
 }
 
 fn directions(mut check: Checker<'_>, directions: &[Vec3]) {

@@ -14,7 +14,11 @@ pub fn dot(a: Vec3, b: Vec3) -> f64 {
 }
 
 pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 pub fn length(a: Vec3) -> f64 {
@@ -23,7 +27,8 @@ pub fn length(a: Vec3) -> f64 {
 
 /// The largest component in size.
 pub fn size(a: Vec3) -> f64 {
-    a.iter().fold(0.0, |size, component| component.abs().max(size))
+    a.iter()
+        .fold(0.0, |size, component| component.abs().max(size))
 }
 
 /// The vector divided by a number.
@@ -41,9 +46,8 @@ pub fn are_parallel(a: Vec3, b: Vec3) -> bool {
 /// Whether the rows are those of a proper rotation: orthonormal, determinant +1, within the tolerance.
 pub fn is_proper_rotation(rows: &[Vec3; 3], tolerance: f64) -> bool {
     let is_near = |value: f64, wanted: f64| (value - wanted).abs() <= tolerance;
-    let is_orthonormal = (0..3).all(|i| {
-        (0..3).all(|j| is_near(dot(rows[i], rows[j]), if i == j { 1.0 } else { 0.0 }))
-    });
+    let is_orthonormal = (0..3)
+        .all(|i| (0..3).all(|j| is_near(dot(rows[i], rows[j]), if i == j { 1.0 } else { 0.0 })));
     let determinant = dot(rows[0], cross(rows[1], rows[2]));
     is_orthonormal && determinant > 0.0
 }
