@@ -5,6 +5,10 @@
 pub mod geometry;
 pub mod log;
 pub mod probe;
+pub mod record;
+pub mod render;
+pub mod report;
 pub mod sampling;
 pub mod scene;
+pub mod study;
 pub mod trace;

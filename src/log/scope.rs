@@ -4,6 +4,7 @@
 //! in the intersection test that found the nearest hit, then in the enclosing nodes.
 
 use super::event::{Decision, Event, Step, Value, What};
+use super::name::Name;
 use super::tree::Tree;
 
 /// A value that a formula puts in.
@@ -26,6 +27,12 @@ pub fn operand(events: &[Event], tree: &Tree, event: usize, symbol: &str) -> Opt
 /// What a symbol under the Σ of a local intensity stands for, in the part of one light (see [`lights`]).
 pub fn operand_of_light(events: &[Event], tree: &Tree, light: usize, symbol: &str) -> Option<Operand> {
     seen_from(events, tree, light, tree.nodes()[light].events.end, symbol)
+}
+
+/// Whether an operand that a log doesn't hold is 1: a light that doesn't fade, a shadow ray that nothing crosses. Other
+/// operands that are absent belong to a term that is zero.
+pub fn is_one_when_absent(symbol: &str) -> bool {
+    symbol == Name::LightAttenuation.symbol() || symbol == Name::ShadowTransmittance.symbol()
 }
 
 /// The nodes of the lights over which the Σ in the formula of `event` adds.

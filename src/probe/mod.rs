@@ -10,7 +10,7 @@ mod recorder;
 mod silent;
 
 pub use altered::{Alteration, Altered, Decimal, Single, round_half_away};
-pub use printed::Printed;
+pub use printed::{Printed, PrintedValue};
 pub use recorder::Recorder;
 pub use silent::Silent;
 

@@ -61,8 +61,15 @@ impl Camera {
     }
 }
 
+/// A ray that is asked for by its origin and its direction, of any length.
+pub fn ray_along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Ray {
+    probe.given(Name::RayOrigin, origin);
+    probe.given(Name::RayVector, vector);
+    along(origin, vector, probe)
+}
+
 /// The ray from `origin` along `vector`, which is normalised (Ramos, section 1.3, step 1).
-pub fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Ray {
+fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Ray {
     let length = probe.note(Name::RayLength, vector.dot(vector).sqrt());
     Ray::new(origin, probe.note(Name::RayDirection, vector / length))
 }

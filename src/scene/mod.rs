@@ -3,11 +3,15 @@
 //! Behind the door of [`file`] there are indices and no surprises: names are resolved, vectors have a length, and numbers
 //! are finite.
 
+mod build;
+pub mod builtin;
 pub mod camera;
+pub mod file;
 pub mod light;
 pub mod material;
 pub mod tracing;
 
+pub use build::{Unsupported, build};
 pub use camera::Camera;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Material, Weights};

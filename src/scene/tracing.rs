@@ -1,5 +1,6 @@
 //! How rays are traced.
 
+use crate::geometry::shape::SphereMethod;
 use crate::log::SkipReason;
 
 /// The options of the recursion.
@@ -11,6 +12,8 @@ pub struct Tracing {
     pub max_depth: u32,
     /// Which specular term.
     pub specular: Specular,
+    /// By which formulas spheres are met.
+    pub sphere_method: SphereMethod,
     /// The weight below which bounces are left out; 0 leaves out none.
     pub cutoff: f64,
     /// Whether faces are seen from behind.

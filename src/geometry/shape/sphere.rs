@@ -27,6 +27,16 @@ pub enum SphereMethod {
     Geometric,
 }
 
+impl SphereMethod {
+    /// The word for it in scene files and logs.
+    pub fn word(self) -> &'static str {
+        match self {
+            SphereMethod::Robust => "robust",
+            SphereMethod::Geometric => "geometric",
+        }
+    }
+}
+
 /// The part of the ray's line inside the sphere: from `t_a − √t2_a` to `t_a + √t2_a`.
 struct Chord {
     l2_oc: f64,

@@ -1,0 +1,105 @@
+//! The arithmetics, by name, and how a computation is run in one of them.
+
+use crate::probe::{Altered, Decimal, Printed, Probe, Single};
+use crate::scene::Color;
+use std::fmt;
+use std::str::FromStr;
+
+/// The arithmetic in which named quantities go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Arithmetic {
+    /// Double precision, nothing altered.
+    #[default]
+    F64,
+    /// Single precision.
+    F32,
+    /// By hand, with this many decimals.
+    Decimal(u32),
+    /// The book's own values, in the numeric example.
+    Printed,
+}
+
+/// A computation that any probe may see.
+pub trait Computation {
+    /// Runs it; gives the colour.
+    fn run<P: Probe>(self, probe: &mut P) -> Color;
+}
+
+/// Text that names no arithmetic.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "unknown arithmetic `{found}`, expected f64, f32, decimal:N with N from 0 to {}, or printed",
+    Decimal::MAX_DIGITS
+)]
+pub struct ArithmeticError {
+    found: String,
+}
+
+impl Arithmetic {
+    /// Runs a computation before `probe`, and gives its colour and the probe.
+    pub fn run<P: Probe, C: Computation>(self, mut probe: P, computation: C) -> (Color, P) {
+        match self {
+            Arithmetic::F64 => (computation.run(&mut probe), probe),
+            Arithmetic::F32 => altered(Single, probe, computation),
+            Arithmetic::Decimal(digits) => altered(Decimal::new(digits), probe, computation),
+            Arithmetic::Printed => altered(Printed::default(), probe, computation),
+        }
+    }
+}
+
+fn altered<A: crate::probe::Alteration, P: Probe, C: Computation>(
+    alteration: A,
+    probe: P,
+    computation: C,
+) -> (Color, P) {
+    let mut altered = Altered { alteration, probe };
+    (computation.run(&mut altered), altered.probe)
+}
+
+impl fmt::Display for Arithmetic {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Arithmetic::F64 => f.write_str("f64"),
+            Arithmetic::F32 => f.write_str("f32"),
+            Arithmetic::Decimal(digits) => write!(f, "decimal:{digits}"),
+            Arithmetic::Printed => f.write_str("printed"),
+        }
+    }
+}
+
+impl FromStr for Arithmetic {
+    type Err = ArithmeticError;
+
+    fn from_str(text: &str) -> Result<Self, ArithmeticError> {
+        let unknown = || ArithmeticError { found: text.to_owned() };
+        match text {
+            "f64" => Ok(Arithmetic::F64),
+            "f32" => Ok(Arithmetic::F32),
+            "printed" => Ok(Arithmetic::Printed),
+            _ => {
+                let digits = text.strip_prefix("decimal:").ok_or_else(unknown)?;
+                let digits: u32 = digits.parse().map_err(|_| unknown())?;
+                if digits <= Decimal::MAX_DIGITS { Ok(Arithmetic::Decimal(digits)) } else { Err(unknown()) }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_read_back() {
+        for arithmetic in [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(3), Arithmetic::Printed] {
+            assert_eq!(arithmetic.to_string().parse(), Ok(arithmetic));
+        }
+    }
+
+    #[test]
+    fn other_words_are_refused() {
+        for text in ["", "f16", "decimal", "decimal:", "decimal:-1", "decimal:16", "decimal:x"] {
+            assert!(text.parse::<Arithmetic>().is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Pictures as files: one file a format. Only integer formats know white, transfer and clipping.
+
+mod pfm;
+mod png;
+mod ppm;
+mod quantize;
+
+use super::Film;
+use crate::scene::Output;
+
+/// A picture format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// PNG with 8 bits a channel.
+    Png8,
+    /// PNG with 16 bits a channel.
+    Png16,
+    /// Binary PPM with 8 bits a channel.
+    Ppm,
+    /// PFM, 32-bit floating point.
+    Pfm,
+}
+
+/// A picture as the bytes of a file.
+#[derive(Clone, Debug)]
+pub struct Encoded {
+    /// The bytes.
+    pub bytes: Vec<u8>,
+    /// How many pixels had a value that the format can't hold.
+    pub clipped_pixels: u64,
+}
+
+impl Format {
+    /// The format that a file's ending stands for; PNG with 16 bits if asked for.
+    pub fn of_ending(ending: &str, png16: bool) -> Option<Format> {
+        match ending.to_ascii_lowercase().as_str() {
+            "png" if png16 => Some(Format::Png16),
+            "png" => Some(Format::Png8),
+            "ppm" => Some(Format::Ppm),
+            "pfm" => Some(Format::Pfm),
+            _ => None,
+        }
+    }
+
+    /// The endings that are known.
+    pub const ENDINGS: &str = ".png, .ppm or .pfm";
+}
+
+/// Writes a picture into memory.
+pub fn encode(film: &Film, format: Format, output: &Output) -> Result<Encoded, image::ImageError> {
+    Ok(match format {
+        Format::Png8 => {
+            let (levels, clipped_pixels) = quantize::levels(film, output, 255);
+            Encoded { bytes: png::png8(film, &levels)?, clipped_pixels }
+        }
+        Format::Png16 => {
+            let (levels, clipped_pixels) = quantize::levels(film, output, 65535);
+            Encoded { bytes: png::png16(film, &levels)?, clipped_pixels }
+        }
+        Format::Ppm => {
+            let (levels, clipped_pixels) = quantize::levels(film, output, 255);
+            Encoded { bytes: ppm::ppm(film, &levels), clipped_pixels }
+        }
+        Format::Pfm => Encoded { bytes: pfm::pfm(film), clipped_pixels: 0 },
+    })
+}

@@ -1,0 +1,188 @@
+//! How many rays a picture took. Counting is a probe like any other, so that a picture which isn't counted pays nothing.
+
+use crate::log::{Decision, RayKind, SkipReason, Step};
+use crate::probe::Probe;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Counts rays, hits and what was skipped.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Counter {
+    rays: ByKind,
+    hits: ByKind,
+    by_depth: Vec<u64>,
+    skipped: [u64; SkipReason::ALL.len()],
+    primitive_tests: u64,
+    samples: u64,
+    /// The kinds of the rays that the computation is inside; other nodes are not kept.
+    open: Vec<Option<RayKind>>,
+}
+
+/// A number for each kind of ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct ByKind {
+    /// Rays from the eye.
+    pub camera: u64,
+    /// Mirrored rays.
+    pub reflected: u64,
+    /// Refracted rays.
+    pub transmitted: u64,
+    /// Rays to lights.
+    pub shadow: u64,
+}
+
+/// The statistics of a picture, as `render --stats json` prints them.
+#[derive(Clone, Debug, Serialize)]
+pub struct Statistics {
+    /// Rays of each kind.
+    pub rays: Rays,
+    /// Rays that met an object; of shadow rays those fully blocked.
+    pub hits: ByKind,
+    /// Rays but shadow rays, by their level in the ray tree.
+    pub by_depth: Vec<u64>,
+    /// Work left out, by rule.
+    pub skipped: BTreeMap<&'static str, u64>,
+    /// Intersection tests.
+    pub tests: Tests,
+    /// Decisions that needed more than f64.
+    pub fallbacks: u64,
+    /// Samples of all pixels.
+    pub samples: u64,
+    /// Pixels that the format couldn't hold without clipping.
+    pub clipped_pixels: u64,
+    /// Seconds of each stage.
+    pub seconds: Seconds,
+    /// The most memory that the program held.
+    pub peak_bytes: u64,
+}
+
+/// Rays of each kind, and all of them.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Rays {
+    #[serde(flatten)]
+    by_kind: ByKind,
+    total: u64,
+}
+
+/// Intersection tests.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Tests {
+    /// With bounding volumes.
+    pub bounds: u64,
+    /// With shapes.
+    pub primitives: u64,
+}
+
+/// Seconds of each stage.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Seconds {
+    /// Reading the scene.
+    pub load: f64,
+    /// Making it ready.
+    pub build: f64,
+    /// Tracing.
+    pub render: f64,
+}
+
+impl Counter {
+    /// Adds what another counter counted.
+    pub fn add(&mut self, other: &Counter) {
+        self.rays.add(&other.rays);
+        self.hits.add(&other.hits);
+        if self.by_depth.len() < other.by_depth.len() {
+            self.by_depth.resize(other.by_depth.len(), 0);
+        }
+        for (ours, theirs) in self.by_depth.iter_mut().zip(&other.by_depth) {
+            *ours += theirs;
+        }
+        for (ours, theirs) in self.skipped.iter_mut().zip(&other.skipped) {
+            *ours += theirs;
+        }
+        self.primitive_tests += other.primitive_tests;
+        self.samples += other.samples;
+    }
+
+    /// The statistics, with what the counter can't know.
+    pub fn statistics(&self, clipped_pixels: u64, seconds: Seconds, peak_bytes: u64) -> Statistics {
+        let skipped = SkipReason::ALL.iter().map(|why| (why.word(), self.skipped[*why as usize]));
+        Statistics {
+            rays: Rays { by_kind: self.rays, total: self.rays.total() },
+            hits: self.hits,
+            by_depth: self.by_depth.clone(),
+            skipped: skipped.collect(),
+            tests: Tests { bounds: 0, primitives: self.primitive_tests },
+            fallbacks: 0,
+            samples: self.samples,
+            clipped_pixels,
+            seconds,
+            peak_bytes,
+        }
+    }
+
+    fn ray_here(&self) -> Option<RayKind> {
+        self.open.iter().rev().find_map(|kind| *kind)
+    }
+}
+
+impl Probe for Counter {
+    fn enter(&mut self, step: Step) {
+        let kind = match step {
+            Step::Ray { kind, depth } => {
+                *self.rays.of(kind) += 1;
+                if !matches!(kind, RayKind::Shadow { .. }) {
+                    let level = depth as usize;
+                    if self.by_depth.len() <= level {
+                        self.by_depth.resize(level + 1, 0);
+                    }
+                    self.by_depth[level] += 1;
+                }
+                self.samples += u64::from(kind == RayKind::Camera);
+                Some(kind)
+            }
+            Step::Test { .. } => {
+                self.primitive_tests += 1;
+                None
+            }
+            _ => None,
+        };
+        self.open.push(kind);
+    }
+
+    fn leave(&mut self) {
+        self.open.pop();
+    }
+
+    fn mark(&mut self, decision: Decision) {
+        match decision {
+            Decision::Nearest { .. } | Decision::Occluded { .. } => {
+                if let Some(kind) = self.ray_here() {
+                    *self.hits.of(kind) += 1;
+                }
+            }
+            Decision::Skipped { why, .. } => self.skipped[why as usize] += 1,
+            _ => {}
+        }
+    }
+}
+
+impl ByKind {
+    fn of(&mut self, kind: RayKind) -> &mut u64 {
+        match kind {
+            RayKind::Camera => &mut self.camera,
+            RayKind::Reflected => &mut self.reflected,
+            RayKind::Transmitted => &mut self.transmitted,
+            RayKind::Shadow { .. } => &mut self.shadow,
+        }
+    }
+
+    fn add(&mut self, other: &ByKind) {
+        self.camera += other.camera;
+        self.reflected += other.reflected;
+        self.transmitted += other.transmitted;
+        self.shadow += other.shadow;
+    }
+
+    fn total(&self) -> u64 {
+        self.camera + self.reflected + self.transmitted + self.shadow
+    }
+}

@@ -1,0 +1,23 @@
+//! A log as people read it: one file a format, on common words, numbers and computations.
+//!
+//! Nothing is computed here that a log doesn't hold; a report needs no scene.
+
+pub mod computation;
+pub mod number;
+pub mod text;
+pub mod words;
+
+pub use computation::{Computation, computation};
+
+/// How numbers are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Style {
+    /// Decimals, 3 as in the source text unless asked otherwise.
+    pub digits: u32,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Style { digits: 3 }
+    }
+}

@@ -1,0 +1,102 @@
+//! The words for nodes and decisions.
+
+use super::{Style, number};
+use crate::log::{Decision, Header, Log, Miss, RayKind, SkipReason, Skippable, Step, Subject, Tree, Value};
+
+/// What a node is, such as `ray C R, reflected` or `test sphere`.
+pub fn title(log: &Log, tree: &Tree, node: usize) -> String {
+    let header = &log.header;
+    match tree.nodes()[node].step {
+        None => subject(header),
+        Some(Step::Pixel([x, y])) => format!("pixel {x},{y}"),
+        Some(Step::Sample { number }) => format!("sample {number}"),
+        Some(Step::Ray { kind, .. }) => format!("ray {}, {}", tree.path(node), ray_kind(header, kind)),
+        Some(Step::Test { object, triangle: None }) => format!("test {}", plain(header.object(object))),
+        Some(Step::Test { object, triangle: Some(triangle) }) => {
+            format!("test {}, triangle {triangle}", plain(header.object(object)))
+        }
+        Some(Step::Shade { object }) => format!("local model on {}", plain(header.object(object))),
+        Some(Step::Light { light }) => format!("light {}", plain(header.light(light))),
+        Some(Step::Combine) => "weighted sum".to_owned(),
+    }
+}
+
+/// What a log is about, such as `pixel 160,120`.
+pub fn subject(header: &Header) -> String {
+    match header.subject {
+        Subject::Pixel([x, y]) => format!("pixel {x},{y}"),
+        Subject::Region([x0, y0, x1, y1]) => format!("region {x0},{y0} to {x1},{y1}"),
+        Subject::Ray([ox, oy, oz, dx, dy, dz]) => {
+            let triple = |xyz| number::value(&Value::Triple(xyz), Style::default());
+            format!("ray from {} along {}", triple([ox, oy, oz]), triple([dx, dy, dz]))
+        }
+    }
+}
+
+/// What a ray is for.
+pub fn ray_kind(header: &Header, kind: RayKind) -> String {
+    match kind {
+        RayKind::Camera => "from the eye".to_owned(),
+        RayKind::Shadow { light } => format!("shadow ray to {}", plain(header.light(light))),
+        RayKind::Reflected => "reflected".to_owned(),
+        RayKind::Transmitted => "transmitted".to_owned(),
+    }
+}
+
+/// A decision as a sentence.
+pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
+    match decision {
+        Decision::Hit => "hit".to_owned(),
+        Decision::Miss { why } => format!("miss: {}", miss(*why)),
+        Decision::Outside => "the ray begins outside".to_owned(),
+        Decision::Inside => "the ray begins inside".to_owned(),
+        Decision::Nearest { object } => format!("nearest: {}", plain(header.object(*object))),
+        Decision::Background => "nothing is hit: background".to_owned(),
+        Decision::Occluded { object } => format!("blocked by {}", plain(header.object(*object))),
+        Decision::Attenuated { object, factor } => {
+            format!(
+                "passes {}, which keeps {}",
+                plain(header.object(*object)),
+                number::value(&Value::Triple(*factor), style)
+            )
+        }
+        Decision::TotalInternalReflection => "total internal reflection".to_owned(),
+        Decision::DepthLimit { what } => format!("depth limit: no {}", skippable(*what)),
+        Decision::Skipped { what, why } => format!("skipped: {} ({})", skippable(*what), skip_reason(*why)),
+    }
+}
+
+fn miss(why: Miss) -> &'static str {
+    match why {
+        Miss::Parallel => "the ray runs parallel to it",
+        Miss::Behind => "it lies behind the ray",
+        Miss::Beside => "the ray passes beside it",
+        Miss::Beyond => "it lies beyond the light",
+    }
+}
+
+fn skippable(what: Skippable) -> &'static str {
+    match what {
+        Skippable::Reflected => "reflected ray",
+        Skippable::Transmitted => "transmitted ray",
+        Skippable::Shadow => "shadow ray",
+    }
+}
+
+fn skip_reason(why: SkipReason) -> &'static str {
+    match why {
+        SkipReason::ZeroWeight => "its weight is zero",
+        SkipReason::NoLocalTerm => "no coefficient could use the light",
+        SkipReason::Blocked => "already fully blocked",
+        SkipReason::Cutoff => "its weight is below the cutoff",
+    }
+}
+
+/// A name from a file with its control characters escaped, so that it can't command a terminal.
+pub fn plain(name: &str) -> String {
+    if name.chars().any(char::is_control) { name.chars().flat_map(escaped).collect() } else { name.to_owned() }
+}
+
+fn escaped(c: char) -> Vec<char> {
+    if c.is_control() { c.escape_default().collect() } else { vec![c] }
+}

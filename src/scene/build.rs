@@ -1,0 +1,165 @@
+//! From a checked scene file to a scene that can be traced.
+
+use super::file::schema as file;
+use super::{
+    Algorithm, Camera, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing, Transfer, Weights,
+};
+use crate::geometry::Shape;
+use crate::geometry::shape::{Plane, Sphere, SphereMethod};
+use glam::DVec3;
+
+/// Something that a scene file asks for and this version can't do.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{path}: not supported by this version: {what}")]
+pub struct Unsupported {
+    /// Where the file asks for it.
+    pub path: String,
+    /// What it is.
+    pub what: String,
+}
+
+/// Makes a checked scene file ready to be traced.
+pub fn build(scene: &file::SceneFile) -> Result<Scene, Unsupported> {
+    refuse_unsupported(scene)?;
+    let sphere_method = match scene.tracing.sphere_method {
+        file::SphereMethod::Robust => SphereMethod::Robust,
+        file::SphereMethod::Geometric => SphereMethod::Geometric,
+    };
+    let mut materials: Vec<_> = scene.materials.iter().map(|(_, material)| self::material(material)).collect();
+    let default_material = materials.len();
+    materials.push(self::material(&file::Material::default()));
+    let object = |(index, object): (usize, &file::Object)| {
+        let named = |name: &String| scene.materials.index_of(name);
+        Ok(Object {
+            name: object.name.clone(),
+            shape: shape(&object.shape, sphere_method, index)?,
+            material: object.material.as_ref().and_then(named).unwrap_or(default_material),
+        })
+    };
+    Ok(Scene {
+        name: scene.name.clone(),
+        digest: digest(scene),
+        camera: camera(&scene.camera),
+        ambient: scene.ambient.into(),
+        background: scene.background.into(),
+        lights: scene.lights.iter().enumerate().map(light).collect::<Result<_, _>>()?,
+        materials,
+        objects: scene.objects.iter().enumerate().map(object).collect::<Result<_, _>>()?,
+        tracing: tracing(&scene.tracing, sphere_method),
+        output: output(&scene.output),
+    })
+}
+
+/// The digest of the resolved scene, as a log's header names it.
+fn digest(scene: &file::SceneFile) -> String {
+    // Writing plain numbers and strings to memory can't fail.
+    let resolved = serde_json::to_vec(scene).unwrap_or_default();
+    format!("blake3:{}", blake3::hash(&resolved).to_hex())
+}
+
+fn refuse_unsupported(scene: &file::SceneFile) -> Result<(), Unsupported> {
+    let refuse = |path: &str, what: &str| Err(Unsupported { path: path.to_owned(), what: what.to_owned() });
+    if scene.camera.lens.is_some() {
+        return refuse("camera.lens", "a lens");
+    }
+    if scene.camera.shutter != [0.0, 0.0] || scene.frames.is_some() {
+        return refuse(if scene.frames.is_some() { "frames" } else { "camera.shutter" }, "motion");
+    }
+    if scene.sampling != (file::Sampling::None {}) {
+        return refuse("sampling", "more than one ray a pixel");
+    }
+    for (name, material) in scene.materials.iter() {
+        let path = |key: &str| format!("materials.{name}.{key}");
+        if material.gloss_exponent.is_some() {
+            return refuse(&path("gloss_exponent"), "blurry reflection");
+        }
+        if material.translucency_exponent.is_some() {
+            return refuse(&path("translucency_exponent"), "blurry transmission");
+        }
+        if material.pattern.is_some() {
+            return refuse(&path("pattern"), "patterns");
+        }
+    }
+    match scene.objects.iter().position(|object| object.motion.is_some()) {
+        Some(index) => refuse(&format!("objects[{index}].motion"), "motion"),
+        None => Ok(()),
+    }
+}
+
+fn camera(camera: &file::Camera) -> Camera {
+    let direction = DVec3::from(camera.direction());
+    Camera::new(camera.position.into(), direction, camera.up.into(), camera.vertical_fov, camera.resolution)
+}
+
+fn light((index, light): (usize, &file::Light)) -> Result<Light, Unsupported> {
+    let kind = match light.kind {
+        file::LightKind::Point(file::PointLight { position }) => LightKind::Point { position: position.into() },
+        file::LightKind::Directional(file::DirectionalLight { direction }) => {
+            let direction = DVec3::from(direction);
+            LightKind::Directional { travel: direction / direction.length() }
+        }
+        _ => {
+            let key = light.kind.key();
+            return Err(Unsupported { path: format!("lights[{index}].{key}"), what: format!("a light `{key}`") });
+        }
+    };
+    Ok(Light { name: light.name.clone(), kind, color: light.color.into(), attenuation: light.attenuation })
+}
+
+fn material(material: &file::Material) -> Material {
+    Material {
+        ambient: material.ambient.into(),
+        diffuse: material.diffuse.into(),
+        specular: material.specular.into(),
+        transmission: material.transmission.into(),
+        shininess: material.shininess,
+        transmission_exponent: material.transmission_exponent,
+        ior: material.ior,
+        weights: Weights {
+            local: material.weights.local.rgb().into(),
+            reflected: material.weights.reflected.rgb().into(),
+            transmitted: material.weights.transmitted.rgb().into(),
+        },
+    }
+}
+
+fn shape(shape: &file::Shape, sphere_method: SphereMethod, index: usize) -> Result<Shape, Unsupported> {
+    match shape {
+        file::Shape::Plane(plane) => Ok(Shape::Plane(Plane::new(plane.coefficients))),
+        file::Shape::Sphere(sphere) if !sphere.inward => {
+            Ok(Shape::Sphere(Sphere::new(sphere.center.into(), sphere.radius, sphere_method)))
+        }
+        _ => {
+            let key = shape.key();
+            Err(Unsupported { path: format!("objects[{index}].shape.{key}"), what: format!("the shape `{key}`") })
+        }
+    }
+}
+
+fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
+    Tracing {
+        algorithm: match tracing.algorithm {
+            file::Algorithm::Recursive => Algorithm::Recursive,
+            file::Algorithm::Whitted => Algorithm::Whitted,
+            file::Algorithm::Foley => Algorithm::Foley,
+        },
+        max_depth: tracing.max_depth,
+        specular: match tracing.specular {
+            file::SpecularForm::HalfVector => Specular::HalfVector,
+            file::SpecularForm::ReflectionVector => Specular::ReflectionVector,
+        },
+        sphere_method,
+        cutoff: tracing.cutoff,
+        two_sided: tracing.two_sided,
+        skip: Skip::ALL,
+        tests: super::tracing::Tests::Visited,
+    }
+}
+
+fn output(output: &file::Output) -> Output {
+    let transfer = match output.transfer {
+        file::Transfer::Linear => Transfer::Linear,
+        file::Transfer::Srgb => Transfer::Srgb,
+    };
+    Output { white: output.white, transfer, exposure: output.exposure }
+}

@@ -1,0 +1,199 @@
+//! What is wrong with a scene file, and where: for people, and as an exit code.
+
+use std::fmt;
+use std::io;
+use std::ops::Range;
+
+use super::escape::visible;
+use super::key_path::KeyPath;
+use super::source::Excerpt;
+
+/// Why there is no scene.
+#[derive(Debug, thiserror::Error)]
+pub enum SceneError {
+    /// The text is no good scene; at least one problem.
+    #[error("{}", in_lines(problems, *omitted))]
+    Invalid {
+        /// What is wrong, in the order of the file's keys.
+        problems: Vec<Problem>,
+        /// How many more there are.
+        omitted: usize,
+    },
+    /// The file is not one that can be a scene: missing, a directory, a device, too large.
+    #[error("{}: {reason}", visible(file))]
+    Refused {
+        /// The file's name.
+        file: String,
+        /// What is wrong, and what was expected.
+        reason: String,
+    },
+    /// The machine did not give the bytes.
+    #[error("{}: cannot read: {source}", visible(file))]
+    Unreadable {
+        /// The file's name.
+        file: String,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+impl SceneError {
+    /// 2 when the caller must change something, 3 when a retry may help.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Invalid { .. } | Self::Refused { .. } => 2,
+            Self::Unreadable { .. } => 3,
+        }
+    }
+
+    /// The problems of the text; none when there was no text.
+    pub fn problems(&self) -> &[Problem] {
+        match self {
+            Self::Invalid { problems, .. } => problems,
+            Self::Refused { .. } | Self::Unreadable { .. } => &[],
+        }
+    }
+
+    /// All problems as they are shown to a person, each with its source line; ends without a newline.
+    pub fn report(&self, colour: bool) -> String {
+        let label = Severity::Error.label(colour);
+        match self {
+            Self::Invalid { problems, omitted } => {
+                let mut reports: Vec<String> = problems
+                    .iter()
+                    .map(|problem| problem.report(Severity::Error, colour))
+                    .collect();
+                reports.extend((*omitted > 0).then(|| format!("{label}: {}", and_more(*omitted))));
+                reports.join("\n")
+            }
+            Self::Refused { .. } | Self::Unreadable { .. } => format!("{label}: {self}"),
+        }
+    }
+}
+
+impl From<Problem> for SceneError {
+    fn from(problem: Problem) -> Self {
+        Self::Invalid { problems: vec![problem], omitted: 0 }
+    }
+}
+
+fn in_lines(problems: &[Problem], omitted: usize) -> String {
+    let mut lines: Vec<String> = problems.iter().map(Problem::to_string).collect();
+    lines.extend((omitted > 0).then(|| and_more(omitted)));
+    lines.join("\n")
+}
+
+fn and_more(omitted: usize) -> String {
+    format!("and {omitted} more problems of this kind, not shown")
+}
+
+/// How bad a problem is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Severity {
+    /// The scene is refused.
+    Error,
+    /// The scene is traced all the same.
+    Warning,
+}
+
+impl Severity {
+    fn label(self, colour: bool) -> String {
+        let word = match self {
+            Self::Error => "error",
+            Self::Warning => "warning",
+        };
+        self.paint(word, colour)
+    }
+
+    fn paint(self, text: &str, colour: bool) -> String {
+        let code = match self {
+            Self::Error => "1;31",
+            Self::Warning => "1;33",
+        };
+        if colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() }
+    }
+}
+
+/// One thing that is wrong. It displays as `FILE:LINE:COL: PATH: what is wrong, what was expected`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// The file's name.
+    pub file: String,
+    /// The line, from 1; 0 when the problem has no place in a text.
+    pub line: usize,
+    /// The column in characters, from 1; 0 when the problem has no place in a text.
+    pub column: usize,
+    /// The way to the value; the root when the problem is with the text as such.
+    pub path: KeyPath,
+    /// What is wrong, what was expected.
+    pub message: String,
+    /// The place in the file in bytes.
+    pub span: Option<Range<usize>>,
+    /// The source line.
+    pub excerpt: Option<Excerpt>,
+}
+
+impl Problem {
+    /// The problem as it is shown to a person, with its source line underlined; ends without a newline.
+    pub fn report(&self, severity: Severity, colour: bool) -> String {
+        let first_line = format!("{}: {self}", severity.label(colour));
+        let Some(excerpt) = &self.excerpt else {
+            return first_line;
+        };
+        let number = self.line.to_string();
+        let margin = " ".repeat(number.len());
+        let underline = severity.paint(&"^".repeat(excerpt.width), colour);
+        let indent = " ".repeat(excerpt.before);
+        let line = &excerpt.line;
+        format!("{first_line}\n{margin} |\n{number} | {line}\n{margin} | {indent}{underline}")
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        write!(formatter, "{}:", visible(&self.file))?;
+        if self.line > 0 {
+            write!(formatter, "{}:{}:", self.line, self.column)?;
+        }
+        if !self.path.is_root() {
+            write!(formatter, " {}:", self.path)?;
+        }
+        write!(formatter, " {}", self.message)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::file::Source;
+
+    fn problem() -> Problem {
+        let source = Source { name: "a.json", text: b"{\n  \"radius\": -1\n}" };
+        source.problem(14..16, KeyPath::default().join("radius"), "must be positive, found -1".into())
+    }
+
+    #[test]
+    fn the_source_line_is_underlined() {
+        let expected = "error: a.json:2:13: radius: must be positive, found -1\n  |\n2 |   \"radius\": -1\n  |             ^^";
+        assert_eq!(SceneError::from(problem()).report(false), expected);
+    }
+
+    #[test]
+    fn colour_leaves_the_words_as_they_are() {
+        let report = problem().report(Severity::Warning, true);
+        assert!(report.starts_with("\x1b[1;33mwarning\x1b[0m: a.json:2:13: radius:"), "{report}");
+    }
+
+    #[test]
+    fn problems_that_are_not_shown_are_counted() {
+        let error = SceneError::Invalid { problems: vec![problem()], omitted: 7 };
+        assert!(error.to_string().ends_with("\nand 7 more problems of this kind, not shown"));
+    }
+
+    #[test]
+    fn a_retry_helps_only_against_the_machine() {
+        let source = io::Error::from(io::ErrorKind::PermissionDenied);
+        assert_eq!(SceneError::Unreadable { file: "a".into(), source }.exit_code(), 3);
+        assert_eq!(SceneError::from(problem()).exit_code(), 2);
+    }
+}

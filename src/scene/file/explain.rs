@@ -1,0 +1,209 @@
+//! Turns what serde says into what a person needs: the place, what is there, what was expected, what was perhaps meant.
+
+use std::ops::Range;
+
+use serde_json::error::Category;
+use serde_path_to_error::{Path, Segment};
+
+use super::error::Problem;
+use super::escape::shortened;
+use super::key_path::{KeyPath, Step};
+use super::locate::{Place, locate, locate_repeated};
+use super::schema::FORMAT;
+use super::source::Source;
+use super::suggest::suggest;
+use super::syntax;
+
+/// How many characters of a name or string from the file a message repeats.
+const QUOTED: usize = 40;
+
+/// The problem behind an error of the JSON reader.
+pub fn explain(source: &Source, text: &str, error: &serde_json::Error, path: &Path) -> Problem {
+    let said = without_position(error);
+    let path = key_path(path);
+    let (span, path, message) = match error.classify() {
+        Category::Data => other_format(text).unwrap_or_else(|| wrong_data(text, path, &said)),
+        Category::Syntax | Category::Eof | Category::Io => {
+            let offset = offset_of(text, error.line(), error.column());
+            let (span, message) = syntax::explain(text, offset, &said);
+            (span, path, message)
+        }
+    };
+    source.problem(span, path, message)
+}
+
+/// serde's message without its `at line 1 column 2`.
+fn without_position(error: &serde_json::Error) -> String {
+    let mut message = error.to_string();
+    if let Some(end) = message.rfind(" at line ") {
+        message.truncate(end);
+    }
+    message
+}
+
+fn key_path(path: &Path) -> KeyPath {
+    let steps = path.iter().filter_map(|segment| match segment {
+        Segment::Seq { index } => Some(Step::Index(*index)),
+        Segment::Map { key: name } | Segment::Enum { variant: name } => Some(name.clone().into()),
+        Segment::Unknown => None,
+    });
+    steps.collect()
+}
+
+fn offset_of(text: &str, line: usize, column: usize) -> usize {
+    let newlines = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+    let line_start = match line {
+        0 | 1 => 0,
+        _ => newlines.map(|(at, _)| at + 1).nth(line - 2).unwrap_or(text.len()),
+    };
+    (line_start + column.saturating_sub(1)).min(text.len())
+}
+
+/// A file of another format has other keys, so that only its format is worth a word.
+fn other_format(text: &str) -> Option<(Range<usize>, KeyPath, String)> {
+    let path = KeyPath::default().join("format");
+    let place = locate(text, &path);
+    let found: String = serde_json::from_str(&text[place.value.clone()]).ok()?;
+    let is_other = place.depth == 1 && found != FORMAT;
+    is_other.then(|| (place.value, path, unknown_format(&found)))
+}
+
+/// The message for another `format`.
+pub fn unknown_format(found: &str) -> String {
+    format!("this program reads `{FORMAT}`, found `{}`", shortened(found, QUOTED))
+}
+
+fn wrong_data(text: &str, mut path: KeyPath, said: &str) -> (Range<usize>, KeyPath, String) {
+    let place = locate(text, &path);
+    match Complaint::of(said) {
+        Complaint::UnknownKey { name, valid } => {
+            let message = format!("unknown key `{}`, {}", shortened(name, QUOTED), alternatives(name, &valid));
+            (key_span(place), path, message)
+        }
+        Complaint::UnknownWord { name, valid } => {
+            let is_word = place.depth < path.steps().len();
+            let message = format!("unknown word `{}`, {}", shortened(name, QUOTED), alternatives(name, &valid));
+            if is_word {
+                path.pop();
+            }
+            let span = if is_word { place.value } else { key_span(place) };
+            (span, path, message)
+        }
+        Complaint::Missing { name } => {
+            (place.value, path, format!("the key `{name}` is missing, expected it here"))
+        }
+        Complaint::Repeated { name } => {
+            let is_at_key = matches!(path.steps().last(), Some(Step::Key(key)) if key == name);
+            if !is_at_key {
+                path.push(name.to_string());
+            }
+            let second = key_span(locate_repeated(text, &path, 1));
+            let message = format!("the key `{}` stands twice, expected it once", shortened(name, QUOTED));
+            (second, path, message)
+        }
+        Complaint::Length { found, expected } => {
+            let message = format!("expected {}, found {found} elements", in_words(expected));
+            (place.value, path, message)
+        }
+        Complaint::Type { expected } => {
+            let found = describe(&text[place.value.clone()]);
+            (place.value, path, format!("expected {}, found {found}", in_words(expected)))
+        }
+        Complaint::Other => (place.value, path, said.to_string()),
+    }
+}
+
+fn key_span(place: Place) -> Range<usize> {
+    place.key.unwrap_or(place.value)
+}
+
+/// The kinds of message that serde composes.
+enum Complaint<'s> {
+    UnknownKey { name: &'s str, valid: Vec<&'s str> },
+    UnknownWord { name: &'s str, valid: Vec<&'s str> },
+    Missing { name: &'s str },
+    Repeated { name: &'s str },
+    Length { found: &'s str, expected: &'s str },
+    Type { expected: &'s str },
+    Other,
+}
+
+impl<'s> Complaint<'s> {
+    fn of(said: &'s str) -> Self {
+        let after = |beginning: &str| said.strip_prefix(beginning);
+        if let Some(rest) = after("unknown field `") {
+            let (name, valid) = name_and_valid(rest);
+            return Self::UnknownKey { name, valid };
+        }
+        if let Some(rest) = after("unknown variant `") {
+            let (name, valid) = name_and_valid(rest);
+            return Self::UnknownWord { name, valid };
+        }
+        if let Some(name) = after("missing field `") {
+            return Self::Missing { name: name.trim_end_matches('`') };
+        }
+        if let Some(name) = after("duplicate field `") {
+            return Self::Repeated { name: name.strip_suffix('`').unwrap_or(name) };
+        }
+        // The name of a wrong value may itself hold the words, so the last ones count.
+        if let Some((found, expected)) = after("invalid length ").and_then(|rest| rest.rsplit_once(", expected ")) {
+            return Self::Length { found, expected };
+        }
+        let is_type = said.starts_with("invalid type: ") || said.starts_with("invalid value: ");
+        match said.rsplit_once(", expected ") {
+            Some((_, expected)) if is_type => Self::Type { expected },
+            _ => Self::Other,
+        }
+    }
+}
+
+/// Takes apart "name`, expected one of `a`, `b`".
+fn name_and_valid(rest: &str) -> (&str, Vec<&str>) {
+    match rest.rsplit_once("`, expected ") {
+        Some((name, list)) => (name, list.split('`').skip(1).step_by(2).collect()),
+        None => (rest, Vec::new()),
+    }
+}
+
+/// "expected `a`, `b` or `c`; did you mean `b`?"
+pub fn alternatives<'n>(name: &str, valid: &[&'n str]) -> String {
+    let quoted: Vec<String> = valid.iter().map(|name| format!("`{name}`")).collect();
+    let list = match quoted.as_slice() {
+        [] => return "expected no key here".to_string(),
+        [only] => only.clone(),
+        [head @ .., last] => format!("{} or {last}", head.join(", ")),
+    };
+    match suggest(name, valid.iter().copied()) {
+        Some(meant) => format!("did you mean `{meant}`? expected {list}"),
+        None => format!("expected {list}"),
+    }
+}
+
+/// serde's words for what it wanted, in the words of JSON.
+fn in_words(expected: &str) -> String {
+    match expected {
+        "f64" => "a number".to_string(),
+        "u32" => format!("a whole number from 0 to {}", u32::MAX),
+        "u64" => "a whole number, 0 or more".to_string(),
+        "a boolean" => "`true` or `false`".to_string(),
+        "a sequence" => "an array".to_string(),
+        "a map" => "an object".to_string(),
+        "string" => "a string".to_string(),
+        _ if expected.starts_with("struct ") => "an object".to_string(),
+        _ => match expected.strip_prefix("an array of length ") {
+            Some(length) => format!("an array of {length} elements"),
+            None => expected.to_string(),
+        },
+    }
+}
+
+/// What stands in the file, in words.
+fn describe(value: &str) -> String {
+    match value.as_bytes().first() {
+        Some(b'"') => format!("the string {}", shortened(value, QUOTED)),
+        Some(b'[') => "an array".to_string(),
+        Some(b'{') => "an object".to_string(),
+        Some(_) => shortened(value, QUOTED),
+        None => "nothing".to_string(),
+    }
+}

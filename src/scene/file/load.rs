@@ -1,0 +1,108 @@
+//! From bytes to a checked scene: decode, read, fill in names, validate, and give every problem its place.
+
+use std::path::Path;
+
+use serde::Deserialize;
+use serde_path_to_error::Track;
+
+use super::error::{Problem, SceneError};
+use super::explain::explain;
+use super::input::{display_name, read_bytes};
+use super::key_path::KeyPath;
+use super::locate::locate_all;
+use super::names::fill_in_names;
+use super::schema::SceneFile;
+use super::source::Source;
+use super::strict::Strict;
+use super::validate::{Finding, validate};
+
+/// A scene that may be traced.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loaded {
+    /// The scene, every name filled in.
+    pub scene: SceneFile,
+    /// What is odd about it but does not stop anybody.
+    pub warnings: Vec<Problem>,
+}
+
+/// Reads and checks a scene file, or standard input for `-`.
+///
+/// # Errors
+/// [`SceneError`], with every problem that validation finds, or the first that reading finds.
+pub fn read(path: &Path) -> Result<Loaded, SceneError> {
+    check(&read_bytes(path)?, &display_name(path))
+}
+
+/// Parses and validates the text of a scene file.
+///
+/// # Errors
+/// [`SceneError::Invalid`], with every problem that validation finds, or the first that parsing finds.
+pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, SceneError> {
+    let scene = parse(text, file_name)?;
+    let findings = validate(&scene);
+    let errors = place(&findings.errors, text, file_name)?;
+    if !errors.is_empty() {
+        return Err(SceneError::Invalid { problems: errors, omitted: findings.omitted });
+    }
+    let warnings = place(&findings.warnings, text, file_name)?;
+    Ok(Loaded { scene, warnings })
+}
+
+/// Parses the text of a scene file: syntax, keys and types, but not whether the numbers make sense. A byte-order mark is
+/// skipped and missing names are filled in.
+///
+/// # Errors
+/// [`SceneError::Invalid`] with the first problem.
+pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, SceneError> {
+    let (source, text) = decode(text, file_name)?;
+    let mut json = serde_json::Deserializer::from_str(text);
+    let mut track = Track::new();
+    let tracked = serde_path_to_error::Deserializer::new(Strict(&mut json), &mut track);
+    let result = SceneFile::deserialize(tracked).and_then(|scene| json.end().map(|()| scene));
+    match result {
+        Ok(mut scene) => {
+            fill_in_names(&mut scene, file_name);
+            Ok(scene)
+        }
+        Err(error) => Err(explain(&source, text, &error, &track.path()).into()),
+    }
+}
+
+/// The text without a byte-order mark.
+fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), SceneError> {
+    const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+    let body = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+    let skipped = bytes.len() - body.len();
+    let source = Source { name, text: body };
+    let problem = |offset: usize, message: String| {
+        Err(source.problem(offset..offset + 1, KeyPath::default(), message).into())
+    };
+    if let [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [b'{', 0, ..] | [0, b'{', ..] = body {
+        return problem(0, "the text is UTF-16, expected UTF-8".to_string());
+    }
+    match std::str::from_utf8(body) {
+        Ok(text) => Ok((source, text)),
+        Err(error) => {
+            let offset = error.valid_up_to();
+            let byte = body[offset];
+            problem(
+                offset,
+                format!("not UTF-8: byte {byte:#04x} at offset {}, expected UTF-8 text", offset + skipped),
+            )
+        }
+    }
+}
+
+fn place(findings: &[Finding], text: &[u8], file_name: &str) -> Result<Vec<Problem>, SceneError> {
+    if findings.is_empty() {
+        return Ok(Vec::new());
+    }
+    let (source, text) = decode(text, file_name)?;
+    let paths: Vec<KeyPath> = findings.iter().map(|finding| finding.path.clone()).collect();
+    let places = locate_all(text, &paths);
+    let problems = findings.iter().zip(places).map(|(finding, place)| {
+        let span = if finding.is_about_key { place.key.unwrap_or(place.value) } else { place.value };
+        source.problem(span, finding.path.clone(), finding.message.clone())
+    });
+    Ok(problems.collect())
+}

@@ -1,0 +1,207 @@
+//! Finds the place of a path in the source text, for problems that are found after reading.
+
+use std::ops::Range;
+
+use super::key_path::{KeyPath, Step};
+use super::scan::Scanner;
+
+/// Where a path leads in a text, in bytes.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Place {
+    /// The key of the last step, with its quotes, when that step is a key.
+    pub key: Option<Range<usize>>,
+    /// The value.
+    pub value: Range<usize>,
+    /// How many steps of the path were found: fewer than the path has when it leads to a default.
+    pub depth: usize,
+}
+
+/// The place of one path, or of its longest beginning that the text holds.
+pub fn locate(text: &str, path: &KeyPath) -> Place {
+    locate_repeated(text, path, 0)
+}
+
+/// The places of many paths, in one walk over the text.
+pub fn locate_all(text: &str, paths: &[KeyPath]) -> Vec<Place> {
+    search(text, paths, vec![0; paths.len()])
+}
+
+/// The place of a path whose last key occurs several times: leaves out the first `earlier` of them.
+pub(super) fn locate_repeated(text: &str, path: &KeyPath, earlier: usize) -> Place {
+    let mut places = search(text, std::slice::from_ref(path), vec![earlier]);
+    places.pop().unwrap_or_default()
+}
+
+fn search(text: &str, paths: &[KeyPath], earlier: Vec<usize>) -> Vec<Place> {
+    let mut search = Search {
+        text,
+        scanner: Scanner::new(text),
+        places: vec![Place::default(); paths.len()],
+        paths,
+        earlier,
+    };
+    let everything: Vec<usize> = (0..paths.len()).collect();
+    search.value(0, None, &everything);
+    search.places
+}
+
+struct Search<'s> {
+    text: &'s str,
+    scanner: Scanner<'s>,
+    paths: &'s [KeyPath],
+    places: Vec<Place>,
+    earlier: Vec<usize>,
+}
+
+impl Search<'_> {
+    /// Walks over the value that is next, `depth` steps from the root, where the paths `wanted` lead through it.
+    fn value(&mut self, depth: usize, key: Option<Range<usize>>, wanted: &[usize]) {
+        let next = self.scanner.peek();
+        let start = self.scanner.at;
+        for &path in wanted {
+            self.places[path] = Place { key: key.clone(), value: start..start, depth };
+        }
+        let deeper: Vec<usize> = wanted
+            .iter()
+            .copied()
+            .filter(|&path| self.paths[path].steps().len() > depth)
+            .collect();
+        match next {
+            Some(b'{') if !deeper.is_empty() => self.object(depth, &deeper),
+            Some(b'[') if !deeper.is_empty() => self.array(depth, &deeper),
+            _ => {
+                self.scanner.skip_value();
+            }
+        }
+        for &path in wanted {
+            if self.places[path].depth == depth {
+                self.places[path].value.end = self.scanner.at;
+            }
+        }
+    }
+
+    fn object(&mut self, depth: usize, wanted: &[usize]) {
+        self.scanner.take(b'{');
+        while self.scanner.peek() == Some(b'"') {
+            let start = self.scanner.at;
+            self.scanner.skip_string();
+            let key = start..self.scanner.at;
+            let name = decode(&self.text[key.clone()]);
+            if !self.scanner.take(b':') {
+                return;
+            }
+            let found = self.matching(depth, wanted, |step| matches!(step, Step::Key(key) if *key == name));
+            self.member(depth, Some(key), &found);
+            if !self.scanner.take(b',') {
+                break;
+            }
+        }
+        self.scanner.take(b'}');
+    }
+
+    fn array(&mut self, depth: usize, wanted: &[usize]) {
+        self.scanner.take(b'[');
+        let mut index = 0;
+        while !matches!(self.scanner.peek(), None | Some(b']')) {
+            let found = self.matching(depth, wanted, |step| *step == Step::Index(index));
+            self.member(depth, None, &found);
+            index += 1;
+            if !self.scanner.take(b',') {
+                break;
+            }
+        }
+        self.scanner.take(b']');
+    }
+
+    fn member(&mut self, depth: usize, key: Option<Range<usize>>, found: &[usize]) {
+        if found.is_empty() {
+            self.scanner.skip_value();
+        } else {
+            self.value(depth + 1, key, found);
+        }
+    }
+
+    fn matching(
+        &mut self,
+        depth: usize,
+        wanted: &[usize],
+        leads_here: impl Fn(&Step) -> bool,
+    ) -> Vec<usize> {
+        let mut found = Vec::new();
+        for &path in wanted {
+            let steps = self.paths[path].steps();
+            let is_taken = self.places[path].depth > depth;
+            if is_taken || !leads_here(&steps[depth]) {
+                continue;
+            }
+            let is_last = depth + 1 == steps.len();
+            if is_last && self.earlier[path] > 0 {
+                self.earlier[path] -= 1;
+            } else {
+                found.push(path);
+            }
+        }
+        found
+    }
+}
+
+/// The name that a key spells; the key as written when it is broken.
+fn decode(key: &str) -> String {
+    serde_json::from_str(key).unwrap_or_else(|_| key.trim_matches('"').to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = r#"{"a": [1, {"b": "x"}], "c": {"d": 2, "d": 3}, "\u0065": 4}"#;
+
+    fn path(steps: &[Step]) -> KeyPath {
+        steps.iter().cloned().collect()
+    }
+
+    #[track_caller]
+    fn finds(steps: &[Step], value: &str) {
+        let place = locate(TEXT, &path(steps));
+        assert_eq!(&TEXT[place.value], value);
+    }
+
+    #[test]
+    fn the_root_is_the_whole_text() {
+        finds(&[], TEXT);
+    }
+
+    #[test]
+    fn through_arrays_and_objects() {
+        finds(&["a".into(), 1.into(), "b".into()], "\"x\"");
+    }
+
+    #[test]
+    fn the_first_of_repeated_keys() {
+        finds(&["c".into(), "d".into()], "2");
+    }
+
+    #[test]
+    fn the_second_of_repeated_keys() {
+        let place = locate_repeated(TEXT, &path(&["c".into(), "d".into()]), 1);
+        assert_eq!(&TEXT[place.value], "3");
+    }
+
+    #[test]
+    fn keys_spelt_with_escapes() {
+        finds(&["e".into()], "4");
+    }
+
+    #[test]
+    fn a_path_that_ends_early_finds_what_there_is() {
+        finds(&["a".into(), 1.into(), "missing".into(), "too".into()], "{\"b\": \"x\"}");
+    }
+
+    #[test]
+    fn many_paths_in_one_walk() {
+        let paths = [path(&["e".into()]), path(&["a".into(), 0.into()]), path(&["a".into()])];
+        let found: Vec<&str> =
+            locate_all(TEXT, &paths).into_iter().map(|place| &TEXT[place.value]).collect();
+        assert_eq!(found, ["4", "1", "[1, {\"b\": \"x\"}]"]);
+    }
+}

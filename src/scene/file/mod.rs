@@ -1,0 +1,42 @@
+//! The scene file `raywalk-scene/1`: reading it, checking it and printing it.
+//!
+//! This room owns the JSON form of a scene ([`schema`]), the way from bytes to a checked [`SceneFile`] ([`read`]), and
+//! every sentence that tells a person what is wrong with a file and where ([`SceneError`]). It must not know how a scene
+//! is traced: no geometry, no cameras, only the numbers as they are written.
+//!
+//! ```
+//! let text = br#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 5], "direction": [0, 0, -1]}, "objects": []}"#;
+//! let loaded = raywalk::scene::file::check(text, "empty.json").map_err(|error| error.report(false));
+//! assert_eq!(loaded.map(|loaded| loaded.scene.name), Ok("empty".to_string()));
+//! ```
+
+pub mod schema;
+pub mod validate;
+
+mod error;
+mod escape;
+mod explain;
+mod input;
+mod key_path;
+mod load;
+mod locate;
+mod mesh_path;
+mod names;
+mod print;
+mod scan;
+mod source;
+mod strict;
+mod suggest;
+mod syntax;
+
+pub use error::{Problem, SceneError, Severity};
+pub use escape::visible;
+pub use input::{MAX_BYTES, read_bytes};
+pub use key_path::{KeyPath, Step};
+pub use load::{Loaded, check, parse, read};
+pub use locate::{Place, locate, locate_all};
+pub use mesh_path::{MeshPathError, resolve_mesh_path};
+pub use schema::SceneFile;
+pub use source::{Excerpt, Source};
+pub use suggest::suggest;
+pub use validate::{Finding, Findings, validate};

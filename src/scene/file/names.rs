@@ -1,0 +1,30 @@
+//! Names that the file leaves out. A log names everything, so everything gets a name.
+
+use std::collections::HashSet;
+use std::path::Path;
+
+use super::schema::SceneFile;
+
+/// Fills in the scene's name (the file's stem) and the names of objects and lights (`object-3`, `light-1`).
+pub fn fill_in_names(scene: &mut SceneFile, file_name: &str) {
+    if scene.name.is_empty() {
+        let stem = Path::new(file_name).file_stem().unwrap_or_default();
+        scene.name = stem.to_string_lossy().trim_matches(['<', '>']).to_string();
+    }
+    fill_in("object", scene.objects.iter_mut().map(|object| &mut object.name).collect());
+    fill_in("light", scene.lights.iter_mut().map(|light| &mut light.name).collect());
+}
+
+fn fill_in(kind: &str, names: Vec<&mut String>) {
+    if names.iter().all(|name| !name.is_empty()) {
+        return;
+    }
+    let taken: HashSet<String> =
+        names.iter().map(|name| name.to_string()).filter(|name| !name.is_empty()).collect();
+    for (index, name) in names.into_iter().enumerate().filter(|(_, name)| name.is_empty()) {
+        *name = format!("{kind}-{}", index + 1);
+        while taken.contains(name) {
+            name.push('\'');
+        }
+    }
+}

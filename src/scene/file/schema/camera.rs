@@ -1,0 +1,130 @@
+//! The keys of `camera`.
+
+use serde::{Deserialize, Serialize};
+
+use super::Vec3;
+
+/// The camera as the file gives it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "CameraKeys", into = "CameraKeys")]
+pub struct Camera {
+    /// The eye.
+    pub position: Vec3,
+    /// Where it looks.
+    pub aim: Aim,
+    /// The direction that shows upwards in the picture.
+    pub up: Vec3,
+    /// Degrees from the image's top edge to its bottom edge.
+    pub vertical_fov: f64,
+    /// Width and height in pixels.
+    pub resolution: [u32; 2],
+    /// A thin lens; without it everything is sharp.
+    pub lens: Option<Lens>,
+    /// The times at which the shutter opens and closes.
+    pub shutter: [f64; 2],
+}
+
+/// The two ways of saying where a camera looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Aim {
+    /// Along this vector, of any length.
+    Direction(Vec3),
+    /// At this point.
+    LookAt(Vec3),
+}
+
+impl Camera {
+    /// The direction vector as given, not normalised: `direction`, or `look_at` − `position`.
+    pub fn direction(&self) -> Vec3 {
+        match self.aim {
+            Aim::Direction(direction) => direction,
+            Aim::LookAt(point) => std::array::from_fn(|axis| point[axis] - self.position[axis]),
+        }
+    }
+}
+
+/// A lens for depth of field.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Lens {
+    /// Radius of the opening.
+    pub radius: f64,
+    /// Distance of the plane in focus, measured along the direction.
+    pub focus_distance: f64,
+}
+
+/// The keys one by one, before it is known which of `direction` and `look_at` was given.
+#[derive(Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CameraKeys {
+    position: Vec3,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    direction: Option<Vec3>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    look_at: Option<Vec3>,
+    #[serde(default = "default_up")]
+    up: Vec3,
+    #[serde(default = "default_vertical_fov")]
+    vertical_fov: f64,
+    #[serde(default = "default_resolution")]
+    resolution: [u32; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lens: Option<Lens>,
+    #[serde(default)]
+    shutter: [f64; 2],
+}
+
+fn default_up() -> Vec3 {
+    [0.0, 1.0, 0.0]
+}
+
+fn default_vertical_fov() -> f64 {
+    45.0
+}
+
+fn default_resolution() -> [u32; 2] {
+    [320, 240]
+}
+
+impl TryFrom<CameraKeys> for Camera {
+    type Error = &'static str;
+
+    fn try_from(keys: CameraKeys) -> Result<Self, Self::Error> {
+        let aim = match (keys.direction, keys.look_at) {
+            (Some(direction), None) => Aim::Direction(direction),
+            (None, Some(point)) => Aim::LookAt(point),
+            (None, None) => return Err("expected `direction` or `look_at`, found neither"),
+            (Some(_), Some(_)) => {
+                return Err("expected either `direction` or `look_at`, found both");
+            }
+        };
+        Ok(Self {
+            position: keys.position,
+            aim,
+            up: keys.up,
+            vertical_fov: keys.vertical_fov,
+            resolution: keys.resolution,
+            lens: keys.lens,
+            shutter: keys.shutter,
+        })
+    }
+}
+
+impl From<Camera> for CameraKeys {
+    fn from(camera: Camera) -> Self {
+        let (direction, look_at) = match camera.aim {
+            Aim::Direction(direction) => (Some(direction), None),
+            Aim::LookAt(point) => (None, Some(point)),
+        };
+        Self {
+            position: camera.position,
+            direction,
+            look_at,
+            up: camera.up,
+            vertical_fov: camera.vertical_fov,
+            resolution: camera.resolution,
+            lens: camera.lens,
+            shutter: camera.shutter,
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! The keys of one of the `lights`: the kind of light is itself a key, beside the others.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Rgb, Vec3};
+
+/// One light.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "LightKeys", into = "LightKeys")]
+pub struct Light {
+    /// Its name; left out, it is filled in on loading (`light-1`).
+    pub name: String,
+    /// Where it stands and what form it has.
+    pub kind: LightKind,
+    /// Its intensity, I_i.
+    pub color: Rgb,
+    /// c, l and q of min(1, 1/(c + l·dist + q·dist²)); a directional light is never attenuated.
+    pub attenuation: [f64; 3],
+    /// How the light is spread over its surface; `Uniform` for all but rectangles and disks.
+    pub profile: Profile,
+    /// How many shadow rays ask for an area light; 1 for the others.
+    pub samples: u64,
+}
+
+/// The kinds of light, one key each.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LightKind {
+    /// `point`.
+    Point(PointLight),
+    /// `directional`.
+    Directional(DirectionalLight),
+    /// `rectangle`.
+    Rectangle(RectangleLight),
+    /// `disk`.
+    Disk(DiskLight),
+    /// `sphere`.
+    Sphere(SphereLight),
+}
+
+impl LightKind {
+    /// The key of this kind.
+    pub fn key(&self) -> &'static str {
+        match self {
+            Self::Point(_) => "point",
+            Self::Directional(_) => "directional",
+            Self::Rectangle(_) => "rectangle",
+            Self::Disk(_) => "disk",
+            Self::Sphere(_) => "sphere",
+        }
+    }
+
+    /// Whether the light has a surface, so that `samples` means something.
+    pub fn is_area(&self) -> bool {
+        matches!(self, Self::Rectangle(_) | Self::Disk(_) | Self::Sphere(_))
+    }
+
+    /// Whether the light takes a `profile`.
+    pub fn has_profile(&self) -> bool {
+        matches!(self, Self::Rectangle(_) | Self::Disk(_))
+    }
+}
+
+/// Light from one point.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PointLight {
+    /// The point.
+    pub position: Vec3,
+}
+
+/// Parallel light.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DirectionalLight {
+    /// The way the light travels, of any length.
+    pub direction: Vec3,
+}
+
+/// Light from a parallelogram.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RectangleLight {
+    /// One corner.
+    pub corner: Vec3,
+    /// The edge from the corner along u.
+    pub edge_u: Vec3,
+    /// The edge from the corner along v.
+    pub edge_v: Vec3,
+}
+
+/// Light from a flat disk.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DiskLight {
+    /// Its centre.
+    pub center: Vec3,
+    /// The normal of its plane, of any length.
+    pub normal: Vec3,
+    /// Its radius.
+    pub radius: f64,
+}
+
+/// Light from the surface of a sphere.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SphereLight {
+    /// Its centre.
+    pub center: Vec3,
+    /// Its radius.
+    pub radius: f64,
+}
+
+/// The weight over the surface of an area light.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Profile {
+    /// The same everywhere.
+    #[default]
+    Uniform,
+    /// ∝ cos^p(π/2·ρ), ρ the distance from the centre over the radius.
+    CosinePower(f64),
+}
+
+/// The keys one by one, before it is known which kind was given.
+#[derive(Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LightKeys {
+    #[serde(default)]
+    name: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    point: Option<PointLight>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    directional: Option<DirectionalLight>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rectangle: Option<RectangleLight>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    disk: Option<DiskLight>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sphere: Option<SphereLight>,
+    #[serde(default = "white")]
+    color: Rgb,
+    #[serde(default = "no_attenuation")]
+    attenuation: [f64; 3],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    profile: Option<Profile>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    samples: Option<u64>,
+}
+
+fn white() -> Rgb {
+    [1.0; 3]
+}
+
+fn no_attenuation() -> [f64; 3] {
+    [1.0, 0.0, 0.0]
+}
+
+impl TryFrom<LightKeys> for Light {
+    type Error = String;
+
+    fn try_from(keys: LightKeys) -> Result<Self, Self::Error> {
+        let kind = keys.the_only_kind()?;
+        if keys.profile.is_some() && !kind.has_profile() {
+            return Err(format!(
+                "`profile` is for `rectangle` and `disk` lights, found it on a `{}` light",
+                kind.key()
+            ));
+        }
+        if keys.samples.is_some() && !kind.is_area() {
+            return Err(format!(
+                "`samples` is for `rectangle`, `disk` and `sphere` lights, found it on a `{}` light",
+                kind.key()
+            ));
+        }
+        Ok(Self {
+            name: keys.name,
+            kind,
+            color: keys.color,
+            attenuation: keys.attenuation,
+            profile: keys.profile.unwrap_or_default(),
+            samples: keys.samples.unwrap_or(1),
+        })
+    }
+}
+
+impl LightKeys {
+    fn the_only_kind(&self) -> Result<LightKind, String> {
+        let given: Vec<LightKind> = [
+            self.point.map(LightKind::Point),
+            self.directional.map(LightKind::Directional),
+            self.rectangle.map(LightKind::Rectangle),
+            self.disk.map(LightKind::Disk),
+            self.sphere.map(LightKind::Sphere),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        let found = match given.as_slice() {
+            [kind] => return Ok(*kind),
+            [] => "none of them".to_string(),
+            several => {
+                let keys: Vec<String> = several
+                    .iter()
+                    .map(|kind| format!("`{}`", kind.key()))
+                    .collect();
+                keys.join(" and ")
+            }
+        };
+        Err(format!(
+            "expected exactly one of `point`, `directional`, `rectangle`, `disk`, `sphere`, found {found}"
+        ))
+    }
+}
+
+impl From<Light> for LightKeys {
+    fn from(light: Light) -> Self {
+        let mut keys = Self {
+            name: light.name,
+            point: None,
+            directional: None,
+            rectangle: None,
+            disk: None,
+            sphere: None,
+            color: light.color,
+            attenuation: light.attenuation,
+            profile: light.kind.has_profile().then_some(light.profile),
+            samples: light.kind.is_area().then_some(light.samples),
+        };
+        match light.kind {
+            LightKind::Point(point) => keys.point = Some(point),
+            LightKind::Directional(directional) => keys.directional = Some(directional),
+            LightKind::Rectangle(rectangle) => keys.rectangle = Some(rectangle),
+            LightKind::Disk(disk) => keys.disk = Some(disk),
+            LightKind::Sphere(sphere) => keys.sphere = Some(sphere),
+        }
+        keys
+    }
+}

@@ -1,0 +1,262 @@
+//! The keys of `materials`.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use serde::de::{self, DeserializeSeed, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::Rgb;
+
+/// One material; every key has a default.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Material {
+    /// K_a.
+    pub ambient: Rgb,
+    /// K_d.
+    pub diffuse: Rgb,
+    /// K_e.
+    pub specular: Rgb,
+    /// K_t, the local transmission.
+    pub transmission: Rgb,
+    /// n_e, the exponent of the highlight.
+    pub shininess: f64,
+    /// n_t, the exponent of the local transmission.
+    pub transmission_exponent: f64,
+    /// Refractive index.
+    pub ior: f64,
+    /// How much the local, reflected and transmitted parts count.
+    pub weights: Weights,
+    /// Blurry reflection by cos^n; `None` is a mirror.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gloss_exponent: Option<f64>,
+    /// Blurry transmission by cos^n; `None` is clear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub translucency_exponent: Option<f64>,
+    /// Rays for one blurry bounce.
+    pub samples: u64,
+    /// A pattern that multiplies ambient and diffuse.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pattern: Option<Pattern>,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            ambient: [0.0; 3],
+            diffuse: [0.0; 3],
+            specular: [0.0; 3],
+            transmission: [0.0; 3],
+            shininess: 1.0,
+            transmission_exponent: 1.0,
+            ior: 1.0,
+            weights: Weights::default(),
+            gloss_exponent: None,
+            translucency_exponent: None,
+            samples: 1,
+            pattern: None,
+        }
+    }
+}
+
+/// W_l, W_r and W_t.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Weights {
+    /// Weight of the local intensity.
+    pub local: Weight,
+    /// Weight of the reflected ray.
+    pub reflected: Weight,
+    /// Weight of the transmitted ray.
+    pub transmitted: Weight,
+}
+
+impl Default for Weights {
+    fn default() -> Self {
+        Self {
+            local: Weight::Scalar(1.0),
+            reflected: Weight::Scalar(0.0),
+            transmitted: Weight::Scalar(0.0),
+        }
+    }
+}
+
+/// A weight, written as one number or as a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Weight {
+    /// The same in every channel.
+    Scalar(f64),
+    /// One number a channel.
+    Rgb(Rgb),
+}
+
+impl Weight {
+    /// The weight of each channel.
+    pub fn rgb(self) -> Rgb {
+        match self {
+            Self::Scalar(weight) => [weight; 3],
+            Self::Rgb(weights) => weights,
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Weight {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(WeightVisitor)
+    }
+}
+
+struct WeightVisitor;
+
+impl<'de> Visitor<'de> for WeightVisitor {
+    type Value = Weight;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.write_str("a number or an array of 3 numbers")
+    }
+
+    fn visit_f64<E>(self, weight: f64) -> Result<Weight, E> {
+        Ok(Weight::Scalar(weight))
+    }
+
+    fn visit_u64<E>(self, weight: u64) -> Result<Weight, E> {
+        Ok(Weight::Scalar(weight as f64))
+    }
+
+    fn visit_i64<E>(self, weight: i64) -> Result<Weight, E> {
+        Ok(Weight::Scalar(weight as f64))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Weight, A::Error> {
+        let mut weights = [0.0; 3];
+        for (channel, weight) in weights.iter_mut().enumerate() {
+            *weight = seq
+                .next_element()?
+                .ok_or_else(|| de::Error::invalid_length(channel, &self))?;
+        }
+        let mut length = weights.len();
+        while seq.next_element::<IgnoredAny>()?.is_some() {
+            length += 1;
+        }
+        if length > weights.len() {
+            return Err(de::Error::invalid_length(length, &self));
+        }
+        Ok(Weight::Rgb(weights))
+    }
+}
+
+/// What varies over a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Pattern {
+    /// Cubes of two colours.
+    Checker(Checker),
+}
+
+/// A checkerboard in space.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Checker {
+    /// Colour where the sum of floor(coordinate/size) is even.
+    pub a: Rgb,
+    /// Colour where it is odd.
+    pub b: Rgb,
+    /// Side of a cube.
+    pub size: f64,
+}
+
+/// The materials by name, in the order of the file, which is also the order in which they are printed.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Materials {
+    entries: Vec<(String, Material)>,
+    by_name: HashMap<String, usize>,
+}
+
+impl Materials {
+    /// Adds a material; `false`, and nothing happens, when the name is taken.
+    pub fn insert(&mut self, name: &str, material: Material) -> bool {
+        if self.by_name.contains_key(name) {
+            return false;
+        }
+        self.by_name.insert(name.to_string(), self.entries.len());
+        self.entries.push((name.to_string(), material));
+        true
+    }
+
+    /// The place of a name in the order of the file.
+    pub fn index_of(&self, name: &str) -> Option<usize> {
+        self.by_name.get(name).copied()
+    }
+
+    /// The material of a name.
+    pub fn get(&self, name: &str) -> Option<&Material> {
+        self.index_of(name).map(|index| &self.entries[index].1)
+    }
+
+    /// All names and materials, in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &Material)> {
+        self.entries.iter().map(|(name, material)| (name.as_str(), material))
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+}
+
+impl Serialize for Materials {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.len()))?;
+        for (name, material) in self.iter() {
+            map.serialize_entry(name, material)?;
+        }
+        map.end()
+    }
+}
+
+impl<'de> Deserialize<'de> for Materials {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(MaterialsVisitor)
+    }
+}
+
+struct MaterialsVisitor;
+
+impl<'de> Visitor<'de> for MaterialsVisitor {
+    type Value = Materials;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.write_str("an object of materials by name")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Materials, A::Error> {
+        let mut materials = Materials::default();
+        while let Some(name) = map.next_key_seed(NewName(&materials))? {
+            materials.insert(&name, map.next_value()?);
+        }
+        Ok(materials)
+    }
+}
+
+/// Reads a name that is not yet taken. A seed, so that the path of the error ends in the repeated name.
+struct NewName<'m>(&'m Materials);
+
+impl<'de> DeserializeSeed<'de> for NewName<'_> {
+    type Value = String;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<String, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        if self.0.index_of(&name).is_some() {
+            return Err(de::Error::custom(format_args!("duplicate field `{name}`")));
+        }
+        Ok(name)
+    }
+}

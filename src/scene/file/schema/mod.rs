@@ -1,0 +1,74 @@
+//! The serde mirror of `raywalk-scene/1`: one Rust field a key, one default a key that may be left out.
+//!
+//! These types know how a scene is written and nothing else; whether the numbers make sense is asked in
+//! [`validate`](super::validate). Reading is only strict (objects for structs, exact lengths, no `null`) behind the adapter
+//! that [`parse`](super::parse) uses.
+
+mod camera;
+mod light;
+mod material;
+mod settings;
+mod shape;
+
+pub use camera::{Aim, Camera, Lens};
+pub use light::{
+    DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight,
+};
+pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
+pub use settings::{
+    Algorithm, Frames, Output, Sampling, SpecularForm, SphereMethod, Tracing, Transfer,
+};
+pub use shape::{
+    AxisBox, Cone, Cylinder, Disk, Ellipsoid, Mesh, Motion, Object, Plane, Polygon, Rotation,
+    Shape, Sphere, Triangle,
+};
+
+use serde::{Deserialize, Serialize};
+
+/// The value of the key `format`: the only form of scene file that this program reads.
+pub const FORMAT: &str = "raywalk-scene/1";
+
+/// Three coordinates, right-handed.
+pub type Vec3 = [f64; 3];
+
+/// Red, green and blue, in the scene's own scale.
+pub type Rgb = [f64; 3];
+
+/// A whole scene file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SceneFile {
+    /// [`FORMAT`].
+    pub format: String,
+    /// The scene's name; left out, it is the stem of the file's name.
+    #[serde(default)]
+    pub name: String,
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// Ambient light, I_a.
+    #[serde(default)]
+    pub ambient: Rgb,
+    /// What a ray brings back that meets nothing.
+    #[serde(default)]
+    pub background: Rgb,
+    /// The lights, in the order of the file.
+    #[serde(default)]
+    pub lights: Vec<Light>,
+    /// The materials by name, in the order of the file.
+    #[serde(default)]
+    pub materials: Materials,
+    /// The objects; the order settles ties.
+    pub objects: Vec<Object>,
+    /// How rays are traced.
+    #[serde(default)]
+    pub tracing: Tracing,
+    /// Which rays make a pixel.
+    #[serde(default)]
+    pub sampling: Sampling,
+    /// The animation, if the scene is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frames: Option<Frames>,
+    /// How values become the numbers of a picture.
+    #[serde(default)]
+    pub output: Output,
+}

@@ -1,0 +1,169 @@
+//! The keys of `tracing`, `sampling`, `frames` and `output`.
+
+use serde::{Deserialize, Serialize};
+
+/// How rays are traced.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Tracing {
+    /// Which pseudocode.
+    pub algorithm: Algorithm,
+    /// Where the recursion stops.
+    pub max_depth: u32,
+    /// Which form of the highlight.
+    pub specular: SpecularForm,
+    /// Which intersection of ray and sphere.
+    pub sphere_method: SphereMethod,
+    /// A bounce is left out when the product of the weights along its path is below this in every channel; 0 is off.
+    pub cutoff: f64,
+    /// Whether a face is there when seen from behind.
+    pub two_sided: bool,
+}
+
+impl Default for Tracing {
+    fn default() -> Self {
+        Self {
+            algorithm: Algorithm::default(),
+            max_depth: 4,
+            specular: SpecularForm::default(),
+            sphere_method: SphereMethod::default(),
+            cutoff: 0.0,
+            two_sided: true,
+        }
+    }
+}
+
+/// The recursion of the first pseudocode, of the second as printed, or of the second as in its source.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Algorithm {
+    /// Starts at depth 0; a ray deeper than the limit is black.
+    #[default]
+    Recursive,
+    /// Starts at depth 1; at the limit a hit returns the ambient term only.
+    Whitted,
+    /// Starts at depth 1; at the limit only the bounces stop.
+    Foley,
+}
+
+/// The two forms of the specular term.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SpecularForm {
+    /// N·H.
+    #[default]
+    HalfVector,
+    /// R·V.
+    ReflectionVector,
+}
+
+/// The two ways to meet a sphere.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SphereMethod {
+    /// Without cancellation.
+    #[default]
+    Robust,
+    /// As the source text does it.
+    Geometric,
+}
+
+/// Which rays make a pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Sampling {
+    /// One ray through the pixel's centre.
+    None {},
+    /// n × n cell centres.
+    Regular {
+        /// Cells a side.
+        n: u64,
+    },
+    /// Corners of n × n cells, shared with the neighbours.
+    Shared {
+        /// Cells a side.
+        n: u64,
+    },
+    /// Cells split where their corners differ.
+    Adaptive {
+        /// The difference that splits, as a fraction of `output.white`.
+        threshold: f64,
+        /// How often a cell may be halved.
+        depth: u32,
+    },
+    /// n in all, jittered in near-square strata.
+    Stochastic {
+        /// Rays a pixel.
+        n: u64,
+    },
+    /// n uniform points.
+    Random {
+        /// Rays a pixel.
+        n: u64,
+    },
+    /// n Owen-scrambled Sobol points.
+    Sobol {
+        /// Rays a pixel.
+        n: u64,
+    },
+    /// As many as the wanted quality needs.
+    Statistical {
+        /// Confidence of the interval, between 0 and 1.
+        confidence: f64,
+        /// Half-width of the interval, as a fraction of `output.white`.
+        tolerance: f64,
+        /// Fewest rays a pixel.
+        min: u64,
+        /// Most rays a pixel.
+        max: u64,
+    },
+}
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self::None {}
+    }
+}
+
+/// An animation: frame k, from 1, adds (k − 1)·duration/count to both shutter times.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Frames {
+    /// How many frames.
+    pub count: u32,
+    /// The time that all of them last.
+    pub duration: f64,
+}
+
+/// How values become the numbers of a picture; integer formats only.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Output {
+    /// The value shown as full white.
+    pub white: f64,
+    /// The curve from value to number.
+    pub transfer: Transfer,
+    /// Exposure in stops.
+    pub exposure: f64,
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            white: 1.0,
+            transfer: Transfer::default(),
+            exposure: 0.0,
+        }
+    }
+}
+
+/// The curve from value to number.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Transfer {
+    /// In proportion.
+    #[default]
+    Linear,
+    /// The sRGB curve.
+    Srgb,
+}

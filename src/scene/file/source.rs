@@ -1,0 +1,143 @@
+//! A text from outside and the places in it: offsets become lines and columns, and lines become what is shown of them.
+
+use std::ops::Range;
+
+use super::error::Problem;
+use super::escape::visible;
+use super::key_path::KeyPath;
+
+/// How many bytes of a long line are shown before and after the place.
+const SHOWN: usize = 60;
+
+/// A text with the name of the file that it came from.
+#[derive(Clone, Copy)]
+pub struct Source<'t> {
+    /// The file's name, as it is to be printed.
+    pub name: &'t str,
+    /// The text; it need not be UTF-8.
+    pub text: &'t [u8],
+}
+
+/// The part of a source line that is shown below an error, ready to print.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Excerpt {
+    /// The line, or the part of it around the place.
+    pub line: String,
+    /// Characters of `line` before the place.
+    pub before: usize,
+    /// Characters of `line` to underline, 1 or more.
+    pub width: usize,
+}
+
+impl Source<'_> {
+    /// A problem at a place of this text.
+    pub fn problem(&self, span: Range<usize>, path: KeyPath, message: String) -> Problem {
+        let (line, column) = self.line_and_column(span.start);
+        Problem {
+            file: self.name.to_string(),
+            line,
+            column,
+            path,
+            message,
+            excerpt: Some(self.excerpt(&span)),
+            span: Some(span),
+        }
+    }
+
+    /// Line and column of a byte, both from 1; columns count characters.
+    pub fn line_and_column(&self, offset: usize) -> (usize, usize) {
+        let before = &self.text[..offset.min(self.text.len())];
+        let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+        let in_line = &before[start_of_last_line(before)..];
+        let column = in_line.iter().filter(|&&byte| starts_character(byte)).count() + 1;
+        (line, column)
+    }
+
+    fn excerpt(&self, span: &Range<usize>) -> Excerpt {
+        let start = span.start.min(self.text.len());
+        let line_start = start_of_last_line(&self.text[..start]);
+        let line_end = self.text[start..]
+            .iter()
+            .position(|&byte| byte == b'\n' || byte == b'\r')
+            .map_or(self.text.len(), |length| start + length);
+        let end = span.end.clamp(start, line_end);
+        let from = self.to_boundary(start.saturating_sub(SHOWN).max(line_start));
+        let cut = end.min(start + SHOWN);
+        let to = self.to_boundary(line_end.min(cut + SHOWN));
+        let part = |range: Range<usize>| {
+            visible(&String::from_utf8_lossy(&self.text[range]).replace('\t', " ")).into_owned()
+        };
+        let head = if from > line_start { "…" } else { "" };
+        let tail = if to < line_end { "…" } else { "" };
+        let before = format!("{head}{}", part(from..start));
+        let place = part(start..self.to_boundary(cut));
+        let after = part(self.to_boundary(cut)..to);
+        Excerpt {
+            before: before.chars().count(),
+            width: place.chars().count().max(1),
+            line: format!("{before}{place}{after}{tail}"),
+        }
+    }
+
+    /// The first beginning of a character at or after an offset.
+    fn to_boundary(&self, offset: usize) -> usize {
+        let rest = &self.text[offset..];
+        let skipped = rest.iter().position(|&byte| starts_character(byte));
+        skipped.map_or(self.text.len(), |skipped| offset + skipped)
+    }
+}
+
+fn start_of_last_line(text: &[u8]) -> usize {
+    text.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1)
+}
+
+fn starts_character(byte: u8) -> bool {
+    byte & 0b1100_0000 != 0b1000_0000
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn shows(text: &str, span: Range<usize>, line: &str, underlined: &str) {
+        let source = Source { name: "t", text: text.as_bytes() };
+        let excerpt = source.excerpt(&span);
+        assert_eq!(excerpt.line, line);
+        let part: String = excerpt.line.chars().skip(excerpt.before).take(excerpt.width).collect();
+        assert_eq!(part, underlined);
+    }
+
+    #[test]
+    fn columns_count_characters() {
+        let source = Source { name: "t", text: "ñ\nñañ".as_bytes() };
+        assert_eq!(source.line_and_column(6), (2, 3));
+    }
+
+    #[test]
+    fn the_line_of_the_place() {
+        shows("one\ntwo three\r\nfour", 8..13, "two three", "three");
+    }
+
+    #[test]
+    fn a_place_of_several_lines_is_underlined_on_its_first() {
+        shows("a {\n}\n", 2..5, "a {", "{");
+    }
+
+    #[test]
+    fn escapes_move_the_underline() {
+        shows("\u{1b}ab", 2..3, "\\u{1b}ab", "b");
+    }
+
+    #[test]
+    fn long_lines_are_cut_around_the_place() {
+        let text = format!("{}X{}", "a".repeat(1000), "b".repeat(1000));
+        let line = format!("…{}X{}…", "a".repeat(SHOWN), "b".repeat(SHOWN));
+        shows(&text, 1000..1001, &line, "X");
+    }
+
+    #[test]
+    fn the_end_of_the_text_is_a_place() {
+        shows("{", 1..1, "{", "");
+    }
+}

@@ -1,0 +1,48 @@
+//! The checks of one of the `lights`.
+
+use crate::scene::file::schema::{Light, LightKind, Profile};
+
+use super::checker::Checker;
+use super::limits::MAX_SAMPLES;
+use super::vector::are_parallel;
+
+/// Checks a light, all but its name.
+pub fn light(check: &mut Checker<'_>, light: &Light) {
+    kind(check.at(light.kind.key()), &light.kind);
+    check.colour("color", light.color);
+    check.colour("attenuation", light.attenuation);
+    if light.attenuation == [0.0; 3] {
+        let message = "must not be zero throughout, found [0, 0, 0] (no attenuation is [1, 0, 0])";
+        check.at("attenuation").error(message.to_string());
+    }
+    if let Profile::CosinePower(power) = light.profile {
+        check.at("profile").not_negative("cosine_power", power);
+    }
+    check.count("samples", light.samples, 1, MAX_SAMPLES);
+}
+
+fn kind(mut check: Checker<'_>, kind: &LightKind) {
+    match kind {
+        LightKind::Point(point) => check.point("position", point.position),
+        LightKind::Directional(light) => {
+            check.direction("direction", light.direction);
+        }
+        LightKind::Rectangle(rectangle) => {
+            check.point("corner", rectangle.corner);
+            let has_u = check.direction("edge_u", rectangle.edge_u);
+            let has_v = check.direction("edge_v", rectangle.edge_v);
+            if has_u && has_v && are_parallel(rectangle.edge_u, rectangle.edge_v) {
+                check.error("the edges must not be parallel".to_string());
+            }
+        }
+        LightKind::Disk(disk) => {
+            check.point("center", disk.center);
+            check.direction("normal", disk.normal);
+            check.positive("radius", disk.radius);
+        }
+        LightKind::Sphere(sphere) => {
+            check.point("center", sphere.center);
+            check.positive("radius", sphere.radius);
+        }
+    }
+}

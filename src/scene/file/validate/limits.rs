@@ -1,0 +1,34 @@
+//! How large a scene may ask the work to be. Within these no product of sizes overflows.
+
+/// The longest side of a picture in pixels.
+pub const MAX_SIDE: u32 = 65_535;
+
+/// The most pixels of a picture, 2²⁸.
+pub const MAX_PIXELS: u64 = 1 << 28;
+
+/// The deepest recursion.
+pub const MAX_DEPTH: u32 = 256;
+
+/// The most rays a pixel, or shadow rays a light, or rays a blurry bounce: 2²⁰.
+pub const MAX_SAMPLES: u64 = 1 << 20;
+
+/// The most cells a side of regular sampling, √[`MAX_SAMPLES`].
+pub const MAX_GRID: u64 = 1 << 10;
+
+/// How often adaptive sampling may halve a cell: the smallest cells make a grid of [`MAX_GRID`] a side.
+pub const MAX_ADAPTIVE_DEPTH: u32 = 10;
+
+/// The most frames of an animation.
+pub const MAX_FRAMES: u32 = 1_000_000;
+
+/// The largest exposure in stops, up or down.
+pub const MAX_EXPOSURE: f64 = 100.0;
+
+/// The shortest vector that is a direction: its square must not vanish.
+pub const MIN_LENGTH: f64 = 1e-150;
+
+/// The longest vector that is a direction: its square must stay finite.
+pub const MAX_LENGTH: f64 = 1e150;
+
+/// How many problems are kept; further ones are counted.
+pub const MAX_PROBLEMS: usize = 100;

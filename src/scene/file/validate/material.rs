@@ -1,0 +1,68 @@
+//! The checks of one of the `materials`, and of the names that objects call them by.
+
+use crate::scene::file::escape::shortened;
+use crate::scene::file::schema::{Material, Materials, Pattern, Weight};
+use crate::scene::file::suggest::suggest;
+
+use super::checker::Checker;
+use super::limits::MAX_SAMPLES;
+
+/// How many names a message lists.
+const LISTED: usize = 8;
+
+/// Checks a material, all but its name.
+pub fn material(check: &mut Checker<'_>, material: &Material) {
+    check.colour("ambient", material.ambient);
+    check.colour("diffuse", material.diffuse);
+    check.colour("specular", material.specular);
+    check.colour("transmission", material.transmission);
+    check.not_negative("shininess", material.shininess);
+    check.not_negative("transmission_exponent", material.transmission_exponent);
+    check.positive("ior", material.ior);
+    let mut weights = check.at("weights");
+    weight(&mut weights, "local", material.weights.local);
+    weight(&mut weights, "reflected", material.weights.reflected);
+    weight(&mut weights, "transmitted", material.weights.transmitted);
+    drop(weights);
+    if let Some(exponent) = material.gloss_exponent {
+        check.not_negative("gloss_exponent", exponent);
+    }
+    if let Some(exponent) = material.translucency_exponent {
+        check.not_negative("translucency_exponent", exponent);
+    }
+    check.count("samples", material.samples, 1, MAX_SAMPLES);
+    if let Some(Pattern::Checker(checker)) = &material.pattern {
+        let mut check = check.at("pattern");
+        let mut check = check.at("checker");
+        check.colour("a", checker.a);
+        check.colour("b", checker.b);
+        check.positive("size", checker.size);
+    }
+}
+
+fn weight(check: &mut Checker<'_>, key: &'static str, weight: Weight) {
+    match weight {
+        Weight::Scalar(weight) => check.not_negative(key, weight),
+        Weight::Rgb(weights) => check.colour(key, weights),
+    }
+}
+
+/// Checks that an object's material is there.
+pub fn reference(mut check: Checker<'_>, name: &str, materials: &Materials) {
+    if materials.get(name).is_some() {
+        return;
+    }
+    if check.is_full() {
+        return check.error(String::new());
+    }
+    let names: Vec<&str> = materials.iter().map(|(name, _)| name).collect();
+    let listed: Vec<String> =
+        names.iter().take(LISTED).map(|name| format!("`{}`", shortened(name, 40))).collect();
+    let more = if names.len() > LISTED { ", …" } else { "" };
+    let expected = match suggest(name, names.iter().copied()) {
+        Some(meant) => format!("did you mean `{}`?", shortened(meant, 40)),
+        None if names.is_empty() => "the scene has no materials".to_string(),
+        None => format!("expected one of {}{more}", listed.join(", ")),
+    };
+    check.error(format!("no material is named `{}`, {expected}", shortened(name, 40)));
+}

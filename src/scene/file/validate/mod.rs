@@ -1,0 +1,130 @@
+//! Whether the numbers of a scene make sense: every problem of a [`SceneFile`], each with its path.
+//!
+//! This room knows the meaning of keys and the documented [`limits`]. It knows nothing of text and places: a scene may also
+//! come from another format or from options of the command line.
+
+pub mod limits;
+
+mod camera;
+mod checker;
+mod light;
+mod material;
+mod settings;
+mod shape;
+mod vector;
+
+use std::collections::HashSet;
+
+use super::escape::{is_hidden, shortened};
+use super::explain::unknown_format;
+use super::key_path::KeyPath;
+use super::schema::{FORMAT, SceneFile};
+use checker::Checker;
+
+/// Something about a value of the scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// The way to the value.
+    pub path: KeyPath,
+    /// What is wrong, what was expected.
+    pub message: String,
+    /// Whether it is about the last key of the path rather than its value.
+    pub is_about_key: bool,
+}
+
+/// All that validation found.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Findings {
+    /// Why the scene cannot be traced, at most [`limits::MAX_PROBLEMS`].
+    pub errors: Vec<Finding>,
+    /// What is odd, at most [`limits::MAX_PROBLEMS`].
+    pub warnings: Vec<Finding>,
+    /// How many more errors there are.
+    pub omitted: usize,
+}
+
+/// Checks a whole scene; it may be traced when there are no errors.
+pub fn validate(scene: &SceneFile) -> Findings {
+    let mut check = Checker::default();
+    if scene.format != FORMAT {
+        check.at("format").error(unknown_format(&scene.format));
+    }
+    name(check.at("name"), &scene.name);
+    camera::camera(check.at("camera"), &scene.camera);
+    check.colour("ambient", scene.ambient);
+    check.colour("background", scene.background);
+    lights(check.at("lights"), scene);
+    materials(check.at("materials"), scene);
+    objects(check.at("objects"), scene);
+    settings::tracing(check.at("tracing"), &scene.tracing);
+    settings::sampling(check.at("sampling"), &scene.sampling);
+    if let Some(frames) = &scene.frames {
+        settings::frames(check.at("frames"), frames);
+    }
+    settings::output(check.at("output"), &scene.output);
+    check.findings()
+}
+
+fn lights(mut check: Checker<'_>, scene: &SceneFile) {
+    let mut names = HashSet::new();
+    for (index, each) in scene.lights.iter().enumerate() {
+        let mut check = check.at(index);
+        unique_name(check.at("name"), &each.name, &mut names);
+        light::light(&mut check, each);
+    }
+}
+
+fn materials(mut check: Checker<'_>, scene: &SceneFile) {
+    let used: HashSet<&str> =
+        scene.objects.iter().filter_map(|object| object.material.as_deref()).collect();
+    for (key, each) in scene.materials.iter() {
+        let mut check = check.at(key.to_string());
+        if let Some(problem) = wrong_name(key) {
+            check.error_in_key(problem);
+        }
+        if !used.contains(key) {
+            check.warning_in_key("no object has this material".to_string());
+        }
+        material::material(&mut check, each);
+    }
+}
+
+fn objects(mut check: Checker<'_>, scene: &SceneFile) {
+    if scene.objects.is_empty() {
+        check.warning("no objects: only the background will be seen".to_string());
+    }
+    let mut names = HashSet::new();
+    for (index, object) in scene.objects.iter().enumerate() {
+        let mut check = check.at(index);
+        unique_name(check.at("name"), &object.name, &mut names);
+        shape::shape(check.at("shape"), &object.shape);
+        if let Some(name) = &object.material {
+            material::reference(check.at("material"), name, &scene.materials);
+        }
+        if let Some(motion) = &object.motion {
+            shape::motion(check.at("motion"), motion);
+        }
+    }
+}
+
+fn unique_name<'s>(mut check: Checker<'_>, given: &'s str, taken: &mut HashSet<&'s str>) {
+    if !taken.insert(given) {
+        let shown = shortened(given, 40);
+        check.error(format!("names must be unique, found `{shown}` a second time"));
+    }
+    name(check, given);
+}
+
+fn name(mut check: Checker<'_>, given: &str) {
+    if let Some(problem) = wrong_name(given) {
+        check.error(problem);
+    }
+}
+
+fn wrong_name(name: &str) -> Option<String> {
+    if name.is_empty() {
+        return Some("a name must not be empty".to_string());
+    }
+    let hidden = name.chars().find(|character| is_hidden(*character))?;
+    Some(format!("a name must not hold control characters, found {}", hidden.escape_unicode()))
+}

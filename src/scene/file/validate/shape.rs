@@ -1,0 +1,172 @@
+//! The checks of the `shape` and `motion` of one of the `objects`.
+
+use crate::scene::file::mesh_path::check_as_written;
+use crate::scene::file::schema::{AxisBox, Cone, Ellipsoid, Motion, Polygon, Shape, Triangle, Vec3};
+
+use super::checker::{Checker, number, triple};
+use super::vector::{are_parallel, cross, dot, is_proper_rotation, length, minus, over, size};
+
+/// How exactly the rows of a rotation must be orthonormal.
+const ROTATION_TOLERANCE: f64 = 1e-6;
+
+/// How far, relative to its size, a polygon's corners may lie outside its plane without a warning.
+const FLATNESS: f64 = 1e-6;
+
+/// Checks a shape.
+pub fn shape(mut check: Checker<'_>, shape: &Shape) {
+    let mut check = check.at(shape.key());
+    match shape {
+        Shape::Plane(plane) => {
+            let [a, b, c, d] = plane.coefficients;
+            check.direction("coefficients", [a, b, c]);
+            check.at("coefficients").finite(3, d);
+        }
+        Shape::Sphere(sphere) => {
+            check.point("center", sphere.center);
+            check.positive("radius", sphere.radius);
+        }
+        Shape::Ellipsoid(each) => ellipsoid(check, each),
+        Shape::Triangle(each) => triangle(check, each),
+        Shape::Polygon(each) => polygon(check, each),
+        Shape::Box(each) => axis_box(check, each),
+        Shape::Cylinder(cylinder) => {
+            axis(&mut check, cylinder.base, cylinder.apex);
+            check.positive("radius", cylinder.radius);
+        }
+        Shape::Cone(each) => cone(check, each),
+        Shape::Disk(disk) => {
+            check.point("center", disk.center);
+            check.direction("normal", disk.normal);
+            check.positive("radius", disk.radius);
+        }
+        Shape::Mesh(mesh) => {
+            if let Err(problem) = check_as_written(&mesh.path) {
+                check.at("path").error(problem);
+            }
+        }
+    }
+}
+
+/// Checks a motion.
+pub fn motion(mut check: Checker<'_>, motion: &Motion) {
+    check.point("translation", motion.translation);
+    if let Some(rotation) = &motion.rotation {
+        let mut check = check.at("rotation");
+        check.direction("axis", rotation.axis);
+        check.point("point", rotation.point);
+        check.finite("degrees", rotation.degrees);
+    }
+}
+
+fn ellipsoid(mut check: Checker<'_>, ellipsoid: &Ellipsoid) {
+    check.point("center", ellipsoid.center);
+    check.positive_each("radii", ellipsoid.radii);
+    let Some(rows) = &ellipsoid.rotation else {
+        return;
+    };
+    if !is_proper_rotation(rows, ROTATION_TOLERANCE) {
+        check.at("rotation").error(
+            "must be a proper rotation (rows of length 1, perpendicular, right-handed), found another matrix".to_string(),
+        );
+    }
+}
+
+fn triangle(mut check: Checker<'_>, triangle: &Triangle) {
+    let [a, b, c] = triangle.vertices;
+    let are_finite = points(check.at("vertices"), &triangle.vertices);
+    let (first, second) = (minus(b, a), minus(c, a));
+    let is_point = size(first) == 0.0 || size(second) == 0.0;
+    if are_finite && (is_point || are_parallel(first, second)) {
+        let message = "must not lie on one line, found a triangle without area";
+        check.at("vertices").error(message.to_string());
+    }
+    if let Some(normals) = &triangle.normals {
+        directions(check.at("normals"), normals);
+    }
+}
+
+fn polygon(mut check: Checker<'_>, polygon: &Polygon) {
+    let vertices = &polygon.vertices;
+    let are_finite = points(check.at("vertices"), vertices);
+    if vertices.len() < 3 {
+        let message = format!("must be 3 or more, found {}", vertices.len());
+        check.at("vertices").error(message);
+    } else if are_finite {
+        flatness(check.at("vertices"), vertices);
+    }
+    let Some(normals) = &polygon.normals else {
+        return;
+    };
+    directions(check.at("normals"), normals);
+    if normals.len() != vertices.len() {
+        let message =
+            format!("must be one for each of the {} vertices, found {}", vertices.len(), normals.len());
+        check.at("normals").error(message);
+    }
+}
+
+/// A polygon needs an area, and should be flat.
+fn flatness(mut check: Checker<'_>, vertices: &[Vec3]) {
+    let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
+    let corners: Vec<Vec3> =
+        vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent)).collect();
+    let mut normal = [0.0; 3];
+    for pair in corners.windows(2) {
+        let twice_area = cross(pair[0], pair[1]);
+        normal = std::array::from_fn(|axis| normal[axis] + twice_area[axis]);
+    }
+    let rounding = 4.0 * f64::EPSILON * vertices.len() as f64;
+    let area = length(normal);
+    if area.is_nan() || area <= rounding {
+        return check.error("must span an area, found a polygon without".to_string());
+    }
+    let height =
+        corners.iter().map(|corner| (dot(*corner, normal) / area).abs()).fold(0.0, f64::max);
+    if height > FLATNESS {
+        check.warning(format!("should lie in one plane, found one {} away from it", number(height * extent)));
+    }
+}
+
+fn axis_box(mut check: Checker<'_>, axis_box: &AxisBox) {
+    check.point("min", axis_box.min);
+    check.point("max", axis_box.max);
+    for axis in 0..3 {
+        let (low, high) = (axis_box.min[axis], axis_box.max[axis]);
+        if low >= high {
+            let message =
+                format!("must be greater than min[{axis}], {}, found {}", number(low), number(high));
+            check.at("max").at(axis).error(message);
+        }
+    }
+}
+
+fn cone(mut check: Checker<'_>, cone: &Cone) {
+    axis(&mut check, cone.base, cone.apex);
+    check.not_negative("base_radius", cone.base_radius);
+    check.not_negative("apex_radius", cone.apex_radius);
+    if cone.base_radius == 0.0 && cone.apex_radius == 0.0 {
+        check.error("`base_radius` and `apex_radius` must not both be 0".to_string());
+    }
+}
+
+fn axis(check: &mut Checker<'_>, base: Vec3, apex: Vec3) {
+    check.point("base", base);
+    check.point("apex", apex);
+    if base == apex {
+        check.at("apex").error(format!("must not be the base, found {}", triple(apex)));
+    }
+}
+
+/// Whether all points are finite.
+fn points(mut check: Checker<'_>, points: &[Vec3]) -> bool {
+    for (index, point) in points.iter().enumerate() {
+        check.point(index, *point);
+    }
+    points.iter().flatten().all(|coordinate| coordinate.is_finite())
+}
+
+fn directions(mut check: Checker<'_>, directions: &[Vec3]) {
+    for (index, direction) in directions.iter().enumerate() {
+        check.direction(index, *direction);
+    }
+}

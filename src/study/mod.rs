@@ -1,0 +1,3 @@
+//! What the program measures about itself.
+
+pub mod textbook;

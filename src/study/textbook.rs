@@ -1,0 +1,202 @@
+//! The numeric example of the source text (Ramos, section 1.3): printed, following the book, by hand from the start, and
+//! exact, side by side.
+
+use crate::log::{Log, Name, Step, Tree, Value, What};
+use crate::probe::{Alteration, Altered, Printed, PrintedValue, Quantity, Silent, round_half_away};
+use crate::record::{self, Arithmetic};
+use crate::sampling;
+use crate::scene::Scene;
+
+/// The decimals of the printed example.
+const DIGITS: u32 = 3;
+
+/// The table: each printed quantity in the book's order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// The rows.
+    pub steps: Vec<Row>,
+}
+
+/// A quantity of the example.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// The step of the book's calculation, such as `5d`.
+    pub step: &'static str,
+    /// What the book calls the quantity, such as `T_2Ai`.
+    pub called: &'static str,
+    /// The key of the quantity, such as `sphere.t2_a`.
+    pub quantity: &'static str,
+    /// What the book prints.
+    pub printed: &'static PrintedValue,
+    /// The book followed: from the printed values before it, rounded.
+    pub recomputed: Vec<f64>,
+    /// By hand from the start, without looking at the book.
+    pub strict: Vec<f64>,
+    /// In f64.
+    pub exact: Vec<f64>,
+    /// Whether the book keeps its own rules.
+    pub verdict: Verdict,
+}
+
+/// Whether a printed value follows from those before it by the book's own rules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It does.
+    Agrees,
+    /// It does, printed with other digits.
+    Format,
+    /// It doesn't.
+    Departs {
+        /// Why not.
+        why: &'static str,
+    },
+}
+
+impl Verdict {
+    /// The word in the table.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Agrees => "agrees",
+            Verdict::Format => "format",
+            Verdict::Departs { .. } => "departs",
+        }
+    }
+}
+
+/// The book's step and its name for each printed quantity, in the order of [`Printed::all`].
+const STEPS: &[(&str, &str)] = &[
+    ("1", "|R_d|"),
+    ("1", "R_d"),
+    ("2", "V_d"),
+    ("2", "V_o"),
+    ("2", "t"),
+    ("3", "P_1"),
+    ("4", "R_d1"),
+    ("5a", "OC"),
+    ("5a", "L_2oc"),
+    ("5b", "T_A"),
+    ("5d", "T_2Ai"),
+    ("5e", "t_i"),
+    ("5f", "P_2"),
+    ("5g", "N_2"),
+    ("6", "F − P_2"),
+    ("6", "|F − P_2|"),
+    ("6", "L_2"),
+    ("6", "V_1"),
+    ("6", "L_2 + V_1"),
+    ("6", "|L_2 + V_1|"),
+    ("6", "H_2"),
+    ("7", "N_2·L_2"),
+    ("7", "N_2·H_2"),
+    ("7", "I_local-2 (red)"),
+    ("8", "V_0"),
+    ("8", "F − P_1"),
+    ("8", "|F − P_1|"),
+    ("8", "L_1"),
+    ("8", "L_1 + V_0"),
+    ("8", "|L_1 + V_0|"),
+    ("8", "H_1"),
+    ("8", "N_1·L_1"),
+    ("8", "N_1·H_1"),
+    ("8", "I_local-1 (red)"),
+    ("8", "I_global (red)"),
+];
+
+/// Why the book departs from its own rules, where it does: path, quantity, reason.
+const REASONS: &[(&str, &str, &str)] = &[
+    ("C", "hit.point", "the book prints the exact point (4, 6, 8); its own R_d and t, rounded, give (4, 5.996, 8.002)"),
+    ("C", "half.direction", "0.637/1.548 = 0.41150 rounds to 0.411; no effect, because N_1 = (1, 0, 0)"),
+    ("C R", "shade.local", "printed with two decimals: 54 + 86.68 + 154·0.964324 = 289.186"),
+];
+
+/// Computes the table on the scene of the example.
+pub fn table(scene: &Scene) -> Table {
+    let pixel = scene.camera.resolution.map(|side| side / 2);
+    let strict = Values::of(&record::pixel(scene, pixel, Arithmetic::Decimal(DIGITS)));
+    let exact = Values::of(&record::pixel(scene, pixel, Arithmetic::F64));
+    let recomputed = follow_the_book(scene, pixel);
+    let row = |(printed, (step, called)): (&'static PrintedValue, &(&'static str, &'static str))| {
+        let components = |values: &Values| values.of_printed(printed);
+        let recomputed = components(&recomputed);
+        Row {
+            step,
+            called,
+            quantity: printed.key,
+            printed,
+            verdict: verdict(printed, &recomputed),
+            recomputed,
+            strict: components(&strict),
+            exact: components(&exact),
+        }
+    };
+    Table { steps: Printed::all().iter().zip(STEPS).map(row).collect() }
+}
+
+fn verdict(printed: &PrintedValue, recomputed: &[f64]) -> Verdict {
+    if printed.components != recomputed {
+        let reason = REASONS.iter().find(|(path, key, _)| *path == printed.path && *key == printed.key);
+        return Verdict::Departs { why: reason.map_or("the rules of the book give another number", |(_, _, why)| why) };
+    }
+    if printed.text.trim_matches(['(', ')']).split(", ").all(has_the_books_digits) {
+        Verdict::Agrees
+    } else {
+        Verdict::Format
+    }
+}
+
+/// Whether a number is printed whole or with all three decimals.
+fn has_the_books_digits(text: &str) -> bool {
+    text.split_once('.').is_none_or(|(_, decimals)| decimals.len() == DIGITS as usize)
+}
+
+/// What each quantity comes to from the printed values before it.
+fn follow_the_book(scene: &Scene, pixel: [u32; 2]) -> Values {
+    let mut following = Altered { alteration: Following::default(), probe: Silent };
+    sampling::pixel(scene, pixel, &mut following);
+    following.alteration.recomputed
+}
+
+/// Goes on with the printed values and keeps what they replace.
+#[derive(Default)]
+struct Following {
+    printed: Printed,
+    recomputed: Values,
+}
+
+impl Alteration for Following {
+    fn alter<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
+        let rounded = value.map(|_, x| round_half_away(x, DIGITS));
+        self.recomputed.0.push((self.printed.path().to_owned(), name.key(), rounded.value()));
+        self.printed.alter(name, value)
+    }
+
+    fn enter(&mut self, step: Step) {
+        self.printed.enter(step);
+    }
+
+    fn leave(&mut self) {
+        self.printed.leave();
+    }
+}
+
+/// Values by the path of their ray and their key.
+#[derive(Default)]
+struct Values(Vec<(String, &'static str, Value)>);
+
+impl Values {
+    fn of(log: &Log) -> Values {
+        let tree = Tree::of(&log.events);
+        let noted = |(event, happening): (usize, &crate::log::Event)| match happening.what {
+            What::Note { name, value } => Some((tree.path(tree.owner(event)), name.key(), value)),
+            _ => None,
+        };
+        Values(log.events.iter().enumerate().filter_map(noted).collect())
+    }
+
+    /// As many components as the book prints: of colours only red.
+    fn of_printed(&self, printed: &PrintedValue) -> Vec<f64> {
+        let found = self.0.iter().find(|(path, key, _)| path == printed.path && *key == printed.key);
+        let components = found.map_or(&[][..], |(_, _, value)| value.components());
+        components.iter().copied().take(printed.components.len()).collect()
+    }
+}
