@@ -33,9 +33,7 @@ pub(super) fn rows(buffer: &Buffer) -> impl Iterator<Item = &[Cell]> {
 fn words(style: Style) -> String {
     let mut words = Vec::new();
     words.extend(style.fg.filter(|color| *color != ratatui::style::Color::Reset).map(|color| color.to_string()));
-    words.extend(
-        style.bg.filter(|color| *color != ratatui::style::Color::Reset).map(|color| format!("on {color}")),
-    );
+    words.extend(style.bg.filter(|color| *color != ratatui::style::Color::Reset).map(|color| format!("on {color}")));
     words.extend(style.add_modifier.iter_names().map(|(name, _)| name.to_lowercase()));
     words.join(" ")
 }

@@ -189,6 +189,23 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
     })
 }
 
+/// The keys that a text such as `nnn 5j Tab ^d` spells: words are names of keys, other characters are keys themselves.
+pub fn sequence(text: &str) -> Vec<KeyEvent> {
+    let mut keys = Vec::new();
+    for word in text.split_whitespace() {
+        if let Some(key) = parse(word) {
+            keys.push(key);
+            continue;
+        }
+        let mut characters = word.chars().peekable();
+        while let Some(character) = characters.next() {
+            let letter = characters.next_if(|next| character == '^' && next.is_ascii_alphabetic());
+            keys.extend(parse(&letter.map_or_else(|| character.to_string(), |letter| format!("^{letter}"))));
+        }
+    }
+    keys
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
@@ -225,6 +242,12 @@ mod tests {
         keys.sort();
         keys.dedup();
         assert_eq!(keys.len(), count);
+    }
+
+    #[test]
+    fn sequences_of_keys() {
+        let codes: Vec<_> = sequence("n5j Tab ^d?^uz").into_iter().map(|key| name(key).unwrap()).collect();
+        assert_eq!(codes, ["n", "5", "j", "Tab", "^d", "?", "^u", "z"]);
     }
 
     #[test]

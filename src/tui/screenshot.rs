@@ -40,7 +40,11 @@ fn draw_run(svg: &mut String, run: &[Cell], column: usize, row: usize) {
     let (x, y) = (MARGIN + column as f64 * CELL.0, MARGIN + row as f64 * CELL.1);
     if let Some(fill) = &look.background {
         let width = run.len() as f64 * CELL.0;
-        let _ = writeln!(svg, "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{}\" fill=\"{fill}\"/>", CELL.1);
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{}\" fill=\"{fill}\"/>",
+            CELL.1
+        );
     }
     // Text begins and ends at letters: what is blank at its ends only moves it.
     let is_blank = |cell: &Cell| cell.symbol().trim().is_empty();

@@ -182,12 +182,8 @@ struct Signals {
 
 impl Signals {
     fn watch() -> io::Result<Signals> {
-        let signals = Signals {
-            leave: Arc::default(),
-            suspend: Arc::default(),
-            resume: Arc::default(),
-            is_over: Arc::default(),
-        };
+        let signals =
+            Signals { leave: Arc::default(), suspend: Arc::default(), resume: Arc::default(), is_over: Arc::default() };
         for signal in [SIGTERM, SIGINT, SIGHUP, SIGQUIT] {
             flag::register_conditional_default(signal, Arc::clone(&signals.is_over))?;
             flag::register_usize(signal, Arc::clone(&signals.leave), signal as usize)?;

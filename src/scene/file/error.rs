@@ -59,10 +59,8 @@ impl SceneError {
         let label = Severity::Error.label(colour);
         match self {
             Self::Invalid { problems, omitted } => {
-                let mut reports: Vec<String> = problems
-                    .iter()
-                    .map(|problem| problem.report(Severity::Error, colour))
-                    .collect();
+                let mut reports: Vec<String> =
+                    problems.iter().map(|problem| problem.report(Severity::Error, colour)).collect();
                 reports.extend((*omitted > 0).then(|| format!("{label}: {}", and_more(*omitted))));
                 reports.join("\n")
             }
@@ -174,7 +172,8 @@ mod tests {
 
     #[test]
     fn the_source_line_is_underlined() {
-        let expected = "error: a.json:2:13: radius: must be positive, found -1\n  |\n2 |   \"radius\": -1\n  |             ^^";
+        let expected =
+            "error: a.json:2:13: radius: must be positive, found -1\n  |\n2 |   \"radius\": -1\n  |             ^^";
         assert_eq!(SceneError::from(problem()).report(false), expected);
     }
 

@@ -89,9 +89,7 @@ fn wrong_data(text: &str, mut path: KeyPath, said: &str) -> (Range<usize>, KeyPa
             let span = if is_word { place.value } else { key_span(place) };
             (span, path, message)
         }
-        Complaint::Missing { name } => {
-            (place.value, path, format!("the key `{name}` is missing, expected it here"))
-        }
+        Complaint::Missing { name } => (place.value, path, format!("the key `{name}` is missing, expected it here")),
         Complaint::Repeated { name } => {
             let is_at_key = matches!(path.steps().last(), Some(Step::Key(key)) if key == name);
             if !is_at_key {

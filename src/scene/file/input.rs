@@ -31,11 +31,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, SceneError> {
 
 /// The name of a file as messages show it.
 pub fn display_name(path: &Path) -> String {
-    if path == Path::new("-") {
-        STANDARD_INPUT.to_string()
-    } else {
-        path.to_string_lossy().into_owned()
-    }
+    if path == Path::new("-") { STANDARD_INPUT.to_string() } else { path.to_string_lossy().into_owned() }
 }
 
 /// What a thing that is no regular file is, in words.

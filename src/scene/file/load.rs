@@ -74,9 +74,8 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), S
     let body = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
     let skipped = bytes.len() - body.len();
     let source = Source { name, text: body };
-    let problem = |offset: usize, message: String| {
-        Err(source.problem(offset..offset + 1, KeyPath::default(), message).into())
-    };
+    let problem =
+        |offset: usize, message: String| Err(source.problem(offset..offset + 1, KeyPath::default(), message).into());
     if let [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [b'{', 0, ..] | [0, b'{', ..] = body {
         return problem(0, "the text is UTF-16, expected UTF-8".to_string());
     }
@@ -85,10 +84,7 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), S
         Err(error) => {
             let offset = error.valid_up_to();
             let byte = body[offset];
-            problem(
-                offset,
-                format!("not UTF-8: byte {byte:#04x} at offset {}, expected UTF-8 text", offset + skipped),
-            )
+            problem(offset, format!("not UTF-8: byte {byte:#04x} at offset {}, expected UTF-8 text", offset + skipped))
         }
     }
 }

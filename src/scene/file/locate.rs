@@ -33,13 +33,8 @@ pub(super) fn locate_repeated(text: &str, path: &KeyPath, earlier: usize) -> Pla
 }
 
 fn search(text: &str, paths: &[KeyPath], earlier: Vec<usize>) -> Vec<Place> {
-    let mut search = Search {
-        text,
-        scanner: Scanner::new(text),
-        places: vec![Place::default(); paths.len()],
-        paths,
-        earlier,
-    };
+    let mut search =
+        Search { text, scanner: Scanner::new(text), places: vec![Place::default(); paths.len()], paths, earlier };
     let everything: Vec<usize> = (0..paths.len()).collect();
     search.value(0, None, &everything);
     search.places
@@ -61,11 +56,8 @@ impl Search<'_> {
         for &path in wanted {
             self.places[path] = Place { key: key.clone(), value: start..start, depth };
         }
-        let deeper: Vec<usize> = wanted
-            .iter()
-            .copied()
-            .filter(|&path| self.paths[path].steps().len() > depth)
-            .collect();
+        let deeper: Vec<usize> =
+            wanted.iter().copied().filter(|&path| self.paths[path].steps().len() > depth).collect();
         match next {
             Some(b'{') if !deeper.is_empty() => self.object(depth, &deeper),
             Some(b'[') if !deeper.is_empty() => self.array(depth, &deeper),
@@ -121,12 +113,7 @@ impl Search<'_> {
         }
     }
 
-    fn matching(
-        &mut self,
-        depth: usize,
-        wanted: &[usize],
-        leads_here: impl Fn(&Step) -> bool,
-    ) -> Vec<usize> {
+    fn matching(&mut self, depth: usize, wanted: &[usize], leads_here: impl Fn(&Step) -> bool) -> Vec<usize> {
         let mut found = Vec::new();
         for &path in wanted {
             let steps = self.paths[path].steps();
@@ -200,8 +187,7 @@ mod tests {
     #[test]
     fn many_paths_in_one_walk() {
         let paths = [path(&["e".into()]), path(&["a".into(), 0.into()]), path(&["a".into()])];
-        let found: Vec<&str> =
-            locate_all(TEXT, &paths).into_iter().map(|place| &TEXT[place.value]).collect();
+        let found: Vec<&str> = locate_all(TEXT, &paths).into_iter().map(|place| &TEXT[place.value]).collect();
         assert_eq!(found, ["4", "1", "[1, {\"b\": \"x\"}]"]);
     }
 }

@@ -19,8 +19,7 @@ fn fill_in(kind: &str, names: Vec<&mut String>) {
     if names.iter().all(|name| !name.is_empty()) {
         return;
     }
-    let taken: HashSet<String> =
-        names.iter().map(|name| name.to_string()).filter(|name| !name.is_empty()).collect();
+    let taken: HashSet<String> = names.iter().map(|name| name.to_string()).filter(|name| !name.is_empty()).collect();
     for (index, name) in names.into_iter().enumerate().filter(|(_, name)| name.is_empty()) {
         *name = format!("{kind}-{}", index + 1);
         while taken.contains(name) {

@@ -9,8 +9,8 @@ const WIDTH: usize = 100;
 impl SceneFile {
     /// The scene as `raywalk-scene/1`, every default written out; ends with a newline. Reading it gives an equal scene.
     pub fn to_json(&self) -> String {
-        let compact = serde_json::to_string(self)
-            .expect("a scene holds only strings, numbers, lists and string-keyed maps");
+        let compact =
+            serde_json::to_string(self).expect("a scene holds only strings, numbers, lists and string-keyed maps");
         let mut printer = Printer { text: &compact, scanner: Scanner::new(&compact), printed: String::new() };
         printer.value(0, 0, true);
         printer.printed.push('\n');

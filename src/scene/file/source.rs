@@ -64,9 +64,8 @@ impl Source<'_> {
         let from = self.to_boundary(start.saturating_sub(SHOWN).max(line_start));
         let cut = end.min(start + SHOWN);
         let to = self.to_boundary(line_end.min(cut + SHOWN));
-        let part = |range: Range<usize>| {
-            visible(&String::from_utf8_lossy(&self.text[range]).replace('\t', " ")).into_owned()
-        };
+        let part =
+            |range: Range<usize>| visible(&String::from_utf8_lossy(&self.text[range]).replace('\t', " ")).into_owned();
         let head = if from > line_start { "…" } else { "" };
         let tail = if to < line_end { "…" } else { "" };
         let before = format!("{head}{}", part(from..start));

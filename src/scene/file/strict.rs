@@ -6,8 +6,8 @@
 use std::fmt;
 
 use serde::de::{
-    DeserializeSeed, Deserializer, EnumAccess, Error, IgnoredAny, IntoDeserializer, MapAccess,
-    SeqAccess, Unexpected, VariantAccess, Visitor,
+    DeserializeSeed, Deserializer, EnumAccess, Error, IgnoredAny, IntoDeserializer, MapAccess, SeqAccess, Unexpected,
+    VariantAccess, Visitor,
 };
 use serde::forward_to_deserialize_any;
 
@@ -48,11 +48,7 @@ impl<'de, D: Deserializer<'de>> Deserializer<'de> for Strict<D> {
         visitor.visit_newtype_struct(self)
     }
 
-    fn deserialize_tuple<V: Visitor<'de>>(
-        self,
-        length: usize,
-        visitor: V,
-    ) -> Result<V::Value, D::Error> {
+    fn deserialize_tuple<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, D::Error> {
         self.expect(Form::Tuple { length }, visitor)
     }
 
@@ -97,11 +93,7 @@ struct StrictVisitor<V> {
 
 impl<'de, V: Visitor<'de>> StrictVisitor<V> {
     /// Hands a plain value on, unless an enum is wanted, which the derived visitor would report in words for programmers.
-    fn plain<E: Error>(
-        self,
-        found: Unexpected,
-        visit: impl FnOnce(V) -> Result<V::Value, E>,
-    ) -> Result<V::Value, E> {
+    fn plain<E: Error>(self, found: Unexpected, visit: impl FnOnce(V) -> Result<V::Value, E>) -> Result<V::Value, E> {
         match self.form {
             Form::Variant { .. } => Err(E::invalid_type(found, &self)),
             Form::Anything | Form::Object | Form::Tuple { .. } => visit(self.delegate),
@@ -171,9 +163,7 @@ impl<'de, V: Visitor<'de>> Visitor<'de> for StrictVisitor<V> {
 
     fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<V::Value, A::Error> {
         match self.form {
-            Form::Anything | Form::Object | Form::Tuple { .. } => {
-                self.delegate.visit_map(Entries(entries))
-            }
+            Form::Anything | Form::Object | Form::Tuple { .. } => self.delegate.visit_map(Entries(entries)),
             Form::Variant { .. } => {
                 let value = self.delegate.visit_enum(Variant(&mut entries))?;
                 match entries.next_key::<String>()? {
@@ -192,10 +182,7 @@ struct Elements<A>(A);
 impl<'de, A: SeqAccess<'de>> SeqAccess<'de> for Elements<A> {
     type Error = A::Error;
 
-    fn next_element_seed<T: DeserializeSeed<'de>>(
-        &mut self,
-        seed: T,
-    ) -> Result<Option<T::Value>, A::Error> {
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, A::Error> {
         self.0.next_element_seed(StrictSeed(seed))
     }
 }
@@ -205,10 +192,7 @@ struct Entries<A>(A);
 impl<'de, A: MapAccess<'de>> MapAccess<'de> for Entries<A> {
     type Error = A::Error;
 
-    fn next_key_seed<K: DeserializeSeed<'de>>(
-        &mut self,
-        seed: K,
-    ) -> Result<Option<K::Value>, A::Error> {
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, A::Error> {
         self.0.next_key_seed(seed)
     }
 
@@ -234,10 +218,7 @@ impl<'de, A: MapAccess<'de>> EnumAccess<'de> for Variant<'_, A> {
     type Error = A::Error;
     type Variant = Self;
 
-    fn variant_seed<K: DeserializeSeed<'de>>(
-        self,
-        seed: K,
-    ) -> Result<(K::Value, Self), A::Error> {
+    fn variant_seed<K: DeserializeSeed<'de>>(self, seed: K) -> Result<(K::Value, Self), A::Error> {
         match self.0.next_key_seed(seed)? {
             Some(name) => Ok((name, self)),
             None => Err(A::Error::custom("expected an object with exactly one key, found none")),
@@ -299,9 +280,7 @@ impl<'de, E: Error> EnumAccess<'de> for Word<'_, E> {
 impl<E: Error> Word<'_, E> {
     fn needs_value<T>(self) -> Result<T, E> {
         let word = self.0;
-        Err(E::custom(format_args!(
-            "expected an object, `{{\"{word}\": …}}`, found the word alone"
-        )))
+        Err(E::custom(format_args!("expected an object, `{{\"{word}\": …}}`, found the word alone")))
     }
 }
 
@@ -320,11 +299,7 @@ impl<'de, E: Error> VariantAccess<'de> for Word<'_, E> {
         self.needs_value()
     }
 
-    fn struct_variant<V: Visitor<'de>>(
-        self,
-        _fields: &'static [&'static str],
-        _visitor: V,
-    ) -> Result<V::Value, E> {
+    fn struct_variant<V: Visitor<'de>>(self, _fields: &'static [&'static str], _visitor: V) -> Result<V::Value, E> {
         self.needs_value()
     }
 }

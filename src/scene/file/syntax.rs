@@ -56,9 +56,8 @@ fn hint(rest: &str, word: &str) -> Option<String> {
         "true" | "false" if !matches!(word, "true" | "false") => {
             Some(format!("`{word}` is no value in JSON, expected `true` or `false`"))
         }
-        lower => is_odd_number(word, lower).then(|| {
-            format!("`{}` is no number in JSON, expected one like 12, -0.5 or 1e3", shortened(word, 40))
-        }),
+        lower => is_odd_number(word, lower)
+            .then(|| format!("`{}` is no number in JSON, expected one like 12, -0.5 or 1e3", shortened(word, 40))),
     }
 }
 
@@ -84,7 +83,9 @@ fn reworded(said: &str, rest: &str) -> String {
         "lone leading surrogate in hex escape" | "unexpected end of hex escape" => {
             "half a surrogate pair (\\ud800 to \\udfff) in a string, expected both halves".to_string()
         }
-        "invalid escape" => "unknown escape in a string, expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u".to_string(),
+        "invalid escape" => {
+            "unknown escape in a string, expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u".to_string()
+        }
         _ if said.starts_with("control character") => {
             format!("found {found} in a string, expected it as an escape (\\n, \\t, \\u001b)")
         }

@@ -199,16 +199,11 @@ impl LightKeys {
             [kind] => return Ok(*kind),
             [] => "none of them".to_string(),
             several => {
-                let keys: Vec<String> = several
-                    .iter()
-                    .map(|kind| format!("`{}`", kind.key()))
-                    .collect();
+                let keys: Vec<String> = several.iter().map(|kind| format!("`{}`", kind.key())).collect();
                 keys.join(" and ")
             }
         };
-        Err(format!(
-            "expected exactly one of `point`, `directional`, `rectangle`, `disk`, `sphere`, found {found}"
-        ))
+        Err(format!("expected exactly one of `point`, `directional`, `rectangle`, `disk`, `sphere`, found {found}"))
     }
 }
 

@@ -75,11 +75,7 @@ pub struct Weights {
 
 impl Default for Weights {
     fn default() -> Self {
-        Self {
-            local: Weight::Scalar(1.0),
-            reflected: Weight::Scalar(0.0),
-            transmitted: Weight::Scalar(0.0),
-        }
+        Self { local: Weight::Scalar(1.0), reflected: Weight::Scalar(0.0), transmitted: Weight::Scalar(0.0) }
     }
 }
 
@@ -133,9 +129,7 @@ impl<'de> Visitor<'de> for WeightVisitor {
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Weight, A::Error> {
         let mut weights = [0.0; 3];
         for (channel, weight) in weights.iter_mut().enumerate() {
-            *weight = seq
-                .next_element()?
-                .ok_or_else(|| de::Error::invalid_length(channel, &self))?;
+            *weight = seq.next_element()?.ok_or_else(|| de::Error::invalid_length(channel, &self))?;
         }
         let mut length = weights.len();
         while seq.next_element::<IgnoredAny>()?.is_some() {

@@ -11,16 +11,11 @@ mod settings;
 mod shape;
 
 pub use camera::{Aim, Camera, Lens};
-pub use light::{
-    DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight,
-};
+pub use light::{DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
-pub use settings::{
-    Algorithm, Frames, Output, Sampling, SpecularForm, SphereMethod, Tracing, Transfer,
-};
+pub use settings::{Algorithm, Frames, Output, Sampling, SpecularForm, SphereMethod, Tracing, Transfer};
 pub use shape::{
-    AxisBox, Cone, Cylinder, Disk, Ellipsoid, Mesh, Motion, Object, Plane, Polygon, Rotation,
-    Shape, Sphere, Triangle,
+    AxisBox, Cone, Cylinder, Disk, Ellipsoid, Mesh, Motion, Object, Plane, Polygon, Rotation, Shape, Sphere, Triangle,
 };
 
 use serde::{Deserialize, Serialize};

@@ -149,11 +149,7 @@ pub struct Output {
 
 impl Default for Output {
     fn default() -> Self {
-        Self {
-            white: 1.0,
-            transfer: Transfer::default(),
-            exposure: 0.0,
-        }
+        Self { white: 1.0, transfer: Transfer::default(), exposure: 0.0 }
     }
 }
 

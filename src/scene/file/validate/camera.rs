@@ -13,11 +13,8 @@ pub fn camera(mut check: Checker<'_>, camera: &Camera) {
     let has_up = check.direction("up", camera.up);
     let direction = camera.direction();
     if has_direction && has_up && are_parallel(direction, camera.up) {
-        let message = format!(
-            "must not be parallel to the direction of view {}, found {}",
-            triple(direction),
-            triple(camera.up)
-        );
+        let message =
+            format!("must not be parallel to the direction of view {}, found {}", triple(direction), triple(camera.up));
         check.at("up").error(message);
     }
     check.between("vertical_fov", camera.vertical_fov, 0.0, 180.0);
@@ -55,9 +52,7 @@ fn resolution(mut check: Checker<'_>, [width, height]: [u32; 2]) {
     }
     let pixels = u64::from(width) * u64::from(height);
     if pixels > MAX_PIXELS && width.max(height) <= MAX_SIDE {
-        check.error(format!(
-            "a picture must have at most {MAX_PIXELS} pixels, found {width} × {height} = {pixels}"
-        ));
+        check.error(format!("a picture must have at most {MAX_PIXELS} pixels, found {width} × {height} = {pixels}"));
     }
 }
 

@@ -175,12 +175,8 @@ impl Checker<'_> {
         false
     }
 
-    fn each(
-        &mut self,
-        step: impl Into<Step>,
-        value: [f64; 3],
-        mut component: impl FnMut(&mut Self, usize, f64),
-    ) where
+    fn each(&mut self, step: impl Into<Step>, value: [f64; 3], mut component: impl FnMut(&mut Self, usize, f64))
+    where
         Self: Sized,
     {
         self.walk().path.push(step);

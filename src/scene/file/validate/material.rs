@@ -56,8 +56,7 @@ pub fn reference(mut check: Checker<'_>, name: &str, materials: &Materials) {
         return check.error(String::new());
     }
     let names: Vec<&str> = materials.iter().map(|(name, _)| name).collect();
-    let listed: Vec<String> =
-        names.iter().take(LISTED).map(|name| format!("`{}`", shortened(name, 40))).collect();
+    let listed: Vec<String> = names.iter().take(LISTED).map(|name| format!("`{}`", shortened(name, 40))).collect();
     let more = if names.len() > LISTED { ", …" } else { "" };
     let expected = match suggest(name, names.iter().copied()) {
         Some(meant) => format!("did you mean `{}`?", shortened(meant, 40)),

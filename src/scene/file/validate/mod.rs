@@ -75,8 +75,7 @@ fn lights(mut check: Checker<'_>, scene: &SceneFile) {
 }
 
 fn materials(mut check: Checker<'_>, scene: &SceneFile) {
-    let used: HashSet<&str> =
-        scene.objects.iter().filter_map(|object| object.material.as_deref()).collect();
+    let used: HashSet<&str> = scene.objects.iter().filter_map(|object| object.material.as_deref()).collect();
     for (key, each) in scene.materials.iter() {
         let mut check = check.at(key.to_string());
         if let Some(problem) = wrong_name(key) {

@@ -3,9 +3,7 @@
 use crate::scene::file::schema::{Frames, Output, Sampling, Tracing};
 
 use super::checker::Checker;
-use super::limits::{
-    MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES,
-};
+use super::limits::{MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES};
 
 /// Checks how rays are traced.
 pub fn tracing(mut check: Checker<'_>, tracing: &Tracing) {

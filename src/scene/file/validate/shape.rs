@@ -66,7 +66,8 @@ fn ellipsoid(mut check: Checker<'_>, ellipsoid: &Ellipsoid) {
     };
     if !is_proper_rotation(rows, ROTATION_TOLERANCE) {
         check.at("rotation").error(
-            "must be a proper rotation (rows of length 1, perpendicular, right-handed), found another matrix".to_string(),
+            "must be a proper rotation (rows of length 1, perpendicular, right-handed), found another matrix"
+                .to_string(),
         );
     }
 }
@@ -99,8 +100,7 @@ fn polygon(mut check: Checker<'_>, polygon: &Polygon) {
     };
     directions(check.at("normals"), normals);
     if normals.len() != vertices.len() {
-        let message =
-            format!("must be one for each of the {} vertices, found {}", vertices.len(), normals.len());
+        let message = format!("must be one for each of the {} vertices, found {}", vertices.len(), normals.len());
         check.at("normals").error(message);
     }
 }
@@ -108,8 +108,7 @@ fn polygon(mut check: Checker<'_>, polygon: &Polygon) {
 /// A polygon needs an area, and should be flat.
 fn flatness(mut check: Checker<'_>, vertices: &[Vec3]) {
     let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
-    let corners: Vec<Vec3> =
-        vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent)).collect();
+    let corners: Vec<Vec3> = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent)).collect();
     let mut normal = [0.0; 3];
     for pair in corners.windows(2) {
         let twice_area = cross(pair[0], pair[1]);
@@ -120,8 +119,7 @@ fn flatness(mut check: Checker<'_>, vertices: &[Vec3]) {
     if area.is_nan() || area <= rounding {
         return check.error("must span an area, found a polygon without".to_string());
     }
-    let height =
-        corners.iter().map(|corner| (dot(*corner, normal) / area).abs()).fold(0.0, f64::max);
+    let height = corners.iter().map(|corner| (dot(*corner, normal) / area).abs()).fold(0.0, f64::max);
     if height > FLATNESS {
         check.warning(format!("should lie in one plane, found one {} away from it", number(height * extent)));
     }
@@ -133,8 +131,7 @@ fn axis_box(mut check: Checker<'_>, axis_box: &AxisBox) {
     for axis in 0..3 {
         let (low, high) = (axis_box.min[axis], axis_box.max[axis]);
         if low >= high {
-            let message =
-                format!("must be greater than min[{axis}], {}, found {}", number(low), number(high));
+            let message = format!("must be greater than min[{axis}], {}, found {}", number(low), number(high));
             check.at("max").at(axis).error(message);
         }
     }

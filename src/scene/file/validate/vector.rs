@@ -41,9 +41,7 @@ pub fn are_parallel(a: Vec3, b: Vec3) -> bool {
 /// Whether the rows are those of a proper rotation: orthonormal, determinant +1, within the tolerance.
 pub fn is_proper_rotation(rows: &[Vec3; 3], tolerance: f64) -> bool {
     let is_near = |value: f64, wanted: f64| (value - wanted).abs() <= tolerance;
-    let is_orthonormal = (0..3).all(|i| {
-        (0..3).all(|j| is_near(dot(rows[i], rows[j]), if i == j { 1.0 } else { 0.0 }))
-    });
+    let is_orthonormal = (0..3).all(|i| (0..3).all(|j| is_near(dot(rows[i], rows[j]), if i == j { 1.0 } else { 0.0 })));
     let determinant = dot(rows[0], cross(rows[1], rows[2]));
     is_orthonormal && determinant > 0.0
 }
