@@ -4,6 +4,7 @@ use crate::log::{Decision, RayKind, SkipReason, Step};
 use crate::probe::Probe;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// Counts rays, hits and what was skipped.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -184,5 +185,28 @@ impl ByKind {
 
     fn total(&self) -> u64 {
         self.camera + self.reflected + self.transmitted + self.shadow
+    }
+}
+
+impl fmt::Display for Statistics {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let rows = [
+            ("camera", self.rays.by_kind.camera, self.hits.camera),
+            ("reflected", self.rays.by_kind.reflected, self.hits.reflected),
+            ("transmitted", self.rays.by_kind.transmitted, self.hits.transmitted),
+            ("shadow", self.rays.by_kind.shadow, self.hits.shadow),
+        ];
+        writeln!(f, "{:<12}{:>14}{:>14}", "", "rays", "hits")?;
+        for (kind, rays, hits) in rows {
+            writeln!(f, "{kind:<12}{rays:>14}{hits:>14}")?;
+        }
+        writeln!(f, "{:<12}{:>14}", "total", self.rays.total)?;
+        for (why, count) in self.skipped.iter().filter(|(_, count)| **count > 0) {
+            writeln!(f, "skipped {why}: {count}")?;
+        }
+        writeln!(f, "tests: {} of shapes, {} of bounds", self.tests.primitives, self.tests.bounds)?;
+        writeln!(f, "clipped pixels: {}", self.clipped_pixels)?;
+        let Seconds { load, build, render } = self.seconds;
+        write!(f, "seconds: load {load:.3}, build {build:.3}, render {render:.3}")
     }
 }

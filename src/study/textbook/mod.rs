@@ -1,6 +1,8 @@
 //! The numeric example of the source text (Ramos, section 1.3): printed, following the book, by hand from the start, and
 //! exact, side by side.
 
+mod views;
+
 use crate::log::{Log, Name, Step, Tree, Value, What};
 use crate::probe::{Alteration, Altered, Printed, PrintedValue, Quantity, Silent, round_half_away};
 use crate::record::{self, Arithmetic};

@@ -1,0 +1,72 @@
+//! What goes wrong, as a message and an exit code.
+
+use raywalk::scene::file::SceneError;
+use raywalk::scene::file::visible;
+use std::io::{self, Write};
+use std::path::Path;
+
+/// The caller must change something.
+pub const CALLER: u8 = 2;
+/// The machine said no; a retry may help.
+pub const MACHINE: u8 = 3;
+/// Interrupted (SIGINT).
+pub const INTERRUPTED: u8 = 130;
+/// Terminated (SIGTERM).
+pub const TERMINATED: u8 = 143;
+
+/// Why a command ends early.
+#[derive(Debug)]
+pub struct Failure {
+    code: u8,
+    /// The message, ready to be printed; empty when there is nothing to say.
+    message: String,
+}
+
+impl Failure {
+    /// The caller must change something.
+    pub fn caller(message: impl Into<String>) -> Failure {
+        Failure { code: CALLER, message: format!("error: {}", message.into()) }
+    }
+
+    /// The machine said no.
+    pub fn machine(message: impl Into<String>) -> Failure {
+        Failure { code: MACHINE, message: format!("error: {}", message.into()) }
+    }
+
+    /// An exit code without a message.
+    pub fn silent(code: u8) -> Failure {
+        Failure { code, message: String::new() }
+    }
+
+    /// A scene that can't be had.
+    pub fn scene(error: &SceneError, colored: bool) -> Failure {
+        Failure { code: error.exit_code(), message: error.report(colored) }
+    }
+
+    /// A file that can't be read or written.
+    pub fn io(path: &Path, doing: &str, error: &io::Error) -> Failure {
+        let path = path.to_string_lossy();
+        Failure::machine(format!("{}: cannot {doing}: {error}", visible(&path)))
+    }
+
+    /// Writing to standard output. A closed pipe ends the program quietly.
+    pub fn stdout(error: &io::Error) -> Failure {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Failure::silent(0),
+            _ => Failure::machine(format!("standard output: cannot write: {error}")),
+        }
+    }
+
+    /// The exit code.
+    pub fn code(&self) -> u8 {
+        self.code
+    }
+
+    /// Prints the message to standard error.
+    pub fn print(&self) {
+        if !self.message.is_empty() {
+            // Where standard error is closed there is nobody to tell.
+            let _ = writeln!(io::stderr(), "{}", self.message);
+        }
+    }
+}

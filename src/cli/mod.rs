@@ -1,0 +1,76 @@
+//! The command line: one file a command.
+
+mod failure;
+mod options;
+mod output;
+mod progress;
+mod render;
+mod scene;
+mod scene_argument;
+mod signals;
+mod textbook;
+mod trace;
+mod walk;
+
+use clap::{Parser, Subcommand};
+use options::ColorChoice;
+use std::process::ExitCode;
+
+/// A ray tracer whose every computed value can be walked through.
+///
+/// Without a command, walks through the numeric example of the source text in the terminal.
+#[derive(Parser)]
+#[command(name = "raywalk", version, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Whether to colour messages and the viewer; `auto` also heeds NO_COLOR
+    #[arg(long, value_enum, default_value = "auto", global = true)]
+    color: ColorChoice,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Walk through a pixel, a ray or a saved log in the terminal
+    Walk(walk::Walk),
+    /// Write the log of a pixel or a ray
+    Trace(trace::Trace),
+    /// Render a picture
+    Render(render::Render),
+    /// Show the numeric example: printed, recomputed, by hand, exact
+    Textbook(textbook::Textbook),
+    /// Check, show or list scenes
+    #[command(subcommand)]
+    Scene(scene::SceneCommand),
+}
+
+/// Runs the command line; gives the exit code of the process.
+pub fn run() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return usage(&error),
+    };
+    let colors = cli.color;
+    let done = match cli.command {
+        None => walk::Walk::default().run(colors),
+        Some(Command::Walk(walk)) => walk.run(colors),
+        Some(Command::Trace(trace)) => trace.run(colors),
+        Some(Command::Render(render)) => render.run(colors),
+        Some(Command::Textbook(textbook)) => textbook.run(colors),
+        Some(Command::Scene(command)) => command.run(colors),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.print();
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+/// Prints help and version to standard output, usage errors to standard error.
+fn usage(error: &clap::Error) -> ExitCode {
+    // A closed pipe is no failure of ours.
+    let _ = error.print();
+    ExitCode::from(if error.use_stderr() { failure::CALLER } else { 0 })
+}

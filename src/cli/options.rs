@@ -1,0 +1,180 @@
+//! The options that every tracing command has. They override what the scene says.
+
+use super::failure::Failure;
+use clap::{Args, ValueEnum};
+use raywalk::log::SkipReason;
+use raywalk::record::Arithmetic;
+use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
+use raywalk::scene::file::suggest;
+use raywalk::scene::tracing::Tests;
+use raywalk::scene::{Scene, Skip, build};
+use std::io::IsTerminal;
+
+/// Whether to use colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ColorChoice {
+    /// Where the output is a terminal and NO_COLOR isn't set.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+impl ColorChoice {
+    /// Whether output to this stream is coloured.
+    pub fn applies_to(self, stream: &impl IsTerminal) -> bool {
+        match self {
+            ColorChoice::Always => true,
+            ColorChoice::Never => false,
+            ColorChoice::Auto => stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|set| set.is_empty()),
+        }
+    }
+}
+
+/// How rays are traced.
+#[derive(Args, Debug, Default, Clone)]
+#[command(next_help_heading = "Tracing")]
+pub struct TracingOptions {
+    /// Pixels across and down; the vertical field of view stays
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// In which arithmetic: f64, f32, decimal:N (by hand with N decimals), printed (the book's own values)
+    #[arg(long, value_name = "NAME", default_value = "f64")]
+    pub arithmetic: Arithmetic,
+    /// Which pseudocode: recursive, whitted or foley
+    #[arg(long, value_name = "NAME", value_parser = algorithm)]
+    pub algorithm: Option<Algorithm>,
+    /// The depth limit of the algorithm
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=256))]
+    pub max_depth: Option<u32>,
+    /// Which rays make a pixel
+    #[arg(long, value_name = "SPEC", value_parser = sampling)]
+    pub sampling: Option<Sampling>,
+    /// What to leave out because it can't change the picture: all, none, or rules separated by commas
+    #[arg(long, value_name = "RULES", value_parser = skip)]
+    pub skip: Option<Skip>,
+    /// Show one-sided faces from behind too
+    #[arg(long)]
+    pub two_sided: bool,
+    /// Which intersection tests a log shows
+    #[arg(long, value_enum, default_value = "visited")]
+    pub tests: TestsChoice,
+    /// On how many threads; 0 is one a core
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=4096))]
+    pub threads: u16,
+}
+
+/// Which intersection tests a log shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum TestsChoice {
+    /// Those that the tracer ran.
+    #[default]
+    Visited,
+    /// Every object's.
+    All,
+}
+
+impl TracingOptions {
+    /// The scene with these options, ready to be traced.
+    pub fn apply(&self, mut file: SceneFile) -> Result<Scene, Failure> {
+        if let Some(size) = self.size {
+            file.camera.resolution = size;
+        }
+        if let Some(algorithm) = self.algorithm {
+            file.tracing.algorithm = algorithm;
+        }
+        if let Some(max_depth) = self.max_depth {
+            file.tracing.max_depth = max_depth;
+        }
+        if let Some(sampling) = self.sampling {
+            file.sampling = sampling;
+        }
+        file.tracing.two_sided |= self.two_sided;
+        if self.arithmetic == Arithmetic::Printed && file.name != "textbook" {
+            let name = &file.name;
+            return Err(Failure::caller(format!(
+                "--arithmetic printed: only for the scene `textbook`, found `{name}`"
+            )));
+        }
+        let mut scene = build(&file).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+        scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);
+        scene.tracing.tests = match self.tests {
+            TestsChoice::Visited => Tests::Visited,
+            TestsChoice::All => Tests::All,
+        };
+        Ok(scene)
+    }
+}
+
+/// Numbers separated by commas, exactly `N` of them.
+pub fn numbers<T: std::str::FromStr + Copy + Default, const N: usize>(text: &str) -> Result<[T; N], String> {
+    let parts: Vec<_> = text.split(',').collect();
+    let expected = || format!("expected {N} numbers separated by commas");
+    if parts.len() != N {
+        return Err(format!("{}, found {}", expected(), parts.len()));
+    }
+    let mut numbers = [T::default(); N];
+    for (number, part) in numbers.iter_mut().zip(parts) {
+        *number = part.trim().parse().map_err(|_| format!("{}, found `{part}`", expected()))?;
+    }
+    Ok(numbers)
+}
+
+/// A pixel `X,Y` that lies in the picture.
+pub fn pixel_in(scene: &Scene, pixel: [u32; 2]) -> Result<[u32; 2], Failure> {
+    let [x, y] = pixel;
+    let [width, height] = scene.camera.resolution;
+    if x < width && y < height {
+        Ok(pixel)
+    } else {
+        Err(Failure::caller(format!("--pixel {x},{y}: outside the picture of {width} x {height} pixels")))
+    }
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let expected = "expected WIDTHxHEIGHT in pixels, each from 1 to 65535";
+    let (width, height) = text.split_once(['x', 'X']).ok_or(expected)?;
+    let side = |side: &str| side.parse().ok().filter(|side| (1..=65535).contains(side)).ok_or(expected);
+    let [width, height]: [u32; 2] = [side(width)?, side(height)?];
+    if u64::from(width) * u64::from(height) > raywalk::scene::file::validate::limits::MAX_PIXELS {
+        return Err(format!("at most {} pixels in all", raywalk::scene::file::validate::limits::MAX_PIXELS));
+    }
+    Ok([width, height])
+}
+
+fn algorithm(text: &str) -> Result<Algorithm, String> {
+    match text {
+        "recursive" => Ok(Algorithm::Recursive),
+        "whitted" => Ok(Algorithm::Whitted),
+        "foley" => Ok(Algorithm::Foley),
+        _ => Err(unknown("algorithm", text, &["recursive", "whitted", "foley"])),
+    }
+}
+
+fn sampling(text: &str) -> Result<Sampling, String> {
+    match text {
+        "none" => Ok(Sampling::None {}),
+        _ => Err(unknown("sampling", text, &["none"])),
+    }
+}
+
+fn skip(text: &str) -> Result<Skip, String> {
+    match text {
+        "all" => return Ok(Skip::ALL),
+        "none" => return Ok(Skip::NONE),
+        _ => {}
+    }
+    text.split(',').try_fold(Skip::NONE, |skip, word| {
+        let rule = SkipReason::find(word).ok_or_else(|| {
+            let words: Vec<_> = ["all", "none"].into_iter().chain(SkipReason::ALL.iter().map(|r| r.word())).collect();
+            unknown("rule", word, &words)
+        })?;
+        Ok(skip.with(rule))
+    })
+}
+
+fn unknown(what: &str, found: &str, known: &[&str]) -> String {
+    let near = suggest(found, known.iter().copied()).map(|near| format!("; did you mean `{near}`?"));
+    format!("unknown {what} `{found}`, expected {}{}", known.join(", "), near.unwrap_or_default())
+}

@@ -1,0 +1,94 @@
+//! Where results go: standard output, or a file that is there whole or not at all.
+
+use super::failure::Failure;
+use std::fs::{self, Permissions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// A place for a result, made sure of before the work begins.
+pub enum Output {
+    /// Standard output.
+    Stdout,
+    /// A file that is written beside its place and then renamed.
+    File(NamedTempFile, PathBuf),
+    /// A device or pipe, which can't be replaced.
+    Special(fs::File, PathBuf),
+}
+
+impl Output {
+    /// Standard output for none and `-`; else the file, which must not be `input`.
+    pub fn create(path: Option<&Path>, input: &Path) -> Result<Output, Failure> {
+        let Some(path) = path.filter(|path| *path != Path::new("-")) else { return Ok(Output::Stdout) };
+        let cannot_write = |error: &io::Error| Failure::io(path, "write", error);
+        let metadata = match fs::metadata(path) {
+            Ok(metadata) => Some(metadata),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(cannot_write(&error)),
+        };
+        if metadata.as_ref().is_some_and(fs::Metadata::is_dir) {
+            let path = path.display();
+            return Err(Failure::caller(format!("{path}: is a directory, expected the name of a file")));
+        }
+        if metadata.is_some() && is_same(path, input) {
+            return Err(Failure::caller(format!("{}: is the input, which would be overwritten", path.display())));
+        }
+        if metadata.as_ref().is_some_and(|metadata| !metadata.is_file()) {
+            let file = fs::OpenOptions::new().write(true).open(path).map_err(|error| cannot_write(&error))?;
+            return Ok(Output::Special(file, path.to_owned()));
+        }
+        // A link stays a link: what it points to is replaced.
+        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".raywalk-").suffix(".part");
+        let permissions = metadata.map(|metadata| metadata.permissions()).or_else(default_permissions);
+        if let Some(permissions) = permissions {
+            builder.permissions(permissions);
+        }
+        let file = builder.tempfile_in(folder).map_err(|error| cannot_write(&error))?;
+        Ok(Output::File(file, place))
+    }
+
+    /// Writes the whole result.
+    pub fn commit(self, bytes: &[u8]) -> Result<(), Failure> {
+        match self {
+            Output::Stdout => print(bytes),
+            Output::Special(mut file, path) => {
+                file.write_all(bytes).map_err(|error| Failure::io(&path, "write", &error))
+            }
+            Output::File(mut file, path) => {
+                let cannot_write = |error: &io::Error| Failure::io(&path, "write", error);
+                file.write_all(bytes).map_err(|error| cannot_write(&error))?;
+                file.as_file().sync_all().map_err(|error| cannot_write(&error))?;
+                file.persist(&path).map_err(|error| cannot_write(&error.error))?;
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Writes to standard output.
+pub fn print(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| Failure::stdout(&error))
+}
+
+fn is_same(path: &Path, input: &Path) -> bool {
+    match (fs::canonicalize(path), fs::canonicalize(input)) {
+        (Ok(path), Ok(input)) => path == input,
+        _ => false,
+    }
+}
+
+/// What a new file gets, less the umask; a temporary file alone would be private.
+#[cfg(unix)]
+fn default_permissions() -> Option<Permissions> {
+    use std::os::unix::fs::PermissionsExt;
+    Some(Permissions::from_mode(0o666))
+}
+
+#[cfg(not(unix))]
+fn default_permissions() -> Option<Permissions> {
+    None
+}

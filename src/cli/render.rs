@@ -1,0 +1,128 @@
+//! `raywalk render`: all pixels, on all cores.
+
+use super::failure::Failure;
+use super::options::{ColorChoice, TracingOptions, numbers};
+use super::output::{self, Output};
+use super::progress::ProgressOptions;
+use super::scene_argument;
+use super::signals::Signals;
+use clap::{Args, ValueEnum};
+use raywalk::render::export::{self, Format};
+use raywalk::render::statistics::{Seconds, Statistics};
+use raywalk::render::{RenderError, Settings, render};
+use raywalk::scene::Scene;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Render a picture.
+#[derive(Args)]
+pub struct Render {
+    /// A scene file, `-` for standard input, or a built-in scene
+    scene: PathBuf,
+    /// The picture: .png, .ppm or .pfm by its ending
+    #[arg(long, short, value_name = "FILE")]
+    output: PathBuf,
+    /// Only a part: left, top, right and bottom in pixels, the last two exclusive
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>)]
+    crop: Option<[u32; 4]>,
+    /// Write PNG with 16 bits a channel
+    #[arg(long)]
+    png16: bool,
+    /// Print counts and times to standard output
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    stats: Option<StatsFormat>,
+    #[command(flatten)]
+    progress: ProgressOptions,
+    #[command(flatten)]
+    tracing: TracingOptions,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum StatsFormat {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+}
+
+impl Render {
+    /// Runs the command.
+    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        let format = self.format()?;
+        let load = Instant::now();
+        let loaded = scene_argument::load(&self.scene, colors)?;
+        let mut seconds = Seconds { load: load.elapsed().as_secs_f64(), ..Seconds::default() };
+        let build = Instant::now();
+        let scene = self.tracing.apply(loaded.scene)?;
+        seconds.build = build.elapsed().as_secs_f64();
+        let settings = Settings {
+            crop: self.crop_in(&scene)?,
+            arithmetic: self.tracing.arithmetic,
+            threads: self.tracing.threads.into(),
+            counts_rays: self.stats.is_some(),
+        };
+        let output = Output::create(Some(&self.output), &self.scene)?;
+        let signals = Signals::catch().map_err(|error| Failure::machine(format!("cannot catch signals: {error}")))?;
+
+        let start = Instant::now();
+        let [left, top, right, bottom] = settings.crop;
+        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
+        let rendered = render(&scene, &settings, |pixels| progress.advance(pixels), &signals.stop);
+        progress.finish();
+        let rendered = rendered.map_err(|error| match error {
+            RenderError::Interrupted => signals.failure(),
+            RenderError::Threads(_) => Failure::machine(error.to_string()),
+        })?;
+        seconds.render = start.elapsed().as_secs_f64();
+
+        let encoded = export::encode(&rendered.film, format, &scene.output)
+            .map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", self.output.display())))?;
+        output.commit(&encoded.bytes)?;
+        if encoded.clipped_pixels > 0 && !self.progress.quiet {
+            eprintln!("note: {} pixels were brighter than white and clipped", encoded.clipped_pixels);
+        }
+        match (self.stats, rendered.counts) {
+            (Some(stats), Some(counts)) => {
+                print_statistics(&counts.statistics(encoded.clipped_pixels, seconds, peak_bytes()), stats)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn format(&self) -> Result<Format, Failure> {
+        let ending = self.output.extension().unwrap_or_default().to_string_lossy();
+        Format::of_ending(&ending, self.png16).ok_or_else(|| {
+            let path = self.output.display();
+            Failure::caller(format!("{path}: unknown picture format, expected a name that ends in {}", Format::ENDINGS))
+        })
+    }
+
+    fn crop_in(&self, scene: &Scene) -> Result<[u32; 4], Failure> {
+        let [width, height] = scene.camera.resolution;
+        let Some(crop @ [left, top, right, bottom]) = self.crop else { return Ok([0, 0, width, height]) };
+        if left < right && right <= width && top < bottom && bottom <= height {
+            return Ok(crop);
+        }
+        let found = crop.map(|side| side.to_string()).join(",");
+        Err(Failure::caller(format!(
+            "--crop {found}: expected X0 < X1 <= {width} and Y0 < Y1 <= {height}, the picture has {width} x {height} pixels"
+        )))
+    }
+}
+
+fn print_statistics(statistics: &Statistics, format: StatsFormat) -> Result<(), Failure> {
+    let text = match format {
+        StatsFormat::Json => serde_json::to_string(statistics)
+            .map_err(|error| Failure::machine(format!("cannot write statistics: {error}")))?,
+        StatsFormat::Text => statistics.to_string(),
+    };
+    output::print(format!("{}\n", text.trim_end()).as_bytes())
+}
+
+/// The most memory that this process held, where the system tells; else 0.
+fn peak_bytes() -> u64 {
+    let status = std::fs::read_to_string(Path::new("/proc/self/status")).unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kibibytes = line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok());
+    kibibytes.unwrap_or(0) * 1024
+}

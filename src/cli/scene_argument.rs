@@ -1,0 +1,57 @@
+//! The scene that a command names: a path, `-` for standard input, or a built-in scene. A path that exists wins.
+
+use super::failure::Failure;
+use super::options::ColorChoice;
+use raywalk::scene::builtin;
+use raywalk::scene::file::{self, Loaded, visible};
+use std::io;
+use std::path::Path;
+
+/// The text of a scene or log, and the name by which messages call it.
+pub struct Input {
+    /// The bytes.
+    pub bytes: Vec<u8>,
+    /// The name.
+    pub name: String,
+}
+
+/// Reads and checks the scene; prints its warnings.
+pub fn load(argument: &Path, colors: ColorChoice) -> Result<Loaded, Failure> {
+    scene(&read(argument, colors)?, colors)
+}
+
+/// Reads what the argument names.
+pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
+    let name = argument.to_string_lossy();
+    let is_path = argument == Path::new("-") || argument.symlink_metadata().is_ok();
+    if !is_path {
+        if let Some(text) = builtin::text(&name) {
+            return Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json") });
+        }
+        return Err(nothing_of(&name));
+    }
+    let bytes = file::read_bytes(argument).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+    Ok(Input { bytes, name: if name == "-" { "<stdin>".to_owned() } else { name.into_owned() } })
+}
+
+/// Checks a scene that was read; prints its warnings.
+pub fn scene(input: &Input, colors: ColorChoice) -> Result<Loaded, Failure> {
+    let loaded = file::check(&input.bytes, &input.name).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+    for warning in &loaded.warnings {
+        eprintln!("{}", warning.report(file::Severity::Warning, is_colored(colors)));
+    }
+    Ok(loaded)
+}
+
+fn is_colored(colors: ColorChoice) -> bool {
+    colors.applies_to(&io::stderr())
+}
+
+fn nothing_of(name: &str) -> Failure {
+    let near = file::suggest(name, builtin::names());
+    let hint = match near {
+        Some(near) => format!("did you mean the built-in scene `{near}`?"),
+        None => format!("the built-in scenes are {}", builtin::names().collect::<Vec<_>>().join(", ")),
+    };
+    Failure::caller(format!("{}: no such file or built-in scene; {hint}", visible(name)))
+}
