@@ -70,7 +70,7 @@ impl Layout {
 }
 
 fn side_by_side(panes: Rect) -> (Rect, Rect, Option<Rect>) {
-    let tree_width = (panes.width * 2 / 5).clamp(34, 76);
+    let tree_width = (panes.width * 2 / 5).clamp(36, 76);
     let tree = Rect { width: tree_width, ..panes };
     let divider = Rect { x: tree_width, width: 1, ..panes };
     let computation = Rect { x: tree_width + 1, width: panes.width - tree_width - 1, ..panes };

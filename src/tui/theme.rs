@@ -117,9 +117,9 @@ pub const UNICODE: Glyphs = Glyphs {
 
 /// Characters for terminals and fonts that have ASCII only.
 pub const ASCII: Glyphs = Glyphs {
-    open: "v",
-    closed: ">",
-    leaf: "-",
+    open: "-",
+    closed: "+",
+    leaf: " ",
     branch: "|",
     last_branch: "`",
     trunk: "|",
@@ -135,7 +135,7 @@ pub const ASCII: Glyphs = Glyphs {
     test: "?",
     shade: "%",
     light: "*",
-    combine: "+",
+    combine: "=",
     hit: "o",
     miss: "-",
     blocked: "x",

@@ -39,7 +39,7 @@ pub fn last_top(size: (u16, u16)) -> u16 {
 
 /// Where the help lies: in the middle, as large as it need be.
 fn area((width, height): (u16, u16)) -> Rect {
-    const WIDEST: u16 = 78;
+    const WIDEST: u16 = 80;
     let wide = width.min(WIDEST);
     let count = lines(usize::from(wide.saturating_sub(4)), &Theme::new(Palette::None, true)).len() as u16;
     let high = height.min(count.saturating_add(2));

@@ -6,17 +6,47 @@ use crate::report::{Style as Numbers, number, words};
 use crate::tui::model::Model;
 use crate::tui::theme::{Role, Theme};
 
-/// A node's glyph, its title, and what it came to.
-pub(super) fn label(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
-    let (glyph, role) = theme.of_step(model.tree.nodes()[node].step);
-    let title = shown(&words::title(&model.log, &model.tree, node), theme);
-    let mut pieces = vec![(format!("{glyph} "), theme.style(role)), (title, theme.style(role))];
+/// A node in a row of its own: what it is, how much it hides when it is closed, and what it came to.
+pub(super) fn row(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
+    let mut pieces = name(model, node, theme);
+    pieces.extend(hidden_rays(model, node, theme));
     pieces.extend(outcome(model, node, theme));
     pieces
 }
 
+/// A node inside of another one's computation: what it is, and what it came to.
+pub(super) fn label(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
+    let mut pieces = name(model, node, theme);
+    pieces.extend(outcome(model, node, theme));
+    pieces
+}
+
+/// A node's glyph, and what it is.
+fn name(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
+    let step = model.tree.nodes()[node].step;
+    let (glyph, role) = theme.of_step(step);
+    let title = match step {
+        Some(Step::Ray { kind, .. }) => {
+            format!("{} {}", end_of_path(model, node), words::ray_kind(&model.log.header, kind))
+        }
+        _ => words::title(&model.log, &model.tree, node),
+    };
+    let title = shown(&title, theme);
+    vec![(format!("{glyph} "), theme.style(role)), (title, theme.style(role))]
+}
+
+/// The path of a ray. Of a long one only the end: the nodes around it have the rest.
+fn end_of_path(model: &Model, node: usize) -> String {
+    const LONG: usize = 4;
+    let path = model.tree.path(node);
+    match path.rmatch_indices(' ').nth(LONG - 1) {
+        Some((end, _)) => format!("…{}", &path[end..]),
+        None => path,
+    }
+}
+
 /// How many rays a closed node hides.
-pub(super) fn hidden_rays(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
+fn hidden_rays(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
     let inside = node + 1..model.tree.nodes()[node].subtree_end;
     if model.fold.is_open(&model.tree, node) || inside.is_empty() {
         return None;
@@ -38,10 +68,10 @@ fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
         _ => None,
     });
     pieces.extend(decided(model, step, decision, theme));
+    pieces.extend(limited(model, node, theme));
     if !matches!(decision, Some(Decision::Miss { .. })) && !matches!(step, Some(Step::Light { .. })) {
         pieces.extend(value(model, node, step, theme));
     }
-    pieces.extend(limited(model, node, theme));
     pieces
 }
 
@@ -51,7 +81,7 @@ fn decided(model: &Model, step: Option<Step>, decision: Option<Decision>, theme:
     let object = |object| shown(&words::plain(header.object(object)), theme);
     let is_shadow = matches!(step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }));
     let (glyph, words, role) = match decision {
-        None if is_shadow => (glyphs.hit, "reaches the light".to_owned(), Role::Hit),
+        None if is_shadow => (glyphs.hit, "lit".to_owned(), Role::Hit),
         None => return None,
         Some(Decision::Hit) => (glyphs.hit, "hit".to_owned(), Role::Hit),
         Some(Decision::Miss { .. }) => (glyphs.miss, "miss".to_owned(), Role::Faint),

@@ -17,10 +17,11 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
         put(buffer, layout.message, Line::styled(shown(&format!("{before}{}", message.text), theme), style));
     }
     let area = layout.status;
-    let position = Line::from(vec![
-        Span::styled(format!("step {}/{}", model.step(), model.log.events.len()), theme.style(Role::Title)),
-        Span::raw(shown(&place(model), theme)),
-    ]);
+    let step = format!("step {}/{}", model.step(), model.log.events.len());
+    let room = usize::from(area.width).saturating_sub(width_of(&step));
+    let places = places(model).map(|place| shown(&place, theme));
+    let place = places.into_iter().find(|place| width_of(place) <= room).unwrap_or_default();
+    let position = Line::from(vec![Span::styled(step, theme.style(Role::Title)), Span::raw(place)]);
     let used = position.width();
     put(buffer, area, position);
 
@@ -32,17 +33,18 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
     }
 }
 
-/// The path of the ray, and which quantity of the source text the current step computes.
-fn place(model: &Model) -> String {
-    let mut place = String::new();
+/// The path of the ray, and which quantity of the source text the current step computes; from the longest way to say it
+/// to the shortest.
+fn places(model: &Model) -> [String; 3] {
     let path = model.tree.path(model.cursor);
-    if !path.is_empty() {
-        place.push_str(&format!("  {path}"));
+    let path = if path.is_empty() { path } else { format!("  {path}") };
+    match model.log.events.get(model.event).map(|event| &event.what) {
+        Some(What::Note { name, .. }) => {
+            let key = name.key();
+            [format!("{path}  {key}  section {}", name.section()), format!("{path}  {key}"), format!("  {key}")]
+        }
+        _ => [path, String::new(), String::new()],
     }
-    if let Some(What::Note { name, .. }) = model.log.events.get(model.event).map(|event| &event.what) {
-        place.push_str(&format!("  {}  section {}", name.key(), name.section()));
-    }
-    place
 }
 
 /// What to say about keys, from the longest to the shortest.

@@ -8,11 +8,11 @@ use ratatui::text::{Line, Span};
 pub(super) type Piece = (String, Style);
 
 /// Breaks pieces into lines of at most `width` columns, the second and later ones indented. Lines break at spaces, inside
-/// a list such as a triple only when it doesn't fit, and anywhere else only when nothing else helps.
+/// a list such as a triple and beside `=` only when it doesn't fit, and anywhere else only when nothing else helps.
 pub(super) fn wrap(pieces: &[Piece], width: usize, indent: usize) -> Vec<Line<'static>> {
-    let mut paper = Paper { width, indent: indent.min(width / 2), lines: vec![Line::default()], used: 0, margin: 0 };
+    let mut paper = Paper { width, indent: indent.min(width / 2), lines: vec![Line::default()], used: 0 };
     for (text, style) in pieces {
-        for word in split(text, |before, _| before != ',') {
+        for word in split(text, |before, after| !matches!(before, ',' | '=') && after != '=') {
             paper.place(word, *style);
         }
     }
@@ -28,9 +28,8 @@ struct Paper {
     width: usize,
     indent: usize,
     lines: Vec<Line<'static>>,
-    /// Columns of the last line in use, and those of its indent.
+    /// Columns of the last line in use.
     used: usize,
-    margin: usize,
 }
 
 impl Paper {
@@ -38,7 +37,8 @@ impl Paper {
         if self.fits(word) {
             return self.write(word, style);
         }
-        if self.used > self.margin {
+        // A new line must have more room than what is left of this one.
+        if self.used > self.indent {
             self.new_line();
         }
         let parts: Vec<_> = split(word, |_, _| true).collect();
@@ -80,7 +80,7 @@ impl Paper {
 
     fn new_line(&mut self) {
         self.lines.push(Line::from(" ".repeat(self.indent)));
-        (self.used, self.margin) = (self.indent, self.indent);
+        self.used = self.indent;
     }
 }
 
@@ -167,8 +167,8 @@ mod tests {
 
     #[test]
     fn triples_stay_together_if_they_can() {
-        wraps("x = (1, 2, 3)", 12, &["x =", "  (1, 2, 3)"]);
-        wraps("x = (1, 2, 3)", 9, &["x =", "  (1, 2,", "  3)"]);
+        wraps("one x = (1, 2, 3)", 15, &["one", "  x = (1, 2, 3)"]);
+        wraps("x = (1, 2, 3)", 9, &["x = (1,", "  2, 3)"]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The ray tree: one row a node, as far as nodes are open.
 
-use super::label::{hidden_rays, label};
+use super::label;
 use super::{put, title};
 use crate::report::words;
 use crate::tui::fold::{has_children, next_sibling};
@@ -41,10 +41,7 @@ fn row(model: &Model, node: usize, theme: &Theme, width: usize) -> Line<'static>
     };
     let mut line = Line::from(Span::styled(guides(model, node, theme, width / 2), theme.style(Role::Faint)));
     line.push_span(Span::styled(fold, theme.style(Role::Faint)));
-    for (text, style) in label(model, node, theme) {
-        line.push_span(Span::styled(text, style));
-    }
-    if let Some((text, style)) = hidden_rays(model, node, theme) {
+    for (text, style) in label::row(model, node, theme) {
         line.push_span(Span::styled(text, style));
     }
     line
