@@ -108,8 +108,8 @@ pub fn frame(model: &Model, width: u16, height: u16, theme: &Theme) -> Buffer {
     buffer
 }
 
-/// The viewer as an SVG picture, after these keys (see [`keys::sequence`]).
-pub fn picture(log: Log, options: &Options, keys: &str, width: u16, height: u16) -> String {
+/// The model of a log in a terminal of this size, after these keys (see [`keys::sequence`]).
+pub fn opened_with_keys(log: Log, options: &Options, keys: &str, width: u16, height: u16) -> Model {
     let mut model = opened(log, options);
     update(&mut model, Action::Resize(width, height));
     for key in keys::sequence(keys) {
@@ -117,6 +117,12 @@ pub fn picture(log: Log, options: &Options, keys: &str, width: u16, height: u16)
             update(&mut model, action);
         }
     }
+    model
+}
+
+/// The viewer as an SVG picture, after these keys.
+pub fn picture(log: Log, options: &Options, keys: &str, width: u16, height: u16) -> String {
+    let model = opened_with_keys(log, options, keys, width, height);
     screenshot::svg(&frame(&model, width, height, &options.theme))
 }
 
