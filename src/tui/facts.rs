@@ -58,8 +58,9 @@ impl Facts {
         let fact = &mut self.nodes[owner];
         let number = index as u32 + 1;
         match event.what {
-            What::Note { .. } if is_ray(&tree.nodes()[owner]) => {}
-            What::Note { .. } | What::Result { .. } => fact.value = number,
+            What::Note { name, .. } if says_what_came(tree.nodes()[owner].step, name.key()) => fact.value = number,
+            What::Note { .. } => {}
+            What::Result { .. } => fact.value = number,
             What::Mark(decision) => match decision {
                 Decision::Outside | Decision::Inside | Decision::Skipped { .. } => {}
                 Decision::DepthLimit { .. } | Decision::TotalInternalReflection => fact.limit = number,
@@ -83,6 +84,16 @@ impl Facts {
             }
             _ => {}
         }
+    }
+}
+
+/// Whether a quantity is what such a node is there for.
+fn says_what_came(step: Option<Step>, key: &str) -> bool {
+    match step {
+        Some(Step::Test { .. }) => true,
+        Some(Step::Shade { .. }) => key == "shade.local",
+        Some(Step::Combine) => key == "combine.color",
+        _ => false,
     }
 }
 

@@ -3,7 +3,7 @@
 //! Rows are never listed: the nodes stand in pre-order in one flat array, and from any visible row the next and the
 //! previous one are found in a few steps. So a frame touches only what it shows, however large the log.
 
-use crate::log::Tree;
+use crate::log::{Node, Step, Tree};
 use std::ops::Range;
 
 /// The nodes whose inside is shown.
@@ -13,12 +13,12 @@ pub struct Fold {
 }
 
 impl Fold {
-    /// A small tree opens whole; of a large one only the root.
+    /// A small tree opens whole; of a large one the rays open, but not the pixels and samples that hold them.
     pub fn of(tree: &Tree) -> Fold {
         const SMALL: usize = 120;
-        let mut open = vec![tree.nodes().len() <= SMALL; tree.nodes().len()];
-        open[0] = true;
-        Fold { open }
+        let is_small = tree.nodes().len() <= SMALL;
+        let opens = |node: &Node| is_small || matches!(node.step, None | Some(Step::Ray { .. }));
+        Fold { open: tree.nodes().iter().map(opens).collect() }
     }
 
     /// Whether a node has something inside, and shows it.

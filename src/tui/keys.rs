@@ -189,18 +189,23 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
     })
 }
 
-/// The keys that a text such as `nnn 5j Tab ^d` spells: words are names of keys, other characters are keys themselves.
+/// The keys that a text such as `nnn 5j Tab ^d` or `nnn5j<Tab>^d` spells: names of keys stand alone or in angle brackets,
+/// other characters are keys themselves, and spaces only separate.
 pub fn sequence(text: &str) -> Vec<KeyEvent> {
     let mut keys = Vec::new();
     for word in text.split_whitespace() {
-        if let Some(key) = parse(word) {
+        let mut rest = word;
+        while let Some(first) = rest.chars().next() {
+            let bracketed = rest.strip_prefix('<').and_then(|inner| inner.split_once('>'));
+            let named = bracketed.and_then(|(name, after)| Some((parse(name)?, after)));
+            let whole = parse(rest).map(|key| (key, ""));
+            let control = rest.get(..2).filter(|pair| first == '^' && pair != &"^^").and_then(parse);
+            let control = control.map(|key| (key, &rest[2..]));
+            let itself = parse(rest.get(..first.len_utf8()).unwrap_or_default());
+            let itself = itself.map(|key| (key, &rest[first.len_utf8()..]));
+            let Some((key, after)) = named.or(whole).or(control).or(itself) else { break };
             keys.push(key);
-            continue;
-        }
-        let mut characters = word.chars().peekable();
-        while let Some(character) = characters.next() {
-            let letter = characters.next_if(|next| character == '^' && next.is_ascii_alphabetic());
-            keys.extend(parse(&letter.map_or_else(|| character.to_string(), |letter| format!("^{letter}"))));
+            rest = after;
         }
     }
     keys
@@ -248,6 +253,8 @@ mod tests {
     fn sequences_of_keys() {
         let codes: Vec<_> = sequence("n5j Tab ^d?^uz").into_iter().map(|key| name(key).unwrap()).collect();
         assert_eq!(codes, ["n", "5", "j", "Tab", "^d", "?", "^u", "z"]);
+        let codes: Vec<_> = sequence("l<Down><Space>n<^u><x").into_iter().map(|key| name(key).unwrap()).collect();
+        assert_eq!(codes, ["l", "Down", "Space", "n", "^u", "<", "x"]);
     }
 
     #[test]

@@ -13,9 +13,11 @@ use crossterm::terminal::{
 use crossterm::{execute, queue};
 use ratatui::backend::CrosstermBackend;
 use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Rect};
 use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
 use signal_hook::{flag, low_level};
+use std::cell::Cell;
 use std::io::{self, Stdout, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Once};
@@ -41,7 +43,7 @@ pub(super) enum Input {
     Leave(Exit),
     /// Somebody asks to stop for a while.
     Suspend,
-    /// The viewer was stopped, and goes on: the terminal may have changed in between.
+    /// The terminal may have changed: the viewer was stopped and goes on, or something else has written.
     Resume,
 }
 
@@ -112,8 +114,12 @@ impl Terminal {
     /// Takes the terminal over again, and draws everything anew.
     pub(super) fn resume(&mut self) -> io::Result<()> {
         self.signals.forget_suspension();
+        // The shell has changed the modes behind our back, so that they must really be set again.
+        restore();
         take_over()?;
-        self.screen.clear()
+        // Not `clear`, which asks the terminal where its cursor is, and waits for an answer.
+        let size = self.screen.size()?;
+        self.screen.resize(Rect::from((Position::ORIGIN, size)))
     }
 }
 
@@ -161,13 +167,27 @@ fn restore() {
     }
 }
 
+/// Whether something else has written to the screen.
+static IS_STALE: AtomicBool = AtomicBool::new(false);
+
+thread_local! {
+    /// Whether this is the thread that draws.
+    static DRAWS: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Lets the message of a panic appear on the usual screen. The viewer goes on if it was another thread that panicked.
 fn restore_before_panic_messages() {
     static HOOK: Once = Once::new();
+    DRAWS.set(true);
     HOOK.call_once(|| {
         let usual = std::panic::take_hook();
         std::panic::set_hook(Box::new(move |panic| {
+            let goes_on = IS_TAKEN.load(Ordering::SeqCst) && !DRAWS.get();
             restore();
             usual(panic);
+            if goes_on {
+                IS_STALE.store(take_over().is_ok(), Ordering::SeqCst);
+            }
         }));
     });
 }
@@ -203,7 +223,9 @@ impl Signals {
         if self.suspend.swap(false, Ordering::SeqCst) {
             return Some(Input::Suspend);
         }
-        self.resume.swap(false, Ordering::SeqCst).then_some(Input::Resume)
+        let is_stale = IS_STALE.swap(false, Ordering::SeqCst);
+        let goes_on = self.resume.swap(false, Ordering::SeqCst);
+        (is_stale || goes_on).then_some(Input::Resume)
     }
 
     fn forget_suspension(&self) {

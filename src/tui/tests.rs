@@ -220,6 +220,33 @@ fn without_colours_there_are_none() {
 }
 
 #[test]
+fn pictures_show_the_viewer_after_some_keys() {
+    let options = Options { theme: Theme::new(Palette::True, false), start: None, warning: None, note: None };
+    let svg = picture(textbook(), &options, "3n", 80, 24);
+    assert!(svg.contains("step 5/96"), "{svg}");
+    assert!(svg.contains("V_d"), "{svg}");
+}
+
+#[test]
+fn a_log_that_was_cut_off_claims_nothing_that_it_does_not_hold() {
+    let whole = glass();
+    let theme = Theme::new(Palette::None, false);
+    let is_shadow = |event: &crate::log::Event| {
+        matches!(event.what, What::Enter { step: Step::Ray { kind: crate::log::RayKind::Shadow { .. }, .. }, .. })
+    };
+    let begins = whole.events.iter().position(is_shadow).unwrap_or_default();
+    let shown = |events: usize| {
+        let log = Log { events: whole.events[..events].to_vec(), ..whole.clone() };
+        let mut model = sized(log, 200, 60);
+        typed(&mut model, "E");
+        dump(&frame(&model, 200, 60, &theme))
+    };
+    assert!(!shown(begins + 1).contains("lit"));
+    assert!(!shown(begins + 1).contains("local model on ball  ("));
+    assert!(shown(whole.events.len()).contains("lit"));
+}
+
+#[test]
 fn large_logs_stay_usable() {
     let log = nested(&"((.).)".repeat(170_000));
     assert!(log.events.len() > 1_000_000);

@@ -162,7 +162,7 @@ fn move_by(model: &mut Model, rows: isize) {
                 own.filter(|event| *event > current).take(count).last()
             } else {
                 let earlier: Vec<_> = own.filter(|event| *event < current).collect();
-                earlier.into_iter().rev().take(count).last()
+                earlier[earlier.len().saturating_sub(count)..].first().copied()
             };
             model.event = target.unwrap_or(current);
         }

@@ -67,7 +67,11 @@ fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
         What::Mark(decision) => Some(decision),
         _ => None,
     });
-    pieces.extend(decided(model, step, decision, theme));
+    let has_ended = model.log.events[model.tree.nodes()[node].events.clone()].last().map(|event| &event.what);
+    let is_free_shadow = matches!(step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }))
+        && decision.is_none()
+        && has_ended == Some(&What::Leave);
+    pieces.extend(if is_free_shadow { Some(lit(theme)) } else { decided(model, decision, theme) });
     pieces.extend(limited(model, node, theme));
     if !matches!(decision, Some(Decision::Miss { .. })) && !matches!(step, Some(Step::Light { .. })) {
         pieces.extend(value(model, node, step, theme));
@@ -75,25 +79,27 @@ fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
     pieces
 }
 
-fn decided(model: &Model, step: Option<Step>, decision: Option<Decision>, theme: &Theme) -> Option<Piece> {
+/// What a shadow ray comes to that met nothing, which no decision says.
+fn lit(theme: &Theme) -> Piece {
+    (format!("  {} lit", theme.glyphs.hit), theme.style(Role::Hit))
+}
+
+fn decided(model: &Model, decision: Option<Decision>, theme: &Theme) -> Option<Piece> {
     let glyphs = theme.glyphs;
     let header = &model.log.header;
     let object = |object| shown(&words::plain(header.object(object)), theme);
-    let is_shadow = matches!(step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }));
-    let (glyph, words, role) = match decision {
-        None if is_shadow => (glyphs.hit, "lit".to_owned(), Role::Hit),
-        None => return None,
-        Some(Decision::Hit) => (glyphs.hit, "hit".to_owned(), Role::Hit),
-        Some(Decision::Miss { .. }) => (glyphs.miss, "miss".to_owned(), Role::Faint),
-        Some(Decision::Nearest { object: nearest }) => (glyphs.hit, object(nearest), Role::Hit),
-        Some(Decision::Background) => (glyphs.miss, "background".to_owned(), Role::Faint),
-        Some(Decision::Occluded { object: blocker }) => {
+    let (glyph, words, role) = match decision? {
+        Decision::Hit => (glyphs.hit, "hit".to_owned(), Role::Hit),
+        Decision::Miss { .. } => (glyphs.miss, "miss".to_owned(), Role::Faint),
+        Decision::Nearest { object: nearest } => (glyphs.hit, object(nearest), Role::Hit),
+        Decision::Background => (glyphs.miss, "background".to_owned(), Role::Faint),
+        Decision::Occluded { object: blocker } => {
             (glyphs.blocked, format!("blocked by {}", object(blocker)), Role::Blocked)
         }
-        Some(Decision::Attenuated { object: filter, .. }) => {
+        Decision::Attenuated { object: filter, .. } => {
             (glyphs.shade, format!("weakened by {}", object(filter)), Role::Light)
         }
-        Some(_) => return None,
+        _ => return None,
     };
     Some((format!("  {glyph} {words}"), theme.style(role)))
 }

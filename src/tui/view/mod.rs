@@ -13,6 +13,7 @@ use super::model::{Model, Overlay, Pane};
 use super::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 /// Draws the whole screen.
@@ -40,6 +41,9 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
 fn put(buffer: &mut Buffer, area: Rect, line: Line) {
     let area = area.intersection(buffer.area);
     if !area.is_empty() {
+        // What was there leaves no style behind.
+        let width = area.width.min(line.width() as u16);
+        buffer.set_style(Rect { width, height: 1, ..area }, Style::reset());
         buffer.set_line(area.x, area.y, &line, area.width);
     }
 }

@@ -10,7 +10,7 @@ use crate::tui::theme::{Role, Theme};
 use crate::tui::view::text::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Modifier;
+use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -27,7 +27,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         put(buffer, place, row(model, node, theme, usize::from(body.width)));
         if node == model.cursor {
             let mark = if model.focus == Pane::Tree { Modifier::REVERSED } else { Modifier::UNDERLINED };
-            buffer.set_style(place.intersection(buffer.area), mark);
+            buffer.set_style(place.intersection(buffer.area), Style::reset().add_modifier(mark));
         }
     }
 }
