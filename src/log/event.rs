@@ -203,6 +203,8 @@ words! {
         Beside = "beside",
         /// The surface lies beyond the end of the ray (the light).
         Beyond = "beyond",
+        /// The surface shows its back, which isn't there.
+        FacesAway = "faces_away",
     }
 }
 

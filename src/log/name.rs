@@ -67,6 +67,20 @@ names! {
     SphereTFarRobust: "sphere.t", "far_robust", "t", "(r² − L2oc)/(√T2_A − T_A)", "1.3 (5e)";
     SphereTLeaving: "sphere.t", "leaving", "t", "2·T_A", "1.3 (5e)";
 
+    // Ellipsoid.
+
+    // Triangle.
+
+    // Polygon.
+
+    // Box.
+
+    // Cylinder.
+
+    // Cone.
+
+    // Disk.
+
     // The nearest hit: its point, and the normal turned toward the arriving ray.
     HitPoint: "hit.point", "", "P", "O + d·t", "1.3 (3)";
     HitPointSphere: "hit.point", "on_sphere", "P", "S_c + (O + d·t − S_c)·(r/|O + d·t − S_c|)", "1.3 (5f)";

@@ -38,6 +38,10 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
         self.probe.mark(decision);
     }
 
+    fn bounds_tested(&mut self, count: u64) {
+        self.probe.bounds_tested(count);
+    }
+
     fn enter(&mut self, step: Step) {
         self.alteration.enter(step);
         self.probe.enter(step);

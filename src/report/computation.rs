@@ -100,12 +100,10 @@ impl Substitution<'_> {
                 (Part::Text(text, _), _) => plain(format!("({text})")),
                 (absent, _) => absent,
             },
-            Formula::Extreme(extreme, first, second) => {
-                match (self.text(first).shown(), self.text(second).shown()) {
-                    (Some(first), Some(second)) => plain(format!("{}({first}, {second})", word(*extreme))),
-                    _ => Part::Zero,
-                }
-            }
+            Formula::Extreme(extreme, first, second) => match (self.text(first).shown(), self.text(second).shown()) {
+                (Some(first), Some(second)) => plain(format!("{}({first}, {second})", word(*extreme))),
+                _ => Part::Zero,
+            },
             Formula::ExtremeComponent(extreme, inner) => {
                 self.text(inner).shown().map_or(Part::Zero, |text| plain(format!("{}({text})", word(*extreme))))
             }

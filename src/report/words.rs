@@ -72,6 +72,7 @@ fn miss(why: Miss) -> &'static str {
         Miss::Behind => "it lies behind the ray",
         Miss::Beside => "the ray passes beside it",
         Miss::Beyond => "it lies beyond the light",
+        Miss::FacesAway => "it turns its back to the ray",
     }
 }
 

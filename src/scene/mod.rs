@@ -7,12 +7,14 @@ mod build;
 pub mod builtin;
 pub mod camera;
 pub mod file;
+mod index;
 pub mod light;
 pub mod material;
 pub mod tracing;
 
 pub use build::{Unsupported, build};
 pub use camera::Camera;
+pub use index::Index;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Material, Weights};
 pub use tracing::{Algorithm, Skip, Specular, Tracing};
@@ -42,6 +44,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// The objects, in the order that decides ties.
     pub objects: Vec<Object>,
+    /// Which objects a ray can meet.
+    pub index: Index,
     /// How rays are traced.
     pub tracing: Tracing,
     /// How the picture is shown.
@@ -57,6 +61,8 @@ pub struct Object {
     pub shape: Shape,
     /// Its material, by number.
     pub material: usize,
+    /// Whether it is absent for rays that arrive at its back.
+    pub one_sided: bool,
 }
 
 /// How traced values become the numbers of a picture file.

@@ -50,7 +50,7 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> C
         return scene.background;
     };
     let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);
-    let meeting = Meeting { object: hit.object, primitive: hit.primitive, ray, surface, path };
+    let meeting = Meeting { object: hit.object, primitive: hit.crossing.primitive, ray, surface, path };
     let local = shade::local_intensity(scene, &meeting, probe);
     let reflected = bounce::reflected(scene, &meeting, probe);
     let transmitted = bounce::transmitted(scene, &meeting, probe);
