@@ -1,10 +1,11 @@
 //! The options that every tracing command has. They override what the scene says.
 
 use super::failure::Failure;
+use super::scene_argument::Loaded;
 use clap::{Args, ValueEnum};
 use raywalk::log::SkipReason;
 use raywalk::record::Arithmetic;
-use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
+use raywalk::scene::file::schema::{Algorithm, Sampling};
 use raywalk::scene::file::suggest;
 use raywalk::scene::tracing::Tests;
 use raywalk::scene::{Scene, Skip, build};
@@ -77,7 +78,8 @@ pub enum TestsChoice {
 
 impl TracingOptions {
     /// The scene with these options, ready to be traced.
-    pub fn apply(&self, mut file: SceneFile) -> Result<Scene, Failure> {
+    pub fn apply(&self, loaded: Loaded) -> Result<Scene, Failure> {
+        let Loaded { scene: mut file, meshes } = loaded;
         if let Some(size) = self.size {
             file.camera.resolution = size;
         }
@@ -97,7 +99,7 @@ impl TracingOptions {
                 "--arithmetic printed: only for the scene `textbook`, found `{name}`"
             )));
         }
-        let mut scene = build(&file).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+        let mut scene = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
         scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);
         scene.tracing.tests = match self.tests {
             TestsChoice::Visited => Tests::Visited,

@@ -3,9 +3,11 @@
 use super::failure::Failure;
 use super::options::ColorChoice;
 use raywalk::scene::builtin;
-use raywalk::scene::file::{self, Loaded, visible};
+use raywalk::scene::file::mesh::{self, Folder, Meshes};
+use raywalk::scene::file::schema::SceneFile;
+use raywalk::scene::file::{self, Source, visible};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The text of a scene or log, and the name by which messages call it.
 pub struct Input {
@@ -13,9 +15,19 @@ pub struct Input {
     pub bytes: Vec<u8>,
     /// The name.
     pub name: String,
+    /// Where it was read from; `None` if it is built in.
+    path: Option<PathBuf>,
 }
 
-/// Reads and checks the scene; prints its warnings.
+/// A checked scene with its meshes.
+pub struct Loaded {
+    /// The scene.
+    pub scene: SceneFile,
+    /// The meshes that it names.
+    pub meshes: Meshes,
+}
+
+/// Reads and checks the scene and its meshes; prints their warnings.
 pub fn load(argument: &Path, colors: ColorChoice) -> Result<Loaded, Failure> {
     scene(&read(argument, colors)?, colors)
 }
@@ -26,21 +38,26 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
     let is_path = argument == Path::new("-") || argument.symlink_metadata().is_ok();
     if !is_path {
         if let Some(text) = builtin::text(&name) {
-            return Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json") });
+            return Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json"), path: None });
         }
         return Err(nothing_of(&name));
     }
     let bytes = file::read_bytes(argument).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    Ok(Input { bytes, name: if name == "-" { "<stdin>".to_owned() } else { name.into_owned() } })
+    let name = if name == "-" { "<stdin>".to_owned() } else { name.into_owned() };
+    Ok(Input { bytes, name, path: Some(argument.to_owned()) })
 }
 
-/// Checks a scene that was read; prints its warnings.
+/// Checks a scene that was read, and reads its meshes; prints their warnings.
 pub fn scene(input: &Input, colors: ColorChoice) -> Result<Loaded, Failure> {
-    let loaded = file::check(&input.bytes, &input.name).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    for warning in &loaded.warnings {
+    let failure = |error| Failure::scene(&error, is_colored(colors));
+    let file::Loaded { scene, warnings } = file::check(&input.bytes, &input.name).map_err(failure)?;
+    let source = Source { name: &input.name, text: &input.bytes };
+    let folder = input.path.as_ref().map_or(Folder::BuiltIn, |path| Folder::OfScene(path));
+    let (meshes, mesh_warnings) = mesh::load(&scene, &source, folder).map_err(failure)?;
+    for warning in warnings.iter().chain(&mesh_warnings) {
         eprintln!("{}", warning.report(file::Severity::Warning, is_colored(colors)));
     }
-    Ok(loaded)
+    Ok(Loaded { scene, meshes })
 }
 
 fn is_colored(colors: ColorChoice) -> bool {

@@ -29,7 +29,7 @@ impl Textbook {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         let loaded = scene_argument::load(Path::new("textbook"), colors)?;
-        let scene = TracingOptions::default().apply(loaded.scene)?;
+        let scene = TracingOptions::default().apply(loaded)?;
         let table = textbook::table(&scene);
         let text = match self.format {
             TableFormat::Text => table.text(),

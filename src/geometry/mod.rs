@@ -2,10 +2,12 @@
 
 pub mod bounds;
 pub mod bvh;
+pub mod mesh;
 pub mod ray;
 pub mod shape;
 
 pub use bounds::Bounds;
 pub use bvh::Bvh;
+pub use mesh::Mesh;
 pub use ray::{Crossing, Leaving, Ray, Side, Surface};
 pub use shape::Shape;

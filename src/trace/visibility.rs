@@ -44,7 +44,7 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
         if scene.material_of(object).transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
-        } else if thing.shape.first_crossing(object, thing.one_sided, ray, probe).is_some() {
+        } else if thing.shape.is_crossed(object, thing.one_sided, ray, probe) {
             if !is_blocked {
                 probe.mark(Decision::Occluded { object });
             }
