@@ -134,9 +134,21 @@ impl Shape {
         kernel!(self, kernel => kernel.surface(ray, crossing, probe))
     }
 
+    /// Whether hits tell which triangle of a file was met.
+    pub fn is_mesh(&self) -> bool {
+        false
+    }
+
     /// A box around the shape; `None` for one without end.
     pub fn bounds(&self) -> Option<Bounds> {
         kernel!(self, kernel => kernel.bounds())
+    }
+
+    /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
+    /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
+    pub fn returning_side(&self) -> Side {
+        let can_return = kernel!(self, kernel => kernel.can_be_met_again(Side::Front));
+        if can_return { Side::Front } else { Side::Back }
     }
 
     /// How the ray comes to this object; `None` if it leaves it and can't meet it again.
