@@ -4,6 +4,7 @@ mod failure;
 mod options;
 mod output;
 mod progress;
+mod rays;
 mod render;
 mod scene;
 mod scene_argument;
@@ -38,6 +39,8 @@ enum Command {
     Trace(trace::Trace),
     /// Render a picture
     Render(render::Render),
+    /// Answer ray queries from standard input
+    Rays(rays::Rays),
     /// Show the numeric example: printed, recomputed, by hand, exact
     Textbook(textbook::Textbook),
     /// Check, show or list scenes
@@ -51,12 +54,15 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
+    // Where signals can't be caught they end the process all the same.
+    let signals = signals::leave_on_signals().ok();
     let colors = cli.color;
     let done = match cli.command {
-        None => walk::Walk::default().run(colors),
-        Some(Command::Walk(walk)) => walk.run(colors),
+        None => walk::Walk::of_the_numeric_example().run(colors, signals),
+        Some(Command::Walk(walk)) => walk.run(colors, signals),
         Some(Command::Trace(trace)) => trace.run(colors),
         Some(Command::Render(render)) => render.run(colors),
+        Some(Command::Rays(rays)) => rays.run(colors),
         Some(Command::Textbook(textbook)) => textbook.run(colors),
         Some(Command::Scene(command)) => command.run(colors),
     };

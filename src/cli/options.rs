@@ -5,8 +5,9 @@ use super::scene_argument::Loaded;
 use clap::{Args, ValueEnum};
 use raywalk::log::SkipReason;
 use raywalk::record::Arithmetic;
-use raywalk::scene::file::schema::{Algorithm, Sampling};
-use raywalk::scene::file::suggest;
+use raywalk::scene::builtin;
+use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
+use raywalk::scene::file::{self, suggest};
 use raywalk::scene::tracing::Tests;
 use raywalk::scene::{Scene, Skip, build};
 use std::io::IsTerminal;
@@ -34,7 +35,7 @@ impl ColorChoice {
 }
 
 /// How rays are traced.
-#[derive(Args, Debug, Default, Clone)]
+#[derive(Args, Debug, Default, Clone, PartialEq)]
 #[command(next_help_heading = "Tracing")]
 pub struct TracingOptions {
     /// Pixels across and down; the vertical field of view stays
@@ -93,11 +94,8 @@ impl TracingOptions {
             file.sampling = sampling;
         }
         file.tracing.two_sided |= self.two_sided;
-        if self.arithmetic == Arithmetic::Printed && file.name != "textbook" {
-            let name = &file.name;
-            return Err(Failure::caller(format!(
-                "--arithmetic printed: only for the scene `textbook`, found `{name}`"
-            )));
+        if self.arithmetic == Arithmetic::Printed && !is_the_numeric_example(&file) {
+            return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }
         let mut scene = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
         scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);
@@ -107,6 +105,12 @@ impl TracingOptions {
         };
         Ok(scene)
     }
+}
+
+/// Whether the scene is the numeric example, the only one for which a book prints numbers.
+fn is_the_numeric_example(file: &SceneFile) -> bool {
+    let text = builtin::text("textbook").unwrap_or_default();
+    file::parse(text.as_bytes(), "textbook.json").is_ok_and(|example| example == *file)
 }
 
 /// Numbers separated by commas, exactly `N` of them.

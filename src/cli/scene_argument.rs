@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use super::options::ColorChoice;
+use super::output;
 use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::schema::SceneFile;
@@ -32,15 +33,18 @@ pub fn load(argument: &Path, colors: ColorChoice) -> Result<Loaded, Failure> {
     scene(&read(argument, colors)?, colors)
 }
 
+/// A built-in scene, whatever files there are.
+pub fn built_in(name: &str) -> Result<Input, Failure> {
+    let text = builtin::text(name).ok_or_else(|| nothing_of(name))?;
+    Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json"), path: None })
+}
+
 /// Reads what the argument names.
 pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
     let name = argument.to_string_lossy();
     let is_path = argument == Path::new("-") || argument.symlink_metadata().is_ok();
     if !is_path {
-        if let Some(text) = builtin::text(&name) {
-            return Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json"), path: None });
-        }
-        return Err(nothing_of(&name));
+        return built_in(&name);
     }
     let bytes = file::read_bytes(argument).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     let name = if name == "-" { "<stdin>".to_owned() } else { name.into_owned() };
@@ -55,7 +59,7 @@ pub fn scene(input: &Input, colors: ColorChoice) -> Result<Loaded, Failure> {
     let folder = input.path.as_ref().map_or(Folder::BuiltIn, |path| Folder::OfScene(path));
     let (meshes, mesh_warnings) = mesh::load(&scene, &source, folder).map_err(failure)?;
     for warning in warnings.iter().chain(&mesh_warnings) {
-        eprintln!("{}", warning.report(file::Severity::Warning, is_colored(colors)));
+        output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
     }
     Ok(Loaded { scene, meshes })
 }

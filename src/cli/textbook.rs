@@ -5,7 +5,6 @@ use super::options::{ColorChoice, TracingOptions};
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
 use raywalk::study::textbook;
-use std::path::Path;
 
 /// Show the numeric example of the source text.
 #[derive(Args)]
@@ -28,7 +27,7 @@ enum TableFormat {
 impl Textbook {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
-        let loaded = scene_argument::load(Path::new("textbook"), colors)?;
+        let loaded = scene_argument::scene(&scene_argument::built_in("textbook")?, colors)?;
         let scene = TracingOptions::default().apply(loaded)?;
         let table = textbook::table(&scene);
         let text = match self.format {

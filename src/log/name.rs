@@ -34,11 +34,17 @@ struct Row {
 names! {
     // The camera and its ray. G is the direction of view, e_x and e_y point right and up in the picture.
     CameraDirection: "camera.direction", "", "G", "", "1.1.1";
-    CameraLength: "camera.length", "", "|G|", "", "1.1.1";
-    CameraRight: "camera.right", "", "e_x", "", "1.1.1";
-    CameraUp: "camera.up", "", "e_y", "", "1.1.1";
-    PixelX: "pixel.x", "", "x", "", "1.1.1";
-    PixelY: "pixel.y", "", "y", "", "1.1.1";
+    CameraUpAsGiven: "camera.up_as_given", "", "G_u", "", "1.1.1";
+    CameraLength: "camera.length", "", "|G|", "√(G · G)", "1.1.1";
+    CameraRight: "camera.right", "", "e_x", "(G×G_u)/|G×G_u|", "1.1.1";
+    CameraUp: "camera.up", "", "e_y", "((G×G_u)×G)/|(G×G_u)×G|", "1.1.1";
+    PixelColumn: "pixel.column", "", "col", "", "1.1.1";
+    PixelMiddleColumn: "pixel.middle_column", "", "col_m", "", "1.1.1";
+    PixelRow: "pixel.row", "", "row", "", "1.1.1";
+    PixelMiddleRow: "pixel.middle_row", "", "row_m", "", "1.1.1";
+    PixelSide: "pixel.side", "", "px", "", "1.1.1";
+    PixelX: "pixel.x", "", "x", "(col − col_m)·px", "1.1.1";
+    PixelY: "pixel.y", "", "y", "(row_m − row)·px", "1.1.1";
     RayVector: "ray.vector", "", "D", "G + |G|·(x·e_x + y·e_y)", "1.1.1";
     RayOrigin: "ray.origin", "", "O", "", "1.1.1";
     RayLength: "ray.length", "", "|D|", "√(D · D)", "1.3 (1)";
@@ -47,7 +53,6 @@ names! {
     // Plane.
     PlaneNormal: "plane.normal", "", "N_p", "", "1.3 (2)";
     PlaneOffset: "plane.offset", "", "D_p", "", "1.3 (2)";
-    PlaneUnitNormal: "plane.unit_normal", "", "n_p", "", "1.3 (2)";
     PlaneVd: "plane.v_d", "", "V_d", "N_p · d", "1.3 (2)";
     PlaneVo: "plane.v_o", "", "V_o", "−(N_p · O + D_p)", "1.3 (2)";
     PlaneT: "plane.t", "", "t", "V_o/V_d", "1.3 (2)";
@@ -84,8 +89,8 @@ names! {
     // The nearest hit: its point, and the normal turned toward the arriving ray.
     HitPoint: "hit.point", "", "P", "O + d·t", "1.3 (3)";
     HitPointSphere: "hit.point", "on_sphere", "P", "S_c + (O + d·t − S_c)·(r/|O + d·t − S_c|)", "1.3 (5f)";
-    HitNormalPlane: "hit.normal", "plane", "N", "n_p", "1.3 (4)";
-    HitNormalPlaneBack: "hit.normal", "plane_back", "N", "−n_p", "1.3 (4)";
+    HitNormalPlane: "hit.normal", "plane", "N", "N_p/|N_p|", "1.3 (4)";
+    HitNormalPlaneBack: "hit.normal", "plane_back", "N", "−(N_p/|N_p|)", "1.3 (4)";
     HitNormalSphere: "hit.normal", "sphere", "N", "(P − S_c)/r", "1.3 (5g)";
     HitNormalSphereBack: "hit.normal", "sphere_back", "N", "(S_c − P)/r", "1.3 (5g)";
 

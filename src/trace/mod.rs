@@ -4,11 +4,12 @@
 
 mod bounce;
 mod media;
+pub mod query;
 mod shade;
 mod visibility;
 
 pub use media::Media;
-pub use visibility::{Hit, closest_hit, transmittance};
+pub use visibility::{Hit, closest_hit, is_any_hit, transmittance};
 
 use crate::geometry::{Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};

@@ -32,6 +32,17 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
     nearest
 }
 
+/// Whether the ray meets anything at all.
+pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
+    let mut is_hit = false;
+    visit(scene, ray, probe, |object, probe| {
+        let thing = &scene.objects[object as usize];
+        is_hit |= thing.shape.is_crossed(object, thing.one_sided, ray, probe);
+        if is_hit { -1.0 } else { ray.t_max }
+    });
+    is_hit
+}
+
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
 /// straight line; zero as soon as an opaque one is crossed (Ramos, section 1.2.5).
 pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {

@@ -173,9 +173,21 @@ impl Shape {
         kernel!(self, kernel => kernel.surface(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
     }
 
+    /// Whether hits tell which triangle of a file was met.
+    pub fn is_mesh(&self) -> bool {
+        matches!(self, Shape::Mesh(_))
+    }
+
     /// A box around the shape; `None` for one without end.
     pub fn bounds(&self) -> Option<Bounds> {
         kernel!(self, kernel => kernel.bounds(), mesh => mesh.bounds())
+    }
+
+    /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
+    /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
+    pub fn returning_side(&self) -> Side {
+        let can_return = kernel!(self, kernel => kernel.can_be_met_again(Side::Front), _mesh => false);
+        if can_return { Side::Front } else { Side::Back }
     }
 }
 

@@ -27,7 +27,6 @@ impl Kernel for Plane {
     fn give<P: Probe>(&self, probe: &mut P) {
         probe.given(Name::PlaneNormal, self.normal);
         probe.given(Name::PlaneOffset, self.offset);
-        probe.given(Name::PlaneUnitNormal, self.unit_normal);
     }
 
     /// Neither V_d nor V_o needs a unit normal: their quotient is the same.
