@@ -12,3 +12,4 @@ pub mod sampling;
 pub mod scene;
 pub mod study;
 pub mod trace;
+pub mod tui;

@@ -2,8 +2,10 @@
 
 mod cli;
 
+use std::panic::catch_unwind;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    cli::run()
+    // A panic is a bug of ours; its message is out, and scripts that tell exit codes apart needn't know another one.
+    catch_unwind(cli::run).unwrap_or(ExitCode::from(cli::MACHINE))
 }

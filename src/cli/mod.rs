@@ -13,6 +13,7 @@ mod trace;
 mod walk;
 
 use clap::{Parser, Subcommand};
+pub use failure::MACHINE;
 use options::ColorChoice;
 use std::process::ExitCode;
 

@@ -4,6 +4,7 @@
 
 pub mod computation;
 pub mod number;
+pub mod outline;
 pub mod text;
 pub mod words;
 

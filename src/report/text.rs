@@ -35,7 +35,9 @@ fn line(log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
         }
         What::Note { name, .. } => {
             let line = computation(log, tree, event, style)?.line();
-            format!("{line}   [{}]", source(*name))
+            let body = format!("{line}   [{}]", source(*name));
+            let given = given(happening, style);
+            if given.is_empty() { body } else { format!("given {given}\n{}{body}", "  ".repeat(level)) }
         }
         What::Mark(decision) => format!("→ {}", words::decision(&log.header, decision, style)),
         What::Leave => return None,

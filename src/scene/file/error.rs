@@ -82,7 +82,7 @@ fn in_lines(problems: &[Problem], omitted: usize) -> String {
 }
 
 fn and_more(omitted: usize) -> String {
-    format!("and {omitted} more problems of this kind, not shown")
+    format!("and {omitted} more problems, not shown")
 }
 
 /// How bad a problem is.
@@ -186,7 +186,7 @@ mod tests {
     #[test]
     fn problems_that_are_not_shown_are_counted() {
         let error = SceneError::Invalid { problems: vec![problem()], omitted: 7 };
-        assert!(error.to_string().ends_with("\nand 7 more problems of this kind, not shown"));
+        assert!(error.to_string().ends_with("\nand 7 more problems, not shown"));
     }
 
     #[test]

@@ -75,19 +75,23 @@ pub fn unknown_format(found: &str) -> String {
 
 fn wrong_data(text: &str, mut path: KeyPath, said: &str) -> (Range<usize>, KeyPath, String) {
     let place = locate(text, &path);
+    // A word counts as a step of the path for serde, but in the text it is the value.
+    while path.steps().len() > place.depth {
+        path.pop();
+    }
     match Complaint::of(said) {
         Complaint::UnknownKey { name, valid } => {
             let message = format!("unknown key `{}`, {}", shortened(name, QUOTED), alternatives(name, &valid));
             (key_span(place), path, message)
         }
         Complaint::UnknownWord { name, valid } => {
-            let is_word = place.depth < path.steps().len();
             let message = format!("unknown word `{}`, {}", shortened(name, QUOTED), alternatives(name, &valid));
-            if is_word {
-                path.pop();
+            let is_string = text[place.value.clone()].starts_with('"');
+            if is_string {
+                return (place.value, path, message);
             }
-            let span = if is_word { place.value } else { key_span(place) };
-            (span, path, message)
+            path.push(name.to_string());
+            (key_span(locate(text, &path)), path, message)
         }
         Complaint::Missing { name } => (place.value, path, format!("the key `{name}` is missing, expected it here")),
         Complaint::Repeated { name } => {
@@ -164,7 +168,7 @@ fn name_and_valid(rest: &str) -> (&str, Vec<&str>) {
 }
 
 /// "expected `a`, `b` or `c`; did you mean `b`?"
-pub fn alternatives<'n>(name: &str, valid: &[&'n str]) -> String {
+pub fn alternatives(name: &str, valid: &[&str]) -> String {
     let quoted: Vec<String> = valid.iter().map(|name| format!("`{name}`")).collect();
     let list = match quoted.as_slice() {
         [] => return "expected no key here".to_string(),

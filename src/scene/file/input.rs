@@ -140,6 +140,16 @@ mod tests {
     }
 
     #[test]
+    #[cfg(unix)]
+    fn a_fifo_that_nobody_writes_does_not_hang() {
+        let folder = tempfile::tempdir().unwrap();
+        let fifo = folder.path().join("fifo");
+        let made = std::process::Command::new("mkfifo").arg(&fifo).status().unwrap();
+        assert!(made.success());
+        refuses(&fifo, 2, "found a FIFO");
+    }
+
+    #[test]
     fn a_huge_file_is_refused_by_its_size() {
         let file = tempfile::NamedTempFile::new().unwrap();
         file.as_file().set_len(5 << 30).unwrap();

@@ -14,7 +14,7 @@ use super::names::fill_in_names;
 use super::schema::SceneFile;
 use super::source::Source;
 use super::strict::Strict;
-use super::validate::{Finding, validate};
+use super::validate::{Finding, Findings, validate};
 
 /// A scene that may be traced.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,13 +39,35 @@ pub fn read(path: &Path) -> Result<Loaded, SceneError> {
 /// [`SceneError::Invalid`], with every problem that validation finds, or the first that parsing finds.
 pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, SceneError> {
     let scene = parse(text, file_name)?;
-    let findings = validate(&scene);
-    let errors = place(&findings.errors, text, file_name)?;
-    if !errors.is_empty() {
-        return Err(SceneError::Invalid { problems: errors, omitted: findings.omitted });
-    }
-    let warnings = place(&findings.warnings, text, file_name)?;
+    let (source, text) = decode(text, file_name)?;
+    let warnings = judge(validate(&scene), |findings| place(findings, &source, text))?;
     Ok(Loaded { scene, warnings })
+}
+
+/// Validates a scene that did not come from JSON text as it is: from another format, or changed by options. Gives the
+/// warnings; its problems have paths but no lines.
+///
+/// # Errors
+/// [`SceneError::Invalid`], with every problem.
+pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, SceneError> {
+    let unplaced = |finding: &Finding| Problem {
+        file: file_name.to_string(),
+        line: 0,
+        column: 0,
+        path: finding.path.clone(),
+        message: finding.message.clone(),
+        span: None,
+        excerpt: None,
+    };
+    judge(validate(scene), |findings| findings.iter().map(unplaced).collect())
+}
+
+/// The warnings, when there are no errors.
+fn judge(findings: Findings, place: impl Fn(&[Finding]) -> Vec<Problem>) -> Result<Vec<Problem>, SceneError> {
+    if findings.errors.is_empty() {
+        return Ok(place(&findings.warnings));
+    }
+    Err(SceneError::Invalid { problems: place(&findings.errors), omitted: findings.omitted })
 }
 
 /// Parses the text of a scene file: syntax, keys and types, but not whether the numbers make sense. A byte-order mark is
@@ -89,16 +111,15 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), S
     }
 }
 
-fn place(findings: &[Finding], text: &[u8], file_name: &str) -> Result<Vec<Problem>, SceneError> {
+fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
     if findings.is_empty() {
-        return Ok(Vec::new());
+        return Vec::new();
     }
-    let (source, text) = decode(text, file_name)?;
     let paths: Vec<KeyPath> = findings.iter().map(|finding| finding.path.clone()).collect();
     let places = locate_all(text, &paths);
     let problems = findings.iter().zip(places).map(|(finding, place)| {
         let span = if finding.is_about_key { place.key.unwrap_or(place.value) } else { place.value };
         source.problem(span, finding.path.clone(), finding.message.clone())
     });
-    Ok(problems.collect())
+    problems.collect()
 }

@@ -156,6 +156,18 @@ mod tests {
     }
 
     #[test]
+    #[cfg(unix)]
+    fn b48_a_fifo_does_not_hang() {
+        let folder = folder();
+        let fifo = folder.path().join("scenes/fifo.obj");
+        let made = std::process::Command::new("mkfifo").arg(&fifo).status().unwrap();
+        assert!(made.success());
+        let scene = folder.path().join("scenes/scene.json");
+        let error = resolve_mesh_path(&scene, "fifo.obj").unwrap_err();
+        assert!(error.to_string().contains("found a FIFO"), "{error}");
+    }
+
+    #[test]
     fn b49_the_scene_itself() {
         refuses("scene.json", "is the scene file itself");
     }

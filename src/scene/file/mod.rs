@@ -28,12 +28,14 @@ mod source;
 mod strict;
 mod suggest;
 mod syntax;
+#[cfg(test)]
+mod tests;
 
 pub use error::{Problem, SceneError, Severity};
 pub use escape::visible;
 pub use input::{MAX_BYTES, read_bytes};
 pub use key_path::{KeyPath, Step};
-pub use load::{Loaded, check, parse, read};
+pub use load::{Loaded, check, check_scene, parse, read};
 pub use locate::{Place, locate, locate_all};
 pub use mesh_path::{MeshPathError, resolve_mesh_path};
 pub use schema::SceneFile;

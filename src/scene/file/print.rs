@@ -30,12 +30,14 @@ impl Printer<'_> {
         let start = self.scanner.at;
         match self.scanner.peek() {
             Some(b'{' | b'[') => {
-                let on_one_line = one_line(&self.text[self.scanner.skip_value()]);
-                if on_one_line.len() + used <= WIDTH && !is_root {
-                    self.printed.push_str(&on_one_line);
-                } else {
-                    self.scanner.at = start;
-                    self.container(indent);
+                let compact = &self.text[self.scanner.skip_value()];
+                let may_fit = compact.len() <= 2 * WIDTH && !is_root;
+                match may_fit.then(|| one_line(compact)).filter(|line| line.len() + used <= WIDTH) {
+                    Some(line) => self.printed.push_str(&line),
+                    None => {
+                        self.scanner.at = start;
+                        self.container(indent);
+                    }
                 }
             }
             _ => {

@@ -6,7 +6,7 @@ use super::error::Problem;
 use super::escape::visible;
 use super::key_path::KeyPath;
 
-/// How many bytes of a long line are shown before and after the place.
+/// How many bytes of a long line are shown before and after the place; twice as many are not yet long.
 const SHOWN: usize = 60;
 
 /// A text with the name of the file that it came from.
@@ -61,16 +61,18 @@ impl Source<'_> {
             .position(|&byte| byte == b'\n' || byte == b'\r')
             .map_or(self.text.len(), |length| start + length);
         let end = span.end.clamp(start, line_end);
-        let from = self.to_boundary(start.saturating_sub(SHOWN).max(line_start));
-        let cut = end.min(start + SHOWN);
-        let to = self.to_boundary(line_end.min(cut + SHOWN));
+        let shown = if line_end - line_start <= 2 * SHOWN { 2 * SHOWN } else { SHOWN };
+        let from = start.saturating_sub(shown).max(line_start);
+        let from = self.next_boundary(from).min(start);
+        let cut = end.min(start + shown);
+        let to = self.next_boundary(line_end.min(cut + shown));
         let part =
             |range: Range<usize>| visible(&String::from_utf8_lossy(&self.text[range]).replace('\t', " ")).into_owned();
         let head = if from > line_start { "…" } else { "" };
         let tail = if to < line_end { "…" } else { "" };
         let before = format!("{head}{}", part(from..start));
-        let place = part(start..self.to_boundary(cut));
-        let after = part(self.to_boundary(cut)..to);
+        let place = part(start..self.next_boundary(cut));
+        let after = part(self.next_boundary(cut)..to);
         Excerpt {
             before: before.chars().count(),
             width: place.chars().count().max(1),
@@ -79,7 +81,7 @@ impl Source<'_> {
     }
 
     /// The first beginning of a character at or after an offset.
-    fn to_boundary(&self, offset: usize) -> usize {
+    fn next_boundary(&self, offset: usize) -> usize {
         let rest = &self.text[offset..];
         let skipped = rest.iter().position(|&byte| starts_character(byte));
         skipped.map_or(self.text.len(), |skipped| offset + skipped)

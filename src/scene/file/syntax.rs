@@ -74,7 +74,9 @@ fn reworded(said: &str, rest: &str) -> String {
         Some(character) => format!("`{character}`"),
     };
     match said {
-        "trailing characters" => format!("expected the end of the file after the scene, found {found}"),
+        "trailing characters" => {
+            format!("expected the end of the file after the scene, found {found}")
+        }
         "number out of range" => "the number is too large, expected at most 1.797e308 in size".to_string(),
         "recursion limit exceeded" => "nested too deeply, expected at most 128 levels".to_string(),
         "key must be a string" => format!("expected a key in double quotes, found {found}"),

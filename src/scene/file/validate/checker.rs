@@ -175,10 +175,7 @@ impl Checker<'_> {
         false
     }
 
-    fn each(&mut self, step: impl Into<Step>, value: [f64; 3], mut component: impl FnMut(&mut Self, usize, f64))
-    where
-        Self: Sized,
-    {
+    fn each(&mut self, step: impl Into<Step>, value: [f64; 3], mut component: impl FnMut(&mut Self, usize, f64)) {
         self.walk().path.push(step);
         for (index, value) in value.into_iter().enumerate() {
             component(self, index, value);

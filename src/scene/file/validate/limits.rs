@@ -31,4 +31,4 @@ pub const MIN_LENGTH: f64 = 1e-150;
 pub const MAX_LENGTH: f64 = 1e150;
 
 /// How many problems are kept; further ones are counted.
-pub const MAX_PROBLEMS: usize = 100;
+pub const MAX_PROBLEMS: usize = 20;

@@ -1,0 +1,46 @@
+//! The ray tree in one line a ray: what it meets, whether light gets through, what colour it brings.
+
+use super::{Style, number, words};
+use crate::log::{Decision, Log, Name, RayKind, Step, Tree, Value, What};
+use std::fmt::Write;
+
+/// The ray tree of a log, indented by level.
+pub fn outline(log: &Log, style: Style) -> String {
+    let tree = Tree::of(&log.events);
+    let mut out = String::new();
+    for (index, node) in tree.nodes().iter().enumerate() {
+        let Some(Step::Ray { kind, .. }) = node.step else { continue };
+        let path = tree.path(index);
+        let level = path.split(' ').count() - 1;
+        // Writing to a String can't fail.
+        let _ = writeln!(out, "{}{path}: {}", "  ".repeat(level), fate(log, &tree, index, kind, style));
+    }
+    if let Some(What::Result { color }) = log.events.last().map(|event| &event.what) {
+        let _ = writeln!(out, "result: {}", number::value(&Value::Triple(*color), style));
+    }
+    out
+}
+
+/// What became of a ray.
+fn fate(log: &Log, tree: &Tree, node: usize, kind: RayKind, style: Style) -> String {
+    let mut words = Vec::new();
+    for event in tree.own_events(node) {
+        match &log.events[event].what {
+            What::Mark(Decision::Nearest { object }) => words.push(words::plain(log.header.object(*object))),
+            What::Mark(decision) => words.push(words::decision(&log.header, decision, style)),
+            _ => {}
+        }
+    }
+    if words.is_empty() && matches!(kind, RayKind::Shadow { .. }) {
+        words.push("free".to_owned());
+    }
+    let combined = tree.children(node).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last();
+    let color = combined.and_then(|combine| {
+        tree.own_events(combine).find_map(|event| match log.events[event].what {
+            What::Note { name: Name::CombineColor, value } => Some(number::value(&value, style)),
+            _ => None,
+        })
+    });
+    words.extend(color);
+    words.join(", ")
+}

@@ -1,0 +1,113 @@
+//! What each node came to, and how many rays lie inside it: gathered once, in one pass over the events.
+
+use crate::log::{Decision, Event, Log, Node, RayKind, Step, Tree, What};
+use std::ops::Range;
+
+/// What the nodes of a tree came to.
+#[derive(Clone, Debug)]
+pub struct Facts {
+    nodes: Vec<Fact>,
+    /// How many of the nodes before each one are rays.
+    rays_before: Vec<u32>,
+}
+
+/// What one node came to. Each field is the number of an event plus one; 0 is none.
+#[derive(Clone, Copy, Debug, Default)]
+struct Fact {
+    value: u32,
+    outcome: u32,
+    limit: u32,
+}
+
+impl Facts {
+    /// The facts of a log.
+    pub fn of(log: &Log, tree: &Tree) -> Facts {
+        let mut facts = Facts { nodes: vec![Fact::default(); tree.nodes().len()], rays_before: rays_before(tree) };
+        for (index, event) in log.events.iter().enumerate() {
+            facts.take(tree, index, event);
+        }
+        facts
+    }
+
+    /// The event with a node's value: the colour of a pixel, ray or surface, the distance of a test.
+    pub fn value(&self, node: usize) -> Option<usize> {
+        self.event(node, |fact| fact.value)
+    }
+
+    /// The event with a node's decision: a hit or miss, the nearest object, the background, what blocks the light.
+    pub fn outcome(&self, node: usize) -> Option<usize> {
+        self.event(node, |fact| fact.outcome)
+    }
+
+    /// The event that says why a bounce of this ray doesn't go on: a depth limit or a total internal reflection.
+    pub fn limit(&self, node: usize) -> Option<usize> {
+        self.event(node, |fact| fact.limit)
+    }
+
+    /// How many rays are among these nodes.
+    pub fn rays(&self, nodes: Range<usize>) -> u32 {
+        self.rays_before[nodes.end] - self.rays_before[nodes.start]
+    }
+
+    fn event(&self, node: usize, field: impl Fn(&Fact) -> u32) -> Option<usize> {
+        (field(&self.nodes[node]) as usize).checked_sub(1)
+    }
+
+    fn take(&mut self, tree: &Tree, index: usize, event: &Event) {
+        let owner = tree.owner(index);
+        let fact = &mut self.nodes[owner];
+        let number = index as u32 + 1;
+        match event.what {
+            What::Note { name, .. } if says_what_came(tree.nodes()[owner].step, name.key()) => fact.value = number,
+            What::Note { .. } => {}
+            What::Result { .. } => fact.value = number,
+            What::Mark(decision) => match decision {
+                Decision::Outside | Decision::Inside | Decision::Skipped { .. } => {}
+                Decision::DepthLimit { .. } | Decision::TotalInternalReflection => fact.limit = number,
+                _ => fact.outcome = number,
+            },
+            What::Leave => self.hand_up(tree, owner),
+            What::Enter { .. } => {}
+        }
+    }
+
+    /// What a node came to is also what the node around it came to, where that one has no say of its own.
+    fn hand_up(&mut self, tree: &Tree, node: usize) {
+        let inner = self.nodes[node];
+        let parent = tree.nodes()[node].parent;
+        let outer = &mut self.nodes[parent];
+        match (tree.nodes()[parent].step, tree.nodes()[node].step) {
+            (Some(Step::Ray { .. }), Some(Step::Combine)) => outer.value = inner.value,
+            (Some(Step::Sample { .. }), Some(Step::Ray { .. })) => outer.value = inner.value,
+            (Some(Step::Light { .. }), Some(Step::Ray { kind: RayKind::Shadow { .. }, .. })) => {
+                outer.outcome = inner.outcome;
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Whether a quantity is what such a node is there for.
+fn says_what_came(step: Option<Step>, key: &str) -> bool {
+    match step {
+        Some(Step::Test { .. }) => true,
+        Some(Step::Shade { .. }) => key == "shade.local",
+        Some(Step::Combine) => key == "combine.color",
+        _ => false,
+    }
+}
+
+fn rays_before(tree: &Tree) -> Vec<u32> {
+    let mut count = 0;
+    let mut before = Vec::with_capacity(tree.nodes().len() + 1);
+    before.push(0);
+    for node in tree.nodes() {
+        count += u32::from(is_ray(node));
+        before.push(count);
+    }
+    before
+}
+
+fn is_ray(node: &Node) -> bool {
+    matches!(node.step, Some(Step::Ray { .. }))
+}

@@ -1,0 +1,277 @@
+//! The keys: one row each, from which the keyboard is read and the help is made.
+//!
+//! Adding a key is one row here and one arm in [`super::update`].
+
+use super::model::Pending;
+use Action::*;
+use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+
+/// What can be done in the viewer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Action {
+    Down,
+    Up,
+    HalfPageDown,
+    HalfPageUp,
+    PageDown,
+    PageUp,
+    First,
+    Last,
+    Out,
+    In,
+    NextSibling,
+    PreviousSibling,
+    Center,
+    Toggle,
+    OpenSiblings,
+    CloseSiblings,
+    OpenAll,
+    CloseAll,
+    NextValue,
+    PreviousValue,
+    NextEvent,
+    PreviousEvent,
+    NextRay,
+    PreviousRay,
+    SwitchPane,
+    Help,
+    Close,
+    Quit,
+    Interrupt,
+    Suspend,
+    /// A digit of a count.
+    Digit(u8),
+    /// The first of two keys.
+    Prefix(char),
+    /// A key that means nothing.
+    Unknown,
+    /// The terminal has this many columns and rows now.
+    Resize(u16, u16),
+}
+
+/// Some keys, what they do, and how the help says it.
+#[derive(Debug)]
+pub struct Row {
+    /// The heading in the help under which the row stands.
+    pub group: &'static str,
+    /// The keys: a character, `^` and a letter, two characters in a row, or a name such as `PgUp`.
+    pub keys: &'static [&'static str],
+    /// What they do.
+    pub action: Action,
+    /// What the help says.
+    pub help: &'static str,
+}
+
+const fn row(group: &'static str, keys: &'static [&'static str], action: Action, help: &'static str) -> Row {
+    Row { group, keys, action, help }
+}
+
+const STEP: &str = "Step through the computation";
+const MOVE: &str = "Move in the tree";
+const FOLD: &str = "Fold";
+const VIEWER: &str = "The viewer";
+
+/// Every key of the viewer.
+pub const TABLE: &[Row] = &[
+    row(STEP, &["n"], NextValue, "to the next computed value"),
+    row(STEP, &["N", "p"], PreviousValue, "to the previous computed value"),
+    row(STEP, &["]"], NextEvent, "to the next event"),
+    row(STEP, &["["], PreviousEvent, "to the previous event"),
+    row(STEP, &["}"], NextRay, "to the next ray"),
+    row(STEP, &["{"], PreviousRay, "to the previous ray"),
+    row(MOVE, &["j", "Down"], Down, "down"),
+    row(MOVE, &["k", "Up"], Up, "up"),
+    row(MOVE, &["h", "Left"], Out, "close the node, or go to the one around it"),
+    row(MOVE, &["l", "Right", "Enter"], In, "open the node, go into it, then to its computation"),
+    row(MOVE, &["J"], NextSibling, "to the next node of the same parent"),
+    row(MOVE, &["K"], PreviousSibling, "to the previous node of the same parent"),
+    row(MOVE, &["g", "Home"], First, "to the first row"),
+    row(MOVE, &["G", "End"], Last, "to the last row; with a count, to that step"),
+    row(MOVE, &["^d"], HalfPageDown, "half a page down"),
+    row(MOVE, &["^u"], HalfPageUp, "half a page up"),
+    row(MOVE, &["PgDn", "^f"], PageDown, "a page down"),
+    row(MOVE, &["PgUp", "^b"], PageUp, "a page up"),
+    row(MOVE, &["zz"], Center, "put the row into the middle"),
+    row(FOLD, &["Space"], Toggle, "open or close the node"),
+    row(FOLD, &["e"], OpenSiblings, "open the node and its siblings"),
+    row(FOLD, &["c"], CloseSiblings, "close the node and its siblings"),
+    row(FOLD, &["E"], OpenAll, "open everything inside the node"),
+    row(FOLD, &["C"], CloseAll, "close everything inside the node"),
+    row(VIEWER, &["Tab"], SwitchPane, "between the tree and the computation, where j and k move too"),
+    row(VIEWER, &["?", "F1"], Help, "this help"),
+    row(VIEWER, &["Esc"], Close, "close the help, forget a count, dismiss a message"),
+    row(VIEWER, &["q"], Quit, "quit (or close the help)"),
+    row(VIEWER, &["^c"], Interrupt, "quit at once"),
+    row(VIEWER, &["^z"], Suspend, "to the shell; fg comes back"),
+];
+
+/// What a key does after what was typed before it; `None` for a key that is only let go.
+pub fn action(pending: &Pending, key: KeyEvent) -> Option<Action> {
+    if key.kind == KeyEventKind::Release {
+        return None;
+    }
+    let Some(name) = name(key) else { return Some(Unknown) };
+    if let Some(digit) = digit(&name).filter(|digit| *digit != 0 || pending.count.is_some()) {
+        return Some(Digit(digit));
+    }
+    let typed = pending.prefix.map_or_else(|| name.clone(), |prefix| format!("{prefix}{name}"));
+    if let Some(row) = TABLE.iter().find(|row| row.keys.contains(&typed.as_str())) {
+        return Some(row.action);
+    }
+    let mut characters = typed.chars();
+    match (characters.next(), characters.next()) {
+        (Some(first), None) if begins_a_pair(first) => Some(Prefix(first)),
+        _ => Some(Unknown),
+    }
+}
+
+/// The name of a key, as the table has it.
+fn name(key: KeyEvent) -> Option<String> {
+    let is_control = key.modifiers.contains(KeyModifiers::CONTROL);
+    if key.modifiers.contains(KeyModifiers::ALT) {
+        return None;
+    }
+    let name = match key.code {
+        KeyCode::Char(letter) if is_control => return Some(format!("^{}", letter.to_ascii_lowercase())),
+        KeyCode::Char(' ') => "Space",
+        KeyCode::Char(character) => return Some(character.to_string()),
+        KeyCode::F(number) => return Some(format!("F{number}")),
+        KeyCode::Up => "Up",
+        KeyCode::Down => "Down",
+        KeyCode::Left => "Left",
+        KeyCode::Right => "Right",
+        KeyCode::PageUp => "PgUp",
+        KeyCode::PageDown => "PgDn",
+        KeyCode::Home => "Home",
+        KeyCode::End => "End",
+        KeyCode::Enter => "Enter",
+        KeyCode::Tab | KeyCode::BackTab => "Tab",
+        KeyCode::Esc => "Esc",
+        _ => return None,
+    };
+    Some(name.to_owned())
+}
+
+fn digit(name: &str) -> Option<u8> {
+    name.parse().ok().filter(|_| name.len() == 1)
+}
+
+/// Whether a character is the first of a row with two, such as the `z` of `zz`.
+fn begins_a_pair(first: char) -> bool {
+    let is_pair = |key: &&str| key.chars().count() == 2 && key.chars().all(|c| c.is_ascii_lowercase());
+    TABLE.iter().flat_map(|row| row.keys).any(|key| is_pair(key) && key.starts_with(first))
+}
+
+/// The key that a text such as `j`, `^d` or `PgUp` names.
+pub fn parse(text: &str) -> Option<KeyEvent> {
+    let plain = |code| Some(KeyEvent::new(code, KeyModifiers::NONE));
+    let mut characters = text.chars();
+    match (characters.next()?, characters.next(), characters.next()) {
+        (character, None, _) => return plain(KeyCode::Char(character)),
+        ('^', Some(letter), None) => return Some(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL)),
+        _ => {}
+    }
+    plain(match text {
+        "Space" => KeyCode::Char(' '),
+        "Up" => KeyCode::Up,
+        "Down" => KeyCode::Down,
+        "Left" => KeyCode::Left,
+        "Right" => KeyCode::Right,
+        "PgUp" => KeyCode::PageUp,
+        "PgDn" => KeyCode::PageDown,
+        "Home" => KeyCode::Home,
+        "End" => KeyCode::End,
+        "Enter" => KeyCode::Enter,
+        "Tab" => KeyCode::Tab,
+        "Esc" => KeyCode::Esc,
+        _ => KeyCode::F(text.strip_prefix('F')?.parse().ok()?),
+    })
+}
+
+/// The keys that a text such as `nnn 5j Tab ^d` or `nnn5j<Tab>^d` spells: names of keys stand alone or in angle brackets,
+/// other characters are keys themselves, and spaces only separate.
+pub fn sequence(text: &str) -> Vec<KeyEvent> {
+    let mut keys = Vec::new();
+    for word in text.split_whitespace() {
+        let mut rest = word;
+        while let Some(first) = rest.chars().next() {
+            let bracketed = rest.strip_prefix('<').and_then(|inner| inner.split_once('>'));
+            let named = bracketed.and_then(|(name, after)| Some((parse(name)?, after)));
+            let whole = parse(rest).map(|key| (key, ""));
+            let control = rest.get(..2).filter(|pair| first == '^' && pair != &"^^").and_then(parse);
+            let control = control.map(|key| (key, &rest[2..]));
+            let itself = parse(rest.get(..first.len_utf8()).unwrap_or_default());
+            let itself = itself.map(|key| (key, &rest[first.len_utf8()..]));
+            let Some((key, after)) = named.or(whole).or(control).or(itself) else { break };
+            keys.push(key);
+            rest = after;
+        }
+    }
+    keys
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn does(typed: &str, key: &str, expected: Action) {
+        let mut pending = Pending::default();
+        for character in typed.chars() {
+            match character.to_digit(10) {
+                Some(digit) => pending.count = Some(digit),
+                None => pending.prefix = Some(character),
+            }
+        }
+        assert_eq!(action(&pending, parse(key).unwrap()), Some(expected), "{typed}{key}");
+    }
+
+    #[test]
+    fn every_key_of_the_table_does_what_its_row_says() {
+        for row in TABLE {
+            for key in row.keys {
+                match *key {
+                    "zz" => does("z", "z", row.action),
+                    key => does("", key, row.action),
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_key_stands_in_two_rows() {
+        let mut keys: Vec<_> = TABLE.iter().flat_map(|row| row.keys).collect();
+        let count = keys.len();
+        keys.sort();
+        keys.dedup();
+        assert_eq!(keys.len(), count);
+    }
+
+    #[test]
+    fn sequences_of_keys() {
+        let codes: Vec<_> = sequence("n5j Tab ^d?^uz").into_iter().map(|key| name(key).unwrap()).collect();
+        assert_eq!(codes, ["n", "5", "j", "Tab", "^d", "?", "^u", "z"]);
+        let codes: Vec<_> = sequence("l<Down><Space>n<^u><x").into_iter().map(|key| name(key).unwrap()).collect();
+        assert_eq!(codes, ["l", "Down", "Space", "n", "^u", "<", "x"]);
+    }
+
+    #[test]
+    fn digits_make_counts() {
+        does("", "5", Digit(5));
+        does("", "0", Unknown);
+        does("1", "0", Digit(0));
+        does("7", "j", Down);
+    }
+
+    #[test]
+    fn pairs_and_what_only_looks_like_one() {
+        does("", "z", Prefix('z'));
+        does("z", "z", Center);
+        does("z", "j", Unknown);
+        does("", "x", Unknown);
+        does("", "^", Unknown);
+        does("", "P", Unknown);
+    }
+}

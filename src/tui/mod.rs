@@ -1,0 +1,181 @@
+//! The viewer: walks through a log in the terminal.
+//!
+//! A key becomes an [`Action`] (`keys`), an action changes the [`Model`] (`update`), and the model is drawn
+//! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
+//! tested without one. The room knows logs and reports; it computes no geometry and needs no scene.
+
+pub mod dump;
+mod facts;
+mod fold;
+pub mod keys;
+mod layout;
+mod model;
+pub mod screenshot;
+mod steps;
+mod terminal;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;
+pub mod theme;
+mod update;
+mod view;
+
+pub use keys::Action;
+pub use model::{Item, Message, Model, Overlay, Pane, Pending};
+pub use theme::{Palette, Theme};
+pub use update::{Effect, Exit, update};
+
+use crate::log::{Log, Step, Subject};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use std::io;
+use terminal::{Asker, Input, Terminal};
+
+/// How the viewer starts.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// How it looks.
+    pub theme: Theme,
+    /// The step to begin at, from 1 (`--at`).
+    pub start: Option<usize>,
+    /// What to warn of until it is dismissed, such as a log that was cut off.
+    pub warning: Option<String>,
+    /// What to say until the first key.
+    pub note: Option<String>,
+}
+
+/// How the viewer ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// Why it was left.
+    pub exit: Exit,
+    /// Where it was left.
+    pub position: Position,
+}
+
+/// A place in a log that a link can lead back to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Position {
+    /// The pixel, unless the log is that of a ray.
+    pub pixel: Option<[u32; 2]>,
+    /// The number of the event in its pixel; 0 in a log without events.
+    pub at: u32,
+}
+
+/// Shows a log until the viewer is left. The terminal is restored whatever happens.
+pub fn run(log: Log, options: Options) -> io::Result<Outcome> {
+    let theme = options.theme;
+    let mut model = opened(log, &options);
+    let mut terminal = Terminal::enter()?;
+    let (width, height) = terminal.size()?;
+    update(&mut model, Action::Resize(width, height));
+    loop {
+        terminal.draw(|buffer| view::draw(&model, &theme, buffer))?;
+        let mut input = Some(terminal.next()?);
+        while let Some(now) = input {
+            if let Some(exit) = react(&mut model, &mut terminal, now)? {
+                return Ok(Outcome { exit, position: position(&model) });
+            }
+            input = terminal.next_at_once()?;
+        }
+    }
+}
+
+/// The model of a log, at the place where the options want it.
+pub fn opened(log: Log, options: &Options) -> Model {
+    let mut model = Model::new(log);
+    if let Some(note) = &options.note {
+        model.say(note);
+    }
+    if let Some(warning) = &options.warning {
+        model.warn(warning);
+    }
+    if let Some(step) = options.start {
+        let count = model.log.events.len();
+        model.go_to_event(step.saturating_sub(1));
+        if step > count {
+            model.say(&format!("there are {count} steps; this is the last"));
+        }
+    }
+    model
+}
+
+/// The screen of a model in a terminal of this size.
+pub fn frame(model: &Model, width: u16, height: u16, theme: &Theme) -> Buffer {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, width, height));
+    view::draw(model, theme, &mut buffer);
+    buffer
+}
+
+/// The model of a log in a terminal of this size, after these keys (see [`keys::sequence`]).
+pub fn opened_with_keys(log: Log, options: &Options, keys: &str, width: u16, height: u16) -> Model {
+    let mut model = opened(log, options);
+    update(&mut model, Action::Resize(width, height));
+    for key in keys::sequence(keys) {
+        if let Some(action) = keys::action(&model.pending, key) {
+            update(&mut model, action);
+        }
+    }
+    model
+}
+
+/// The viewer as an SVG picture, after these keys.
+pub fn picture(log: Log, options: &Options, keys: &str, width: u16, height: u16) -> String {
+    let model = opened_with_keys(log, options, keys, width, height);
+    screenshot::svg(&frame(&model, width, height, &options.theme))
+}
+
+fn react(model: &mut Model, terminal: &mut Terminal, input: Input) -> io::Result<Option<Exit>> {
+    match input {
+        Input::Leave(exit) => return Ok(Some(exit)),
+        Input::Suspend => suspend(model, terminal, Asker::Signal)?,
+        Input::Resume => come_back(model, terminal)?,
+        Input::Size(width, height) => {
+            update(model, Action::Resize(width, height));
+        }
+        Input::Key(key) => {
+            let effect = keys::action(&model.pending, key).map(|action| update(model, action));
+            match effect {
+                Some(Effect::Leave(exit)) => return Ok(Some(exit)),
+                Some(Effect::Suspend) => suspend(model, terminal, Asker::Key)?,
+                Some(Effect::None) | None => {}
+            }
+        }
+    }
+    Ok(None)
+}
+
+fn suspend(model: &mut Model, terminal: &mut Terminal, asked_by: Asker) -> io::Result<()> {
+    if !terminal.suspend(asked_by)? {
+        model.say("there is no shell to go to");
+    }
+    resized(model, terminal)
+}
+
+fn come_back(model: &mut Model, terminal: &mut Terminal) -> io::Result<()> {
+    terminal.resume()?;
+    resized(model, terminal)
+}
+
+fn resized(model: &mut Model, terminal: &Terminal) -> io::Result<()> {
+    let (width, height) = terminal.size()?;
+    update(model, Action::Resize(width, height));
+    Ok(())
+}
+
+fn position(model: &Model) -> Position {
+    let around = std::iter::successors(Some(model.cursor), |node| {
+        Some(model.tree.nodes()[*node].parent).filter(|parent| parent != node)
+    });
+    let mut steps = around.filter_map(|node| model.tree.nodes()[node].step);
+    let enclosing = steps.find_map(|step| match step {
+        Step::Pixel(pixel) => Some(pixel),
+        _ => None,
+    });
+    let pixel = enclosing.or(match model.log.header.subject {
+        Subject::Pixel(pixel) => Some(pixel),
+        _ => None,
+    });
+    Position { pixel, at: model.log.events.get(model.event).map_or(0, |event| event.at) }
+}

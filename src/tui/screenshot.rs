@@ -1,0 +1,190 @@
+//! A frame as a picture: a self-contained SVG of monospace text on a dark background.
+
+use super::dump::rows;
+use ratatui::buffer::{Buffer, Cell};
+use ratatui::style::{Color, Modifier, Style};
+use std::fmt::Write;
+
+/// The size of a cell, and of the letters in it, in the units of the picture.
+const CELL: (f64, f64) = (8.4, 18.0);
+const LETTERS: f64 = 14.0;
+const MARGIN: f64 = 8.0;
+const BACKGROUND: &str = "#16181d";
+const FOREGROUND: &str = "#d8dee9";
+
+/// The frame as SVG.
+pub fn svg(buffer: &Buffer) -> String {
+    let (width, height) = (f64::from(buffer.area.width), f64::from(buffer.area.height));
+    let (width, height) = (width * CELL.0 + 2.0 * MARGIN, height * CELL.1 + 2.0 * MARGIN);
+    let mut svg = String::new();
+    let _ = writeln!(
+        svg,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.1} {height:.1}\" width=\"{width:.1}\" \
+         height=\"{height:.1}\" font-family=\"ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace\" \
+         font-size=\"{LETTERS}\" xml:space=\"preserve\">"
+    );
+    let _ = writeln!(svg, "<rect width=\"100%\" height=\"100%\" rx=\"6\" fill=\"{BACKGROUND}\"/>");
+    for (number, row) in rows(buffer).enumerate() {
+        let mut column = 0;
+        for run in row.chunk_by(|a, b| a.style() == b.style()) {
+            draw_run(&mut svg, run, column, number);
+            column += run.len();
+        }
+    }
+    svg.push_str("</svg>\n");
+    svg
+}
+
+fn draw_run(svg: &mut String, run: &[Cell], column: usize, row: usize) {
+    let look = Look::of(run[0].style());
+    let (x, y) = (MARGIN + column as f64 * CELL.0, MARGIN + row as f64 * CELL.1);
+    if let Some(fill) = &look.background {
+        let width = run.len() as f64 * CELL.0;
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{}\" fill=\"{fill}\"/>",
+            CELL.1
+        );
+    }
+    // Text begins and ends at letters: what is blank at its ends only moves it.
+    let is_blank = |cell: &Cell| cell.symbol().trim().is_empty();
+    let Some(first) = run.iter().position(|cell| !is_blank(cell)) else { return };
+    let last = run.iter().rposition(|cell| !is_blank(cell)).unwrap_or(first);
+    let cells = &run[first..=last];
+    let text: String = cells.iter().map(Cell::symbol).map(escape).collect();
+    let (x, y) = (x + first as f64 * CELL.0, y + 0.76 * CELL.1);
+    let length = cells.len() as f64 * CELL.0;
+    let _ = writeln!(
+        svg,
+        "<text x=\"{x:.1}\" y=\"{y:.1}\" textLength=\"{length:.1}\" lengthAdjust=\"spacingAndGlyphs\" \
+         fill=\"{}\"{}>{text}</text>",
+        look.foreground, look.attributes
+    );
+}
+
+/// How a run of cells is drawn.
+struct Look {
+    foreground: String,
+    background: Option<String>,
+    attributes: String,
+}
+
+impl Look {
+    fn of(style: Style) -> Look {
+        let has = |modifier| style.add_modifier.contains(modifier);
+        let mut foreground = style.fg.and_then(hex);
+        let mut background = style.bg.and_then(hex);
+        if has(Modifier::REVERSED) {
+            let light = foreground.take().unwrap_or_else(|| FOREGROUND.to_owned());
+            foreground = Some(background.take().unwrap_or_else(|| BACKGROUND.to_owned()));
+            background = Some(light);
+        }
+        let mut attributes = String::new();
+        for (modifier, attribute) in [
+            (Modifier::BOLD, " font-weight=\"bold\""),
+            (Modifier::DIM, " opacity=\"0.6\""),
+            (Modifier::ITALIC, " font-style=\"italic\""),
+            (Modifier::UNDERLINED, " text-decoration=\"underline\""),
+        ] {
+            attributes.push_str(if has(modifier) { attribute } else { "" });
+        }
+        Look { foreground: foreground.unwrap_or_else(|| FOREGROUND.to_owned()), background, attributes }
+    }
+}
+
+/// A colour as XML has it; `None` for the terminal's own.
+fn hex(color: Color) -> Option<String> {
+    let (r, g, b) = match color {
+        Color::Reset => return None,
+        Color::Rgb(r, g, b) => (r, g, b),
+        Color::Indexed(index) => indexed(index),
+        Color::Black => indexed(0),
+        Color::Red => indexed(1),
+        Color::Green => indexed(2),
+        Color::Yellow => indexed(3),
+        Color::Blue => indexed(4),
+        Color::Magenta => indexed(5),
+        Color::Cyan => indexed(6),
+        Color::Gray => indexed(7),
+        Color::DarkGray => indexed(8),
+        Color::LightRed => indexed(9),
+        Color::LightGreen => indexed(10),
+        Color::LightYellow => indexed(11),
+        Color::LightBlue => indexed(12),
+        Color::LightMagenta => indexed(13),
+        Color::LightCyan => indexed(14),
+        Color::White => indexed(15),
+    };
+    Some(format!("#{r:02x}{g:02x}{b:02x}"))
+}
+
+/// The colours of a terminal with 256 of them: 16 with names, a cube of 6 × 6 × 6, and greys.
+fn indexed(index: u8) -> (u8, u8, u8) {
+    match index {
+        0..=15 => {
+            let strong = if index < 8 { 0xaa } else { 0xff };
+            let weak = if index < 8 { 0x00 } else { 0x55 };
+            let channel = |bit: u8| if index >> bit & 1 == 1 { strong } else { weak };
+            (channel(0), channel(1), channel(2))
+        }
+        16..=231 => {
+            let level = |digit: u8| if digit == 0 { 0 } else { 55 + 40 * digit };
+            let cube = index - 16;
+            (level(cube / 36), level(cube / 6 % 6), level(cube % 6))
+        }
+        232..=255 => {
+            let grey = 8 + 10 * (index - 232);
+            (grey, grey, grey)
+        }
+    }
+}
+
+/// Text as XML has it. Characters that XML can't hold are left out.
+fn escape(text: &str) -> String {
+    let mut escaped = String::new();
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            control if control.is_control() || matches!(control, '\u{fffe}' | '\u{ffff}') => {}
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ratatui::layout::Rect;
+    use ratatui::style::Stylize;
+
+    fn picture(text: &str) -> String {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 20, 1));
+        buffer.set_span(0, 0, &text.fg(Color::Indexed(74)).bold(), 20);
+        svg(&buffer)
+    }
+
+    #[test]
+    fn text_is_escaped_and_coloured() {
+        let svg = picture("a<b & \"c\"");
+        assert!(svg.contains("fill=\"#5fafd7\" font-weight=\"bold\">a&lt;b &amp; &quot;c&quot;</text>"), "{svg}");
+    }
+
+    #[test]
+    fn reversed_text_has_a_background() {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 4, 1));
+        buffer.set_span(0, 0, &"x".reversed(), 4);
+        let svg = svg(&buffer);
+        assert!(svg.contains(&format!("height=\"18\" fill=\"{FOREGROUND}\"")), "{svg}");
+        assert!(svg.contains(&format!("fill=\"{BACKGROUND}\">x</text>")), "{svg}");
+    }
+
+    #[test]
+    fn blank_frames_have_no_text() {
+        assert!(!picture("").contains("<text"));
+        assert!(svg(&Buffer::empty(Rect::default())).ends_with("</svg>\n"));
+    }
+}

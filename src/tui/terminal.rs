@@ -1,0 +1,241 @@
+//! The terminal: entered by a guard that always restores it, and read for keys, sizes and signals.
+//!
+//! Only this file of the room does input and output. Whatever ends the viewer (a key, an error, a panic, a signal, a
+//! terminal that is gone), the terminal gets back its screen, its cursor and its modes.
+
+use super::update::Exit;
+use crossterm::cursor::{Hide, Show};
+use crossterm::event::{self, Event, KeyEvent};
+use crossterm::terminal::{
+    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
+    enable_raw_mode,
+};
+use crossterm::{execute, queue};
+use ratatui::backend::CrosstermBackend;
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Rect};
+use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
+use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
+use signal_hook::{flag, low_level};
+use std::cell::Cell;
+use std::io::{self, Stdout, Write};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Once};
+use std::time::Duration;
+
+/// How long to wait for a key before looking for signals again.
+const TICK: Duration = Duration::from_millis(50);
+
+/// The terminal in the viewer's modes. Dropping it restores the terminal.
+pub(super) struct Terminal {
+    screen: ratatui::Terminal<CrosstermBackend<Stdout>>,
+    signals: Signals,
+}
+
+/// What comes from outside.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Input {
+    /// A key.
+    Key(KeyEvent),
+    /// Columns and rows.
+    Size(u16, u16),
+    /// Somebody asks to leave.
+    Leave(Exit),
+    /// Somebody asks to stop for a while.
+    Suspend,
+    /// The terminal may have changed: the viewer was stopped and goes on, or something else has written.
+    Resume,
+}
+
+impl Terminal {
+    /// Takes the terminal over.
+    pub(super) fn enter() -> io::Result<Terminal> {
+        restore_before_panic_messages();
+        let signals = Signals::watch()?;
+        take_over()?;
+        let screen = ratatui::Terminal::new(CrosstermBackend::new(io::stdout())).inspect_err(|_| restore())?;
+        Ok(Terminal { screen, signals })
+    }
+
+    /// Columns and rows.
+    pub(super) fn size(&self) -> io::Result<(u16, u16)> {
+        self.screen.size().map(|size| (size.width, size.height))
+    }
+
+    /// Shows a frame, all at once where the terminal can.
+    pub(super) fn draw(&mut self, paint: impl FnOnce(&mut Buffer)) -> io::Result<()> {
+        queue!(io::stdout(), BeginSynchronizedUpdate)?;
+        self.screen.draw(|frame| paint(frame.buffer_mut()))?;
+        execute!(io::stdout(), EndSynchronizedUpdate)
+    }
+
+    /// Waits for what comes next.
+    pub(super) fn next(&mut self) -> io::Result<Input> {
+        loop {
+            if let Some(input) = self.signals.take() {
+                return Ok(input);
+            }
+            match read(TICK) {
+                Ok(Some(input)) => return Ok(input),
+                Ok(None) => {}
+                // A terminal that is gone can't be read, and its signal may be a moment late.
+                Err(error) => {
+                    std::thread::sleep(TICK);
+                    return self.signals.take().ok_or(error);
+                }
+            }
+        }
+    }
+
+    /// What has already come, if anything, so that a frame isn't drawn for each key of many.
+    pub(super) fn next_at_once(&mut self) -> io::Result<Option<Input>> {
+        match self.signals.take() {
+            Some(input) => Ok(Some(input)),
+            None => read(Duration::from_millis(1)),
+        }
+    }
+
+    /// Gives the terminal to the shell and stops; says whether there is a shell to come back from.
+    pub(super) fn suspend(&mut self, asked_by: Asker) -> io::Result<bool> {
+        // Without job control nobody could continue us: the system ignores SIGTSTP in such a group, and so do we.
+        let has_shell = getsid(None).is_ok_and(|session| session != getpgrp());
+        if has_shell {
+            restore();
+            if asked_by == Asker::Key {
+                // As the terminal itself does: a pipeline stops as a whole.
+                kill_current_process_group(Signal::TSTP)?;
+            }
+            low_level::emulate_default_handler(SIGTSTP)?;
+            self.resume()?;
+        }
+        Ok(has_shell)
+    }
+
+    /// Takes the terminal over again, and draws everything anew.
+    pub(super) fn resume(&mut self) -> io::Result<()> {
+        self.signals.forget_suspension();
+        // The shell has changed the modes behind our back, so that they must really be set again.
+        restore();
+        take_over()?;
+        // Not `clear`, which asks the terminal where its cursor is, and waits for an answer.
+        let size = self.screen.size()?;
+        self.screen.resize(Rect::from((Position::ORIGIN, size)))
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        restore();
+    }
+}
+
+/// Who wants the viewer to stop for a while.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Asker {
+    /// `^Z`: everything in the foreground.
+    Key,
+    /// A signal to this process.
+    Signal,
+}
+
+fn read(timeout: Duration) -> io::Result<Option<Input>> {
+    if !event::poll(timeout)? {
+        return Ok(None);
+    }
+    Ok(match event::read()? {
+        Event::Key(key) => Some(Input::Key(key)),
+        Event::Resize(width, height) => Some(Input::Size(width, height)),
+        _ => None,
+    })
+}
+
+/// Whether the terminal is in the viewer's modes.
+static IS_TAKEN: AtomicBool = AtomicBool::new(false);
+
+fn take_over() -> io::Result<()> {
+    IS_TAKEN.store(true, Ordering::SeqCst);
+    enable_raw_mode().and_then(|()| execute!(io::stdout(), EnterAlternateScreen, Hide)).inspect_err(|_| restore())
+}
+
+/// Gives the terminal back as it was. What fails here fails because the terminal is gone.
+fn restore() {
+    if IS_TAKEN.swap(false, Ordering::SeqCst) {
+        let mut out = io::stdout();
+        let _ = execute!(out, EndSynchronizedUpdate, LeaveAlternateScreen, Show);
+        let _ = out.flush();
+        let _ = disable_raw_mode();
+    }
+}
+
+/// Whether something else has written to the screen.
+static IS_STALE: AtomicBool = AtomicBool::new(false);
+
+thread_local! {
+    /// Whether this is the thread that draws.
+    static DRAWS: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Lets the message of a panic appear on the usual screen. The viewer goes on if it was another thread that panicked.
+fn restore_before_panic_messages() {
+    static HOOK: Once = Once::new();
+    DRAWS.set(true);
+    HOOK.call_once(|| {
+        let usual = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |panic| {
+            let goes_on = IS_TAKEN.load(Ordering::SeqCst) && !DRAWS.get();
+            restore();
+            usual(panic);
+            if goes_on {
+                IS_STALE.store(take_over().is_ok(), Ordering::SeqCst);
+            }
+        }));
+    });
+}
+
+/// The signals that have come. While the viewer runs they only leave a note here; after it they act as usual again.
+struct Signals {
+    leave: Arc<AtomicUsize>,
+    suspend: Arc<AtomicBool>,
+    resume: Arc<AtomicBool>,
+    is_over: Arc<AtomicBool>,
+}
+
+impl Signals {
+    fn watch() -> io::Result<Signals> {
+        let signals =
+            Signals { leave: Arc::default(), suspend: Arc::default(), resume: Arc::default(), is_over: Arc::default() };
+        for signal in [SIGTERM, SIGINT, SIGHUP, SIGQUIT] {
+            flag::register_conditional_default(signal, Arc::clone(&signals.is_over))?;
+            flag::register_usize(signal, Arc::clone(&signals.leave), signal as usize)?;
+        }
+        flag::register_conditional_default(SIGTSTP, Arc::clone(&signals.is_over))?;
+        flag::register(SIGTSTP, Arc::clone(&signals.suspend))?;
+        flag::register(SIGCONT, Arc::clone(&signals.resume))?;
+        Ok(signals)
+    }
+
+    fn take(&self) -> Option<Input> {
+        match self.leave.load(Ordering::SeqCst) {
+            0 => {}
+            signal if signal == SIGINT as usize => return Some(Input::Leave(Exit::Interrupted)),
+            _ => return Some(Input::Leave(Exit::Terminated)),
+        }
+        if self.suspend.swap(false, Ordering::SeqCst) {
+            return Some(Input::Suspend);
+        }
+        let is_stale = IS_STALE.swap(false, Ordering::SeqCst);
+        let goes_on = self.resume.swap(false, Ordering::SeqCst);
+        (is_stale || goes_on).then_some(Input::Resume)
+    }
+
+    fn forget_suspension(&self) {
+        self.suspend.store(false, Ordering::SeqCst);
+        self.resume.store(false, Ordering::SeqCst);
+    }
+}
+
+impl Drop for Signals {
+    fn drop(&mut self) {
+        self.is_over.store(true, Ordering::SeqCst);
+    }
+}

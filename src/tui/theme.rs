@@ -1,0 +1,202 @@
+//! How the viewer looks: colours and glyphs. Whoever calls decides; nothing here asks the terminal or the environment.
+//!
+//! Colours are those of Okabe and Ito, which colour-blind people tell apart, on the terminal's own background. No state
+//! is shown by a colour alone: each also has a glyph or a word.
+
+use crate::log::{RayKind, Step};
+use ratatui::style::{Color, Modifier, Style};
+
+/// The look of the viewer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Theme {
+    /// Which colours the terminal has.
+    pub palette: Palette,
+    /// Which characters it has.
+    pub glyphs: &'static Glyphs,
+}
+
+/// Which colours to use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Palette {
+    /// None (`NO_COLOR`): bold, dim and reversed text only.
+    None,
+    /// The 256 colours that nearly every terminal has.
+    Indexed,
+    /// 24-bit colours.
+    True,
+}
+
+/// What a piece of the screen stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Ordinary text.
+    Text,
+    /// The name of a pane.
+    Title,
+    /// Frames, hints, and what stands back.
+    Faint,
+    /// A camera ray.
+    Camera,
+    /// A reflected ray.
+    Reflected,
+    /// A transmitted ray.
+    Transmitted,
+    /// A shadow ray.
+    Shadow,
+    /// A light.
+    Light,
+    /// A hit.
+    Hit,
+    /// What isn't reached: occlusion, depth limits.
+    Blocked,
+    /// A computed value.
+    Value,
+    /// The current step.
+    Current,
+    /// A warning.
+    Warning,
+}
+
+/// Characters that stand for something.
+#[derive(Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub struct Glyphs {
+    pub open: &'static str,
+    pub closed: &'static str,
+    pub leaf: &'static str,
+    pub branch: &'static str,
+    pub last_branch: &'static str,
+    pub trunk: &'static str,
+    pub horizontal: &'static str,
+    pub vertical: &'static str,
+    pub tee: &'static str,
+    pub pixel: &'static str,
+    pub sample: &'static str,
+    pub camera: &'static str,
+    pub reflected: &'static str,
+    pub transmitted: &'static str,
+    pub shadow: &'static str,
+    pub test: &'static str,
+    pub shade: &'static str,
+    pub light: &'static str,
+    pub combine: &'static str,
+    pub hit: &'static str,
+    pub miss: &'static str,
+    pub blocked: &'static str,
+    pub current: &'static str,
+    pub more: &'static str,
+}
+
+/// The usual characters.
+pub const UNICODE: Glyphs = Glyphs {
+    open: "▾",
+    closed: "▸",
+    leaf: "╴",
+    branch: "├",
+    last_branch: "└",
+    trunk: "│",
+    horizontal: "─",
+    vertical: "│",
+    tee: "┬",
+    pixel: "▣",
+    sample: "▫",
+    camera: "◉",
+    reflected: "↗",
+    transmitted: "↘",
+    shadow: "⇡",
+    test: "?",
+    shade: "◐",
+    light: "☼",
+    combine: "Σ",
+    hit: "●",
+    miss: "○",
+    blocked: "✕",
+    current: "▶",
+    more: "…",
+};
+
+/// Characters for terminals and fonts that have ASCII only.
+pub const ASCII: Glyphs = Glyphs {
+    open: "-",
+    closed: "+",
+    leaf: " ",
+    branch: "|",
+    last_branch: "`",
+    trunk: "|",
+    horizontal: "-",
+    vertical: "|",
+    tee: "+",
+    pixel: "#",
+    sample: ".",
+    camera: "@",
+    reflected: "/",
+    transmitted: "\\",
+    shadow: "^",
+    test: "?",
+    shade: "%",
+    light: "*",
+    combine: "=",
+    hit: "o",
+    miss: "-",
+    blocked: "x",
+    current: ">",
+    more: "~",
+};
+
+impl Theme {
+    /// The look with these colours, in ASCII or not.
+    pub fn new(palette: Palette, ascii: bool) -> Theme {
+        Theme { palette, glyphs: if ascii { &ASCII } else { &UNICODE } }
+    }
+
+    /// Whether only ASCII may be shown.
+    pub fn is_ascii(&self) -> bool {
+        *self.glyphs == ASCII
+    }
+
+    /// How something with this role is written.
+    pub fn style(&self, role: Role) -> Style {
+        let (indexed, rgb) = match role {
+            Role::Text | Role::Title | Role::Faint | Role::Value => (None, None),
+            Role::Camera => (Some(74), Some((0x56, 0xB4, 0xE9))),
+            Role::Reflected => (Some(36), Some((0x00, 0x9E, 0x73))),
+            Role::Transmitted => (Some(175), Some((0xCC, 0x79, 0xA7))),
+            Role::Shadow => (Some(172), Some((0xC7, 0x83, 0x00))),
+            Role::Light => (Some(214), Some((0xE6, 0x9F, 0x00))),
+            Role::Hit => (Some(36), Some((0x00, 0x9E, 0x73))),
+            Role::Blocked | Role::Warning => (Some(166), Some((0xD5, 0x5E, 0x00))),
+            Role::Current => (Some(214), Some((0xE6, 0x9F, 0x00))),
+        };
+        let color = match self.palette {
+            Palette::None => None,
+            Palette::Indexed => indexed.map(Color::Indexed),
+            Palette::True => rgb.map(|(r, g, b)| Color::Rgb(r, g, b)),
+        };
+        let modifier = match role {
+            Role::Title | Role::Current | Role::Warning | Role::Value => Modifier::BOLD,
+            Role::Faint => Modifier::DIM,
+            _ => Modifier::empty(),
+        };
+        let style = Style::new().add_modifier(modifier);
+        color.map_or(style, |color| style.fg(color))
+    }
+
+    /// The glyph and the role of a node; the root is a pixel.
+    pub fn of_step(&self, step: Option<Step>) -> (&'static str, Role) {
+        let glyphs = self.glyphs;
+        match step {
+            None | Some(Step::Pixel(_)) => (glyphs.pixel, Role::Title),
+            Some(Step::Sample { .. }) => (glyphs.sample, Role::Text),
+            Some(Step::Ray { kind, .. }) => match kind {
+                RayKind::Camera => (glyphs.camera, Role::Camera),
+                RayKind::Reflected => (glyphs.reflected, Role::Reflected),
+                RayKind::Transmitted => (glyphs.transmitted, Role::Transmitted),
+                RayKind::Shadow { .. } => (glyphs.shadow, Role::Shadow),
+            },
+            Some(Step::Test { .. }) => (glyphs.test, Role::Faint),
+            Some(Step::Shade { .. }) => (glyphs.shade, Role::Text),
+            Some(Step::Light { .. }) => (glyphs.light, Role::Light),
+            Some(Step::Combine) => (glyphs.combine, Role::Text),
+        }
+    }
+}

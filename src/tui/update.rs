@@ -1,0 +1,233 @@
+//! What each action does to the model. Nothing is drawn here, and nothing read: `update(model, action)` is all.
+
+use super::fold::{has_children, next_sibling, previous_sibling};
+use super::keys::Action;
+use super::model::{Item, Model, Overlay, Pane};
+use super::steps::{self, Stop};
+use super::view::help;
+
+/// What is left to do outside the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// Nothing.
+    None,
+    /// Leave the viewer.
+    Leave(Exit),
+    /// Stop, until the shell lets the viewer go on.
+    Suspend,
+}
+
+/// Why the viewer was left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    /// By the key for it.
+    Quit,
+    /// By `^C` or SIGINT.
+    Interrupted,
+    /// By SIGTERM, SIGQUIT, or because the terminal is gone.
+    Terminated,
+}
+
+/// Does an action.
+pub fn update(model: &mut Model, action: Action) -> Effect {
+    match action {
+        Action::Digit(digit) => {
+            let count = model.pending.count.unwrap_or(0).saturating_mul(10).saturating_add(u32::from(digit));
+            model.pending.count = Some(count.min(MOST));
+            return Effect::None;
+        }
+        Action::Prefix(first) => {
+            model.pending.prefix = Some(first);
+            return Effect::None;
+        }
+        Action::Resize(width, height) => {
+            model.size = (width, height);
+            keep_in_view(model);
+            return Effect::None;
+        }
+        _ => {}
+    }
+    let count = std::mem::take(&mut model.pending).count;
+    if action != Action::Close && model.message.as_ref().is_some_and(|message| !message.is_warning) {
+        model.message = None;
+    }
+    let effect = match model.overlay {
+        Some(Overlay::Help { top }) => in_help(model, action, top, count),
+        None => in_panes(model, action, count),
+    };
+    keep_in_view(model);
+    effect
+}
+
+/// The largest count.
+const MOST: u32 = 1_000_000_000;
+
+fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
+    let times = count.unwrap_or(1) as usize;
+    match action {
+        Action::Down => move_by(model, times as isize),
+        Action::Up => move_by(model, -(times as isize)),
+        Action::HalfPageDown => move_by(model, pages(model, times) / 2),
+        Action::HalfPageUp => move_by(model, -(pages(model, times) / 2)),
+        Action::PageDown => move_by(model, pages(model, times)),
+        Action::PageUp => move_by(model, -pages(model, times)),
+        Action::First => move_by(model, isize::MIN),
+        Action::Last => match count {
+            None => move_by(model, isize::MAX),
+            Some(step) => model.go_to_event((step as usize).saturating_sub(1)),
+        },
+        Action::Out => (0..times.min(model.tree.nodes().len())).for_each(|_| go_out(model)),
+        Action::In => (0..times.min(model.tree.nodes().len())).for_each(|_| go_in(model)),
+        Action::NextSibling => go_along(model, times, |model, node| next_sibling(&model.tree, node)),
+        Action::PreviousSibling => go_along(model, times, |model, node| previous_sibling(&model.tree, node)),
+        Action::Center => model.top = model.fold.up(&model.tree, model.cursor, model.layout().page() / 2).0,
+        Action::Toggle => toggle(model),
+        Action::OpenSiblings => set_siblings(model, true),
+        Action::CloseSiblings => set_siblings(model, false),
+        Action::OpenAll => model.fold.set_all(inside(model), true),
+        Action::CloseAll => model.fold.set_all(inside(model), false),
+        Action::NextValue => step(model, Stop::Value, times, steps::after),
+        Action::PreviousValue => step(model, Stop::Value, times, steps::before),
+        Action::NextEvent => step(model, Stop::Event, times, steps::after),
+        Action::PreviousEvent => step(model, Stop::Event, times, steps::before),
+        Action::NextRay => step(model, Stop::Ray, times, steps::after),
+        Action::PreviousRay => step(model, Stop::Ray, times, steps::before),
+        Action::SwitchPane => {
+            model.focus = match model.focus {
+                Pane::Tree => Pane::Computation,
+                Pane::Computation => Pane::Tree,
+            };
+        }
+        Action::Help => model.overlay = Some(Overlay::Help { top: 0 }),
+        Action::Close => model.message = None,
+        Action::Quit => return Effect::Leave(Exit::Quit),
+        Action::Interrupt => return Effect::Leave(Exit::Interrupted),
+        Action::Suspend => return Effect::Suspend,
+        Action::Unknown => model.say("no such key; ? shows the keys"),
+        Action::Digit(_) | Action::Prefix(_) | Action::Resize(..) => {}
+    }
+    Effect::None
+}
+
+fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> Effect {
+    let times = count.unwrap_or(1).min(1000) as u16;
+    let page = model.size.1 / 2;
+    let last = help::last_top(model.size);
+    let top = match action {
+        Action::Down => top.saturating_add(times),
+        Action::Up => top.saturating_sub(times),
+        Action::HalfPageDown | Action::PageDown => top.saturating_add(page),
+        Action::HalfPageUp | Action::PageUp => top.saturating_sub(page),
+        Action::First => 0,
+        Action::Last => last,
+        Action::Close | Action::Help | Action::Quit => {
+            model.overlay = None;
+            return Effect::None;
+        }
+        Action::Interrupt => return Effect::Leave(Exit::Interrupted),
+        Action::Suspend => return Effect::Suspend,
+        _ => top,
+    };
+    model.overlay = Some(Overlay::Help { top: top.min(last) });
+    Effect::None
+}
+
+/// As many rows as these pages have.
+fn pages(model: &Model, count: usize) -> isize {
+    (count.saturating_mul(model.layout().page().max(2))).min(isize::MAX as usize / 2) as isize
+}
+
+/// Moves by rows: of the tree, or of the computation when that has the focus.
+fn move_by(model: &mut Model, rows: isize) {
+    let count = rows.unsigned_abs();
+    match model.focus {
+        Pane::Tree => {
+            let node = match rows {
+                isize::MAX => model.fold.last(&model.tree),
+                isize::MIN => 0,
+                _ if rows > 0 => model.fold.down(&model.tree, model.cursor, count).0,
+                _ => model.fold.up(&model.tree, model.cursor, count).0,
+            };
+            if node != model.cursor {
+                model.go_to_node(node);
+            }
+        }
+        Pane::Computation => {
+            let own = model.items().into_iter().filter_map(|item| match item {
+                Item::Event(event) => Some(event),
+                Item::Node(_) => None,
+            });
+            let current = model.event;
+            let target = if rows > 0 {
+                own.filter(|event| *event > current).take(count).last()
+            } else {
+                let earlier: Vec<_> = own.filter(|event| *event < current).collect();
+                earlier[earlier.len().saturating_sub(count)..].first().copied()
+            };
+            model.event = target.unwrap_or(current);
+        }
+    }
+}
+
+fn go_out(model: &mut Model) {
+    match model.focus {
+        Pane::Computation => model.focus = Pane::Tree,
+        Pane::Tree if model.fold.is_open(&model.tree, model.cursor) => model.fold.set(model.cursor, false),
+        Pane::Tree if model.cursor != 0 => model.go_to_node(model.tree.nodes()[model.cursor].parent),
+        Pane::Tree => {}
+    }
+}
+
+fn go_in(model: &mut Model) {
+    match model.focus {
+        Pane::Computation => {}
+        Pane::Tree if !has_children(&model.tree, model.cursor) => model.focus = Pane::Computation,
+        Pane::Tree if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(model.cursor + 1),
+        Pane::Tree => model.fold.set(model.cursor, true),
+    }
+}
+
+fn go_along(model: &mut Model, times: usize, next: impl Fn(&Model, usize) -> Option<usize>) {
+    let siblings = std::iter::successors(Some(model.cursor), |node| next(model, *node));
+    match siblings.skip(1).take(times).last() {
+        Some(node) => model.go_to_node(node),
+        None => model.say("no more nodes in this one's parent"),
+    }
+}
+
+fn toggle(model: &mut Model) {
+    let is_open = model.fold.is_open(&model.tree, model.cursor);
+    model.fold.set(model.cursor, !is_open);
+}
+
+fn set_siblings(model: &mut Model, open: bool) {
+    let parent = model.tree.nodes()[model.cursor].parent;
+    if model.cursor == parent {
+        return model.fold.set(parent, open);
+    }
+    for node in model.tree.children(parent) {
+        model.fold.set(node, open);
+    }
+}
+
+fn inside(model: &Model) -> std::ops::Range<usize> {
+    model.cursor..model.tree.nodes()[model.cursor].subtree_end
+}
+
+type Find = fn(&[crate::log::Event], usize, Stop, usize) -> Option<usize>;
+
+fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
+    match find(&model.log.events, model.event, stop, times) {
+        Some(event) => model.go_to_event(event),
+        None => model.say(&format!("no more {}s in this direction", stop.word())),
+    }
+}
+
+/// After every action the selected node is a row, and on the screen.
+fn keep_in_view(model: &mut Model) {
+    let row = model.fold.row_of(&model.tree, model.cursor);
+    if row != model.cursor {
+        model.go_to_node(row);
+    }
+    model.top = model.fold.scrolled(&model.tree, model.top, model.cursor, model.layout().page());
+}

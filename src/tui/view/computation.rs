@@ -1,0 +1,150 @@
+//! The computation of the selected node: its values with formulas and numbers put in, its decisions, its inputs.
+
+use super::label::label;
+use super::text::{Piece, shown, width_of, wrap};
+use super::{put_all, title};
+use crate::log::{Decision, Event, Value, What};
+use crate::report::{self, Style as Numbers, number, words};
+use crate::tui::layout::Layout;
+use crate::tui::model::{Item, Model, Pane};
+use crate::tui::theme::{Role, Theme};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let name = shown(&words::title(&model.log, &model.tree, model.cursor), theme);
+    title(model, Pane::Computation, name, "", theme, area, buffer);
+    let body = Layout::body(area);
+    put_all(buffer, body, lines(model, theme, usize::from(body.width), usize::from(body.height)));
+}
+
+/// The lines to show, so that the current step is among them.
+fn lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<Line<'static>> {
+    let items = model.items();
+    let width = width.saturating_sub(2);
+    let current = items.iter().position(|item| is_current(model, *item)).unwrap_or(0);
+    // Every item has a line at least, so that no item further off can be on the screen.
+    let first = current.saturating_sub(height);
+    let mut lines = Vec::new();
+    let (mut begin, mut mark, mut end) = (0, 0, 0);
+    for (index, item) in items.iter().enumerate().skip(first).take(2 * height + 1) {
+        let (block, marked) = block(model, *item, width, theme);
+        if index == current {
+            (begin, mark, end) = (lines.len(), lines.len() + marked, lines.len() + block.len());
+        }
+        lines.extend(block);
+    }
+    let at_mark = Span::styled(format!("{} ", theme.glyphs.current), theme.style(Role::Current));
+    let with_margin = |(number, line): (usize, Line<'static>)| {
+        let margin = if number == mark { at_mark.clone() } else { Span::raw("  ") };
+        Line::from_iter(std::iter::once(margin).chain(line.spans))
+    };
+    let skipped = begin.saturating_sub(height / 3).min(lines.len().saturating_sub(height));
+    // All of the step, or, if there is too much of it, the line with the mark.
+    let skipped = skipped.max(end.saturating_sub(height)).min(mark);
+    lines.into_iter().enumerate().map(with_margin).skip(skipped).take(height).collect()
+}
+
+fn is_current(model: &Model, item: Item) -> bool {
+    match item {
+        Item::Event(event) => event == model.event,
+        Item::Node(node) => model.tree.nodes()[node].events.contains(&model.event),
+    }
+}
+
+/// The lines of an item, and which of them is the step itself: its inputs come before it.
+fn block(model: &Model, item: Item, width: usize, theme: &Theme) -> (Vec<Line<'static>>, usize) {
+    let event = match item {
+        Item::Node(node) => return (wrap(&label(model, node, theme), width, 4), 0),
+        Item::Event(event) => event,
+    };
+    let happening = &model.log.events[event];
+    let mut inputs = given(happening, theme).map(|pieces| wrap(&pieces, width, 6)).unwrap_or_default();
+    let mut own = event_lines(model, event, theme, width);
+    if matches!(happening.what, What::Enter { .. }) {
+        own.append(&mut inputs);
+        return (own, 0);
+    }
+    let marked = inputs.len();
+    inputs.append(&mut own);
+    (inputs, marked)
+}
+
+/// An event without its inputs.
+fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
+    let pieces = match &model.log.events[event].what {
+        What::Note { .. } => return note(model, event, theme, width),
+        What::Enter { .. } => label(model, model.tree.owner(event), theme),
+        What::Mark(decision) => decision_pieces(model, decision, theme),
+        What::Leave => vec![("end".to_owned(), theme.style(Role::Faint))],
+        What::Result { color } => vec![
+            ("result: ".to_owned(), theme.style(Role::Text)),
+            (shown(&number::value(&Value::Triple(*color), Numbers::default()), theme), theme.style(Role::Value)),
+        ],
+    };
+    wrap(&pieces, width, 4)
+}
+
+/// `symbol = formula = numbers put in = result`: in one line, or one below the other when that is too long.
+fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
+    let Some(computation) = report::computation(&model.log, &model.tree, event, Numbers::default()) else {
+        return Vec::new();
+    };
+    let text = theme.style(Role::Text);
+    let symbol = shown(&computation.symbol, theme);
+    let middle = [&computation.formula, &computation.substituted];
+    let parts = middle.into_iter().flatten().map(|part| (shown(part, theme), text));
+    let parts: Vec<Piece> = parts.chain([(shown(&computation.result, theme), theme.style(Role::Value))]).collect();
+
+    let one_line: usize = width_of(&symbol) + parts.iter().map(|(part, _)| 3 + width_of(part)).sum::<usize>();
+    if one_line <= width {
+        let mut spans = vec![Span::styled(symbol, text)];
+        for (part, style) in parts {
+            spans.extend([Span::styled(" = ", theme.style(Role::Faint)), Span::styled(part, style)]);
+        }
+        return vec![spans.into()];
+    }
+    let indent = width_of(&symbol).min(width / 4);
+    let mut lines = Vec::new();
+    for (number, (part, style)) in parts.into_iter().enumerate() {
+        let before = if number == 0 { symbol.clone() } else { " ".repeat(indent) };
+        lines.extend(wrap(
+            &[(before, text), (" = ".to_owned(), theme.style(Role::Faint)), (part, style)],
+            width,
+            indent + 3,
+        ));
+    }
+    lines
+}
+
+fn decision_pieces(model: &Model, decision: &Decision, theme: &Theme) -> Vec<Piece> {
+    let glyphs = theme.glyphs;
+    let (glyph, role) = match decision {
+        Decision::Hit | Decision::Nearest { .. } => (glyphs.hit, Role::Hit),
+        Decision::Miss { .. } | Decision::Background => (glyphs.miss, Role::Text),
+        Decision::Occluded { .. } | Decision::DepthLimit { .. } | Decision::TotalInternalReflection => {
+            (glyphs.blocked, Role::Blocked)
+        }
+        Decision::Attenuated { .. } => (glyphs.shade, Role::Light),
+        _ => (glyphs.leaf, Role::Text),
+    };
+    let words = words::decision(&model.log.header, decision, Numbers::default());
+    vec![(format!("{glyph} {}", shown(&words, theme)), theme.style(role))]
+}
+
+/// The inputs of an event.
+fn given(event: &Event, theme: &Theme) -> Option<Vec<Piece>> {
+    if event.given.is_empty() {
+        return None;
+    }
+    let faint = theme.style(Role::Faint);
+    let last = event.given.len() - 1;
+    let mut pieces = vec![("given ".to_owned(), faint)];
+    for (index, (name, value)) in event.given.iter().enumerate() {
+        let comma = if index == last { "" } else { ", " };
+        let text = format!("{} = {}{comma}", name.symbol(), number::value(value, Numbers::default()));
+        pieces.push((shown(&text, theme), faint));
+    }
+    Some(pieces)
+}

@@ -1,0 +1,78 @@
+//! The help: the table of keys, over everything else.
+
+use super::text::{width_of, wrap};
+use super::{put, put_all};
+use crate::tui::keys::TABLE;
+use crate::tui::theme::{Palette, Role, Theme};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+
+/// Draws the help from line `top` on.
+pub(super) fn draw(top: u16, theme: &Theme, buffer: &mut Buffer) {
+    let area = area((buffer.area.width, buffer.area.height)).intersection(buffer.area);
+    for position in area.positions() {
+        if let Some(cell) = buffer.cell_mut(position) {
+            cell.reset();
+        }
+    }
+    let faint = theme.style(Role::Faint);
+    let rule = theme.glyphs.horizontal;
+    put(buffer, area, Line::styled(rule.repeat(usize::from(area.width)), faint));
+    put(buffer, inner(area, 0), Line::styled(" Keys ", theme.style(Role::Title)));
+    let bottom = Rect { y: area.bottom().saturating_sub(1), height: 1, ..area };
+    put(buffer, bottom, Line::styled(rule.repeat(usize::from(area.width)), faint));
+    let is_whole = last_top((buffer.area.width, buffer.area.height)) == 0;
+    let hint = if is_whole { " Esc closes " } else { " j k scroll, Esc closes " };
+    put(buffer, inner(bottom, 0), Line::styled(hint, faint));
+    let body = inner(area, 1);
+    put_all(buffer, body, lines(usize::from(body.width), theme).into_iter().skip(usize::from(top)));
+}
+
+/// The largest `top` that has something to show for it, on a screen of this size.
+pub fn last_top(size: (u16, u16)) -> u16 {
+    let body = inner(area(size), 1);
+    let count = lines(usize::from(body.width), &Theme::new(Palette::None, true)).len();
+    (count as u16).saturating_sub(body.height)
+}
+
+/// Where the help lies: in the middle, as large as it need be.
+fn area((width, height): (u16, u16)) -> Rect {
+    const WIDEST: u16 = 80;
+    let wide = width.min(WIDEST);
+    let count = lines(usize::from(wide.saturating_sub(4)), &Theme::new(Palette::None, true)).len() as u16;
+    let high = height.min(count.saturating_add(2));
+    Rect { x: (width - wide) / 2, y: (height - high) / 2, width: wide, height: high }
+}
+
+/// An area without `rows` rows above and below, and without two columns at each side.
+fn inner(area: Rect, rows: u16) -> Rect {
+    Rect {
+        x: area.x.saturating_add(2),
+        y: area.y.saturating_add(rows),
+        width: area.width.saturating_sub(4),
+        height: area.height.saturating_sub(2 * rows),
+    }
+}
+
+fn lines(width: usize, theme: &Theme) -> Vec<Line<'static>> {
+    let names = |keys: &[&str]| keys.join(" ");
+    let column = TABLE.iter().map(|row| width_of(&names(row.keys))).max().unwrap_or(0) + 2;
+    let mut lines = Vec::new();
+    let mut group = "";
+    for row in TABLE {
+        if row.group != group {
+            group = row.group;
+            lines.push(Line::from(Span::styled(group, theme.style(Role::Title))));
+        }
+        let keys = format!("{:column$}", names(row.keys));
+        lines.extend(wrap(&[(keys, theme.style(Role::Camera)), (row.help.to_owned(), Style::new())], width, column));
+    }
+    lines.extend(wrap(
+        &[("A number before a key repeats it: 5j, 10n.".to_owned(), theme.style(Role::Faint))],
+        width,
+        0,
+    ));
+    lines
+}

@@ -1,0 +1,129 @@
+//! A node in a few words: what it is, and what it came to.
+
+use super::text::{Piece, shown};
+use crate::log::{Decision, RayKind, Step, What};
+use crate::report::{Style as Numbers, number, words};
+use crate::tui::model::Model;
+use crate::tui::theme::{Role, Theme};
+
+/// A node in a row of its own: what it is, how much it hides when it is closed, and what it came to.
+pub(super) fn row(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
+    let mut pieces = name(model, node, theme);
+    pieces.extend(hidden_rays(model, node, theme));
+    pieces.extend(outcome(model, node, theme));
+    pieces
+}
+
+/// A node inside of another one's computation: what it is, and what it came to.
+pub(super) fn label(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
+    let mut pieces = name(model, node, theme);
+    pieces.extend(outcome(model, node, theme));
+    pieces
+}
+
+/// A node's glyph, and what it is.
+fn name(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
+    let step = model.tree.nodes()[node].step;
+    let (glyph, role) = theme.of_step(step);
+    let title = match step {
+        Some(Step::Ray { kind, .. }) => {
+            format!("{} {}", end_of_path(model, node), words::ray_kind(&model.log.header, kind))
+        }
+        _ => words::title(&model.log, &model.tree, node),
+    };
+    let title = shown(&title, theme);
+    vec![(format!("{glyph} "), theme.style(role)), (title, theme.style(role))]
+}
+
+/// The path of a ray. Of a long one only the end: the nodes around it have the rest.
+fn end_of_path(model: &Model, node: usize) -> String {
+    const LONG: usize = 4;
+    let path = model.tree.path(node);
+    match path.rmatch_indices(' ').nth(LONG - 1) {
+        Some((end, _)) => format!("…{}", &path[end..]),
+        None => path,
+    }
+}
+
+/// How many rays a closed node hides.
+fn hidden_rays(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
+    let inside = node + 1..model.tree.nodes()[node].subtree_end;
+    if model.fold.is_open(&model.tree, node) || inside.is_empty() {
+        return None;
+    }
+    let text = match model.facts.rays(inside) {
+        0 => return None,
+        1 => "  [1 ray]".to_owned(),
+        count => format!("  [{count} rays]"),
+    };
+    Some((text, theme.style(Role::Faint)))
+}
+
+/// What a node came to: each state has a glyph and a word.
+fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    let step = model.tree.nodes()[node].step;
+    let decision = model.facts.outcome(node).and_then(|event| match model.log.events[event].what {
+        What::Mark(decision) => Some(decision),
+        _ => None,
+    });
+    let has_ended = model.log.events[model.tree.nodes()[node].events.clone()].last().map(|event| &event.what);
+    let is_free_shadow = matches!(step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }))
+        && decision.is_none()
+        && has_ended == Some(&What::Leave);
+    pieces.extend(if is_free_shadow { Some(lit(theme)) } else { decided(model, decision, theme) });
+    pieces.extend(limited(model, node, theme));
+    if !matches!(decision, Some(Decision::Miss { .. })) && !matches!(step, Some(Step::Light { .. })) {
+        pieces.extend(value(model, node, step, theme));
+    }
+    pieces
+}
+
+/// What a shadow ray comes to that met nothing, which no decision says.
+fn lit(theme: &Theme) -> Piece {
+    (format!("  {} lit", theme.glyphs.hit), theme.style(Role::Hit))
+}
+
+fn decided(model: &Model, decision: Option<Decision>, theme: &Theme) -> Option<Piece> {
+    let glyphs = theme.glyphs;
+    let header = &model.log.header;
+    let object = |object| shown(&words::plain(header.object(object)), theme);
+    let (glyph, words, role) = match decision? {
+        Decision::Hit => (glyphs.hit, "hit".to_owned(), Role::Hit),
+        Decision::Miss { .. } => (glyphs.miss, "miss".to_owned(), Role::Faint),
+        Decision::Nearest { object: nearest } => (glyphs.hit, object(nearest), Role::Hit),
+        Decision::Background => (glyphs.miss, "background".to_owned(), Role::Faint),
+        Decision::Occluded { object: blocker } => {
+            (glyphs.blocked, format!("blocked by {}", object(blocker)), Role::Blocked)
+        }
+        Decision::Attenuated { object: filter, .. } => {
+            (glyphs.shade, format!("weakened by {}", object(filter)), Role::Light)
+        }
+        _ => return None,
+    };
+    Some((format!("  {glyph} {words}"), theme.style(role)))
+}
+
+fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Option<Piece> {
+    let event = model.facts.value(node)?;
+    let text = match model.log.events[event].what {
+        What::Note { name, value } => {
+            let number = number::value(&value, Numbers::default());
+            // A test's value is the distance; all other nodes come to a colour.
+            if matches!(step, Some(Step::Test { .. })) { format!("{} = {number}", name.symbol()) } else { number }
+        }
+        What::Result { color } => number::value(&crate::log::Value::Triple(color), Numbers::default()),
+        _ => return None,
+    };
+    Some((format!("  {}", shown(&text, theme)), theme.style(Role::Text)))
+}
+
+fn limited(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
+    let event = model.facts.limit(node)?;
+    let What::Mark(decision) = model.log.events[event].what else { return None };
+    let words = match decision {
+        Decision::DepthLimit { .. } => "depth limit",
+        _ => "total reflection",
+    };
+    Some((format!("  {} {words}", theme.glyphs.blocked), theme.style(Role::Blocked)))
+}

@@ -1,0 +1,64 @@
+//! The bottom line: where one is, and the keys to begin with. Above it, when there is one, the message.
+
+use super::put;
+use super::text::{shown, width_of};
+use crate::log::What;
+use crate::tui::layout::Layout;
+use crate::tui::model::{Model, Pane};
+use crate::tui::theme::{Role, Theme};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut Buffer) {
+    if let Some(message) = &model.message {
+        let style = theme.style(if message.is_warning { Role::Warning } else { Role::Text });
+        let before = if message.is_warning { "warning: " } else { "" };
+        put(buffer, layout.message, Line::styled(shown(&format!("{before}{}", message.text), theme), style));
+    }
+    let area = layout.status;
+    let step = format!("step {}/{}", model.step(), model.log.events.len());
+    let room = usize::from(area.width).saturating_sub(width_of(&step));
+    let places = places(model).map(|place| shown(&place, theme));
+    let place = places.into_iter().find(|place| width_of(place) <= room).unwrap_or_default();
+    let position = Line::from(vec![Span::styled(step, theme.style(Role::Title)), Span::raw(place)]);
+    let used = position.width();
+    put(buffer, area, position);
+
+    let room = usize::from(area.width).saturating_sub(used + 2);
+    if let Some(hint) = hints(model).into_iter().find(|hint| width_of(hint) <= room) {
+        let width = width_of(&hint) as u16;
+        let place = Rect { x: area.right() - width, width, ..area };
+        put(buffer, place, Line::styled(hint, theme.style(Role::Faint)));
+    }
+}
+
+/// The path of the ray, and which quantity of the source text the current step computes; from the longest way to say it
+/// to the shortest.
+fn places(model: &Model) -> [String; 3] {
+    let path = model.tree.path(model.cursor);
+    let path = if path.is_empty() { path } else { format!("  {path}") };
+    match model.log.events.get(model.event).map(|event| &event.what) {
+        Some(What::Note { name, .. }) => {
+            let key = name.key();
+            [format!("{path}  {key}  section {}", name.section()), format!("{path}  {key}"), format!("  {key}")]
+        }
+        _ => [path, String::new(), String::new()],
+    }
+}
+
+/// What to say about keys, from the longest to the shortest.
+fn hints(model: &Model) -> Vec<String> {
+    let pending = model.pending;
+    if pending.count.is_some() || pending.prefix.is_some() {
+        let count = pending.count.map(|count| count.to_string()).unwrap_or_default();
+        return vec![format!("{count}{}", pending.prefix.map(String::from).unwrap_or_default())];
+    }
+    let move_keys = if model.focus == Pane::Tree { "j k move  Space fold" } else { "j k move  Tab tree" };
+    vec![
+        format!("n next value  p previous  {move_keys}  ? help  q quit"),
+        "n next value  p previous  ? help  q quit".to_owned(),
+        "n next  ? help  q quit".to_owned(),
+        "? help".to_owned(),
+    ]
+}

@@ -1,0 +1,48 @@
+//! What several test files need.
+
+// Each test file compiles this for itself and uses a part of it.
+#![allow(dead_code)]
+
+use insta::Settings;
+use raywalk::record::Arithmetic;
+use raywalk::scene::{Scene, build, builtin, file};
+
+/// A built-in scene, ready to be traced.
+#[track_caller]
+pub fn scene(name: &str) -> Scene {
+    scene_of(builtin::text(name).expect("a built-in scene").as_bytes(), name)
+}
+
+/// A scene from the text of its file.
+#[track_caller]
+pub fn scene_of(text: &[u8], name: &str) -> Scene {
+    let loaded = file::check(text, &format!("{name}.json")).unwrap_or_else(|error| panic!("{}", error.report(false)));
+    build(&loaded.scene).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+}
+
+/// The middle pixel of a scene.
+pub fn middle(scene: &Scene) -> [u32; 2] {
+    scene.camera.resolution.map(|side| side / 2)
+}
+
+/// A coarse grid of pixels, the middle one among them.
+pub fn grid(scene: &Scene, across: u32) -> Vec<[u32; 2]> {
+    let [width, height] = scene.camera.resolution;
+    let places = |side: u32| (0..across).map(move |k| (2 * k + 1) * side / (2 * across));
+    let mut pixels: Vec<_> = places(height).flat_map(|y| places(width).map(move |x| [x, y])).collect();
+    pixels.push(middle(scene));
+    pixels
+}
+
+/// Every arithmetic that works on every scene.
+pub const ARITHMETICS: [Arithmetic; 4] =
+    [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(3), Arithmetic::Decimal(8)];
+
+/// Snapshots stand in the top-level folder `snapshots/`, named as they are called.
+pub fn snapshots() -> Settings {
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path("../snapshots");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings
+}

@@ -1,0 +1,194 @@
+//! The viewer in a real pseudo-terminal: it shows the walk, steps, and always gives the terminal back.
+
+#![cfg(unix)]
+
+use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+use std::io::{Read, Write};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// A running viewer and the screen that it draws.
+struct Session {
+    child: Box<dyn Child + Send + Sync>,
+    master: Box<dyn MasterPty + Send>,
+    keys: Box<dyn Write + Send>,
+    screen: Arc<Mutex<vt100::Parser>>,
+    /// Everything that the program wrote.
+    written: Arc<Mutex<Vec<u8>>>,
+}
+
+const PATIENCE: Duration = Duration::from_secs(20);
+
+impl Session {
+    fn start(arguments: &[&str], columns: u16, rows: u16) -> Session {
+        let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
+        let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
+        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_raywalk"));
+        command.args(arguments);
+        command.cwd(env!("CARGO_MANIFEST_DIR"));
+        command.env("TERM", "xterm-256color");
+        command.env_remove("NO_COLOR");
+        let child = pair.slave.spawn_command(command).expect("the program starts");
+        drop(pair.slave);
+        let mut reader = pair.master.try_clone_reader().expect("a reader");
+        let keys = pair.master.take_writer().expect("a writer");
+        let screen = Arc::new(Mutex::new(vt100::Parser::new(rows, columns, 0)));
+        let written = Arc::new(Mutex::new(Vec::new()));
+        let (screen_here, written_here) = (screen.clone(), written.clone());
+        thread::spawn(move || {
+            let mut buffer = [0; 4096];
+            while let Ok(count) = reader.read(&mut buffer) {
+                if count == 0 {
+                    break;
+                }
+                screen_here.lock().expect("the screen").process(&buffer[..count]);
+                written_here.lock().expect("the output").extend_from_slice(&buffer[..count]);
+            }
+        });
+        Session { child, master: pair.master, keys, screen, written }
+    }
+
+    fn press(&mut self, keys: &str) {
+        self.keys.write_all(keys.as_bytes()).expect("keys are read");
+        self.keys.flush().expect("keys are read");
+    }
+
+    fn text(&self) -> String {
+        self.screen.lock().expect("the screen").screen().contents()
+    }
+
+    /// Waits until the screen shows a text.
+    #[track_caller]
+    fn shows(&self, expected: &str) {
+        let start = Instant::now();
+        while !self.text().contains(expected) {
+            assert!(start.elapsed() < PATIENCE, "expected `{expected}` on:\n{}", self.text());
+            thread::sleep(Duration::from_millis(10));
+        }
+    }
+
+    /// Waits until the screen no longer shows a text.
+    #[track_caller]
+    fn hides(&self, unexpected: &str) {
+        let start = Instant::now();
+        while self.text().contains(unexpected) {
+            assert!(start.elapsed() < PATIENCE, "unexpected `{unexpected}` on:\n{}", self.text());
+            thread::sleep(Duration::from_millis(10));
+        }
+    }
+
+    fn resize(&self, columns: u16, rows: u16) {
+        self.screen.lock().expect("the screen").screen_mut().set_size(rows, columns);
+        let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
+        self.master.resize(size).expect("a resize");
+    }
+
+    fn signal(&self, name: &str) {
+        let id = self.child.process_id().expect("a process").to_string();
+        let sent = std::process::Command::new("kill").args(["-s", name, &id]).status().expect("kill runs");
+        assert!(sent.success());
+    }
+
+    /// Waits for the end; gives the exit code. The terminal must be as it was.
+    #[track_caller]
+    fn ends_with(&mut self, code: u32) {
+        let start = Instant::now();
+        let status = loop {
+            if let Some(status) = self.child.try_wait().expect("a status") {
+                break status;
+            }
+            assert!(start.elapsed() < PATIENCE, "the viewer goes on:\n{}", self.text());
+            thread::sleep(Duration::from_millis(10));
+        };
+        assert_eq!(status.exit_code(), code);
+        // What was written last may still be on its way.
+        thread::sleep(Duration::from_millis(200));
+        let screen = self.screen.lock().expect("the screen");
+        assert!(!screen.screen().alternate_screen(), "the alternate screen was left on");
+        assert!(!screen.screen().hide_cursor(), "the cursor was left hidden");
+        assert!(self.is_cooked(), "the terminal was left in raw mode");
+    }
+
+    /// Whether the terminal echoes and edits lines, as it did before.
+    fn is_cooked(&self) -> bool {
+        let Some(name) = self.master.tty_name() else { return true };
+        let said = std::process::Command::new("stty").arg("-a").arg("-F").arg(name).output();
+        // Once the last program has left, a pseudo-terminal may have no modes to ask for.
+        said.map_or(true, |said| {
+            let modes = String::from_utf8_lossy(&said.stdout).into_owned();
+            modes.is_empty() || (modes.contains(" icanon") && modes.contains(" echo "))
+        })
+    }
+}
+
+#[test]
+fn the_main_job_opens_the_numeric_example_and_steps() {
+    let mut session = Session::start(&[], 100, 30);
+    session.shows("pixel 160,120");
+    session.shows("step 1/");
+    session.press("n");
+    session.shows("ray.length");
+    session.press("nn");
+    session.shows("plane.v_d");
+    session.press("N");
+    session.shows("ray.direction");
+    session.press("?");
+    session.shows("to the next computed value");
+    // An escape that is followed at once would be read as the Alt key.
+    session.press("\x1b");
+    session.hides("to the next computed value");
+    session.press("q");
+    session.ends_with(0);
+    let written = String::from_utf8_lossy(&session.written.lock().expect("the output")).into_owned();
+    assert!(written.contains("raywalk walk textbook --pixel 160,120 --at 3"), "{written}");
+}
+
+#[test]
+fn a_link_leads_back_to_the_step() {
+    let mut session = Session::start(&["walk", "textbook", "--pixel", "160,120", "--at", "7"], 100, 30);
+    session.shows("step 7/");
+    session.shows("plane.t");
+    session.press("q");
+    session.ends_with(0);
+}
+
+#[test]
+fn any_size_and_back() {
+    let mut session = Session::start(&["walk", "figure-6"], 80, 24);
+    session.shows("from the eye");
+    for (columns, rows) in [(1, 1), (19, 5), (40, 12), (300, 100), (2, 90), (80, 24)] {
+        session.resize(columns, rows);
+        session.press("n");
+        thread::sleep(Duration::from_millis(30));
+    }
+    session.shows("step ");
+    session.press("q");
+    session.ends_with(0);
+}
+
+#[test]
+fn signals_give_the_terminal_back() {
+    for (signal, code) in [("TERM", 143), ("INT", 130)] {
+        let mut session = Session::start(&["walk", "textbook"], 80, 24);
+        session.shows("step 1/");
+        session.signal(signal);
+        session.ends_with(code);
+    }
+}
+
+#[test]
+fn control_c_leaves() {
+    let mut session = Session::start(&["walk", "textbook"], 80, 24);
+    session.shows("step 1/");
+    session.press("\x03");
+    session.ends_with(130);
+}
+
+#[test]
+fn a_dumb_terminal_gets_text() {
+    let mut command = assert_cmd::Command::cargo_bin("raywalk").expect("the program");
+    let output = command.env("TERM", "dumb").output().expect("it runs");
+    assert!(output.status.success());
+    assert!(!output.stdout.contains(&0x1b), "no escape sequences");
+}

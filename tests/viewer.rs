@@ -1,0 +1,57 @@
+//! The viewer's frames, pinned with their styles at three sizes.
+
+mod support;
+
+use raywalk::log::Log;
+use raywalk::record::{self, Arithmetic};
+use raywalk::tui::{self, Options, Palette, Theme, dump::dump};
+use support::{scene, snapshots};
+
+fn by_hand() -> Log {
+    record::pixel(&scene("textbook"), [160, 120], Arithmetic::Decimal(3))
+}
+
+fn options(palette: Palette, ascii: bool) -> Options {
+    Options { theme: Theme::new(palette, ascii), start: None, warning: None, note: None }
+}
+
+/// Text and styles of the frame after these keys.
+fn frame_after(keys: &str, width: u16, height: u16, options: &Options) -> String {
+    let model = tui::opened_with_keys(by_hand(), options, keys, width, height);
+    dump(&tui::frame(&model, width, height, &options.theme))
+}
+
+#[test]
+fn frames_at_three_sizes() {
+    snapshots().bind(|| {
+        for (name, width, height) in [("40x12", 40, 12), ("80x24", 80, 24), ("200x60", 200, 60)] {
+            // 28 values on, the reflected ray meets the sphere.
+            let frame = frame_after("28n", width, height, &options(Palette::Indexed, false));
+            insta::assert_snapshot!(format!("viewer_{name}"), frame);
+        }
+    });
+}
+
+#[test]
+fn frames_without_colour_and_in_ascii() {
+    snapshots().bind(|| {
+        insta::assert_snapshot!("viewer_no_color", frame_after("28n", 80, 24, &options(Palette::None, false)));
+        let ascii = frame_after("28n", 80, 24, &options(Palette::None, true));
+        assert!(ascii.lines().take(24).all(|line| line.is_ascii()), "{ascii}");
+        insta::assert_snapshot!("viewer_ascii", ascii);
+        insta::assert_snapshot!("viewer_help", frame_after("?", 80, 24, &options(Palette::Indexed, false)));
+    });
+}
+
+#[test]
+fn no_size_is_too_small_to_be_drawn() {
+    for width in 0..45 {
+        for height in 0..16 {
+            let options = options(Palette::True, false);
+            for keys in ["", "5n", "?", "Tab 5n"] {
+                let model = tui::opened_with_keys(by_hand(), &options, keys, width, height);
+                tui::frame(&model, width, height, &options.theme);
+            }
+        }
+    }
+}
