@@ -6,7 +6,7 @@ mod support {
 }
 
 use std::collections::BTreeSet;
-use support::source::{SourceFile, files_below};
+use support::source::{SourceFile, files_below, program};
 
 /// The rooms, from the ground up: each may import those before it.
 const ROOMS: &[&str] =
@@ -27,14 +27,16 @@ const NARROW: &[(&str, &[&str])] = &[
 /// Where input and output happen.
 const DOORS: &[&str] = &["main.rs", "cli/", "scene/file/", "log/file/", "render/export/", "tui/terminal.rs"];
 
-/// What input and output look like.
+/// What input and output look like. Its error type may travel through the house.
 const INPUT_AND_OUTPUT: &[&str] = &[
     "std::fs",
-    "std::io",
     "std::net",
     "std::process",
     "std::env",
     "File::",
+    "stdin",
+    "stdout",
+    "stderr",
     "println!",
     "print!",
     "eprintln!",
@@ -72,7 +74,7 @@ fn a_room_imports_only_rooms_below_it() {
     let rank = |room: &str| ROOMS.iter().position(|known| *known == room);
     let mut wrong = Vec::new();
     let mut seen = BTreeSet::new();
-    for file in files_below("src") {
+    for file in program() {
         let Some(room) = room_of(&file) else { continue };
         let Some(own) = rank(&room) else {
             wrong.push(format!("{}: the room `{room}` has no place in the order", file.path));
@@ -99,7 +101,7 @@ fn a_room_imports_only_rooms_below_it() {
 #[test]
 fn narrow_rooms_import_only_what_they_may_know() {
     let mut wrong = Vec::new();
-    for file in files_below("src") {
+    for file in program() {
         for (part, allowed) in NARROW.iter().filter(|(part, _)| is_in(&file.path, part)) {
             for (at, path) in file.imports() {
                 let target = path.join("/");
@@ -115,19 +117,19 @@ fn narrow_rooms_import_only_what_they_may_know() {
 #[test]
 fn only_doors_do_input_and_output() {
     let is_door = |file: &SourceFile| DOORS.iter().any(|door| file.path.starts_with(door));
-    let (doors, inside): (Vec<_>, Vec<_>) = files_below("src").into_iter().partition(is_door);
+    let (doors, inside): (Vec<_>, Vec<_>) = program().into_iter().partition(is_door);
     assert_none("input and output inside the house", &occurrences(&inside, INPUT_AND_OUTPUT));
     assert!(!occurrences(&doors, INPUT_AND_OUTPUT).is_empty(), "files are read somewhere, and the scanner is blind");
 }
 
 #[test]
 fn no_code_is_unsafe() {
-    assert_none("unsafe code", &occurrences(&files_below("src"), &["unsafe"]));
+    assert_none("unsafe code", &occurrences(&program(), &["unsafe"]));
 }
 
 #[test]
 fn nothing_panics_without_naming_the_invariant() {
-    let files = files_below("src");
+    let files = program();
     let never = [".unwrap()", ".unwrap_err()", ".expect_err(", "panic!", "todo!", "unimplemented!"];
     let mut wrong = occurrences(&files, &never);
     for file in &files {
@@ -149,7 +151,7 @@ fn every_machine_gives_the_same_bits() {
     // Commands have a method `log` that makes one; clippy, which knows types, tells it from that of numbers.
     let calls: Vec<_> = INEXACT.iter().flat_map(called).filter(|call| call != ".log(").collect();
     let calls: Vec<_> = calls.iter().map(String::as_str).collect();
-    assert_none("inexact functions (`libm` has exact ones)", &occurrences(&files_below("src"), &calls));
+    assert_none("inexact functions (`libm` has exact ones)", &occurrences(&program(), &calls));
     let manifest = include_str!("../Cargo.toml");
     assert!(!manifest.contains("fast-math"), "fast-math reorders sums");
     let glam = manifest.lines().find(|line| line.starts_with("glam = ")).unwrap_or_default();
@@ -161,7 +163,7 @@ fn no_vector_method_hides_a_quantity() {
     let called = |name: &&str| [format!(".{name}("), format!("DVec3::{name}")];
     let calls: Vec<_> = HIDING.iter().flat_map(called).collect();
     let calls: Vec<_> = calls.iter().map(String::as_str).collect();
-    assert_none("vector methods that hide quantities", &occurrences(&files_below("src"), &calls));
+    assert_none("vector methods that hide quantities", &occurrences(&program(), &calls));
 }
 
 #[test]
@@ -188,6 +190,15 @@ fn the_scanner_sees_code_only() {
     let file = SourceFile::new("room/part.rs".to_owned(), text);
     assert_eq!(paths(&file), ["seen::function", "behind"]);
     assert_none("strings and comments", &occurrences(&[file], &[".unwrap()"]));
+}
+
+#[test]
+fn test_modules_with_files_of_their_own_are_no_part_of_the_program() {
+    let paths = |files: Vec<SourceFile>| files.into_iter().map(|file| file.path).collect::<BTreeSet<_>>();
+    let (all, program) = (paths(files_below("src")), paths(program()));
+    let for_tests: Vec<_> = all.difference(&program).map(String::as_str).collect();
+    assert!(for_tests.contains(&"tui/tests.rs"), "{for_tests:?}");
+    assert!(for_tests.iter().all(|path| path.contains("test")), "{for_tests:?}");
 }
 
 #[test]

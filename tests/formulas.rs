@@ -3,20 +3,21 @@
 //!
 //! The book's own arithmetic (`printed`) is left out: it puts in numbers that don't follow from its formulas.
 
-mod support {
-    pub mod evaluator;
-    pub mod scenes;
-}
+#[path = "support/evaluator.rs"]
+mod evaluator;
+#[path = "support/provoking_scenes.rs"]
+mod provoking_scenes;
+mod support;
 
+use evaluator::evaluate;
 use glam::DVec3;
+use provoking_scenes::{Options, everything, straight_through};
 use raywalk::geometry::shape::SphereMethod;
 use raywalk::log::{Event, Log, Name, Tree, Value, What};
 use raywalk::probe::round_half_away;
 use raywalk::record::{self, Arithmetic};
-use raywalk::scene::{Algorithm, Scene, Skip, Specular, build, builtin, file};
+use raywalk::scene::{Algorithm, Scene, Skip, Specular, builtin};
 use std::collections::BTreeMap;
-use support::evaluator::evaluate;
-use support::scenes::{Options, everything, straight_through};
 
 /// The decimals of the arithmetic by hand.
 const DIGITS: u32 = 3;
@@ -30,8 +31,9 @@ const ENOUGH: usize = 25;
 fn every_formula_gives_the_logged_value() {
     for arithmetic in ARITHMETICS {
         let mut checked = Checked::default();
-        for scene in built_in_scenes().chain(scenes()) {
-            for pixel in grid(&scene) {
+        // A new scene file is checked without code.
+        for scene in builtin::names().map(support::scene).chain(scenes()) {
+            for pixel in support::grid(&scene, 10) {
                 checked.check(&record::pixel(&scene, pixel, arithmetic));
             }
         }
@@ -120,26 +122,6 @@ fn rounded(value: Value, arithmetic: Arithmetic) -> Value {
         Value::Number(x) => Value::Number(round(x)),
         Value::Triple(triple) => Value::Triple(triple.map(round)),
     }
-}
-
-/// Pixels spread over the whole picture, its middle one among them.
-fn grid(scene: &Scene) -> Vec<[u32; 2]> {
-    const ACROSS: u32 = 12;
-    const DOWN: u32 = 9;
-    let [width, height] = scene.camera.resolution;
-    let place = |side: u32, cell: u32, cells: u32| (side * (2 * cell + 1)) / (2 * cells);
-    let row = |y: u32| (0..ACROSS).map(move |x| [place(width, x, ACROSS), place(height, y, DOWN)]);
-    std::iter::once([width / 2, height / 2]).chain((0..DOWN).flat_map(row)).collect()
-}
-
-/// The scenes that come with the program, so that a new scene file is checked without code.
-fn built_in_scenes() -> impl Iterator<Item = Scene> {
-    builtin::names().map(|name| {
-        let text = builtin::text(name).expect("a name of a built-in scene has a text");
-        let loaded = file::check(text.as_bytes(), name).map_err(|error| error.report(false));
-        let scene = loaded.unwrap_or_else(|report| panic!("{report}")).scene;
-        build(&scene).unwrap_or_else(|unsupported| panic!("{name}: {unsupported}"))
-    })
 }
 
 /// The scenes in code: each option, and eyes outside and inside the balls.

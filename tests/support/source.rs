@@ -13,6 +13,25 @@ pub struct SourceFile {
     pub code: String,
     /// The same, byte for byte, with the contents of strings.
     pub with_strings: String,
+    /// The modules with files of their own that it declares for tests only.
+    test_modules: Vec<String>,
+}
+
+/// The source files of the program itself, sorted by path: all below `src` but those of test modules.
+pub fn program() -> Vec<SourceFile> {
+    let mut files = files_below("src");
+    let declared = |file: &SourceFile| {
+        let module = file.module().join("/");
+        file.test_modules.iter().map(|name| format!("{module}/{name}")).collect::<Vec<_>>()
+    };
+    let for_tests: Vec<_> = files.iter().flat_map(declared).collect();
+    files.retain(|file| {
+        let module = file.module().join("/");
+        !for_tests
+            .iter()
+            .any(|test| module.strip_prefix(test).is_some_and(|rest| rest.is_empty() || rest.starts_with('/')))
+    });
+    files
 }
 
 /// All source files below a folder of the package, sorted by path.
@@ -46,9 +65,10 @@ impl SourceFile {
         let mut code = text.as_bytes().to_vec();
         let mut with_strings = code.clone();
         blank_comments_and_strings(&mut code, &mut with_strings);
-        blank_tests(&mut code, &mut with_strings);
+        let test_modules = blank_tests(&mut code, &mut with_strings);
         let text_of = |bytes| String::from_utf8(bytes).expect("only whole characters were blanked");
-        SourceFile { path, lines: text.lines().count(), code: text_of(code), with_strings: text_of(with_strings) }
+        let (code, with_strings) = (text_of(code), text_of(with_strings));
+        SourceFile { path, lines: text.lines().count(), code, with_strings, test_modules }
     }
 
     /// The module that the file is, such as `["trace", "bounce"]`.
@@ -221,9 +241,11 @@ fn end_of_quoted(text: &[u8], quote: u8) -> Option<usize> {
     Some(at)
 }
 
-/// Blanks what stands behind `#[cfg(test)]` in both texts, up to its closing brace or its semicolon.
-fn blank_tests(code: &mut [u8], with_strings: &mut [u8]) {
+/// Blanks what stands behind `#[cfg(test)]` in both texts, up to its closing brace or its semicolon; gives the names of the
+/// modules among it that have files of their own.
+fn blank_tests(code: &mut [u8], with_strings: &mut [u8]) -> Vec<String> {
     const MARK: &[u8] = b"#[cfg(test)]";
+    let mut modules = Vec::new();
     while let Some(start) = code.windows(MARK.len()).position(|window| window == MARK) {
         let mut depth = 0;
         let ends_here = |byte: &u8| {
@@ -235,9 +257,13 @@ fn blank_tests(code: &mut [u8], with_strings: &mut [u8]) {
             depth == 0 && matches!(byte, b'}' | b';')
         };
         let end = code[start..].iter().position(ends_here).map_or(code.len(), |length| start + length + 1);
+        let declaration = String::from_utf8_lossy(&code[start..end]).into_owned();
+        let module = declaration.strip_suffix(';').and_then(|text| text.split_once("mod "));
+        modules.extend(module.map(|(_, name)| name.trim().to_owned()));
         blank(&mut code[start..end]);
         blank(&mut with_strings[start..end]);
     }
+    modules
 }
 
 fn blank(text: &mut [u8]) {
