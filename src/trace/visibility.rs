@@ -39,7 +39,7 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut is_blocked = false;
     for (object, thing) in (0..).zip(&scene.objects) {
-        if scene.material_of(object).transmits() {
+        if scene.materials[thing.material].transmits() {
             let crossings = thing.shape.all_crossings(object, ray, probe);
             crossed.extend(crossings.into_iter().flatten().map(|crossing| (crossing.t, object)));
         } else if thing.shape.first_crossing(object, ray, probe).is_some() {
