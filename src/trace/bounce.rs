@@ -67,7 +67,9 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weig
         probe.mark(Decision::DepthLimit { what });
         return true;
     }
-    let is_below_cutoff = (meeting.path.weight * weight).cmplt(Color::splat(tracing.cutoff)).all();
+    // A cutoff of 0 is none.
+    let is_below_cutoff =
+        tracing.cutoff > 0.0 && (meeting.path.weight * weight).cmplt(Color::splat(tracing.cutoff)).all();
     let why = match () {
         _ if weight == Color::ZERO && tracing.skip.has(SkipReason::ZeroWeight) => SkipReason::ZeroWeight,
         _ if is_below_cutoff && tracing.skip.has(SkipReason::Cutoff) => SkipReason::Cutoff,

@@ -61,14 +61,14 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
         camera: Camera::new(eye.into(), DVec3::new(0.1, -0.2, -1.0), DVec3::Y, 60.0, [48, 36]),
         background: DVec3::new(0.2, 0.2, 0.3),
         lights: vec![
-            point("near", [4.0, 5.0, 2.0], [0.9, 0.8, 0.7], [0.5, 0.1, 0.02]),
-            point("behind", [-2.0, 4.0, -9.0], [0.5, 0.6, 0.9], [1.0, 0.0, 0.0]),
-            point("in the water", [0.0, 1.0, -4.25], [0.3, 0.3, 0.3], [1.0, 0.0, 0.0]),
+            point("near", [4.0, 5.0, 2.0], [0.9, 0.8, 0.7], Some([0.5, 0.1, 0.02])),
+            point("behind", [-2.0, 4.0, -9.0], [0.5, 0.6, 0.9], None),
+            point("in the water", [0.0, 1.0, -4.25], [0.3, 0.3, 0.3], None),
             Light {
                 name: "sun".to_owned(),
                 kind: LightKind::Directional { travel: DVec3::new(-0.6, -0.8, 0.0) },
                 color: DVec3::new(0.4, 0.4, 0.2),
-                attenuation: [1.0, 0.0, 0.0],
+                attenuation: None,
             },
         ],
         materials: vec![plain, mirror, glass, water, milky, lampshade],
@@ -99,7 +99,7 @@ pub fn straight_through(options: Options) -> Scene {
         weights: weights([1.0, 0.0, 0.0]),
     };
     Scene {
-        lights: vec![point("behind", [0.0, 0.0, -4.0], [1.0, 0.5, 0.25], [1.0, 0.0, 0.0])],
+        lights: vec![point("behind", [0.0, 0.0, -4.0], [1.0, 0.5, 0.25], None)],
         materials: vec![shade],
         objects: vec![Object {
             name: "shade".to_owned(),
@@ -139,7 +139,7 @@ fn weights([local, reflected, transmitted]: [f64; 3]) -> Weights {
     Weights { local, reflected, transmitted }
 }
 
-fn point(name: &str, position: [f64; 3], color: [f64; 3], attenuation: [f64; 3]) -> Light {
+fn point(name: &str, position: [f64; 3], color: [f64; 3], attenuation: Option<[f64; 3]>) -> Light {
     let kind = LightKind::Point { position: position.into() };
     Light { name: name.to_owned(), kind, color: color.into(), attenuation }
 }

@@ -7,9 +7,10 @@ mod reading;
 mod shapes;
 
 use glam::DVec3;
+use raywalk::scene::file::schema::{Algorithm, SpecularForm};
 use shapes::{Crossing, Ray, Shape};
 
-/// A scene, ready to be traced: recursive algorithm, half vectors, point and directional lights.
+/// A scene, ready to be traced, with every option of the program that a tracer of planes and spheres has to ask for.
 pub struct Yardstick {
     eye: DVec3,
     forward: DVec3,
@@ -21,8 +22,20 @@ pub struct Yardstick {
     ambient: DVec3,
     background: DVec3,
     lights: Vec<Light>,
+    materials: Vec<Material>,
     objects: Vec<Object>,
+    rules: Rules,
+}
+
+struct Rules {
+    algorithm: Algorithm,
+    specular: SpecularForm,
     max_depth: u32,
+    cutoff: f64,
+    skips_zero_weight: bool,
+    skips_no_local_term: bool,
+    skips_blocked: bool,
+    skips_cutoff: bool,
 }
 
 enum Light {
@@ -32,7 +45,7 @@ enum Light {
 
 struct Object {
     shape: Shape,
-    material: Material,
+    material: usize,
 }
 
 struct Material {
@@ -59,10 +72,12 @@ impl Yardstick {
         let is_center = x == 0.0 && y == 0.0;
         let offset = (self.right * x + self.up * y) * self.length;
         let direction = unit(if is_center { self.forward } else { self.forward + offset });
-        self.color(&Ray { origin: self.eye, direction, from: None, end: f64::INFINITY }, 0, &Media::new())
+        let ray = Ray { origin: self.eye, direction, from: None, end: f64::INFINITY };
+        self.color(&ray, 0, DVec3::ONE, &Media::new())
     }
 
-    fn color(&self, ray: &Ray, depth: u32, media: &Media) -> DVec3 {
+    /// The colour that a ray brings; `weight` is the product of the weights along its path.
+    fn color(&self, ray: &Ray, depth: u32, weight: DVec3, media: &Media) -> DVec3 {
         let mut nearest: Option<(usize, Crossing)> = None;
         for (number, object) in self.objects.iter().enumerate() {
             if let Some(crossing) = object.shape.first_crossing(number, ray)
@@ -72,29 +87,45 @@ impl Yardstick {
             }
         }
         let Some((number, crossing)) = nearest else { return self.background };
-        let Object { shape, material } = &self.objects[number];
-        let (point, normal) = shape.surface(ray, crossing);
-        let hit = Hit { number, point, normal, behind: crossing.behind, view: -ray.direction };
-        let mut color = material.local * self.local(&hit, media);
-        if depth < self.max_depth {
-            if material.reflected != DVec3::ZERO {
-                let direction = ray.direction - normal * 2.0 * ray.direction.dot(normal);
-                let ray = Ray { origin: point, direction, from: Some((number, hit.behind)), end: f64::INFINITY };
-                color += material.reflected * self.color(&ray, depth + 1, media);
-            }
-            if material.transmitted != DVec3::ZERO {
-                let beyond = beyond(media, number, material.ior, hit.behind);
-                if let Some(direction) = refract(ray.direction, normal, ior(&beyond) / ior(media)) {
-                    let ray = Ray { origin: point, direction, from: Some((number, !hit.behind)), end: f64::INFINITY };
-                    color += material.transmitted * self.color(&ray, depth + 1, &beyond);
-                }
+        let object = &self.objects[number];
+        let material = &self.materials[object.material];
+        let (point, normal) = object.shape.surface(ray, crossing);
+        let goes_deeper = match self.rules.algorithm {
+            Algorithm::Recursive => depth < self.rules.max_depth,
+            Algorithm::Whitted | Algorithm::Foley => depth + 1 < self.rules.max_depth,
+        };
+        let hit = Hit { number, material, point, normal, behind: crossing.behind, view: -ray.direction };
+        let is_ambient_only = self.rules.algorithm == Algorithm::Whitted && !goes_deeper;
+        let local = if is_ambient_only { self.ambient * material.ambient } else { self.local(&hit, media) };
+        let mut color = material.local * local;
+        if !goes_deeper {
+            return color;
+        }
+        let transmits = material.transmitted != DVec3::ZERO;
+        let reflects = material.reflected != DVec3::ZERO || transmits;
+        if reflects && !self.is_skipped(weight, material.reflected) {
+            let direction = ray.direction - normal * 2.0 * ray.direction.dot(normal);
+            let ray = Ray { origin: point, direction, from: Some((number, hit.behind)), end: f64::INFINITY };
+            color += material.reflected * self.color(&ray, depth + 1, weight * material.reflected, media);
+        }
+        if transmits && !self.is_skipped(weight, material.transmitted) {
+            let beyond = beyond(media, number, material.ior, hit.behind);
+            if let Some(direction) = refract(ray.direction, normal, ior(&beyond) / ior(media)) {
+                let ray = Ray { origin: point, direction, from: Some((number, !hit.behind)), end: f64::INFINITY };
+                color += material.transmitted * self.color(&ray, depth + 1, weight * material.transmitted, &beyond);
             }
         }
         color
     }
 
+    fn is_skipped(&self, weight: DVec3, factor: DVec3) -> bool {
+        let rules = &self.rules;
+        (rules.skips_zero_weight && factor == DVec3::ZERO)
+            || (rules.skips_cutoff && (weight * factor).cmplt(DVec3::splat(rules.cutoff)).all())
+    }
+
     fn local(&self, hit: &Hit, media: &Media) -> DVec3 {
-        let material = &self.objects[hit.number].material;
+        let material = hit.material;
         let mut sum = self.ambient * material.ambient;
         for light in &self.lights {
             let (toward, distance) = match light {
@@ -110,7 +141,10 @@ impl Yardstick {
             };
             let n_dot_l = hit.normal.dot(toward);
             let is_lit = match () {
-                _ if n_dot_l > 0.0 => material.diffuse != DVec3::ZERO || material.specular != DVec3::ZERO,
+                _ if n_dot_l > 0.0 => {
+                    let uses_light = material.diffuse != DVec3::ZERO || material.specular != DVec3::ZERO;
+                    uses_light || !self.rules.skips_no_local_term
+                }
                 _ => n_dot_l < 0.0 && material.transmission != DVec3::ZERO,
             };
             if !is_lit {
@@ -128,64 +162,76 @@ impl Yardstick {
                 Light::Point { color, .. } | Light::Sun { color, .. } => *color,
             };
             let reflectance = if n_dot_l > 0.0 {
-                material.diffuse * n_dot_l + specular(material, hit, toward)
+                material.diffuse * n_dot_l + self.specular(hit, toward, n_dot_l)
             } else {
-                self.transmission(hit, toward, media)
+                transmission(hit, toward, media)
             };
             sum += color * passed * reflectance;
         }
         sum
     }
 
-    /// The transmitted term of the local model.
-    fn transmission(&self, hit: &Hit, toward: DVec3, media: &Media) -> DVec3 {
-        let material = &self.objects[hit.number].material;
-        let eta = ior(media) / ior(&beyond(media, hit.number, material.ior, hit.behind));
-        if eta == 1.0 {
-            return if hit.view == -toward { material.transmission } else { DVec3::ZERO };
-        }
-        let half = -(toward + hit.view) / (eta - 1.0) - hit.view;
-        let length = half.length();
-        if length == 0.0 {
-            return DVec3::ZERO;
-        }
-        let cosine = -hit.normal.dot(half / length);
-        material.transmission * libm::pow(cosine.max(0.0), material.transmission_exponent)
+    fn specular(&self, hit: &Hit, toward: DVec3, n_dot_l: f64) -> DVec3 {
+        let cosine = match self.rules.specular {
+            SpecularForm::HalfVector => {
+                let half = toward + hit.view;
+                let length = half.length();
+                if length == 0.0 {
+                    return DVec3::ZERO;
+                }
+                hit.normal.dot(half / length)
+            }
+            SpecularForm::ReflectionVector => (hit.normal * 2.0 * n_dot_l - toward).dot(hit.view),
+        };
+        hit.material.specular * libm::pow(cosine.max(0.0), hit.material.shininess)
     }
 
     /// The part of the light that gets along a shadow ray.
     fn passed(&self, ray: &Ray) -> DVec3 {
         let mut crossed = Vec::new();
+        let mut is_blocked = false;
         for (number, object) in self.objects.iter().enumerate() {
-            if object.material.transmitted == DVec3::ZERO {
-                if object.shape.first_crossing(number, ray).is_some() {
-                    return DVec3::ZERO;
-                }
-            } else {
+            if self.materials[object.material].transmitted != DVec3::ZERO {
                 let crossings = object.shape.all_crossings(number, ray);
-                crossed.extend(crossings.into_iter().flatten().map(|crossing| (crossing.t, number)));
+                crossed.extend(crossings.into_iter().flatten().map(|crossing| (crossing.t, number, object.material)));
+            } else if object.shape.first_crossing(number, ray).is_some() {
+                is_blocked = true;
+                if self.rules.skips_blocked {
+                    break;
+                }
             }
         }
-        crossed.sort_by(|(t, number), (other_t, other)| t.total_cmp(other_t).then(number.cmp(other)));
-        crossed.iter().fold(DVec3::ONE, |passed, (_, number)| passed * self.objects[*number].material.transmitted)
+        if is_blocked {
+            return DVec3::ZERO;
+        }
+        crossed.sort_by(|(t, number, _), (other_t, other, _)| t.total_cmp(other_t).then(number.cmp(other)));
+        crossed.iter().fold(DVec3::ONE, |passed, (_, _, material)| passed * self.materials[*material].transmitted)
     }
 }
 
-struct Hit {
+struct Hit<'a> {
     number: usize,
+    material: &'a Material,
     point: DVec3,
     normal: DVec3,
     behind: bool,
     view: DVec3,
 }
 
-fn specular(material: &Material, hit: &Hit, toward: DVec3) -> DVec3 {
-    let half = toward + hit.view;
+/// The transmitted term of the local model.
+fn transmission(hit: &Hit, toward: DVec3, media: &Media) -> DVec3 {
+    let material = hit.material;
+    let eta = ior(media) / ior(&beyond(media, hit.number, material.ior, hit.behind));
+    if eta == 1.0 {
+        return if hit.view == -toward { material.transmission } else { DVec3::ZERO };
+    }
+    let half = -(toward + hit.view) / (eta - 1.0) - hit.view;
     let length = half.length();
     if length == 0.0 {
         return DVec3::ZERO;
     }
-    material.specular * libm::pow(hit.normal.dot(half / length).max(0.0), material.shininess)
+    let cosine = -hit.normal.dot(half / length);
+    material.transmission * libm::pow(cosine.max(0.0), material.transmission_exponent)
 }
 
 fn ior(media: &Media) -> f64 {

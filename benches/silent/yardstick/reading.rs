@@ -1,18 +1,19 @@
 //! The yardstick's scene, from the numbers of a scene file.
 
 use super::shapes::Shape;
-use super::{Light, Material, Object, Yardstick, unit};
+use super::{Light, Material, Object, Rules, Yardstick, unit};
 use glam::DVec3;
 use raywalk::scene::file::schema as file;
 
 impl Yardstick {
+    /// The scene, by the program's default rules of what is left out.
     pub fn new(scene: &file::SceneFile) -> Yardstick {
-        assert_eq!(scene.tracing.algorithm, file::Algorithm::Recursive);
-        assert_eq!(scene.tracing.specular, file::SpecularForm::HalfVector);
         let camera = &scene.camera;
         let forward = DVec3::from(camera.direction());
         let right = unit(forward.cross(camera.up.into()));
         let half_height = libm::tan(camera.vertical_fov.to_radians() / 2.0);
+        let mut materials: Vec<_> = scene.materials.iter().map(|(_, material)| material.clone()).collect();
+        materials.push(file::Material::default());
         Yardstick {
             eye: camera.position.into(),
             forward,
@@ -24,8 +25,18 @@ impl Yardstick {
             ambient: scene.ambient.into(),
             background: scene.background.into(),
             lights: scene.lights.iter().map(Light::new).collect(),
+            materials: materials.iter().map(Material::new).collect(),
             objects: scene.objects.iter().map(|object| Object::new(object, scene)).collect(),
-            max_depth: scene.tracing.max_depth,
+            rules: Rules {
+                algorithm: scene.tracing.algorithm,
+                specular: scene.tracing.specular,
+                max_depth: scene.tracing.max_depth,
+                cutoff: scene.tracing.cutoff,
+                skips_zero_weight: true,
+                skips_no_local_term: true,
+                skips_blocked: true,
+                skips_cutoff: true,
+            },
         }
     }
 }
@@ -59,23 +70,25 @@ impl Object {
             }
             _ => panic!("the yardstick has no shape `{}`", object.shape.key()),
         };
-        let named = |name: &str| scene.materials.get(name).cloned();
-        let material = object.material.as_deref().and_then(named).unwrap_or_default();
-        let weight = |weight: &file::Weight| DVec3::from(weight.rgb());
-        Object {
-            shape,
-            material: Material {
-                ambient: material.ambient.into(),
-                diffuse: material.diffuse.into(),
-                specular: material.specular.into(),
-                transmission: material.transmission.into(),
-                shininess: material.shininess,
-                transmission_exponent: material.transmission_exponent,
-                ior: material.ior,
-                local: weight(&material.weights.local),
-                reflected: weight(&material.weights.reflected),
-                transmitted: weight(&material.weights.transmitted),
-            },
+        let named = object.material.as_deref().and_then(|name| scene.materials.index_of(name));
+        Object { shape, material: named.unwrap_or(scene.materials.len()) }
+    }
+}
+
+impl Material {
+    fn new(material: &file::Material) -> Material {
+        let weight = |weight: file::Weight| DVec3::from(weight.rgb());
+        Material {
+            ambient: material.ambient.into(),
+            diffuse: material.diffuse.into(),
+            specular: material.specular.into(),
+            transmission: material.transmission.into(),
+            shininess: material.shininess,
+            transmission_exponent: material.transmission_exponent,
+            ior: material.ior,
+            local: weight(material.weights.local),
+            reflected: weight(material.weights.reflected),
+            transmitted: weight(material.weights.transmitted),
         }
     }
 }
