@@ -34,12 +34,13 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
 /// straight line; zero as soon as an opaque one is crossed (Ramos, section 1.2.5).
+#[inline(never)]
 pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut is_blocked = false;
     for (object, thing) in (0..).zip(&scene.objects) {
-        if scene.material_of(object).transmits() {
+        if scene.materials[thing.material].transmits() {
             let crossings = thing.shape.all_crossings(object, ray, probe);
             crossed.extend(crossings.into_iter().flatten().map(|crossing| (crossing.t, object)));
         } else if thing.shape.first_crossing(object, ray, probe).is_some() {

@@ -72,7 +72,10 @@ impl Shape {
 
     /// The side on which the ray leaves this object, if it does.
     fn side_left(&self, object: u32, ray: &Ray) -> Option<Side> {
-        ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side)
+        match ray.leaving {
+            Some(leaving) if leaving.object == object => Some(leaving.side),
+            _ => None,
+        }
     }
 }
 
