@@ -10,7 +10,8 @@
 //! ```
 //!
 //! `·` is the product of two numbers, the scaling of a triple, or the dot product of two triples; `∘` multiplies colours
-//! channel by channel; `x⁺` is max(0, x); `|v|` is a length, and `|v|²` is v · v, without a root. `Σ` adds over the lights
+//! channel by channel; `x⁺` is the number between 0 and 1
+//! that is nearest to x; `|v|` is a length, and `|v|²` is v · v, without a root. `Σ` adds over the lights
 //! of a surface point, one after the other, to the sum before it; a term of which the log holds no part is zero. A symbol is
 //! the longest one of the table of names that the text goes on with, so `N·L` is the quantity and `N · L` its formula.
 //! Operations are done from left to right: evaluated so, a formula gives the logged value to the last bit.

@@ -29,10 +29,7 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
     }
     let inside = meeting.path.media;
     let beyond = inside.beyond(meeting.object, material.ior, meeting.surface.side);
-    let Some(direction) = refract(meeting, inside.ior(), beyond.ior(), probe) else {
-        probe.mark(Decision::TotalInternalReflection);
-        return Color::ZERO;
-    };
+    let Some(direction) = refract(meeting, inside.ior(), beyond.ior(), probe) else { return Color::ZERO };
     let ray = leaving_ray(meeting, direction, meeting.leaving_beyond());
     follow(scene, meeting, RayKind::Transmitted, &ray, weight, &beyond, probe)
 }
@@ -42,7 +39,7 @@ fn mirror<P: Probe>(direction: DVec3, normal: DVec3, probe: &mut P) -> DVec3 {
     probe.note(Name::ReflectDirection, direction - normal * 2.0 * direction.dot(normal))
 }
 
-/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None` at a total internal reflection.
+/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None`, marked, at a total internal reflection.
 ///
 /// The usual k = 1 − (1 − cos²φ₁)/η² cancels; here sin²φ₁ is the squared length of the direction's tangential part.
 fn refract<P: Probe>(meeting: &Meeting, eta_1: f64, eta_2: f64, probe: &mut P) -> Option<DVec3> {
@@ -50,10 +47,15 @@ fn refract<P: Probe>(meeting: &Meeting, eta_1: f64, eta_2: f64, probe: &mut P) -
     probe.given(Name::RefractEta1, eta_1);
     probe.given(Name::RefractEta2, eta_2);
     let eta = probe.note(Name::RefractEta, eta_2 / eta_1);
+    if eta == 0.0 {
+        probe.mark(Decision::Undefined { quantity: Name::RefractDirection });
+        return None;
+    }
     let cos_1 = probe.note(Name::RefractCos1, -normal.dot(direction));
     let tangential = direction + normal * cos_1;
     let k_eta_squared = eta * eta - tangential.dot(tangential);
     if k_eta_squared < 0.0 {
+        probe.mark(Decision::TotalInternalReflection);
         return None;
     }
     let cos_2 = probe.note(Name::RefractCos2, k_eta_squared.sqrt() / eta);

@@ -36,10 +36,10 @@ struct Meeting<'a> {
     path: &'a Path<'a>,
 }
 
-/// The colour that a camera ray brings.
-pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Ray, probe: &mut P) -> Color {
+/// The colour that a camera ray brings; the background's if it has no direction.
+pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Color {
     probe.within(Step::Ray { kind: RayKind::Camera, depth: 0 }, |probe| {
-        let ray = aim(probe);
+        let Some(ray) = aim(probe) else { return scene.background };
         let outside = Media::default();
         radiance(scene, &ray, &Path { level: 0, media: &outside, weight: Color::ONE }, probe)
     })

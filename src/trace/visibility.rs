@@ -1,7 +1,7 @@
 //! What a ray meets first, and how much light gets through.
 
 use crate::geometry::{Crossing, Ray};
-use crate::log::{Decision, SkipReason};
+use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
 use crate::scene::{Color, Scene};
 
@@ -49,6 +49,7 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
             }
             is_blocked = true;
             if stops_when_blocked {
+                probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Blocked });
                 break;
             }
         }
@@ -59,9 +60,16 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
 /// The product over the crossed surfaces, in the order of the ray, so that it has the same bits however they were found.
 fn attenuation<P: Probe>(scene: &Scene, mut crossed: Vec<(f64, u32)>, probe: &mut P) -> Color {
     crossed.sort_by(|(t, object), (other_t, other)| t.total_cmp(other_t).then(object.cmp(other)));
-    crossed.into_iter().fold(Color::ONE, |part, (_, object)| {
+    let mut part = Color::ONE;
+    for (_, object) in crossed {
         let factor = scene.material_of(object).weights.transmitted;
         probe.mark(Decision::Attenuated { object, factor: factor.to_array() });
-        part * factor
-    })
+        part *= factor;
+        if part == Color::ZERO {
+            // Filters of different colours let nothing through together.
+            probe.mark(Decision::Occluded { object });
+            break;
+        }
+    }
+    part
 }

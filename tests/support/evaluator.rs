@@ -43,7 +43,7 @@ impl Evaluator<'_> {
             Formula::Symbol(symbol) => self.operand(symbol),
             Formula::Grouped(inner) => self.part(inner),
             Formula::Negated(inner) => map(self.part(inner)?, |x| -x),
-            Formula::Positive(inner) => map(self.part(inner)?, |x| if x > 0.0 { x } else { 0.0 }),
+            Formula::Positive(inner) => map(self.part(inner)?, |x| x.clamp(0.0, 1.0)),
             Formula::Root(inner) => map(self.part(inner)?, f64::sqrt),
             // |v|² is v · v: on paper nobody takes a root to square it.
             Formula::Squared(inner) => match (self.part(inner)?, &**inner) {
