@@ -65,6 +65,7 @@ pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
         }
         Decision::TotalInternalReflection => "total internal reflection".to_owned(),
         Decision::DepthLimit { what } => format!("depth limit: no {}", skippable(*what)),
+        Decision::Skipped { why: SkipReason::Blocked, .. } => "the rest is skipped".to_owned(),
         Decision::Skipped { what, why } => format!("skipped: {} ({})", skippable(*what), skip_reason(*why)),
     }
 }
