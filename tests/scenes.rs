@@ -63,11 +63,15 @@ fn logs_hold_finite_numbers_and_nodes_that_nest() {
     for name in builtin::names() {
         let scene = scene(name);
         for pixel in grid(&scene, 15) {
+            let arithmetics = [&ARITHMETICS[..], &[Arithmetic::Decimal(0), Arithmetic::Decimal(1)]].concat();
+            for arithmetic in arithmetics {
+                let log = record::pixel(&scene, pixel, arithmetic);
+                assert!(log.events.iter().all(is_finite), "{name} {pixel:?} {arithmetic}");
+            }
             let log = record::pixel(&scene, pixel, Arithmetic::F64);
             let mut open = vec![0];
             for (index, event) in log.events.iter().enumerate() {
                 assert_eq!(event.at as usize, index + 1);
-                assert!(is_finite(event), "{name} {pixel:?}: {event:?}");
                 match event.what {
                     What::Enter { parent, .. } => {
                         assert_eq!(Some(&parent), open.last());

@@ -152,6 +152,11 @@ pub enum Decision {
         /// The part let through, per channel.
         factor: [f64; 3],
     },
+    /// A quantity has no value in this arithmetic: what it is divided by came to zero. The computation goes on without.
+    Undefined {
+        /// The quantity.
+        quantity: Name,
+    },
     /// No ray can be transmitted here.
     TotalInternalReflection,
     /// A bounce isn't traced because it would lie too deep in the ray tree.

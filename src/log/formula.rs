@@ -11,10 +11,13 @@
 //! ```
 //!
 //! `·` is the product of two numbers, the scaling of a triple, or the dot product of two triples; `∘` multiplies colours
-//! channel by channel; `×` is the cross product; `⊘` divides component by component, and a quotient that isn't finite counts
-//! as the largest number of its sign (0⊘0 as 0); `min` and `max` of two triples go component by component, of one triple they
-//! are its least and its greatest component; `x⁺` is max(0, x); `|v|` is a length; `Σ` adds over the lights of a surface point. A symbol is the
-//! longest one of the table of names that the text goes on with, so `N·L` is the quantity and `N · L` its formula.
+//! channel by channel; `×` is the cross product; `⊘` divides component by component, and a quotient that isn't finite
+//! counts as the largest number of its sign (0⊘0 as 0); `min` and `max` of two triples go component by component, of one
+//! triple they are its least and its greatest component; `x⁺` is the number between 0 and 1 that is nearest to x; `|v|` is a
+//! length, and `|v|²` is v · v, without a root. `Σ` adds over the lights of a surface point, one after the other, to the sum
+//! before it; a term of which the log holds no part is zero. A symbol is the longest one of the table of names that the text
+//! goes on with, so `N·L` is the quantity and `N · L` its formula. Operations are done from left to right: evaluated so, a
+//! formula gives the logged value to the last bit.
 
 use super::name::Name;
 use std::sync::LazyLock;

@@ -131,6 +131,7 @@ names! {
     ShadeNDotH: "shade.n_dot_h", "", "N·H", "N · H", "1.3 (7)";
     ShadeRDotV: "shade.r_dot_v", "", "R·V", "R_L · V", "1.2.1";
     ShadeNDotTransmitted: "shade.n_dot_transmitted", "", "−N·H′", "−(N · H′)", "1.2.1";
+    ShadeNDotTransmittedStraight: "shade.n_dot_transmitted", "no_interface", "−N·H′", "", "1.2.1";
     MaterialAmbient: "material.ambient", "", "K_a", "", "1.2.1";
     MaterialDiffuse: "material.diffuse", "", "K_d", "", "1.2.1";
     MaterialSpecular: "material.specular", "", "K_e", "", "1.2.1";

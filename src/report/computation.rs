@@ -140,6 +140,8 @@ impl Substitution<'_> {
         match self.text(inner) {
             Part::Text(text, true) if text.starts_with('-') => Part::Zero,
             Part::Text(text, _) if text == "0" => Part::Zero,
+            // Only rounding takes a cosine past 1.
+            Part::Text(text, _) if text.parse::<f64>().is_ok_and(|x| x > 1.0) => Part::Text("1".to_owned(), false),
             part => part,
         }
     }

@@ -60,8 +60,12 @@ pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
                 number::value(&Value::Triple(*factor), style)
             )
         }
+        Decision::Undefined { quantity } => {
+            format!("{} has no value in this arithmetic: it would be divided by zero", quantity.symbol())
+        }
         Decision::TotalInternalReflection => "total internal reflection".to_owned(),
         Decision::DepthLimit { what } => format!("depth limit: no {}", skippable(*what)),
+        Decision::Skipped { why: SkipReason::Blocked, .. } => "the rest is skipped".to_owned(),
         Decision::Skipped { what, why } => format!("skipped: {} ({})", skippable(*what), skip_reason(*why)),
     }
 }

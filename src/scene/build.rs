@@ -135,7 +135,9 @@ fn light((index, light): (usize, &file::Light)) -> Result<Light, Unsupported> {
             return Err(Unsupported { path: format!("lights[{index}].{key}"), what: format!("a light `{key}`") });
         }
     };
-    Ok(Light { name: light.name.clone(), kind, color: light.color.into(), attenuation: light.attenuation })
+    let fades = matches!(kind, LightKind::Point { .. }) && light.attenuation != [1.0, 0.0, 0.0];
+    let attenuation = fades.then_some(light.attenuation);
+    Ok(Light { name: light.name.clone(), kind, color: light.color.into(), attenuation })
 }
 
 fn material(material: &file::Material) -> Material {

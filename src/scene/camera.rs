@@ -1,7 +1,7 @@
 //! The eye: which ray goes through which place of the picture.
 
 use crate::geometry::Ray;
-use crate::log::Name;
+use crate::log::{Decision, Name};
 use crate::probe::Probe;
 use glam::DVec3;
 
@@ -44,7 +44,7 @@ impl Camera {
     ///
     /// Through the centre it has the direction of view as given, normalised; others normalise
     /// G + |G|·(x·e_x + y·e_y), x and y measured in the plane at distance 1.
-    pub fn ray<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> Ray {
+    pub fn ray<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> Option<Ray> {
         let middle = self.resolution.map(|side| f64::from(side) / 2.0);
         probe.given(Name::RayOrigin, self.position);
         let vector = if [column, row] == middle {
@@ -75,16 +75,21 @@ impl Camera {
 }
 
 /// A ray that is asked for by its origin and its direction, of any length.
-pub fn ray_along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Ray {
+pub fn ray_along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
     probe.given(Name::RayOrigin, origin);
     probe.given(Name::RayVector, vector);
     along(origin, vector, probe)
 }
 
-/// The ray from `origin` along `vector`, which is normalised (Ramos, section 1.3, step 1).
-fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Ray {
+/// The ray from `origin` along `vector`, which is normalised (Ramos, section 1.3, step 1); `None` where an arithmetic of few
+/// digits makes nothing of its length.
+fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
     let length = probe.note(Name::RayLength, vector.dot(vector).sqrt());
-    Ray::new(origin, probe.note(Name::RayDirection, vector / length))
+    if length == 0.0 {
+        probe.mark(Decision::Undefined { quantity: Name::RayDirection });
+        return None;
+    }
+    Some(Ray::new(origin, probe.note(Name::RayDirection, vector / length)))
 }
 
 fn unit(vector: DVec3) -> DVec3 {

@@ -14,8 +14,8 @@ pub struct Light {
     pub kind: LightKind,
     /// Its intensity per channel, I_i.
     pub color: Color,
-    /// How it fades with distance: constant, linear and quadratic coefficient.
-    pub attenuation: [f64; 3],
+    /// How it fades with distance: constant, linear and quadratic coefficient; `None` where it doesn't.
+    pub attenuation: Option<[f64; 3]>,
 }
 
 /// Where a light is.
@@ -50,8 +50,7 @@ impl Light {
             LightKind::Directional { travel } => probe.given(Name::LightTravel, travel),
         }
         probe.given(Name::LightColor, self.color);
-        if self.fades() {
-            let [constant, linear, quadratic] = self.attenuation;
+        if let Some([constant, linear, quadratic]) = self.attenuation {
             probe.given(Name::LightConstant, constant);
             probe.given(Name::LightLinear, linear);
             probe.given(Name::LightQuadratic, quadratic);
@@ -82,16 +81,8 @@ impl Light {
     /// min(1, 1/(c + l·dist + q·dist²)).
     #[inline]
     pub fn faded<P: Probe>(&self, distance: f64, probe: &mut P) -> Color {
-        if !self.fades() {
-            return self.color;
-        }
-        let [constant, linear, quadratic] = self.attenuation;
+        let Some([constant, linear, quadratic]) = self.attenuation else { return self.color };
         let fading = 1.0 / (constant + linear * distance + quadratic * (distance * distance));
         self.color * probe.note(Name::LightAttenuation, fading.min(1.0))
-    }
-
-    fn fades(&self) -> bool {
-        let is_far = matches!(self.kind, LightKind::Directional { .. });
-        !is_far && self.attenuation != [1.0, 0.0, 0.0]
     }
 }

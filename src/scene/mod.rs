@@ -1,6 +1,6 @@
 //! What is traced: a scene, validated, in numbers and ready.
 //!
-//! Behind the door of [`file`] there are indices and no surprises: names are resolved, vectors have a length, and numbers
+//! Behind the door of [`mod@file`] there are indices and no surprises: names are resolved, vectors have a length, and numbers
 //! are finite.
 
 mod build;

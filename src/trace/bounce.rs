@@ -10,31 +10,28 @@ use glam::DVec3;
 
 /// What the reflected ray brings; nothing where there is none.
 pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
-    let material = scene.material_of(meeting.object);
+    let material = meeting.material;
     let weight = material.weights.reflected;
     if !material.reflects() || is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
         return Color::ZERO;
     }
     let direction = mirror(meeting.ray.direction, meeting.surface.normal, probe);
     let ray = leaving_ray(meeting, direction, meeting.leaving_here());
-    follow(scene, meeting, RayKind::Reflected, &ray, weight, meeting.path.media.clone(), probe)
+    follow(scene, meeting, RayKind::Reflected, &ray, weight, meeting.path.media, probe)
 }
 
 /// What the transmitted ray brings; nothing where there is none, as at a total internal reflection.
 pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
-    let material = scene.material_of(meeting.object);
+    let material = meeting.material;
     let weight = material.weights.transmitted;
     if !material.transmits() || is_left_out(scene, meeting, Skippable::Transmitted, weight, probe) {
         return Color::ZERO;
     }
-    let inside = &meeting.path.media;
+    let inside = meeting.path.media;
     let beyond = inside.beyond(meeting.object, material.ior, meeting.surface.side);
-    let Some(direction) = refract(meeting, inside.ior(), beyond.ior(), probe) else {
-        probe.mark(Decision::TotalInternalReflection);
-        return Color::ZERO;
-    };
+    let Some(direction) = refract(meeting, inside.ior(), beyond.ior(), probe) else { return Color::ZERO };
     let ray = leaving_ray(meeting, direction, meeting.leaving_beyond());
-    follow(scene, meeting, RayKind::Transmitted, &ray, weight, beyond, probe)
+    follow(scene, meeting, RayKind::Transmitted, &ray, weight, &beyond, probe)
 }
 
 /// R = d − 2N(d·N). It isn't normalised again.
@@ -42,7 +39,7 @@ fn mirror<P: Probe>(direction: DVec3, normal: DVec3, probe: &mut P) -> DVec3 {
     probe.note(Name::ReflectDirection, direction - normal * 2.0 * direction.dot(normal))
 }
 
-/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None` at a total internal reflection.
+/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None`, marked, at a total internal reflection.
 ///
 /// The usual k = 1 − (1 − cos²φ₁)/η² cancels; here sin²φ₁ is the squared length of the direction's tangential part.
 fn refract<P: Probe>(meeting: &Meeting, eta_1: f64, eta_2: f64, probe: &mut P) -> Option<DVec3> {
@@ -50,10 +47,15 @@ fn refract<P: Probe>(meeting: &Meeting, eta_1: f64, eta_2: f64, probe: &mut P) -
     probe.given(Name::RefractEta1, eta_1);
     probe.given(Name::RefractEta2, eta_2);
     let eta = probe.note(Name::RefractEta, eta_2 / eta_1);
+    if eta == 0.0 {
+        probe.mark(Decision::Undefined { quantity: Name::RefractDirection });
+        return None;
+    }
     let cos_1 = probe.note(Name::RefractCos1, -normal.dot(direction));
     let tangential = direction + normal * cos_1;
     let k_eta_squared = eta * eta - tangential.dot(tangential);
     if k_eta_squared < 0.0 {
+        probe.mark(Decision::TotalInternalReflection);
         return None;
     }
     let cos_2 = probe.note(Name::RefractCos2, k_eta_squared.sqrt() / eta);
@@ -67,7 +69,9 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weig
         probe.mark(Decision::DepthLimit { what });
         return true;
     }
-    let is_below_cutoff = (meeting.path.weight * weight).cmplt(Color::splat(tracing.cutoff)).all();
+    // A cutoff of 0 is none.
+    let is_below_cutoff =
+        tracing.cutoff > 0.0 && (meeting.path.weight * weight).cmplt(Color::splat(tracing.cutoff)).all();
     let why = match () {
         _ if weight == Color::ZERO && tracing.skip.has(SkipReason::ZeroWeight) => SkipReason::ZeroWeight,
         _ if is_below_cutoff && tracing.skip.has(SkipReason::Cutoff) => SkipReason::Cutoff,
@@ -88,7 +92,7 @@ fn follow<P: Probe>(
     kind: RayKind,
     ray: &Ray,
     weight: Color,
-    media: Media,
+    media: &Media,
     probe: &mut P,
 ) -> Color {
     let level = meeting.path.level + 1;

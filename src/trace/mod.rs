@@ -14,15 +14,15 @@ pub use visibility::{Hit, closest_hit, is_any_hit, transmittance};
 use crate::geometry::{Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
-use crate::scene::{Color, Scene, Weights};
+use crate::scene::{Color, Material, Scene, Weights};
 
 /// What a ray carries with it down the ray tree.
-#[derive(Clone, Debug)]
-pub struct Path {
+#[derive(Clone, Copy, Debug)]
+pub struct Path<'a> {
     /// The ray's level; the camera's ray has 0.
     pub level: u32,
     /// The media that the ray is inside.
-    pub media: Media,
+    pub media: &'a Media,
     /// The product of the weights so far.
     pub weight: Color,
 }
@@ -33,14 +33,16 @@ struct Meeting<'a> {
     primitive: u32,
     ray: &'a Ray,
     surface: Surface,
-    path: &'a Path,
+    material: &'a Material,
+    path: &'a Path<'a>,
 }
 
-/// The colour that a camera ray brings.
-pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Ray, probe: &mut P) -> Color {
+/// The colour that a camera ray brings; the background's if it has no direction.
+pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Color {
     probe.within(Step::Ray { kind: RayKind::Camera, depth: 0 }, |probe| {
-        let ray = aim(probe);
-        radiance(scene, &ray, &Path::from_eye(), probe)
+        let Some(ray) = aim(probe) else { return scene.background };
+        let outside = Media::default();
+        radiance(scene, &ray, &Path { level: 0, media: &outside, weight: Color::ONE }, probe)
     })
 }
 
@@ -51,11 +53,12 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> C
         return scene.background;
     };
     let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);
-    let meeting = Meeting { object: hit.object, primitive: hit.crossing.primitive, ray, surface, path };
+    let material = scene.material_of(hit.object);
+    let meeting = Meeting { object: hit.object, primitive: hit.crossing.primitive, ray, surface, material, path };
     let local = shade::local_intensity(scene, &meeting, probe);
     let reflected = bounce::reflected(scene, &meeting, probe);
     let transmitted = bounce::transmitted(scene, &meeting, probe);
-    combine(&scene.material_of(hit.object).weights, local, reflected, transmitted, probe)
+    combine(&material.weights, local, reflected, transmitted, probe)
 }
 
 /// I = W_l·I_local + W_r·I_reflected + W_t·I_transmitted (Ramos, section 1.2.3).
@@ -72,13 +75,6 @@ fn combine<P: Probe>(weights: &Weights, local: Color, reflected: Color, transmit
         let transmitted = probe.note(Name::CombineTransmitted, weights.transmitted * transmitted);
         probe.note(Name::CombineColor, local + reflected + transmitted)
     })
-}
-
-impl Path {
-    /// The path of a camera ray.
-    fn from_eye() -> Path {
-        Path { level: 0, media: Media::default(), weight: Color::ONE }
-    }
 }
 
 impl Meeting<'_> {

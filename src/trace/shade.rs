@@ -10,7 +10,7 @@ use glam::DVec3;
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead.
 pub(super) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
-    let material = scene.material_of(meeting.object);
+    let material = meeting.material;
     probe.within(Step::Shade { object: meeting.object }, |probe| {
         probe.given(Name::AmbientLight, scene.ambient);
         probe.given(Name::MaterialAmbient, material.ambient);
@@ -39,7 +39,7 @@ fn from_light<P: Probe>(
     light: &Light,
     probe: &mut P,
 ) -> Color {
-    let material = scene.material_of(meeting.object);
+    let material = meeting.material;
     let normal = meeting.surface.normal;
     let Some(arrival) = light.seen_from(meeting.surface.point, probe) else { return Color::ZERO };
     let n_dot_l = probe.note(Name::ShadeNDotL, normal.dot(arrival.direction));
@@ -61,7 +61,7 @@ fn from_light<P: Probe>(
     }
     let arriving = light.faded(arrival.distance, probe) * passed;
     let reflectance = if is_in_front {
-        material.diffuse * n_dot_l + specular(scene, material, normal, view, arrival.direction, n_dot_l, probe)
+        material.diffuse * cosine(n_dot_l) + specular(scene, material, normal, view, arrival.direction, n_dot_l, probe)
     } else {
         transmission(meeting, material, view, arrival.direction, probe)
     };
@@ -100,7 +100,7 @@ fn specular<P: Probe>(
     n_dot_l: f64,
     probe: &mut P,
 ) -> Color {
-    let cosine = match scene.tracing.specular {
+    let between = match scene.tracing.specular {
         Specular::HalfVector => {
             let sum = probe.note(Name::HalfSum, light + view);
             let length = probe.note(Name::HalfLength, sum.dot(sum).sqrt());
@@ -116,21 +116,26 @@ fn specular<P: Probe>(
             probe.note(Name::ShadeRDotV, mirrored.dot(view))
         }
     };
-    material.specular * libm::pow(cosine.max(0.0), material.shininess)
+    material.specular * libm::pow(cosine(between), material.shininess)
 }
 
 /// K_t ((−N·H′)⁺)^n_t with H′ = (−L − ηV)/(η − 1), normalised; the light's side is medium 1, the viewer's medium 2.
 ///
 /// The sum is written as −(L + V)/(η − 1) − V, which keeps its digits where η is near 1.
 fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, light: DVec3, probe: &mut P) -> Color {
-    let media = &meeting.path.media;
+    let lobe = |between: f64| material.transmission * libm::pow(cosine(between), material.transmission_exponent);
+    let media = meeting.path.media;
     let eta_light = media.beyond(meeting.object, material.ior, meeting.surface.side).ior();
     probe.given(Name::RefractEta1, eta_light);
     probe.given(Name::RefractEta2, media.ior());
     let eta = probe.note(Name::TransmitEta, media.ior() / eta_light);
     if eta == 1.0 {
-        // No interface: the lobe has narrowed to the straight line.
-        return if view == -light { material.transmission } else { Color::ZERO };
+        // No interface: the lobe has narrowed to the straight line, where it keeps its height.
+        if view != -light {
+            return Color::ZERO;
+        }
+        let between = probe.note(Name::ShadeNDotTransmittedStraight, 1.0);
+        return lobe(between);
     }
     let sum = probe.note(Name::TransmitSum, -(light + view) / (eta - 1.0) - view);
     let length = probe.note(Name::TransmitLength, sum.dot(sum).sqrt());
@@ -138,8 +143,14 @@ fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, l
         return Color::ZERO;
     }
     let half = probe.note(Name::TransmitDirection, sum / length);
-    let cosine = probe.note(Name::ShadeNDotTransmitted, -meeting.surface.normal.dot(half));
-    material.transmission * libm::pow(cosine.max(0.0), material.transmission_exponent)
+    let between = probe.note(Name::ShadeNDotTransmitted, -meeting.surface.normal.dot(half));
+    lobe(between)
+}
+
+/// x⁺: what a dot product of unit vectors is worth as a cosine. Rounding can take it past 1, and a large exponent from there
+/// to anywhere.
+fn cosine(x: f64) -> f64 {
+    x.clamp(0.0, 1.0)
 }
 
 /// Which formula the local intensity has under the scene's options and on this material.

@@ -1,7 +1,7 @@
 //! What a ray meets first, and how much light gets through.
 
 use crate::geometry::{Crossing, Ray};
-use crate::log::{Decision, SkipReason};
+use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
 use crate::scene::{Color, Scene, tracing::Tests};
 
@@ -45,6 +45,7 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
 /// straight line; zero as soon as an opaque one is crossed (Ramos, section 1.2.5).
+#[inline(never)]
 pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);
     let mut crossed: Vec<(f64, u32)> = Vec::new();
@@ -52,7 +53,7 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
     let mut is_blocked = false;
     visit(scene, ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
-        if scene.material_of(object).transmits() {
+        if scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
         } else if thing.shape.is_crossed(object, thing.one_sided, ray, probe) {
@@ -61,7 +62,11 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
             }
             is_blocked = true;
         }
-        if is_blocked && stops_when_blocked { -1.0 } else { ray.t_max }
+        if is_blocked && stops_when_blocked {
+            probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Blocked });
+            return -1.0;
+        }
+        ray.t_max
     });
     if is_blocked { Color::ZERO } else { attenuation(scene, crossed, probe) }
 }
@@ -81,9 +86,16 @@ fn visit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P, mut meet: impl FnMut
 /// The product over the crossed surfaces, in the order of the ray, so that it has the same bits however they were found.
 fn attenuation<P: Probe>(scene: &Scene, mut crossed: Vec<(f64, u32)>, probe: &mut P) -> Color {
     crossed.sort_by(|(t, object), (other_t, other)| t.total_cmp(other_t).then(object.cmp(other)));
-    crossed.into_iter().fold(Color::ONE, |part, (_, object)| {
+    let mut part = Color::ONE;
+    for (_, object) in crossed {
         let factor = scene.material_of(object).weights.transmitted;
         probe.mark(Decision::Attenuated { object, factor: factor.to_array() });
-        part * factor
-    })
+        part *= factor;
+        if part == Color::ZERO {
+            // Filters of different colours let nothing through together.
+            probe.mark(Decision::Occluded { object });
+            break;
+        }
+    }
+    part
 }

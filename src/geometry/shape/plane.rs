@@ -33,11 +33,13 @@ impl Kernel for Plane {
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         let v_d = probe.note(Name::PlaneVd, self.normal.dot(ray.direction));
-        if v_d == 0.0 {
+        let v_o = -(self.normal.dot(ray.origin) + self.offset);
+        // Parallel, or so nearly that the distance is no number.
+        if v_d == 0.0 || !(v_o / v_d).is_finite() {
             probe.mark(Decision::Miss { why: Miss::Parallel });
             return None;
         }
-        let v_o = probe.note(Name::PlaneVo, -(self.normal.dot(ray.origin) + self.offset));
+        let v_o = probe.note(Name::PlaneVo, v_o);
         let t = probe.note(Name::PlaneT, v_o / v_d);
         let side = if v_d < 0.0 { Side::Front } else { Side::Back };
         decide(ray, approach, Crossing { t, side, primitive: 0 }, probe)

@@ -74,7 +74,9 @@ impl Sphere {
                 probe.note(Name::SphereT2aRobust, self.radius_squared - to_chord.dot(to_chord))
             }
         };
-        if t2_a < 0.0 {
+        // A line that only touches has one point in common with the sphere, unless it is at the ray's own origin.
+        let touches_origin = t2_a == 0.0 && t_a == 0.0;
+        if t2_a < 0.0 || touches_origin {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
         }
@@ -160,8 +162,13 @@ impl Kernel for Sphere {
             SphereMethod::Geometric => probe.note(Name::HitPoint, along_ray),
             SphereMethod::Robust => {
                 let from_center = along_ray - self.center;
-                let scale = self.radius / from_center.length();
-                probe.note(Name::HitPointSphere, self.center + from_center * scale)
+                let distance = from_center.length();
+                if distance == 0.0 {
+                    // Only where few digits are left: there is no direction to put the point back along.
+                    probe.note(Name::HitPoint, along_ray)
+                } else {
+                    probe.note(Name::HitPointSphere, self.center + from_center * (self.radius / distance))
+                }
             }
         };
         let normal = if crossing.side == self.outer {

@@ -65,6 +65,7 @@ pub(super) enum Mark {
     Background {},
     Occluded { object: String },
     Attenuated { object: String, factor: [f64; 3] },
+    Undefined { quantity: String },
     TotalInternalReflection {},
     DepthLimit { what: String },
     Skipped { what: String, why: String },

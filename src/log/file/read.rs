@@ -234,6 +234,10 @@ impl Reader {
             Mark::Background {} => Decision::Background,
             Mark::Occluded { object } => Decision::Occluded { object: self.object(&object)? },
             Mark::Attenuated { object, factor } => Decision::Attenuated { object: self.object(&object)?, factor },
+            Mark::Undefined { quantity } => {
+                let name = Name::all().find(|name| name.key() == quantity);
+                Decision::Undefined { quantity: name.ok_or_else(|| format!("unknown quantity `{quantity}`"))? }
+            }
             Mark::TotalInternalReflection {} => Decision::TotalInternalReflection,
             Mark::DepthLimit { what } => Decision::DepthLimit { what: skippable(&what)? },
             Mark::Skipped { what, why } => Decision::Skipped {

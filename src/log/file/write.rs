@@ -215,6 +215,7 @@ fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
             text(out, ",\"factor\":");
             triple(out, factor);
         }
+        Decision::Undefined { quantity } => text(out, &format!("undefined\":{{\"quantity\":\"{}\"", quantity.key())),
         Decision::TotalInternalReflection => text(out, "total_internal_reflection\":{"),
         Decision::DepthLimit { what } => text(out, &format!("depth_limit\":{{\"what\":\"{}\"", what.word())),
         Decision::Skipped { what, why } => {

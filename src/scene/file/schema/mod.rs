@@ -1,7 +1,7 @@
 //! The serde mirror of `raywalk-scene/1`: one Rust field a key, one default a key that may be left out.
 //!
 //! These types know how a scene is written and nothing else; whether the numbers make sense is asked in
-//! [`validate`](super::validate). Reading is only strict (objects for structs, exact lengths, no `null`) behind the adapter
+//! [`validate`](mod@super::validate). Reading is only strict (objects for structs, exact lengths, no `null`) behind the adapter
 //! that [`parse`](super::parse) uses.
 
 mod camera;

@@ -3,7 +3,7 @@
 use crate::scene::file::key_path::{KeyPath, Step};
 use crate::scene::file::schema::{Rgb, Vec3};
 
-use super::limits::{MAX_COORDINATE, MAX_PROBLEMS, MIN_LENGTH};
+use super::limits::{MAX_COORDINATE, MAX_PROBLEMS, MAX_RATIO, MIN_LENGTH};
 use super::vector::size;
 use super::{Finding, Findings};
 
@@ -118,6 +118,13 @@ impl Checker<'_> {
     /// A number above 0.
     pub fn positive(&mut self, step: impl Into<Step>, value: f64) {
         self.require(step, value, value > 0.0, "must be positive");
+    }
+
+    /// A number above 0 whose quotients with its like have finite squares.
+    pub fn ratio(&mut self, step: impl Into<Step>, value: f64) {
+        let holds = value <= 0.0 || (1.0 / MAX_RATIO..=MAX_RATIO).contains(&value);
+        let rule = if holds { "must be positive" } else { "must be from 1e-50 to 1e50" };
+        self.require(step, value, holds && value > 0.0, rule);
     }
 
     /// A number from 0.

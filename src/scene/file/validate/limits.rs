@@ -30,5 +30,8 @@ pub const MIN_LENGTH: f64 = 1e-150;
 /// The largest coordinate or size: squares, and squares of their products with directions, must stay finite.
 pub const MAX_COORDINATE: f64 = 1e100;
 
+/// The largest refractive index, and 1 over the smallest.
+pub const MAX_RATIO: f64 = 1e50;
+
 /// How many problems are kept; further ones are counted.
 pub const MAX_PROBLEMS: usize = 20;

@@ -18,7 +18,7 @@ pub fn material(check: &mut Checker<'_>, material: &Material) {
     check.colour("transmission", material.transmission);
     check.not_negative("shininess", material.shininess);
     check.not_negative("transmission_exponent", material.transmission_exponent);
-    check.positive("ior", material.ior);
+    check.ratio("ior", material.ior);
     let mut weights = check.at("weights");
     weight(&mut weights, "local", material.weights.local);
     weight(&mut weights, "reflected", material.weights.reflected);

@@ -1,0 +1,253 @@
+//! The rules of the house, read off the source text: which room may know which, who does input and output, and what no
+//! code of ours does. `docs/architecture.md` says why.
+
+mod support {
+    pub mod source;
+}
+
+use std::collections::BTreeSet;
+use support::source::{SourceFile, files_below, program};
+
+/// The rooms, from the ground up: each may import those before it.
+const ROOMS: &[&str] =
+    &["log", "probe", "geometry", "scene", "trace", "sampling", "record", "render", "report", "study", "tui", "cli"];
+
+/// Rooms and parts of rooms that may import less than all that lies below them.
+const NARROW: &[(&str, &[&str])] = &[
+    // A log knows no geometry: it can be read by a program that has none.
+    ("log", &["log"]),
+    // A report is made of the log alone, and rounds as the probes do.
+    ("report", &["report", "log", "probe"]),
+    // The viewer shows a log and an image that it is handed; it computes no geometry.
+    ("tui", &["tui", "log", "report"]),
+    // The scene file is the numbers as they are written, whatever becomes of them.
+    ("scene/file", &["scene/file"]),
+];
+
+/// Where input and output happen.
+const DOORS: &[&str] = &["main.rs", "cli/", "scene/file/", "log/file/", "render/export/", "tui/terminal.rs"];
+
+/// What input and output look like. Its error type may travel through the house.
+const INPUT_AND_OUTPUT: &[&str] = &[
+    "std::fs",
+    "std::net",
+    "std::process",
+    "std::env",
+    "File::",
+    "stdin",
+    "stdout",
+    "stderr",
+    "println!",
+    "print!",
+    "eprintln!",
+    "eprint!",
+    "dbg!",
+];
+
+/// Methods of the standard library whose last bits differ between machines, or that round once where the text has two
+/// operations.
+const INEXACT: &[&str] = &[
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "sin_cos",
+    "exp", "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "powi", "cbrt", "hypot", "mul_add",
+];
+
+/// Methods of vectors that hide a quantity which a log should show.
+const HIDING: &[&str] = &[
+    "normalize",
+    "normalize_or",
+    "normalize_or_zero",
+    "normalize_and_length",
+    "try_normalize",
+    "reflect",
+    "refract",
+    "project_onto",
+    "reject_from",
+    "angle_between",
+    "move_towards",
+];
+
+/// Files whose `expect` is a method of their own: it returns an error and never panics.
+const OWN_EXPECT: &[&str] = &["log/formula.rs", "scene/file/strict.rs"];
+
+#[test]
+fn a_room_imports_only_rooms_below_it() {
+    let rank = |room: &str| ROOMS.iter().position(|known| *known == room);
+    let mut wrong = Vec::new();
+    let mut seen = BTreeSet::new();
+    for file in program() {
+        let Some(room) = room_of(&file) else { continue };
+        let Some(own) = rank(&room) else {
+            wrong.push(format!("{}: the room `{room}` has no place in the order", file.path));
+            continue;
+        };
+        for (at, path) in file.imports() {
+            let Some(other) = path.first() else { continue };
+            if rank(other).is_none_or(|other| other > own) {
+                wrong.push(format!("{}: `{room}` imports `{}`", file.place(at), path.join("::")));
+            }
+            seen.insert((room.clone(), other.clone()));
+        }
+    }
+    assert_none("imports against the order of the rooms", &wrong);
+    // What the scanner must have seen, if it sees at all.
+    for (room, other) in [("trace", "geometry"), ("geometry", "log"), ("report", "log"), ("cli", "record")] {
+        assert!(
+            seen.contains(&(room.to_owned(), other.to_owned())),
+            "{room} imports {other}, and the scanner is blind"
+        );
+    }
+}
+
+#[test]
+fn narrow_rooms_import_only_what_they_may_know() {
+    let mut wrong = Vec::new();
+    for file in program() {
+        for (part, allowed) in NARROW.iter().filter(|(part, _)| is_in(&file.path, part)) {
+            for (at, path) in file.imports() {
+                let target = path.join("/");
+                if !allowed.iter().any(|allowed| is_in(&target, allowed)) {
+                    wrong.push(format!("{}: `{part}` imports `{}`", file.place(at), path.join("::")));
+                }
+            }
+        }
+    }
+    assert_none("imports that a room must not know", &wrong);
+}
+
+#[test]
+fn only_doors_do_input_and_output() {
+    let is_door = |file: &SourceFile| DOORS.iter().any(|door| file.path.starts_with(door));
+    let (doors, inside): (Vec<_>, Vec<_>) = program().into_iter().partition(is_door);
+    assert_none("input and output inside the house", &occurrences(&inside, INPUT_AND_OUTPUT));
+    assert!(!occurrences(&doors, INPUT_AND_OUTPUT).is_empty(), "files are read somewhere, and the scanner is blind");
+}
+
+#[test]
+fn no_code_is_unsafe() {
+    assert_none("unsafe code", &occurrences(&program(), &["unsafe"]));
+}
+
+#[test]
+fn nothing_panics_without_naming_the_invariant() {
+    let files = program();
+    let never = [".unwrap()", ".unwrap_err()", ".expect_err(", "panic!", "todo!", "unimplemented!"];
+    let mut wrong = occurrences(&files, &never);
+    for file in &files {
+        for call in [".expect(", "unreachable!("] {
+            for at in file.find(call) {
+                let has_own = call == ".expect(" && OWN_EXPECT.contains(&file.path.as_str());
+                if !has_own && !states_an_invariant(&file.with_strings[at + call.len()..]) {
+                    wrong.push(format!("{}: `{call}…` states no invariant", file.place(at)));
+                }
+            }
+        }
+    }
+    assert_none("panics", &wrong);
+}
+
+#[test]
+fn every_machine_gives_the_same_bits() {
+    let called = |name: &&str| [format!(".{name}("), format!("f64::{name}"), format!("f32::{name}")];
+    // Commands have a method `log` that makes one; clippy, which knows types, tells it from that of numbers.
+    let calls: Vec<_> = INEXACT.iter().flat_map(called).filter(|call| call != ".log(").collect();
+    let calls: Vec<_> = calls.iter().map(String::as_str).collect();
+    assert_none("inexact functions (`libm` has exact ones)", &occurrences(&program(), &calls));
+    let manifest = include_str!("../Cargo.toml");
+    assert!(!manifest.contains("fast-math"), "fast-math reorders sums");
+    let glam = manifest.lines().find(|line| line.starts_with("glam = ")).unwrap_or_default();
+    assert!(glam.contains("\"libm\""), "without `libm` glam calls the machine's functions: {glam}");
+}
+
+#[test]
+fn no_vector_method_hides_a_quantity() {
+    let called = |name: &&str| [format!(".{name}("), format!("DVec3::{name}")];
+    let calls: Vec<_> = HIDING.iter().flat_map(called).collect();
+    let calls: Vec<_> = calls.iter().map(String::as_str).collect();
+    assert_none("vector methods that hide quantities", &occurrences(&program(), &calls));
+}
+
+#[test]
+fn no_file_is_above_400_lines() {
+    for folder in ["src", "tests", "benches"] {
+        let long = |file: &SourceFile| (file.lines > 400).then(|| format!("{folder}/{}: {}", file.path, file.lines));
+        assert_none("files above 400 lines", &files_below(folder).iter().filter_map(long).collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn the_scanner_sees_code_only() {
+    let text = r##"
+        // crate::comment and .unwrap()
+        /* crate::block /* nested */ .unwrap() */
+        const TEXT: &str = "crate::string \" .unwrap()";
+        const RAW: &str = r#"crate::raw " .unwrap()"#;
+        const QUOTE: char = '"';
+        fn code<'a>(x: &'a str) -> char { crate::seen::function(x, 'é', '\'') }
+        #[cfg(test)]
+        mod tests { use crate::tested; fn f() { { x.unwrap() } } }
+        use crate::behind;
+    "##;
+    let file = SourceFile::new("room/part.rs".to_owned(), text);
+    assert_eq!(paths(&file), ["seen::function", "behind"]);
+    assert_none("strings and comments", &occurrences(&[file], &[".unwrap()"]));
+}
+
+#[test]
+fn test_modules_with_files_of_their_own_are_no_part_of_the_program() {
+    let paths = |files: Vec<SourceFile>| files.into_iter().map(|file| file.path).collect::<BTreeSet<_>>();
+    let (all, program) = (paths(files_below("src")), paths(program()));
+    let for_tests: Vec<_> = all.difference(&program).map(String::as_str).collect();
+    assert!(for_tests.contains(&"tui/tests.rs"), "{for_tests:?}");
+    assert!(for_tests.iter().all(|path| path.contains("test")), "{for_tests:?}");
+}
+
+#[test]
+fn the_scanner_resolves_paths() {
+    let text = "use crate::{self, a::{b, c::*,}, d as e,};\nuse super::{f, super::g};\npub(super) fn h() -> super::super::i {}";
+    let file = SourceFile::new("room/part/file.rs".to_owned(), text);
+    assert_eq!(paths(&file), ["", "a::b", "a::c", "d", "room::part::f", "room::g", "room::part", "room::i"]);
+    assert_eq!(SourceFile::new("room/part/mod.rs".to_owned(), "").module(), ["room", "part"]);
+    assert!(SourceFile::new("lib.rs".to_owned(), "").module().is_empty());
+}
+
+#[test]
+fn the_scanner_finds_whole_words() {
+    let file = SourceFile::new("room/part.rs".to_owned(), "eprintln!(); MyFile::new(); File::open(); a.expect(\"b\")");
+    assert_eq!(file.find("println!").count(), 0);
+    assert_eq!(file.find("File::").count(), 1);
+    assert!(states_an_invariant("\"a scene holds only numbers\")"));
+    assert!(!states_an_invariant("\"failed\")"));
+    assert!(!states_an_invariant("MESSAGE)"));
+}
+
+/// The room of a file; `None` for the doors of library and binary.
+fn room_of(file: &SourceFile) -> Option<String> {
+    file.module().first().map(|room| (*room).to_owned())
+}
+
+/// Whether a path with slashes lies in a part of the house.
+fn is_in(path: &str, part: &str) -> bool {
+    path.strip_prefix(part).is_some_and(|rest| rest.is_empty() || rest.starts_with(['/', '.']))
+}
+
+/// Whether a message that begins here is a sentence of at least four words.
+fn states_an_invariant(argument: &str) -> bool {
+    let message = argument.trim_start().strip_prefix('"').and_then(|text| text.split_once('"'));
+    message.is_some_and(|(message, _)| message.split_whitespace().count() >= 4)
+}
+
+fn occurrences(files: &[SourceFile], texts: &[&str]) -> Vec<String> {
+    let of_text = |file: &SourceFile, text: &str| -> Vec<String> {
+        file.find(text).map(|at| format!("{}: `{text}`", file.place(at))).collect()
+    };
+    files.iter().flat_map(|file| texts.iter().flat_map(|text| of_text(file, text)).collect::<Vec<_>>()).collect()
+}
+
+fn paths(file: &SourceFile) -> Vec<String> {
+    file.imports().into_iter().map(|(_, path)| path.join("::")).collect()
+}
+
+#[track_caller]
+fn assert_none(what: &str, found: &[String]) {
+    assert!(found.is_empty(), "{what}:\n{}", found.join("\n"));
+}

@@ -1,0 +1,164 @@
+//! Every value of a log can be checked on paper: its formula text, evaluated on the values that the log holds, gives the
+//! logged value to the last bit, in f64, in f32 and by hand.
+//!
+//! The book's own arithmetic (`printed`) is left out: it puts in numbers that don't follow from its formulas.
+
+#[path = "support/evaluator.rs"]
+mod evaluator;
+#[path = "support/provoking_scenes.rs"]
+mod provoking_scenes;
+mod support;
+
+use evaluator::evaluate;
+use glam::DVec3;
+use provoking_scenes::{Options, everything, straight_through};
+use raywalk::geometry::shape::SphereMethod;
+use raywalk::log::{Event, Log, Name, Tree, Value, What};
+use raywalk::probe::round_half_away;
+use raywalk::record::{self, Arithmetic};
+use raywalk::scene::{Algorithm, Scene, Skip, Specular, builtin};
+use std::collections::BTreeMap;
+
+/// The decimals of the arithmetic by hand.
+const DIGITS: u32 = 3;
+
+const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(DIGITS)];
+
+/// How often each formula must have been checked, in each arithmetic.
+const ENOUGH: usize = 25;
+
+#[test]
+fn every_formula_gives_the_logged_value() {
+    for arithmetic in ARITHMETICS {
+        let mut checked = Checked::default();
+        // A new scene file is checked without code.
+        for scene in builtin::names().map(support::scene).chain(scenes()) {
+            for pixel in support::grid(&scene, 10) {
+                checked.check(&record::pixel(&scene, pixel, arithmetic));
+            }
+        }
+        for scene in straight_scenes() {
+            for eye in [DVec3::new(0.0, 0.0, 4.0), DVec3::new(0.0, 0.0, 0.5)] {
+                checked.check(&record::ray(&scene, eye, DVec3::NEG_Z, arithmetic));
+            }
+        }
+        checked.assert_done(arithmetic);
+    }
+}
+
+#[test]
+fn a_wrong_value_is_found() {
+    let scene = everything("wrong", [0.0, 1.0, 4.0], Options::DEFAULT);
+    let log = record::pixel(&scene, [24, 16], Arithmetic::F64);
+    let tree = Tree::of(&log.events);
+    let mut wrong_values = 0;
+    for (at, event) in log.events.iter().enumerate() {
+        let What::Note { name, value } = event.what else { continue };
+        for component in 0..value.components().len() {
+            let mut events = log.events.clone();
+            events[at].what = What::Note { name, value: one_ulp_up(value, component) };
+            let verdict = verdict(&events, &tree, at, Arithmetic::F64);
+            assert_eq!(verdict.is_some_and(|verdict| verdict.is_err()), name.formula().is_some(), "{name:?}");
+            wrong_values += 1;
+        }
+    }
+    assert!(wrong_values > 500, "{wrong_values} values of {} events", log.events.len());
+}
+
+/// How many values of each name were checked, and what was wrong with the others.
+#[derive(Default)]
+struct Checked {
+    counts: BTreeMap<Name, usize>,
+    wrong: BTreeMap<Name, (usize, String)>,
+}
+
+impl Checked {
+    fn check(&mut self, log: &Log) {
+        let arithmetic: Arithmetic = log.header.arithmetic.parse().expect("a header names the arithmetic by its name");
+        let tree = Tree::of(&log.events);
+        for (at, event) in log.events.iter().enumerate() {
+            let What::Note { name, .. } = event.what else { continue };
+            match verdict(&log.events, &tree, at, arithmetic) {
+                Some(Ok(())) => *self.counts.entry(name).or_default() += 1,
+                Some(Err(why)) => {
+                    let subject = log.header.subject;
+                    let first = || (0, format!("{}, {subject:?}, event {}: {why}", log.header.scene.name, event.at));
+                    self.wrong.entry(name).or_insert_with(first).0 += 1;
+                }
+                None => {}
+            }
+        }
+    }
+
+    #[track_caller]
+    fn assert_done(&self, arithmetic: Arithmetic) {
+        assert!(self.wrong.is_empty(), "{arithmetic}: {:#?}\nright: {:#?}", self.wrong, self.counts);
+        let count = |name: Name| self.counts.get(&name).copied().unwrap_or(0);
+        let formulas = || Name::all().filter(|name| name.formula().is_some());
+        let too_few: Vec<_> = formulas().filter(|name| count(*name) < ENOUGH).map(|name| (name, count(name))).collect();
+        assert!(too_few.is_empty(), "{arithmetic}: checked less than {ENOUGH} times: {too_few:?}");
+    }
+}
+
+/// Whether the formula of a noted quantity gives its value; `None` if it has no formula.
+fn verdict(events: &[Event], tree: &Tree, at: usize, arithmetic: Arithmetic) -> Option<Result<(), String>> {
+    let What::Note { name, value } = events[at].what else { return None };
+    let verdict = evaluate(events, tree, at, name)?.and_then(|exact| {
+        let expected = rounded(exact, arithmetic);
+        let difference = || format!("{name:?} is {value:?}, its formula gives {expected:?}");
+        if expected.same_bits(&value) { Ok(()) } else { Err(difference()) }
+    });
+    Some(verdict)
+}
+
+fn rounded(value: Value, arithmetic: Arithmetic) -> Value {
+    let round = |x: f64| match arithmetic {
+        Arithmetic::F64 => x,
+        Arithmetic::F32 => f64::from(x as f32),
+        Arithmetic::Decimal(digits) => round_half_away(x, digits),
+        other => panic!("{other} has values that no formula gives"),
+    };
+    match value {
+        Value::Number(x) => Value::Number(round(x)),
+        Value::Triple(triple) => Value::Triple(triple.map(round)),
+    }
+}
+
+/// The scenes in code: each option, and eyes outside and inside the balls.
+fn scenes() -> Vec<Scene> {
+    let default = Options::DEFAULT;
+    let geometric = Options { sphere_method: SphereMethod::Geometric, ..default };
+    let mirrored = Options { specular: Specular::ReflectionVector, ..default };
+    let whitted = Options { algorithm: Algorithm::Whitted, max_depth: 3, ..default };
+    let foley = Options { algorithm: Algorithm::Foley, max_depth: 3, ..geometric };
+    let thorough = Options { skip: Skip::NONE, max_depth: 2, ..default };
+    let outside = [0.0, 1.0, 4.0];
+    vec![
+        everything("robust", outside, default),
+        everything("geometric", outside, geometric),
+        everything("reflection vector", outside, mirrored),
+        everything("reflection vector, at the milky ball", [2.25, 0.75, -3.0], mirrored),
+        everything("whitted", outside, whitted),
+        everything("foley", outside, foley),
+        everything("nothing skipped", outside, thorough),
+        // In the glass, its centre ahead and behind.
+        everything("in the glass", [0.0, 1.0, -2.75], default),
+        everything("in the glass, leaving it", [0.0, 1.0, -5.25], default),
+        everything("in the glass, leaving it, geometric", [0.0, 1.0, -5.25], geometric),
+    ]
+}
+
+fn straight_scenes() -> [Scene; 2] {
+    let mirrored = Options { specular: Specular::ReflectionVector, ..Options::DEFAULT };
+    [straight_through(Options::DEFAULT), straight_through(mirrored)]
+}
+
+fn one_ulp_up(value: Value, component: usize) -> Value {
+    match value {
+        Value::Number(x) => Value::Number(x.next_up()),
+        Value::Triple(mut triple) => {
+            triple[component] = triple[component].next_up();
+            Value::Triple(triple)
+        }
+    }
+}
