@@ -63,9 +63,10 @@ impl Bounds {
     pub fn entry(&self, ray: &Slabs, t_max: f64) -> Option<f64> {
         let to_min = (self.min - ray.origin) * ray.inverse;
         let to_max = (self.max - ray.origin) * ray.inverse;
-        let near = to_min.min(to_max).max_element().max(ray.t_min);
-        // Two rounding errors a quotient (Ize, Robust BVH ray traversal, 2013).
-        let far = to_min.max(to_max).min_element() * (1.0 + 4.0 * f64::EPSILON);
+        // Two rounding errors a quotient (Ize, Robust BVH ray traversal, 2013), and as many of what is in the box.
+        let sooner = |t: f64| t * (1.0 - (8.0 * f64::EPSILON).copysign(t));
+        let near = sooner(to_min.min(to_max).max_element()).max(ray.t_min);
+        let far = -sooner(-to_min.max(to_max).min_element());
         (near <= far && near <= t_max).then_some(near)
     }
 }

@@ -22,7 +22,7 @@ impl Facet {
         [d.dot(c.cross(b)), d.dot(a.cross(c)), d.dot(b.cross(a))]
     }
 
-    pub fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+    pub fn crossing<P: Probe>(&self, ray: &Ray, approach: Approach, primitive: u32, probe: &mut P) -> Option<Crossing> {
         let weights = self.weights(ray);
         let is_inside = weights.iter().all(|w| *w >= 0.0) || weights.iter().all(|w| *w <= 0.0);
         if !is_inside {
@@ -37,14 +37,14 @@ impl Facet {
         }
         let t = probe.note(Name::PlaneT, normal.dot(self.a - ray.origin) / v_d);
         let side = if v_d < 0.0 { Side::Front } else { Side::Back };
-        decide(ray, approach, Crossing { t, side, primitive: 0 }, probe)
+        decide(ray, approach, Crossing { t, side, primitive }, probe)
     }
 
     pub fn surface<P: Probe>(
         &self,
+        normals: Option<&[DVec3; 3]>,
         ray: &Ray,
         crossing: Crossing,
-        normals: Option<[DVec3; 3]>,
         probe: &mut P,
     ) -> Surface {
         let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
@@ -52,7 +52,7 @@ impl Facet {
         let sign = if crossing.side == Side::Front { 1.0 } else { -1.0 };
         let geometric_normal = across / across.length() * sign;
         let mut surface = Surface::plain(point, geometric_normal, crossing.side);
-        if let Some([na, nb, nc]) = normals {
+        if let Some(&[na, nb, nc]) = normals {
             let [u, v, w] = self.weights(ray);
             let blended = (na * u + nb * v + nc * w) / (u + v + w);
             surface.normal = blended / blended.length() * sign;

@@ -78,7 +78,7 @@ impl TriangleMesh {
     /// The surface at a crossing, its normals turned toward the arriving ray.
     pub fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
         let normals = self.mesh.corner_normals(crossing.primitive);
-        self.facet(crossing.primitive).surface(ray, crossing, normals, probe)
+        self.facet(crossing.primitive).surface(normals.as_ref(), ray, crossing, probe)
     }
 
     /// A box around the mesh; `None` if no triangle has an area.
@@ -123,8 +123,7 @@ impl TriangleMesh {
         let facet = self.facet(triangle);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
-        let crossing = probe.within(step, |probe| facet.first_crossing(ray, approach, probe))?;
-        Some(Crossing { primitive: triangle, ..crossing })
+        probe.within(step, |probe| facet.crossing(ray, approach, triangle, probe))
     }
 
     #[inline]
@@ -133,3 +132,6 @@ impl TriangleMesh {
         Facet { a, b, c }
     }
 }
+
+#[cfg(test)]
+mod tests;
