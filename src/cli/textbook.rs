@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::options::{ColorChoice, TracingOptions};
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
+use raywalk::scene::file::nff::Import;
 use raywalk::study::textbook;
 use std::path::Path;
 
@@ -28,7 +29,7 @@ enum TableFormat {
 impl Textbook {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
-        let loaded = scene_argument::load(Path::new("textbook"), colors)?;
+        let loaded = scene_argument::load(Path::new("textbook"), &Import::default(), colors)?;
         let scene = TracingOptions::default().apply(loaded.scene)?;
         let table = textbook::table(&scene);
         let text = match self.format {
