@@ -202,11 +202,82 @@ fn a_ray_may_have_leading_minus_signs() {
 }
 
 #[test]
+fn files_named_like_the_built_in_scene_do_not_hide_the_main_job() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::create_dir(folder.path().join("textbook")).expect("a folder");
+    for arguments in [&[][..], &["textbook"]] {
+        let mut command = raywalk(arguments);
+        command.current_dir(folder.path()).assert().success();
+    }
+}
+
+#[test]
+fn the_books_numbers_are_for_its_own_pixel() {
+    says(2, &["trace", "textbook", "--pixel", "0,0", "--arithmetic", "printed"], "for the middle pixel only");
+    says(2, &["render", "textbook", "-o", "a.png", "--arithmetic", "printed"], "one pixel");
+    let deeper = ["walk", "textbook", "--max-depth", "4", "--arithmetic", "printed"];
+    says(2, &deeper, "only for the built-in scene `textbook` as it is");
+    assert!(prints(&["walk", "textbook", "--arithmetic", "printed"]).contains("result: (394.028, "));
+}
+
+#[test]
+fn a_log_takes_no_options_of_tracing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let log = folder.path().join("pixel.json");
+    let log = log.to_str().expect("UTF-8");
+    prints(&["trace", "textbook", "--pixel", "160,120", "--format", "json", "-o", log]);
+    says(2, &["walk", log, "--max-depth", "9"], "is traced already");
+    // However a document is indented, it is a log.
+    let text = fs::read_to_string(log).expect("the log").replacen('{', "{\n  ", 1);
+    fs::write(log, text).expect("written");
+    assert!(prints(&["walk", log]).contains("result: (393.054"));
+    assert!(prints(&["walk", log, "--digits", "5"]).contains("result: (393.05433"));
+}
+
+#[test]
+fn a_standard_error_that_is_full_spoils_nothing() {
+    let Ok(full) = fs::OpenOptions::new().write(true).open("/dev/full") else {
+        eprintln!("skipped: there is no /dev/full here");
+        return;
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    let picture = folder.path().join("a.png");
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_raywalk"));
+    command.args(["render", "textbook", "--size", "8x8", "--stats", "json", "-o"]).arg(&picture).stderr(full);
+    let output = command.output().expect("it runs");
+    assert!(output.status.success() && picture.exists() && !output.stdout.is_empty());
+}
+
+#[cfg(unix)]
+#[test]
+fn signals_end_the_work_at_once_and_leave_nothing_behind() {
+    use std::time::{Duration, Instant};
+    for (signal, code) in [("INT", 130), ("TERM", 143)] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_raywalk"));
+        // A tree of mirrors and glass this deep has no end that anybody would see.
+        command.args(["trace", "figure-6", "--pixel", "160,120", "--max-depth", "40", "-o"]);
+        let mut child = command.arg(folder.path().join("a.ndjson")).spawn().expect("it starts");
+        std::thread::sleep(Duration::from_millis(300));
+        let kill = std::process::Command::new("kill").args(["-s", signal, &child.id().to_string()]).status();
+        assert!(kill.expect("kill runs").success());
+        let asked = Instant::now();
+        let status = child.wait().expect("it ends");
+        assert!(asked.elapsed() < Duration::from_secs(5), "{:?}", asked.elapsed());
+        assert_eq!(status.code(), Some(code));
+        assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 0, "stray files after {signal}");
+    }
+}
+
+#[test]
 fn wrong_calls_say_what_to_change() {
     says(2, &["trace", "textbook"], "expected --pixel X,Y or --ray");
     says(2, &["trace", "textbook", "--pixel", "321,0"], "outside the picture of 321 x 241 pixels");
     says(2, &["trace", "textbook", "--pixel", "1"], "expected 2 numbers separated by commas");
     says(2, &["trace", "textbook", "--ray", "0,0,0,0,0,0"], "a direction that is not zero");
+    says(2, &["trace", "textbook", "--ray", "0,0,0,1e-200,0,0"], "a direction that is not zero");
+    says(2, &["trace", "textbook", "--ray", "1e300,0,0,1,0,0"], "coordinates up to 1e100");
+    says(2, &["walk", "--screenshot", "a.txt"], "ends in .svg");
     says(2, &["trace", "textbok", "--pixel", "1,1"], "did you mean the built-in scene `textbook`?");
     says(2, &["trace", "no/such.json", "--pixel", "1,1"], "no such file or built-in scene");
     says(2, &["render", "textbook", "-o", "a.gif"], "ends in .png, .ppm or .pfm");
@@ -216,7 +287,7 @@ fn wrong_calls_say_what_to_change() {
     says(2, &["render", "textbook", "-o", "a.png", "--arithmetic", "f16"], "unknown arithmetic `f16`");
     says(2, &["render", "textbook", "-o", "a.png", "--skip", "zero_wait"], "did you mean `zero_weight`?");
     says(2, &["render", "textbook", "-o", "a.png", "--threads", "x"], "invalid value 'x'");
-    says(2, &["render", "figure-6", "-o", "a.png", "--arithmetic", "printed"], "only for the scene `textbook`");
+    says(2, &["render", "figure-6", "-o", "a.png", "--arithmetic", "printed"], "one pixel");
     says(2, &["rendr"], "similar subcommand exists: 'render'");
     says(3, &["render", "textbook", "-o", "no/such/folder/a.png"], "cannot write");
 }

@@ -49,6 +49,29 @@ fn a_document_is_json_and_nests() {
 }
 
 #[test]
+fn a_deep_document_reads_back() {
+    let mut scene = scene("hall-of-mirrors");
+    scene.tracing.max_depth = 256;
+    let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+    let found = read(&to_json(&log).expect("memory")).expect("a log");
+    assert_eq!((found.ending, found.log), (Ending::Complete, log));
+}
+
+#[test]
+fn a_document_that_nests_without_end_is_refused() {
+    let text = format!("{{\"header\": {}", "[".repeat(200_000));
+    assert_eq!(read(text.as_bytes()).expect_err("too deep").to_string(), "1:1: nested more than 2048 deep");
+}
+
+#[test]
+fn what_stands_after_the_end_is_said() {
+    let mut bytes = to_ndjson(&textbook_log()).expect("memory");
+    bytes.extend_from_slice(b"{}\n");
+    let found = read(&bytes).expect("a log");
+    assert_eq!(found.ending, Ending::Mismatch { what: "2 bytes stand after its end line".into() });
+}
+
+#[test]
 fn names_are_escaped() {
     let text = scene_text_with_names("a \\\"quoted\\\" \\\\ name", "lámpara");
     let scene = scene_of(text.as_bytes(), "names");

@@ -12,7 +12,7 @@ fn by_hand() -> Log {
 }
 
 fn options(palette: Palette, ascii: bool) -> Options {
-    Options { theme: Theme::new(palette, ascii), start: None, warning: None, note: None }
+    Options { theme: Theme::new(palette, ascii), start: None, warning: None, note: None, numbers: Default::default() }
 }
 
 /// Text and styles of the frame after these keys.

@@ -51,10 +51,12 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
+    // Where signals can't be caught they end the process all the same.
+    let signals = signals::leave_on_signals().ok();
     let colors = cli.color;
     let done = match cli.command {
-        None => walk::Walk::default().run(colors),
-        Some(Command::Walk(walk)) => walk.run(colors),
+        None => walk::Walk::of_the_numeric_example().run(colors, signals),
+        Some(Command::Walk(walk)) => walk.run(colors, signals),
         Some(Command::Trace(trace)) => trace.run(colors),
         Some(Command::Render(render)) => render.run(colors),
         Some(Command::Textbook(textbook)) => textbook.run(colors),

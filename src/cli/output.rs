@@ -1,6 +1,7 @@
 //! Where results go: standard output, or a file that is there whole or not at all.
 
 use super::failure::Failure;
+use super::signals;
 use std::fs::{self, Permissions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -37,8 +38,7 @@ impl Output {
             let file = fs::OpenOptions::new().write(true).open(path).map_err(|error| cannot_write(&error))?;
             return Ok(Output::Special(file, path.to_owned()));
         }
-        // A link stays a link: what it points to is replaced.
-        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let place = link_target(path);
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let mut builder = tempfile::Builder::new();
         builder.prefix(".raywalk-").suffix(".part");
@@ -46,7 +46,10 @@ impl Output {
         if let Some(permissions) = permissions {
             builder.permissions(permissions);
         }
-        let file = builder.tempfile_in(folder).map_err(|error| cannot_write(&error))?;
+        // The system's error names the temporary file, which says nothing to anybody.
+        let plain = |error: io::Error| error.raw_os_error().map_or(error, io::Error::from_raw_os_error);
+        let file = builder.tempfile_in(folder).map_err(|error| cannot_write(&plain(error)))?;
+        signals::unfinished(file.path().to_owned());
         Ok(Output::File(file, place))
     }
 
@@ -62,6 +65,7 @@ impl Output {
                 file.write_all(bytes).map_err(|error| cannot_write(&error))?;
                 file.as_file().sync_all().map_err(|error| cannot_write(&error))?;
                 file.persist(&path).map_err(|error| cannot_write(&error.error))?;
+                signals::finished();
                 Ok(())
             }
         }
@@ -72,6 +76,17 @@ impl Output {
 pub fn print(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| Failure::stdout(&error))
+}
+
+/// Where a link leads, also one that leads to nothing yet: the link stays, and what it points to is written.
+fn link_target(path: &Path) -> PathBuf {
+    if let Ok(place) = fs::canonicalize(path) {
+        return place;
+    }
+    match fs::read_link(path) {
+        Ok(target) => path.parent().unwrap_or(Path::new("")).join(target),
+        Err(_) => path.to_owned(),
+    }
 }
 
 fn is_same(path: &Path, input: &Path) -> bool {
@@ -91,4 +106,9 @@ fn default_permissions() -> Option<Permissions> {
 #[cfg(not(unix))]
 fn default_permissions() -> Option<Permissions> {
     None
+}
+
+/// Tells people something on standard error; where that is closed or full there is nobody to tell.
+pub fn tell(message: &str) {
+    let _ = writeln!(io::stderr(), "{message}");
 }

@@ -5,13 +5,14 @@ use super::options::{ColorChoice, TracingOptions, numbers};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
 use super::scene_argument;
-use super::signals::Signals;
 use clap::{Args, ValueEnum};
+use raywalk::record::Arithmetic;
 use raywalk::render::export::{self, Format};
 use raywalk::render::statistics::{Seconds, Statistics};
-use raywalk::render::{RenderError, Settings, render};
+use raywalk::render::{Settings, render};
 use raywalk::scene::Scene;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 /// Render a picture.
@@ -49,6 +50,11 @@ impl Render {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         let format = self.format()?;
+        if self.tracing.arithmetic == Arithmetic::Printed {
+            return Err(Failure::caller(
+                "render: --arithmetic printed is for the walk of the numeric example's one pixel",
+            ));
+        }
         let load = Instant::now();
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let mut seconds = Seconds { load: load.elapsed().as_secs_f64(), ..Seconds::default() };
@@ -62,24 +68,20 @@ impl Render {
             counts_rays: self.stats.is_some(),
         };
         let output = Output::create(Some(&self.output), &self.scene)?;
-        let signals = Signals::catch().map_err(|error| Failure::machine(format!("cannot catch signals: {error}")))?;
 
         let start = Instant::now();
         let [left, top, right, bottom] = settings.crop;
         let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
-        let rendered = render(&scene, &settings, |pixels| progress.advance(pixels), &signals.stop);
+        let rendered = render(&scene, &settings, |pixels| progress.advance(pixels), &AtomicBool::new(false));
         progress.finish();
-        let rendered = rendered.map_err(|error| match error {
-            RenderError::Interrupted => signals.failure(),
-            RenderError::Threads(_) => Failure::machine(error.to_string()),
-        })?;
+        let rendered = rendered.map_err(|error| Failure::machine(error.to_string()))?;
         seconds.render = start.elapsed().as_secs_f64();
 
         let encoded = export::encode(&rendered.film, format, &scene.output)
             .map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", self.output.display())))?;
         output.commit(&encoded.bytes)?;
         if encoded.clipped_pixels > 0 && !self.progress.quiet {
-            eprintln!("note: {} pixels were brighter than white and clipped", encoded.clipped_pixels);
+            output::tell(&format!("note: {} pixels were brighter than white and clipped", encoded.clipped_pixels));
         }
         match (self.stats, rendered.counts) {
             (Some(stats), Some(counts)) => {

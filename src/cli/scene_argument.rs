@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use super::options::ColorChoice;
+use super::output;
 use raywalk::scene::builtin;
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::{self, Loaded, visible};
@@ -21,15 +22,18 @@ pub fn load(argument: &Path, import: &Import, colors: ColorChoice) -> Result<Loa
     scene(&read(argument, colors)?, import, colors)
 }
 
+/// A built-in scene, whatever files there are.
+pub fn built_in(name: &str) -> Result<Input, Failure> {
+    let text = builtin::text(name).ok_or_else(|| nothing_of(name))?;
+    Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json") })
+}
+
 /// Reads what the argument names.
 pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
     let name = argument.to_string_lossy();
     let is_path = argument == Path::new("-") || argument.symlink_metadata().is_ok();
     if !is_path {
-        if let Some(text) = builtin::text(&name) {
-            return Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json") });
-        }
-        return Err(nothing_of(&name));
+        return built_in(&name);
     }
     let bytes = file::read_bytes(argument).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     Ok(Input { bytes, name: if name == "-" { "<stdin>".to_owned() } else { name.into_owned() } })
@@ -40,7 +44,7 @@ pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Load
     let loaded = file::check_as(&input.bytes, &input.name, import)
         .map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     for warning in &loaded.warnings {
-        eprintln!("{}", warning.report(file::Severity::Warning, is_colored(colors)));
+        output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
     }
     Ok(loaded)
 }

@@ -1,33 +1,43 @@
-//! Signals that end the work early.
+//! Signals that end the work early: unfinished files go, the exit code says why, and it happens at once.
 
-use super::failure::{Failure, INTERRUPTED, TERMINATED};
+use super::failure::{INTERRUPTED, TERMINATED};
 use signal_hook::consts::{SIGINT, SIGTERM};
-use std::io;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use signal_hook::iterator::{Handle, Signals};
+use std::path::PathBuf;
+use std::sync::{LazyLock, Mutex};
+use std::{fs, io, process, thread};
 
-/// Flags that signals set.
-pub struct Signals {
-    /// Set by either signal.
-    pub stop: Arc<AtomicBool>,
-    terminated: Arc<AtomicBool>,
+/// Files that are not finished yet.
+static UNFINISHED: LazyLock<Mutex<Vec<PathBuf>>> = LazyLock::new(Mutex::default);
+
+/// Ends the process on SIGINT and SIGTERM, until the handle is closed.
+///
+/// A thread does it, so that neither a deep ray tree nor the encoding of a picture makes the user wait.
+pub fn leave_on_signals() -> io::Result<Handle> {
+    let mut signals = Signals::new([SIGINT, SIGTERM])?;
+    let handle = signals.handle();
+    thread::spawn(move || {
+        if let Some(signal) = signals.forever().next() {
+            for path in UNFINISHED.lock().iter_mut().flat_map(|paths| paths.drain(..)) {
+                // It may be gone already.
+                let _ = fs::remove_file(path);
+            }
+            process::exit(i32::from(if signal == SIGTERM { TERMINATED } else { INTERRUPTED }));
+        }
+    });
+    Ok(handle)
 }
 
-impl Signals {
-    /// Catches SIGINT and SIGTERM. A second one ends the process at once.
-    pub fn catch() -> io::Result<Signals> {
-        let signals = Signals { stop: Arc::default(), terminated: Arc::default() };
-        for (signal, code) in [(SIGINT, INTERRUPTED), (SIGTERM, TERMINATED)] {
-            signal_hook::flag::register_conditional_shutdown(signal, i32::from(code), signals.stop.clone())?;
-            signal_hook::flag::register(signal, signals.stop.clone())?;
-        }
-        signal_hook::flag::register(SIGTERM, signals.terminated.clone())?;
-        Ok(signals)
+/// A file to remove if a signal comes.
+pub fn unfinished(path: PathBuf) {
+    if let Ok(mut paths) = UNFINISHED.lock() {
+        paths.push(path);
     }
+}
 
-    /// The end that the signal asked for.
-    pub fn failure(&self) -> Failure {
-        let is_terminated = self.terminated.load(Ordering::Relaxed);
-        Failure::silent(if is_terminated { TERMINATED } else { INTERRUPTED })
+/// All files are finished.
+pub fn finished() {
+    if let Ok(mut paths) = UNFINISHED.lock() {
+        paths.clear();
     }
 }

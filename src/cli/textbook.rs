@@ -6,7 +6,6 @@ use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
 use raywalk::scene::file::nff::Import;
 use raywalk::study::textbook;
-use std::path::Path;
 
 /// Show the numeric example of the source text.
 #[derive(Args)]
@@ -29,7 +28,7 @@ enum TableFormat {
 impl Textbook {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
-        let loaded = scene_argument::load(Path::new("textbook"), &Import::default(), colors)?;
+        let loaded = scene_argument::scene(&scene_argument::built_in("textbook")?, &Import::default(), colors)?;
         let scene = TracingOptions::default().apply(loaded.scene)?;
         let table = textbook::table(&scene);
         let text = match self.format {

@@ -7,9 +7,10 @@ use super::scene_argument;
 use clap::{Args, ValueEnum};
 use glam::DVec3;
 use raywalk::log::{Log, file as log_file};
-use raywalk::record;
+use raywalk::record::{self, Arithmetic};
 use raywalk::report::{self, Style};
 use raywalk::scene::Scene;
+use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
 use std::path::PathBuf;
 
 /// Write the log of a pixel or a ray.
@@ -25,6 +26,9 @@ pub struct Trace {
     /// Decimals in the text
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
+    /// Say nothing but errors
+    #[arg(long, short)]
+    quiet: bool,
     /// Where to write; standard output without it
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -33,7 +37,7 @@ pub struct Trace {
 }
 
 /// What to trace.
-#[derive(Args, Default, Clone, Debug)]
+#[derive(Args, Default, Clone, Debug, PartialEq)]
 #[group(multiple = false)]
 pub struct Subject {
     /// A pixel: column and row from the top left
@@ -78,16 +82,24 @@ impl Subject {
     /// The log of the pixel or ray; of the middle pixel if neither is named.
     pub fn log(&self, scene: &Scene, tracing: &TracingOptions) -> Result<Log, Failure> {
         match (self.pixel, self.ray) {
+            (_, Some(_)) if tracing.arithmetic == Arithmetic::Printed => Err(not_printed()),
             (_, Some([ox, oy, oz, dx, dy, dz])) => {
                 Ok(record::ray(scene, DVec3::new(ox, oy, oz), DVec3::new(dx, dy, dz), tracing.arithmetic))
             }
             (pixel, None) => {
                 let middle = scene.camera.resolution.map(|side| side / 2);
                 let pixel = pixel_in(scene, pixel.unwrap_or(middle))?;
+                if pixel != middle && tracing.arithmetic == Arithmetic::Printed {
+                    return Err(not_printed());
+                }
                 Ok(record::pixel(scene, pixel, tracing.arithmetic))
             }
         }
     }
+}
+
+fn not_printed() -> Failure {
+    Failure::caller("--arithmetic printed: the book prints numbers for the middle pixel only")
 }
 
 fn finite_ray(text: &str) -> Result<[f64; 6], String> {
@@ -95,7 +107,10 @@ fn finite_ray(text: &str) -> Result<[f64; 6], String> {
     if let Some(found) = ray.iter().find(|x| !x.is_finite()) {
         return Err(format!("expected finite numbers, found `{found}`"));
     }
-    if ray[3..] == [0.0; 3] {
+    if let Some(found) = ray.iter().find(|x| x.abs() > MAX_COORDINATE) {
+        return Err(format!("expected coordinates up to {MAX_COORDINATE:e}, found `{found:e}`"));
+    }
+    if DVec3::new(ray[3], ray[4], ray[5]).length() < MIN_LENGTH {
         return Err("expected a direction that is not zero".to_owned());
     }
     Ok(ray)

@@ -10,15 +10,17 @@ use raywalk::log::{Log, file as log_file};
 use raywalk::report::{self, Style};
 use raywalk::scene::file::visible;
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
+use signal_hook::iterator::Handle;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 /// Walk through a pixel, a ray or a saved log in the terminal.
 #[derive(Args, Default)]
 pub struct Walk {
-    /// A scene file (JSON or NFF), a saved log, `-` for standard input, or a built-in scene
-    #[arg(value_name = "SCENE or LOG", default_value = "textbook")]
-    walked: PathBuf,
+    /// A scene file (JSON or NFF), a saved log, `-` for standard input, or a built-in scene; without it the numeric
+    /// example
+    #[arg(value_name = "SCENE or LOG")]
+    walked: Option<PathBuf>,
     #[command(flatten)]
     subject: Subject,
     /// The step to begin at
@@ -30,6 +32,9 @@ pub struct Walk {
     /// Draw the viewer with ASCII characters only
     #[arg(long)]
     ascii: bool,
+    /// Decimals
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
+    digits: u32,
     /// Write a picture of the viewer instead of opening it
     #[arg(long, value_name = "FILE.svg")]
     screenshot: Option<PathBuf>,
@@ -43,17 +48,28 @@ pub struct Walk {
     tracing: TracingOptions,
 }
 
+/// The most columns or rows of a screenshot.
+const MAX_SCREEN: u16 = 1000;
+
 /// The screenshot's size unless it is asked for.
 const SCREEN: [u16; 2] = [110, 30];
 
 impl Walk {
+    /// The walk of `raywalk` alone.
+    pub fn of_the_numeric_example() -> Walk {
+        Walk { digits: Style::default().digits, ..Walk::default() }
+    }
+
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
-        // `raywalk` alone has no arguments to take a default from.
-        let walked = if self.walked.as_os_str().is_empty() { Path::new("textbook") } else { &self.walked };
-        let input = scene_argument::read(walked, colors)?;
+    pub fn run(self, colors: ColorChoice, signals: Option<Handle>) -> Result<(), Failure> {
+        let walked = self.walked.as_deref().unwrap_or(Path::new("textbook"));
+        let input = match &self.walked {
+            Some(path) => scene_argument::read(path, colors)?,
+            None => scene_argument::built_in("textbook")?,
+        };
         let (log, warning) = self.log(&input, colors)?;
         if let Some(path) = &self.screenshot {
+            self.check_screenshot(path)?;
             let [width, height] = self.screen.unwrap_or(SCREEN);
             let options = self.options(Palette::True, warning);
             let picture = tui::picture(log, &options, &self.keys, width, height);
@@ -61,18 +77,27 @@ impl Walk {
         }
         if self.plain || !has_terminal() {
             if let Some(warning) = warning {
-                eprintln!("warning: {}: {warning}", visible(&input.name));
+                output::tell(&format!("warning: {}: {warning}", visible(&input.name)));
             }
-            return output::print(report::text::text(&log, Style::default()).as_bytes());
+            return output::print(report::text::text(&log, Style { digits: self.digits }).as_bytes());
+        }
+        // From here on the viewer minds its signals itself: it has a terminal to give back.
+        if let Some(signals) = signals {
+            signals.close();
         }
         let outcome = tui::run(log, self.options(palette(colors), warning))
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
-        self.leave(walked, &outcome)
+        self.leave(walked, is_log(&input.bytes), &outcome)
     }
 
     /// The log to walk through, and what to warn of.
     fn log(&self, input: &Input, colors: ColorChoice) -> Result<(Log, Option<String>), Failure> {
         if is_log(&input.bytes) {
+            if self.tracing != TracingOptions::default() || self.subject != Subject::default() {
+                let name = visible(&input.name);
+                let message = format!("{name}: is a log, which is traced already; expected no options of tracing");
+                return Err(Failure::caller(message));
+            }
             let read = log_file::read(&input.bytes)
                 .map_err(|error| Failure::caller(format!("{}:{error}", visible(&input.name))))?;
             return Ok((read.log, read.ending.warning()));
@@ -82,23 +107,63 @@ impl Walk {
     }
 
     fn options(&self, palette: Palette, warning: Option<String>) -> tui::Options {
-        tui::Options { theme: Theme::new(palette, self.ascii), start: self.at, warning, note: None }
+        let numbers = Style { digits: self.digits };
+        tui::Options { theme: Theme::new(palette, self.ascii), start: self.at, warning, note: None, numbers }
+    }
+
+    /// The call that leads back to the place where the viewer was left: this one, with the step.
+    fn call_back(&self, walked: &Path, was_log: bool, outcome: &Outcome) -> String {
+        let mut words: Vec<String> =
+            std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+        if self.walked.is_none() {
+            words = vec!["walk".to_owned(), walked.to_string_lossy().into_owned()];
+        }
+        if let Some(at) = words.iter().position(|word| word == "--at") {
+            words.drain(at..words.len().min(at + 2));
+        }
+        words.retain(|word| !word.starts_with("--at="));
+        if let (Some([x, y]), None, None, false) =
+            (outcome.position.pixel, self.subject.pixel, self.subject.ray, was_log)
+        {
+            words.extend(["--pixel".to_owned(), format!("{x},{y}")]);
+        }
+        let words: Vec<_> = words.iter().map(|word| quoted(word)).collect();
+        format!("raywalk {} --at {}", words.join(" "), outcome.position.at)
+    }
+
+    fn check_screenshot(&self, path: &Path) -> Result<(), Failure> {
+        if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
+            return Err(Failure::caller(format!("{}: expected a name that ends in .svg", path.display())));
+        }
+        match self.screen {
+            Some([width, height]) if width > MAX_SCREEN || height > MAX_SCREEN => {
+                Err(Failure::caller(format!("--screen {width},{height}: at most {MAX_SCREEN} columns and rows")))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Ends as the viewer was left; prints the way back to the place.
-    fn leave(&self, walked: &Path, outcome: &Outcome) -> Result<(), Failure> {
+    fn leave(&self, walked: &Path, was_log: bool, outcome: &Outcome) -> Result<(), Failure> {
         match outcome.exit {
             Exit::Interrupted => return Err(Failure::silent(INTERRUPTED)),
             Exit::Terminated => return Err(Failure::silent(TERMINATED)),
             Exit::Quit => {}
         }
-        if walked != Path::new("-") {
-            let pixel = outcome.position.pixel.map_or(String::new(), |[x, y]| format!(" --pixel {x},{y}"));
-            let walked = walked.to_string_lossy();
-            let back = format!("back here: raywalk walk {}{pixel} --at {}\n", visible(&walked), outcome.position.at);
-            return output::print(back.as_bytes());
+        if walked == Path::new("-") {
+            return Ok(());
         }
-        Ok(())
+        output::print(format!("back here: {}\n", self.call_back(walked, was_log, outcome)).as_bytes())
+    }
+}
+
+/// A word as a shell reads it back.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=+%".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", visible(word).replace('\'', "'\\''"))
     }
 }
 
@@ -118,8 +183,8 @@ fn has_terminal() -> bool {
     io::stdout().is_terminal() && !is_dumb
 }
 
-/// Whether the bytes are a log rather than a scene.
+/// Whether the bytes are a log rather than a scene: by their first key.
 fn is_log(bytes: &[u8]) -> bool {
-    let start = bytes.trim_ascii_start();
-    start.starts_with(b"{\"log\"") || start.starts_with(b"{\"header\"")
+    let first_key = bytes.trim_ascii_start().strip_prefix(b"{").map(<[u8]>::trim_ascii_start);
+    first_key.is_some_and(|key| key.starts_with(b"\"log\"") || key.starts_with(b"\"header\""))
 }

@@ -27,6 +27,7 @@ pub use theme::{Palette, Theme};
 pub use update::{Effect, Exit, update};
 
 use crate::log::{Log, Step, Subject};
+use crate::report::Style as Numbers;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::io;
@@ -43,6 +44,8 @@ pub struct Options {
     pub warning: Option<String>,
     /// What to say until the first key.
     pub note: Option<String>,
+    /// How numbers are shown.
+    pub numbers: Numbers,
 }
 
 /// How the viewer ended.
@@ -85,6 +88,7 @@ pub fn run(log: Log, options: Options) -> io::Result<Outcome> {
 /// The model of a log, at the place where the options want it.
 pub fn opened(log: Log, options: &Options) -> Model {
     let mut model = Model::new(log);
+    model.numbers = options.numbers;
     if let Some(note) = &options.note {
         model.say(note);
     }

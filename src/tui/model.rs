@@ -4,6 +4,7 @@ use super::facts::Facts;
 use super::fold::Fold;
 use super::layout::Layout;
 use crate::log::{Log, Tree};
+use crate::report::Style as Numbers;
 
 /// Everything that the viewer knows.
 #[derive(Clone, Debug)]
@@ -32,6 +33,8 @@ pub struct Model {
     pub overlay: Option<Overlay>,
     /// What is said at the bottom.
     pub message: Option<Message>,
+    /// How numbers are shown.
+    pub numbers: Numbers,
 }
 
 /// A pane.
@@ -90,6 +93,7 @@ impl Model {
             pending: Pending::default(),
             overlay: None,
             message: None,
+            numbers: Numbers::default(),
         };
         model.go_to_event(0);
         model

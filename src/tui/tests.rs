@@ -126,6 +126,7 @@ fn warnings_stay_until_they_are_dismissed() {
         start: Some(1_000_000),
         warning: Some("cut off".to_owned()),
         note: None,
+        numbers: Default::default(),
     };
     let mut model = opened(textbook(), &options);
     assert_eq!(model.step(), model.log.events.len());
@@ -221,7 +222,13 @@ fn without_colours_there_are_none() {
 
 #[test]
 fn pictures_show_the_viewer_after_some_keys() {
-    let options = Options { theme: Theme::new(Palette::True, false), start: None, warning: None, note: None };
+    let options = Options {
+        theme: Theme::new(Palette::True, false),
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Default::default(),
+    };
     let svg = picture(textbook(), &options, "3n", 80, 24);
     assert!(svg.contains("step 5/96"), "{svg}");
     assert!(svg.contains("V_d"), "{svg}");

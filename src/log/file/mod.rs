@@ -1,5 +1,6 @@
 //! Logs as files: `raywalk-log/1`, one event a line (NDJSON) or one nested document (JSON).
 
+mod document;
 mod error;
 mod line;
 mod read;

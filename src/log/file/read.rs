@@ -1,6 +1,7 @@
 //! Reading logs, also such as were cut off or damaged: what is complete is read, and what isn't is said.
 
 use super::LogError;
+use super::document::{self, is_document};
 use super::line::{Enter, Line, Mark};
 use crate::log::event::{Decision, Event, Miss, RayKind, SkipReason, Skippable, Step, What};
 use crate::log::header::{FORMAT, Header};
@@ -51,8 +52,8 @@ impl Ending {
 
 /// Reads a log, NDJSON or one JSON document.
 pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
-    if bytes.trim_ascii_start().starts_with(b"{\"header\"") {
-        return read_document(bytes);
+    if is_document(bytes) {
+        return document::read(bytes);
     }
     let mut lines = Lines { rest: bytes, number: 0 };
     let header = header(lines.next().map(|line| line.text).unwrap_or_default())?;
@@ -74,6 +75,10 @@ pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
         };
         if let Some(end) = parsed.end {
             ending = check_end(&end, reader.events.len(), &bytes[..hashed]);
+            let after = lines.rest.trim_ascii().len();
+            if after > 0 {
+                ending = Ending::Mismatch { what: format!("{after} bytes stand after its end line") };
+            }
             break;
         }
         reader.take(parsed, line.number)?;
@@ -81,33 +86,6 @@ pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
     }
     let events = reader.events;
     Ok(ReadLog { log: Log { header, events }, ending })
-}
-
-fn read_document(bytes: &[u8]) -> Result<ReadLog, LogError> {
-    #[derive(Deserialize)]
-    struct Document {
-        header: Header,
-        children: Vec<Line>,
-        end: Option<End>,
-    }
-    let document: Document =
-        serde_json::from_slice(bytes).map_err(|error| error_at(error.line().saturating_sub(1) + 1, &error))?;
-    check_version(&document.header.log)?;
-    let mut reader = Reader::new(&document.header);
-    for child in document.children {
-        reader.take(child, 1)?;
-    }
-    let log = Log { events: reader.events, header: document.header };
-    // The digest is that of the same log as lines.
-    let ending = match document.end {
-        None => Ending::Missing { incomplete_record: false },
-        Some(end) => {
-            let lines = super::to_ndjson(&log)?;
-            let before_end = lines[..lines.len() - 1].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
-            check_end(&end, log.events.len(), &lines[..before_end])
-        }
-    };
-    Ok(ReadLog { log, ending })
 }
 
 fn header(line: &[u8]) -> Result<Header, LogError> {
@@ -125,11 +103,11 @@ fn header(line: &[u8]) -> Result<Header, LogError> {
     serde_json::from_slice(line).map_err(|error| error_at(1, &error))
 }
 
-fn check_version(found: &str) -> Result<(), LogError> {
+pub(super) fn check_version(found: &str) -> Result<(), LogError> {
     if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: found.to_owned() }) }
 }
 
-fn check_end(end: &End, events: usize, hashed: &[u8]) -> Ending {
+pub(super) fn check_end(end: &End, events: usize, hashed: &[u8]) -> Ending {
     let digest = format!("blake3:{}", blake3::hash(hashed).to_hex());
     if end.events != events as u64 {
         Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) }
@@ -140,7 +118,7 @@ fn check_end(end: &End, events: usize, hashed: &[u8]) -> Ending {
     }
 }
 
-fn error_at(line: usize, error: &serde_json::Error) -> LogError {
+pub(super) fn error_at(line: usize, error: &serde_json::Error) -> LogError {
     let text = error.to_string();
     let message = text.split(" at line ").next().unwrap_or(&text).to_owned();
     LogError::Damaged { line, column: error.column().max(1), message }
@@ -176,14 +154,14 @@ impl<'b> Iterator for Lines<'b> {
 }
 
 /// Turns lines into events: names into numbers, words into decisions.
-struct Reader {
+pub(super) struct Reader {
     objects: HashMap<String, u32>,
     lights: HashMap<String, u32>,
-    events: Vec<Event>,
+    pub(super) events: Vec<Event>,
 }
 
 impl Reader {
-    fn new(header: &Header) -> Reader {
+    pub(super) fn new(header: &Header) -> Reader {
         let numbered = |names: &[String]| {
             // The first of equal names wins, as it does in a scene.
             names.iter().enumerate().rev().map(|(number, name)| (name.clone(), number as u32)).collect()
@@ -191,7 +169,7 @@ impl Reader {
         Reader { objects: numbered(&header.objects), lights: numbered(&header.lights), events: Vec::new() }
     }
 
-    fn take(&mut self, line: Line, number: usize) -> Result<(), LogError> {
+    pub(super) fn take(&mut self, line: Line, number: usize) -> Result<(), LogError> {
         let damaged = |message: String| LogError::Damaged { line: number, column: 1, message };
         let missing = |field: &str| damaged(format!("expected an event, found no `{field}`"));
         let at = line.at.ok_or_else(|| missing("at"))?;

@@ -4,7 +4,7 @@ use super::label::label;
 use super::text::{Piece, shown, width_of, wrap};
 use super::{put_all, title};
 use crate::log::{Decision, Event, Value, What};
-use crate::report::{self, Style as Numbers, number, words};
+use crate::report::{self, number, words};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Item, Model, Pane};
 use crate::tui::theme::{Role, Theme};
@@ -60,7 +60,7 @@ fn block(model: &Model, item: Item, width: usize, theme: &Theme) -> (Vec<Line<'s
         Item::Event(event) => event,
     };
     let happening = &model.log.events[event];
-    let mut inputs = given(happening, theme).map(|pieces| wrap(&pieces, width, 6)).unwrap_or_default();
+    let mut inputs = given(model, happening, theme).map(|pieces| wrap(&pieces, width, 6)).unwrap_or_default();
     let mut own = event_lines(model, event, theme, width);
     if matches!(happening.what, What::Enter { .. }) {
         own.append(&mut inputs);
@@ -80,7 +80,7 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
         What::Leave => vec![("end".to_owned(), theme.style(Role::Faint))],
         What::Result { color } => vec![
             ("result: ".to_owned(), theme.style(Role::Text)),
-            (shown(&number::value(&Value::Triple(*color), Numbers::default()), theme), theme.style(Role::Value)),
+            (shown(&number::value(&Value::Triple(*color), model.numbers), theme), theme.style(Role::Value)),
         ],
     };
     wrap(&pieces, width, 4)
@@ -88,7 +88,7 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
 
 /// `symbol = formula = numbers put in = result`: in one line, or one below the other when that is too long.
 fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
-    let Some(computation) = report::computation(&model.log, &model.tree, event, Numbers::default()) else {
+    let Some(computation) = report::computation(&model.log, &model.tree, event, model.numbers) else {
         return Vec::new();
     };
     let text = theme.style(Role::Text);
@@ -129,12 +129,12 @@ fn decision_pieces(model: &Model, decision: &Decision, theme: &Theme) -> Vec<Pie
         Decision::Attenuated { .. } => (glyphs.shade, Role::Light),
         _ => (glyphs.leaf, Role::Text),
     };
-    let words = words::decision(&model.log.header, decision, Numbers::default());
+    let words = words::decision(&model.log.header, decision, model.numbers);
     vec![(format!("{glyph} {}", shown(&words, theme)), theme.style(role))]
 }
 
 /// The inputs of an event.
-fn given(event: &Event, theme: &Theme) -> Option<Vec<Piece>> {
+fn given(model: &Model, event: &Event, theme: &Theme) -> Option<Vec<Piece>> {
     if event.given.is_empty() {
         return None;
     }
@@ -143,7 +143,7 @@ fn given(event: &Event, theme: &Theme) -> Option<Vec<Piece>> {
     let mut pieces = vec![("given ".to_owned(), faint)];
     for (index, (name, value)) in event.given.iter().enumerate() {
         let comma = if index == last { "" } else { ", " };
-        let text = format!("{} = {}{comma}", name.symbol(), number::value(value, Numbers::default()));
+        let text = format!("{} = {}{comma}", name.symbol(), number::value(value, model.numbers));
         pieces.push((shown(&text, theme), faint));
     }
     Some(pieces)

@@ -2,7 +2,7 @@
 
 use super::text::{Piece, shown};
 use crate::log::{Decision, RayKind, Step, What};
-use crate::report::{Style as Numbers, number, words};
+use crate::report::{number, words};
 use crate::tui::model::Model;
 use crate::tui::theme::{Role, Theme};
 
@@ -108,11 +108,11 @@ fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Optio
     let event = model.facts.value(node)?;
     let text = match model.log.events[event].what {
         What::Note { name, value } => {
-            let number = number::value(&value, Numbers::default());
+            let number = number::value(&value, model.numbers);
             // A test's value is the distance; all other nodes come to a colour.
             if matches!(step, Some(Step::Test { .. })) { format!("{} = {number}", name.symbol()) } else { number }
         }
-        What::Result { color } => number::value(&crate::log::Value::Triple(color), Numbers::default()),
+        What::Result { color } => number::value(&crate::log::Value::Triple(color), model.numbers),
         _ => return None,
     };
     Some((format!("  {}", shown(&text, theme)), theme.style(Role::Text)))

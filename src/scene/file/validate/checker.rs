@@ -3,7 +3,7 @@
 use crate::scene::file::key_path::{KeyPath, Step};
 use crate::scene::file::schema::{Rgb, Vec3};
 
-use super::limits::{MAX_LENGTH, MAX_PROBLEMS, MIN_LENGTH};
+use super::limits::{MAX_COORDINATE, MAX_PROBLEMS, MIN_LENGTH};
 use super::vector::size;
 use super::{Finding, Findings};
 
@@ -100,8 +100,12 @@ impl Checker<'_> {
     }
 
     fn require(&mut self, step: impl Into<Step>, value: f64, holds: bool, rule: &str) {
-        if !(holds && value.is_finite()) {
-            let rule = if value.is_finite() { rule } else { "must be finite" };
+        if !(holds && value.abs() <= MAX_COORDINATE) {
+            let rule = match () {
+                _ if !value.is_finite() => "must be finite",
+                _ if value.abs() > MAX_COORDINATE => "must be at most 1e100 in size",
+                _ => rule,
+            };
             self.at(step).error(format!("{rule}, found {}", number(value)));
         }
     }
@@ -166,8 +170,8 @@ impl Checker<'_> {
         let size = size(value);
         let problem = if size == 0.0 {
             "must not be the zero vector".to_string()
-        } else if !(MIN_LENGTH..=MAX_LENGTH).contains(&size) {
-            format!("must have a length from {MIN_LENGTH:e} to {MAX_LENGTH:e}")
+        } else if size < MIN_LENGTH {
+            format!("must have a length of at least {MIN_LENGTH:e}")
         } else {
             return true;
         };

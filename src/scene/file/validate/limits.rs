@@ -27,8 +27,8 @@ pub const MAX_EXPOSURE: f64 = 100.0;
 /// The shortest vector that is a direction: its square must not vanish.
 pub const MIN_LENGTH: f64 = 1e-150;
 
-/// The longest vector that is a direction: its square must stay finite.
-pub const MAX_LENGTH: f64 = 1e150;
+/// The largest coordinate or size: squares, and squares of their products with directions, must stay finite.
+pub const MAX_COORDINATE: f64 = 1e100;
 
 /// How many problems are kept; further ones are counted.
 pub const MAX_PROBLEMS: usize = 20;
