@@ -33,6 +33,13 @@ pub fn subject(header: &Header) -> String {
     }
 }
 
+/// How pixels were sampled, such as `shared: n = 1`; nothing for one ray through the centre.
+pub fn sampling(header: &Header) -> Option<String> {
+    let (method, parameters) = header.sampling.iter().find(|(method, _)| *method != "none")?;
+    let parameters: Vec<_> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    Some(format!("{}: {}", plain(method), plain(&parameters.join(", "))))
+}
+
 /// What a ray is for.
 pub fn ray_kind(header: &Header, kind: RayKind) -> String {
     match kind {
