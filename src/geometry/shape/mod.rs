@@ -1,5 +1,6 @@
 //! The shapes. Each has its own file, which implements [`Kernel`]; adding one is that file, a variant and an arm here.
 
+mod axis;
 mod cone;
 mod cuboid;
 mod cylinder;
