@@ -67,6 +67,7 @@ pub(super) enum Mark {
     Attenuated { object: String, factor: [f64; 3] },
     TotalInternalReflection {},
     DepthLimit { what: String },
+    LeakGuard { what: String },
     Skipped { what: String, why: String },
 }
 

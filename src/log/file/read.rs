@@ -258,6 +258,7 @@ impl Reader {
             Mark::Attenuated { object, factor } => Decision::Attenuated { object: self.object(&object)?, factor },
             Mark::TotalInternalReflection {} => Decision::TotalInternalReflection,
             Mark::DepthLimit { what } => Decision::DepthLimit { what: skippable(&what)? },
+            Mark::LeakGuard { what } => Decision::LeakGuard { what: skippable(&what)? },
             Mark::Skipped { what, why } => Decision::Skipped {
                 what: skippable(&what)?,
                 why: SkipReason::find(&why).ok_or_else(|| format!("unknown rule `{why}`"))?,

@@ -1,0 +1,168 @@
+//! A second opinion on every formula: evaluates the formula texts on the values that a log holds.
+//!
+//! It shares the grammar and the scope rules with the program, and no arithmetic: the operations stand here once more,
+//! in the order in which a reader takes them, from left to right.
+
+use raywalk::log::formula::{self, Extreme, Formula, Operator};
+use raywalk::log::{Event, Name, Tree, Value, scope};
+
+/// The value of the formula of the quantity `name` that `event` notes, before any rounding; `None` for what has no
+/// formula. The error says which operand the log doesn't hold, or what can't be computed.
+pub fn evaluate(events: &[Event], tree: &Tree, event: usize, name: Name) -> Option<Result<Value, String>> {
+    let here = Evaluator { events, tree, event, light: None };
+    formula::of(name).map(|formula| match here.part(formula) {
+        Ok(Part::Value(value)) => Ok(value),
+        Ok(absent) => Err(format!("the formula comes to {absent:?}")),
+        Err(why) => Err(why),
+    })
+}
+
+#[derive(Clone, Copy)]
+struct Evaluator<'a> {
+    events: &'a [Event],
+    tree: &'a Tree,
+    event: usize,
+    /// The light whose term under Σ is evaluated.
+    light: Option<usize>,
+}
+
+/// What a part of a formula comes to.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    Value(Value),
+    /// A factor that is absent because it is 1.
+    One,
+    /// A term that is absent because it is 0; whether it is a number or a triple isn't known.
+    Zero,
+}
+
+impl Evaluator<'_> {
+    fn part(&self, formula: &Formula) -> Result<Part, String> {
+        match formula {
+            Formula::Number(number) => Ok(Part::Value(Value::Number(*number))),
+            Formula::Symbol(symbol) => self.operand(symbol),
+            Formula::Grouped(inner) => self.part(inner),
+            Formula::Negated(inner) => map(self.part(inner)?, |x| -x),
+            Formula::Positive(inner) => map(self.part(inner)?, |x| if x > 0.0 { x } else { 0.0 }),
+            Formula::Root(inner) => map(self.part(inner)?, f64::sqrt),
+            // |v|² is v · v: on paper nobody takes a root to square it.
+            Formula::Squared(inner) => match (self.part(inner)?, &**inner) {
+                (Part::Value(_), Formula::Length(vector)) => {
+                    let vector = self.part(vector)?;
+                    binary(Operator::Times, vector, vector)
+                }
+                (number, _) => binary(Operator::Times, number, number),
+            },
+            Formula::Length(inner) => {
+                let vector = self.part(inner)?;
+                map(binary(Operator::Times, vector, vector)?, f64::sqrt)
+            }
+            Formula::Extreme(extreme, first, second) => match (self.part(first)?, self.part(second)?) {
+                (Part::Value(Value::Number(a)), Part::Value(Value::Number(b))) => {
+                    Ok(Part::Value(Value::Number(self::extreme(*extreme, a, b))))
+                }
+                (Part::Value(Value::Triple(a)), Part::Value(Value::Triple(b))) => {
+                    Ok(Part::Value(Value::Triple([0, 1, 2].map(|i| self::extreme(*extreme, a[i], b[i])))))
+                }
+                (a, b) => Err(format!("{extreme:?}({a:?}, {b:?})")),
+            },
+            Formula::ExtremeComponent(extreme, inner) => match self.part(inner)? {
+                Part::Value(Value::Triple([x, y, z])) => {
+                    Ok(Part::Value(Value::Number(self::extreme(*extreme, x, self::extreme(*extreme, y, z)))))
+                }
+                part => Err(format!("{extreme:?}({part:?})")),
+            },
+            Formula::OverLights(inner) => self.over_lights(Part::Zero, inner),
+            Formula::Binary(Operator::Plus, before, lights) if matches!(**lights, Formula::OverLights(_)) => {
+                let Formula::OverLights(inner) = &**lights else { unreachable!("the guard has seen a Σ") };
+                self.over_lights(self.part(before)?, inner)
+            }
+            Formula::Binary(operator, left, right) => binary(*operator, self.part(left)?, self.part(right)?),
+        }
+    }
+
+    fn operand(&self, symbol: &str) -> Result<Part, String> {
+        let operand = match self.light {
+            Some(light) => scope::operand_of_light(self.events, self.tree, light, symbol),
+            None => scope::operand(self.events, self.tree, self.event, symbol),
+        };
+        match operand {
+            Some(operand) => Ok(Part::Value(operand.value)),
+            None if scope::is_one_when_absent(symbol) => Ok(Part::One),
+            None if self.light.is_some() => Ok(Part::Zero),
+            None => Err(format!("the log holds no `{symbol}`")),
+        }
+    }
+
+    /// Σ goes on with the sum before it, one light after the other.
+    fn over_lights(&self, before: Part, term: &Formula) -> Result<Part, String> {
+        scope::lights(self.tree, self.event).try_fold(before, |sum, light| {
+            let term = Evaluator { light: Some(light), ..*self }.part(term)?;
+            binary(Operator::Plus, sum, term)
+        })
+    }
+}
+
+fn map(part: Part, f: impl Fn(f64) -> f64) -> Result<Part, String> {
+    Ok(match part {
+        Part::Value(Value::Number(x)) => Part::Value(Value::Number(f(x))),
+        Part::Value(Value::Triple(triple)) => Part::Value(Value::Triple(triple.map(f))),
+        Part::Zero => Part::Zero,
+        Part::One => return Err("an absent factor outside a product".to_owned()),
+    })
+}
+
+fn binary(operator: Operator, left: Part, right: Part) -> Result<Part, String> {
+    use Operator::{Channelwise, Minus, Over, Plus, Power, Times};
+    let (left, right) = match (operator, left, right) {
+        (_, Part::Value(left), Part::Value(right)) => (left, right),
+        (Plus, Part::Zero, term) | (Plus | Minus, term, Part::Zero) => return Ok(term),
+        (Times | Channelwise | Over, Part::Zero, _) | (Times | Channelwise, _, Part::Zero) => return Ok(Part::Zero),
+        // An absent base is an absent term, even where its exponent is 0.
+        (Power, Part::Zero, _) => return Ok(Part::Zero),
+        (Times | Channelwise, Part::One, factor) | (Times | Channelwise | Over, factor, Part::One) => {
+            return Ok(factor);
+        }
+        (operator, left, right) => return Err(format!("{left:?} {operator:?} {right:?}")),
+    };
+    operate(operator, left, right).map(Part::Value).ok_or_else(|| format!("{left:?} {operator:?} {right:?}"))
+}
+
+fn operate(operator: Operator, left: Value, right: Value) -> Option<Value> {
+    use Value::{Number, Triple};
+    let scaled = |triple: [f64; 3], number: f64| Triple(triple.map(|x| x * number));
+    let zipped = |a: [f64; 3], b: [f64; 3], f: fn(f64, f64) -> f64| Triple([0, 1, 2].map(|i| f(a[i], b[i])));
+    Some(match (operator, left, right) {
+        (Operator::Plus, Number(a), Number(b)) => Number(a + b),
+        (Operator::Plus, Triple(a), Triple(b)) => zipped(a, b, |a, b| a + b),
+        (Operator::Minus, Number(a), Number(b)) => Number(a - b),
+        (Operator::Minus, Triple(a), Triple(b)) => zipped(a, b, |a, b| a - b),
+        (Operator::Times, Number(a), Number(b)) => Number(a * b),
+        (Operator::Times, Triple(a), Number(b)) | (Operator::Times, Number(b), Triple(a)) => scaled(a, b),
+        (Operator::Times, Triple(a), Triple(b)) => Number(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]),
+        (Operator::Channelwise, Triple(a), Triple(b)) => zipped(a, b, |a, b| a * b),
+        (Operator::Channelwise, Triple(a), Number(b)) | (Operator::Channelwise, Number(b), Triple(a)) => scaled(a, b),
+        (Operator::Over, Number(a), Number(b)) => Number(a / b),
+        (Operator::Over, Triple(a), Number(b)) => Triple(a.map(|x| x / b)),
+        (Operator::Cross, Triple(a), Triple(b)) => {
+            let minor = |i: usize, j: usize| a[i] * b[j] - b[i] * a[j];
+            Triple([minor(1, 2), minor(2, 0), minor(0, 1)])
+        }
+        (Operator::ComponentsOver, Triple(a), Triple(b)) => zipped(a, b, |a, b| match a / b {
+            quotient if quotient.is_nan() => 0.0,
+            quotient if quotient.is_infinite() => f64::MAX.copysign(quotient),
+            quotient => quotient,
+        }),
+        (Operator::Power, Number(a), Number(b)) => Number(libm::pow(a, b)),
+        _ => return None,
+    })
+}
+
+/// The extreme of two numbers; of two equal ones (0 and −0) the second.
+fn extreme(extreme: Extreme, a: f64, b: f64) -> f64 {
+    let takes_first = match extreme {
+        Extreme::Min => a < b,
+        Extreme::Max => a > b,
+    };
+    if takes_first { a } else { b }
+}
