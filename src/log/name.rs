@@ -105,11 +105,48 @@ names! {
     QuadraticT1: "quadratic.t_1", "", "t_1", "q/a", "1.1.1";
     QuadraticT2: "quadratic.t_2", "", "t_2", "c/q", "1.1.1";
 
-    // Triangle.
+    // Triangle. The edge functions are named after the corner over against the edge. N_t = (B − A) × (C − A) with all its digits.
+    TriangleA: "triangle.a", "", "A", "", "1.1.1";
+    TriangleB: "triangle.b", "", "B", "", "1.1.1";
+    TriangleC: "triangle.c", "", "C", "", "1.1.1";
+    TriangleNormal: "triangle.normal", "", "N_t", "", "1.1.1";
+    TriangleUnitNormal: "triangle.unit_normal", "", "ν_t", "", "1.1.1";
+    TriangleEdgeA: "triangle.edge_a", "", "E_a", "d · ((C − O)×(B − O))", "1.1.1";
+    TriangleEdgeB: "triangle.edge_b", "", "E_b", "d · ((A − O)×(C − O))", "1.1.1";
+    TriangleEdgeC: "triangle.edge_c", "", "E_c", "d · ((B − O)×(A − O))", "1.1.1";
+    TriangleVd: "triangle.v_d", "", "V_d", "N_t · d", "1.1.1";
+    TriangleVo: "triangle.v_o", "", "V_o", "N_t · (A − O)", "1.1.1";
+    TriangleT: "triangle.t", "", "t", "V_o/V_d", "1.1.1";
 
-    // Polygon.
+    // The mean of the normals at a triangle's corners, by the areas over against them.
+    TriangleNormalA: "triangle.normal_a", "", "N_a", "", "1.1.1";
+    TriangleNormalB: "triangle.normal_b", "", "N_b", "", "1.1.1";
+    TriangleNormalC: "triangle.normal_c", "", "N_c", "", "1.1.1";
+    TriangleWeightA: "triangle.weight_a", "", "w_a", "(ν_t · ((B − P)×(C − P)))/(ν_t · N_t)", "1.1.1";
+    TriangleWeightB: "triangle.weight_b", "", "w_b", "(ν_t · ((C − P)×(A − P)))/(ν_t · N_t)", "1.1.1";
+    TriangleWeightC: "triangle.weight_c", "", "w_c", "1 − w_a − w_b", "1.1.1";
+    TriangleMeanNormal: "triangle.mean_normal", "", "N_m", "w_a·N_a + w_b·N_b + w_c·N_c", "1.1.1";
+
+    // Polygon. Q is its first corner. How many edges lie beyond the point has no formula.
+    PolygonCorner: "polygon.corner", "", "Q", "", "1.1.1";
+    PolygonNormal: "polygon.normal", "", "N_q", "", "1.1.1";
+    PolygonUnitNormal: "polygon.unit_normal", "", "ν_q", "", "1.1.1";
+    PolygonVd: "polygon.v_d", "", "V_d", "N_q · d", "1.1.1";
+    PolygonVo: "polygon.v_o", "", "V_o", "N_q · (Q − O)", "1.1.1";
+    PolygonT: "polygon.t", "", "t", "V_o/V_d", "1.1.1";
+    PolygonPoint: "polygon.point", "", "P_q", "O + d·t", "1.1.1";
+    PolygonCrossings: "polygon.crossings", "", "κ", "", "1.1.1";
 
     // Box.
+    BoxMin: "box.min", "", "b_min", "", "1.1.1";
+    BoxMax: "box.max", "", "b_max", "", "1.1.1";
+    BoxFaceNormal: "box.face_normal", "", "ν_b", "", "1.1.1";
+    BoxToMin: "box.to_min", "", "t_lo", "(b_min − O)⊘d", "1.1.1";
+    BoxToMax: "box.to_max", "", "t_hi", "(b_max − O)⊘d", "1.1.1";
+    BoxEntry: "box.entry", "", "t_in", "max(min(t_lo, t_hi))", "1.1.1";
+    BoxExit: "box.exit", "", "t_out", "min(max(t_lo, t_hi))", "1.1.1";
+    BoxTEntry: "box.t", "entry", "t", "t_in", "1.1.1";
+    BoxTExit: "box.t", "exit", "t", "t_out", "1.1.1";
 
     // The axis of a cylinder or cone, from its base to its apex; the ray and its hit along it and across.
     AxisBase: "axis.base", "", "A_b", "", "1.1.1";
@@ -159,6 +196,14 @@ names! {
     ConeGradient: "cone.gradient", "", "g_c", "p_r/|p_r| − w·k", "1.1.1";
 
     // Disk.
+    DiskCenter: "disk.center", "", "C_d", "", "1.1.1";
+    DiskNormal: "disk.normal", "", "N_d", "", "1.1.1";
+    DiskUnitNormal: "disk.unit_normal", "", "ν_d", "", "1.1.1";
+    DiskRadius: "disk.radius", "", "r_d", "", "1.1.1";
+    DiskVd: "disk.v_d", "", "V_d", "N_d · d", "1.1.1";
+    DiskVo: "disk.v_o", "", "V_o", "N_d · (C_d − O)", "1.1.1";
+    DiskT: "disk.t", "", "t", "V_o/V_d", "1.1.1";
+    DiskDistanceSquared: "disk.distance_squared", "", "ρ²", "|O + d·t − C_d|²", "1.1.1";
 
     // The nearest hit: its point, and the normal turned toward the arriving ray.
     HitPoint: "hit.point", "", "P", "O + d·t", "1.3 (3)";
@@ -181,6 +226,22 @@ names! {
     HitNormalConeBack: "hit.normal", "cone_back", "N", "−g_c/|g_c|", "1.1.1";
     HitNormalAlongAxis: "hit.normal", "along_axis", "N", "w", "1.1.1";
     HitNormalAgainstAxis: "hit.normal", "against_axis", "N", "−w", "1.1.1";
+    HitNormalTriangle: "hit.normal", "triangle", "N", "ν_t", "1.1.1";
+    HitNormalTriangleBack: "hit.normal", "triangle_back", "N", "−ν_t", "1.1.1";
+    HitNormalPolygon: "hit.normal", "polygon", "N", "ν_q", "1.1.1";
+    HitNormalPolygonBack: "hit.normal", "polygon_back", "N", "−ν_q", "1.1.1";
+    HitNormalBox: "hit.normal", "box", "N", "ν_b", "1.1.1";
+    HitNormalBoxBack: "hit.normal", "box_back", "N", "−ν_b", "1.1.1";
+    HitNormalDisk: "hit.normal", "disk", "N", "ν_d", "1.1.1";
+    HitNormalDiskBack: "hit.normal", "disk_back", "N", "−ν_d", "1.1.1";
+    // Where normals are interpolated, the surface's own one has a name of its own, and the mean lies on its side.
+    HitGeometricNormalTriangle: "hit.geometric_normal", "triangle", "N_g", "ν_t", "1.1.1";
+    HitGeometricNormalTriangleBack: "hit.geometric_normal", "triangle_back", "N_g", "−ν_t", "1.1.1";
+    HitGeometricNormalPolygon: "hit.geometric_normal", "polygon", "N_g", "ν_q", "1.1.1";
+    HitGeometricNormalPolygonBack: "hit.geometric_normal", "polygon_back", "N_g", "−ν_q", "1.1.1";
+    HitNormalMean: "hit.normal", "mean", "N", "N_m/|N_m|", "1.1.1";
+    HitNormalMeanTurned: "hit.normal", "mean_turned", "N", "−N_m/|N_m|", "1.1.1";
+    HitNormalFlat: "hit.normal", "flat", "N", "N_g", "1.1.1";
 
     // The two bounces.
     ReflectDirection: "reflect.direction", "", "R", "d − 2·N·(d · N)", "1.2.2";

@@ -73,6 +73,9 @@ pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
         Decision::TotalInternalReflection => "total internal reflection".to_owned(),
         Decision::DepthLimit { what } => format!("depth limit: no {}", skippable(*what)),
         Decision::Skipped { why: SkipReason::Blocked, .. } => "the rest is skipped".to_owned(),
+        Decision::LeakGuard { what } => {
+            format!("no leak: the {} lies beyond the surface and brings nothing", skippable(*what))
+        }
         Decision::Skipped { what, why } => format!("skipped: {} ({})", skippable(*what), skip_reason(*why)),
     }
 }

@@ -127,8 +127,7 @@ impl Kernel for Ellipsoid {
         if steepness_squared == 0.0 {
             // Too small for the arithmetic: all that is left of it faces the ray.
             let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
-            probe.given(Name::PlaneUnitNormal, -ray.direction / ray.direction.length());
-            let normal = probe.note(Name::HitNormalPlane, -ray.direction / ray.direction.length());
+            let normal = probe.note(Name::HitNormalFacing, -ray.direction);
             return Surface::plain(point, normal, crossing.side);
         }
         let step = gradient * (offset / (2.0 * steepness_squared));

@@ -6,11 +6,13 @@ mod cuboid;
 mod cylinder;
 mod disk;
 mod ellipsoid;
+mod fan;
+mod flat;
 mod plane;
 mod polygon;
 mod roots;
 mod sphere;
-mod triangle;
+pub(in crate::geometry) mod triangle;
 
 pub use cone::Cone;
 pub use cuboid::Cuboid;
