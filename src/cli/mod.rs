@@ -43,7 +43,7 @@ enum Command {
     Rays(rays::Rays),
     /// Show the numeric example: printed, recomputed, by hand, exact
     Textbook(textbook::Textbook),
-    /// Check, show or list scenes
+    /// Check, show, convert or list scenes
     #[command(subcommand)]
     Scene(scene::SceneCommand),
 }

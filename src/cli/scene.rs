@@ -1,25 +1,27 @@
-//! `raywalk scene`: check, show and list scenes.
+//! `raywalk scene`: check, show, convert, list and generate scenes.
 
 use super::failure::Failure;
-use super::options::ColorChoice;
+use super::options::{ColorChoice, NffOptions};
 use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
-use clap::{Subcommand, ValueEnum};
+use clap::{Args, Subcommand, ValueEnum};
 use raywalk::scene::{build, builtin, file::visible, generate};
 use std::path::{Path, PathBuf};
 
-/// Check, show or list scenes.
+/// Check, show, convert, list or generate scenes.
 #[derive(Subcommand)]
 pub enum SceneCommand {
     /// Say everything that is wrong with a scene
-    Check {
-        /// A scene file, `-` for standard input, or a built-in scene
-        scene: PathBuf,
-    },
+    Check(Named),
     /// Print a scene with all its defaults
-    Show {
-        /// A scene file, `-` for standard input, or a built-in scene
-        scene: PathBuf,
+    Show(Named),
+    /// Write a scene of another format (NFF) as JSON: one object a primitive, one material a fill
+    Convert {
+        #[command(flatten)]
+        scene: Named,
+        /// Where to write; standard output without it
+        #[arg(long, short, value_name = "FILE")]
+        output: Option<PathBuf>,
     },
     /// List the built-in scenes
     List,
@@ -49,21 +51,37 @@ pub enum Generated {
     SphereFlake,
 }
 
+/// The scene of a command.
+#[derive(Args)]
+pub struct Named {
+    /// A scene file (JSON or NFF, also packed by gzip), `-` for standard input, or a built-in scene
+    scene: PathBuf,
+    #[command(flatten)]
+    nff: NffOptions,
+}
+
+impl Named {
+    fn load(&self, colors: ColorChoice) -> Result<Loaded, Failure> {
+        scene_argument::load(&self.scene, &self.nff.import(), colors)
+    }
+}
+
 impl SceneCommand {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         match self {
-            SceneCommand::Check { scene } => {
-                let Loaded { scene: file, meshes } = scene_argument::load(&scene, colors)?;
+            SceneCommand::Check(scene) => {
+                let Loaded { scene: file, meshes } = scene.load(colors)?;
                 build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
                 let (objects, lights, materials) = (file.objects.len(), file.lights.len(), file.materials.len());
                 let name = visible(&file.name).into_owned();
                 let counts = format!("{objects} objects, {lights} lights, {materials} materials");
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())
             }
-            SceneCommand::Show { scene } => {
-                let file = scene_argument::load(&scene, colors)?.scene;
-                output::print(format!("{}\n", file.to_json().trim_end()).as_bytes())
+            SceneCommand::Show(scene) => output::print(scene.load(colors)?.scene.to_json().as_bytes()),
+            SceneCommand::Convert { scene, output } => {
+                let file = scene.load(colors)?.scene;
+                Output::create(output.as_deref(), &scene.scene)?.commit(file.to_json().as_bytes())
             }
             SceneCommand::List => {
                 let names: String = builtin::names().map(|name| format!("{name}\n")).collect();

@@ -5,6 +5,7 @@ use super::options::ColorChoice;
 use super::output;
 use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
+use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::{self, Source, visible};
 use std::io;
@@ -29,8 +30,8 @@ pub struct Loaded {
 }
 
 /// Reads and checks the scene and its meshes; prints their warnings.
-pub fn load(argument: &Path, colors: ColorChoice) -> Result<Loaded, Failure> {
-    scene(&read(argument, colors)?, colors)
+pub fn load(argument: &Path, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
+    scene(&read(argument, colors)?, import, colors)
 }
 
 /// A built-in scene, whatever files there are.
@@ -52,9 +53,9 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 }
 
 /// Checks a scene that was read, and reads its meshes; prints their warnings.
-pub fn scene(input: &Input, colors: ColorChoice) -> Result<Loaded, Failure> {
+pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
     let failure = |error| Failure::scene(&error, is_colored(colors));
-    let file::Loaded { scene, warnings } = file::check(&input.bytes, &input.name).map_err(failure)?;
+    let file::Loaded { scene, warnings } = file::check_as(&input.bytes, &input.name, import).map_err(failure)?;
     let source = Source { name: &input.name, text: &input.bytes };
     let folder = input.path.as_ref().map_or(Folder::BuiltIn, |path| Folder::OfScene(path));
     let (meshes, mesh_warnings) = mesh::load(&scene, &source, folder).map_err(failure)?;

@@ -1,5 +1,6 @@
 //! Rays, shapes and where they meet. This room knows numbers and their names, no materials, lights or scenes.
 
+mod area_normal;
 pub mod bounds;
 pub mod bvh;
 pub mod mesh;

@@ -164,6 +164,11 @@ pub enum Decision {
         /// Which bounce.
         what: Skippable,
     },
+    /// What was traced counts as black: the interpolated normal put it on a side of the surface where it isn't.
+    LeakGuard {
+        /// Which ray.
+        what: Skippable,
+    },
     /// Work isn't done because it can't change the colour.
     Skipped {
         /// What isn't done.
@@ -214,7 +219,7 @@ words! {
 }
 
 words! {
-    /// What may be left out.
+    /// What may be left out, or count as black.
     Skippable {
         /// The reflected ray.
         Reflected = "reflected",

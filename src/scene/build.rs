@@ -3,8 +3,8 @@
 use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::{
-    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing, Transfer,
-    Weights,
+    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Skip, Specular, Tracing,
+    Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::shape::{
@@ -57,6 +57,7 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         objects,
         materials,
         tracing: tracing(&scene.tracing, sphere_method),
+        sampling: sampling(scene.sampling)?,
         output: output(&scene.output),
     })
 }
@@ -96,9 +97,6 @@ fn refuse_unsupported(scene: &file::SceneFile) -> Result<(), Unsupported> {
     }
     if scene.camera.shutter != [0.0, 0.0] || scene.frames.is_some() {
         return refuse(if scene.frames.is_some() { "frames" } else { "camera.shutter" }, "motion");
-    }
-    if scene.sampling != (file::Sampling::None {}) {
-        return refuse("sampling", "more than one ray a pixel");
     }
     for (name, material) in scene.materials.iter() {
         let path = |key: &str| format!("materials.{name}.{key}");
@@ -207,6 +205,17 @@ fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
         two_sided: tracing.two_sided,
         skip: Skip::ALL,
         tests: super::tracing::Tests::Visited,
+    }
+}
+
+fn sampling(sampling: file::Sampling) -> Result<Sampling, Unsupported> {
+    match sampling {
+        file::Sampling::None {} => Ok(Sampling::Center),
+        file::Sampling::Shared { n } => Ok(Sampling::Shared { n: u32::try_from(n).unwrap_or(u32::MAX) }),
+        _ => {
+            let key = sampling.key();
+            Err(Unsupported { path: format!("sampling.{key}"), what: format!("the method `{key}`") })
+        }
     }
 }
 

@@ -11,6 +11,7 @@ pub mod generate;
 mod index;
 pub mod light;
 pub mod material;
+pub mod sampling;
 pub mod tracing;
 
 pub use build::{Unsupported, build};
@@ -18,6 +19,7 @@ pub use camera::Camera;
 pub use index::Index;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Material, Weights};
+pub use sampling::Sampling;
 pub use tracing::{Algorithm, Skip, Specular, Tracing};
 
 use crate::geometry::Shape;
@@ -49,6 +51,8 @@ pub struct Scene {
     pub index: Index,
     /// How rays are traced.
     pub tracing: Tracing,
+    /// Which rays make a pixel.
+    pub sampling: Sampling,
     /// How the picture is shown.
     pub output: Output,
 }

@@ -59,18 +59,18 @@ impl Evaluator<'_> {
             }
             Formula::Extreme(extreme, first, second) => match (self.part(first)?, self.part(second)?) {
                 (Part::Value(Value::Number(a)), Part::Value(Value::Number(b))) => {
-                    Ok(Part::Value(Value::Number(of_two(*extreme, a, b))))
+                    Ok(Part::Value(Value::Number(self::extreme(*extreme, a, b))))
                 }
                 (Part::Value(Value::Triple(a)), Part::Value(Value::Triple(b))) => {
-                    Ok(Part::Value(Value::Triple([0, 1, 2].map(|i| of_two(*extreme, a[i], b[i])))))
+                    Ok(Part::Value(Value::Triple([0, 1, 2].map(|i| self::extreme(*extreme, a[i], b[i])))))
                 }
                 (a, b) => Err(format!("{extreme:?}({a:?}, {b:?})")),
             },
             Formula::ExtremeComponent(extreme, inner) => match self.part(inner)? {
                 Part::Value(Value::Triple([x, y, z])) => {
-                    Ok(Part::Value(Value::Number(of_two(*extreme, of_two(*extreme, x, y), z))))
+                    Ok(Part::Value(Value::Number(self::extreme(*extreme, x, self::extreme(*extreme, y, z)))))
                 }
-                other => Err(format!("{extreme:?}({other:?})")),
+                part => Err(format!("{extreme:?}({part:?})")),
             },
             Formula::OverLights(inner) => self.over_lights(Part::Zero, inner),
             Formula::Binary(Operator::Plus, before, lights) if matches!(**lights, Formula::OverLights(_)) => {
@@ -100,23 +100,6 @@ impl Evaluator<'_> {
             let term = Evaluator { light: Some(light), ..*self }.part(term)?;
             binary(Operator::Plus, sum, term)
         })
-    }
-}
-
-fn of_two(extreme: Extreme, a: f64, b: f64) -> f64 {
-    let takes_second = match extreme {
-        Extreme::Min => b < a,
-        Extreme::Max => b > a,
-    };
-    if takes_second { b } else { a }
-}
-
-/// A quotient that isn't finite counts as the largest number of its sign, and 0⊘0 as 0.
-fn bounded_quotient(a: f64, b: f64) -> f64 {
-    match a / b {
-        quotient if quotient.is_finite() => quotient,
-        quotient if quotient.is_nan() => 0.0,
-        quotient => f64::MAX.copysign(quotient),
     }
 }
 
@@ -159,13 +142,27 @@ fn operate(operator: Operator, left: Value, right: Value) -> Option<Value> {
         (Operator::Times, Triple(a), Triple(b)) => Number(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]),
         (Operator::Channelwise, Triple(a), Triple(b)) => zipped(a, b, |a, b| a * b),
         (Operator::Channelwise, Triple(a), Number(b)) | (Operator::Channelwise, Number(b), Triple(a)) => scaled(a, b),
-        (Operator::Cross, Triple([a, b, c]), Triple([x, y, z])) => {
-            Triple([b * z - y * c, c * x - z * a, a * y - x * b])
-        }
-        (Operator::ComponentsOver, Triple(a), Triple(b)) => zipped(a, b, bounded_quotient),
         (Operator::Over, Number(a), Number(b)) => Number(a / b),
         (Operator::Over, Triple(a), Number(b)) => Triple(a.map(|x| x / b)),
+        (Operator::Cross, Triple(a), Triple(b)) => {
+            let minor = |i: usize, j: usize| a[i] * b[j] - b[i] * a[j];
+            Triple([minor(1, 2), minor(2, 0), minor(0, 1)])
+        }
+        (Operator::ComponentsOver, Triple(a), Triple(b)) => zipped(a, b, |a, b| match a / b {
+            quotient if quotient.is_nan() => 0.0,
+            quotient if quotient.is_infinite() => f64::MAX.copysign(quotient),
+            quotient => quotient,
+        }),
         (Operator::Power, Number(a), Number(b)) => Number(libm::pow(a, b)),
         _ => return None,
     })
+}
+
+/// The extreme of two numbers; of two equal ones (0 and −0) the second.
+fn extreme(extreme: Extreme, a: f64, b: f64) -> f64 {
+    let takes_first = match extreme {
+        Extreme::Min => a < b,
+        Extreme::Max => a > b,
+    };
+    if takes_first { a } else { b }
 }

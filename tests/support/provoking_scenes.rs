@@ -129,6 +129,7 @@ fn bare(name: &str, options: Options) -> Scene {
         materials: Vec::new(),
         objects: Vec::new(),
         index: Index::default(),
+        sampling: raywalk::scene::Sampling::Center,
         tracing: Tracing {
             algorithm: options.algorithm,
             max_depth: options.max_depth,

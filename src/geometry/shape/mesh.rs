@@ -4,7 +4,7 @@
 //! several triangles at the same distance the first in the mesh file wins, whatever the order of the tests.
 
 use super::Approach;
-use super::facet::Facet;
+use super::triangle::Facet;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::Bvh;
 use crate::geometry::mesh::Mesh;

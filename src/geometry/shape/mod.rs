@@ -1,17 +1,19 @@
 //! The shapes. Each has its own file, which implements [`Kernel`]; adding one is that file, a variant and an arm here.
 
+mod axis;
 mod cone;
 mod cuboid;
 mod cylinder;
 mod disk;
 mod ellipsoid;
-mod facet;
+mod fan;
+mod flat;
 mod mesh;
 mod plane;
 mod polygon;
 mod roots;
 mod sphere;
-mod triangle;
+pub(in crate::geometry) mod triangle;
 
 pub use cone::Cone;
 pub use cuboid::Cuboid;

@@ -5,6 +5,7 @@ use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use super::error::SceneError;
+use super::gzip;
 
 /// The largest scene file: 256 MiB.
 pub const MAX_BYTES: u64 = 256 << 20;
@@ -12,7 +13,7 @@ pub const MAX_BYTES: u64 = 256 << 20;
 /// The name that standard input has in messages.
 pub const STANDARD_INPUT: &str = "<stdin>";
 
-/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`].
+/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is packed by gzip is unpacked.
 ///
 /// # Errors
 /// [`SceneError::Refused`] when it is missing, no regular file or too large; [`SceneError::Unreadable`] when the machine
@@ -31,22 +32,27 @@ pub struct Wanted {
 }
 
 impl Wanted {
-    /// Reads such a file, or standard input for `-`; errors are those of [`read_bytes`].
+    /// Reads such a file, or standard input for `-`, and unpacks it; errors are those of [`read_bytes`].
     pub fn read(self, path: &Path) -> Result<Vec<u8>, SceneError> {
         let name = display_name(path);
+        let bytes = self.read_as_it_is(path, &name)?;
+        gzip::unpacked(bytes, self.max_bytes).map_err(|reason| refused(&name, reason))
+    }
+
+    fn read_as_it_is(self, path: &Path, name: &str) -> Result<Vec<u8>, SceneError> {
         if path == Path::new("-") {
-            return self.read_bounded(io::stdin().lock(), 0, &name);
+            return self.read_bounded(io::stdin().lock(), 0, name);
         }
         // Asked before opening, because opening a FIFO would wait for a writer.
-        let metadata = fs::metadata(path).map_err(|error| self.failure(&name, error))?;
+        let metadata = fs::metadata(path).map_err(|error| self.failure(name, error))?;
         if let Some(thing) = irregular(&metadata) {
-            return Err(refused(&name, format!("expected a regular file, found {thing}")));
+            return Err(refused(name, format!("expected a regular file, found {thing}")));
         }
         if metadata.len() > self.max_bytes {
-            return Err(self.too_large(&name, &format!("found {} bytes", metadata.len())));
+            return Err(self.too_large(name, &format!("found {} bytes", metadata.len())));
         }
-        let file = File::open(path).map_err(|error| self.failure(&name, error))?;
-        self.read_bounded(file, metadata.len(), &name)
+        let file = File::open(path).map_err(|error| self.failure(name, error))?;
+        self.read_bounded(file, metadata.len(), name)
     }
 
     fn read_bounded(self, input: impl Read, expected: u64, name: &str) -> Result<Vec<u8>, SceneError> {

@@ -45,10 +45,8 @@ pub struct Read {
 /// [`SceneError::Unreadable`] when there is no memory for it.
 pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, SceneError> {
     let source = Source { name: file_name, text: bytes };
-    let has_ending = |ending: &str| {
-        let start = file_name.len().saturating_sub(ending.len());
-        file_name.as_bytes()[start..].eq_ignore_ascii_case(ending.as_bytes())
-    };
+    let name = file_name.to_ascii_lowercase();
+    let has_ending = |ending: &str| name.strip_suffix(".gz").unwrap_or(&name).ends_with(ending);
     let (mesh, warnings) = match () {
         _ if ply::is_ply(bytes) || has_ending(".ply") => ply::read(&source)?,
         _ if has_ending(".obj") => obj::read(&source)?,
