@@ -3,6 +3,8 @@
 //! Each triangle is met by the kernel of a triangle, in a test of its own. The tree narrows down and decides nothing: of
 //! several triangles at the same distance the first in the mesh file wins, whatever the order of the tests.
 
+mod left;
+
 use super::Approach;
 use super::triangle::Facet;
 use crate::geometry::bounds::Bounds;
@@ -11,6 +13,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::Step;
 use crate::probe::Probe;
+use left::LeftTriangle;
 use std::sync::Arc;
 
 /// A mesh, ready to be met by rays. A crossing's primitive is the triangle's number in the mesh.
@@ -96,14 +99,14 @@ impl TriangleMesh {
         probe: &mut P,
         mut meet: impl FnMut(Crossing) -> f64,
     ) {
-        let left = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.primitive);
+        let left = ray.leaving.filter(|leaving| leaving.object == object);
+        let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, leaving.primitive, ray));
         let approach = Approach { leaving: None, one_sided };
         let mut t_max = ray.t_max;
         let tested = self.tree.visit(ray, t_max, |place| {
             let triangle = self.solid[place as usize];
-            if left != Some(triangle)
-                && let Some(crossing) = self.test(object, triangle, ray, approach, probe)
-            {
+            let is_out_of_reach = left.as_ref().is_some_and(|left| left.bars(&self.mesh, triangle, ray));
+            if !is_out_of_reach && let Some(crossing) = self.test(object, triangle, ray, approach, probe) {
                 t_max = meet(crossing);
             }
             t_max
