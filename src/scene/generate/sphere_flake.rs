@@ -29,9 +29,9 @@ const HEAD: &str = r#"{
              "resolution": [512, 512]},
   "ambient": [0.1, 0.1, 0.1],
   "background": [0.078, 0.361, 0.753],
-  "lights": [{"name": "key", "point": {"position": [4, 3, 2]}, "color": [0.6, 0.6, 0.6]},
-             {"name": "fill", "point": {"position": [1, -4, 4]}, "color": [0.6, 0.6, 0.6]},
-             {"name": "back", "point": {"position": [-3, 1, 5]}, "color": [0.6, 0.6, 0.6]}],
+  "lights": [{"name": "key", "point": {"position": [4, 3, 2]}, "color": [0.5, 0.5, 0.5]},
+             {"name": "fill", "point": {"position": [1, -4, 4]}, "color": [0.3, 0.3, 0.3]},
+             {"name": "back", "point": {"position": [-3, 1, 5]}, "color": [0.2, 0.2, 0.2]}],
   "materials": {
     "ground": {"ambient": [1, 0.75, 0.33], "diffuse": [1, 0.75, 0.33]},
     "ball": {"ambient": [0.5, 0.45, 0.35], "diffuse": [0.5, 0.45, 0.35], "specular": [0.5, 0.5, 0.5], "shininess": 60,
