@@ -250,7 +250,8 @@ fn the_angle_is_measured_as_asked() {
     let x_of = |arguments: &[&str]| {
         let text =
             prints(&[&["trace", &plain, "--pixel", "0,0", "--format", "text", "--digits", "12"], arguments].concat());
-        let x = text.split(", x = ").nth(1).expect("a place").split(',').next().expect("a number");
+        let computed = text.lines().find(|line| line.contains("[pixel.x ")).expect("a place");
+        let x = computed.split("   [").next().and_then(|chain| chain.rsplit(" = ").next()).expect("a number");
         x.parse::<f64>().expect("a number")
     };
     let t = libm::tan(45_f64.to_radians() / 2.0);

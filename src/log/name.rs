@@ -100,8 +100,8 @@ names! {
     EllipsoidGradient: "ellipsoid.gradient", "", "g_e", "E_1·p_1 + E_2·p_2 + E_3·p_3", "1.1.1";
 
     // The roots of a·t² + 2·b·t + c, for the shapes that have two. Neither subtracts what nearly cancels.
-    QuadraticQAway: "quadratic.q", "away", "q", "−b − √Δ⁺", "1.1.1";
-    QuadraticQToward: "quadratic.q", "toward", "q", "−b + √Δ⁺", "1.1.1";
+    QuadraticQAway: "quadratic.q", "away", "q", "−b − √max(Δ, 0)", "1.1.1";
+    QuadraticQToward: "quadratic.q", "toward", "q", "−b + √max(Δ, 0)", "1.1.1";
     QuadraticT1: "quadratic.t_1", "", "t_1", "q/a", "1.1.1";
     QuadraticT2: "quadratic.t_2", "", "t_2", "c/q", "1.1.1";
 
