@@ -16,6 +16,7 @@ use raywalk::geometry::shape::SphereMethod;
 use raywalk::log::{Event, Log, Name, Tree, Value, What};
 use raywalk::probe::round_half_away;
 use raywalk::record::{self, Arithmetic};
+use raywalk::scene::generate::knot;
 use raywalk::scene::{Algorithm, Scene, Skip, Specular, builtin};
 use std::collections::BTreeMap;
 
@@ -24,9 +25,9 @@ const DIGITS: u32 = 3;
 
 const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(DIGITS)];
 
-/// What only degenerate shapes come to: an ellipsoid too small for the arithmetic, corner normals that cancel. Where they occur
-/// they are checked like all others.
-const DEGENERATE: [Name; 2] = [Name::HitNormalFacing, Name::HitNormalFlat];
+/// What only degenerate shapes and rays come to: an ellipsoid too small for the arithmetic, corner normals that cancel, a ray
+/// along a triangle's plane. Where they occur they are checked like all others.
+const DEGENERATE: [Name; 3] = [Name::HitNormalFacing, Name::HitNormalFlat, Name::TriangleTInBox];
 
 /// How often each formula must have been checked, in each arithmetic.
 const ENOUGH: usize = 25;
@@ -72,6 +73,20 @@ fn every_formula_gives_the_logged_value() {
         }
         checked.assert_done(arithmetic);
     }
+}
+
+#[test]
+fn rays_along_a_triangle_have_formulas_too() {
+    let scene = support::scene("mesh");
+    let mesh = knot(1);
+    let mut checked = Checked::default();
+    for (k, [a, b, c]) in (0..mesh.faces.len() as u32).map(|k| (k, mesh.corners(k))).step_by(2) {
+        let aim = a + (b - a) * 0.3 + (c - a) * (f64::from(k % 7) / 10.0);
+        let origin = aim + (b - c) * 30.0 + (a - b) * f64::from(k % 11);
+        checked.check(&record::ray(&scene, origin, aim - origin, Arithmetic::F64));
+    }
+    assert!(checked.wrong.is_empty(), "{:#?}", checked.wrong);
+    assert!(checked.counts.contains_key(&Name::TriangleTInBox), "{:#?}", checked.counts);
 }
 
 #[test]

@@ -17,7 +17,7 @@ fn folder(path: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = format!(
         "{{\"format\": \"raywalk-scene/1\",\n \"camera\": {{\"position\": [0.3, 0.2, 5], \"direction\": [0, 0, -1]}},\n \
-         \"objects\": [\n  {{\"name\": \"ball\", \"shape\": {{\"sphere\": {{\"center\": [0, 0, -9], \"radius\": 1}}}}}},\n  \
+         \"objects\": [\n  {{\"name\": \"ball\", \"shape\": {{\"sphere\": {{\"center\": [50, 0, -9], \"radius\": 1}}}}}},\n  \
          {{\"name\": \"mesh\", \"shape\": {{\"mesh\": {{\"path\": \"{path}\"}}}}}}]}}\n"
     );
     fs::write(folder.path().join("scene.json"), scene).expect("written");
@@ -47,7 +47,7 @@ fn refuses(path: &str, prepare: impl FnOnce(&Path), expected: &str) {
     assert!(!folder.path().join("picture.png").exists());
 }
 
-const AT: &str = "scene.json:5:53: objects[1].shape.mesh.path:";
+const AT: &str = "scene.json:5:47: objects[1].shape.mesh.path:";
 
 #[test]
 fn b44_to_b49_paths_that_are_not_followed() {

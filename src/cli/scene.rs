@@ -5,7 +5,8 @@ use super::options::{ColorChoice, NffOptions};
 use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
-use raywalk::scene::{build, builtin, file::visible, generate};
+use raywalk::scene::file::{SceneFile, visible};
+use raywalk::scene::{build, builtin, generate};
 use std::path::{Path, PathBuf};
 
 /// Check, show, convert, list or generate scenes.
@@ -64,6 +65,11 @@ impl Named {
     fn load(&self, colors: ColorChoice) -> Result<Loaded, Failure> {
         scene_argument::load(&self.scene, &self.nff.import(), colors)
     }
+
+    fn without_meshes(&self, colors: ColorChoice) -> Result<SceneFile, Failure> {
+        let input = scene_argument::read(&self.scene, colors)?;
+        scene_argument::without_meshes(&input, &self.nff.import(), colors)
+    }
 }
 
 impl SceneCommand {
@@ -78,9 +84,9 @@ impl SceneCommand {
                 let counts = format!("{objects} objects, {lights} lights, {materials} materials");
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())
             }
-            SceneCommand::Show(scene) => output::print(scene.load(colors)?.scene.to_json().as_bytes()),
+            SceneCommand::Show(scene) => output::print(scene.without_meshes(colors)?.to_json().as_bytes()),
             SceneCommand::Convert { scene, output } => {
-                let file = scene.load(colors)?.scene;
+                let file = scene.without_meshes(colors)?;
                 Output::create(output.as_deref(), &scene.scene)?.commit(file.to_json().as_bytes())
             }
             SceneCommand::List => {

@@ -7,7 +7,7 @@ use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self, Source, visible};
+use raywalk::scene::file::{self, Problem, Source, visible};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -54,15 +54,27 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 
 /// Checks a scene that was read, and reads its meshes; prints their warnings.
 pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
-    let failure = |error| Failure::scene(&error, is_colored(colors));
-    let file::Loaded { scene, warnings } = file::check_as(&input.bytes, &input.name, import).map_err(failure)?;
+    let scene = without_meshes(input, import, colors)?;
     let source = Source { name: &input.name, text: &input.bytes };
-    let folder = input.path.as_ref().map_or(Folder::BuiltIn, |path| Folder::OfScene(path));
-    let (meshes, mesh_warnings) = mesh::load(&scene, &source, folder).map_err(failure)?;
-    for warning in warnings.iter().chain(&mesh_warnings) {
+    let folder = input.path.as_ref().map_or(Folder::BuiltIn(builtin::mesh), |path| Folder::OfScene(path));
+    let loaded = mesh::load(&scene, &source, folder);
+    let (meshes, warnings) = loaded.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+    warn(&warnings, colors);
+    Ok(Loaded { scene, meshes })
+}
+
+/// Checks a scene that was read, but doesn't look for its meshes; prints its warnings.
+pub fn without_meshes(input: &Input, import: &Import, colors: ColorChoice) -> Result<SceneFile, Failure> {
+    let loaded = file::check_as(&input.bytes, &input.name, import)
+        .map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+    warn(&loaded.warnings, colors);
+    Ok(loaded.scene)
+}
+
+fn warn(warnings: &[Problem], colors: ColorChoice) {
+    for warning in warnings {
         output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
     }
-    Ok(Loaded { scene, meshes })
 }
 
 fn is_colored(colors: ColorChoice) -> bool {

@@ -19,7 +19,7 @@ pub fn scene(name: &str) -> Scene {
 pub fn scene_of(text: &[u8], name: &str) -> Scene {
     let loaded = file::check(text, &format!("{name}.json")).unwrap_or_else(|error| panic!("{}", error.report(false)));
     let source = Source { name, text };
-    let meshes = mesh::load(&loaded.scene, &source, mesh::Folder::BuiltIn);
+    let meshes = mesh::load(&loaded.scene, &source, mesh::Folder::BuiltIn(builtin::mesh));
     let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));
     build(&loaded.scene, &meshes).unwrap_or_else(|unsupported| panic!("{unsupported}"))
 }

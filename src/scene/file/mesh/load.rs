@@ -7,7 +7,6 @@ use std::sync::Arc;
 use super::limits::MAX_MESH_BYTES;
 use super::{Read, parse};
 use crate::geometry::mesh::Mesh;
-use crate::scene::builtin;
 use crate::scene::file::error::{Problem, SceneError};
 use crate::scene::file::input::{Wanted, display_name};
 use crate::scene::file::key_path::KeyPath;
@@ -18,12 +17,12 @@ use crate::scene::file::source::Source;
 use crate::scene::file::validate::limits::MAX_PROBLEMS;
 
 /// Where the paths of meshes lead from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub enum Folder<'p> {
     /// The folder of this scene file; the current one for standard input, `-`.
     OfScene(&'p Path),
-    /// The meshes that come with the program.
-    BuiltIn,
+    /// What comes with the program: gives the bytes of a mesh.
+    BuiltIn(fn(&str) -> Option<&'static [u8]>),
 }
 
 /// The meshes of a scene.
@@ -101,7 +100,7 @@ enum NotRead {
 
 fn read_one(path: &str, folder: Folder) -> Result<(Read, blake3::Hash), NotRead> {
     let (bytes, name) = match folder {
-        Folder::BuiltIn => match builtin::mesh(path) {
+        Folder::BuiltIn(bytes_of) => match bytes_of(path) {
             Some(bytes) => (bytes.to_vec(), path.to_owned()),
             None => return Err(NotRead::Path(format!("no such built-in mesh, `{path}`"))),
         },

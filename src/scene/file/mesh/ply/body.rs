@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::header::{Element, Header, Kind, Property, Scalar};
+use super::header::{Element, Header, Kind, Property, Scalar, shown};
 use super::values::Values;
 use crate::scene::file::mesh::collect::{Collector, Corner};
 use crate::scene::file::mesh::fault::Fault;
@@ -116,7 +116,7 @@ impl<V: Values> Body<V> {
         if element.count <= room || element.properties.is_empty() {
             return Ok(());
         }
-        let (count, name) = (element.count, &element.name);
+        let (count, name) = (element.count, shown(&element.name));
         let message = format!("the header promises {count} of `{name}`, the file has room for {room} at most");
         Err(Fault::wrong(element.span.clone(), message))
     }
@@ -132,7 +132,7 @@ impl<V: Values> Body<V> {
         for number in 0..element.count {
             self.values.begin_record();
             let read = read(self).and_then(|()| self.values.end_record());
-            read.map_err(|fault| fault.inside(|| format!("{} {number}", element.name)))?;
+            read.map_err(|fault| fault.inside(|| format!("{} {number}", shown(&element.name))))?;
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::scene::file::escape::shortened;
 use crate::scene::file::mesh::fault::Fault;
 use crate::scene::file::mesh::words::{Syntax, Words};
 use crate::scene::file::suggest;
@@ -124,7 +125,7 @@ impl Header {
                 b"element" if elements.len() < MAX_ENTRIES => {
                     let element = lines.element(keyword.start)?;
                     if elements.iter().any(|known| known.name == element.name) {
-                        let message = format!("the element `{}` stands twice, expected it once", element.name);
+                        let message = format!("the element `{}` stands twice, expected it once", shown(&element.name));
                         return Err(Fault::wrong(element.span, message));
                     }
                     elements.push(element);
@@ -159,6 +160,11 @@ impl Header {
         }
         Ok(Header { encoding, elements, length })
     }
+}
+
+/// A name of the header as messages show it.
+pub fn shown(name: &str) -> String {
+    shortened(name, 40)
 }
 
 fn too_many(span: Range<usize>) -> Fault {

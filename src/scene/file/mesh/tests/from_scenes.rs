@@ -110,6 +110,6 @@ fn built_in_meshes_are_not_looked_for_on_the_disk() {
     let (_folder, text) = folder_and_scene(&["square.obj"]);
     let scene = check(text.as_bytes(), "scene.json").unwrap().scene;
     let source = Source { name: "scene.json", text: text.as_bytes() };
-    let error = load(&scene, &source, Folder::BuiltIn).unwrap_err();
+    let error = load(&scene, &source, Folder::BuiltIn(|_| None)).unwrap_err();
     assert!(error.to_string().ends_with("no such built-in mesh, `square.obj`"), "{error}");
 }

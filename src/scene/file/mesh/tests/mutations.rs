@@ -73,7 +73,7 @@ fn answers(bytes: &[u8], name: &str) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(4000) })]
 
     #[test]
     fn obj(changes in proptest::collection::vec(change(), 1..6)) {
