@@ -34,6 +34,8 @@ impl Shape {
     }
 
     /// All points where the ray crosses the object, at most two, in the order of the ray.
+    // Rare beside `first_crossing`, which runs faster without it in the same loop.
+    #[inline(never)]
     pub fn all_crossings<P: Probe>(&self, object: u32, ray: &Ray, probe: &mut P) -> [Option<Crossing>; 2] {
         let leaving = self.side_left(object, ray);
         if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
