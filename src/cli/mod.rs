@@ -4,6 +4,7 @@ mod failure;
 mod options;
 mod output;
 mod progress;
+mod rays;
 mod render;
 mod scene;
 mod scene_argument;
@@ -38,9 +39,11 @@ enum Command {
     Trace(trace::Trace),
     /// Render a picture
     Render(render::Render),
+    /// Answer ray queries from standard input
+    Rays(rays::Rays),
     /// Show the numeric example: printed, recomputed, by hand, exact
     Textbook(textbook::Textbook),
-    /// Check, show or list scenes
+    /// Check, show, convert or list scenes
     #[command(subcommand)]
     Scene(scene::SceneCommand),
 }
@@ -59,6 +62,7 @@ pub fn run() -> ExitCode {
         Some(Command::Walk(walk)) => walk.run(colors, signals),
         Some(Command::Trace(trace)) => trace.run(colors),
         Some(Command::Render(render)) => render.run(colors),
+        Some(Command::Rays(rays)) => rays.run(colors),
         Some(Command::Textbook(textbook)) => textbook.run(colors),
         Some(Command::Scene(command)) => command.run(colors),
     };

@@ -5,7 +5,9 @@ use clap::{Args, ValueEnum};
 use raywalk::log::SkipReason;
 use raywalk::record::Arithmetic;
 use raywalk::scene::builtin;
+use raywalk::scene::file::nff::{Angle, Import};
 use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
+use raywalk::scene::file::validate::limits::{MAX_GRID, MAX_PIXELS};
 use raywalk::scene::file::{self, suggest};
 use raywalk::scene::tracing::Tests;
 use raywalk::scene::{Scene, Skip, build};
@@ -49,9 +51,15 @@ pub struct TracingOptions {
     /// The depth limit of the algorithm
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=256))]
     pub max_depth: Option<u32>,
-    /// Which rays make a pixel
+    /// Which rays make a pixel: none (one through its centre) or shared:N (the corners of N x N cells, which
+    /// neighbours share)
     #[arg(long, value_name = "SPEC", value_parser = sampling)]
     pub sampling: Option<Sampling>,
+    /// Where a pixel's rays go: through its centre, or through its corners, which it shares with its neighbours
+    #[arg(long, value_enum, value_name = "PLACE", default_value = "centers")]
+    pub pixel_grid: PixelGrid,
+    #[command(flatten)]
+    pub nff: NffOptions,
     /// What to leave out because it can't change the picture: all, none, or rules separated by commas
     #[arg(long, value_name = "RULES", value_parser = skip)]
     pub skip: Option<Skip>,
@@ -66,6 +74,45 @@ pub struct TracingOptions {
     pub threads: u16,
 }
 
+/// Where the rays of a pixel go that has no other sampling.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum PixelGrid {
+    /// Through its centre.
+    #[default]
+    Centers,
+    /// Through its corners: `shared:1`.
+    Corners,
+}
+
+/// How NFF files are read.
+#[derive(Args, Debug, Default, Clone, Copy, PartialEq)]
+pub struct NffOptions {
+    /// What the angle of an NFF view lies between: the centres of the first and last pixel, or the picture's edges
+    #[arg(long, value_enum, value_name = "PLACE", default_value = "centers")]
+    pub nff_angle: NffAngle,
+}
+
+/// What the angle of an NFF view lies between.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum NffAngle {
+    /// The centres of the first and last pixel.
+    #[default]
+    Centers,
+    /// The picture's edges.
+    Edges,
+}
+
+impl NffOptions {
+    /// How files of another format are read.
+    pub fn import(self) -> Import {
+        let angle = match self.nff_angle {
+            NffAngle::Centers => Angle::Centers,
+            NffAngle::Edges => Angle::Edges,
+        };
+        Import { angle, resolution: None }
+    }
+}
+
 /// Which intersection tests a log shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum TestsChoice {
@@ -77,6 +124,11 @@ pub enum TestsChoice {
 }
 
 impl TracingOptions {
+    /// How files of another format are read: an NFF view keeps its angle in another size.
+    pub fn import(&self) -> Import {
+        Import { resolution: self.size, ..self.nff.import() }
+    }
+
     /// The scene with these options, ready to be traced.
     pub fn apply(&self, mut file: SceneFile) -> Result<Scene, Failure> {
         if let Some(size) = self.size {
@@ -91,6 +143,9 @@ impl TracingOptions {
         if let Some(sampling) = self.sampling {
             file.sampling = sampling;
         }
+        if self.pixel_grid == PixelGrid::Corners {
+            file.sampling = through_corners(file.sampling)?;
+        }
         file.tracing.two_sided |= self.two_sided;
         if self.arithmetic == Arithmetic::Printed && !is_the_numeric_example(&file) {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
@@ -102,6 +157,17 @@ impl TracingOptions {
             TestsChoice::All => Tests::All,
         };
         Ok(scene)
+    }
+}
+
+/// `none` becomes `shared:1`; other samplings have their own places.
+fn through_corners(sampling: Sampling) -> Result<Sampling, Failure> {
+    match sampling {
+        Sampling::None {} | Sampling::Shared { n: 1 } => Ok(Sampling::Shared { n: 1 }),
+        _ => {
+            let found = sampling.key();
+            Err(Failure::caller(format!("--pixel-grid corners: only with the sampling `none`, found `{found}`")))
+        }
     }
 }
 
@@ -141,8 +207,8 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     let (width, height) = text.split_once(['x', 'X']).ok_or(expected)?;
     let side = |side: &str| side.parse().ok().filter(|side| (1..=65535).contains(side)).ok_or(expected);
     let [width, height]: [u32; 2] = [side(width)?, side(height)?];
-    if u64::from(width) * u64::from(height) > raywalk::scene::file::validate::limits::MAX_PIXELS {
-        return Err(format!("at most {} pixels in all", raywalk::scene::file::validate::limits::MAX_PIXELS));
+    if u64::from(width) * u64::from(height) > MAX_PIXELS {
+        return Err(format!("at most {MAX_PIXELS} pixels in all"));
     }
     Ok([width, height])
 }
@@ -158,9 +224,16 @@ fn algorithm(text: &str) -> Result<Algorithm, String> {
 
 fn sampling(text: &str) -> Result<Sampling, String> {
     match text {
-        "none" => Ok(Sampling::None {}),
-        _ => Err(unknown("sampling", text, &["none"])),
+        "none" => return Ok(Sampling::None {}),
+        "shared" => return Err("expected the number of cells a side, such as shared:1".to_owned()),
+        _ => {}
     }
+    let Some(n) = text.strip_prefix("shared:") else {
+        return Err(unknown("sampling", text, &["none", "shared:N"]));
+    };
+    let n = n.parse().ok().filter(|n| (1..=MAX_GRID).contains(n));
+    let n = n.ok_or_else(|| format!("expected shared:N with a whole number N from 1 to {MAX_GRID}"))?;
+    Ok(Sampling::Shared { n })
 }
 
 fn skip(text: &str) -> Result<Skip, String> {

@@ -18,7 +18,7 @@ use std::time::Instant;
 /// Render a picture.
 #[derive(Args)]
 pub struct Render {
-    /// A scene file, `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also packed by gzip), `-` for standard input, or a built-in scene
     scene: PathBuf,
     /// The picture: .png, .ppm or .pfm by its ending
     #[arg(long, short, value_name = "FILE")]
@@ -56,7 +56,7 @@ impl Render {
             ));
         }
         let load = Instant::now();
-        let loaded = scene_argument::load(&self.scene, colors)?;
+        let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let mut seconds = Seconds { load: load.elapsed().as_secs_f64(), ..Seconds::default() };
         let build = Instant::now();
         let scene = self.tracing.apply(loaded.scene)?;

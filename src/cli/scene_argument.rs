@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::options::ColorChoice;
 use super::output;
 use raywalk::scene::builtin;
+use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::{self, Loaded, visible};
 use std::io;
 use std::path::Path;
@@ -17,8 +18,8 @@ pub struct Input {
 }
 
 /// Reads and checks the scene; prints its warnings.
-pub fn load(argument: &Path, colors: ColorChoice) -> Result<Loaded, Failure> {
-    scene(&read(argument, colors)?, colors)
+pub fn load(argument: &Path, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
+    scene(&read(argument, colors)?, import, colors)
 }
 
 /// A built-in scene, whatever files there are.
@@ -39,8 +40,9 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 }
 
 /// Checks a scene that was read; prints its warnings.
-pub fn scene(input: &Input, colors: ColorChoice) -> Result<Loaded, Failure> {
-    let loaded = file::check(&input.bytes, &input.name).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
+    let loaded = file::check_as(&input.bytes, &input.name, import)
+        .map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     for warning in &loaded.warnings {
         output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
     }

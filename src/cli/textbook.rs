@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::options::{ColorChoice, TracingOptions};
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
+use raywalk::scene::file::nff::Import;
 use raywalk::study::textbook;
 
 /// Show the numeric example of the source text.
@@ -27,7 +28,7 @@ enum TableFormat {
 impl Textbook {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
-        let loaded = scene_argument::scene(&scene_argument::built_in("textbook")?, colors)?;
+        let loaded = scene_argument::scene(&scene_argument::built_in("textbook")?, &Import::default(), colors)?;
         let scene = TracingOptions::default().apply(loaded.scene)?;
         let table = textbook::table(&scene);
         let text = match self.format {

@@ -16,7 +16,7 @@ use std::path::PathBuf;
 /// Write the log of a pixel or a ray.
 #[derive(Args)]
 pub struct Trace {
-    /// A scene file, `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also packed by gzip), `-` for standard input, or a built-in scene
     scene: PathBuf,
     #[command(flatten)]
     subject: Subject,
@@ -64,7 +64,7 @@ impl Trace {
         if self.subject.pixel.is_none() && self.subject.ray.is_none() {
             return Err(Failure::caller("trace: expected --pixel X,Y or --ray OX,OY,OZ,DX,DY,DZ"));
         }
-        let loaded = scene_argument::load(&self.scene, colors)?;
+        let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let scene = self.tracing.apply(loaded.scene)?;
         let output = Output::create(self.output.as_deref(), &self.scene)?;
         let log = self.subject.log(&scene, &self.tracing)?;

@@ -17,7 +17,8 @@ use std::path::{Path, PathBuf};
 /// Walk through a pixel, a ray or a saved log in the terminal.
 #[derive(Args, Default)]
 pub struct Walk {
-    /// A scene file, a saved log, `-` for standard input, or a built-in scene; without it the numeric example
+    /// A scene file (JSON or NFF), a saved log, `-` for standard input, or a built-in scene; without it the numeric
+    /// example
     #[arg(value_name = "SCENE or LOG")]
     walked: Option<PathBuf>,
     #[command(flatten)]
@@ -101,7 +102,7 @@ impl Walk {
                 .map_err(|error| Failure::caller(format!("{}:{error}", visible(&input.name))))?;
             return Ok((read.log, read.ending.warning()));
         }
-        let scene = self.tracing.apply(scene_argument::scene(input, colors)?.scene)?;
+        let scene = self.tracing.apply(scene_argument::scene(input, &self.tracing.import(), colors)?.scene)?;
         Ok((self.subject.log(&scene, &self.tracing)?, None))
     }
 

@@ -1,7 +1,12 @@
 //! Rays, shapes and where they meet. This room knows numbers and their names, no materials, lights or scenes.
 
+mod area_normal;
+pub mod bounds;
+pub mod bvh;
 pub mod ray;
 pub mod shape;
 
+pub use bounds::Bounds;
+pub use bvh::Bvh;
 pub use ray::{Crossing, Leaving, Ray, Side, Surface};
 pub use shape::Shape;

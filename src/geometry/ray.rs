@@ -24,7 +24,7 @@ pub struct Ray {
 pub struct Leaving {
     /// The object, by its number in the scene.
     pub object: u32,
-    /// The triangle, for a mesh; else 0.
+    /// Which part of it (see [`Crossing::primitive`]).
     pub primitive: u32,
     /// The side of the surface on which the ray sets off.
     pub side: Side,
@@ -46,6 +46,8 @@ pub struct Crossing {
     pub t: f64,
     /// The side from which the ray arrives.
     pub side: Side,
+    /// Which part of the surface: the triangle of a mesh, a face, a cap; else 0.
+    pub primitive: u32,
 }
 
 /// A surface as the arriving ray sees it.
@@ -53,10 +55,20 @@ pub struct Crossing {
 pub struct Surface {
     /// The point.
     pub point: DVec3,
-    /// The unit normal, on the side of the arriving ray.
+    /// The unit normal that light is reckoned with, on the side of the arriving ray.
     pub normal: DVec3,
+    /// The unit normal of the surface itself, on the side of the arriving ray. It differs from `normal` where normals are
+    /// interpolated.
+    pub geometric_normal: DVec3,
     /// The side from which the ray arrives.
     pub side: Side,
+}
+
+impl Surface {
+    /// A surface whose normal isn't interpolated.
+    pub fn plain(point: DVec3, normal: DVec3, side: Side) -> Surface {
+        Surface { point, normal, geometric_normal: normal, side }
+    }
 }
 
 impl Ray {

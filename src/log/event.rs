@@ -164,6 +164,11 @@ pub enum Decision {
         /// Which bounce.
         what: Skippable,
     },
+    /// What was traced counts as black: the interpolated normal put it on a side of the surface where it isn't.
+    LeakGuard {
+        /// Which ray.
+        what: Skippable,
+    },
     /// Work isn't done because it can't change the colour.
     Skipped {
         /// What isn't done.
@@ -208,11 +213,13 @@ words! {
         Beside = "beside",
         /// The surface lies beyond the end of the ray (the light).
         Beyond = "beyond",
+        /// The surface shows its back, which isn't there.
+        FacesAway = "faces_away",
     }
 }
 
 words! {
-    /// What may be left out.
+    /// What may be left out, or count as black.
     Skippable {
         /// The reflected ray.
         Reflected = "reflected",

@@ -2,19 +2,22 @@
 //!
 //! ```text
 //! sum      = product { ("+" | "−") product }
-//! product  = power { ("·" | "∘" | "/") power }
+//! product  = power { ("·" | "∘" | "×" | "/" | "⊘") power }
 //! power    = prefix [ "^" power ]
 //! prefix   = "−" power | "√" postfix | postfix
 //! postfix  = atom { "²" | "⁺" }
-//! atom     = number | symbol | "(" sum ")" | "|" sum "|" | "min(" sum "," sum ")" | "Σ(" sum ")"
+//! atom     = number | symbol | "(" sum ")" | "|" sum "|" | "Σ(" sum ")"
+//!          | ("min" | "max") "(" sum [ "," sum ] ")"
 //! ```
 //!
 //! `·` is the product of two numbers, the scaling of a triple, or the dot product of two triples; `∘` multiplies colours
-//! channel by channel; `x⁺` is the number between 0 and 1
-//! that is nearest to x; `|v|` is a length, and `|v|²` is v · v, without a root. `Σ` adds over the lights
-//! of a surface point, one after the other, to the sum before it; a term of which the log holds no part is zero. A symbol is
-//! the longest one of the table of names that the text goes on with, so `N·L` is the quantity and `N · L` its formula.
-//! Operations are done from left to right: evaluated so, a formula gives the logged value to the last bit.
+//! channel by channel; `×` is the cross product; `⊘` divides component by component, and a quotient that isn't finite
+//! counts as the largest number of its sign (0⊘0 as 0); `min` and `max` of two triples go component by component, of one
+//! triple they are its least and its greatest component; `x⁺` is the number between 0 and 1 that is nearest to x; `|v|` is a
+//! length, and `|v|²` is v · v, without a root. `Σ` adds over the lights of a surface point, one after the other, to the sum
+//! before it; a term of which the log holds no part is zero. A symbol is the longest one of the table of names that the text
+//! goes on with, so `N·L` is the quantity and `N · L` its formula. Operations are done from left to right: evaluated so, a
+//! formula gives the logged value to the last bit.
 
 use super::name::Name;
 use std::sync::LazyLock;
@@ -40,10 +43,21 @@ pub enum Formula {
     Grouped(Box<Formula>),
     /// `Σ(a)`
     OverLights(Box<Formula>),
-    /// `min(a, b)`
-    Min(Box<Formula>, Box<Formula>),
+    /// `min(a, b)` or `max(a, b)`
+    Extreme(Extreme, Box<Formula>, Box<Formula>),
+    /// `min(a)` or `max(a)`: the extreme component of a triple.
+    ExtremeComponent(Extreme, Box<Formula>),
     /// Two operands.
     Binary(Operator, Box<Formula>, Box<Formula>),
+}
+
+/// Which of several numbers.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Extreme {
+    /// The least.
+    Min,
+    /// The greatest.
+    Max,
 }
 
 /// An operator between two operands.
@@ -57,8 +71,12 @@ pub enum Operator {
     Times,
     /// `∘`
     Channelwise,
+    /// `×`
+    Cross,
     /// `/`
     Over,
+    /// `⊘`
+    ComponentsOver,
     /// `^`
     Power,
 }
@@ -105,7 +123,9 @@ impl<'t> Parser<'t> {
             let operator = match () {
                 _ if self.eat("·") => Operator::Times,
                 _ if self.eat("∘") => Operator::Channelwise,
+                _ if self.eat("×") => Operator::Cross,
                 _ if self.eat("/") => Operator::Over,
+                _ if self.eat("⊘") => Operator::ComponentsOver,
                 _ => return Ok(left),
             };
             left = binary(operator, left, self.power()?);
@@ -153,12 +173,10 @@ impl<'t> Parser<'t> {
             self.expect(")")?;
             return Ok(Formula::OverLights(Box::new(inner)));
         }
-        if self.eat("min(") {
-            let first = self.sum()?;
-            self.expect(",")?;
-            let second = self.sum()?;
-            self.expect(")")?;
-            return Ok(Formula::Min(Box::new(first), Box::new(second)));
+        for (word, extreme) in [("min(", Extreme::Min), ("max(", Extreme::Max)] {
+            if self.eat(word) {
+                return self.extreme(extreme);
+            }
         }
         if self.eat("(") {
             let inner = self.sum()?;
@@ -171,6 +189,18 @@ impl<'t> Parser<'t> {
             return Ok(Formula::Length(Box::new(inner)));
         }
         self.number()
+    }
+
+    /// What follows `min(` or `max(`.
+    fn extreme(&mut self, extreme: Extreme) -> Result<Formula, String> {
+        let first = Box::new(self.sum()?);
+        if self.eat(",") {
+            let second = Box::new(self.sum()?);
+            self.expect(")")?;
+            return Ok(Formula::Extreme(extreme, first, second));
+        }
+        self.expect(")")?;
+        Ok(Formula::ExtremeComponent(extreme, first))
     }
 
     fn number(&mut self) -> Result<Formula, String> {

@@ -34,11 +34,17 @@ struct Row {
 names! {
     // The camera and its ray. G is the direction of view, e_x and e_y point right and up in the picture.
     CameraDirection: "camera.direction", "", "G", "", "1.1.1";
-    CameraLength: "camera.length", "", "|G|", "", "1.1.1";
-    CameraRight: "camera.right", "", "e_x", "", "1.1.1";
-    CameraUp: "camera.up", "", "e_y", "", "1.1.1";
-    PixelX: "pixel.x", "", "x", "", "1.1.1";
-    PixelY: "pixel.y", "", "y", "", "1.1.1";
+    CameraUpAsGiven: "camera.up_as_given", "", "G_u", "", "1.1.1";
+    CameraLength: "camera.length", "", "|G|", "√(G · G)", "1.1.1";
+    CameraRight: "camera.right", "", "e_x", "(G×G_u)/|G×G_u|", "1.1.1";
+    CameraUp: "camera.up", "", "e_y", "((G×G_u)×G)/|(G×G_u)×G|", "1.1.1";
+    PixelColumn: "pixel.column", "", "col", "", "1.1.1";
+    PixelMiddleColumn: "pixel.middle_column", "", "col_m", "", "1.1.1";
+    PixelRow: "pixel.row", "", "row", "", "1.1.1";
+    PixelMiddleRow: "pixel.middle_row", "", "row_m", "", "1.1.1";
+    PixelSide: "pixel.side", "", "px", "", "1.1.1";
+    PixelX: "pixel.x", "", "x", "(col − col_m)·px", "1.1.1";
+    PixelY: "pixel.y", "", "y", "(row_m − row)·px", "1.1.1";
     RayVector: "ray.vector", "", "D", "G + |G|·(x·e_x + y·e_y)", "1.1.1";
     RayOrigin: "ray.origin", "", "O", "", "1.1.1";
     RayLength: "ray.length", "", "|D|", "√(D · D)", "1.3 (1)";
@@ -47,7 +53,6 @@ names! {
     // Plane.
     PlaneNormal: "plane.normal", "", "N_p", "", "1.3 (2)";
     PlaneOffset: "plane.offset", "", "D_p", "", "1.3 (2)";
-    PlaneUnitNormal: "plane.unit_normal", "", "n_p", "", "1.3 (2)";
     PlaneVd: "plane.v_d", "", "V_d", "N_p · d", "1.3 (2)";
     PlaneVo: "plane.v_o", "", "V_o", "−(N_p · O + D_p)", "1.3 (2)";
     PlaneT: "plane.t", "", "t", "V_o/V_d", "1.3 (2)";
@@ -67,13 +72,176 @@ names! {
     SphereTFarRobust: "sphere.t", "far_robust", "t", "(r² − L2oc)/(√T2_A − T_A)", "1.3 (5e)";
     SphereTLeaving: "sphere.t", "leaving", "t", "2·T_A", "1.3 (5e)";
 
+    // Ellipsoid. E_1, E_2 and E_3 are the rows of the linear map that makes it the sphere of its largest radius.
+    EllipsoidCenter: "ellipsoid.center", "", "E_c", "", "1.1.1";
+    EllipsoidRow1: "ellipsoid.row_1", "", "E_1", "", "1.1.1";
+    EllipsoidRow2: "ellipsoid.row_2", "", "E_2", "", "1.1.1";
+    EllipsoidRow3: "ellipsoid.row_3", "", "E_3", "", "1.1.1";
+    EllipsoidRadiusSquared: "ellipsoid.radius_squared", "", "r²", "", "1.1.1";
+    EllipsoidOrigin: "ellipsoid.origin", "", "o_e", "O − E_c", "1.1.1";
+    EllipsoidOrigin1: "ellipsoid.origin_1", "", "o_1", "E_1 · o_e", "1.1.1";
+    EllipsoidOrigin2: "ellipsoid.origin_2", "", "o_2", "E_2 · o_e", "1.1.1";
+    EllipsoidOrigin3: "ellipsoid.origin_3", "", "o_3", "E_3 · o_e", "1.1.1";
+    EllipsoidDirection1: "ellipsoid.direction_1", "", "d_1", "E_1 · d", "1.1.1";
+    EllipsoidDirection2: "ellipsoid.direction_2", "", "d_2", "E_2 · d", "1.1.1";
+    EllipsoidDirection3: "ellipsoid.direction_3", "", "d_3", "E_3 · d", "1.1.1";
+    EllipsoidA: "ellipsoid.a", "", "a", "d_1² + d_2² + d_3²", "1.1.1";
+    EllipsoidB: "ellipsoid.b", "", "b", "o_1·d_1 + o_2·d_2 + o_3·d_3", "1.1.1";
+    EllipsoidC: "ellipsoid.c", "", "c", "o_1² + o_2² + o_3² − r²", "1.1.1";
+    EllipsoidDiscriminant: "ellipsoid.discriminant", "", "Δ",
+        "r²·a − ((o_2·d_3 − o_3·d_2)² + (o_3·d_1 − o_1·d_3)² + (o_1·d_2 − o_2·d_1)²)", "1.1.1";
+    EllipsoidT1: "ellipsoid.t", "1", "t", "t_1", "1.1.1";
+    EllipsoidT2: "ellipsoid.t", "2", "t", "t_2", "1.1.1";
+    EllipsoidPoint: "ellipsoid.point", "", "p_e", "O − E_c + d·t", "1.1.1";
+    EllipsoidPoint1: "ellipsoid.point_1", "", "p_1", "E_1 · p_e", "1.1.1";
+    EllipsoidPoint2: "ellipsoid.point_2", "", "p_2", "E_2 · p_e", "1.1.1";
+    EllipsoidPoint3: "ellipsoid.point_3", "", "p_3", "E_3 · p_e", "1.1.1";
+    EllipsoidOffset: "ellipsoid.offset", "", "f_e", "p_1² + p_2² + p_3² − r²", "1.1.1";
+    EllipsoidGradient: "ellipsoid.gradient", "", "g_e", "E_1·p_1 + E_2·p_2 + E_3·p_3", "1.1.1";
+
+    // The roots of a·t² + 2·b·t + c, for the shapes that have two. Neither subtracts what nearly cancels.
+    QuadraticQAway: "quadratic.q", "away", "q", "−b − √max(Δ, 0)", "1.1.1";
+    QuadraticQToward: "quadratic.q", "toward", "q", "−b + √max(Δ, 0)", "1.1.1";
+    QuadraticT1: "quadratic.t_1", "", "t_1", "q/a", "1.1.1";
+    QuadraticT2: "quadratic.t_2", "", "t_2", "c/q", "1.1.1";
+
+    // Triangle. The edge functions are named after the corner over against the edge. N_t = (B − A) × (C − A) with all its digits.
+    TriangleA: "triangle.a", "", "A", "", "1.1.1";
+    TriangleB: "triangle.b", "", "B", "", "1.1.1";
+    TriangleC: "triangle.c", "", "C", "", "1.1.1";
+    TriangleNormal: "triangle.normal", "", "N_t", "", "1.1.1";
+    TriangleUnitNormal: "triangle.unit_normal", "", "ν_t", "", "1.1.1";
+    TriangleEdgeA: "triangle.edge_a", "", "E_a", "d · ((C − O)×(B − O))", "1.1.1";
+    TriangleEdgeB: "triangle.edge_b", "", "E_b", "d · ((A − O)×(C − O))", "1.1.1";
+    TriangleEdgeC: "triangle.edge_c", "", "E_c", "d · ((B − O)×(A − O))", "1.1.1";
+    TriangleVd: "triangle.v_d", "", "V_d", "N_t · d", "1.1.1";
+    TriangleVo: "triangle.v_o", "", "V_o", "N_t · (A − O)", "1.1.1";
+    TriangleT: "triangle.t", "", "t", "V_o/V_d", "1.1.1";
+
+    // The mean of the normals at a triangle's corners, by the areas over against them.
+    TriangleNormalA: "triangle.normal_a", "", "N_a", "", "1.1.1";
+    TriangleNormalB: "triangle.normal_b", "", "N_b", "", "1.1.1";
+    TriangleNormalC: "triangle.normal_c", "", "N_c", "", "1.1.1";
+    TriangleWeightA: "triangle.weight_a", "", "w_a", "(ν_t · ((B − P)×(C − P)))/(ν_t · N_t)", "1.1.1";
+    TriangleWeightB: "triangle.weight_b", "", "w_b", "(ν_t · ((C − P)×(A − P)))/(ν_t · N_t)", "1.1.1";
+    TriangleWeightC: "triangle.weight_c", "", "w_c", "1 − w_a − w_b", "1.1.1";
+    TriangleMeanNormal: "triangle.mean_normal", "", "N_m", "w_a·N_a + w_b·N_b + w_c·N_c", "1.1.1";
+
+    // Polygon. Q is its first corner. How many edges lie beyond the point has no formula.
+    PolygonCorner: "polygon.corner", "", "Q", "", "1.1.1";
+    PolygonNormal: "polygon.normal", "", "N_q", "", "1.1.1";
+    PolygonUnitNormal: "polygon.unit_normal", "", "ν_q", "", "1.1.1";
+    PolygonVd: "polygon.v_d", "", "V_d", "N_q · d", "1.1.1";
+    PolygonVo: "polygon.v_o", "", "V_o", "N_q · (Q − O)", "1.1.1";
+    PolygonT: "polygon.t", "", "t", "V_o/V_d", "1.1.1";
+    PolygonPoint: "polygon.point", "", "P_q", "O + d·t", "1.1.1";
+    PolygonCrossings: "polygon.crossings", "", "κ", "", "1.1.1";
+
+    // Box.
+    BoxMin: "box.min", "", "b_min", "", "1.1.1";
+    BoxMax: "box.max", "", "b_max", "", "1.1.1";
+    BoxFaceNormal: "box.face_normal", "", "ν_b", "", "1.1.1";
+    BoxToMin: "box.to_min", "", "t_lo", "(b_min − O)⊘d", "1.1.1";
+    BoxToMax: "box.to_max", "", "t_hi", "(b_max − O)⊘d", "1.1.1";
+    BoxEntry: "box.entry", "", "t_in", "max(min(t_lo, t_hi))", "1.1.1";
+    BoxExit: "box.exit", "", "t_out", "min(max(t_lo, t_hi))", "1.1.1";
+    BoxTEntry: "box.t", "entry", "t", "t_in", "1.1.1";
+    BoxTExit: "box.t", "exit", "t", "t_out", "1.1.1";
+
+    // The axis of a cylinder or cone, from its base to its apex; the ray and its hit along it and across.
+    AxisBase: "axis.base", "", "A_b", "", "1.1.1";
+    AxisApex: "axis.apex", "", "A_a", "", "1.1.1";
+    AxisDirection: "axis.direction", "", "w", "", "1.1.1";
+    AxisLength: "axis.length", "", "l_w", "", "1.1.1";
+    AxisOrigin: "axis.origin", "", "o_b", "O − A_b", "1.1.1";
+    AxisOriginNear: "axis.origin", "near", "o_b", "O − A_b + d·t_0", "1.1.1";
+    AxisOriginAlong: "axis.origin_along", "", "o_w", "o_b · w", "1.1.1";
+    AxisOriginAcross: "axis.origin_across", "", "o_r", "o_b × w", "1.1.1";
+    AxisRayAlong: "axis.ray_along", "", "d_w", "d · w", "1.1.1";
+    AxisRayAcross: "axis.ray_across", "", "d_r", "d × w", "1.1.1";
+    AxisTBase: "axis.t_base", "", "t_b", "−o_w/d_w", "1.1.1";
+    AxisTApex: "axis.t_apex", "", "t_a", "(l_w − o_w)/d_w", "1.1.1";
+    AxisPoint: "axis.point", "", "p_b", "O − A_b + d·t", "1.1.1";
+    AxisPointAlong: "axis.point_along", "", "p_w", "p_b · w", "1.1.1";
+    AxisPointAcross: "axis.point_across", "", "p_r", "p_b − w·p_w", "1.1.1";
+
+    // Cylinder.
+    CylinderRadius: "cylinder.radius", "", "r", "", "1.1.1";
+    CylinderRadiusSquared: "cylinder.radius_squared", "", "r²", "", "1.1.1";
+    CylinderA: "cylinder.a", "", "a", "d_r · d_r", "1.1.1";
+    CylinderB: "cylinder.b", "", "b", "o_r · d_r", "1.1.1";
+    CylinderC: "cylinder.c", "", "c", "o_r · o_r − r²", "1.1.1";
+    CylinderDiscriminant: "cylinder.discriminant", "", "Δ", "r²·a − |o_r × d_r|²", "1.1.1";
+    CylinderT1: "cylinder.t", "1", "t", "t_1", "1.1.1";
+    CylinderT2: "cylinder.t", "2", "t", "t_2", "1.1.1";
+    CylinderTBase: "cylinder.t", "base", "t", "t_b", "1.1.1";
+    CylinderTApex: "cylinder.t", "apex", "t", "t_a", "1.1.1";
+
+    // Cone. Its radius is r_b at the base and grows by k along the axis. A ray is reckoned from its point nearest to the
+    // base, at t_0: there the radius is ρ_o, and it grows by ρ_d along the ray.
+    ConeBaseRadius: "cone.base_radius", "", "r_b", "", "1.1.1";
+    ConeSlope: "cone.slope", "", "k", "", "1.1.1";
+    ConeTNear: "cone.t_0", "", "t_0", "−((O − A_b) · d)/(d · d)", "1.1.1";
+    ConeOriginRadius: "cone.origin_radius", "", "ρ_o", "r_b + k·o_w", "1.1.1";
+    ConeRayRadius: "cone.ray_radius", "", "ρ_d", "k·d_w", "1.1.1";
+    ConeA: "cone.a", "", "a", "d_r · d_r − ρ_d²", "1.1.1";
+    ConeB: "cone.b", "", "b", "o_r · d_r − ρ_o·ρ_d", "1.1.1";
+    ConeC: "cone.c", "", "c", "o_r · o_r − ρ_o²", "1.1.1";
+    ConeDiscriminant: "cone.discriminant", "", "Δ", "|o_r·ρ_d − d_r·ρ_o|² − |o_r × d_r|²", "1.1.1";
+    ConeT1: "cone.t", "1", "t", "t_0 + t_1", "1.1.1";
+    ConeT2: "cone.t", "2", "t", "t_0 + t_2", "1.1.1";
+    ConeTBase: "cone.t", "base", "t", "t_0 + t_b", "1.1.1";
+    ConeTApex: "cone.t", "apex", "t", "t_0 + t_a", "1.1.1";
+    ConeOffset: "cone.offset", "", "f_c", "|p_r| − (r_b + k·p_w)", "1.1.1";
+    ConeGradient: "cone.gradient", "", "g_c", "p_r/|p_r| − w·k", "1.1.1";
+
+    // Disk.
+    DiskCenter: "disk.center", "", "C_d", "", "1.1.1";
+    DiskNormal: "disk.normal", "", "N_d", "", "1.1.1";
+    DiskUnitNormal: "disk.unit_normal", "", "ν_d", "", "1.1.1";
+    DiskRadius: "disk.radius", "", "r_d", "", "1.1.1";
+    DiskVd: "disk.v_d", "", "V_d", "N_d · d", "1.1.1";
+    DiskVo: "disk.v_o", "", "V_o", "N_d · (C_d − O)", "1.1.1";
+    DiskT: "disk.t", "", "t", "V_o/V_d", "1.1.1";
+    DiskDistanceSquared: "disk.distance_squared", "", "ρ²", "|O + d·t − C_d|²", "1.1.1";
+
     // The nearest hit: its point, and the normal turned toward the arriving ray.
     HitPoint: "hit.point", "", "P", "O + d·t", "1.3 (3)";
     HitPointSphere: "hit.point", "on_sphere", "P", "S_c + (O + d·t − S_c)·(r/|O + d·t − S_c|)", "1.3 (5f)";
-    HitNormalPlane: "hit.normal", "plane", "N", "n_p", "1.3 (4)";
-    HitNormalPlaneBack: "hit.normal", "plane_back", "N", "−n_p", "1.3 (4)";
+    HitPointEllipsoid: "hit.point", "on_ellipsoid", "P", "E_c + (p_e − g_e·(f_e/(2·(g_e · g_e))))", "1.1.1";
+    HitPointCylinder: "hit.point", "on_cylinder", "P", "A_b + w·p_w + p_r·(r/|p_r|)", "1.1.1";
+    HitPointCone: "hit.point", "on_cone", "P", "A_b + (p_b − g_c·(f_c/(g_c · g_c)))", "1.1.1";
+    HitPointBaseCap: "hit.point", "on_base_cap", "P", "A_b + p_r", "1.1.1";
+    HitPointApexCap: "hit.point", "on_apex_cap", "P", "A_a + p_r", "1.1.1";
+    HitNormalPlane: "hit.normal", "plane", "N", "N_p/|N_p|", "1.3 (4)";
+    HitNormalPlaneBack: "hit.normal", "plane_back", "N", "−(N_p/|N_p|)", "1.3 (4)";
+    HitNormalFacing: "hit.normal", "facing", "N", "−d", "1.1.1";
     HitNormalSphere: "hit.normal", "sphere", "N", "(P − S_c)/r", "1.3 (5g)";
     HitNormalSphereBack: "hit.normal", "sphere_back", "N", "(S_c − P)/r", "1.3 (5g)";
+    HitNormalEllipsoid: "hit.normal", "ellipsoid", "N", "g_e/|g_e|", "1.1.1";
+    HitNormalEllipsoidBack: "hit.normal", "ellipsoid_back", "N", "−g_e/|g_e|", "1.1.1";
+    HitNormalCylinder: "hit.normal", "cylinder", "N", "p_r/|p_r|", "1.1.1";
+    HitNormalCylinderBack: "hit.normal", "cylinder_back", "N", "−p_r/|p_r|", "1.1.1";
+    HitNormalCone: "hit.normal", "cone", "N", "g_c/|g_c|", "1.1.1";
+    HitNormalConeBack: "hit.normal", "cone_back", "N", "−g_c/|g_c|", "1.1.1";
+    HitNormalAlongAxis: "hit.normal", "along_axis", "N", "w", "1.1.1";
+    HitNormalAgainstAxis: "hit.normal", "against_axis", "N", "−w", "1.1.1";
+    HitNormalTriangle: "hit.normal", "triangle", "N", "ν_t", "1.1.1";
+    HitNormalTriangleBack: "hit.normal", "triangle_back", "N", "−ν_t", "1.1.1";
+    HitNormalPolygon: "hit.normal", "polygon", "N", "ν_q", "1.1.1";
+    HitNormalPolygonBack: "hit.normal", "polygon_back", "N", "−ν_q", "1.1.1";
+    HitNormalBox: "hit.normal", "box", "N", "ν_b", "1.1.1";
+    HitNormalBoxBack: "hit.normal", "box_back", "N", "−ν_b", "1.1.1";
+    HitNormalDisk: "hit.normal", "disk", "N", "ν_d", "1.1.1";
+    HitNormalDiskBack: "hit.normal", "disk_back", "N", "−ν_d", "1.1.1";
+    // Where normals are interpolated, the surface's own one has a name of its own, and the mean lies on its side.
+    HitGeometricNormalTriangle: "hit.geometric_normal", "triangle", "N_g", "ν_t", "1.1.1";
+    HitGeometricNormalTriangleBack: "hit.geometric_normal", "triangle_back", "N_g", "−ν_t", "1.1.1";
+    HitGeometricNormalPolygon: "hit.geometric_normal", "polygon", "N_g", "ν_q", "1.1.1";
+    HitGeometricNormalPolygonBack: "hit.geometric_normal", "polygon_back", "N_g", "−ν_q", "1.1.1";
+    HitNormalMean: "hit.normal", "mean", "N", "N_m/|N_m|", "1.1.1";
+    HitNormalMeanTurned: "hit.normal", "mean_turned", "N", "−N_m/|N_m|", "1.1.1";
+    HitNormalFlat: "hit.normal", "flat", "N", "N_g", "1.1.1";
 
     // The two bounces.
     ReflectDirection: "reflect.direction", "", "R", "d − 2·N·(d · N)", "1.2.2";

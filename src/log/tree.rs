@@ -89,7 +89,7 @@ impl Tree {
         self.nodes[node].events.clone().filter(move |event| self.owner(*event) == node)
     }
 
-    /// The way of a node's ray from the eye, such as `C R S1`; empty outside every ray.
+    /// The way of a node's ray from the eye, such as `C R S1`, or `3 C R S1` in the third sample; empty outside every ray.
     pub fn path(&self, node: usize) -> String {
         let mut steps = Vec::new();
         let mut at = node;
@@ -101,17 +101,15 @@ impl Tree {
     }
 }
 
-/// The path of a node inside a node with this path: rays add their letter, a shadow ray also its light's number from 1.
+/// The path of a node inside a node with this path: samples add their number, rays their letter, a
+/// shadow ray also its light's number from 1: `3 C R S1`. A pixel of one sample has no sample node and no number.
 pub fn path_of_child(path: &str, step: Step) -> String {
+    let gap = if path.is_empty() { "" } else { " " };
     match step {
         Step::Pixel(_) => String::new(),
-        Step::Ray { kind, .. } => {
-            let gap = if path.is_empty() { "" } else { " " };
-            match kind {
-                RayKind::Shadow { light } => format!("{path}{gap}S{}", light + 1),
-                _ => format!("{path}{gap}{}", kind.letter()),
-            }
-        }
+        Step::Sample { number } => format!("{path}{gap}{number}"),
+        Step::Ray { kind: RayKind::Shadow { light }, .. } => format!("{path}{gap}S{}", light + 1),
+        Step::Ray { kind, .. } => format!("{path}{gap}{}", kind.letter()),
         _ => path.to_owned(),
     }
 }

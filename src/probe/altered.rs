@@ -38,6 +38,10 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
         self.probe.mark(decision);
     }
 
+    fn bounds_tested(&mut self, count: u64) {
+        self.probe.bounds_tested(count);
+    }
+
     fn enter(&mut self, step: Step) {
         self.alteration.enter(step);
         self.probe.enter(step);
@@ -93,13 +97,14 @@ pub fn round_half_away(x: f64, digits: u32) -> f64 {
 /// 2⁻⁴⁸, sixteen times the rounding error of one operation.
 const NOISE: f64 = 16.0 * f64::EPSILON;
 
-/// What single precision would do: every named quantity is rounded to f32.
+/// What single precision would do: every named quantity is rounded to f32, and to the greatest one where it would overflow,
+/// since a log holds finite numbers only.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Single;
 
 impl Alteration for Single {
     fn alter<Q: Quantity>(&mut self, _name: Name, value: Q) -> Q {
-        value.map(|_, x| f64::from(x as f32))
+        value.map(|_, x| f64::from((x as f32).clamp(f32::MIN, f32::MAX)))
     }
 }
 

@@ -33,6 +33,10 @@ pub trait Probe: Sized {
     #[inline(always)]
     fn mark(&mut self, _decision: Decision) {}
 
+    /// Bounding volumes were tested. They narrow down and decide nothing, so they are counted, not logged.
+    #[inline(always)]
+    fn bounds_tested(&mut self, _count: u64) {}
+
     /// A node begins. Kernels call [`Probe::within`], which can't forget the end.
     #[inline(always)]
     fn enter(&mut self, _step: Step) {}

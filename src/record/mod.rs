@@ -8,7 +8,7 @@ use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Event, Header, Log, Subject};
 use crate::probe::{Probe, Recorder};
 use crate::sampling;
-use crate::scene::{Algorithm, Color, Scene, Specular, camera};
+use crate::scene::{Algorithm, Color, Sampling, Scene, Specular, camera};
 use crate::trace::camera_ray;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -63,10 +63,15 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
             cutoff: tracing.cutoff,
             two_sided: tracing.two_sided,
         },
-        sampling: BTreeMap::from([("none".to_owned(), BTreeMap::new())]),
+        sampling: sampling_id(scene.sampling),
         objects: scene.objects.iter().map(|object| object.name.clone()).collect(),
         lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
     }
+}
+
+fn sampling_id(sampling: Sampling) -> BTreeMap<String, BTreeMap<String, f64>> {
+    let parameters = sampling.parameters().into_iter().map(|(name, value)| (name.to_owned(), value));
+    BTreeMap::from([(sampling.word().to_owned(), parameters.collect())])
 }
 
 fn record(arithmetic: Arithmetic, computation: impl Computation) -> Vec<Event> {
@@ -85,6 +90,22 @@ pub struct Pixel<'s> {
 impl Computation for Pixel<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
         sampling::pixel(self.scene, self.pixel, probe)
+    }
+}
+
+/// The computation of a corner that pixels share.
+pub struct Corner<'s> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// Corners a pixel's side.
+    pub n: u32,
+    /// Column and row in the picture's grid of corners.
+    pub corner: [u32; 2],
+}
+
+impl Computation for Corner<'_> {
+    fn run<P: Probe>(self, probe: &mut P) -> Color {
+        sampling::shared::corner(self.scene, self.n, self.corner, probe)
     }
 }
 

@@ -34,6 +34,11 @@ impl Film {
         &self.pixels
     }
 
+    /// The pixels themselves.
+    pub fn into_pixels(self) -> Vec<Color> {
+        self.pixels
+    }
+
     /// Puts the pixels of a rectangle, row by row, into the picture.
     pub fn put(&mut self, [left, top, right, _]: [u32; 4], colors: &[Color]) {
         let tile_width = (right - left) as usize;

@@ -2,14 +2,15 @@
 
 pub mod export;
 pub mod film;
+mod grid;
 pub mod statistics;
 
 pub use film::Film;
 pub use statistics::{Counter, Statistics};
 
 use crate::probe::Silent;
-use crate::record::{Arithmetic, Pixel};
-use crate::scene::{Color, Scene};
+use crate::record::{Arithmetic, Computation, Pixel};
+use crate::scene::{Color, Sampling, Scene};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -56,23 +57,33 @@ pub fn render(
     progress: impl Fn(u64) + Sync,
     stop: &AtomicBool,
 ) -> Result<Rendered, RenderError> {
-    let tiles = tiles(settings.crop);
     let threads = rayon::ThreadPoolBuilder::new().num_threads(settings.threads).build()?;
-    let rendered = threads.install(|| {
-        let of_tile = |tile: &[u32; 4]| tile_of(scene, settings, *tile, &progress, stop);
-        // Collected by the tiles' order, so that nothing depends on which thread was first.
-        tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()
+    let rendered = threads.install(|| match scene.sampling {
+        Sampling::Center => by_pixels(scene, settings, &progress, stop),
+        Sampling::Shared { n } => grid::by_corners(scene, settings, n, &progress, stop),
     });
-    let rendered = rendered.ok_or(RenderError::Interrupted)?;
+    let (film, counter) = rendered.ok_or(RenderError::Interrupted)?;
+    Ok(Rendered { film, counts: settings.counts_rays.then_some(counter) })
+}
+
+/// The picture, pixel by pixel; `None` when the work is to stop.
+fn by_pixels(
+    scene: &Scene,
+    settings: &Settings,
+    progress: &(impl Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Option<(Film, Counter)> {
+    let tiles = tiles(settings.crop);
+    let of_tile = |tile: &[u32; 4]| tile_of(scene, settings, *tile, progress, stop);
+    // Collected by the tiles' order, so that nothing depends on which thread was first.
+    let rendered = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
     let mut film = Film::new(settings.crop);
-    let mut counts = settings.counts_rays.then(Counter::default);
-    for (tile, (colors, counter)) in tiles.iter().zip(rendered) {
+    let mut counter = Counter::default();
+    for (tile, (colors, counted)) in tiles.iter().zip(rendered) {
         film.put(*tile, &colors);
-        if let Some(counts) = &mut counts {
-            counts.add(&counter);
-        }
+        counter.add(&counted);
     }
-    Ok(Rendered { film, counts })
+    Some((film, counter))
 }
 
 /// The tiles that cover a rectangle, row by row.
@@ -97,17 +108,19 @@ fn tile_of(
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
-            let pixel = Pixel { scene, pixel: [column, row] };
-            let color = if settings.counts_rays {
-                let (color, counted) = settings.arithmetic.run(counter, pixel);
-                counter = counted;
-                color
-            } else {
-                settings.arithmetic.run(Silent, pixel).0
-            };
-            colors.push(color);
+            colors.push(color_of(settings, Pixel { scene, pixel: [column, row] }, &mut counter));
         }
     }
     progress(colors.len() as u64);
     Some((colors, counter))
+}
+
+/// The colour of a computation, which is counted if rays are.
+fn color_of(settings: &Settings, computation: impl Computation, counter: &mut Counter) -> Color {
+    if !settings.counts_rays {
+        return settings.arithmetic.run(Silent, computation).0;
+    }
+    let (color, counted) = settings.arithmetic.run(std::mem::take(counter), computation);
+    *counter = counted;
+    color
 }

@@ -14,6 +14,7 @@ pub struct Counter {
     by_depth: Vec<u64>,
     skipped: [u64; SkipReason::ALL.len()],
     primitive_tests: u64,
+    bounds_tests: u64,
     samples: u64,
     /// The kinds of the rays that the computation is inside; other nodes are not kept.
     open: Vec<Option<RayKind>>,
@@ -100,6 +101,7 @@ impl Counter {
             *ours += theirs;
         }
         self.primitive_tests += other.primitive_tests;
+        self.bounds_tests += other.bounds_tests;
         self.samples += other.samples;
     }
 
@@ -111,7 +113,7 @@ impl Counter {
             hits: self.hits,
             by_depth: self.by_depth.clone(),
             skipped: skipped.collect(),
-            tests: Tests { bounds: 0, primitives: self.primitive_tests },
+            tests: Tests { bounds: self.bounds_tests, primitives: self.primitive_tests },
             fallbacks: 0,
             samples: self.samples,
             clipped_pixels,
@@ -126,6 +128,10 @@ impl Counter {
 }
 
 impl Probe for Counter {
+    fn bounds_tested(&mut self, count: u64) {
+        self.bounds_tests += count;
+    }
+
     fn enter(&mut self, step: Step) {
         let kind = match step {
             Step::Ray { kind, depth } => {

@@ -1,7 +1,7 @@
 //! One computed value as the source text writes it: symbol, formula, the numbers put in, the result.
 
 use super::{Style, number};
-use crate::log::formula::{self, Formula, Operator};
+use crate::log::formula::{self, Extreme, Formula, Operator};
 use crate::log::{Log, Tree, Value, What, scope};
 
 /// A computed value, ready to be shown as `symbol = formula = substituted = result`.
@@ -100,10 +100,13 @@ impl Substitution<'_> {
                 (Part::Text(text, _), _) => plain(format!("({text})")),
                 (absent, _) => absent,
             },
-            Formula::Min(first, second) => match (self.text(first).shown(), self.text(second).shown()) {
-                (Some(first), Some(second)) => plain(format!("min({first}, {second})")),
+            Formula::Extreme(extreme, first, second) => match (self.text(first).shown(), self.text(second).shown()) {
+                (Some(first), Some(second)) => plain(format!("{}({first}, {second})", word(*extreme))),
                 _ => Part::Zero,
             },
+            Formula::ExtremeComponent(extreme, inner) => {
+                self.text(inner).shown().map_or(Part::Zero, |text| plain(format!("{}({text})", word(*extreme))))
+            }
             Formula::OverLights(inner) => self.over_lights(inner),
             Formula::Binary(operator, left, right) => self.binary(*operator, left, right),
         }
@@ -179,13 +182,22 @@ impl Substitution<'_> {
     }
 }
 
+fn word(extreme: Extreme) -> &'static str {
+    match extreme {
+        Extreme::Min => "min",
+        Extreme::Max => "max",
+    }
+}
+
 fn infix(operator: Operator) -> &'static str {
     match operator {
         Operator::Plus => " + ",
         Operator::Minus => " − ",
         Operator::Times => "·",
         Operator::Channelwise => "∘",
+        Operator::Cross => "×",
         Operator::Over => "/",
+        Operator::ComponentsOver => "⊘",
         Operator::Power => "^",
     }
 }

@@ -10,8 +10,10 @@ pub fn text(log: &Log, style: Style) -> String {
     let mut out = String::new();
     let subject = words::subject(header);
     let algorithm = format!("{}, depth {}", header.tracing.algorithm, header.tracing.max_depth);
+    let sampling = words::sampling(header).map_or(String::new(), |sampling| format!(" · {sampling}"));
+    let scene = words::plain(&header.scene.name);
     // Writing to a String can't fail.
-    let _ = writeln!(out, "{} · {subject} · {} · {algorithm}", words::plain(&header.scene.name), header.arithmetic);
+    let _ = writeln!(out, "{scene} · {subject} · {} · {algorithm}{sampling}", header.arithmetic);
     let tree = Tree::of(&log.events);
     for event in 0..log.events.len() {
         if let Some(line) = line(log, &tree, event, style) {

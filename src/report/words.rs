@@ -33,6 +33,13 @@ pub fn subject(header: &Header) -> String {
     }
 }
 
+/// How pixels were sampled, such as `shared: n = 1`; nothing for one ray through the centre.
+pub fn sampling(header: &Header) -> Option<String> {
+    let (method, parameters) = header.sampling.iter().find(|(method, _)| *method != "none")?;
+    let parameters: Vec<_> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    Some(format!("{}: {}", plain(method), plain(&parameters.join(", "))))
+}
+
 /// What a ray is for.
 pub fn ray_kind(header: &Header, kind: RayKind) -> String {
     match kind {
@@ -66,6 +73,9 @@ pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
         Decision::TotalInternalReflection => "total internal reflection".to_owned(),
         Decision::DepthLimit { what } => format!("depth limit: no {}", skippable(*what)),
         Decision::Skipped { why: SkipReason::Blocked, .. } => "the rest is skipped".to_owned(),
+        Decision::LeakGuard { what } => {
+            format!("no leak: the {} lies beyond the surface and brings nothing", skippable(*what))
+        }
         Decision::Skipped { what, why } => format!("skipped: {} ({})", skippable(*what), skip_reason(*why)),
     }
 }
@@ -76,6 +86,7 @@ fn miss(why: Miss) -> &'static str {
         Miss::Behind => "it lies behind the ray",
         Miss::Beside => "the ray passes beside it",
         Miss::Beyond => "it lies beyond the light",
+        Miss::FacesAway => "it turns its back to the ray",
     }
 }
 

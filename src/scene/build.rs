@@ -2,10 +2,11 @@
 
 use super::file::schema as file;
 use super::{
-    Algorithm, Camera, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing, Transfer, Weights,
+    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Skip, Specular, Tracing,
+    Transfer, Weights,
 };
 use crate::geometry::Shape;
-use crate::geometry::shape::{Plane, Sphere, SphereMethod};
+use crate::geometry::shape::{Cone, Cuboid, Cylinder, Disk, Ellipsoid, Plane, Polygon, Sphere, SphereMethod, Triangle};
 use glam::DVec3;
 
 /// Something that a scene file asks for and this version can't do.
@@ -30,12 +31,15 @@ pub fn build(scene: &file::SceneFile) -> Result<Scene, Unsupported> {
     materials.push(self::material(&file::Material::default()));
     let object = |(index, object): (usize, &file::Object)| {
         let named = |name: &String| scene.materials.index_of(name);
+        let material = object.material.as_ref().and_then(named).unwrap_or(default_material);
         Ok(Object {
             name: object.name.clone(),
             shape: shape(&object.shape, sphere_method, index)?,
-            material: object.material.as_ref().and_then(named).unwrap_or(default_material),
+            one_sided: !scene.tracing.two_sided && !materials[material].lets_light_through(),
+            material,
         })
     };
+    let objects: Vec<_> = scene.objects.iter().enumerate().map(object).collect::<Result<_, _>>()?;
     Ok(Scene {
         name: scene.name.clone(),
         digest: digest(scene),
@@ -43,9 +47,11 @@ pub fn build(scene: &file::SceneFile) -> Result<Scene, Unsupported> {
         ambient: scene.ambient.into(),
         background: scene.background.into(),
         lights: scene.lights.iter().enumerate().map(light).collect::<Result<_, _>>()?,
+        index: Index::new(&objects),
+        objects,
         materials,
-        objects: scene.objects.iter().enumerate().map(object).collect::<Result<_, _>>()?,
         tracing: tracing(&scene.tracing, sphere_method),
+        sampling: sampling(scene.sampling)?,
         output: output(&scene.output),
     })
 }
@@ -64,9 +70,6 @@ fn refuse_unsupported(scene: &file::SceneFile) -> Result<(), Unsupported> {
     }
     if scene.camera.shutter != [0.0, 0.0] || scene.frames.is_some() {
         return refuse(if scene.frames.is_some() { "frames" } else { "camera.shutter" }, "motion");
-    }
-    if scene.sampling != (file::Sampling::None {}) {
-        return refuse("sampling", "more than one ray a pixel");
     }
     for (name, material) in scene.materials.iter() {
         let path = |key: &str| format!("materials.{name}.{key}");
@@ -126,16 +129,32 @@ fn material(material: &file::Material) -> Material {
 }
 
 fn shape(shape: &file::Shape, sphere_method: SphereMethod, index: usize) -> Result<Shape, Unsupported> {
-    match shape {
-        file::Shape::Plane(plane) => Ok(Shape::Plane(Plane::new(plane.coefficients))),
-        file::Shape::Sphere(sphere) if !sphere.inward => {
-            Ok(Shape::Sphere(Sphere::new(sphere.center.into(), sphere.radius, sphere_method)))
+    Ok(match shape {
+        file::Shape::Plane(plane) => Shape::Plane(Plane::new(plane.coefficients)),
+        file::Shape::Sphere(sphere) => {
+            Shape::Sphere(Sphere::new(sphere.center.into(), sphere.radius, sphere.inward, sphere_method))
         }
-        _ => {
+        file::Shape::Ellipsoid(ellipsoid) => {
+            Shape::Ellipsoid(Ellipsoid::new(ellipsoid.center.into(), ellipsoid.radii.into(), ellipsoid.rotation))
+        }
+        file::Shape::Triangle(triangle) => Shape::Triangle(Triangle::new(triangle.vertices, triangle.normals)),
+        file::Shape::Polygon(polygon) => Shape::Polygon(Polygon::new(&polygon.vertices, polygon.normals.as_deref())),
+        file::Shape::Box(cuboid) => Shape::Cuboid(Cuboid::new(cuboid.min.into(), cuboid.max.into())),
+        file::Shape::Cylinder(cylinder) => {
+            let (base, apex) = (cylinder.base.into(), cylinder.apex.into());
+            Shape::Cylinder(Cylinder::new(base, apex, cylinder.radius, cylinder.caps, cylinder.inward))
+        }
+        file::Shape::Cone(cone) => {
+            let (base, apex) = ((cone.base.into(), cone.base_radius), (cone.apex.into(), cone.apex_radius));
+            Shape::Cone(Cone::new(base, apex, cone.caps, cone.inward))
+        }
+        file::Shape::Disk(disk) => Shape::Disk(Disk::new(disk.center.into(), disk.normal.into(), disk.radius)),
+        file::Shape::Mesh(_) => {
             let key = shape.key();
-            Err(Unsupported { path: format!("objects[{index}].shape.{key}"), what: format!("the shape `{key}`") })
+            let what = format!("the shape `{key}`");
+            return Err(Unsupported { path: format!("objects[{index}].shape.{key}"), what });
         }
-    }
+    })
 }
 
 fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
@@ -155,6 +174,17 @@ fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
         two_sided: tracing.two_sided,
         skip: Skip::ALL,
         tests: super::tracing::Tests::Visited,
+    }
+}
+
+fn sampling(sampling: file::Sampling) -> Result<Sampling, Unsupported> {
+    match sampling {
+        file::Sampling::None {} => Ok(Sampling::Center),
+        file::Sampling::Shared { n } => Ok(Sampling::Shared { n: u32::try_from(n).unwrap_or(u32::MAX) }),
+        _ => {
+            let key = sampling.key();
+            Err(Unsupported { path: format!("sampling.{key}"), what: format!("the method `{key}`") })
+        }
     }
 }
 

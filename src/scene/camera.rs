@@ -11,6 +11,8 @@ pub struct Camera {
     position: DVec3,
     /// The direction of view as given; its length doesn't matter.
     direction: DVec3,
+    /// The direction that is up as given, somewhere above `direction`.
+    up_as_given: DVec3,
     length: f64,
     right: DVec3,
     up: DVec3,
@@ -24,14 +26,15 @@ impl Camera {
     /// A camera at `position` that looks along `direction`, of any length, with `up` not parallel to it, and
     /// `vertical_fov` degrees from the picture's top edge to its bottom edge.
     pub fn new(position: DVec3, direction: DVec3, up: DVec3, vertical_fov: f64, resolution: [u32; 2]) -> Camera {
-        let right = unit(direction.cross(up));
+        let to_right = direction.cross(up);
         let half_height = libm::tan(vertical_fov.to_radians() / 2.0);
         Camera {
             position,
             direction,
+            up_as_given: up,
             length: direction.length(),
-            right,
-            up: unit(right.cross(direction)),
+            right: unit(to_right),
+            up: unit(to_right.cross(direction)),
             pixel_side: 2.0 * half_height / f64::from(resolution[1]),
             resolution,
         }
@@ -42,22 +45,32 @@ impl Camera {
     /// Through the centre it has the direction of view as given, normalised; others normalise
     /// G + |G|·(x·e_x + y·e_y), x and y measured in the plane at distance 1.
     pub fn ray<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> Option<Ray> {
-        let x = (column - f64::from(self.resolution[0]) / 2.0) * self.pixel_side;
-        let y = (f64::from(self.resolution[1]) / 2.0 - row) * self.pixel_side;
+        let middle = self.resolution.map(|side| f64::from(side) / 2.0);
         probe.given(Name::RayOrigin, self.position);
-        let vector = if x == 0.0 && y == 0.0 {
+        let vector = if [column, row] == middle {
             probe.given(Name::RayVector, self.direction);
             self.direction
         } else {
-            probe.given(Name::CameraDirection, self.direction);
-            probe.given(Name::CameraLength, self.length);
-            probe.given(Name::CameraRight, self.right);
-            probe.given(Name::CameraUp, self.up);
-            probe.given(Name::PixelX, x);
-            probe.given(Name::PixelY, y);
-            probe.note(Name::RayVector, self.direction + (self.right * x + self.up * y) * self.length)
+            self.vector_through([column, row], middle, probe)
         };
         along(self.position, vector, probe)
+    }
+
+    /// G + |G|·(x·e_x + y·e_y). What doesn't depend on the pixel was computed with the camera, by the same formulas.
+    fn vector_through<P: Probe>(&self, [column, row]: [f64; 2], middle: [f64; 2], probe: &mut P) -> DVec3 {
+        probe.given(Name::CameraDirection, self.direction);
+        let length = probe.note(Name::CameraLength, self.length);
+        probe.given(Name::CameraUpAsGiven, self.up_as_given);
+        let right = probe.note(Name::CameraRight, self.right);
+        let up = probe.note(Name::CameraUp, self.up);
+        probe.given(Name::PixelColumn, column);
+        probe.given(Name::PixelMiddleColumn, middle[0]);
+        probe.given(Name::PixelSide, self.pixel_side);
+        let x = probe.note(Name::PixelX, (column - middle[0]) * self.pixel_side);
+        probe.given(Name::PixelRow, row);
+        probe.given(Name::PixelMiddleRow, middle[1]);
+        let y = probe.note(Name::PixelY, (middle[1] - row) * self.pixel_side);
+        probe.note(Name::RayVector, self.direction + (right * x + up * y) * length)
     }
 }
 

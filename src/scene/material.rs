@@ -46,6 +46,11 @@ impl Material {
         self.weights.transmitted != DVec3::ZERO
     }
 
+    /// Whether light passes in any way, so that both sides of the surface are there.
+    pub fn lets_light_through(&self) -> bool {
+        self.transmits() || self.uses_light_behind()
+    }
+
     /// Whether the local model can use a light on the viewer's side.
     pub fn uses_light_in_front(&self) -> bool {
         self.diffuse != DVec3::ZERO || self.specular != DVec3::ZERO

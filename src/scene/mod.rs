@@ -7,14 +7,18 @@ mod build;
 pub mod builtin;
 pub mod camera;
 pub mod file;
+mod index;
 pub mod light;
 pub mod material;
+pub mod sampling;
 pub mod tracing;
 
 pub use build::{Unsupported, build};
 pub use camera::Camera;
+pub use index::Index;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Material, Weights};
+pub use sampling::Sampling;
 pub use tracing::{Algorithm, Skip, Specular, Tracing};
 
 use crate::geometry::Shape;
@@ -42,8 +46,12 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// The objects, in the order that decides ties.
     pub objects: Vec<Object>,
+    /// Which objects a ray can meet.
+    pub index: Index,
     /// How rays are traced.
     pub tracing: Tracing,
+    /// Which rays make a pixel.
+    pub sampling: Sampling,
     /// How the picture is shown.
     pub output: Output,
 }
@@ -57,6 +65,8 @@ pub struct Object {
     pub shape: Shape,
     /// Its material, by number.
     pub material: usize,
+    /// Whether it is absent for rays that arrive at its back.
+    pub one_sided: bool,
 }
 
 /// How traced values become the numbers of a picture file.

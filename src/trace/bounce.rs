@@ -17,7 +17,8 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
     }
     let direction = mirror(meeting.ray.direction, meeting.surface.normal, probe);
     let ray = leaving_ray(meeting, direction, meeting.leaving_here());
-    follow(scene, meeting, RayKind::Reflected, &ray, weight, meeting.path.media, probe)
+    let color = follow(scene, meeting, RayKind::Reflected, &ray, weight, meeting.path.media, probe);
+    unless_it_leaks(color, meeting.leaks(direction, true), Skippable::Reflected, probe)
 }
 
 /// What the transmitted ray brings; nothing where there is none, as at a total internal reflection.
@@ -31,7 +32,17 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
     let beyond = inside.beyond(meeting.object, material.ior, meeting.surface.side);
     let Some(direction) = refract(meeting, inside.ior(), beyond.ior(), probe) else { return Color::ZERO };
     let ray = leaving_ray(meeting, direction, meeting.leaving_beyond());
-    follow(scene, meeting, RayKind::Transmitted, &ray, weight, &beyond, probe)
+    let color = follow(scene, meeting, RayKind::Transmitted, &ray, weight, &beyond, probe);
+    unless_it_leaks(color, meeting.leaks(direction, false), Skippable::Transmitted, probe)
+}
+
+/// Black, if the ray that brought this colour runs on the wrong side of the surface.
+pub(super) fn unless_it_leaks<P: Probe>(color: Color, leaks: bool, what: Skippable, probe: &mut P) -> Color {
+    if !leaks {
+        return color;
+    }
+    probe.mark(Decision::LeakGuard { what });
+    Color::ZERO
 }
 
 /// R = d − 2N(d·N). It isn't normalised again.

@@ -4,16 +4,18 @@
 
 mod bounce;
 mod media;
+pub mod query;
 mod shade;
 mod visibility;
 
 pub use media::Media;
-pub use visibility::{Hit, closest_hit, transmittance};
+pub use visibility::{Hit, closest_hit, is_any_hit, transmittance};
 
 use crate::geometry::{Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::scene::{Color, Material, Scene, Weights};
+use glam::DVec3;
 
 /// What a ray carries with it down the ray tree.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +55,7 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> C
     };
     let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);
     let material = scene.material_of(hit.object);
-    let meeting = Meeting { object: hit.object, primitive: hit.primitive, ray, surface, material, path };
+    let meeting = Meeting { object: hit.object, primitive: hit.crossing.primitive, ray, surface, material, path };
     let local = shade::local_intensity(scene, &meeting, probe);
     let reflected = bounce::reflected(scene, &meeting, probe);
     let transmitted = bounce::transmitted(scene, &meeting, probe);
@@ -85,5 +87,14 @@ impl Meeting<'_> {
     /// The surface, for a ray that leaves it on the other side.
     fn leaving_beyond(&self) -> Leaving {
         Leaving { side: self.surface.side.opposite(), ..self.leaving_here() }
+    }
+
+    /// Whether a ray that by the interpolated normal sets off on this side of the surface lies on the other side by the
+    /// surface's own. What it brings would leak through the surface, so it counts as black; the ray is traced all the same.
+    fn leaks(&self, direction: DVec3, is_meant_here: bool) -> bool {
+        let surface = &self.surface;
+        let height = surface.geometric_normal.dot(direction);
+        let is_elsewhere = if is_meant_here { height < 0.0 } else { height > 0.0 };
+        is_elsewhere && surface.normal != surface.geometric_normal
     }
 }

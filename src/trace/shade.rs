@@ -1,5 +1,6 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
+use super::bounce::unless_it_leaks;
 use super::{Meeting, transmittance};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
@@ -55,7 +56,8 @@ fn from_light<P: Probe>(
         probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm });
         return Color::ZERO;
     }
-    let passed = shadow_ray(scene, meeting, number, arrival, leaving, probe);
+    let leaks = meeting.leaks(arrival.direction, is_in_front);
+    let passed = shadow_ray(scene, meeting, number, arrival, leaving, leaks, probe);
     if passed == Color::ZERO {
         return Color::ZERO;
     }
@@ -68,13 +70,15 @@ fn from_light<P: Probe>(
     arriving * reflectance
 }
 
-/// The part of a light's intensity that reaches the surface point.
+/// The part of a light's intensity that reaches the surface point: nothing, if the light stands on that side of the surface
+/// only by an interpolated normal.
 fn shadow_ray<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
     light: u32,
     arrival: Arrival,
     leaving: Leaving,
+    leaks: bool,
     probe: &mut P,
 ) -> Color {
     let ray = Ray {
@@ -87,6 +91,7 @@ fn shadow_ray<P: Probe>(
     give_ray(&ray, probe);
     let kind = RayKind::Shadow { light };
     let passed = probe.within(Step::Ray { kind, depth: meeting.path.level }, |probe| transmittance(scene, &ray, probe));
+    let passed = unless_it_leaks(passed, leaks, Skippable::Shadow, probe);
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
 }
 

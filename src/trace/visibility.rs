@@ -3,15 +3,13 @@
 use crate::geometry::{Crossing, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
-use crate::scene::{Color, Scene};
+use crate::scene::{Color, Scene, tracing::Tests};
 
 /// The nearest thing on a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// The object.
     pub object: u32,
-    /// The triangle, for a mesh; else 0.
-    pub primitive: u32,
     /// Where the ray crosses its surface.
     pub crossing: Crossing,
 }
@@ -19,17 +17,30 @@ pub struct Hit {
 /// The nearest hit. Of several at the same distance the object that comes first in the scene wins.
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    for (object, thing) in (0..).zip(&scene.objects) {
-        if let Some(crossing) = thing.shape.first_crossing(object, ray, probe)
-            && nearest.is_none_or(|hit| crossing.t < hit.crossing.t)
+    visit(scene, ray, probe, |object, probe| {
+        let thing = &scene.objects[object as usize];
+        if let Some(crossing) = thing.shape.first_crossing(object, thing.one_sided, ray, probe)
+            && nearest.is_none_or(|hit| (crossing.t, object) < (hit.crossing.t, hit.object))
         {
-            nearest = Some(Hit { object, primitive: 0, crossing });
+            nearest = Some(Hit { object, crossing });
         }
-    }
+        nearest.map_or(ray.t_max, |hit| hit.crossing.t)
+    });
     if let Some(hit) = nearest {
         probe.mark(Decision::Nearest { object: hit.object });
     }
     nearest
+}
+
+/// Whether the ray meets anything at all.
+pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
+    let mut is_hit = false;
+    visit(scene, ray, probe, |object, probe| {
+        let thing = &scene.objects[object as usize];
+        is_hit |= thing.shape.first_crossing(object, thing.one_sided, ray, probe).is_some();
+        if is_hit { -1.0 } else { ray.t_max }
+    });
+    is_hit
 }
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
@@ -39,23 +50,38 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);
     let mut crossed: Vec<(f64, u32)> = Vec::new();
+    let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
-    for (object, thing) in (0..).zip(&scene.objects) {
+    visit(scene, ray, probe, |object, probe| {
+        let thing = &scene.objects[object as usize];
         if scene.materials[thing.material].transmits() {
-            let crossings = thing.shape.all_crossings(object, ray, probe);
-            crossed.extend(crossings.into_iter().flatten().map(|crossing| (crossing.t, object)));
-        } else if thing.shape.first_crossing(object, ray, probe).is_some() {
+            thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
+            crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
+        } else if thing.shape.first_crossing(object, thing.one_sided, ray, probe).is_some() {
             if !is_blocked {
                 probe.mark(Decision::Occluded { object });
             }
             is_blocked = true;
-            if stops_when_blocked {
-                probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Blocked });
-                break;
-            }
+        }
+        if is_blocked && stops_when_blocked {
+            probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Blocked });
+            return -1.0;
+        }
+        ray.t_max
+    });
+    if is_blocked { Color::ZERO } else { attenuation(scene, crossed, probe) }
+}
+
+/// Shows `meet` the objects that the ray can meet, or all of them where a log shall show every test.
+#[inline]
+fn visit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P, mut meet: impl FnMut(u32, &mut P) -> f64) {
+    match scene.tracing.tests {
+        Tests::Visited => scene.index.visit(ray, probe, meet),
+        Tests::All => {
+            // Every object, until the search is ended.
+            let _ = (0..scene.objects.len() as u32).find(|object| meet(*object, probe) < 0.0);
         }
     }
-    if is_blocked { Color::ZERO } else { attenuation(scene, crossed, probe) }
 }
 
 /// The product over the crossed surfaces, in the order of the ray, so that it has the same bits however they were found.

@@ -62,7 +62,7 @@ impl Facts {
             What::Note { .. } => {}
             What::Result { .. } => fact.value = number,
             What::Mark(decision) => match decision {
-                Decision::Outside | Decision::Inside | Decision::Skipped { .. } => {}
+                Decision::Outside | Decision::Inside | Decision::Skipped { .. } | Decision::LeakGuard { .. } => {}
                 Decision::DepthLimit { .. } | Decision::TotalInternalReflection => fact.limit = number,
                 _ => fact.outcome = number,
             },

@@ -3,7 +3,7 @@
 //! It shares the grammar and the scope rules with the program, and no arithmetic: the operations stand here once more,
 //! in the order in which a reader takes them, from left to right.
 
-use raywalk::log::formula::{self, Formula, Operator};
+use raywalk::log::formula::{self, Extreme, Formula, Operator};
 use raywalk::log::{Event, Name, Tree, Value, scope};
 
 /// The value of the formula of the quantity `name` that `event` notes, before any rounding; `None` for what has no
@@ -57,11 +57,20 @@ impl Evaluator<'_> {
                 let vector = self.part(inner)?;
                 map(binary(Operator::Times, vector, vector)?, f64::sqrt)
             }
-            Formula::Min(first, second) => match (self.part(first)?, self.part(second)?) {
+            Formula::Extreme(extreme, first, second) => match (self.part(first)?, self.part(second)?) {
                 (Part::Value(Value::Number(a)), Part::Value(Value::Number(b))) => {
-                    Ok(Part::Value(Value::Number(if b < a { b } else { a })))
+                    Ok(Part::Value(Value::Number(self::extreme(*extreme, a, b))))
                 }
-                (a, b) => Err(format!("min({a:?}, {b:?})")),
+                (Part::Value(Value::Triple(a)), Part::Value(Value::Triple(b))) => {
+                    Ok(Part::Value(Value::Triple([0, 1, 2].map(|i| self::extreme(*extreme, a[i], b[i])))))
+                }
+                (a, b) => Err(format!("{extreme:?}({a:?}, {b:?})")),
+            },
+            Formula::ExtremeComponent(extreme, inner) => match self.part(inner)? {
+                Part::Value(Value::Triple([x, y, z])) => {
+                    Ok(Part::Value(Value::Number(self::extreme(*extreme, x, self::extreme(*extreme, y, z)))))
+                }
+                part => Err(format!("{extreme:?}({part:?})")),
             },
             Formula::OverLights(inner) => self.over_lights(Part::Zero, inner),
             Formula::Binary(Operator::Plus, before, lights) if matches!(**lights, Formula::OverLights(_)) => {
@@ -135,7 +144,25 @@ fn operate(operator: Operator, left: Value, right: Value) -> Option<Value> {
         (Operator::Channelwise, Triple(a), Number(b)) | (Operator::Channelwise, Number(b), Triple(a)) => scaled(a, b),
         (Operator::Over, Number(a), Number(b)) => Number(a / b),
         (Operator::Over, Triple(a), Number(b)) => Triple(a.map(|x| x / b)),
+        (Operator::Cross, Triple(a), Triple(b)) => {
+            let minor = |i: usize, j: usize| a[i] * b[j] - b[i] * a[j];
+            Triple([minor(1, 2), minor(2, 0), minor(0, 1)])
+        }
+        (Operator::ComponentsOver, Triple(a), Triple(b)) => zipped(a, b, |a, b| match a / b {
+            quotient if quotient.is_nan() => 0.0,
+            quotient if quotient.is_infinite() => f64::MAX.copysign(quotient),
+            quotient => quotient,
+        }),
         (Operator::Power, Number(a), Number(b)) => Number(libm::pow(a, b)),
         _ => return None,
     })
+}
+
+/// The extreme of two numbers; of two equal ones (0 and −0) the second.
+fn extreme(extreme: Extreme, a: f64, b: f64) -> f64 {
+    let takes_first = match extreme {
+        Extreme::Min => a < b,
+        Extreme::Max => a > b,
+    };
+    if takes_first { a } else { b }
 }

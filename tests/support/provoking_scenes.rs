@@ -5,7 +5,8 @@ use raywalk::geometry::Shape;
 use raywalk::geometry::shape::{Plane, Sphere, SphereMethod};
 use raywalk::scene::tracing::Tests;
 use raywalk::scene::{
-    Algorithm, Camera, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing, Transfer, Weights,
+    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing, Transfer,
+    Weights,
 };
 
 /// What varies between the scenes of this file.
@@ -54,10 +55,11 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
         ..glass.clone()
     };
     let lampshade = Material { ior: 1.0, weights: weights([1.0, 0.0, 0.0]), ..milky.clone() };
-    let sphere = |center: [f64; 3], radius| Shape::Sphere(Sphere::new(center.into(), radius, options.sphere_method));
+    let sphere =
+        |center: [f64; 3], radius| Shape::Sphere(Sphere::new(center.into(), radius, false, options.sphere_method));
     let plane = |coefficients| Shape::Plane(Plane::new(coefficients));
-    let object = |name: &str, shape, material| Object { name: name.to_owned(), shape, material };
-    Scene {
+    let object = |name: &str, shape, material| Object { name: name.to_owned(), shape, material, one_sided: false };
+    indexed(Scene {
         camera: Camera::new(eye.into(), DVec3::new(0.1, -0.2, -1.0), DVec3::Y, 60.0, [48, 36]),
         background: DVec3::new(0.2, 0.2, 0.3),
         lights: vec![
@@ -82,7 +84,7 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
             object("opaque", sphere([-1.5, -0.25, -2.5], 0.5), 0),
         ],
         ..bare(name, options)
-    }
+    })
 }
 
 /// A flat lampshade without an interface, at z = 0, and a light straight behind it. An eye opposite the light sees it
@@ -98,16 +100,22 @@ pub fn straight_through(options: Options) -> Scene {
         ior: 1.0,
         weights: weights([1.0, 0.0, 0.0]),
     };
-    Scene {
+    indexed(Scene {
         lights: vec![point("behind", [0.0, 0.0, -4.0], [1.0, 0.5, 0.25], None)],
         materials: vec![shade],
         objects: vec![Object {
             name: "shade".to_owned(),
             shape: Shape::Plane(Plane::new([0.0, 0.0, 1.0, 0.0])),
             material: 0,
+            one_sided: false,
         }],
         ..bare("straight through", options)
-    }
+    })
+}
+
+/// The scene with the index of its objects.
+fn indexed(scene: Scene) -> Scene {
+    Scene { index: Index::new(&scene.objects), ..scene }
 }
 
 fn bare(name: &str, options: Options) -> Scene {
@@ -120,6 +128,8 @@ fn bare(name: &str, options: Options) -> Scene {
         lights: Vec::new(),
         materials: Vec::new(),
         objects: Vec::new(),
+        index: Index::default(),
+        sampling: raywalk::scene::Sampling::Center,
         tracing: Tracing {
             algorithm: options.algorithm,
             max_depth: options.max_depth,

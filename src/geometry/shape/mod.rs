@@ -1,11 +1,30 @@
-//! The shapes. Each has its own file; adding one is that file, a variant here, and its arms.
+//! The shapes. Each has its own file, which implements [`Kernel`]; adding one is that file, a variant and an arm here.
 
+mod axis;
+mod cone;
+mod cuboid;
+mod cylinder;
+mod disk;
+mod ellipsoid;
+mod fan;
+mod flat;
 mod plane;
+mod polygon;
+mod roots;
 mod sphere;
+pub(in crate::geometry) mod triangle;
 
+pub use cone::Cone;
+pub use cuboid::Cuboid;
+pub use cylinder::Cylinder;
+pub use disk::Disk;
+pub use ellipsoid::Ellipsoid;
 pub use plane::Plane;
+pub use polygon::Polygon;
 pub use sphere::{Sphere, SphereMethod};
+pub use triangle::Triangle;
 
+use super::bounds::Bounds;
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Step};
 use crate::probe::Probe;
@@ -17,79 +36,155 @@ pub enum Shape {
     Plane(Plane),
     /// A sphere.
     Sphere(Sphere),
+    /// An ellipsoid.
+    Ellipsoid(Ellipsoid),
+    /// A triangle.
+    Triangle(Triangle),
+    /// A flat polygon.
+    Polygon(Polygon),
+    /// A box along the axes.
+    Cuboid(Cuboid),
+    /// A cylinder, open or with caps.
+    Cylinder(Cylinder),
+    /// A cone or frustum, open or with caps.
+    Cone(Cone),
+    /// A flat disk.
+    Disk(Disk),
+}
+
+/// Calls a method of the kernel behind a shape.
+macro_rules! kernel {
+    ($shape:expr, $kernel:ident => $call:expr) => {
+        match $shape {
+            Shape::Plane($kernel) => $call,
+            Shape::Sphere($kernel) => $call,
+            Shape::Ellipsoid($kernel) => $call,
+            Shape::Triangle($kernel) => $call,
+            Shape::Polygon($kernel) => $call,
+            Shape::Cuboid($kernel) => $call,
+            Shape::Cylinder($kernel) => $call,
+            Shape::Cone($kernel) => $call,
+            Shape::Disk($kernel) => $call,
+        }
+    };
+}
+
+/// What a kernel has to know beside the ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Approach {
+    /// The side of this very surface on which the ray sets off, if it leaves it.
+    pub leaving: Option<Side>,
+    /// Whether the surface is absent for rays that arrive at its back.
+    pub one_sided: bool,
+}
+
+/// How a ray meets one kind of shape.
+pub(in crate::geometry) trait Kernel {
+    /// The inputs, for the log.
+    fn give<P: Probe>(&self, probe: &mut P);
+
+    /// The first point where the ray crosses the surface.
+    fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing>;
+
+    /// All points where the ray crosses the surface, in its order. A flat shape has no more than one.
+    fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
+        found.extend(self.first_crossing(ray, approach, probe));
+    }
+
+    /// The surface at a crossing, its normals turned toward the arriving ray.
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface;
+
+    /// A box around the shape; `None` for one without end.
+    fn bounds(&self) -> Option<Bounds>;
+
+    /// Whether a ray that sets off on this side of the surface can meet the same surface again. Flat shapes can't be.
+    fn can_be_met_again(&self, _sets_off: Side) -> bool {
+        false
+    }
 }
 
 impl Shape {
     /// The first point where the ray crosses object `object` of this shape.
-    pub fn first_crossing<P: Probe>(&self, object: u32, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        let leaving = self.side_left(object, ray);
-        if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
-            return None;
-        }
-        self.give(probe);
-        probe.within(Step::Test { object, triangle: None }, |probe| match self {
-            Shape::Plane(plane) => plane.crossing(ray, probe),
-            Shape::Sphere(sphere) => sphere.first_crossing(ray, leaving, probe),
-        })
+    #[inline]
+    pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+        let approach = self.approach(object, one_sided, ray)?;
+        kernel!(self, kernel => kernel.give(probe));
+        probe.within(
+            Step::Test { object, triangle: None },
+            |probe| kernel!(self, kernel => kernel.first_crossing(ray, approach, probe)),
+        )
     }
 
-    /// All points where the ray crosses the object, at most two, in the order of the ray.
-    // Rare beside `first_crossing`, which runs faster without it in the same loop.
-    #[inline(never)]
-    pub fn all_crossings<P: Probe>(&self, object: u32, ray: &Ray, probe: &mut P) -> [Option<Crossing>; 2] {
-        let leaving = self.side_left(object, ray);
-        if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
-            return [None; 2];
-        }
-        self.give(probe);
-        probe.within(Step::Test { object, triangle: None }, |probe| match self {
-            Shape::Plane(plane) => [plane.crossing(ray, probe), None],
-            Shape::Sphere(sphere) => sphere.all_crossings(ray, leaving, probe),
-        })
+    /// All points where the ray crosses the object, in the order of the ray.
+    pub fn all_crossings<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        found: &mut Vec<Crossing>,
+        probe: &mut P,
+    ) {
+        let Some(approach) = self.approach(object, one_sided, ray) else { return };
+        kernel!(self, kernel => kernel.give(probe));
+        probe.within(Step::Test { object, triangle: None }, |probe| {
+            kernel!(self, kernel => kernel.all_crossings(ray, approach, found, probe));
+        });
     }
 
-    /// The surface at a crossing, its normal turned toward the arriving ray.
+    /// The surface at a crossing, its normals turned toward the arriving ray.
+    #[inline]
     pub fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        match self {
-            Shape::Plane(plane) => plane.surface(ray, crossing, probe),
-            Shape::Sphere(sphere) => sphere.surface(ray, crossing, probe),
-        }
+        kernel!(self, kernel => kernel.surface(ray, crossing, probe))
     }
 
-    /// The inputs of the kernel, for the log.
-    fn give<P: Probe>(&self, probe: &mut P) {
-        match self {
-            Shape::Plane(plane) => plane.give(probe),
-            Shape::Sphere(sphere) => sphere.give(probe),
-        }
+    /// Whether hits tell which triangle of a file was met.
+    pub fn is_mesh(&self) -> bool {
+        false
     }
 
-    /// Whether a ray that sets off on this side of the surface can meet the same surface again.
-    fn can_be_met_again(&self, side: Side) -> bool {
-        match self {
-            Shape::Plane(_) => false,
-            Shape::Sphere(_) => side == Side::Back,
-        }
+    /// A box around the shape; `None` for one without end.
+    pub fn bounds(&self) -> Option<Bounds> {
+        kernel!(self, kernel => kernel.bounds())
     }
 
-    /// The side on which the ray leaves this object, if it does.
-    fn side_left(&self, object: u32, ray: &Ray) -> Option<Side> {
-        match ray.leaving {
-            Some(leaving) if leaving.object == object => Some(leaving.side),
-            _ => None,
+    /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
+    /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
+    pub fn returning_side(&self) -> Side {
+        let can_return = kernel!(self, kernel => kernel.can_be_met_again(Side::Front));
+        if can_return { Side::Front } else { Side::Back }
+    }
+
+    /// How the ray comes to this object; `None` if it leaves it and can't meet it again.
+    #[inline]
+    fn approach(&self, object: u32, one_sided: bool, ray: &Ray) -> Option<Approach> {
+        let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
+        match leaving {
+            Some(side) if !kernel!(self, kernel => kernel.can_be_met_again(side)) => None,
+            _ => Some(Approach { leaving, one_sided }),
         }
     }
 }
 
-/// Marks a candidate as hit or missed by whether the ray reaches it.
-#[inline]
-fn decide<P: Probe>(ray: &Ray, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
-    if ray.reaches(candidate.t) {
-        probe.mark(Decision::Hit);
-        Some(candidate)
-    } else {
-        let why = if candidate.t >= ray.t_max { Miss::Beyond } else { Miss::Behind };
-        probe.mark(Decision::Miss { why });
-        None
+impl Approach {
+    /// Whether the surface is there for a ray that arrives on this side.
+    #[inline]
+    pub fn shows(self, side: Side) -> bool {
+        !self.one_sided || side == Side::Front
     }
+}
+
+/// Marks a candidate as hit or missed: by its side, and by whether the ray reaches it.
+#[inline]
+fn decide<P: Probe>(ray: &Ray, approach: Approach, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
+    let why = match () {
+        _ if !approach.shows(candidate.side) => Miss::FacesAway,
+        _ if ray.reaches(candidate.t) => {
+            probe.mark(Decision::Hit);
+            return Some(candidate);
+        }
+        _ if candidate.t >= ray.t_max => Miss::Beyond,
+        _ => Miss::Behind,
+    };
+    probe.mark(Decision::Miss { why });
+    None
 }

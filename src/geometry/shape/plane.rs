@@ -1,6 +1,7 @@
 //! The plane A·x + B·y + C·z + D = 0 (Ramos, section 1.3, steps 2 and 3).
 
-use super::decide;
+use super::{Approach, Kernel, decide};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -20,16 +21,17 @@ impl Plane {
         let normal = DVec3::new(a, b, c);
         Plane { normal, offset: d, unit_normal: normal / normal.length() }
     }
+}
 
-    pub(super) fn give<P: Probe>(&self, probe: &mut P) {
+impl Kernel for Plane {
+    fn give<P: Probe>(&self, probe: &mut P) {
         probe.given(Name::PlaneNormal, self.normal);
         probe.given(Name::PlaneOffset, self.offset);
-        probe.given(Name::PlaneUnitNormal, self.unit_normal);
     }
 
-    /// The point where the ray crosses the plane. Neither V_d nor V_o needs a unit normal: their quotient is the same.
+    /// Neither V_d nor V_o needs a unit normal: their quotient is the same.
     #[inline]
-    pub(super) fn crossing<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+    fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         let v_d = probe.note(Name::PlaneVd, self.normal.dot(ray.direction));
         let v_o = -(self.normal.dot(ray.origin) + self.offset);
         // Parallel, or so nearly that the distance is no number.
@@ -40,15 +42,20 @@ impl Plane {
         let v_o = probe.note(Name::PlaneVo, v_o);
         let t = probe.note(Name::PlaneT, v_o / v_d);
         let side = if v_d < 0.0 { Side::Front } else { Side::Back };
-        decide(ray, Crossing { t, side }, probe)
+        decide(ray, approach, Crossing { t, side, primitive: 0 }, probe)
     }
 
-    pub(super) fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+    #[inline]
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
         let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
         let normal = match crossing.side {
             Side::Front => probe.note(Name::HitNormalPlane, self.unit_normal),
             Side::Back => probe.note(Name::HitNormalPlaneBack, -self.unit_normal),
         };
-        Surface { point, normal, side: crossing.side }
+        Surface::plain(point, normal, crossing.side)
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        None
     }
 }

@@ -3,19 +3,22 @@
 //! The geometric method loses digits where r², L2oc and T_A² nearly cancel. The robust one takes the half chord from the
 //! vector OC − T_A·d, and the near root from the product of the roots (Haines et al., Ray Tracing Gems, chapter 7).
 
-use super::decide;
+use super::{Approach, Kernel, decide};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use glam::DVec3;
 
-/// A sphere. Its front is the outside.
+/// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sphere {
     center: DVec3,
     radius: f64,
     radius_squared: f64,
     method: SphereMethod,
+    /// The side that faces outward.
+    outer: Side,
 }
 
 /// By which formulas a sphere is met.
@@ -46,77 +49,10 @@ struct Chord {
 }
 
 impl Sphere {
-    /// The sphere with this centre and positive radius.
-    pub fn new(center: DVec3, radius: f64, method: SphereMethod) -> Sphere {
-        Sphere { center, radius, radius_squared: radius * radius, method }
-    }
-
-    pub(super) fn give<P: Probe>(&self, probe: &mut P) {
-        probe.given(Name::SphereCenter, self.center);
-        probe.given(Name::SphereRadius, self.radius);
-        probe.given(Name::SphereRadiusSquared, self.radius_squared);
-    }
-
-    /// The first crossing; `leaving` is the side of this very sphere on which the ray sets off.
-    #[inline]
-    pub(super) fn first_crossing<P: Probe>(&self, ray: &Ray, leaving: Option<Side>, probe: &mut P) -> Option<Crossing> {
-        if leaving.is_some() {
-            return self.other_end(ray, probe);
-        }
-        let chord = self.chord(ray, probe)?;
-        if chord.is_origin_outside {
-            let near = self.near(&chord, probe);
-            // Only a ray that is asked to begin later (t_min) can begin inside.
-            if near.t > ray.t_min {
-                return decide(ray, near, probe);
-            }
-        }
-        let far = self.far(&chord, probe);
-        decide(ray, far, probe)
-    }
-
-    /// Both crossings that the ray reaches.
-    pub(super) fn all_crossings<P: Probe>(
-        &self,
-        ray: &Ray,
-        leaving: Option<Side>,
-        probe: &mut P,
-    ) -> [Option<Crossing>; 2] {
-        if leaving.is_some() {
-            return [self.other_end(ray, probe), None];
-        }
-        let Some(chord) = self.chord(ray, probe) else { return [None; 2] };
-        if !chord.is_origin_outside {
-            let far = self.far(&chord, probe);
-            return [decide(ray, far, probe), None];
-        }
-        let near = self.near(&chord, probe);
-        let near = decide(ray, near, probe);
-        let far = self.far(&chord, probe);
-        [near, decide(ray, far, probe)]
-    }
-
-    /// Point and normal. The robust method puts the point back onto the sphere, from which rounding took it.
-    pub(super) fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        let along_ray = ray.origin + ray.direction * crossing.t;
-        let point = match self.method {
-            SphereMethod::Geometric => probe.note(Name::HitPoint, along_ray),
-            SphereMethod::Robust => {
-                let from_center = along_ray - self.center;
-                let distance = from_center.length();
-                if distance == 0.0 {
-                    // Only where few digits are left: there is no direction to put the point back along.
-                    probe.note(Name::HitPoint, along_ray)
-                } else {
-                    probe.note(Name::HitPointSphere, self.center + from_center * (self.radius / distance))
-                }
-            }
-        };
-        let normal = match crossing.side {
-            Side::Front => probe.note(Name::HitNormalSphere, (point - self.center) / self.radius),
-            Side::Back => probe.note(Name::HitNormalSphereBack, (self.center - point) / self.radius),
-        };
-        Surface { point, normal, side: crossing.side }
+    /// The sphere with this centre and positive radius; `inward` makes the inside its front.
+    pub fn new(center: DVec3, radius: f64, inward: bool, method: SphereMethod) -> Sphere {
+        let outer = if inward { Side::Back } else { Side::Front };
+        Sphere { center, radius, radius_squared: radius * radius, method, outer }
     }
 
     /// The chord, unless the ray's line passes beside the sphere or the sphere lies behind the origin.
@@ -156,7 +92,7 @@ impl Sphere {
                 probe.note(Name::SphereTNearRobust, t)
             }
         };
-        Crossing { t, side: Side::Front }
+        Crossing { t, side: self.outer, primitive: 0 }
     }
 
     #[inline]
@@ -168,15 +104,86 @@ impl Sphere {
         } else {
             probe.note(Name::SphereTFar, chord.t_a + chord.t2_a.sqrt())
         };
-        Crossing { t, side: Side::Back }
+        Crossing { t, side: self.outer.opposite(), primitive: 0 }
     }
 
     /// The other end of the chord of a ray that sets off inward from the sphere itself: one root is 0, the other 2·T_A.
-    fn other_end<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+    fn other_end<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         let oc = probe.note(Name::SphereOc, self.center - ray.origin);
         let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
         probe.mark(Decision::Inside);
         let t = probe.note(Name::SphereTLeaving, 2.0 * t_a);
-        decide(ray, Crossing { t, side: Side::Back }, probe)
+        decide(ray, approach, Crossing { t, side: self.outer.opposite(), primitive: 0 }, probe)
+    }
+}
+
+impl Kernel for Sphere {
+    fn give<P: Probe>(&self, probe: &mut P) {
+        probe.given(Name::SphereCenter, self.center);
+        probe.given(Name::SphereRadius, self.radius);
+        probe.given(Name::SphereRadiusSquared, self.radius_squared);
+    }
+
+    #[inline]
+    fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+        if approach.leaving.is_some() {
+            return self.other_end(ray, approach, probe);
+        }
+        let chord = self.chord(ray, probe)?;
+        if chord.is_origin_outside && approach.shows(self.outer) {
+            let near = self.near(&chord, probe);
+            // Only a ray that is asked to begin later (t_min) can begin inside.
+            if near.t > ray.t_min {
+                return decide(ray, approach, near, probe);
+            }
+        }
+        let far = self.far(&chord, probe);
+        decide(ray, approach, far, probe)
+    }
+
+    fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
+        if approach.leaving.is_some() {
+            return found.extend(self.other_end(ray, approach, probe));
+        }
+        let Some(chord) = self.chord(ray, probe) else { return };
+        if chord.is_origin_outside {
+            let near = self.near(&chord, probe);
+            found.extend(decide(ray, approach, near, probe));
+        }
+        let far = self.far(&chord, probe);
+        found.extend(decide(ray, approach, far, probe));
+    }
+
+    /// The robust method puts the point back onto the sphere, from which rounding took it.
+    #[inline]
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        let along_ray = ray.origin + ray.direction * crossing.t;
+        let point = match self.method {
+            SphereMethod::Geometric => probe.note(Name::HitPoint, along_ray),
+            SphereMethod::Robust => {
+                let from_center = along_ray - self.center;
+                let distance = from_center.length();
+                if distance == 0.0 {
+                    // Only where few digits are left: there is no direction to put the point back along.
+                    probe.note(Name::HitPoint, along_ray)
+                } else {
+                    probe.note(Name::HitPointSphere, self.center + from_center * (self.radius / distance))
+                }
+            }
+        };
+        let normal = if crossing.side == self.outer {
+            probe.note(Name::HitNormalSphere, (point - self.center) / self.radius)
+        } else {
+            probe.note(Name::HitNormalSphereBack, (self.center - point) / self.radius)
+        };
+        Surface::plain(point, normal, crossing.side)
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        Some(Bounds { min: self.center - self.radius, max: self.center + self.radius })
+    }
+
+    fn can_be_met_again(&self, sets_off: Side) -> bool {
+        sets_off != self.outer
     }
 }

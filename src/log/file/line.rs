@@ -68,6 +68,7 @@ pub(super) enum Mark {
     Undefined { quantity: String },
     TotalInternalReflection {},
     DepthLimit { what: String },
+    LeakGuard { what: String },
     Skipped { what: String, why: String },
 }
 

@@ -240,6 +240,7 @@ impl Reader {
             }
             Mark::TotalInternalReflection {} => Decision::TotalInternalReflection,
             Mark::DepthLimit { what } => Decision::DepthLimit { what: skippable(&what)? },
+            Mark::LeakGuard { what } => Decision::LeakGuard { what: skippable(&what)? },
             Mark::Skipped { what, why } => Decision::Skipped {
                 what: skippable(&what)?,
                 why: SkipReason::find(&why).ok_or_else(|| format!("unknown rule `{why}`"))?,

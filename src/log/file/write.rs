@@ -218,6 +218,7 @@ fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
         Decision::Undefined { quantity } => text(out, &format!("undefined\":{{\"quantity\":\"{}\"", quantity.key())),
         Decision::TotalInternalReflection => text(out, "total_internal_reflection\":{"),
         Decision::DepthLimit { what } => text(out, &format!("depth_limit\":{{\"what\":\"{}\"", what.word())),
+        Decision::LeakGuard { what } => text(out, &format!("leak_guard\":{{\"what\":\"{}\"", what.word())),
         Decision::Skipped { what, why } => {
             text(out, &format!("skipped\":{{\"what\":\"{}\",\"why\":\"{}\"", what.word(), why.word()));
         }

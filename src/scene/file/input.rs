@@ -5,6 +5,7 @@ use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use super::error::SceneError;
+use super::gzip;
 
 /// The largest scene file: 256 MiB.
 pub const MAX_BYTES: u64 = 256 << 20;
@@ -12,21 +13,26 @@ pub const MAX_BYTES: u64 = 256 << 20;
 /// The name that standard input has in messages.
 pub const STANDARD_INPUT: &str = "<stdin>";
 
-/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`].
+/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is packed by gzip is unpacked.
 ///
 /// # Errors
 /// [`SceneError::Refused`] when it is missing, no regular file or too large; [`SceneError::Unreadable`] when the machine
 /// did not give the bytes.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, SceneError> {
     let name = display_name(path);
+    let bytes = read_as_it_is(path, &name)?;
+    gzip::unpacked(bytes, MAX_BYTES).map_err(|reason| refused(&name, reason))
+}
+
+fn read_as_it_is(path: &Path, name: &str) -> Result<Vec<u8>, SceneError> {
     if path == Path::new("-") {
-        return read_bounded(io::stdin().lock(), 0, &name);
+        return read_bounded(io::stdin().lock(), 0, name);
     }
     // Asked before opening, because opening a FIFO would wait for a writer.
-    let metadata = fs::metadata(path).map_err(|error| failure(&name, error))?;
-    refuse_what_is_no_file(&metadata, &name)?;
-    let file = File::open(path).map_err(|error| failure(&name, error))?;
-    read_bounded(file, metadata.len(), &name)
+    let metadata = fs::metadata(path).map_err(|error| failure(name, error))?;
+    refuse_what_is_no_file(&metadata, name)?;
+    let file = File::open(path).map_err(|error| failure(name, error))?;
+    read_bounded(file, metadata.len(), name)
 }
 
 /// The name of a file as messages show it.

@@ -11,6 +11,7 @@ use super::input::{display_name, read_bytes};
 use super::key_path::KeyPath;
 use super::locate::locate_all;
 use super::names::fill_in_names;
+use super::nff::{self, Import};
 use super::schema::SceneFile;
 use super::source::Source;
 use super::strict::Strict;
@@ -33,11 +34,22 @@ pub fn read(path: &Path) -> Result<Loaded, SceneError> {
     check(&read_bytes(path)?, &display_name(path))
 }
 
-/// Parses and validates the text of a scene file.
+/// Parses and validates the text of a scene file, JSON or [`nff`].
 ///
 /// # Errors
 /// [`SceneError::Invalid`], with every problem that validation finds, or the first that parsing finds.
 pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, SceneError> {
+    check_as(text, file_name, &Import::default())
+}
+
+/// The same, where a file of another format may be read in more than one way.
+///
+/// # Errors
+/// Those of [`check`].
+pub fn check_as(text: &[u8], file_name: &str, import: &Import) -> Result<Loaded, SceneError> {
+    if nff::is_nff(text, file_name) {
+        return nff::check(text, file_name, import);
+    }
     let scene = parse(text, file_name)?;
     let (source, text) = decode(text, file_name)?;
     let warnings = judge(validate(&scene), |findings| place(findings, &source, text))?;
@@ -63,7 +75,10 @@ pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, S
 }
 
 /// The warnings, when there are no errors.
-fn judge(findings: Findings, place: impl Fn(&[Finding]) -> Vec<Problem>) -> Result<Vec<Problem>, SceneError> {
+pub(super) fn judge(
+    findings: Findings,
+    place: impl Fn(&[Finding]) -> Vec<Problem>,
+) -> Result<Vec<Problem>, SceneError> {
     if findings.errors.is_empty() {
         return Ok(place(&findings.warnings));
     }

@@ -1,4 +1,4 @@
-//! The scene file `raywalk-scene/1`: reading it, checking it and printing it.
+//! The scene file `raywalk-scene/1`: reading it, checking it and printing it; and scenes of another format, [`nff`].
 //!
 //! This room owns the JSON form of a scene ([`schema`]), the way from bytes to a checked [`SceneFile`] ([`read`]), and
 //! every sentence that tells a person what is wrong with a file and where ([`SceneError`]). It must not know how a scene
@@ -10,12 +10,14 @@
 //! assert_eq!(loaded.map(|loaded| loaded.scene.name), Ok("empty".to_string()));
 //! ```
 
+pub mod nff;
 pub mod schema;
 pub mod validate;
 
 mod error;
 mod escape;
 mod explain;
+mod gzip;
 mod input;
 mod key_path;
 mod load;
@@ -35,7 +37,7 @@ pub use error::{Problem, SceneError, Severity};
 pub use escape::visible;
 pub use input::{MAX_BYTES, read_bytes};
 pub use key_path::{KeyPath, Step};
-pub use load::{Loaded, check, check_scene, parse, read};
+pub use load::{Loaded, check, check_as, check_scene, parse, read};
 pub use locate::{Place, locate, locate_all};
 pub use mesh_path::{MeshPathError, resolve_mesh_path};
 pub use schema::SceneFile;

@@ -5,10 +5,12 @@ use std::path::Path;
 
 use super::schema::SceneFile;
 
-/// Fills in the scene's name (the file's stem) and the names of objects and lights (`object-3`, `light-1`).
+/// Fills in the scene's name (the file's stem, without `.gz`) and the names of objects and lights (`object-3`, `light-1`).
 pub fn fill_in_names(scene: &mut SceneFile, file_name: &str) {
     if scene.name.is_empty() {
-        let stem = Path::new(file_name).file_stem().unwrap_or_default();
+        let unpacked =
+            if file_name.to_ascii_lowercase().ends_with(".gz") { &file_name[..file_name.len() - 3] } else { file_name };
+        let stem = Path::new(unpacked).file_stem().unwrap_or_default();
         scene.name = stem.to_string_lossy().trim_matches(['<', '>']).to_string();
     }
     fill_in("object", scene.objects.iter_mut().map(|object| &mut object.name).collect());

@@ -123,9 +123,10 @@ fn decision_pieces(model: &Model, decision: &Decision, theme: &Theme) -> Vec<Pie
     let (glyph, role) = match decision {
         Decision::Hit | Decision::Nearest { .. } => (glyphs.hit, Role::Hit),
         Decision::Miss { .. } | Decision::Background => (glyphs.miss, Role::Text),
-        Decision::Occluded { .. } | Decision::DepthLimit { .. } | Decision::TotalInternalReflection => {
-            (glyphs.blocked, Role::Blocked)
-        }
+        Decision::Occluded { .. }
+        | Decision::DepthLimit { .. }
+        | Decision::TotalInternalReflection
+        | Decision::LeakGuard { .. } => (glyphs.blocked, Role::Blocked),
         Decision::Attenuated { .. } => (glyphs.shade, Role::Light),
         _ => (glyphs.leaf, Role::Text),
     };

@@ -119,6 +119,22 @@ pub enum Sampling {
     },
 }
 
+impl Sampling {
+    /// The key of this method.
+    pub fn key(&self) -> &'static str {
+        match self {
+            Self::None {} => "none",
+            Self::Regular { .. } => "regular",
+            Self::Shared { .. } => "shared",
+            Self::Adaptive { .. } => "adaptive",
+            Self::Stochastic { .. } => "stochastic",
+            Self::Random { .. } => "random",
+            Self::Sobol { .. } => "sobol",
+            Self::Statistical { .. } => "statistical",
+        }
+    }
+}
+
 impl Default for Sampling {
     fn default() -> Self {
         Self::None {}

@@ -11,7 +11,7 @@ mod light;
 mod material;
 mod settings;
 mod shape;
-mod vector;
+pub(super) mod vector;
 
 use std::collections::HashSet;
 

@@ -4,7 +4,7 @@ use crate::scene::file::mesh_path::check_as_written;
 use crate::scene::file::schema::{AxisBox, Cone, Ellipsoid, Motion, Polygon, Shape, Triangle, Vec3};
 
 use super::checker::{Checker, number, triple};
-use super::vector::{are_parallel, cross, dot, is_proper_rotation, length, minus, over, size};
+use super::vector::{dot, has_area, is_proper_rotation, length, minus, over, size, twice_area};
 
 /// How exactly the rows of a rotation must be orthonormal.
 const ROTATION_TOLERANCE: f64 = 1e-6;
@@ -73,11 +73,8 @@ fn ellipsoid(mut check: Checker<'_>, ellipsoid: &Ellipsoid) {
 }
 
 fn triangle(mut check: Checker<'_>, triangle: &Triangle) {
-    let [a, b, c] = triangle.vertices;
     let are_finite = points(check.at("vertices"), &triangle.vertices);
-    let (first, second) = (minus(b, a), minus(c, a));
-    let is_point = size(first) == 0.0 || size(second) == 0.0;
-    if are_finite && (is_point || are_parallel(first, second)) {
+    if are_finite && !has_area(&triangle.vertices) {
         let message = "must not lie on one line, found a triangle without area";
         check.at("vertices").error(message.to_string());
     }
@@ -109,16 +106,11 @@ fn polygon(mut check: Checker<'_>, polygon: &Polygon) {
 fn flatness(mut check: Checker<'_>, vertices: &[Vec3]) {
     let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
     let corners: Vec<Vec3> = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent)).collect();
-    let mut normal = [0.0; 3];
-    for pair in corners.windows(2) {
-        let twice_area = cross(pair[0], pair[1]);
-        normal = std::array::from_fn(|axis| normal[axis] + twice_area[axis]);
-    }
-    let rounding = 4.0 * f64::EPSILON * vertices.len() as f64;
-    let area = length(normal);
-    if area.is_nan() || area <= rounding {
+    if !has_area(vertices) {
         return check.error("must span an area, found a polygon without".to_string());
     }
+    let normal = twice_area(&corners);
+    let area = length(normal);
     let height = corners.iter().map(|corner| (dot(*corner, normal) / area).abs()).fold(0.0, f64::max);
     if height > FLATNESS {
         check.warning(format!("should lie in one plane, found one {} away from it", number(height * extent)));

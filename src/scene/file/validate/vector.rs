@@ -38,6 +38,28 @@ pub fn are_parallel(a: Vec3, b: Vec3) -> bool {
     sine.is_nan() || sine <= NO_SINE
 }
 
+/// Twice the area vector of a polygon whose first corner is the origin.
+pub fn twice_area(corners: &[Vec3]) -> Vec3 {
+    let mut sum = [0.0; 3];
+    for pair in corners.windows(2) {
+        let part = cross(pair[0], pair[1]);
+        sum = std::array::from_fn(|axis| sum[axis] + part[axis]);
+    }
+    sum
+}
+
+/// Whether a polygon of three or more corners spans an area, rather than a line or a point.
+pub fn has_area(vertices: &[Vec3]) -> bool {
+    if let [a, b, c] = *vertices {
+        let (first, second) = (minus(b, a), minus(c, a));
+        return size(first) > 0.0 && size(second) > 0.0 && !are_parallel(first, second);
+    }
+    let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
+    let corners: Vec<Vec3> = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent)).collect();
+    // As sure as the rounding of so many sums.
+    length(twice_area(&corners)) > 4.0 * f64::EPSILON * vertices.len() as f64
+}
+
 /// Whether the rows are those of a proper rotation: orthonormal, determinant +1, within the tolerance.
 pub fn is_proper_rotation(rows: &[Vec3; 3], tolerance: f64) -> bool {
     let is_near = |value: f64, wanted: f64| (value - wanted).abs() <= tolerance;

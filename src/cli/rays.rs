@@ -1,0 +1,187 @@
+//! `raywalk rays`: ray queries, a line each.
+
+use super::failure::Failure;
+use super::options::{ColorChoice, TracingOptions};
+use super::scene_argument;
+use clap::Args;
+use glam::DVec3;
+use raywalk::geometry::Side;
+use raywalk::scene::Scene;
+use raywalk::trace::query::{Answer, Query};
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+use std::collections::HashMap;
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
+use std::path::PathBuf;
+
+/// Answer ray queries from standard input, a JSON object a line.
+#[derive(Args)]
+pub struct Rays {
+    /// A scene file or a built-in scene
+    scene: PathBuf,
+    /// Ask only whether anything is in the way
+    #[arg(long)]
+    occlusion: bool,
+    #[command(flatten)]
+    tracing: TracingOptions,
+}
+
+/// The longest line that is read, in bytes. A longer one is answered with an error and passed over.
+const LONGEST_LINE: u64 = 64 * 1024;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Question<'a> {
+    #[serde(borrow)]
+    id: Option<&'a RawValue>,
+    o: [f64; 3],
+    d: [f64; 3],
+    #[serde(default)]
+    tmin: f64,
+    tmax: Option<f64>,
+    from: Option<String>,
+    from_primitive: Option<u32>,
+}
+
+/// Only the id, of a line that is otherwise unusable.
+#[derive(Deserialize)]
+struct Identity<'a> {
+    #[serde(borrow)]
+    id: Option<&'a RawValue>,
+}
+
+#[derive(Serialize)]
+struct Reply<'a, T> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<&'a RawValue>,
+    #[serde(flatten)]
+    reply: T,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Outcome<'s> {
+    Hit(Option<HitReply<'s>>),
+    Occluded(bool),
+    Error(String),
+}
+
+#[derive(Serialize)]
+struct HitReply<'s> {
+    object: &'s str,
+    primitive: u32,
+    t: f64,
+    point: [f64; 3],
+    normal: [f64; 3],
+    side: &'static str,
+}
+
+impl Rays {
+    /// Runs the command.
+    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        if self.scene.as_os_str() == "-" {
+            return Err(Failure::caller("rays: the scene can't be standard input, which holds the rays"));
+        }
+        let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import(), colors)?.scene)?;
+        let names: HashMap<&str, u32> = scene.objects.iter().map(|object| object.name.as_str()).zip(0..).collect();
+        let mut input = BufReader::with_capacity(1 << 16, io::stdin().lock());
+        let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+        let mut line = Vec::new();
+        while let Some(kept) = next_line(&mut input, &mut line).map_err(|error| unreadable(&error))? {
+            if line.trim_ascii().is_empty() {
+                continue;
+            }
+            let written = if kept { self.answer(&scene, &names, &line, &mut out) } else { too_long(&mut out) };
+            written.map_err(|error| Failure::stdout(&error))?;
+            // Somebody may wait for each answer: nothing is kept back while nothing more has come in.
+            if input.buffer().is_empty() {
+                out.flush().map_err(|error| Failure::stdout(&error))?;
+            }
+        }
+        out.flush().map_err(|error| Failure::stdout(&error))
+    }
+
+    fn answer(&self, scene: &Scene, names: &HashMap<&str, u32>, line: &[u8], out: &mut impl Write) -> io::Result<()> {
+        let (id, reply) = match serde_json::from_slice::<Question>(line) {
+            Ok(question) => {
+                let outcome = match question.query(scene, names) {
+                    Err(message) => Outcome::Error(message),
+                    Ok(query) if self.occlusion => Outcome::Occluded(query.is_occluded(scene)),
+                    Ok(query) => Outcome::Hit(query.nearest(scene).map(|answer| HitReply::of(scene, &answer))),
+                };
+                (question.id, outcome)
+            }
+            Err(error) => {
+                let id = serde_json::from_slice::<Identity>(line).ok().and_then(|identity| identity.id);
+                (id, Outcome::Error(error.to_string()))
+            }
+        };
+        serde_json::to_writer(&mut *out, &Reply { id, reply })?;
+        out.write_all(b"\n")
+    }
+}
+
+impl Question<'_> {
+    fn query(&self, scene: &Scene, names: &HashMap<&str, u32>) -> Result<Query, String> {
+        let (origin, direction) = (DVec3::from(self.o), DVec3::from(self.d));
+        if direction == DVec3::ZERO {
+            return Err("d: expected a direction that is not zero".to_owned());
+        }
+        let from = match &self.from {
+            None => None,
+            Some(name) => {
+                let object = *names.get(name.as_str()).ok_or_else(|| format!("from: no object is called `{name}`"))?;
+                let is_mesh = scene.objects[object as usize].shape.is_mesh();
+                if is_mesh && self.from_primitive.is_none() {
+                    return Err(format!("from: `{name}` is a mesh, expected `from_primitive` too"));
+                }
+                Some((object, self.from_primitive.unwrap_or(0)))
+            }
+        };
+        Ok(Query { origin, direction, t_min: self.tmin, t_max: self.tmax.unwrap_or(f64::INFINITY), from })
+    }
+}
+
+impl<'s> HitReply<'s> {
+    fn of(scene: &'s Scene, answer: &Answer) -> HitReply<'s> {
+        let object = &scene.objects[answer.object as usize];
+        HitReply {
+            object: &object.name,
+            primitive: if object.shape.is_mesh() { answer.primitive } else { 0 },
+            t: answer.t,
+            point: answer.point.to_array(),
+            normal: answer.normal.to_array(),
+            side: match answer.side {
+                Side::Front => "front",
+                Side::Back => "back",
+            },
+        }
+    }
+}
+
+/// Reads a line without its end; `None` at the end of the input, `false` for a line that was too long to keep.
+fn next_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<Option<bool>> {
+    line.clear();
+    if input.by_ref().take(LONGEST_LINE).read_until(b'\n', line)? == 0 {
+        return Ok(None);
+    }
+    if line.last() == Some(&b'\n') || (line.len() as u64) < LONGEST_LINE {
+        return Ok(Some(true));
+    }
+    // The rest of the line, piece by piece.
+    let mut rest = Vec::new();
+    while input.by_ref().take(LONGEST_LINE).read_until(b'\n', &mut rest)? > 0 && rest.last() != Some(&b'\n') {
+        rest.clear();
+    }
+    Ok(Some(false))
+}
+
+fn too_long(out: &mut impl Write) -> io::Result<()> {
+    let reply = Outcome::Error(format!("the line is longer than {LONGEST_LINE} bytes"));
+    serde_json::to_writer(&mut *out, &reply)?;
+    out.write_all(b"\n")
+}
+
+fn unreadable(error: &io::Error) -> Failure {
+    Failure::machine(format!("standard input: cannot read: {error}"))
+}

@@ -1,0 +1,90 @@
+//! Axis-aligned boxes around shapes.
+
+use super::ray::Ray;
+use glam::DVec3;
+
+/// An axis-aligned box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The corner of the least coordinates.
+    pub min: DVec3,
+    /// The corner of the greatest coordinates.
+    pub max: DVec3,
+}
+
+impl Bounds {
+    /// The box that holds nothing.
+    pub const EMPTY: Bounds = Bounds { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+
+    /// The least box around these points.
+    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Bounds {
+        points.into_iter().fold(Bounds::EMPTY, |bounds, point| bounds.with(point))
+    }
+
+    /// The box and a point.
+    #[must_use]
+    pub fn with(self, point: DVec3) -> Bounds {
+        Bounds { min: self.min.min(point), max: self.max.max(point) }
+    }
+
+    /// The box and another one.
+    #[must_use]
+    pub fn union(self, other: Bounds) -> Bounds {
+        Bounds { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// A slightly larger box, which still holds what rounding moved out: each side goes outward by a few units in the
+    /// last place of its largest coordinate.
+    #[must_use]
+    pub fn widened(self) -> Bounds {
+        let largest = self.min.abs().max(self.max.abs());
+        let margin = largest * (8.0 * f64::EPSILON) + f64::MIN_POSITIVE;
+        Bounds { min: self.min - margin, max: self.max + margin }
+    }
+
+    /// The middle of the box.
+    pub fn center(&self) -> DVec3 {
+        self.min * 0.5 + self.max * 0.5
+    }
+
+    /// Half the area of the box's surface; 0 for the empty one.
+    pub fn half_area(&self) -> f64 {
+        let side = (self.max - self.min).max(DVec3::ZERO);
+        side.x * side.y + side.y * side.z + side.z * side.x
+    }
+
+    /// Whether a point lies in the box.
+    pub fn contains(&self, point: DVec3) -> bool {
+        self.min.cmple(point).all() && point.cmple(self.max).all()
+    }
+
+    /// Where the ray's line enters the box, if it can meet something in it before `t_max`. Errs on the side of meeting.
+    #[inline]
+    pub fn entry(&self, ray: &Slabs, t_max: f64) -> Option<f64> {
+        let to_min = (self.min - ray.origin) * ray.inverse;
+        let to_max = (self.max - ray.origin) * ray.inverse;
+        let near = to_min.min(to_max).max_element().max(ray.t_min);
+        // Two rounding errors a quotient (Ize, Robust BVH ray traversal, 2013).
+        let far = to_min.max(to_max).min_element() * (1.0 + 4.0 * f64::EPSILON);
+        (near <= far && near <= t_max).then_some(near)
+    }
+}
+
+/// A ray, prepared for many boxes.
+#[derive(Clone, Copy, Debug)]
+pub struct Slabs {
+    origin: DVec3,
+    /// 1 over each component of the direction; the greatest number instead of infinity, so that 0 · ∞ doesn't occur.
+    inverse: DVec3,
+    t_min: f64,
+}
+
+impl Slabs {
+    /// Prepares a ray.
+    pub fn new(ray: &Ray) -> Slabs {
+        let bounded = |x: f64| if x.is_finite() { x } else { f64::MAX.copysign(x) };
+        let inverse = DVec3::ONE / ray.direction;
+        let inverse = DVec3::new(bounded(inverse.x), bounded(inverse.y), bounded(inverse.z));
+        Slabs { origin: ray.origin, inverse, t_min: ray.t_min }
+    }
+}

@@ -1,0 +1,177 @@
+//! The cone, or the part of one between two circles: a quadratic equation for its lateral surface, cut off between two
+//! planes.
+//!
+//! Its radius is ρ = r_b + k·z at the height z, so the surface is |p|² = ρ² with p across the axis, and a ray has ρ_o + ρ_d·t.
+//! The discriminant b² − a·c is taken as |o'·ρ_d − d'·ρ_o|² − |o' × d'|² (Lagrange's identity with a minus sign for the axis),
+//! which keeps its digits. b and c would cancel for a far origin, so a ray is reckoned from its point nearest to the base. The
+//! equation knows both halves of the double cone; only the one with ρ ≥ 0 counts.
+
+use super::axis::{APEX_CAP, AxialRay, Axis, BASE_CAP, End, LATERAL, Span};
+use super::roots::{Quadratic, Roots};
+use super::{Approach, Kernel};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::log::{Decision, Miss, Name};
+use crate::probe::Probe;
+use glam::DVec3;
+
+/// A cone or frustum, open or with caps. Its front is the outside, unless it is `inward`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cone {
+    axis: Axis,
+    base_radius: f64,
+    apex_radius: f64,
+    /// What the radius gains per unit along the axis.
+    slope: f64,
+    has_caps: bool,
+    /// The side that faces outward.
+    outer: Side,
+}
+
+impl Cone {
+    /// The cone between two circles, given by their centres, which differ, and radii, not both of which are 0; `inward`
+    /// makes the inside its front.
+    pub fn new(base: (DVec3, f64), apex: (DVec3, f64), caps: bool, inward: bool) -> Cone {
+        let outer = if inward { Side::Back } else { Side::Front };
+        let axis = Axis::new(base.0, apex.0);
+        let slope = (apex.1 - base.1) / axis.length;
+        Cone { axis, base_radius: base.1, apex_radius: apex.1, slope, has_caps: caps, outer }
+    }
+
+    #[inline]
+    fn roots<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Roots> {
+        let from_base = ray.origin - self.axis.base;
+        let t_near = -from_base.dot(ray.direction) / ray.direction.dot(ray.direction);
+        let t_near = probe.note(Name::ConeTNear, t_near);
+        let origin = probe.note(Name::AxisOriginNear, from_base + ray.direction * t_near);
+        let ray = self.axis.see(origin, ray, probe);
+        let origin_radius = probe.note(Name::ConeOriginRadius, self.base_radius + self.slope * ray.origin_along);
+        let ray_radius = probe.note(Name::ConeRayRadius, self.slope * ray.along);
+        let a = probe.note(Name::ConeA, ray.across.dot(ray.across) - ray_radius * ray_radius);
+        let b = probe.note(Name::ConeB, ray.origin_across.dot(ray.across) - origin_radius * ray_radius);
+        let across = ray.origin_across.dot(ray.origin_across);
+        let c = probe.note(Name::ConeC, across - origin_radius * origin_radius);
+        let lean = ray.origin_across * ray_radius - ray.across * origin_radius;
+        let distance = ray.origin_across.cross(ray.across);
+        let discriminant = probe.note(Name::ConeDiscriminant, lean.dot(lean) - distance.dot(distance));
+        let equation = Quadratic { a, b, c, discriminant };
+        let inside = self.inside(equation, origin_radius, ray_radius, probe);
+        let roots = inside.and_then(|lateral| {
+            let ends = self.between_ends(&ray, probe)?;
+            lateral.later_by(t_near).cut(ends.later_by(t_near), self.has_caps, self.outer)
+        });
+        if roots.is_none() {
+            probe.mark(Decision::Miss { why: Miss::Beside });
+        }
+        roots
+    }
+
+    /// The part of the line inside the half of the double cone where the radius isn't negative.
+    #[inline]
+    fn inside<P: Probe>(
+        &self,
+        equation: Quadratic,
+        origin_radius: f64,
+        ray_radius: f64,
+        probe: &mut P,
+    ) -> Option<Span> {
+        let Quadratic { a, b, c, discriminant } = equation;
+        // Only a line that is flatter than the cone can pass beside it: otherwise rounding made the discriminant negative.
+        if a > 0.0 && discriminant < 0.0 {
+            return None;
+        }
+        let line = Span::line(Name::ConeT1);
+        let Some(roots) = equation.roots([Name::ConeT1, Name::ConeT2], probe) else {
+            // Parallel to the axis of equal circles: all of the line is inside, or nothing.
+            return (c <= 0.0).then_some(line);
+        };
+        let Span { start, end } = Span::between(roots);
+        let (span, is_right_half) = match () {
+            _ if a > 0.0 => {
+                let radius = origin_radius + ray_radius * (start.t * 0.5 + end.t * 0.5);
+                (Span { start, end }, radius >= 0.0)
+            }
+            // Parallel to a line of the cone, which it crosses once; the other root is infinite.
+            _ if a == 0.0 && b < 0.0 => (Span { start: finite(start, end), ..line }, ray_radius >= 0.0),
+            _ if a == 0.0 => (Span { end: finite(start, end), ..line }, ray_radius <= 0.0),
+            // The line crosses both halves.
+            _ if ray_radius > 0.0 => (Span { start: end, ..line }, true),
+            _ => (Span { end: start, ..line }, true),
+        };
+        is_right_half.then_some(span)
+    }
+
+    /// The part of the line between the two circles. A circle without radius, a tip, cuts nothing off.
+    #[inline]
+    fn between_ends<P: Probe>(&self, ray: &AxialRay, probe: &mut P) -> Option<Span> {
+        let Span { start, end } = self.axis.between_ends(ray, [Name::ConeTBase, Name::ConeTApex], probe)?;
+        let is_tip = |end: End| match end.primitive {
+            BASE_CAP => self.base_radius == 0.0,
+            APEX_CAP => self.apex_radius == 0.0,
+            _ => false,
+        };
+        let line = Span::line(Name::ConeT1);
+        Some(Span {
+            start: if is_tip(start) { line.start } else { start },
+            end: if is_tip(end) { line.end } else { end },
+        })
+    }
+}
+
+/// The one of two that isn't infinite.
+#[inline]
+fn finite(first: End, second: End) -> End {
+    if first.t.is_finite() { first } else { second }
+}
+
+impl Kernel for Cone {
+    fn give<P: Probe>(&self, probe: &mut P) {
+        self.axis.give(probe);
+        probe.given(Name::ConeBaseRadius, self.base_radius);
+        probe.given(Name::ConeSlope, self.slope);
+    }
+
+    #[inline]
+    fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+        self.roots(ray, probe)?.first(ray, approach, probe)
+    }
+
+    fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
+        if let Some(roots) = self.roots(ray, probe) {
+            roots.all(ray, approach, found, probe);
+        }
+    }
+
+    /// Puts the point back onto the surface, from which rounding took it: along the normal, by its distance.
+    #[inline]
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        let is_outer = crossing.side == self.outer;
+        let at = self.axis.point(ray, crossing.t, probe);
+        if crossing.primitive != LATERAL {
+            return self.axis.cap(&at, crossing, is_outer, probe);
+        }
+        let distance = at.across.length();
+        if distance == 0.0 {
+            return self.axis.tip(ray, crossing, probe);
+        }
+        let offset = probe.note(Name::ConeOffset, distance - (self.base_radius + self.slope * at.along));
+        let gradient = at.across / distance - self.axis.direction * self.slope;
+        let gradient = probe.note(Name::ConeGradient, gradient);
+        let step = gradient * (offset / gradient.dot(gradient));
+        let point = probe.note(Name::HitPointCone, self.axis.base + (at.from_base - step));
+        let normal = if is_outer {
+            probe.note(Name::HitNormalCone, gradient / gradient.length())
+        } else {
+            probe.note(Name::HitNormalConeBack, -gradient / gradient.length())
+        };
+        Surface::plain(point, normal, crossing.side)
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        Some(self.axis.bounds(self.base_radius, self.apex_radius))
+    }
+
+    fn can_be_met_again(&self, sets_off: Side) -> bool {
+        sets_off != self.outer
+    }
+}

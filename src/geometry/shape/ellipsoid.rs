@@ -1,0 +1,149 @@
+//! The ellipsoid: a linear map makes it a sphere, and the ray's distances stay what they are.
+//!
+//! The map is scaled so that the sphere has the largest of the radii: its quantities are as large as those of the scene,
+//! and no direction gets shorter. By Lagrange's identity the discriminant b² − a·c is r²·|d'|² − |o' × d'|² (d' and o' the
+//! mapped direction and origin), where a far origin doesn't cancel; nor do the roots (see [`Quadratic`]).
+
+use super::roots::{Quadratic, Root, Roots};
+use super::{Approach, Kernel};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::log::{Decision, Miss, Name};
+use crate::probe::Probe;
+use glam::DVec3;
+
+/// An ellipsoid. Its front is the outside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ellipsoid {
+    center: DVec3,
+    /// The rows of the map to the sphere, E_1, E_2, E_3.
+    rows: [DVec3; 3],
+    /// The square of the sphere's radius.
+    radius_squared: f64,
+    /// Half the sides of the box around the ellipsoid.
+    extent: DVec3,
+}
+
+impl Ellipsoid {
+    /// The ellipsoid center + rotation·(radii ∘ unit point); the rotation is given by its rows, its absence is none.
+    pub fn new(center: DVec3, radii: DVec3, rotation: Option<[[f64; 3]; 3]>) -> Ellipsoid {
+        let [x, y, z] = rotation.map_or([DVec3::X, DVec3::Y, DVec3::Z], |rows| rows.map(DVec3::from));
+        let columns = [DVec3::new(x.x, y.x, z.x), DVec3::new(x.y, y.y, z.y), DVec3::new(x.z, y.z, z.z)];
+        Ellipsoid::along(center, columns, radii.to_array(), radii.max_element())
+    }
+
+    /// The ellipsoid with these half axes, which may be any three vectors (the columns of a linear map of the unit
+    /// sphere); `None` if they lie in a plane.
+    pub fn with_axes(center: DVec3, axes: [DVec3; 3]) -> Option<Ellipsoid> {
+        let largest = axes.map(DVec3::length).into_iter().fold(0.0, f64::max);
+        let ellipsoid = Ellipsoid::along(center, axes, [1.0; 3], largest);
+        ellipsoid.rows.iter().all(|row| row.is_finite()).then_some(ellipsoid)
+    }
+
+    /// The half axes are the columns times the radii. The columns needn't be quite perpendicular: the map is the inverse of
+    /// the columns as they are.
+    fn along(center: DVec3, columns: [DVec3; 3], radii: [f64; 3], largest: f64) -> Ellipsoid {
+        // A row of the inverse is the cross product of the two other columns over the determinant.
+        let row = |i: usize| {
+            let across = columns[(i + 1) % 3].cross(columns[(i + 2) % 3]);
+            across / columns[i].dot(across) * (largest / radii[i])
+        };
+        let extent_squared: DVec3 = (0..3).map(|i| columns[i] * radii[i]).map(|axis| axis * axis).sum();
+        let extent = DVec3::new(extent_squared.x.sqrt(), extent_squared.y.sqrt(), extent_squared.z.sqrt());
+        Ellipsoid { center, rows: [row(0), row(1), row(2)], radius_squared: largest * largest, extent }
+    }
+
+    /// A vector of the scene in the sphere's space, each component under its own name.
+    #[inline]
+    fn mapped<P: Probe>(&self, vector: DVec3, [x, y, z]: [Name; 3], probe: &mut P) -> DVec3 {
+        let x = probe.note(x, self.rows[0].dot(vector));
+        let y = probe.note(y, self.rows[1].dot(vector));
+        let z = probe.note(z, self.rows[2].dot(vector));
+        DVec3::new(x, y, z)
+    }
+
+    #[inline]
+    fn roots<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Roots> {
+        let from_center = probe.note(Name::EllipsoidOrigin, ray.origin - self.center);
+        let origin = self.mapped(from_center, ORIGIN, probe);
+        let direction = self.mapped(ray.direction, DIRECTION, probe);
+        let a = probe.note(Name::EllipsoidA, direction.dot(direction));
+        let b = probe.note(Name::EllipsoidB, origin.dot(direction));
+        let c = probe.note(Name::EllipsoidC, origin.dot(origin) - self.radius_squared);
+        probe.mark(if c > 0.0 { Decision::Outside } else { Decision::Inside });
+        let across = origin.cross(direction);
+        let discriminant = self.radius_squared * a - across.dot(across);
+        let discriminant = probe.note(Name::EllipsoidDiscriminant, discriminant);
+        // Arithmetic with few digits can round the direction away.
+        let crosses = discriminant >= 0.0 && a > 0.0;
+        let equation = Quadratic { a, b, c, discriminant };
+        let names = [Name::EllipsoidT1, Name::EllipsoidT2];
+        let Some([first, second]) = crosses.then(|| equation.roots(names, probe)).flatten() else {
+            probe.mark(Decision::Miss { why: Miss::Beside });
+            return None;
+        };
+        let root = |(t, name)| Root { t, primitive: 0, is_on_surface: true, name };
+        let (entry, exit) = if first.0 < second.0 { (first, second) } else { (second, first) };
+        Some(Roots { entry: root(entry), exit: root(exit), outer: Side::Front })
+    }
+}
+
+const ORIGIN: [Name; 3] = [Name::EllipsoidOrigin1, Name::EllipsoidOrigin2, Name::EllipsoidOrigin3];
+const DIRECTION: [Name; 3] = [Name::EllipsoidDirection1, Name::EllipsoidDirection2, Name::EllipsoidDirection3];
+const POINT: [Name; 3] = [Name::EllipsoidPoint1, Name::EllipsoidPoint2, Name::EllipsoidPoint3];
+
+impl Kernel for Ellipsoid {
+    fn give<P: Probe>(&self, probe: &mut P) {
+        probe.given(Name::EllipsoidCenter, self.center);
+        probe.given(Name::EllipsoidRow1, self.rows[0]);
+        probe.given(Name::EllipsoidRow2, self.rows[1]);
+        probe.given(Name::EllipsoidRow3, self.rows[2]);
+        probe.given(Name::EllipsoidRadiusSquared, self.radius_squared);
+    }
+
+    #[inline]
+    fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+        self.roots(ray, probe)?.first(ray, approach, probe)
+    }
+
+    fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
+        if let Some(roots) = self.roots(ray, probe) {
+            roots.all(ray, approach, found, probe);
+        }
+    }
+
+    /// Rounding took the point off the surface; one step of Newton's method along the gradient puts it back. (Scaling it
+    /// back from the centre would move a point of a flat ellipsoid far along the surface.)
+    #[inline]
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        let from_center = ray.origin - self.center + ray.direction * crossing.t;
+        let from_center = probe.note(Name::EllipsoidPoint, from_center);
+        let mapped = self.mapped(from_center, POINT, probe);
+        let offset = probe.note(Name::EllipsoidOffset, mapped.dot(mapped) - self.radius_squared);
+        let [row_1, row_2, row_3] = self.rows;
+        let gradient = row_1 * mapped.x + row_2 * mapped.y + row_3 * mapped.z;
+        let gradient = probe.note(Name::EllipsoidGradient, gradient);
+        let steepness_squared = gradient.dot(gradient);
+        if steepness_squared == 0.0 {
+            // Too small for the arithmetic: all that is left of it faces the ray.
+            let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
+            let normal = probe.note(Name::HitNormalFacing, -ray.direction);
+            return Surface::plain(point, normal, crossing.side);
+        }
+        let step = gradient * (offset / (2.0 * steepness_squared));
+        let point = probe.note(Name::HitPointEllipsoid, self.center + (from_center - step));
+        let normal = match crossing.side {
+            Side::Front => probe.note(Name::HitNormalEllipsoid, gradient / gradient.length()),
+            Side::Back => probe.note(Name::HitNormalEllipsoidBack, -gradient / gradient.length()),
+        };
+        Surface::plain(point, normal, crossing.side)
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        Some(Bounds { min: self.center - self.extent, max: self.center + self.extent })
+    }
+
+    fn can_be_met_again(&self, sets_off: Side) -> bool {
+        sets_off == Side::Back
+    }
+}

@@ -1,0 +1,68 @@
+//! What the flat shapes share: the distance to their plane, and the normal toward the ray.
+
+use crate::geometry::ray::{Ray, Side};
+use crate::log::{Decision, Miss, Name};
+use crate::probe::Probe;
+use glam::DVec3;
+
+/// Where a ray meets the plane of a flat shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PlaneHit {
+    /// The distance along the ray.
+    pub t: f64,
+    /// The side from which the ray arrives.
+    pub side: Side,
+}
+
+/// What the quantities of a plane are called on this shape.
+pub(super) struct PlaneNames {
+    /// V_d = N · d
+    pub v_d: Name,
+    /// V_o = N · (Q − O) with a point Q of the plane
+    pub v_o: Name,
+    /// t = V_o/V_d
+    pub t: Name,
+}
+
+/// Meets the plane through `corner` with this normal of any length (Ramos, section 1.3, step 2).
+///
+/// V_o is the normal times one difference, and not the sum N·O + D of the plane's own formula: far from the coordinates'
+/// origin that sum would cancel. A ray whose quotient or point has no end counts as parallel, and so does every ray to a
+/// plane whose products overflow: a log holds finite numbers only.
+#[inline]
+pub(super) fn meet_plane<P: Probe>(
+    ray: &Ray,
+    normal: DVec3,
+    corner: DVec3,
+    names: &PlaneNames,
+    probe: &mut P,
+) -> Option<PlaneHit> {
+    let (v_d, v_o) = (normal.dot(ray.direction), normal.dot(corner - ray.origin));
+    let found = (|| {
+        if !(v_d.is_finite() && v_o.is_finite()) {
+            return None;
+        }
+        let v_d = probe.note(names.v_d, v_d);
+        if v_d == 0.0 {
+            return None;
+        }
+        let v_o = probe.note(names.v_o, v_o);
+        let t = v_o / v_d;
+        let side = if v_d < 0.0 { Side::Front } else { Side::Back };
+        let has_point = (ray.origin + ray.direction * t).is_finite();
+        has_point.then(|| PlaneHit { t: probe.note(names.t, t), side })
+    })();
+    if found.is_none() {
+        probe.mark(Decision::Miss { why: Miss::Parallel });
+    }
+    found
+}
+
+/// The unit normal toward the arriving ray, noted under the name for its side.
+#[inline]
+pub(super) fn toward<P: Probe>(side: Side, unit_normal: DVec3, front: Name, back: Name, probe: &mut P) -> DVec3 {
+    match side {
+        Side::Front => probe.note(front, unit_normal),
+        Side::Back => probe.note(back, -unit_normal),
+    }
+}

@@ -1,0 +1,211 @@
+//! The flat polygon with three or more corners, convex or concave.
+//!
+//! Its plane has the normal that Newell's method gives, the mean over all corners (Tampieri, Graphics Gems III, V.5). In the
+//! projection along the largest component of the normal, the number of edges that a half line from the point crosses says
+//! whether the point lies inside (Shimrat, 1962; Haines, Graphics Gems IV, I.4). An edge holds its lower end and not its
+//! upper one, and a point on it counts as left of it: no corner is counted twice, and of two polygons in a plane that
+//! share an edge exactly one holds a point of it.
+
+use super::fan::Fan;
+use super::flat::{PlaneNames, meet_plane, toward};
+use super::{Approach, Kernel, decide};
+use crate::geometry::area_normal::{area_normal, unit};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::ray::{Crossing, Ray, Surface};
+use crate::log::{Decision, Miss, Name};
+use crate::probe::Probe;
+use glam::{DVec2, DVec3};
+
+/// A flat polygon. Its front is the side from which its corners run counter-clockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polygon {
+    /// The first corner, a point of the plane.
+    corner: DVec3,
+    /// Of twice the polygon's area.
+    normal: DVec3,
+    unit_normal: DVec3,
+    projection: Projection,
+    /// The corners in the projection.
+    outline: Vec<DVec2>,
+    bounds: Bounds,
+    /// Triangles with the normals at their corners, if shading is smooth.
+    fan: Option<Fan>,
+}
+
+/// The plane of two axes, so turned that a polygon runs counter-clockwise in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Projection {
+    across: usize,
+    up: usize,
+}
+
+const PLANE: PlaneNames = PlaneNames { v_d: Name::PolygonVd, v_o: Name::PolygonVo, t: Name::PolygonT };
+
+impl Polygon {
+    /// The polygon with these corners, three or more; with a normal for each its shading is smooth.
+    pub fn new(vertices: &[[f64; 3]], normals: Option<&[[f64; 3]]>) -> Polygon {
+        let corners: Vec<DVec3> = vertices.iter().copied().map(DVec3::from).collect();
+        let corner = corners.first().copied().unwrap_or_default();
+        let normal = newell_normal(&corners);
+        let projection = Projection::along(normal);
+        let outline: Vec<DVec2> = corners.iter().map(|corner| projection.of(*corner)).collect();
+        Polygon {
+            corner,
+            normal,
+            unit_normal: unit(normal),
+            projection,
+            bounds: Bounds::around(corners.iter().copied()),
+            fan: normals.map(|normals| Fan::new(&corners, normals, &outline)),
+            outline,
+        }
+    }
+
+    /// Whether a point of the plane lies inside: by the number of edges that a half line crosses which goes from the point in
+    /// the direction of the projection's first axis.
+    fn holds<P: Probe>(&self, point: DVec3, probe: &mut P) -> bool {
+        if !point.is_finite() {
+            return false;
+        }
+        let point = self.projection.of(probe.note(Name::PolygonPoint, point));
+        let edges = self.outline.iter().zip(self.outline.iter().cycle().skip(1));
+        let crossings = edges.filter(|(from, to)| crosses(**from - point, **to - point)).count();
+        // A count is exact in any arithmetic.
+        probe.note(Name::PolygonCrossings, crossings as f64);
+        crossings % 2 == 1
+    }
+}
+
+impl Kernel for Polygon {
+    fn give<P: Probe>(&self, probe: &mut P) {
+        probe.given(Name::PolygonCorner, self.corner);
+        probe.given(Name::PolygonNormal, self.normal);
+        probe.given(Name::PolygonUnitNormal, self.unit_normal);
+    }
+
+    #[inline]
+    fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+        let plane = meet_plane(ray, self.normal, self.corner, &PLANE, probe)?;
+        let candidate = Crossing { t: plane.t, side: plane.side, primitive: 0 };
+        let is_candidate = ray.reaches(plane.t) && approach.shows(plane.side);
+        if is_candidate && !self.holds(ray.origin + ray.direction * plane.t, probe) {
+            probe.mark(Decision::Miss { why: Miss::Beside });
+            return None;
+        }
+        decide(ray, approach, candidate, probe)
+    }
+
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
+        let side = crossing.side;
+        let Some((facet, normals)) = self.fan.as_ref().and_then(|fan| fan.triangle_at(point)) else {
+            let normal = toward(side, self.unit_normal, Name::HitNormalPolygon, Name::HitNormalPolygonBack, probe);
+            return Surface::plain(point, normal, side);
+        };
+        let (front, back) = (Name::HitGeometricNormalPolygon, Name::HitGeometricNormalPolygonBack);
+        let geometric_normal = toward(side, self.unit_normal, front, back, probe);
+        let normal = facet.shading_normal(normals, point, geometric_normal, probe);
+        Surface { point, normal, geometric_normal, side }
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        Some(self.bounds)
+    }
+}
+
+/// Twice the area as a vector: the sum over the triangles that a first corner makes with the edges, which is Newell's sum with
+/// that corner as origin, so that it doesn't cancel far from the coordinates' origin.
+fn newell_normal(corners: &[DVec3]) -> DVec3 {
+    let Some((first, others)) = corners.split_first() else { return DVec3::ZERO };
+    let normal: DVec3 = others.windows(2).map(|edge| area_normal(*first, edge[0], edge[1])).sum();
+    if normal.is_finite() { normal } else { DVec3::ZERO }
+}
+
+/// Whether an edge, its ends seen from a point, crosses the half line to the right of the point.
+///
+/// The value compared with zero is twice the area of the triangle of the point and the edge; the same edge run the other
+/// way gives exactly its negative.
+fn crosses(from: DVec2, to: DVec2) -> bool {
+    let area = from.x * to.y - to.x * from.y;
+    match (from.y > 0.0, to.y > 0.0) {
+        (false, true) => area > 0.0,
+        (true, false) => area < 0.0,
+        _ => false,
+    }
+}
+
+impl Projection {
+    /// The projection along the largest component of a normal.
+    fn along(normal: DVec3) -> Projection {
+        let size = normal.abs();
+        let axis = if size.x >= size.y && size.x >= size.z {
+            0
+        } else if size.y >= size.z {
+            1
+        } else {
+            2
+        };
+        let (next, after_next) = ((axis + 1) % 3, (axis + 2) % 3);
+        let points_along_axis = normal[axis] >= 0.0;
+        let (across, up) = if points_along_axis { (next, after_next) } else { (after_next, next) };
+        Projection { across, up }
+    }
+
+    fn of(self, point: DVec3) -> DVec2 {
+        DVec2::new(point[self.across], point[self.up])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::ray::Side;
+    use crate::probe::Silent;
+
+    const ARROW: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 4.0, 0.0]];
+
+    fn holds(polygon: &Polygon, x: f64, y: f64) -> bool {
+        let ray = Ray::new(DVec3::new(x, y, 1.0), DVec3::NEG_Z);
+        let found = polygon.first_crossing(&ray, Approach { leaving: None, one_sided: false }, &mut Silent);
+        assert!(found.is_none_or(|crossing| (crossing.t, crossing.side) == (1.0, Side::Front)));
+        found.is_some()
+    }
+
+    #[test]
+    fn a_notch_is_outside() {
+        let arrow = Polygon::new(&ARROW, None);
+        assert_eq!(arrow.normal, DVec3::Z * 8.0);
+        assert!(holds(&arrow, 0.5, 0.5) && holds(&arrow, 3.0, 0.25) && holds(&arrow, 0.25, 3.0));
+        assert!(!holds(&arrow, 1.5, 1.5) && !holds(&arrow, 2.0, 1.0) && !holds(&arrow, -0.1, 1.0));
+    }
+
+    #[test]
+    fn a_line_through_corners_counts_each_once() {
+        let diamond = Polygon::new(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]], None);
+        assert!(holds(&diamond, 0.0, 0.0) && !holds(&diamond, -2.0, 0.0) && !holds(&diamond, 2.0, 0.0));
+        assert!(!holds(&diamond, -0.5, 1.0) && !holds(&diamond, -0.5, -1.0));
+    }
+
+    #[test]
+    fn of_two_neighbours_one_holds_each_point_of_the_edge() {
+        let (low, high) = ([0.0, 0.0, 0.0], [1.0, 3.0, 0.0]);
+        let right = Polygon::new(&[low, [4.0, 0.0, 0.0], high], None);
+        let left = Polygon::new(&[high, [-2.0, 1.0, 0.0], low], None);
+        for k in 0..=64 {
+            let part = f64::from(k) / 64.0;
+            let count = [&left, &right].iter().filter(|polygon| holds(polygon, part, 3.0 * part)).count();
+            assert!(count == 1 || (count == 0 && (k == 0 || k == 64)), "{count} hold the point {k}");
+        }
+    }
+
+    #[test]
+    fn the_front_is_where_the_corners_run_counter_clockwise() {
+        for axis in 0..3 {
+            let turned = |corner: [f64; 3]| [corner[axis], corner[(axis + 1) % 3], corner[(axis + 2) % 3]];
+            let polygon = Polygon::new(&ARROW.map(turned), None);
+            assert_eq!(polygon.unit_normal, DVec3::from(turned([0.0, 0.0, 1.0])));
+            let mut backwards = ARROW.map(turned);
+            backwards.reverse();
+            assert_eq!(Polygon::new(&backwards, None).unit_normal, -polygon.unit_normal);
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! What the shapes with two crossings share: the roots of their quadratic equation, and which of two roots counts.
+
+use super::Approach;
+use crate::geometry::ray::{Crossing, Ray, Side};
+use crate::log::{Decision, Miss, Name};
+use crate::probe::Probe;
+
+/// One of the two points where the line of a ray crosses a convex surface (or the surface that an open one is cut from).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Root {
+    /// The distance along the ray; infinite where the line doesn't come out of the surface.
+    pub t: f64,
+    /// Which part of the surface.
+    pub primitive: u32,
+    /// Whether the point lies on the surface; past the end of an open cylinder it doesn't.
+    pub is_on_surface: bool,
+    /// What the distance is called in the log when it is chosen.
+    pub name: Name,
+}
+
+/// Both roots, the entry first. `outer` is the side of the surface that faces outward: the front unless it is `inward`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Roots {
+    /// Where the line enters.
+    pub entry: Root,
+    /// Where it leaves.
+    pub exit: Root,
+    /// The side on which the line arrives at the entry.
+    pub outer: Side,
+}
+
+impl Roots {
+    /// The first root that counts for this ray; notes it and marks the decision.
+    #[inline]
+    pub fn first<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+        let counts = |(crossing, _): &(Crossing, Name)| ray.reaches(crossing.t);
+        let Some((crossing, name)) = self.candidates(approach).into_iter().flatten().find(counts) else {
+            self.mark_miss(ray, approach, probe);
+            return None;
+        };
+        let t = probe.note(name, crossing.t);
+        probe.mark(Decision::Hit);
+        Some(Crossing { t, ..crossing })
+    }
+
+    /// All roots that count for this ray; marks the decision.
+    pub fn all<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
+        let before = found.len();
+        let candidates = self.candidates(approach).into_iter().flatten().map(|(crossing, _)| crossing);
+        found.extend(candidates.filter(|crossing| ray.reaches(crossing.t)));
+        if found.len() > before {
+            probe.mark(Decision::Hit);
+        } else {
+            self.mark_miss(ray, approach, probe);
+        }
+    }
+
+    /// The roots that lie on the surface and show themselves. A ray that leaves the surface has already been at the root
+    /// nearest to its origin.
+    #[inline]
+    fn candidates(&self, approach: Approach) -> [Option<(Crossing, Name)>; 2] {
+        let is_entry_left = self.entry.t.abs() <= self.exit.t.abs();
+        let candidate = |root: &Root, side: Side, is_left: bool| {
+            let counts = root.is_on_surface && approach.shows(side) && !(approach.leaving.is_some() && is_left);
+            counts.then_some((Crossing { t: root.t, side, primitive: root.primitive }, root.name))
+        };
+        [
+            candidate(&self.entry, self.outer, is_entry_left),
+            candidate(&self.exit, self.outer.opposite(), !is_entry_left),
+        ]
+    }
+
+    fn mark_miss<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) {
+        let why = match () {
+            _ if !self.entry.is_on_surface && !self.exit.is_on_surface => Miss::Beside,
+            _ if self.exit.t <= ray.t_min => Miss::Behind,
+            _ if self.entry.t >= ray.t_max => Miss::Beyond,
+            _ if approach.one_sided => Miss::FacesAway,
+            _ => Miss::Beside,
+        };
+        probe.mark(Decision::Miss { why });
+    }
+}
+
+/// The equation a·t² + 2·b·t + c = 0, with its discriminant b² − a·c by a formula that keeps its digits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Quadratic {
+    pub a: f64,
+    pub b: f64,
+    pub c: f64,
+    pub discriminant: f64,
+}
+
+impl Quadratic {
+    /// The two roots, in no order, each with its name in the log: q/a, which is infinite if a = 0, and c/q. q is the sum of
+    /// b and the discriminant's root with the sign that doesn't cancel (Press et al., Numerical Recipes, section 5.6). If
+    /// q = 0, so are both roots, the first of them said twice. `None` if a = 0 too, where c alone tells.
+    ///
+    /// A negative discriminant counts as 0: whether it means that there are no roots is for the caller to say.
+    #[inline]
+    pub fn roots<P: Probe>(&self, [first, second]: [Name; 2], probe: &mut P) -> Option<[(f64, Name); 2]> {
+        let root = if self.discriminant > 0.0 { self.discriminant.sqrt() } else { 0.0 };
+        let q = if self.b > 0.0 {
+            probe.note(Name::QuadraticQAway, -self.b - root)
+        } else {
+            probe.note(Name::QuadraticQToward, -self.b + root)
+        };
+        if q == 0.0 && self.a == 0.0 {
+            return None;
+        }
+        let t_1 = noted(Name::QuadraticT1, q / self.a, probe);
+        let other = if q == 0.0 { (t_1, first) } else { (noted(Name::QuadraticT2, self.c / q, probe), second) };
+        Some([(t_1, first), other])
+    }
+}
+
+/// Notes a distance, unless it is infinite: a log holds numbers only.
+#[inline]
+pub(super) fn noted<P: Probe>(name: Name, t: f64, probe: &mut P) -> f64 {
+    if t.is_finite() { probe.note(name, t) } else { t }
+}

@@ -1,0 +1,254 @@
+//! The triangle, alone or as a facet of a mesh.
+//!
+//! Three edge functions say whether the ray passes inside: each is the triple product of the ray's direction with two corners
+//! as seen from its origin (Plücker's side operator; Shoemake, Ray Tracing News 11, 1998). An edge that two triangles
+//! share gives exactly opposite values in both, whichever way round each of them has it: exchanging the two factors
+//! negates a cross product and its dot product bit by bit, for rounding to nearest is the same above and below zero. A
+//! value of zero counts as inside. So no ray slips between two triangles.
+//!
+//! The distance isn't made from the edge functions, although their weighted mean of the corners would give one: at the distance
+//! D of a triangle of size s they err by D²/s² roundings. V_o/V_d with the triangle's own normal errs by a few, if
+//! the normal has all its digits, which [`area_normal`] sees to.
+
+use super::flat::{PlaneNames, meet_plane, toward};
+use super::{Approach, Kernel, decide};
+use crate::geometry::area_normal::{area_normal, unit};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::ray::{Crossing, Ray, Surface};
+use crate::log::{Decision, Miss, Name};
+use crate::probe::Probe;
+use glam::DVec3;
+
+/// A triangle. Its front is the side from which its corners run counter-clockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangle {
+    facet: Facet,
+    /// Normals at the corners, of any length.
+    normals: Option<[DVec3; 3]>,
+}
+
+/// The kernel of a triangle: its three corners. It is cheap to make from them when it is wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::geometry) struct Facet {
+    /// The first corner.
+    pub a: DVec3,
+    /// The second one.
+    pub b: DVec3,
+    /// The third one.
+    pub c: DVec3,
+}
+
+const PLANE: PlaneNames = PlaneNames { v_d: Name::TriangleVd, v_o: Name::TriangleVo, t: Name::TriangleT };
+
+impl Triangle {
+    /// The triangle with these corners; with normals there its shading is smooth.
+    pub fn new(vertices: [[f64; 3]; 3], normals: Option<[[f64; 3]; 3]>) -> Triangle {
+        let [a, b, c] = vertices.map(DVec3::from);
+        Triangle { facet: Facet { a, b, c }, normals: normals.map(|normals| normals.map(DVec3::from)) }
+    }
+}
+
+impl Kernel for Triangle {
+    fn give<P: Probe>(&self, probe: &mut P) {
+        self.facet.give(probe);
+    }
+
+    #[inline]
+    fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+        self.facet.crossing(ray, approach, 0, probe)
+    }
+
+    #[inline]
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        self.facet.surface(self.normals.as_ref(), ray, crossing, probe)
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        Some(self.facet.bounds())
+    }
+}
+
+impl Facet {
+    /// The corners, for the log.
+    #[inline]
+    pub fn give<P: Probe>(&self, probe: &mut P) {
+        probe.given(Name::TriangleA, self.a);
+        probe.given(Name::TriangleB, self.b);
+        probe.given(Name::TriangleC, self.c);
+    }
+
+    /// Where the ray crosses the triangle, which has this number in its mesh; marks the decision.
+    #[inline]
+    pub fn crossing<P: Probe>(&self, ray: &Ray, approach: Approach, number: u32, probe: &mut P) -> Option<Crossing> {
+        if !self.edges(ray, probe).is_some_and(is_inside) {
+            probe.mark(Decision::Miss { why: Miss::Beside });
+            return None;
+        }
+        let normal = self.normal();
+        probe.given(Name::TriangleNormal, normal);
+        let plane = meet_plane(ray, normal, self.a, &PLANE, probe)?;
+        decide(ray, approach, Crossing { t: plane.t, side: plane.side, primitive: number }, probe)
+    }
+
+    /// The surface at a crossing. Where there are normals at the corners, light is reckoned with their mean.
+    pub fn surface<P: Probe>(
+        &self,
+        normals: Option<&[DVec3; 3]>,
+        ray: &Ray,
+        crossing: Crossing,
+        probe: &mut P,
+    ) -> Surface {
+        let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
+        let side = crossing.side;
+        let unit_normal = unit(self.normal());
+        probe.given(Name::TriangleUnitNormal, unit_normal);
+        let Some(normals) = normals else {
+            let normal = toward(side, unit_normal, Name::HitNormalTriangle, Name::HitNormalTriangleBack, probe);
+            return Surface::plain(point, normal, side);
+        };
+        let (front, back) = (Name::HitGeometricNormalTriangle, Name::HitGeometricNormalTriangleBack);
+        let geometric_normal = toward(side, unit_normal, front, back, probe);
+        let normal = self.shading_normal(normals, point, geometric_normal, probe);
+        Surface { point, normal, geometric_normal, side }
+    }
+
+    /// The mean of the corners' normals at a point of the triangle, of unit length and on the side of `geometric_normal`,
+    /// which is that normal itself where the mean has no direction.
+    pub fn shading_normal<P: Probe>(
+        &self,
+        normals: &[DVec3; 3],
+        point: DVec3,
+        geometric_normal: DVec3,
+        probe: &mut P,
+    ) -> DVec3 {
+        let normal = self.normal();
+        let [w_a, w_b, _] = self.weights(normal, point);
+        let [n_a, n_b, n_c] = *normals;
+        self.give(probe);
+        for (name, value) in [
+            (Name::TriangleNormal, normal),
+            (Name::TriangleUnitNormal, unit(normal)),
+            (Name::TriangleNormalA, n_a),
+            (Name::TriangleNormalB, n_b),
+            (Name::TriangleNormalC, n_c),
+        ] {
+            probe.given(name, value);
+        }
+        if !(w_a.is_finite() && w_b.is_finite()) {
+            return probe.note(Name::HitNormalFlat, geometric_normal);
+        }
+        let w_a = probe.note(Name::TriangleWeightA, w_a);
+        let w_b = probe.note(Name::TriangleWeightB, w_b);
+        let w_c = probe.note(Name::TriangleWeightC, 1.0 - w_a - w_b);
+        let mean = n_a * w_a + n_b * w_b + n_c * w_c;
+        if !mean.is_finite() {
+            return probe.note(Name::HitNormalFlat, geometric_normal);
+        }
+        let mean = probe.note(Name::TriangleMeanNormal, mean);
+        let length = mean.dot(mean).sqrt();
+        match () {
+            _ if length == 0.0 || !length.is_finite() => probe.note(Name::HitNormalFlat, geometric_normal),
+            _ if mean.dot(geometric_normal) < 0.0 => probe.note(Name::HitNormalMeanTurned, -mean / length),
+            _ => probe.note(Name::HitNormalMean, mean / length),
+        }
+    }
+
+    /// The barycentric coordinates of a point of the triangle's plane: each is the area of the triangle over against a corner,
+    /// as a part of the whole. They aren't finite where there is no area.
+    ///
+    /// They are taken from the point, which is nearer to the corners than the ray's origin is.
+    pub fn weights(&self, normal: DVec3, point: DVec3) -> [f64; 3] {
+        let unit_normal = unit(normal);
+        let whole = unit_normal.dot(normal);
+        let [to_a, to_b, to_c] = [self.a - point, self.b - point, self.c - point];
+        let w_a = unit_normal.dot(to_b.cross(to_c)) / whole;
+        let w_b = unit_normal.dot(to_c.cross(to_a)) / whole;
+        [w_a, w_b, 1.0 - w_a - w_b]
+    }
+
+    /// N_t = (B − A) × (C − A), with all its digits; zero for a triangle without area, which no ray meets.
+    pub fn normal(&self) -> DVec3 {
+        area_normal(self.a, self.b, self.c)
+    }
+
+    /// The least box around the triangle.
+    pub fn bounds(&self) -> Bounds {
+        Bounds::around([self.a, self.b, self.c])
+    }
+
+    /// The edge functions, named after the corner over against the edge; `None` where their products overflow. Their sum is
+    /// −N_t · d.
+    #[inline]
+    fn edges<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<[f64; 3]> {
+        let [to_a, to_b, to_c] = [self.a, self.b, self.c].map(|corner| corner - ray.origin);
+        let edge_a = ray.direction.dot(to_c.cross(to_b));
+        let edge_b = ray.direction.dot(to_a.cross(to_c));
+        let edge_c = ray.direction.dot(to_b.cross(to_a));
+        (edge_a.is_finite() && edge_b.is_finite() && edge_c.is_finite()).then(|| {
+            [
+                probe.note(Name::TriangleEdgeA, edge_a),
+                probe.note(Name::TriangleEdgeB, edge_b),
+                probe.note(Name::TriangleEdgeC, edge_c),
+            ]
+        })
+    }
+}
+
+/// Whether the ray's line passes inside all three edges: the one place where their signs decide. It will be told exact signs
+/// of those values that rounding leaves in doubt; till then a line within rounding of a corner may pass a whole fan of
+/// triangles, and one within rounding of an edge may count as inside.
+#[inline]
+fn is_inside(edges: [f64; 3]) -> bool {
+    let all_front = edges.iter().all(|edge| *edge >= 0.0);
+    let all_back = edges.iter().all(|edge| *edge <= 0.0);
+    // Both: the line lies in the triangle's plane.
+    all_front != all_back
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::ray::Side;
+    use crate::probe::Silent;
+
+    const APPROACH: Approach = Approach { leaving: None, one_sided: false };
+
+    fn facet() -> Facet {
+        Facet { a: DVec3::ZERO, b: DVec3::X, c: DVec3::Y }
+    }
+
+    #[test]
+    fn the_answer_is_exact_in_front_and_behind() {
+        let down = Ray::new(DVec3::new(0.25, 0.25, 2.0), DVec3::NEG_Z);
+        let found = facet().crossing(&down, APPROACH, 7, &mut Silent);
+        assert_eq!(found, Some(Crossing { t: 2.0, side: Side::Front, primitive: 7 }));
+        let up = Ray::new(DVec3::new(0.25, 0.25, -2.0), DVec3::Z);
+        let found = facet().crossing(&up, APPROACH, 7, &mut Silent);
+        assert_eq!(found, Some(Crossing { t: 2.0, side: Side::Back, primitive: 7 }));
+        assert_eq!(facet().crossing(&up, Approach { one_sided: true, ..APPROACH }, 7, &mut Silent), None);
+    }
+
+    #[test]
+    fn a_line_in_the_plane_misses() {
+        let along = Ray::new(DVec3::new(-1.0, 0.25, 0.0), DVec3::X);
+        assert_eq!(facet().crossing(&along, APPROACH, 0, &mut Silent), None);
+    }
+
+    #[test]
+    fn exchanged_corners_negate_an_edge_exactly() {
+        let origin = DVec3::new(0.3, -0.7, 11.1);
+        let ray = Ray::new(origin, DVec3::new(0.1, 0.2, -0.9));
+        let one = Facet { a: DVec3::new(0.1, 0.2, 0.3), b: DVec3::new(1.7, 0.3, -0.2), c: DVec3::new(0.2, 1.9, 0.7) };
+        let other = Facet { a: one.b, b: one.a, c: DVec3::new(3.3, 2.2, 1.1) };
+        let edge = |facet: Facet| facet.edges(&ray, &mut Silent).map(|[_, _, edge_c]| edge_c);
+        assert_eq!(edge(one), edge(other).map(|edge| -edge));
+    }
+
+    #[test]
+    fn weights_of_the_corners_are_one_and_zero() {
+        let facet = Facet { a: DVec3::ZERO, b: DVec3::X * 4.0, c: DVec3::Y * 2.0 };
+        assert_eq!(facet.weights(facet.normal(), facet.a), [1.0, 0.0, 0.0]);
+        assert_eq!(facet.weights(facet.normal(), facet.b), [0.0, 1.0, 0.0]);
+        assert_eq!(facet.weights(facet.normal(), facet.c), [0.0, 0.0, 1.0]);
+    }
+}

@@ -1,0 +1,140 @@
+//! Pixels from corners that they share: each corner of the grid is traced once.
+
+use super::{Settings, TILE, color_of, tiles};
+use crate::record::Corner;
+use crate::render::{Counter, Film};
+use crate::sampling::shared::{add_cells, mean};
+use crate::scene::{Color, Scene};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// About how many corners are held at a time.
+const CORNERS_AT_A_TIME: usize = 1 << 17;
+
+/// The picture; `None` when the work is to stop.
+///
+/// Corners are traced strip by strip, so that memory doesn't grow with the picture's height, and pixels add them in the
+/// order of [`pixel`](crate::sampling::shared::pixel).
+pub(super) fn by_corners(
+    scene: &Scene,
+    settings: &Settings,
+    n: u32,
+    progress: &(impl Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Option<(Film, Counter)> {
+    let [left, top, right, bottom] = settings.crop;
+    // The grid's columns and rows that bound the crop, both ends included.
+    let (first, last) = ([left * n, top * n], [right * n, bottom * n]);
+    let across = (last[0] - first[0]) as usize + 1;
+    let strip_height = (CORNERS_AT_A_TIME / across).max(1) as u32;
+    let grid = Grid { scene, settings, n, first };
+    let mut pixels = Pixels::new(settings.crop, n);
+    let mut counter = Counter::default();
+    let mut upper: Vec<Color> = Vec::new();
+    let mut row = first[1];
+    while row <= last[1] {
+        let end = (row + strip_height).min(last[1] + 1);
+        let strip = [first[0], row, last[0] + 1, end];
+        let corners = grid.trace(strip, &mut counter, progress, stop)?;
+        for (row, lower) in (row..).zip(corners.chunks(across)) {
+            if row > first[1] {
+                pixels.add(row, &upper, lower);
+            }
+            upper.clear();
+            upper.extend_from_slice(lower);
+        }
+        row = end;
+    }
+    Some((pixels.film, counter))
+}
+
+/// The grid of corners.
+struct Grid<'s> {
+    scene: &'s Scene,
+    settings: &'s Settings,
+    n: u32,
+    /// The crop's top left corner.
+    first: [u32; 2],
+}
+
+impl Grid<'_> {
+    /// The corners of a strip, row by row, in the picture's grid: left, top, right and bottom, the last two exclusive.
+    fn trace(
+        &self,
+        strip: [u32; 4],
+        counter: &mut Counter,
+        progress: &(impl Fn(u64) + Sync),
+        stop: &AtomicBool,
+    ) -> Option<Vec<Color>> {
+        let tiles = tiles(strip);
+        let of_tile = |tile: &[u32; 4]| self.tile(*tile, progress, stop);
+        let traced = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
+        let mut film = Film::new(strip);
+        for (tile, (colors, counted)) in tiles.iter().zip(traced) {
+            film.put(*tile, &colors);
+            counter.add(&counted);
+        }
+        Some(film.into_pixels())
+    }
+
+    fn tile(
+        &self,
+        tile @ [left, top, right, bottom]: [u32; 4],
+        progress: &impl Fn(u64),
+        stop: &AtomicBool,
+    ) -> Option<(Vec<Color>, Counter)> {
+        let mut counter = Counter::default();
+        let mut colors = Vec::with_capacity((TILE * TILE) as usize);
+        for row in top..bottom {
+            for column in left..right {
+                if stop.load(Ordering::Relaxed) {
+                    return None;
+                }
+                let corner = Corner { scene: self.scene, n: self.n, corner: [column, row] };
+                colors.push(color_of(self.settings, corner, &mut counter));
+            }
+        }
+        progress(self.pixels_completed_by(tile));
+        Some((colors, counter))
+    }
+
+    /// How many pixels have their bottom right corner in a tile; over all tiles that is every pixel once.
+    fn pixels_completed_by(&self, [left, top, right, bottom]: [u32; 4]) -> u64 {
+        let multiples = |from: u32, to: u32, first: u32| {
+            let up_to = |end: u32| u64::from(end.saturating_sub(first + 1) / self.n);
+            up_to(to) - up_to(from)
+        };
+        multiples(left, right, self.first[0]) * multiples(top, bottom, self.first[1])
+    }
+}
+
+/// The pixels, as their cells are added up.
+struct Pixels {
+    film: Film,
+    crop: [u32; 4],
+    n: u32,
+    /// The sums of the pixel row that is being added up.
+    sums: Vec<Color>,
+}
+
+impl Pixels {
+    fn new(crop: [u32; 4], n: u32) -> Pixels {
+        let film = Film::new(crop);
+        Pixels { sums: vec![Color::ZERO; film.width() as usize], film, crop, n }
+    }
+
+    /// Adds the row of cells between two rows of corners, `row` being the lower one's number in the picture's grid.
+    fn add(&mut self, row: u32, upper: &[Color], lower: &[Color]) {
+        let n = self.n as usize;
+        for (column, sum) in self.sums.iter_mut().enumerate() {
+            let corners = column * n..=column * n + n;
+            add_cells(sum, &upper[corners.clone()], &lower[corners]);
+        }
+        if row.is_multiple_of(self.n) {
+            let [left, _, right, _] = self.crop;
+            let bottom = row / self.n;
+            let finished: Vec<_> = self.sums.iter_mut().map(|sum| mean(std::mem::take(sum), self.n)).collect();
+            self.film.put([left, bottom - 1, right, bottom], &finished);
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! The tokens of an NFF text.
+
+use std::ops::Range;
+
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// A word or number and where it stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Token<'t> {
+    /// Its bytes, at least one.
+    pub text: &'t [u8],
+    /// The offset of the first.
+    pub start: usize,
+}
+
+impl Token<'_> {
+    /// Its bytes in the text.
+    pub fn span(&self) -> Range<usize> {
+        self.start..self.start + self.text.len()
+    }
+
+    /// The finite number that it is.
+    pub fn number(&self) -> Option<f64> {
+        // Rust also reads `inf` and `nan`, which are not finite, and numbers too large for it as infinite.
+        std::str::from_utf8(self.text).ok()?.parse().ok().filter(|number: &f64| number.is_finite())
+    }
+}
+
+/// The tokens of a text in order, without comments.
+#[derive(Debug, Clone)]
+pub struct Tokens<'t> {
+    text: &'t [u8],
+    at: usize,
+}
+
+impl<'t> Tokens<'t> {
+    /// The tokens of this text.
+    pub fn new(text: &'t [u8]) -> Self {
+        Self { text, at: if text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 } }
+    }
+
+    /// The next token, which stays the next.
+    pub fn peek(&self) -> Option<Token<'t>> {
+        self.clone().next()
+    }
+
+    /// Just behind the latest token.
+    pub fn end(&self) -> usize {
+        self.at
+    }
+
+    /// Whether the next token stands on the line of the latest one.
+    pub fn goes_on_in_line(&self) -> bool {
+        let rest = &self.text[self.at..];
+        let gap = rest.iter().take_while(|byte| is_space(**byte));
+        gap.clone().all(|byte| !ends_line(*byte)) && rest.get(gap.count()).is_some_and(|byte| *byte != b'#')
+    }
+}
+
+impl<'t> Iterator for Tokens<'t> {
+    type Item = Token<'t>;
+
+    fn next(&mut self) -> Option<Token<'t>> {
+        let mut start = self.at;
+        loop {
+            let rest = &self.text[start..];
+            start += rest.iter().position(|byte| !is_space(*byte))?;
+            if self.text[start] != b'#' {
+                break;
+            }
+            start += self.text[start..].iter().position(|byte| ends_line(*byte))?;
+        }
+        let rest = &self.text[start..];
+        let length = rest.iter().position(|byte| is_space(*byte) || *byte == b'#').unwrap_or(rest.len());
+        self.at = start + length;
+        Some(Token { text: &rest[..length], start })
+    }
+}
+
+fn is_space(byte: u8) -> bool {
+    byte.is_ascii_whitespace() || byte == b'\x0b'
+}
+
+fn ends_line(byte: u8) -> bool {
+    byte == b'\n' || byte == b'\r'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn splits(text: &str, expected: &[&str]) {
+        let found: Vec<_> = Tokens::new(text.as_bytes()).map(|token| String::from_utf8_lossy(token.text)).collect();
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn any_white_space_separates() {
+        splits(" s\t1\r\n2\x0b3\x0c4\r5", &["s", "1", "2", "3", "4", "5"]);
+    }
+
+    #[test]
+    fn comments_end_with_the_line() {
+        splits("# one\ns 1# two s 3\r\n2 #three", &["s", "1", "2"]);
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_no_token() {
+        splits("\u{feff}b 1", &["b", "1"]);
+    }
+
+    #[test]
+    fn nothing_has_no_tokens() {
+        splits(" \n# nothing", &[]);
+    }
+
+    #[test]
+    fn numbers_as_c_prints_them() {
+        let number = |text: &str| Token { text: text.as_bytes(), start: 0 }.number();
+        for (text, expected) in [("-2.5e-17", -2.5e-17), (".8", 0.8), ("3.", 3.0), ("+1E+2", 100.0)] {
+            assert_eq!(number(text), Some(expected), "{text}");
+        }
+        assert_eq!(number("-0").map(f64::to_bits), Some((-0.0_f64).to_bits()));
+        for text in ["nan", "-inf", "infinity", "1e999", "0x1", "1,5", "1d3", "\u{ff}"] {
+            assert_eq!(number(text), None, "{text}");
+        }
+    }
+}
