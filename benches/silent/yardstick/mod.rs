@@ -164,7 +164,7 @@ impl Yardstick {
                 Light::Point { color, .. } | Light::Sun { color, .. } => *color,
             };
             let reflectance = if n_dot_l > 0.0 {
-                material.diffuse * n_dot_l + self.specular(hit, toward, n_dot_l)
+                material.diffuse * n_dot_l.clamp(0.0, 1.0) + self.specular(hit, toward, n_dot_l)
             } else {
                 transmission(hit, toward, media)
             };
@@ -185,7 +185,7 @@ impl Yardstick {
             }
             SpecularForm::ReflectionVector => (hit.normal * 2.0 * n_dot_l - toward).dot(hit.view),
         };
-        hit.material.specular * libm::pow(cosine.max(0.0), hit.material.shininess)
+        hit.material.specular * libm::pow(cosine.clamp(0.0, 1.0), hit.material.shininess)
     }
 
     /// The part of the light that gets along a shadow ray.
@@ -233,7 +233,7 @@ fn transmission(hit: &Hit, toward: DVec3, media: &Media) -> DVec3 {
         return DVec3::ZERO;
     }
     let cosine = -hit.normal.dot(half / length);
-    material.transmission * libm::pow(cosine.max(0.0), material.transmission_exponent)
+    material.transmission * libm::pow(cosine.clamp(0.0, 1.0), material.transmission_exponent)
 }
 
 fn ior(media: &Media) -> f64 {

@@ -120,7 +120,7 @@ impl Chord {
             let beside = oc - ray.direction * t_a;
             radius_squared - beside.dot(beside)
         };
-        if t2_a < 0.0 {
+        if t2_a < 0.0 || (t2_a == 0.0 && t_a == 0.0) {
             return None;
         }
         Some(Chord { l2_oc, t_a, half: t2_a.sqrt(), radius_squared, is_outside, is_geometric })
