@@ -10,7 +10,8 @@
 
 mod yardstick;
 
-use raywalk::record::{Arithmetic, pixel_color};
+use raywalk::probe::Silent;
+use raywalk::sampling;
 use raywalk::scene::{Scene, build, builtin, file};
 use std::hint::black_box;
 use std::process::Command;
@@ -90,7 +91,7 @@ impl Contest {
 
     fn assert_same_bits(&self) {
         for pixel in self.pixels() {
-            let silent = pixel_color(&self.scene, pixel, Arithmetic::F64).to_array();
+            let silent = sampling::pixel(&self.scene, pixel, &mut Silent).to_array();
             let by_hand = self.yardstick.pixel(pixel).to_array();
             assert_eq!(
                 silent.map(f64::to_bits),
@@ -102,7 +103,7 @@ impl Contest {
 
     /// The median times of a picture by the one and by the other, and the ratio of each pair.
     fn times(&self) -> (Duration, Duration, Vec<f64>) {
-        let silent = || self.time(|pixel| pixel_color(&self.scene, pixel, Arithmetic::F64));
+        let silent = || self.time(|pixel| sampling::pixel(&self.scene, pixel, &mut Silent));
         let by_hand = || self.time(|pixel| self.yardstick.pixel(pixel));
         // The first picture warms up caches and clock.
         let _ = (silent(), by_hand());
@@ -143,7 +144,7 @@ fn median(mut times: Vec<Duration>) -> Duration {
 fn paint(tracer: &str, contest: &Contest) {
     for pixel in contest.pixels() {
         match tracer {
-            "silent" => drop(black_box(pixel_color(&contest.scene, black_box(pixel), Arithmetic::F64))),
+            "silent" => drop(black_box(sampling::pixel(&contest.scene, black_box(pixel), &mut Silent))),
             "by_hand" => drop(black_box(contest.yardstick.pixel(black_box(pixel)))),
             _ => drop(black_box(pixel)),
         }

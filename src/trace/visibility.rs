@@ -45,6 +45,7 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
 /// straight line; zero as soon as an opaque one is crossed (Ramos, section 1.2.5).
+// Kept out of the shading around it, whose values would crowd this loop's out of the registers.
 #[inline(never)]
 pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);

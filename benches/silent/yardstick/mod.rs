@@ -72,7 +72,7 @@ impl Yardstick {
         let is_center = x == 0.0 && y == 0.0;
         let offset = (self.right * x + self.up * y) * self.length;
         let direction = unit(if is_center { self.forward } else { self.forward + offset });
-        let ray = Ray { origin: self.eye, direction, from: None, end: f64::INFINITY };
+        let ray = Ray { origin: self.eye, direction, from: None, start: 0.0, end: f64::INFINITY };
         self.color(&ray, 0, DVec3::ONE, &Media::new())
     }
 
@@ -105,13 +105,15 @@ impl Yardstick {
         let reflects = material.reflected != DVec3::ZERO || transmits;
         if reflects && !self.is_skipped(weight, material.reflected) {
             let direction = ray.direction - normal * 2.0 * ray.direction.dot(normal);
-            let ray = Ray { origin: point, direction, from: Some((number, hit.behind)), end: f64::INFINITY };
+            let ray =
+                Ray { origin: point, direction, from: Some((number, hit.behind)), start: 0.0, end: f64::INFINITY };
             color += material.reflected * self.color(&ray, depth + 1, weight * material.reflected, media);
         }
         if transmits && !self.is_skipped(weight, material.transmitted) {
             let beyond = beyond(media, number, material.ior, hit.behind);
             if let Some(direction) = refract(ray.direction, normal, ior(&beyond) / ior(media)) {
-                let ray = Ray { origin: point, direction, from: Some((number, !hit.behind)), end: f64::INFINITY };
+                let ray =
+                    Ray { origin: point, direction, from: Some((number, !hit.behind)), start: 0.0, end: f64::INFINITY };
                 color += material.transmitted * self.color(&ray, depth + 1, weight * material.transmitted, &beyond);
             }
         }
@@ -151,7 +153,7 @@ impl Yardstick {
                 continue;
             }
             let from = Some((hit.number, hit.behind != (n_dot_l < 0.0)));
-            let passed = self.passed(&Ray { origin: hit.point, direction: toward, from, end: distance });
+            let passed = self.passed(&Ray { origin: hit.point, direction: toward, from, start: 0.0, end: distance });
             if passed == DVec3::ZERO {
                 continue;
             }
@@ -162,7 +164,7 @@ impl Yardstick {
                 Light::Point { color, .. } | Light::Sun { color, .. } => *color,
             };
             let reflectance = if n_dot_l > 0.0 {
-                material.diffuse * n_dot_l + self.specular(hit, toward, n_dot_l)
+                material.diffuse * n_dot_l.clamp(0.0, 1.0) + self.specular(hit, toward, n_dot_l)
             } else {
                 transmission(hit, toward, media)
             };
@@ -183,7 +185,7 @@ impl Yardstick {
             }
             SpecularForm::ReflectionVector => (hit.normal * 2.0 * n_dot_l - toward).dot(hit.view),
         };
-        hit.material.specular * libm::pow(cosine.max(0.0), hit.material.shininess)
+        hit.material.specular * libm::pow(cosine.clamp(0.0, 1.0), hit.material.shininess)
     }
 
     /// The part of the light that gets along a shadow ray.
@@ -231,7 +233,7 @@ fn transmission(hit: &Hit, toward: DVec3, media: &Media) -> DVec3 {
         return DVec3::ZERO;
     }
     let cosine = -hit.normal.dot(half / length);
-    material.transmission * libm::pow(cosine.max(0.0), material.transmission_exponent)
+    material.transmission * libm::pow(cosine.clamp(0.0, 1.0), material.transmission_exponent)
 }
 
 fn ior(media: &Media) -> f64 {

@@ -10,7 +10,7 @@ impl Yardstick {
     pub fn new(scene: &file::SceneFile) -> Yardstick {
         let camera = &scene.camera;
         let forward = DVec3::from(camera.direction());
-        let right = unit(forward.cross(camera.up.into()));
+        let right = forward.cross(camera.up.into());
         let half_height = libm::tan(camera.vertical_fov.to_radians() / 2.0);
         let mut materials: Vec<_> = scene.materials.iter().map(|(_, material)| material.clone()).collect();
         materials.push(file::Material::default());
@@ -18,7 +18,7 @@ impl Yardstick {
             eye: camera.position.into(),
             forward,
             length: forward.length(),
-            right,
+            right: unit(right),
             up: unit(right.cross(forward)),
             pixel_side: 2.0 * half_height / f64::from(camera.resolution[1]),
             resolution: camera.resolution,

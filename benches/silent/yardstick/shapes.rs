@@ -8,11 +8,13 @@ pub enum Shape {
     Sphere { center: DVec3, radius: f64, radius_squared: f64, is_geometric: bool },
 }
 
-/// A ray; `from` is the object that it leaves and whether it sets off behind its surface.
+/// A ray; it counts between `start` and `end`, and `from` is the object that it leaves and whether it sets off behind its
+/// surface.
 pub struct Ray {
     pub origin: DVec3,
     pub direction: DVec3,
     pub from: Option<(usize, bool)>,
+    pub start: f64,
     pub end: f64,
 }
 
@@ -35,7 +37,7 @@ struct Chord {
 
 impl Ray {
     fn reaches(&self, crossing: Crossing) -> Option<Crossing> {
-        (0.0 < crossing.t && crossing.t < self.end).then_some(crossing)
+        (self.start < crossing.t && crossing.t < self.end).then_some(crossing)
     }
 
     /// Whether the ray leaves this object, and if so, whether it sets off behind its surface.
@@ -63,7 +65,7 @@ impl Shape {
                 let chord = Chord::new(*center, *radius_squared, *is_geometric, ray)?;
                 if chord.is_outside {
                     let near = chord.near();
-                    if near.t > 0.0 { near } else { chord.far() }
+                    if near.t > ray.start { near } else { chord.far() }
                 } else {
                     chord.far()
                 }
@@ -118,7 +120,7 @@ impl Chord {
             let beside = oc - ray.direction * t_a;
             radius_squared - beside.dot(beside)
         };
-        if t2_a < 0.0 {
+        if t2_a < 0.0 || (t2_a == 0.0 && t_a == 0.0) {
             return None;
         }
         Some(Chord { l2_oc, t_a, half: t2_a.sqrt(), radius_squared, is_outside, is_geometric })
