@@ -20,8 +20,8 @@ const NARROW: &[(&str, &[&str])] = &[
     ("report", &["report", "log", "probe"]),
     // The viewer shows a log and an image that it is handed; it computes no geometry.
     ("tui", &["tui", "log", "report"]),
-    // The scene file is the numbers as they are written, whatever becomes of them.
-    ("scene/file", &["scene/file"]),
+    // The scene file is the numbers as they are written, whatever becomes of them. Those of a mesh file are the mesh.
+    ("scene/file", &["scene/file", "geometry/mesh"]),
 ];
 
 /// Where input and output happen.

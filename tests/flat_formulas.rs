@@ -78,7 +78,9 @@ fn every_formula_of_a_flat_shape_gives_the_logged_value() {
             FLAT.iter().any(|key| name.key().starts_with(key) || name.form().starts_with(&key[..key.len() - 1]))
                 || name.form().starts_with("mean")
         };
-        let with_formula = || Name::all().filter(is_flat).filter(|name| name.formula().is_some());
+        // Only rays along its plane come to a triangle's t kept in its box.
+        let is_common = |name: &Name| name.formula().is_some() && *name != Name::TriangleTInBox;
+        let with_formula = || Name::all().filter(is_flat).filter(is_common);
         let unchecked: Vec<_> = with_formula().filter(|name| counts.get(name).is_none_or(|count| *count < 5)).collect();
         assert!(with_formula().count() > 25 && unchecked.is_empty(), "{arithmetic}: not checked: {unchecked:?}");
         for what in [Skippable::Shadow, Skippable::Reflected] {

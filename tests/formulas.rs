@@ -24,9 +24,9 @@ const DIGITS: u32 = 3;
 
 const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(DIGITS)];
 
-/// What only degenerate shapes come to: an ellipsoid too small for the arithmetic, corner normals that cancel. Where they occur
-/// they are checked like all others.
-const DEGENERATE: [Name; 2] = [Name::HitNormalFacing, Name::HitNormalFlat];
+/// What only degenerate shapes and rays come to: an ellipsoid too small for the arithmetic, corner normals that cancel, a ray
+/// along a triangle's plane. Where they occur they are checked like all others.
+const DEGENERATE: [Name; 3] = [Name::HitNormalFacing, Name::HitNormalFlat, Name::TriangleTInBox];
 
 /// How often each formula must have been checked, in each arithmetic.
 const ENOUGH: usize = 25;
@@ -72,6 +72,34 @@ fn every_formula_gives_the_logged_value() {
         }
         checked.assert_done(arithmetic);
     }
+}
+
+#[test]
+fn rays_along_a_triangle_have_formulas_too() {
+    // Coordinates and steps that binary fractions don't have, so that rays meant to run in the plane run beside it.
+    let coordinate = |k: u32| f64::from(k * k * 37 % 101) / 10.0;
+    let corners: Vec<_> =
+        (0..40).map(|k| [0, 1, 2].map(|corner| [0, 1, 2].map(|axis| coordinate(k * 9 + corner * 3 + axis)))).collect();
+    let objects: Vec<_> = corners
+        .iter()
+        .map(|corners| format!("{{\"shape\": {{\"triangle\": {{\"vertices\": {corners:?}}}}}}}"))
+        .collect();
+    let text = format!(
+        "{{\"format\": \"raywalk-scene/1\", \"camera\": {{\"position\": [0, 0, 9], \"direction\": [0, 0, -1]}}, \"objects\": [{}]}}",
+        objects.join(", ")
+    );
+    let scene = support::scene_of(text.as_bytes(), "triangles");
+    let mut checked = Checked::default();
+    for corners in &corners {
+        let [a, b, c] = corners.map(DVec3::from);
+        for turn in 0..200 {
+            let aim = a + (b - a) * 0.3 + (c - a) * (f64::from(turn % 7) / 10.0);
+            let origin = aim + (b - c) * f64::from(turn / 7) / 10.0 + (a - b) * f64::from(turn % 11);
+            checked.check(&record::ray(&scene, origin, aim - origin, Arithmetic::F64));
+        }
+    }
+    assert!(checked.wrong.is_empty(), "{:#?}", checked.wrong);
+    assert!(checked.counts.contains_key(&Name::TriangleTInBox), "{:#?}", checked.counts);
 }
 
 #[test]

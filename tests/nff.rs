@@ -109,7 +109,7 @@ fn eye_rays(mut file: SceneFile) -> (u64, u64) {
     file.lights.clear();
     file.tracing.max_depth = 0;
     file.sampling = Sampling::Shared { n: 1 };
-    let scene = build(&file).expect("a supported scene");
+    let scene = build(&file, &Default::default()).expect("a supported scene");
     let [width, height] = file.camera.resolution;
     let settings = Settings { crop: [0, 0, width, height], arithmetic: Arithmetic::F64, threads: 2, counts_rays: true };
     let rendered = render(&scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture");

@@ -17,7 +17,7 @@ fn shared(name: &str, n: u64, resolution: [u32; 2]) -> Scene {
 }
 
 fn built(file: &SceneFile) -> Scene {
-    build(file).expect("a supported scene")
+    build(file, &Default::default()).expect("a supported scene")
 }
 
 fn whole(scene: &Scene) -> Settings {

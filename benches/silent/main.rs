@@ -85,7 +85,7 @@ impl Contest {
         let loaded = file::check(text.as_bytes(), scene).map_err(|error| error.report(false));
         let mut file = loaded.unwrap_or_else(|report| panic!("{report}")).scene;
         file.camera.resolution = resolution;
-        let scene = build(&file).unwrap_or_else(|unsupported| panic!("{unsupported}"));
+        let scene = build(&file, &Default::default()).unwrap_or_else(|unsupported| panic!("{unsupported}"));
         Contest { scene, yardstick: Yardstick::new(&file) }
     }
 

@@ -1,6 +1,7 @@
 //! The options that every tracing command has. They override what the scene says.
 
 use super::failure::Failure;
+use super::scene_argument::Loaded;
 use clap::{Args, ValueEnum};
 use raywalk::log::SkipReason;
 use raywalk::record::Arithmetic;
@@ -130,7 +131,8 @@ impl TracingOptions {
     }
 
     /// The scene with these options, ready to be traced.
-    pub fn apply(&self, mut file: SceneFile) -> Result<Scene, Failure> {
+    pub fn apply(&self, loaded: Loaded) -> Result<Scene, Failure> {
+        let Loaded { scene: mut file, meshes } = loaded;
         if let Some(size) = self.size {
             file.camera.resolution = size;
         }
@@ -150,7 +152,7 @@ impl TracingOptions {
         if self.arithmetic == Arithmetic::Printed && !is_the_numeric_example(&file) {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }
-        let mut scene = build(&file).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+        let mut scene = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
         scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);
         scene.tracing.tests = match self.tests {
             TestsChoice::Visited => Tests::Visited,

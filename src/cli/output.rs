@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::signals;
 use std::fs::{self, Permissions};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -55,14 +55,19 @@ impl Output {
 
     /// Writes the whole result.
     pub fn commit(self, bytes: &[u8]) -> Result<(), Failure> {
+        self.stream(|out| out.write_all(bytes))
+    }
+
+    /// Writes a result that comes bit by bit; `write` may fail only because `out` does.
+    pub fn stream(self, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
         match self {
-            Output::Stdout => print(bytes),
-            Output::Special(mut file, path) => {
-                file.write_all(bytes).map_err(|error| Failure::io(&path, "write", &error))
+            Output::Stdout => through(Box::new(io::stdout().lock()), write).map_err(|error| Failure::stdout(&error)),
+            Output::Special(file, path) => {
+                through(Box::new(file), write).map_err(|error| Failure::io(&path, "write", &error))
             }
             Output::File(mut file, path) => {
                 let cannot_write = |error: &io::Error| Failure::io(&path, "write", error);
-                file.write_all(bytes).map_err(|error| cannot_write(&error))?;
+                through(Box::new(&mut file), write).map_err(|error| cannot_write(&error))?;
                 file.as_file().sync_all().map_err(|error| cannot_write(&error))?;
                 file.persist(&path).map_err(|error| cannot_write(&error.error))?;
                 signals::finished();
@@ -70,6 +75,15 @@ impl Output {
             }
         }
     }
+}
+
+/// Where a result is written to, in large pieces.
+pub type Sink<'w> = BufWriter<Box<dyn Write + 'w>>;
+
+fn through<'w>(place: Box<dyn Write + 'w>, write: impl FnOnce(&mut Sink<'w>) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::with_capacity(1 << 16, place);
+    write(&mut out)?;
+    out.flush()
 }
 
 /// Writes to standard output.

@@ -82,7 +82,7 @@ impl Rays {
         if self.scene.as_os_str() == "-" {
             return Err(Failure::caller("rays: the scene can't be standard input, which holds the rays"));
         }
-        let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import(), colors)?.scene)?;
+        let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import(), colors)?)?;
         let names: HashMap<&str, u32> = scene.objects.iter().map(|object| object.name.as_str()).zip(0..).collect();
         let mut input = BufReader::with_capacity(1 << 16, io::stdin().lock());
         let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());

@@ -59,7 +59,7 @@ impl Render {
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let mut seconds = Seconds { load: load.elapsed().as_secs_f64(), ..Seconds::default() };
         let build = Instant::now();
-        let scene = self.tracing.apply(loaded.scene)?;
+        let scene = self.tracing.apply(loaded)?;
         seconds.build = build.elapsed().as_secs_f64();
         let settings = Settings {
             crop: self.crop_in(&scene)?,

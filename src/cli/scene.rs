@@ -1,15 +1,15 @@
-//! `raywalk scene`: check, show, convert and list scenes.
+//! `raywalk scene`: check, show, convert, list and generate scenes.
 
 use super::failure::Failure;
 use super::options::{ColorChoice, NffOptions};
 use super::output::{self, Output};
-use super::scene_argument;
-use clap::{Args, Subcommand};
-use raywalk::scene::file::SceneFile;
-use raywalk::scene::{build, builtin, file::visible};
-use std::path::PathBuf;
+use super::scene_argument::{self, Loaded};
+use clap::{Args, Subcommand, ValueEnum};
+use raywalk::scene::file::{SceneFile, visible};
+use raywalk::scene::{build, builtin, generate};
+use std::path::{Path, PathBuf};
 
-/// Check, show, convert or list scenes.
+/// Check, show, convert, list or generate scenes.
 #[derive(Subcommand)]
 pub enum SceneCommand {
     /// Say everything that is wrong with a scene
@@ -26,6 +26,30 @@ pub enum SceneCommand {
     },
     /// List the built-in scenes
     List,
+    /// Write a scene or mesh that is computed
+    Generate {
+        /// What to write
+        #[arg(value_enum)]
+        what: Generated,
+        /// How fine or deep it is
+        #[arg(long, value_name = "N", default_value_t = 3)]
+        #[arg(value_parser = clap::value_parser!(u32).range(0..=i64::from(generate::MAX_LEVEL)))]
+        level: u32,
+        /// Where to write; standard output without it
+        #[arg(long, short, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+}
+
+/// What can be computed.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Generated {
+    /// A knotted tube as an OBJ mesh of 256 * 4^N triangles
+    Knot,
+    /// A ball as an OBJ mesh of 20 * 4^N triangles
+    Icosphere,
+    /// A scene of 1 + 9 + ... + 9^N spheres that carry spheres
+    SphereFlake,
 }
 
 /// The scene of a command.
@@ -38,8 +62,13 @@ pub struct Named {
 }
 
 impl Named {
-    fn load(&self, colors: ColorChoice) -> Result<SceneFile, Failure> {
-        Ok(scene_argument::load(&self.scene, &self.nff.import(), colors)?.scene)
+    fn load(&self, colors: ColorChoice) -> Result<Loaded, Failure> {
+        scene_argument::load(&self.scene, &self.nff.import(), colors)
+    }
+
+    fn without_meshes(&self, colors: ColorChoice) -> Result<SceneFile, Failure> {
+        let input = scene_argument::read(&self.scene, colors)?;
+        scene_argument::without_meshes(&input, &self.nff.import(), colors)
     }
 }
 
@@ -48,21 +77,29 @@ impl SceneCommand {
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         match self {
             SceneCommand::Check(scene) => {
-                let file = scene.load(colors)?;
-                build(&file).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+                let Loaded { scene: file, meshes } = scene.load(colors)?;
+                build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
                 let (objects, lights, materials) = (file.objects.len(), file.lights.len(), file.materials.len());
                 let name = visible(&file.name).into_owned();
                 let counts = format!("{objects} objects, {lights} lights, {materials} materials");
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())
             }
-            SceneCommand::Show(scene) => output::print(scene.load(colors)?.to_json().as_bytes()),
+            SceneCommand::Show(scene) => output::print(scene.without_meshes(colors)?.to_json().as_bytes()),
             SceneCommand::Convert { scene, output } => {
-                let file = scene.load(colors)?;
+                let file = scene.without_meshes(colors)?;
                 Output::create(output.as_deref(), &scene.scene)?.commit(file.to_json().as_bytes())
             }
             SceneCommand::List => {
                 let names: String = builtin::names().map(|name| format!("{name}\n")).collect();
                 output::print(names.as_bytes())
+            }
+            SceneCommand::Generate { what, level, output } => {
+                let output = Output::create(output.as_deref(), Path::new(""))?;
+                output.stream(|out| match what {
+                    Generated::Knot => generate::write_obj(&generate::knot(level), out),
+                    Generated::Icosphere => generate::write_obj(&generate::icosphere(level), out),
+                    Generated::SphereFlake => generate::sphere_flake(level, out),
+                })
             }
         }
     }

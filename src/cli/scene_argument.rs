@@ -4,10 +4,12 @@ use super::failure::Failure;
 use super::options::ColorChoice;
 use super::output;
 use raywalk::scene::builtin;
+use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
-use raywalk::scene::file::{self, Loaded, visible};
+use raywalk::scene::file::schema::SceneFile;
+use raywalk::scene::file::{self, Problem, Source, visible};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The text of a scene or log, and the name by which messages call it.
 pub struct Input {
@@ -15,9 +17,19 @@ pub struct Input {
     pub bytes: Vec<u8>,
     /// The name.
     pub name: String,
+    /// Where it was read from; `None` if it is built in.
+    path: Option<PathBuf>,
 }
 
-/// Reads and checks the scene; prints its warnings.
+/// A checked scene with its meshes.
+pub struct Loaded {
+    /// The scene.
+    pub scene: SceneFile,
+    /// The meshes that it names.
+    pub meshes: Meshes,
+}
+
+/// Reads and checks the scene and its meshes; prints their warnings.
 pub fn load(argument: &Path, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
     scene(&read(argument, colors)?, import, colors)
 }
@@ -25,7 +37,7 @@ pub fn load(argument: &Path, import: &Import, colors: ColorChoice) -> Result<Loa
 /// A built-in scene, whatever files there are.
 pub fn built_in(name: &str) -> Result<Input, Failure> {
     let text = builtin::text(name).ok_or_else(|| nothing_of(name))?;
-    Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json") })
+    Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json"), path: None })
 }
 
 /// Reads what the argument names.
@@ -36,17 +48,33 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
         return built_in(&name);
     }
     let bytes = file::read_bytes(argument).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    Ok(Input { bytes, name: if name == "-" { "<stdin>".to_owned() } else { name.into_owned() } })
+    let name = if name == "-" { "<stdin>".to_owned() } else { name.into_owned() };
+    Ok(Input { bytes, name, path: Some(argument.to_owned()) })
 }
 
-/// Checks a scene that was read; prints its warnings.
+/// Checks a scene that was read, and reads its meshes; prints their warnings.
 pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
+    let scene = without_meshes(input, import, colors)?;
+    let source = Source { name: &input.name, text: &input.bytes };
+    let folder = input.path.as_ref().map_or(Folder::BuiltIn(builtin::mesh), |path| Folder::OfScene(path));
+    let loaded = mesh::load(&scene, &source, folder);
+    let (meshes, warnings) = loaded.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+    warn(&warnings, colors);
+    Ok(Loaded { scene, meshes })
+}
+
+/// Checks a scene that was read, but doesn't look for its meshes; prints its warnings.
+pub fn without_meshes(input: &Input, import: &Import, colors: ColorChoice) -> Result<SceneFile, Failure> {
     let loaded = file::check_as(&input.bytes, &input.name, import)
         .map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    for warning in &loaded.warnings {
+    warn(&loaded.warnings, colors);
+    Ok(loaded.scene)
+}
+
+fn warn(warnings: &[Problem], colors: ColorChoice) {
+    for warning in warnings {
         output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
     }
-    Ok(loaded)
 }
 
 fn is_colored(colors: ColorChoice) -> bool {

@@ -29,7 +29,7 @@ impl Textbook {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         let loaded = scene_argument::scene(&scene_argument::built_in("textbook")?, &Import::default(), colors)?;
-        let scene = TracingOptions::default().apply(loaded.scene)?;
+        let scene = TracingOptions::default().apply(loaded)?;
         let table = textbook::table(&scene);
         let text = match self.format {
             TableFormat::Text => table.text(),

@@ -65,7 +65,7 @@ impl Trace {
             return Err(Failure::caller("trace: expected --pixel X,Y or --ray OX,OY,OZ,DX,DY,DZ"));
         }
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
-        let scene = self.tracing.apply(loaded.scene)?;
+        let scene = self.tracing.apply(loaded)?;
         let output = Output::create(self.output.as_deref(), &self.scene)?;
         let log = self.subject.log(&scene, &self.tracing)?;
         let in_memory = |error: std::io::Error| Failure::machine(format!("cannot write the log: {error}"));

@@ -102,7 +102,7 @@ impl Walk {
                 .map_err(|error| Failure::caller(format!("{}:{error}", visible(&input.name))))?;
             return Ok((read.log, read.ending.warning()));
         }
-        let scene = self.tracing.apply(scene_argument::scene(input, &self.tracing.import(), colors)?.scene)?;
+        let scene = self.tracing.apply(scene_argument::scene(input, &self.tracing.import(), colors)?)?;
         Ok((self.subject.log(&scene, &self.tracing)?, None))
     }
 

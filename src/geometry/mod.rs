@@ -3,10 +3,12 @@
 mod area_normal;
 pub mod bounds;
 pub mod bvh;
+pub mod mesh;
 pub mod ray;
 pub mod shape;
 
 pub use bounds::Bounds;
 pub use bvh::Bvh;
+pub use mesh::Mesh;
 pub use ray::{Crossing, Leaving, Ray, Side, Surface};
 pub use shape::Shape;

@@ -117,6 +117,9 @@ names! {
     TriangleVd: "triangle.v_d", "", "V_d", "N_t · d", "1.1.1";
     TriangleVo: "triangle.v_o", "", "V_o", "N_t · (A − O)", "1.1.1";
     TriangleT: "triangle.t", "", "t", "V_o/V_d", "1.1.1";
+    TriangleTNear: "triangle.t_near", "", "t_n", "", "1.1.1";
+    TriangleTFar: "triangle.t_far", "", "t_f", "", "1.1.1";
+    TriangleTInBox: "triangle.t", "in_box", "t", "min(max(t, t_n), t_f)", "1.1.1";
 
     // The mean of the normals at a triangle's corners, by the areas over against them.
     TriangleNormalA: "triangle.normal_a", "", "N_a", "", "1.1.1";

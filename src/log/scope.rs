@@ -60,18 +60,35 @@ fn in_node(events: &[Event], tree: &Tree, node: usize, before: usize, symbol: &s
     })
 }
 
-/// The test, directly inside `node`, that found the nearest object.
+/// The test, directly inside `node`, that found the nearest object. A mesh has a test for each triangle; the one at the
+/// least distance found it, of several the one of the first triangle.
 fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -> Option<usize> {
     let nearest =
         tree.own_events(node).take_while(|event| *event < before).find_map(|event| match events[event].what {
             What::Mark(Decision::Nearest { object }) => Some(object),
             _ => None,
         })?;
-    let is_of_nearest = |child: &usize| match tree.nodes()[*child].step {
-        Some(Step::Test { object, .. }) => object == nearest,
-        _ => false,
+    let triangle_of = |child: usize| match tree.nodes()[child].step {
+        Some(Step::Test { object, triangle }) if object == nearest => Some(triangle),
+        _ => None,
     };
-    tree.children(node).filter(is_of_nearest).last()
+    let is_hit = |child: usize| tree.own_events(child).any(|event| events[event].what == What::Mark(Decision::Hit));
+    let tests = tree.children(node).filter_map(|child| Some((child, triangle_of(child)?)));
+    let found = tests.filter(|(child, triangle)| triangle.is_none() || is_hit(*child));
+    let key = |(child, triangle): &(usize, Option<u32>)| {
+        // Everything else has one test, so that its distance doesn't matter.
+        let distance = triangle.and_then(|_| distance(events, tree, *child)).unwrap_or(f64::INFINITY);
+        (distance, *triangle)
+    };
+    found.min_by(|a, b| key(a).0.total_cmp(&key(b).0).then(key(a).1.cmp(&key(b).1))).map(|(child, _)| child)
+}
+
+/// How far along the ray a test found its object.
+fn distance(events: &[Event], tree: &Tree, test: usize) -> Option<f64> {
+    match in_node(events, tree, test, usize::MAX, Name::PlaneT.symbol())?.value {
+        Value::Number(distance) => Some(distance),
+        Value::Triple(_) => None,
+    }
 }
 
 fn noted(event: &Event, symbol: &str) -> Option<Value> {

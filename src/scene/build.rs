@@ -1,13 +1,18 @@
 //! From a checked scene file to a scene that can be traced.
 
+use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::{
     Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Skip, Specular, Tracing,
     Transfer, Weights,
 };
 use crate::geometry::Shape;
-use crate::geometry::shape::{Cone, Cuboid, Cylinder, Disk, Ellipsoid, Plane, Polygon, Sphere, SphereMethod, Triangle};
+use crate::geometry::shape::{
+    Cone, Cuboid, Cylinder, Disk, Ellipsoid, Plane, Polygon, Sphere, SphereMethod, Triangle, TriangleMesh,
+};
 use glam::DVec3;
+use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Something that a scene file asks for and this version can't do.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -19,8 +24,8 @@ pub struct Unsupported {
     pub what: String,
 }
 
-/// Makes a checked scene file ready to be traced.
-pub fn build(scene: &file::SceneFile) -> Result<Scene, Unsupported> {
+/// Makes a checked scene file and the meshes that it names ready to be traced.
+pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsupported> {
     refuse_unsupported(scene)?;
     let sphere_method = match scene.tracing.sphere_method {
         file::SphereMethod::Robust => SphereMethod::Robust,
@@ -29,12 +34,13 @@ pub fn build(scene: &file::SceneFile) -> Result<Scene, Unsupported> {
     let mut materials: Vec<_> = scene.materials.iter().map(|(_, material)| self::material(material)).collect();
     let default_material = materials.len();
     materials.push(self::material(&file::Material::default()));
+    let mut trees = Trees { meshes, built: HashMap::new() };
     let object = |(index, object): (usize, &file::Object)| {
         let named = |name: &String| scene.materials.index_of(name);
         let material = object.material.as_ref().and_then(named).unwrap_or(default_material);
         Ok(Object {
             name: object.name.clone(),
-            shape: shape(&object.shape, sphere_method, index)?,
+            shape: shape(&object.shape, sphere_method, index, &mut trees)?,
             one_sided: !scene.tracing.two_sided && !materials[material].lets_light_through(),
             material,
         })
@@ -42,7 +48,7 @@ pub fn build(scene: &file::SceneFile) -> Result<Scene, Unsupported> {
     let objects: Vec<_> = scene.objects.iter().enumerate().map(object).collect::<Result<_, _>>()?;
     Ok(Scene {
         name: scene.name.clone(),
-        digest: digest(scene),
+        digest: digest(scene, meshes),
         camera: camera(&scene.camera),
         ambient: scene.ambient.into(),
         background: scene.background.into(),
@@ -56,11 +62,32 @@ pub fn build(scene: &file::SceneFile) -> Result<Scene, Unsupported> {
     })
 }
 
-/// The digest of the resolved scene, as a log's header names it.
-fn digest(scene: &file::SceneFile) -> String {
+/// The digest of the resolved scene and the files of its meshes, as a log's header names it.
+fn digest(scene: &file::SceneFile, meshes: &Meshes) -> String {
+    let mut hasher = blake3::Hasher::new();
     // Writing plain numbers and strings to memory can't fail.
-    let resolved = serde_json::to_vec(scene).unwrap_or_default();
-    format!("blake3:{}", blake3::hash(&resolved).to_hex())
+    hasher.update(&serde_json::to_vec(scene).unwrap_or_default());
+    for (path, digest) in meshes.digests() {
+        hasher.update(path.as_bytes()).update(digest.as_bytes());
+    }
+    format!("blake3:{}", hasher.finalize().to_hex())
+}
+
+/// The meshes with trees over them, one for each file, however many objects have it.
+struct Trees<'m> {
+    meshes: &'m Meshes,
+    built: HashMap<String, Arc<TriangleMesh>>,
+}
+
+impl Trees<'_> {
+    fn get(&mut self, path: &str) -> Option<Shape> {
+        if let Some(tree) = self.built.get(path) {
+            return Some(Shape::Mesh(tree.clone()));
+        }
+        let tree = Arc::new(TriangleMesh::new(self.meshes.get(path)?.clone()));
+        self.built.insert(path.to_owned(), tree.clone());
+        Some(Shape::Mesh(tree))
+    }
 }
 
 fn refuse_unsupported(scene: &file::SceneFile) -> Result<(), Unsupported> {
@@ -128,7 +155,12 @@ fn material(material: &file::Material) -> Material {
     }
 }
 
-fn shape(shape: &file::Shape, sphere_method: SphereMethod, index: usize) -> Result<Shape, Unsupported> {
+fn shape(
+    shape: &file::Shape,
+    sphere_method: SphereMethod,
+    index: usize,
+    trees: &mut Trees,
+) -> Result<Shape, Unsupported> {
     Ok(match shape {
         file::Shape::Plane(plane) => Shape::Plane(Plane::new(plane.coefficients)),
         file::Shape::Sphere(sphere) => {
@@ -149,11 +181,10 @@ fn shape(shape: &file::Shape, sphere_method: SphereMethod, index: usize) -> Resu
             Shape::Cone(Cone::new(base, apex, cone.caps, cone.inward))
         }
         file::Shape::Disk(disk) => Shape::Disk(Disk::new(disk.center.into(), disk.normal.into(), disk.radius)),
-        file::Shape::Mesh(_) => {
-            let key = shape.key();
-            let what = format!("the shape `{key}`");
-            return Err(Unsupported { path: format!("objects[{index}].shape.{key}"), what });
-        }
+        file::Shape::Mesh(mesh) => trees.get(&mesh.path).ok_or_else(|| Unsupported {
+            path: format!("objects[{index}].shape.mesh.path"),
+            what: "a mesh that was not loaded".to_owned(),
+        })?,
     })
 }
 

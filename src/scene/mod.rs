@@ -7,6 +7,7 @@ mod build;
 pub mod builtin;
 pub mod camera;
 pub mod file;
+pub mod generate;
 mod index;
 pub mod light;
 pub mod material;

@@ -37,7 +37,7 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
     let mut is_hit = false;
     visit(scene, ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
-        is_hit |= thing.shape.first_crossing(object, thing.one_sided, ray, probe).is_some();
+        is_hit |= thing.shape.is_crossed(object, thing.one_sided, ray, probe);
         if is_hit { -1.0 } else { ray.t_max }
     });
     is_hit
@@ -57,7 +57,7 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
         if scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
-        } else if thing.shape.first_crossing(object, thing.one_sided, ray, probe).is_some() {
+        } else if thing.shape.is_crossed(object, thing.one_sided, ray, probe) {
             if !is_blocked {
                 probe.mark(Decision::Occluded { object });
             }

@@ -34,7 +34,7 @@ pub(super) fn glass() -> Log {
 /// A scene from the text of its file.
 fn scene(text: &str) -> Scene {
     let loaded = file::check(text.as_bytes(), "test").unwrap_or_else(|error| panic!("{}", error.report(false)));
-    build(&loaded.scene).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+    build(&loaded.scene, &Default::default()).unwrap_or_else(|unsupported| panic!("{unsupported}"))
 }
 
 /// A log in which `(` enters a node, `)` leaves it, and `.` notes a value.

@@ -5,7 +5,8 @@
 
 use insta::Settings;
 use raywalk::record::Arithmetic;
-use raywalk::scene::{Scene, build, builtin, file};
+use raywalk::scene::file::{self, Source, mesh};
+use raywalk::scene::{Scene, build, builtin};
 
 /// A built-in scene, ready to be traced.
 #[track_caller]
@@ -17,7 +18,10 @@ pub fn scene(name: &str) -> Scene {
 #[track_caller]
 pub fn scene_of(text: &[u8], name: &str) -> Scene {
     let loaded = file::check(text, &format!("{name}.json")).unwrap_or_else(|error| panic!("{}", error.report(false)));
-    build(&loaded.scene).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+    let source = Source { name, text };
+    let meshes = mesh::load(&loaded.scene, &source, mesh::Folder::BuiltIn(builtin::mesh));
+    let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));
+    build(&loaded.scene, &meshes).unwrap_or_else(|unsupported| panic!("{unsupported}"))
 }
 
 /// The middle pixel of a scene.

@@ -8,6 +8,7 @@ mod disk;
 mod ellipsoid;
 mod fan;
 mod flat;
+mod mesh;
 mod plane;
 mod polygon;
 mod roots;
@@ -19,6 +20,7 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disk::Disk;
 pub use ellipsoid::Ellipsoid;
+pub use mesh::TriangleMesh;
 pub use plane::Plane;
 pub use polygon::Polygon;
 pub use sphere::{Sphere, SphereMethod};
@@ -28,6 +30,7 @@ use super::bounds::Bounds;
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Step};
 use crate::probe::Probe;
+use std::sync::Arc;
 
 /// A surface that rays meet.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,12 +53,15 @@ pub enum Shape {
     Cone(Cone),
     /// A flat disk.
     Disk(Disk),
+    /// A mesh of triangles, which has a test for each. Several objects may share it.
+    Mesh(Arc<TriangleMesh>),
 }
 
-/// Calls a method of the kernel behind a shape.
+/// Calls a method of the kernel behind a shape, or of a mesh, which is many.
 macro_rules! kernel {
-    ($shape:expr, $kernel:ident => $call:expr) => {
+    ($shape:expr, $kernel:ident => $call:expr, $mesh:ident => $mesh_call:expr) => {
         match $shape {
+            Shape::Mesh($mesh) => $mesh_call,
             Shape::Plane($kernel) => $call,
             Shape::Sphere($kernel) => $call,
             Shape::Ellipsoid($kernel) => $call,
@@ -101,18 +107,46 @@ pub(in crate::geometry) trait Kernel {
     fn can_be_met_again(&self, _sets_off: Side) -> bool {
         false
     }
+
+    /// Runs `body` as the test of object `object`, unless the ray leaves it and can't meet it again.
+    #[inline]
+    fn test<P: Probe, T>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        probe: &mut P,
+        body: impl FnOnce(Approach, &mut P) -> T,
+    ) -> Option<T> {
+        let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
+        if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
+            return None;
+        }
+        self.give(probe);
+        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(Approach { leaving, one_sided }, probe)))
+    }
 }
 
 impl Shape {
     /// The first point where the ray crosses object `object` of this shape.
     #[inline]
     pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        let approach = self.approach(object, one_sided, ray)?;
-        kernel!(self, kernel => kernel.give(probe));
-        probe.within(
-            Step::Test { object, triangle: None },
-            |probe| kernel!(self, kernel => kernel.first_crossing(ray, approach, probe)),
+        kernel!(
+            self,
+            kernel => kernel.test(object, one_sided, ray, probe, |approach, probe| {
+                kernel.first_crossing(ray, approach, probe)
+            })?,
+            mesh => mesh.first_crossing(object, one_sided, ray, probe)
         )
+    }
+
+    /// Whether the ray crosses the object at all.
+    #[inline]
+    pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> bool {
+        match self {
+            Shape::Mesh(mesh) => mesh.is_crossed(object, one_sided, ray, probe),
+            _ => self.first_crossing(object, one_sided, ray, probe).is_some(),
+        }
     }
 
     /// All points where the ray crosses the object, in the order of the ray.
@@ -124,44 +158,38 @@ impl Shape {
         found: &mut Vec<Crossing>,
         probe: &mut P,
     ) {
-        let Some(approach) = self.approach(object, one_sided, ray) else { return };
-        kernel!(self, kernel => kernel.give(probe));
-        probe.within(Step::Test { object, triangle: None }, |probe| {
-            kernel!(self, kernel => kernel.all_crossings(ray, approach, found, probe));
-        });
+        kernel!(
+            self,
+            kernel => {
+                kernel.test(object, one_sided, ray, probe, |approach, probe| {
+                    kernel.all_crossings(ray, approach, found, probe);
+                });
+            },
+            mesh => mesh.all_crossings(object, one_sided, ray, found, probe)
+        );
     }
 
     /// The surface at a crossing, its normals turned toward the arriving ray.
     #[inline]
     pub fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        kernel!(self, kernel => kernel.surface(ray, crossing, probe))
+        kernel!(self, kernel => kernel.surface(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
     }
 
     /// Whether hits tell which triangle of a file was met.
     pub fn is_mesh(&self) -> bool {
-        false
+        matches!(self, Shape::Mesh(_))
     }
 
     /// A box around the shape; `None` for one without end.
     pub fn bounds(&self) -> Option<Bounds> {
-        kernel!(self, kernel => kernel.bounds())
+        kernel!(self, kernel => kernel.bounds(), mesh => mesh.bounds())
     }
 
     /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
     /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
     pub fn returning_side(&self) -> Side {
-        let can_return = kernel!(self, kernel => kernel.can_be_met_again(Side::Front));
+        let can_return = kernel!(self, kernel => kernel.can_be_met_again(Side::Front), _mesh => false);
         if can_return { Side::Front } else { Side::Back }
-    }
-
-    /// How the ray comes to this object; `None` if it leaves it and can't meet it again.
-    #[inline]
-    fn approach(&self, object: u32, one_sided: bool, ray: &Ray) -> Option<Approach> {
-        let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
-        match leaving {
-            Some(side) if !kernel!(self, kernel => kernel.can_be_met_again(side)) => None,
-            _ => Some(Approach { leaving, one_sided }),
-        }
     }
 }
 

@@ -13,7 +13,7 @@
 use super::flat::{PlaneNames, meet_plane, toward};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::{area_normal, unit};
-use crate::geometry::bounds::Bounds;
+use crate::geometry::bounds::{Bounds, Slabs};
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -87,7 +87,26 @@ impl Facet {
         let normal = self.normal();
         probe.given(Name::TriangleNormal, normal);
         let plane = meet_plane(ray, normal, self.a, &PLANE, probe)?;
-        decide(ray, approach, Crossing { t: plane.t, side: plane.side, primitive: number }, probe)
+        let t = self.kept_in_box(ray, normal, plane.t, probe)?;
+        decide(ray, approach, Crossing { t, side: plane.side, primitive: number }, probe)
+    }
+
+    /// The distance, kept within the box around the triangle. Along the triangle's plane V_o/V_d is a quotient of rounding errors,
+    /// which may lie anywhere; kept in the box it can't be at odds with the trees of boxes, whatever the order of the tests.
+    fn kept_in_box<P: Probe>(&self, ray: &Ray, normal: DVec3, t: f64, probe: &mut P) -> Option<f64> {
+        let [near, far] = self.bounds().widened().interval(&Slabs::new(ray));
+        if near > far {
+            probe.mark(Decision::Miss { why: Miss::Beside });
+            return None;
+        }
+        // Not `t`: what an arithmetic makes of it is its own.
+        let quotient = normal.dot(self.a - ray.origin) / normal.dot(ray.direction);
+        if near <= quotient && quotient <= far {
+            return Some(t);
+        }
+        probe.given(Name::TriangleTNear, near);
+        probe.given(Name::TriangleTFar, far);
+        Some(probe.note(Name::TriangleTInBox, t.max(near).min(far)))
     }
 
     /// The surface at a crossing. Where there are normals at the corners, light is reckoned with their mean.

@@ -19,20 +19,68 @@ pub const STANDARD_INPUT: &str = "<stdin>";
 /// [`SceneError::Refused`] when it is missing, no regular file or too large; [`SceneError::Unreadable`] when the machine
 /// did not give the bytes.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, SceneError> {
-    let name = display_name(path);
-    let bytes = read_as_it_is(path, &name)?;
-    gzip::unpacked(bytes, MAX_BYTES).map_err(|reason| refused(&name, reason))
+    Wanted { what: "a scene file", max_bytes: MAX_BYTES }.read(path)
 }
 
-fn read_as_it_is(path: &Path, name: &str) -> Result<Vec<u8>, SceneError> {
-    if path == Path::new("-") {
-        return read_bounded(io::stdin().lock(), 0, name);
+/// What kind of file is read.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// The kind, in words.
+    pub what: &'static str,
+    /// The largest one.
+    pub max_bytes: u64,
+}
+
+impl Wanted {
+    /// Reads such a file, or standard input for `-`, and unpacks it; errors are those of [`read_bytes`].
+    pub fn read(self, path: &Path) -> Result<Vec<u8>, SceneError> {
+        let name = display_name(path);
+        let bytes = self.read_as_it_is(path, &name)?;
+        gzip::unpacked(bytes, self.max_bytes).map_err(|reason| refused(&name, reason))
     }
-    // Asked before opening, because opening a FIFO would wait for a writer.
-    let metadata = fs::metadata(path).map_err(|error| failure(name, error))?;
-    refuse_what_is_no_file(&metadata, name)?;
-    let file = File::open(path).map_err(|error| failure(name, error))?;
-    read_bounded(file, metadata.len(), name)
+
+    fn read_as_it_is(self, path: &Path, name: &str) -> Result<Vec<u8>, SceneError> {
+        if path == Path::new("-") {
+            return self.read_bounded(io::stdin().lock(), 0, name);
+        }
+        // Asked before opening, because opening a FIFO would wait for a writer.
+        let metadata = fs::metadata(path).map_err(|error| self.failure(name, error))?;
+        if let Some(thing) = irregular(&metadata) {
+            return Err(refused(name, format!("expected a regular file, found {thing}")));
+        }
+        if metadata.len() > self.max_bytes {
+            return Err(self.too_large(name, &format!("found {} bytes", metadata.len())));
+        }
+        let file = File::open(path).map_err(|error| self.failure(name, error))?;
+        self.read_bounded(file, metadata.len(), name)
+    }
+
+    fn read_bounded(self, input: impl Read, expected: u64, name: &str) -> Result<Vec<u8>, SceneError> {
+        let mut bytes = Vec::new();
+        bytes
+            .try_reserve(usize::try_from(expected).unwrap_or(usize::MAX))
+            .map_err(|_| self.failure(name, ErrorKind::OutOfMemory.into()))?;
+        input.take(self.max_bytes + 1).read_to_end(&mut bytes).map_err(|error| self.failure(name, error))?;
+        if bytes.len() as u64 > self.max_bytes {
+            return Err(self.too_large(name, "found more"));
+        }
+        Ok(bytes)
+    }
+
+    fn failure(self, name: &str, source: io::Error) -> SceneError {
+        let what = self.what;
+        if source.kind() == ErrorKind::NotFound {
+            refused(name, format!("no such file, expected {what}"))
+        } else if is_callers_fault(&source) {
+            refused(name, format!("expected {what}: {source}"))
+        } else {
+            SceneError::Unreadable { file: name.to_string(), source }
+        }
+    }
+
+    fn too_large(self, name: &str, found: &str) -> SceneError {
+        refused(name, format!("too large, expected at most {} bytes, {found}", self.max_bytes))
+    }
 }
 
 /// The name of a file as messages show it.
@@ -77,42 +125,6 @@ pub fn is_callers_fault(error: &io::Error) -> bool {
     )
 }
 
-fn refuse_what_is_no_file(metadata: &Metadata, name: &str) -> Result<(), SceneError> {
-    if let Some(thing) = irregular(metadata) {
-        return Err(refused(name, format!("expected a regular file, found {thing}")));
-    }
-    if metadata.len() > MAX_BYTES {
-        return Err(too_large(name, &format!("found {} bytes", metadata.len())));
-    }
-    Ok(())
-}
-
-fn read_bounded(input: impl Read, expected: u64, name: &str) -> Result<Vec<u8>, SceneError> {
-    let mut bytes = Vec::new();
-    bytes
-        .try_reserve(usize::try_from(expected).unwrap_or(usize::MAX))
-        .map_err(|_| failure(name, ErrorKind::OutOfMemory.into()))?;
-    input.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| failure(name, error))?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(too_large(name, "found more"));
-    }
-    Ok(bytes)
-}
-
-fn failure(name: &str, source: io::Error) -> SceneError {
-    if source.kind() == ErrorKind::NotFound {
-        refused(name, "no such file, expected a scene file".to_string())
-    } else if is_callers_fault(&source) {
-        refused(name, format!("expected a scene file: {source}"))
-    } else {
-        SceneError::Unreadable { file: name.to_string(), source }
-    }
-}
-
-fn too_large(name: &str, found: &str) -> SceneError {
-    refused(name, format!("too large, expected at most {MAX_BYTES} bytes, {found}"))
-}
-
 fn refused(name: &str, reason: String) -> SceneError {
     SceneError::Refused { file: name.to_string(), reason }
 }
@@ -121,6 +133,10 @@ fn refused(name: &str, reason: String) -> SceneError {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+
+    fn scene_file() -> Wanted {
+        Wanted { what: "a scene file", max_bytes: MAX_BYTES }
+    }
 
     #[track_caller]
     fn refuses(path: &Path, exit_code: u8, part: &str) {
@@ -164,13 +180,13 @@ mod tests {
 
     #[test]
     fn endless_input_ends_at_the_limit() {
-        let error = read_bounded(io::repeat(b' '), 0, "-").unwrap_err();
+        let error = scene_file().read_bounded(io::repeat(b' '), 0, "-").unwrap_err();
         assert_eq!(error.exit_code(), 2);
     }
 
     #[test]
     fn a_failing_disk_may_be_tried_again() {
-        let error = failure("a", ErrorKind::PermissionDenied.into());
+        let error = scene_file().failure("a", ErrorKind::PermissionDenied.into());
         assert_eq!(error.exit_code(), 3);
     }
 }

@@ -40,10 +40,7 @@ impl MeshPathError {
 /// regular file. The message names the resolved path and nothing of the file's content.
 pub fn resolve_mesh_path(scene_path: &Path, mesh_path: &str) -> Result<PathBuf, MeshPathError> {
     check_as_written(mesh_path).map_err(MeshPathError::Refused)?;
-    let folder = match scene_path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let folder = scene_path.parent().unwrap_or(Path::new(""));
     let resolved = folder.join(mesh_path);
     let shown = visible(&resolved.to_string_lossy()).into_owned();
     let failure = |source: io::Error| match source.kind() {
@@ -57,7 +54,8 @@ pub fn resolve_mesh_path(scene_path: &Path, mesh_path: &str) -> Result<PathBuf, 
         return Err(MeshPathError::Refused(message));
     }
     let real = fs::canonicalize(&resolved).map_err(failure)?;
-    let real_folder = fs::canonicalize(folder).map_err(failure)?;
+    let current = Path::new(".");
+    let real_folder = fs::canonicalize(if folder == Path::new("") { current } else { folder }).map_err(failure)?;
     if !real.starts_with(&real_folder) {
         let message = format!("`{shown}` is a link out of the scene's folder, expected a file inside it");
         return Err(MeshPathError::Refused(message));

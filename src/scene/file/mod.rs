@@ -10,6 +10,7 @@
 //! assert_eq!(loaded.map(|loaded| loaded.scene.name), Ok("empty".to_string()));
 //! ```
 
+pub mod mesh;
 pub mod nff;
 pub mod schema;
 pub mod validate;

@@ -70,9 +70,11 @@ impl Source<'_> {
             |range: Range<usize>| visible(&String::from_utf8_lossy(&self.text[range]).replace('\t', " ")).into_owned();
         let head = if from > line_start { "…" } else { "" };
         let tail = if to < line_end { "…" } else { "" };
-        let before = format!("{head}{}", part(from..start));
-        let place = part(start..self.next_boundary(cut));
+        // Escapes lengthen what is shown, so the parts are cut once more.
+        let before = format!("{head}{}", last(&part(from..start), shown));
+        let place = first(&part(start..self.next_boundary(cut)), shown).to_owned();
         let after = part(self.next_boundary(cut)..to);
+        let after = first(&after, shown);
         Excerpt {
             before: before.chars().count(),
             width: place.chars().count().max(1),
@@ -86,6 +88,17 @@ impl Source<'_> {
         let skipped = rest.iter().position(|&byte| starts_character(byte));
         skipped.map_or(self.text.len(), |skipped| offset + skipped)
     }
+}
+
+/// The first characters of a text, at most `limit`.
+fn first(text: &str, limit: usize) -> &str {
+    text.char_indices().nth(limit).map_or(text, |(end, _)| &text[..end])
+}
+
+/// The last characters of a text, at most `limit`.
+fn last(text: &str, limit: usize) -> &str {
+    let left_out = text.chars().count().saturating_sub(limit);
+    text.char_indices().nth(left_out).map_or("", |(start, _)| &text[start..])
 }
 
 fn start_of_last_line(text: &[u8]) -> usize {
@@ -135,6 +148,12 @@ mod tests {
         let text = format!("{}X{}", "a".repeat(1000), "b".repeat(1000));
         let line = format!("…{}X{}…", "a".repeat(SHOWN), "b".repeat(SHOWN));
         shows(&text, 1000..1001, &line, "X");
+    }
+
+    #[test]
+    fn what_escapes_lengthen_is_cut_again() {
+        let text = format!("{}X", "\0".repeat(30));
+        shows(&text, 30..31, &format!("{}X", "\\u{0}".repeat(24)), "X");
     }
 
     #[test]

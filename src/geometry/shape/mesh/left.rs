@@ -1,0 +1,134 @@
+//! The triangle that a ray leaves, and what follows for its neighbours.
+//!
+//! The origin of a ray that leaves a triangle is rounded. Near an edge it may thus lie on the wrong side of the triangle
+//! beyond that edge, and the ray would meet that one just where it sets off. No epsilon is needed to tell that this can't be.
+//! Two triangles at an edge cut space into two wedges. A ray that sets off from one of them runs in one of the wedges, until
+//! it meets the other triangle from there. If that wedge is the wider one, the ray begins on the far side of the other
+//! triangle's plane already, and so never meets it.
+
+use crate::geometry::area_normal::area_normal;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::ray::{Ray, Side};
+use glam::DVec3;
+
+/// The triangle of a mesh that a ray leaves.
+pub(super) struct LeftTriangle {
+    number: u32,
+    corners: [DVec3; 3],
+    /// The side on which the ray sets off; `None` if it runs along the triangle or doesn't begin there.
+    sets_off: Option<Side>,
+}
+
+/// How far from a triangle, as a part of its size, an origin may lie that belongs to it. Whoever asks about a ray that is
+/// said to leave a triangle and begins elsewhere gets the answer for where it begins.
+const NEARBY: f64 = 1.0 / (1 << 20) as f64;
+
+impl LeftTriangle {
+    /// The triangle with this number, if there is one.
+    pub fn of(mesh: &Mesh, number: u32, ray: &Ray) -> Option<LeftTriangle> {
+        let corners = ((number as usize) < mesh.faces.len()).then(|| mesh.corners(number))?;
+        let [a, b, c] = corners;
+        let normal = area_normal(a, b, c);
+        let size = (b - a).abs().max((c - a).abs()).max_element();
+        let is_nearby = normal.dot(ray.origin - a).abs() <= normal.length() * size * NEARBY;
+        let along_normal = normal.dot(ray.direction);
+        let sets_off = match () {
+            _ if !is_nearby => None,
+            _ if along_normal > 0.0 => Some(Side::Front),
+            _ if along_normal < 0.0 => Some(Side::Back),
+            _ => None,
+        };
+        Some(LeftTriangle { number, corners, sets_off })
+    }
+
+    /// Whether the ray can't meet a triangle: this one, or one at an edge of it.
+    pub fn bars(&self, mesh: &Mesh, triangle: u32, ray: &Ray) -> bool {
+        if triangle == self.number {
+            return true;
+        }
+        let Some(sets_off) = self.sets_off else { return false };
+        let [a, b, c] = mesh.corners(triangle);
+        let Some(edge) = shared_edge(self.corners, [a, b, c]) else { return false };
+        let normal = area_normal(a, b, c);
+        // Along which way of the normal the wedge lies in which the ray runs, and its narrow side.
+        let wedge = if edge.fronts_agree == (sets_off == Side::Front) { normal } else { -normal };
+        let is_narrow = wedge.dot(edge.over_against - a) > 0.0;
+        let arrives_from_it = wedge.dot(ray.direction) < 0.0;
+        !(is_narrow && arrives_from_it)
+    }
+}
+
+/// An edge that two triangles have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct SharedEdge {
+    /// Whether their fronts lie on the same side. They then run along the edge in opposite directions.
+    fronts_agree: bool,
+    /// The corner of the first triangle that isn't on the edge.
+    over_against: DVec3,
+}
+
+/// The edge of two triangles that have exactly one in common. Corners are compared by their places: files repeat them where
+/// normals or textures differ.
+fn shared_edge(one: [DVec3; 3], other: [DVec3; 3]) -> Option<SharedEdge> {
+    let edges = |[a, b, c]: [DVec3; 3]| [([a, b], c), ([b, c], a), ([c, a], b)];
+    let mut found = None;
+    for ([from, to], over_against) in edges(one) {
+        for (edge, _) in edges(other) {
+            let fronts_agree = edge == [to, from];
+            let is_shared = fronts_agree || edge == [from, to];
+            if is_shared && found.replace(SharedEdge { fronts_agree, over_against }).is_some() {
+                return None;
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_in_common() {
+        let [a, b, c, d] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let edge = |fronts_agree, over_against| Some(SharedEdge { fronts_agree, over_against });
+        assert_eq!(shared_edge([a, b, c], [b, a, d]), edge(true, c));
+        assert_eq!(shared_edge([a, b, c], [d, b, c]), edge(false, a));
+        assert_eq!(shared_edge([a, b, c], [c, d, a]), edge(true, b));
+        assert_eq!(shared_edge([a, b, c], [a, d, d * 2.0]), None);
+        assert_eq!(shared_edge([a, b, c], [c, a, b]), None);
+    }
+
+    /// Two squares' halves that meet in the edge from the origin along y, the second turned up or down from the first.
+    #[track_caller]
+    fn bars(up: f64, direction: [f64; 3], expected: bool) {
+        let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, up)];
+        let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
+        let ray = Ray::new(DVec3::new(-0.1, 0.5, 0.0), DVec3::from(direction));
+        let left = LeftTriangle::of(&mesh, 0, &ray).map(|left| left.bars(&mesh, 1, &ray));
+        assert_eq!(left, Some(expected));
+    }
+
+    #[test]
+    fn a_neighbour_is_met_in_a_valley_only() {
+        bars(1.0, [1.0, 0.0, 0.1], false);
+        bars(1.0, [1.0, 0.0, -0.1], true);
+        bars(1.0, [1.0, 0.0, 2.0], true);
+        bars(-1.0, [1.0, 0.0, 0.1], true);
+        bars(-1.0, [1.0, 0.0, -0.1], false);
+        bars(0.0, [1.0, 0.0, 0.1], true);
+    }
+
+    #[test]
+    fn a_ray_that_begins_elsewhere_leaves_nothing_but_the_triangle_itself() {
+        let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, -1.0)];
+        let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
+        let ray = Ray::new(DVec3::new(-0.1, 0.5, 1.0), DVec3::new(1.0, 0.0, 0.1));
+        let left = LeftTriangle::of(&mesh, 0, &ray);
+        assert_eq!(
+            left.as_ref().map(|left| [left.bars(&mesh, 0, &ray), left.bars(&mesh, 1, &ray)]),
+            Some([true, false])
+        );
+        assert!(LeftTriangle::of(&mesh, 9, &ray).is_none());
+    }
+}

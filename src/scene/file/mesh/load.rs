@@ -1,0 +1,136 @@
+//! The meshes of a scene: found, read, and held by the paths by which the scene names them.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::limits::MAX_MESH_BYTES;
+use super::{Read, parse};
+use crate::geometry::mesh::Mesh;
+use crate::scene::file::error::{Problem, SceneError};
+use crate::scene::file::input::{Wanted, display_name};
+use crate::scene::file::key_path::KeyPath;
+use crate::scene::file::locate::locate;
+use crate::scene::file::mesh_path::{MeshPathError, resolve_mesh_path};
+use crate::scene::file::schema::{SceneFile, Shape};
+use crate::scene::file::source::Source;
+use crate::scene::file::validate::limits::MAX_PROBLEMS;
+
+/// Where the paths of meshes lead from.
+#[derive(Clone, Copy, Debug)]
+pub enum Folder<'p> {
+    /// The folder of this scene file; the current one for standard input, `-`.
+    OfScene(&'p Path),
+    /// What comes with the program: gives the bytes of a mesh.
+    BuiltIn(fn(&str) -> Option<&'static [u8]>),
+}
+
+/// The meshes of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Meshes {
+    by_path: BTreeMap<String, Held>,
+}
+
+#[derive(Clone, Debug)]
+struct Held {
+    mesh: Arc<Mesh>,
+    digest: blake3::Hash,
+}
+
+impl Meshes {
+    /// Adds the mesh that a scene calls `path`, and the digest of its file.
+    pub fn insert(&mut self, path: &str, mesh: Mesh, digest: blake3::Hash) {
+        self.by_path.insert(path.to_owned(), Held { mesh: Arc::new(mesh), digest });
+    }
+
+    /// The mesh that a scene calls `path`.
+    pub fn get(&self, path: &str) -> Option<&Arc<Mesh>> {
+        self.by_path.get(path).map(|held| &held.mesh)
+    }
+
+    /// The digests of the meshes' files, by their paths.
+    pub fn digests(&self) -> impl Iterator<Item = (&str, &blake3::Hash)> {
+        self.by_path.iter().map(|(path, held)| (path.as_str(), &held.digest))
+    }
+}
+
+/// Reads the meshes of a scene whose file is `scene_text`, in which paths that lead nowhere are shown. Gives them and
+/// warnings.
+///
+/// # Errors
+/// [`SceneError::Invalid`] with every path that is not followed, or with the first problem of a mesh file;
+/// [`SceneError::Refused`] and [`SceneError::Unreadable`] as for a scene file.
+pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(Meshes, Vec<Problem>), SceneError> {
+    let mut meshes = Meshes::default();
+    let mut warnings = Vec::new();
+    let mut problems = Vec::new();
+    let mut omitted = 0;
+    for (index, object) in scene.objects.iter().enumerate() {
+        let Shape::Mesh(named) = &object.shape else { continue };
+        let is_held = meshes.get(&named.path).is_some();
+        if is_held {
+            continue;
+        }
+        let read = match read_one(&named.path, folder) {
+            Ok(read) => read,
+            Err(NotRead::Path(_)) if problems.len() == MAX_PROBLEMS => {
+                omitted += 1;
+                continue;
+            }
+            Err(NotRead::Path(message)) => {
+                problems.push(path_problem(scene_text, index, message));
+                continue;
+            }
+            Err(NotRead::File(error)) if problems.is_empty() => return Err(error),
+            Err(NotRead::File(_)) => break,
+        };
+        meshes.insert(&named.path, read.0.mesh, read.1);
+        warnings.extend(read.0.warnings);
+    }
+    if problems.is_empty() { Ok((meshes, warnings)) } else { Err(SceneError::Invalid { problems, omitted }) }
+}
+
+/// Why a mesh isn't there.
+enum NotRead {
+    /// The scene names something that it must not, or that is not there.
+    Path(String),
+    /// The file is no good.
+    File(SceneError),
+}
+
+fn read_one(path: &str, folder: Folder) -> Result<(Read, blake3::Hash), NotRead> {
+    let (bytes, name) = match folder {
+        Folder::BuiltIn(bytes_of) => match bytes_of(path) {
+            Some(bytes) => (bytes.to_vec(), path.to_owned()),
+            None => return Err(NotRead::Path(format!("no such built-in mesh, `{path}`"))),
+        },
+        Folder::OfScene(scene) => {
+            let file = find(scene, path)?;
+            let wanted = Wanted { what: "a mesh", max_bytes: MAX_MESH_BYTES };
+            (wanted.read(&file).map_err(NotRead::File)?, display_name(&file))
+        }
+    };
+    let read = parse(&bytes, &name).map_err(|error| match error {
+        SceneError::Refused { reason, .. } => NotRead::Path(reason),
+        other => NotRead::File(other),
+    })?;
+    Ok((read, blake3::hash(&bytes)))
+}
+
+fn find(scene: &Path, path: &str) -> Result<PathBuf, NotRead> {
+    resolve_mesh_path(scene, path).map_err(|error| match error {
+        MeshPathError::Refused(message) => NotRead::Path(message),
+        MeshPathError::Unreadable { path, source } => {
+            NotRead::File(SceneError::Unreadable { file: display_name(&path), source })
+        }
+    })
+}
+
+/// A problem with the path of a mesh, at its place in the scene's text.
+fn path_problem(scene_text: &Source, object: usize, message: String) -> Problem {
+    let steps = ["objects".into(), object.into(), "shape".into(), "mesh".into(), "path".into()];
+    let path: KeyPath = steps.into_iter().collect();
+    let text = std::str::from_utf8(scene_text.text).unwrap_or_default();
+    let text = text.trim_start_matches('\u{feff}');
+    Source { name: scene_text.name, text: text.as_bytes() }.problem(locate(text, &path).value, path, message)
+}

@@ -1,0 +1,65 @@
+//! Meshes: the files that a scene names, from bytes to [`Mesh`].
+//!
+//! This room owns the readers of OBJ and PLY and where a mesh may be read from ([`Folder`]). A face of more than three
+//! corners becomes a fan of triangles about its first corner. Triangles count from 0 in the order of the file, those of a
+//! fan one by one; triangles without area are skipped when rays are traced, but keep their numbers.
+//!
+//! ```
+//! let text = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+//! let read = raywalk::scene::file::mesh::parse(text, "square.obj").map_err(|error| error.report(false));
+//! assert_eq!(read.map(|read| read.mesh.faces), Ok(vec![[0, 1, 2], [0, 2, 3]]));
+//! ```
+
+pub mod limits;
+
+mod collect;
+mod fault;
+mod load;
+mod obj;
+mod ply;
+#[cfg(test)]
+mod tests;
+mod words;
+
+pub use load::{Folder, Meshes, load};
+
+use super::error::{Problem, SceneError};
+use super::source::Source;
+use crate::geometry::mesh::Mesh;
+use fault::out_of_memory;
+use limits::TREE_BYTES_PER_TRIANGLE;
+
+/// A mesh as it was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Read {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What is odd about it but does not stop anybody.
+    pub warnings: Vec<Problem>,
+}
+
+/// Reads the mesh in the bytes of an OBJ or PLY file. PLY says what it is; for OBJ the file's name has to.
+///
+/// # Errors
+/// [`SceneError::Invalid`] with the first problem; [`SceneError::Refused`] when it is neither OBJ nor PLY;
+/// [`SceneError::Unreadable`] when there is no memory for it.
+pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, SceneError> {
+    let source = Source { name: file_name, text: bytes };
+    let name = file_name.to_ascii_lowercase();
+    let has_ending = |ending: &str| name.strip_suffix(".gz").unwrap_or(&name).ends_with(ending);
+    let (mesh, warnings) = match () {
+        _ if ply::is_ply(bytes) || has_ending(".ply") => ply::read(&source)?,
+        _ if has_ending(".obj") => obj::read(&source)?,
+        _ => {
+            let reason = "unknown kind of mesh, expected a name that ends in .obj or .ply".to_owned();
+            return Err(SceneError::Refused { file: file_name.to_owned(), reason });
+        }
+    };
+    ask_for_memory(&mesh).map_err(|_| out_of_memory(file_name))?;
+    Ok(Read { mesh, warnings })
+}
+
+/// Makes sure, as far as that goes, that there is memory for what tracing builds over the mesh: there it could only abort.
+fn ask_for_memory(mesh: &Mesh) -> Result<(), std::collections::TryReserveError> {
+    Vec::<u8>::new().try_reserve_exact(mesh.faces.len() * TREE_BYTES_PER_TRIANGLE)
+}

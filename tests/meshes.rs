@@ -1,0 +1,171 @@
+//! Meshes as users of the command line meet them: where they are found, what is wrong with them, what rays meet.
+
+use assert_cmd::Command;
+use std::fs;
+use std::path::Path;
+
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+
+fn raywalk(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("raywalk").expect("the program");
+    command.args(arguments).env_remove("NO_COLOR").current_dir(folder);
+    command
+}
+
+/// A folder with a scene whose second object is the mesh `path`.
+fn folder(path: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = format!(
+        "{{\"format\": \"raywalk-scene/1\",\n \"camera\": {{\"position\": [0.3, 0.2, 5], \"direction\": [0, 0, -1]}},\n \
+         \"objects\": [\n  {{\"name\": \"ball\", \"shape\": {{\"sphere\": {{\"center\": [50, 0, -9], \"radius\": 1}}}}}},\n  \
+         {{\"name\": \"mesh\", \"shape\": {{\"mesh\": {{\"path\": \"{path}\"}}}}}}]}}\n"
+    );
+    fs::write(folder.path().join("scene.json"), scene).expect("written");
+    fs::write(folder.path().join("square.obj"), SQUARE).expect("written");
+    folder
+}
+
+/// What standard output and standard error hold, of a call that ends with this code.
+#[track_caller]
+fn ends(code: i32, folder: &Path, arguments: &[&str]) -> (String, String) {
+    let output = raywalk(folder, arguments).output().expect("it runs");
+    let texts = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", texts[1]);
+    texts.into()
+}
+
+#[track_caller]
+fn refuses(path: &str, prepare: impl FnOnce(&Path), expected: &str) {
+    let folder = folder(path);
+    prepare(folder.path());
+    let (out, message) = ends(2, folder.path(), &["scene", "check", "scene.json"]);
+    assert_eq!(out, "");
+    let first = message.lines().next().unwrap_or_default();
+    assert_eq!(first, format!("error: {expected}"), "{message}");
+    let (_, same) = ends(2, folder.path(), &["render", "scene.json", "-o", "picture.png"]);
+    assert_eq!(same, message);
+    assert!(!folder.path().join("picture.png").exists());
+}
+
+const AT: &str = "scene.json:5:47: objects[1].shape.mesh.path:";
+
+#[test]
+fn b44_to_b49_paths_that_are_not_followed() {
+    refuses("no.obj", |_| {}, &format!("{AT} no such file, `no.obj`, expected a mesh"));
+    let inside = "must stay inside the scene's folder, found `../../../../etc/passwd`";
+    refuses("../../../../etc/passwd", |_| {}, &format!("{AT} {inside}"));
+    let relative = "must be relative to the scene file, found the absolute path `/dev/zero`";
+    refuses("/dev/zero", |_| {}, &format!("{AT} {relative}"));
+    let itself = "`scene.json` is the scene file itself, expected an OBJ or PLY file";
+    refuses("scene.json", |_| {}, &format!("{AT} {itself}"));
+}
+
+#[test]
+#[cfg(unix)]
+fn b47_and_b48_what_is_no_file() {
+    let device = |folder: &Path| std::os::unix::fs::symlink("/dev/zero", folder.join("zero.obj")).expect("a link");
+    refuses("zero.obj", device, &format!("{AT} expected a regular file at `zero.obj`, found a device"));
+    let fifo = |folder: &Path| {
+        let made = std::process::Command::new("mkfifo").arg(folder.join("fifo.obj")).status().expect("mkfifo");
+        assert!(made.success());
+    };
+    refuses("fifo.obj", fifo, &format!("{AT} expected a regular file at `fifo.obj`, found a FIFO"));
+}
+
+#[test]
+fn bad_meshes_are_named_with_their_lines() {
+    let write = |text: &'static str| move |folder: &Path| fs::write(folder.join("bad.obj"), text).expect("written");
+    refuses("bad.obj", write("v 0 0 0\nf 1 2 3\n"), "bad.obj:2:7: there is no vertex 3, the file has one vertex");
+    refuses("bad.obj", write("v 0 nan 0\n"), "bad.obj:1:5: expected a finite number, found `nan`");
+    refuses("bad.obj", write("solid\n"), "bad.obj:1:1: the file has no faces, expected at least one such as `f 1 2 3`");
+}
+
+#[test]
+fn triangles_without_area_are_counted() {
+    let folder = folder("square.obj");
+    fs::write(folder.path().join("square.obj"), format!("{SQUARE}f 1 1 2\n")).expect("written");
+    let (out, warning) = ends(0, folder.path(), &["scene", "check", "scene.json"]);
+    assert_eq!(out, "scene: ok, 2 objects, 0 lights, 0 materials\n");
+    assert_eq!(warning, "warning: square.obj: 1 of 3 triangles has no area and is skipped\n");
+}
+
+#[test]
+fn meshes_are_found_beside_the_scene() {
+    let folder = folder("square.obj");
+    let elsewhere = tempfile::tempdir().expect("a folder");
+    let scene = folder.path().join("scene.json");
+    ends(0, elsewhere.path(), &["scene", "check", scene.to_str().expect("UTF-8")]);
+    // Standard input has no folder of its own.
+    let text = fs::read(&scene).expect("the scene");
+    let piped =
+        |place: &Path| raywalk(place, &["scene", "check", "-"]).write_stdin(text.clone()).output().expect("it runs");
+    assert!(piped(folder.path()).status.success());
+    assert_eq!(piped(elsewhere.path()).status.code(), Some(2));
+}
+
+#[test]
+fn rays_meet_triangles_by_their_numbers() {
+    let folder = folder("square.obj");
+    let rays = concat!(
+        "{\"o\":[0.75,0.25,2],\"d\":[0,0,-2]}\n",
+        "{\"o\":[0.25,0.75,2],\"d\":[0,0,-2]}\n",
+        "{\"o\":[0.5,0.5,2],\"d\":[0,0,-2]}\n",
+        "{\"o\":[0.25,0.75,0],\"d\":[0,0,-1],\"from\":\"mesh\",\"from_primitive\":1}\n",
+        "{\"o\":[0.25,0.75,0],\"d\":[0,0,-1],\"from\":\"mesh\"}\n",
+    );
+    let output = raywalk(folder.path(), &["rays", "scene.json"]).write_stdin(rays).output().expect("it runs");
+    let replies = String::from_utf8(output.stdout).expect("UTF-8");
+    let replies: Vec<serde_json::Value> =
+        replies.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    for (reply, primitive) in replies.iter().zip([0, 1, 0]) {
+        assert_eq!(reply["hit"]["object"], "mesh");
+        assert_eq!(reply["hit"]["primitive"], primitive);
+        assert_eq!(reply["hit"]["t"], 1.0);
+        assert_eq!(reply["hit"]["normal"], serde_json::json!([0.0, 0.0, 1.0]));
+    }
+    assert_eq!(replies[3]["hit"], serde_json::Value::Null);
+    assert!(replies[4]["error"].as_str().is_some_and(|error| error.contains("from_primitive")));
+}
+
+#[test]
+fn the_digest_of_a_scene_covers_its_meshes() {
+    let folder = folder("square.obj");
+    let digest = || {
+        let (log, _) = ends(0, folder.path(), &["trace", "scene.json", "--ray", "0,0,5,0,0,1"]);
+        let header: serde_json::Value = serde_json::from_str(log.lines().next().expect("a header")).expect("JSON");
+        header["scene"]["digest"].as_str().expect("a digest").to_owned()
+    };
+    let before = digest();
+    assert_eq!(digest(), before);
+    fs::write(folder.path().join("square.obj"), SQUARE.replace("v 1 1 0", "v 1 1 1")).expect("written");
+    assert_ne!(digest(), before);
+}
+
+#[test]
+fn a_log_shows_a_test_for_each_triangle() {
+    let folder = folder("square.obj");
+    let (log, _) = ends(0, folder.path(), &["trace", "scene.json", "--ray", "0.25,0.75,2,0,0,-1"]);
+    assert!(log.contains("\"enter\":{\"test\":{\"object\":\"mesh\",\"triangle\":1}}"), "{log}");
+}
+
+#[test]
+fn generated_meshes_read_back() {
+    let folder = folder("ball.obj");
+    for what in ["knot", "icosphere"] {
+        ends(0, folder.path(), &["scene", "generate", what, "--level", "2", "-o", "ball.obj"]);
+        let (_, warnings) = ends(0, folder.path(), &["scene", "check", "scene.json"]);
+        assert_eq!(warnings, "");
+    }
+}
+
+#[test]
+fn generated_flakes_are_scenes() {
+    let folder = folder("square.obj");
+    for (level, objects) in [("1", "11 objects"), ("4", "7382 objects")] {
+        ends(0, folder.path(), &["scene", "generate", "sphere-flake", "--level", level, "-o", "flake.json"]);
+        let (out, warnings) = ends(0, folder.path(), &["scene", "check", "flake.json"]);
+        assert_eq!(warnings, "");
+        assert!(out.contains(objects), "{out}");
+    }
+    ends(2, folder.path(), &["scene", "generate", "sphere-flake", "--level", "8"]);
+}
