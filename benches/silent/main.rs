@@ -1,8 +1,12 @@
-//! What the silent probe costs: the program's tracer against one written by hand without any probe.
+//! What the silent probe costs: the program against the same written by hand without any probe.
 //!
-//! Both must first give the same bits in every pixel. Then whole pictures are timed in pairs, one right after the other
-//! and in turns, so that a machine that slows down slows both; what counts is the median of the pairs' ratios. Where
-//! valgrind is installed, the instructions of a small picture are counted too: they don't depend on the machine's mood.
+//! Two contests. The *kernels* meet the objects of a scene with the camera's rays: this is what the probe may cost at
+//! most 2 % of. The whole *picture* is traced by a tracer of planes and spheres that knows nothing of the program's other
+//! shapes, tree and interpolated normals: what it saves by that is shown too, but isn't the probe's.
+//!
+//! Both sides must first give the same bits. Then they are timed in pairs, one right after the other and in turns, so that a
+//! machine that slows down slows both; what counts is the median of the pairs' ratios. Where valgrind is installed, the
+//! instructions are counted too: they don't depend on the machine's mood.
 //!
 //! ```text
 //! cargo bench --bench silent
@@ -10,6 +14,9 @@
 
 mod yardstick;
 
+use glam::DVec3;
+use raywalk::geometry::Ray;
+use raywalk::geometry::shape::{Approach, Kernel, Shape};
 use raywalk::probe::Silent;
 use raywalk::sampling;
 use raywalk::scene::{Scene, build, builtin, file};
@@ -17,8 +24,9 @@ use std::hint::black_box;
 use std::process::Command;
 use std::time::{Duration, Instant};
 use yardstick::Yardstick;
+use yardstick::shapes::{Meet, Ray as RayByHand, Shape as ByHand};
 
-/// How many pairs of pictures are timed.
+/// How many pairs are timed.
 const PAIRS: usize = 41;
 
 /// The size of the timed pictures.
@@ -34,7 +42,7 @@ fn main() {
     let arguments: Vec<_> = std::env::args().collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         // How the bench calls itself to have its instructions counted.
-        [_, "--paint", tracer, scene] => paint(tracer, &Contest::new(scene, COUNTED)),
+        [_, "--run", work, side, scene] => run(work, side, &Contest::new(scene, COUNTED)),
         // Cargo says whether it is measuring or, among the tests, only asks whether the bench works.
         [_, ref options @ ..] if options.contains(&"--bench") => scenes().for_each(report),
         _ => scenes().for_each(|scene| Contest::new(scene, COUNTED).assert_same_bits()),
@@ -49,33 +57,48 @@ fn scenes() -> impl Iterator<Item = &'static str> {
 fn report(scene: &str) {
     let contest = Contest::new(scene, TIMED);
     contest.assert_same_bits();
-    let (silent, by_hand, mut ratios) = contest.times();
-    ratios.sort_by(f64::total_cmp);
-    let quartile = |part: usize| ratios[(ratios.len() - 1) * part / 4];
-    let verdict = if quartile(2) <= ALLOWED { "within" } else { "ABOVE" };
-    println!("{scene}: {} × {} pixels, the same bits in each", TIMED[0], TIMED[1]);
-    println!("  median time   silent {silent:.2?}   by hand {by_hand:.2?}");
-    println!(
-        "  ratio         {:.4} (quartiles {:.4} and {:.4} of {PAIRS} pairs), {verdict} {ALLOWED}",
-        quartile(2),
-        quartile(1),
-        quartile(3)
-    );
-    match instructions(scene) {
-        Some((silent, by_hand)) => {
-            println!(
-                "  instructions  silent {silent}   by hand {by_hand}   ratio {:.4}",
-                silent as f64 / by_hand as f64
-            );
+    println!("{scene}, {} × {} camera rays; the same bits everywhere", TIMED[0], TIMED[1]);
+    for work in [Work::Kernels, Work::Picture] {
+        let (silent, by_hand, mut ratios) = contest.times(work);
+        ratios.sort_by(f64::total_cmp);
+        let quartile = |part: usize| ratios[(ratios.len() - 1) * part / 4];
+        let verdict = match work {
+            Work::Kernels if quartile(2) <= ALLOWED => format!(", within {ALLOWED}"),
+            Work::Kernels => format!(", ABOVE {ALLOWED}"),
+            Work::Picture => String::new(),
+        };
+        println!("  {work:?}: median time silent {silent:.2?}, by hand {by_hand:.2?}");
+        println!(
+            "    ratio of times {:.4} (quartiles {:.4} and {:.4} of {PAIRS} pairs){verdict}",
+            quartile(2),
+            quartile(1),
+            quartile(3)
+        );
+        match instructions(work, scene) {
+            Some((silent, by_hand)) => {
+                let ratio = silent as f64 / by_hand as f64;
+                println!("    ratio of instructions {ratio:.4} (silent {silent}, by hand {by_hand})");
+            }
+            None => println!("    instructions not counted: valgrind can't be run"),
         }
-        None => println!("  instructions  not counted: valgrind can't be run"),
     }
 }
 
-/// The two tracers on one scene.
+/// What is done.
+#[derive(Clone, Copy, Debug)]
+enum Work {
+    /// Each object is met by each camera ray, and its surface is found where it is.
+    Kernels,
+    /// A picture is traced.
+    Picture,
+}
+
+/// The two sides on one scene.
 struct Contest {
     scene: Scene,
     yardstick: Yardstick,
+    rays: Vec<Ray>,
+    rays_by_hand: Vec<RayByHand>,
 }
 
 impl Contest {
@@ -86,26 +109,95 @@ impl Contest {
         let mut file = loaded.unwrap_or_else(|report| panic!("{report}")).scene;
         file.camera.resolution = resolution;
         let scene = build(&file, &Default::default()).unwrap_or_else(|unsupported| panic!("{unsupported}"));
-        Contest { scene, yardstick: Yardstick::new(&file) }
+        let center = |[column, row]: [u32; 2]| [f64::from(column) + 0.5, f64::from(row) + 0.5];
+        let rays: Vec<_> =
+            pixels(resolution).filter_map(|pixel| scene.camera.ray(center(pixel), &mut Silent)).collect();
+        let by_hand = |ray: &Ray| RayByHand {
+            origin: ray.origin,
+            direction: ray.direction,
+            from: None,
+            start: ray.t_min,
+            end: ray.t_max,
+        };
+        Contest { rays_by_hand: rays.iter().map(by_hand).collect(), rays, yardstick: Yardstick::new(&file), scene }
     }
 
-    fn assert_same_bits(&self) {
-        for pixel in self.pixels() {
-            let silent = sampling::pixel(&self.scene, pixel, &mut Silent).to_array();
-            let by_hand = self.yardstick.pixel(pixel).to_array();
-            assert_eq!(
-                silent.map(f64::to_bits),
-                by_hand.map(f64::to_bits),
-                "{pixel:?}: {silent:?}, by hand {by_hand:?}"
-            );
+    /// Does the work with the program's code and shows `see` what comes out.
+    fn silent(&self, work: Work, mut see: impl FnMut(DVec3)) {
+        match work {
+            Work::Kernels => {
+                for object in &self.scene.objects {
+                    match &object.shape {
+                        Shape::Plane(plane) => self.meet(plane, object.one_sided, &mut see),
+                        Shape::Sphere(sphere) => self.meet(sphere, object.one_sided, &mut see),
+                        _ => {}
+                    }
+                }
+            }
+            Work::Picture => {
+                for pixel in pixels(self.scene.camera.resolution) {
+                    see(sampling::pixel(&self.scene, black_box(pixel), &mut Silent));
+                }
+            }
         }
     }
 
-    /// The median times of a picture by the one and by the other, and the ratio of each pair.
-    fn times(&self) -> (Duration, Duration, Vec<f64>) {
-        let silent = || self.time(|pixel| sampling::pixel(&self.scene, pixel, &mut Silent));
-        let by_hand = || self.time(|pixel| self.yardstick.pixel(pixel));
-        // The first picture warms up caches and clock.
+    fn meet(&self, kernel: &impl Kernel, one_sided: bool, see: &mut impl FnMut(DVec3)) {
+        let approach = black_box(Approach { leaving: None, one_sided });
+        for ray in black_box(&self.rays) {
+            if let Some((point, normal)) = hit(kernel, ray, approach) {
+                see(point);
+                see(normal);
+            }
+        }
+    }
+
+    /// Does the work with the yardstick's code and shows `see` what comes out.
+    fn by_hand(&self, work: Work, mut see: impl FnMut(DVec3)) {
+        match work {
+            Work::Kernels => {
+                for object in &self.yardstick.objects {
+                    match &object.shape {
+                        ByHand::Plane(plane) => self.meet_by_hand(plane, object.is_one_sided, &mut see),
+                        ByHand::Sphere(sphere) => self.meet_by_hand(sphere, object.is_one_sided, &mut see),
+                    }
+                }
+            }
+            Work::Picture => {
+                for pixel in pixels(self.scene.camera.resolution) {
+                    see(self.yardstick.pixel(black_box(pixel)));
+                }
+            }
+        }
+    }
+
+    fn meet_by_hand(&self, shape: &impl Meet, is_one_sided: bool, see: &mut impl FnMut(DVec3)) {
+        let (leaves, is_one_sided) = black_box((false, is_one_sided));
+        for ray in black_box(&self.rays_by_hand) {
+            if let Some((point, normal)) = hit_by_hand(shape, ray, leaves, is_one_sided) {
+                see(point);
+                see(normal);
+            }
+        }
+    }
+
+    fn assert_same_bits(&self) {
+        for work in [Work::Kernels, Work::Picture] {
+            let bits = |value: DVec3| value.to_array().map(f64::to_bits);
+            let (mut silent, mut by_hand) = (Vec::new(), Vec::new());
+            self.silent(work, |value| silent.push(bits(value)));
+            self.by_hand(work, |value| by_hand.push(bits(value)));
+            let differs = silent.iter().zip(&by_hand).position(|(silent, by_hand)| silent != by_hand);
+            assert!(!silent.is_empty() && silent.len() == by_hand.len(), "{work:?}: not the same hits");
+            assert!(differs.is_none(), "{work:?}: not the same bits in result {differs:?}");
+        }
+    }
+
+    /// The median times of the one and of the other, and the ratio of each pair.
+    fn times(&self, work: Work) -> (Duration, Duration, Vec<f64>) {
+        let silent = || time(|| self.silent(work, |value| _ = black_box(value)));
+        let by_hand = || time(|| self.by_hand(work, |value| _ = black_box(value)));
+        // The first run warms up caches and clock.
         let _ = (silent(), by_hand());
         let pair = |number: usize| {
             if number.is_multiple_of(2) {
@@ -120,19 +212,31 @@ impl Contest {
         let (silent, by_hand): (Vec<_>, Vec<_>) = pairs.into_iter().unzip();
         (median(silent), median(by_hand), ratios)
     }
+}
 
-    fn time<C>(&self, color: impl Fn([u32; 2]) -> C) -> Duration {
-        let start = Instant::now();
-        for pixel in self.pixels() {
-            black_box(color(black_box(pixel)));
-        }
-        start.elapsed()
-    }
+/// A kernel, as one function.
+#[inline(never)]
+fn hit(kernel: &impl Kernel, ray: &Ray, approach: Approach) -> Option<(DVec3, DVec3)> {
+    let crossing = kernel.first_crossing(ray, approach, &mut Silent)?;
+    let surface = kernel.surface(ray, crossing, &mut Silent);
+    Some((surface.point, surface.normal))
+}
 
-    fn pixels(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
-        let [width, height] = self.scene.camera.resolution;
-        (0..height).flat_map(move |y| (0..width).map(move |x| [x, y]))
-    }
+/// A kernel of the yardstick, as one function.
+#[inline(never)]
+fn hit_by_hand(shape: &impl Meet, ray: &RayByHand, leaves: bool, is_one_sided: bool) -> Option<(DVec3, DVec3)> {
+    let crossing = shape.first_crossing(leaves, is_one_sided, ray)?;
+    Some(shape.surface(ray, crossing))
+}
+
+fn pixels([width, height]: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
+    (0..height).flat_map(move |y| (0..width).map(move |x| [x, y]))
+}
+
+fn time(work: impl FnOnce()) -> Duration {
+    let start = Instant::now();
+    work();
+    start.elapsed()
 }
 
 fn median(mut times: Vec<Duration>) -> Duration {
@@ -140,29 +244,29 @@ fn median(mut times: Vec<Duration>) -> Duration {
     times[times.len() / 2]
 }
 
-/// Paints a picture by one of the tracers, or does everything but.
-fn paint(tracer: &str, contest: &Contest) {
-    for pixel in contest.pixels() {
-        match tracer {
-            "silent" => drop(black_box(sampling::pixel(&contest.scene, black_box(pixel), &mut Silent))),
-            "by_hand" => drop(black_box(contest.yardstick.pixel(black_box(pixel)))),
-            _ => drop(black_box(pixel)),
-        }
+/// Does the work of one side, or everything but.
+fn run(work: &str, side: &str, contest: &Contest) {
+    let work = if work == "Kernels" { Work::Kernels } else { Work::Picture };
+    match side {
+        "silent" => contest.silent(work, |value| _ = black_box(value)),
+        "by_hand" => contest.by_hand(work, |value| _ = black_box(value)),
+        _ => {}
     }
 }
 
-/// The instructions of a picture by the program and by hand, without those of getting ready.
-fn instructions(scene: &str) -> Option<(u64, u64)> {
-    let nothing = instructions_of("nothing", scene)?;
-    let silent = instructions_of("silent", scene)?;
-    let by_hand = instructions_of("by_hand", scene)?;
+/// The instructions of the work by the program and by hand, without those of getting ready.
+fn instructions(work: Work, scene: &str) -> Option<(u64, u64)> {
+    let nothing = instructions_of(work, "nothing", scene)?;
+    let silent = instructions_of(work, "silent", scene)?;
+    let by_hand = instructions_of(work, "by_hand", scene)?;
     Some((silent - nothing, by_hand - nothing))
 }
 
-fn instructions_of(tracer: &str, scene: &str) -> Option<u64> {
+fn instructions_of(work: Work, side: &str, scene: &str) -> Option<u64> {
     let this = std::env::current_exe().ok()?;
     let mut valgrind = Command::new("valgrind");
-    valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(this).args(["--paint", tracer, scene]);
+    valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
+    valgrind.arg(this).args(["--run", &format!("{work:?}"), side, scene]);
     let output = valgrind.output().ok()?;
     let messages = String::from_utf8_lossy(&output.stderr);
     let collected = messages.lines().find_map(|line| line.split_once("Collected : "))?.1;

@@ -10,8 +10,7 @@ use raywalk::scene::file::nff::{Angle, Import};
 use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
 use raywalk::scene::file::validate::limits::{MAX_GRID, MAX_PIXELS};
 use raywalk::scene::file::{self, suggest};
-use raywalk::scene::tracing::Tests;
-use raywalk::scene::{Scene, Skip, build};
+use raywalk::scene::{Index, Scene, Skip, build};
 use std::io::IsTerminal;
 
 /// Whether to use colours.
@@ -154,10 +153,9 @@ impl TracingOptions {
         }
         let mut scene = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
         scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);
-        scene.tracing.tests = match self.tests {
-            TestsChoice::Visited => Tests::Visited,
-            TestsChoice::All => Tests::All,
-        };
+        if self.tests == TestsChoice::All {
+            scene.index = Index::of_all(&scene.objects);
+        }
         Ok(scene)
     }
 }

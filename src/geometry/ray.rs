@@ -57,9 +57,9 @@ pub struct Surface {
     pub point: DVec3,
     /// The unit normal that light is reckoned with, on the side of the arriving ray.
     pub normal: DVec3,
-    /// The unit normal of the surface itself, on the side of the arriving ray. It differs from `normal` where normals are
+    /// The unit normal of the surface itself, on the side of the arriving ray, where `normal` is another one,
     /// interpolated.
-    pub geometric_normal: DVec3,
+    pub beneath: Option<DVec3>,
     /// The side from which the ray arrives.
     pub side: Side,
 }
@@ -67,7 +67,18 @@ pub struct Surface {
 impl Surface {
     /// A surface whose normal isn't interpolated.
     pub fn plain(point: DVec3, normal: DVec3, side: Side) -> Surface {
-        Surface { point, normal, geometric_normal: normal, side }
+        Surface { point, normal, beneath: None, side }
+    }
+
+    /// A surface with an interpolated normal and its own.
+    pub fn interpolated(point: DVec3, normal: DVec3, geometric_normal: DVec3, side: Side) -> Surface {
+        let beneath = (normal != geometric_normal).then_some(geometric_normal);
+        Surface { point, normal, beneath, side }
+    }
+
+    /// The unit normal of the surface itself, on the side of the arriving ray.
+    pub fn geometric_normal(&self) -> DVec3 {
+        self.beneath.unwrap_or(self.normal)
     }
 }
 

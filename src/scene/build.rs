@@ -204,7 +204,6 @@ fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
         cutoff: tracing.cutoff,
         two_sided: tracing.two_sided,
         skip: Skip::ALL,
-        tests: super::tracing::Tests::Visited,
     }
 }
 

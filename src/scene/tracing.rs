@@ -20,8 +20,6 @@ pub struct Tracing {
     pub two_sided: bool,
     /// What is left out because it can't change the colour.
     pub skip: Skip,
-    /// Which intersection tests a log shows.
-    pub tests: Tests,
 }
 
 /// The algorithms of the source text.
@@ -42,15 +40,6 @@ pub enum Specular {
     HalfVector,
     /// (R·V)^n.
     ReflectionVector,
-}
-
-/// Which intersection tests a log shows; the colour is the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tests {
-    /// Those that the tracer ran.
-    Visited,
-    /// Every object's.
-    All,
 }
 
 impl Tracing {

@@ -92,9 +92,9 @@ impl Meeting<'_> {
     /// Whether a ray that by the interpolated normal sets off on this side of the surface lies on the other side by the
     /// surface's own. What it brings would leak through the surface, so it counts as black; the ray is traced all the same.
     fn leaks(&self, direction: DVec3, is_meant_here: bool) -> bool {
-        let surface = &self.surface;
-        let height = surface.geometric_normal.dot(direction);
-        let is_elsewhere = if is_meant_here { height < 0.0 } else { height > 0.0 };
-        is_elsewhere && surface.normal != surface.geometric_normal
+        self.surface.beneath.is_some_and(|geometric_normal| {
+            let height = geometric_normal.dot(direction);
+            if is_meant_here { height < 0.0 } else { height > 0.0 }
+        })
     }
 }

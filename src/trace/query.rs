@@ -45,8 +45,8 @@ impl Query {
         let hit = closest_hit(scene, &ray, &mut Silent)?;
         let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
         let normal = match surface.side {
-            Side::Front => surface.geometric_normal,
-            Side::Back => -surface.geometric_normal,
+            Side::Front => surface.geometric_normal(),
+            Side::Back => -surface.geometric_normal(),
         };
         Some(Answer {
             object: hit.object,

@@ -3,7 +3,7 @@
 use crate::geometry::{Crossing, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
-use crate::scene::{Color, Scene, tracing::Tests};
+use crate::scene::{Color, Scene};
 
 /// The nearest thing on a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,13 +14,20 @@ pub struct Hit {
     pub crossing: Crossing,
 }
 
+impl Hit {
+    /// Whether a crossing with another object comes before this hit.
+    fn is_behind(&self, crossing: Crossing, object: u32) -> bool {
+        crossing.t < self.crossing.t || (crossing.t == self.crossing.t && object < self.object)
+    }
+}
+
 /// The nearest hit. Of several at the same distance the object that comes first in the scene wins.
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    visit(scene, ray, probe, |object, probe| {
+    scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         if let Some(crossing) = thing.shape.first_crossing(object, thing.one_sided, ray, probe)
-            && nearest.is_none_or(|hit| (crossing.t, object) < (hit.crossing.t, hit.object))
+            && nearest.is_none_or(|hit| hit.is_behind(crossing, object))
         {
             nearest = Some(Hit { object, crossing });
         }
@@ -35,7 +42,7 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 /// Whether the ray meets anything at all.
 pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
     let mut is_hit = false;
-    visit(scene, ray, probe, |object, probe| {
+    scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         is_hit |= thing.shape.is_crossed(object, thing.one_sided, ray, probe);
         if is_hit { -1.0 } else { ray.t_max }
@@ -52,7 +59,7 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
-    visit(scene, ray, probe, |object, probe| {
+    scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         if scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
@@ -70,18 +77,6 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
         ray.t_max
     });
     if is_blocked { Color::ZERO } else { attenuation(scene, crossed, probe) }
-}
-
-/// Shows `meet` the objects that the ray can meet, or all of them where a log shall show every test.
-#[inline]
-fn visit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P, mut meet: impl FnMut(u32, &mut P) -> f64) {
-    match scene.tracing.tests {
-        Tests::Visited => scene.index.visit(ray, probe, meet),
-        Tests::All => {
-            // Every object, until the search is ended.
-            let _ = (0..scene.objects.len() as u32).find(|object| meet(*object, probe) < 0.0);
-        }
-    }
 }
 
 /// The product over the crossed surfaces, in the order of the ray, so that it has the same bits however they were found.

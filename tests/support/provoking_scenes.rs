@@ -3,7 +3,6 @@
 use glam::DVec3;
 use raywalk::geometry::Shape;
 use raywalk::geometry::shape::{Plane, Sphere, SphereMethod};
-use raywalk::scene::tracing::Tests;
 use raywalk::scene::{
     Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing, Transfer,
     Weights,
@@ -138,7 +137,6 @@ fn bare(name: &str, options: Options) -> Scene {
             cutoff: 0.0,
             two_sided: true,
             skip: options.skip,
-            tests: Tests::Visited,
         },
         output: Output { white: 1.0, transfer: Transfer::Linear, exposure: 0.0 },
     }

@@ -4,7 +4,7 @@
 //! program: only the scene file's numbers, vectors and `pow`.
 
 mod reading;
-mod shapes;
+pub mod shapes;
 
 use glam::DVec3;
 use raywalk::scene::file::schema::{Algorithm, SpecularForm};
@@ -23,7 +23,8 @@ pub struct Yardstick {
     background: DVec3,
     lights: Vec<Light>,
     materials: Vec<Material>,
-    objects: Vec<Object>,
+    /// What rays meet.
+    pub objects: Vec<Object>,
     rules: Rules,
 }
 
@@ -43,9 +44,11 @@ enum Light {
     Sun { toward: DVec3, color: DVec3 },
 }
 
-struct Object {
-    shape: Shape,
+/// A thing in the scene.
+pub struct Object {
+    pub shape: Shape,
     material: usize,
+    pub is_one_sided: bool,
 }
 
 struct Material {
@@ -80,7 +83,7 @@ impl Yardstick {
     fn color(&self, ray: &Ray, depth: u32, weight: DVec3, media: &Media) -> DVec3 {
         let mut nearest: Option<(usize, Crossing)> = None;
         for (number, object) in self.objects.iter().enumerate() {
-            if let Some(crossing) = object.shape.first_crossing(number, ray)
+            if let Some(crossing) = object.shape.first_crossing(number, object.is_one_sided, ray)
                 && nearest.is_none_or(|(_, other)| crossing.t < other.t)
             {
                 nearest = Some((number, crossing));
@@ -196,7 +199,7 @@ impl Yardstick {
             if self.materials[object.material].transmitted != DVec3::ZERO {
                 let crossings = object.shape.all_crossings(number, ray);
                 crossed.extend(crossings.into_iter().flatten().map(|crossing| (crossing.t, number, object.material)));
-            } else if object.shape.first_crossing(number, ray).is_some() {
+            } else if object.shape.first_crossing(number, object.is_one_sided, ray).is_some() {
                 is_blocked = true;
                 if self.rules.skips_blocked {
                     break;

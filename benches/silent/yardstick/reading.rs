@@ -1,6 +1,6 @@
 //! The yardstick's scene, from the numbers of a scene file.
 
-use super::shapes::Shape;
+use super::shapes::{Plane, Shape, Sphere};
 use super::{Light, Material, Object, Rules, Yardstick, unit};
 use glam::DVec3;
 use raywalk::scene::file::schema as file;
@@ -62,16 +62,28 @@ impl Object {
         let shape = match object.shape {
             file::Shape::Plane(file::Plane { coefficients: [a, b, c, d] }) => {
                 let normal = DVec3::new(a, b, c);
-                Shape::Plane { normal, offset: d, unit_normal: unit(normal) }
+                Shape::Plane(Plane { normal, offset: d, unit_normal: unit(normal) })
             }
-            file::Shape::Sphere(file::Sphere { center, radius, .. }) => {
+            file::Shape::Sphere(file::Sphere { center, radius, inward }) => {
                 let is_geometric = scene.tracing.sphere_method == file::SphereMethod::Geometric;
-                Shape::Sphere { center: center.into(), radius, radius_squared: radius * radius, is_geometric }
+                Shape::Sphere(Sphere {
+                    center: center.into(),
+                    radius,
+                    radius_squared: radius * radius,
+                    is_geometric,
+                    is_hollow: inward,
+                })
             }
             _ => panic!("the yardstick has no shape `{}`", object.shape.key()),
         };
         let named = object.material.as_deref().and_then(|name| scene.materials.index_of(name));
-        Object { shape, material: named.unwrap_or(scene.materials.len()) }
+        let of_file = named.and_then(|number| scene.materials.iter().nth(number));
+        let is_opaque = of_file.is_none_or(|(_, material)| {
+            let material = Material::new(material);
+            material.transmitted == DVec3::ZERO && material.transmission == DVec3::ZERO
+        });
+        let is_one_sided = is_opaque && !scene.tracing.two_sided;
+        Object { shape, material: named.unwrap_or(scene.materials.len()), is_one_sided }
     }
 }
 

@@ -2,10 +2,27 @@
 
 use glam::DVec3;
 
-/// A shape; `is_geometric` are the formulas of the source text, else those that keep their digits.
+/// A shape.
 pub enum Shape {
-    Plane { normal: DVec3, offset: f64, unit_normal: DVec3 },
-    Sphere { center: DVec3, radius: f64, radius_squared: f64, is_geometric: bool },
+    Plane(Plane),
+    Sphere(Sphere),
+}
+
+/// The plane normal·x + offset = 0.
+pub struct Plane {
+    pub normal: DVec3,
+    pub offset: f64,
+    pub unit_normal: DVec3,
+}
+
+/// A sphere; `is_geometric` are the formulas of the source text, else those that keep their digits; the front of one that
+/// `is_hollow` is its inside.
+pub struct Sphere {
+    pub center: DVec3,
+    pub radius: f64,
+    pub radius_squared: f64,
+    pub is_geometric: bool,
+    pub is_hollow: bool,
 }
 
 /// A ray; it counts between `start` and `end`, and `from` is the object that it leaves and whether it sets off behind its
@@ -30,9 +47,7 @@ struct Chord {
     l2_oc: f64,
     t_a: f64,
     half: f64,
-    radius_squared: f64,
     is_outside: bool,
-    is_geometric: bool,
 }
 
 impl Ray {
@@ -47,100 +62,131 @@ impl Ray {
 }
 
 impl Shape {
-    /// The first crossing with this shape, the object `number`.
-    pub fn first_crossing(&self, number: usize, ray: &Ray) -> Option<Crossing> {
-        let crossing = match (self, ray.leaves(number)) {
-            (Shape::Plane { .. }, Some(_)) | (Shape::Sphere { .. }, Some(false)) => return None,
-            (Shape::Plane { normal, offset, .. }, None) => {
-                let v_d = normal.dot(ray.direction);
-                if v_d == 0.0 {
-                    return None;
-                }
-                Crossing { t: -(normal.dot(ray.origin) + offset) / v_d, behind: v_d > 0.0 }
-            }
-            (Shape::Sphere { center, .. }, Some(true)) => {
-                Crossing { t: 2.0 * (*center - ray.origin).dot(ray.direction), behind: true }
-            }
-            (Shape::Sphere { center, radius_squared, is_geometric, .. }, None) => {
-                let chord = Chord::new(*center, *radius_squared, *is_geometric, ray)?;
-                if chord.is_outside {
-                    let near = chord.near();
-                    if near.t > ray.start { near } else { chord.far() }
-                } else {
-                    chord.far()
-                }
-            }
-        };
-        ray.reaches(crossing)
+    /// The first crossing with this shape, the object `number`, which may be there only for rays that arrive at its front.
+    pub fn first_crossing(&self, number: usize, is_one_sided: bool, ray: &Ray) -> Option<Crossing> {
+        match (self, ray.leaves(number)) {
+            (Shape::Plane(_), Some(_)) => None,
+            (Shape::Sphere(sphere), Some(behind)) if behind == sphere.is_hollow => None,
+            (Shape::Plane(plane), None) => plane.first_crossing(false, is_one_sided, ray),
+            (Shape::Sphere(sphere), leaves) => sphere.first_crossing(leaves.is_some(), is_one_sided, ray),
+        }
     }
 
-    /// All crossings with this shape, the object `number`.
+    /// All crossings with this shape, the object `number`, which is there on both sides.
     pub fn all_crossings(&self, number: usize, ray: &Ray) -> [Option<Crossing>; 2] {
-        if let (Shape::Sphere { center, radius_squared, is_geometric, .. }, None) = (self, ray.leaves(number)) {
-            return match Chord::new(*center, *radius_squared, *is_geometric, ray) {
-                Some(chord) if chord.is_outside => [ray.reaches(chord.near()), ray.reaches(chord.far())],
-                Some(chord) => [ray.reaches(chord.far()), None],
+        if let (Shape::Sphere(sphere), None) = (self, ray.leaves(number)) {
+            return match sphere.chord(ray) {
+                Some(chord) if chord.is_outside => [ray.reaches(sphere.near(&chord)), ray.reaches(sphere.far(&chord))],
+                Some(chord) => [ray.reaches(sphere.far(&chord)), None],
                 None => [None, None],
             };
         }
-        [self.first_crossing(number, ray), None]
+        [self.first_crossing(number, false, ray), None]
     }
 
     /// The point of a crossing, and the normal on the ray's side.
     pub fn surface(&self, ray: &Ray, crossing: Crossing) -> (DVec3, DVec3) {
-        let along = ray.origin + ray.direction * crossing.t;
         match self {
-            Shape::Plane { unit_normal, .. } => (along, if crossing.behind { -*unit_normal } else { *unit_normal }),
-            Shape::Sphere { center, radius, is_geometric, .. } => {
-                let point = if *is_geometric {
-                    along
-                } else {
-                    let from_center = along - *center;
-                    *center + from_center * (*radius / from_center.length())
-                };
-                let outward = if crossing.behind { *center - point } else { point - *center };
-                (point, outward / *radius)
-            }
+            Shape::Plane(plane) => plane.surface(ray, crossing),
+            Shape::Sphere(sphere) => sphere.surface(ray, crossing),
         }
     }
 }
 
-impl Chord {
-    fn new(center: DVec3, radius_squared: f64, is_geometric: bool, ray: &Ray) -> Option<Chord> {
-        let oc = center - ray.origin;
+/// How a ray meets a shape.
+pub trait Meet {
+    /// The first crossing of a ray that may leave this shape.
+    fn first_crossing(&self, leaves: bool, is_one_sided: bool, ray: &Ray) -> Option<Crossing>;
+
+    /// The point of a crossing, and the normal on the ray's side.
+    fn surface(&self, ray: &Ray, crossing: Crossing) -> (DVec3, DVec3);
+}
+
+impl Meet for Plane {
+    #[inline(always)]
+    fn first_crossing(&self, _leaves: bool, is_one_sided: bool, ray: &Ray) -> Option<Crossing> {
+        let v_d = self.normal.dot(ray.direction);
+        let t = -(self.normal.dot(ray.origin) + self.offset) / v_d;
+        if v_d == 0.0 || !t.is_finite() || (is_one_sided && v_d > 0.0) {
+            return None;
+        }
+        ray.reaches(Crossing { t, behind: v_d > 0.0 })
+    }
+
+    #[inline(always)]
+    fn surface(&self, ray: &Ray, crossing: Crossing) -> (DVec3, DVec3) {
+        let normal = if crossing.behind { -self.unit_normal } else { self.unit_normal };
+        (ray.origin + ray.direction * crossing.t, normal)
+    }
+}
+
+impl Meet for Sphere {
+    #[inline(always)]
+    fn first_crossing(&self, leaves: bool, is_one_sided: bool, ray: &Ray) -> Option<Crossing> {
+        let crossing = if leaves {
+            Crossing { t: 2.0 * (self.center - ray.origin).dot(ray.direction), behind: !self.is_hollow }
+        } else {
+            let chord = self.chord(ray)?;
+            let near = (chord.is_outside && !(is_one_sided && self.is_hollow)).then(|| self.near(&chord));
+            near.filter(|near| near.t > ray.start).unwrap_or_else(|| self.far(&chord))
+        };
+        if is_one_sided && crossing.behind { None } else { ray.reaches(crossing) }
+    }
+
+    #[inline(always)]
+    fn surface(&self, ray: &Ray, crossing: Crossing) -> (DVec3, DVec3) {
+        let along = ray.origin + ray.direction * crossing.t;
+        let point = if self.is_geometric {
+            along
+        } else {
+            let from_center = along - self.center;
+            let distance = from_center.length();
+            if distance == 0.0 { along } else { self.center + from_center * (self.radius / distance) }
+        };
+        let outward = if crossing.behind == self.is_hollow { point - self.center } else { self.center - point };
+        (point, outward / self.radius)
+    }
+}
+
+impl Sphere {
+    #[inline]
+    fn chord(&self, ray: &Ray) -> Option<Chord> {
+        let oc = self.center - ray.origin;
         let l2_oc = oc.dot(oc);
         let t_a = oc.dot(ray.direction);
-        let is_outside = l2_oc > radius_squared;
+        let is_outside = l2_oc > self.radius_squared;
         if is_outside && t_a < 0.0 {
             return None;
         }
-        let t2_a = if is_geometric {
-            radius_squared - l2_oc + t_a * t_a
+        let t2_a = if self.is_geometric {
+            self.radius_squared - l2_oc + t_a * t_a
         } else {
             let beside = oc - ray.direction * t_a;
-            radius_squared - beside.dot(beside)
+            self.radius_squared - beside.dot(beside)
         };
         if t2_a < 0.0 || (t2_a == 0.0 && t_a == 0.0) {
             return None;
         }
-        Some(Chord { l2_oc, t_a, half: t2_a.sqrt(), radius_squared, is_outside, is_geometric })
+        Some(Chord { l2_oc, t_a, half: t2_a.sqrt(), is_outside })
     }
 
-    fn near(&self) -> Crossing {
+    #[inline]
+    fn near(&self, chord: &Chord) -> Crossing {
         let t = if self.is_geometric {
-            self.t_a - self.half
+            chord.t_a - chord.half
         } else {
-            (self.l2_oc - self.radius_squared) / (self.t_a + self.half)
+            (chord.l2_oc - self.radius_squared) / (chord.t_a + chord.half)
         };
-        Crossing { t, behind: false }
+        Crossing { t, behind: self.is_hollow }
     }
 
-    fn far(&self) -> Crossing {
-        let t = if self.t_a < 0.0 && !self.is_geometric {
-            (self.radius_squared - self.l2_oc) / (self.half - self.t_a)
+    #[inline]
+    fn far(&self, chord: &Chord) -> Crossing {
+        let t = if chord.t_a < 0.0 && !self.is_geometric {
+            (self.radius_squared - chord.l2_oc) / (chord.half - chord.t_a)
         } else {
-            self.t_a + self.half
+            chord.t_a + chord.half
         };
-        Crossing { t, behind: true }
+        Crossing { t, behind: !self.is_hollow }
     }
 }

@@ -20,8 +20,6 @@ use std::sync::Arc;
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriangleMesh {
     mesh: Arc<Mesh>,
-    /// The triangles that have an area, as the tree numbers them.
-    solid: Vec<u32>,
     tree: Bvh,
 }
 
@@ -29,9 +27,9 @@ impl TriangleMesh {
     /// Builds the tree. Triangles without area are left out of it.
     pub fn new(mesh: Arc<Mesh>) -> TriangleMesh {
         let has_area = |triangle: &u32| !mesh.is_degenerate(*triangle);
-        let solid: Vec<u32> = (0..mesh.faces.len() as u32).filter(has_area).collect();
-        let boxes: Vec<_> = solid.iter().map(|triangle| mesh.bounds_of(*triangle)).collect();
-        TriangleMesh { tree: Bvh::new(&boxes), mesh, solid }
+        let solid = (0..mesh.faces.len() as u32).filter(has_area);
+        let tree = Bvh::new(Vec::new(), solid.map(|triangle| (triangle, mesh.bounds_of(triangle))));
+        TriangleMesh { mesh, tree }
     }
 
     /// The triangles.
@@ -103,8 +101,7 @@ impl TriangleMesh {
         let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, leaving.primitive, ray));
         let approach = Approach { leaving: None, one_sided };
         let mut t_max = ray.t_max;
-        let tested = self.tree.visit(ray, t_max, |place| {
-            let triangle = self.solid[place as usize];
+        let tested = self.tree.visit(ray, |triangle| {
             let is_out_of_reach = left.as_ref().is_some_and(|left| left.bars(&self.mesh, triangle, ray));
             if !is_out_of_reach && let Some(crossing) = self.test(object, triangle, ray, approach, probe) {
                 t_max = meet(crossing);

@@ -33,7 +33,9 @@ use crate::probe::Probe;
 use std::sync::Arc;
 
 /// A surface that rays meet.
+// With a tag of its own, which is quicker to tell than one hidden in the variants.
 #[derive(Clone, Debug, PartialEq)]
+#[repr(u8)]
 pub enum Shape {
     /// An infinite plane.
     Plane(Plane),
@@ -85,7 +87,7 @@ pub struct Approach {
 }
 
 /// How a ray meets one kind of shape.
-pub(in crate::geometry) trait Kernel {
+pub trait Kernel {
     /// The inputs, for the log.
     fn give<P: Probe>(&self, probe: &mut P);
 
@@ -106,6 +108,25 @@ pub(in crate::geometry) trait Kernel {
     /// Whether a ray that sets off on this side of the surface can meet the same surface again. Flat shapes can't be.
     fn can_be_met_again(&self, _sets_off: Side) -> bool {
         false
+    }
+
+    /// The first point where the ray crosses object `object` of this shape.
+    // Each kernel is a function of its own: together in one they would crowd each other out of the registers.
+    #[inline(never)]
+    fn first_of<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+        self.test(object, one_sided, ray, probe, |approach, probe| self.first_crossing(ray, approach, probe))?
+    }
+
+    /// All points where the ray crosses object `object` of this shape, in its order.
+    #[inline(never)]
+    fn all_of<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, found: &mut Vec<Crossing>, probe: &mut P) {
+        self.test(object, one_sided, ray, probe, |approach, probe| self.all_crossings(ray, approach, found, probe));
+    }
+
+    /// The surface at a crossing, as a function of its own.
+    #[inline(never)]
+    fn surface_of<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        self.surface(ray, crossing, probe)
     }
 
     /// Runs `body` as the test of object `object`, unless the ray leaves it and can't meet it again.
@@ -129,19 +150,17 @@ pub(in crate::geometry) trait Kernel {
 
 impl Shape {
     /// The first point where the ray crosses object `object` of this shape.
-    #[inline]
+    #[inline(always)]
     pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
         kernel!(
             self,
-            kernel => kernel.test(object, one_sided, ray, probe, |approach, probe| {
-                kernel.first_crossing(ray, approach, probe)
-            })?,
+            kernel => kernel.first_of(object, one_sided, ray, probe),
             mesh => mesh.first_crossing(object, one_sided, ray, probe)
         )
     }
 
     /// Whether the ray crosses the object at all.
-    #[inline]
+    #[inline(always)]
     pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> bool {
         match self {
             Shape::Mesh(mesh) => mesh.is_crossed(object, one_sided, ray, probe),
@@ -150,6 +169,7 @@ impl Shape {
     }
 
     /// All points where the ray crosses the object, in the order of the ray.
+    #[inline(always)]
     pub fn all_crossings<P: Probe>(
         &self,
         object: u32,
@@ -160,19 +180,15 @@ impl Shape {
     ) {
         kernel!(
             self,
-            kernel => {
-                kernel.test(object, one_sided, ray, probe, |approach, probe| {
-                    kernel.all_crossings(ray, approach, found, probe);
-                });
-            },
+            kernel => kernel.all_of(object, one_sided, ray, found, probe),
             mesh => mesh.all_crossings(object, one_sided, ray, found, probe)
         );
     }
 
     /// The surface at a crossing, its normals turned toward the arriving ray.
-    #[inline]
+    #[inline(always)]
     pub fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        kernel!(self, kernel => kernel.surface(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
+        kernel!(self, kernel => kernel.surface_of(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
     }
 
     /// Whether hits tell which triangle of a file was met.

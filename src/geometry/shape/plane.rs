@@ -30,7 +30,7 @@ impl Kernel for Plane {
     }
 
     /// Neither V_d nor V_o needs a unit normal: their quotient is the same.
-    #[inline]
+    #[inline(always)]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         let v_d = probe.note(Name::PlaneVd, self.normal.dot(ray.direction));
         let v_o = -(self.normal.dot(ray.origin) + self.offset);
@@ -45,7 +45,7 @@ impl Kernel for Plane {
         decide(ray, approach, Crossing { t, side, primitive: 0 }, probe)
     }
 
-    #[inline]
+    #[inline(always)]
     fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
         let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
         let normal = match crossing.side {

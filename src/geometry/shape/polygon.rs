@@ -104,7 +104,7 @@ impl Kernel for Polygon {
         let (front, back) = (Name::HitGeometricNormalPolygon, Name::HitGeometricNormalPolygonBack);
         let geometric_normal = toward(side, self.unit_normal, front, back, probe);
         let normal = facet.shading_normal(normals, point, geometric_normal, probe);
-        Surface { point, normal, geometric_normal, side }
+        Surface::interpolated(point, normal, geometric_normal, side)
     }
 
     fn bounds(&self) -> Option<Bounds> {

@@ -124,7 +124,7 @@ impl Kernel for Sphere {
         probe.given(Name::SphereRadiusSquared, self.radius_squared);
     }
 
-    #[inline]
+    #[inline(always)]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         if approach.leaving.is_some() {
             return self.other_end(ray, approach, probe);
@@ -155,7 +155,7 @@ impl Kernel for Sphere {
     }
 
     /// The robust method puts the point back onto the sphere, from which rounding took it.
-    #[inline]
+    #[inline(always)]
     fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
         let along_ray = ray.origin + ray.direction * crossing.t;
         let point = match self.method {

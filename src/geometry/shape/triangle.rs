@@ -128,7 +128,7 @@ impl Facet {
         let (front, back) = (Name::HitGeometricNormalTriangle, Name::HitGeometricNormalTriangleBack);
         let geometric_normal = toward(side, unit_normal, front, back, probe);
         let normal = self.shading_normal(normals, point, geometric_normal, probe);
-        Surface { point, normal, geometric_normal, side }
+        Surface::interpolated(point, normal, geometric_normal, side)
     }
 
     /// The mean of the corners' normals at a point of the triangle, of unit length and on the side of `geometric_normal`,
