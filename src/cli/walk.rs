@@ -4,7 +4,7 @@ use super::failure::{Failure, INTERRUPTED, TERMINATED};
 use super::options::{ColorChoice, TracingOptions, numbers};
 use super::output::{self, Output};
 use super::scene_argument::{self, Input};
-use super::trace::Subject;
+use super::trace::{Subject, short_log};
 use clap::Args;
 use raywalk::log::{Log, file as log_file};
 use raywalk::report::{self, Style};
@@ -73,7 +73,7 @@ impl Walk {
             let [width, height] = self.screen.unwrap_or(SCREEN);
             let options = self.options(Palette::True, warning);
             let picture = tui::picture(log, &options, &self.keys, width, height);
-            return Output::create(Some(path), walked)?.commit(picture.as_bytes());
+            return Output::create(Some(path), &[walked])?.commit(picture.as_bytes());
         }
         if self.plain || !has_terminal() {
             if let Some(warning) = warning {
@@ -103,7 +103,8 @@ impl Walk {
             return Ok((read.log, read.ending.warning()));
         }
         let scene = self.tracing.apply(scene_argument::scene(input, &self.tracing.import(), colors)?)?;
-        Ok((self.subject.log(&scene, &self.tracing)?, None))
+        let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        Ok((short_log(&scene, part, self.tracing.arithmetic)?, None))
     }
 
     fn options(&self, palette: Palette, warning: Option<String>) -> tui::Options {
