@@ -2,7 +2,6 @@
 
 mod support;
 
-use proptest::prelude::*;
 use raywalk::log::file::{Ending, LogError, read, to_json, to_ndjson};
 use raywalk::log::{Log, What};
 use raywalk::record::{self, Arithmetic};
@@ -138,18 +137,4 @@ fn a_damaged_record_is_named() {
     let unknown = text.replacen("plane.v_d", "plane.v_x", 1);
     let error = read(unknown.as_bytes()).expect_err("an unknown quantity").to_string();
     assert_eq!(error, "6:1: unknown quantity `plane.v_x`");
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
-
-    #[test]
-    fn no_damage_makes_the_reader_panic(at in 0usize..12_000, byte in any::<u8>(), cut in 0usize..12_000) {
-        let mut bytes = to_ndjson(&textbook_log()).expect("memory");
-        let place = at % bytes.len();
-        bytes[place] = byte;
-        bytes.truncate(bytes.len() - cut % bytes.len().min(4_000));
-        // Whatever comes of it, it is an answer.
-        let _ = read(&bytes);
-    }
 }

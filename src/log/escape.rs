@@ -19,7 +19,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
 }
 
 /// Whether a character would not be seen as itself.
-pub(super) fn is_hidden(character: char) -> bool {
+pub fn is_hidden(character: char) -> bool {
     let turns_writing = matches!(
         character,
         '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}'
@@ -28,7 +28,7 @@ pub(super) fn is_hidden(character: char) -> bool {
 }
 
 /// At most `limit` characters of the text, made visible, with `…` for what was cut.
-pub(super) fn shortened(text: &str, limit: usize) -> String {
+pub fn shortened(text: &str, limit: usize) -> String {
     match text.char_indices().nth(limit) {
         None => visible(text).into_owned(),
         Some((end, _)) => format!("{}…", visible(&text[..end])),
