@@ -110,7 +110,11 @@ impl Subject {
 pub fn short_log(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, Failure> {
     record::bounded(scene, part, arithmetic).map_err(|cut_off| {
         let smaller = "expected a smaller --max-depth, or `trace` in the format ndjson, which is written as it grows";
-        Failure::caller(format!("{cut_off}, {smaller}"))
+        let message = format!("{cut_off}, {smaller}");
+        match cut_off {
+            CutOff::TooLong { .. } => Failure::caller(message),
+            CutOff::Memory | CutOff::Io(_) => Failure::machine(message),
+        }
     })
 }
 
@@ -120,7 +124,7 @@ fn write_as_it_grows(scene: &Scene, part: Part, arithmetic: Arithmetic, out: &mu
     let mut writer = log_file::Writer::new(out, &header)?;
     record::stream(scene, part, arithmetic, &mut |events| writer.write(events)).map_err(|cut_off| match cut_off {
         CutOff::Io(error) => error,
-        CutOff::TooLong { .. } => io::Error::other(cut_off),
+        CutOff::TooLong { .. } | CutOff::Memory => io::Error::other(cut_off),
     })?;
     writer.finish().map(|_| ())
 }

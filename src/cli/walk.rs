@@ -6,7 +6,8 @@ use super::output::{self, Output};
 use super::scene_argument::{self, Input};
 use super::trace::{Subject, short_log};
 use clap::Args;
-use raywalk::log::{Log, file as log_file};
+use raywalk::log::Log;
+use raywalk::log::file::{self as log_file, LogError};
 use raywalk::report::{self, Style};
 use raywalk::scene::file::visible;
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
@@ -98,8 +99,11 @@ impl Walk {
                 let message = format!("{name}: is a log, which is traced already; expected no options of tracing");
                 return Err(Failure::caller(message));
             }
-            let read = log_file::read(&input.bytes)
-                .map_err(|error| Failure::caller(format!("{}:{error}", visible(&input.name))))?;
+            let name = visible(&input.name);
+            let read = log_file::read(&input.bytes).map_err(|error| match error {
+                LogError::Io(error) => Failure::machine(format!("{name}: cannot read: {error}")),
+                _ => Failure::caller(format!("{name}:{error}")),
+            })?;
             return Ok((read.log, read.ending.warning()));
         }
         let scene = self.tracing.apply(scene_argument::scene(input, &self.tracing.import(), colors)?)?;

@@ -12,6 +12,9 @@ pub type Outlet<'o> = dyn FnMut(&[Event]) -> io::Result<()> + 'o;
 /// How many events are handed on at a time.
 const PIECE: usize = 4096;
 
+/// What an event needs beside itself: its inputs, and its lines in a document or a text, which is all in memory too.
+const BYTES_BESIDE: usize = 250;
+
 /// Keeps every event of the computation, or hands them on as they come.
 pub struct Recorder<'o> {
     events: Vec<Event>,
@@ -34,6 +37,9 @@ pub enum CutOff {
         /// The most events it may have.
         most: usize,
     },
+    /// There is no memory for it.
+    #[error("not enough memory for the log")]
+    Memory,
     /// The log can't be written.
     #[error("{0}")]
     Io(#[from] io::Error),
@@ -78,8 +84,22 @@ impl<'o> Recorder<'o> {
         if self.events.len() >= self.room {
             self.make_room();
         }
+        if self.events.len() == self.events.capacity() {
+            self.ask_for_memory();
+        }
         let at = self.gone + self.events.len() as u32 + 1;
         self.events.push(Event { at, node, what, given: std::mem::take(&mut self.given) });
+    }
+
+    /// Gets room for as many events again, or ends the computation.
+    #[cold]
+    fn ask_for_memory(&mut self) {
+        let more = self.events.len().clamp(64, PIECE << 4);
+        let beside = if self.outlet.is_some() { 0 } else { (self.events.len() + more) * BYTES_BESIDE };
+        let asked = Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
+        if asked.is_err() {
+            resume_unwind(Box::new(CutOff::Memory));
+        }
     }
 
     /// Hands the events on, or ends the computation.
@@ -92,9 +112,8 @@ impl<'o> Recorder<'o> {
         // The numbers of events have 32 bits; the next piece must fit too.
         let gone = self.gone.saturating_add(self.events.len() as u32);
         let has_numbers = gone <= u32::MAX - PIECE as u32;
-        let made = made.and_then(|()| if has_numbers { Ok(()) } else { Err(CutOff::TooLong { most: gone as usize }) });
-        match made {
-            Ok(()) => {
+        match made.and(if has_numbers { Ok(gone) } else { Err(CutOff::TooLong { most: gone as usize }) }) {
+            Ok(gone) => {
                 self.gone = gone;
                 self.events.clear();
             }

@@ -36,6 +36,23 @@ fn e20_memory_limit() {
 }
 
 #[test]
+fn e20_memory_limit_of_logs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let long = |format: &str, to: &str| {
+        let trace = ["trace", "figure-6", "--pixel", "160,120", "--max-depth", "39", "--format", format, "-o", to];
+        let mut command = raywalk_after("ulimit -v 300000", folder.path(), &trace);
+        command.stderr(Stdio::piped()).output().expect("it runs")
+    };
+    // A million events fit into no such memory, but into a file, line by line.
+    let document = long("json", "a.json");
+    assert_eq!(document.status.code(), Some(3));
+    assert!(String::from_utf8_lossy(&document.stderr).starts_with("error: not enough memory for the log, expected"));
+    assert_eq!(names_in(folder.path()), [""; 0]);
+    assert_eq!(long("ndjson", "a.ndjson").status.code(), Some(0));
+    with_little_memory(folder.path(), &["walk", "a.ndjson"]).fails(3, "error: a.ndjson: cannot read: out of memory");
+}
+
+#[test]
 fn e20_memory_limit_of_scenes() {
     let folder = tempfile::tempdir().expect("a folder");
     let ball = |k: u32| {
@@ -132,7 +149,7 @@ fn e24_scene_is_dir() {
     fails(2, "missing.json", "error: missing.json: no such file or built-in scene");
     let closed = folder.path().join("closed.json");
     fs::write(&closed, TEXTBOOK).expect("written");
-    fs::set_permissions(&closed, Permissions::from_mode(0)).expect("permissions");
+    fs::set_permissions(&closed, Permissions::from_mode(0o000)).expect("permissions");
     // The superuser can read everything but what the kernel itself refuses.
     let is_superuser = File::open(&closed).is_ok();
     let unreadable = if is_superuser { "/proc/self/mem" } else { "closed.json" };

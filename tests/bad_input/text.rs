@@ -116,7 +116,7 @@ fn b13_underflow_is_zero() {
 #[test]
 fn b14_long_number() {
     let digits = "1".repeat(1_000_000);
-    loads(&textbook_with("\"radius\": 3", &format!("\"radius\": 0.{digits}")));
+    loads(textbook_with("\"radius\": 3", &format!("\"radius\": 0.{digits}")));
     let error = error_of(textbook_with("\"radius\": 3", &format!("\"radius\": {digits}")));
     assert!(error.len() < 600);
 }
@@ -188,7 +188,7 @@ fn b20_long_vector() {
 
 #[test]
 fn b21_byte_order_mark_is_skipped() {
-    loads(&format!("\u{feff}{TEXTBOOK}"));
+    loads(format!("\u{feff}{TEXTBOOK}"));
     refuses("\u{feff}[]", "1:1: expected an object, found an array");
 }
 

@@ -51,8 +51,17 @@ impl Ending {
     }
 }
 
+/// How much larger than its bytes a log is in memory, with the text that may be made of it.
+const GROWTH: usize = 3;
+
 /// Reads a log, NDJSON or one JSON document.
+///
+/// # Errors
+/// [`LogError`]; [`LogError::Io`] when there is no memory for it.
 pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
+    // In the middle of the work it could only abort.
+    let asked = Vec::<u8>::new().try_reserve_exact(bytes.len().saturating_mul(GROWTH));
+    asked.map_err(|_| std::io::Error::from(std::io::ErrorKind::OutOfMemory))?;
     if is_document(bytes) {
         return document::read(bytes);
     }
