@@ -21,7 +21,8 @@ const NARROW: &[(&str, &[&str])] = &[
     // The viewer shows a log and an image that it is handed; it computes no geometry.
     ("tui", &["tui", "log", "report"]),
     // The scene file is the numbers as they are written, whatever becomes of them. Those of a mesh file are the mesh.
-    ("scene/file", &["scene/file", "geometry/mesh"]),
+    // What is shown of either is escaped as in logs.
+    ("scene/file", &["scene/file", "geometry/mesh", "log/escape"]),
 ];
 
 /// Where input and output happen.

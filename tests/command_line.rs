@@ -55,17 +55,6 @@ fn a_saved_log_walks_alone() {
 }
 
 #[test]
-fn a_log_that_was_cut_off_is_said() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("cut.ndjson");
-    let whole = prints(&["trace", "textbook", "--pixel", "160,120"]);
-    fs::write(&path, &whole[..whole.len() / 2]).expect("written");
-    let output = raywalk(&["walk", path.to_str().expect("UTF-8")]).output().expect("it runs");
-    assert!(output.status.success());
-    assert!(String::from_utf8_lossy(&output.stderr).contains("1 incomplete record"));
-}
-
-#[test]
 fn a_rendered_pixel_is_its_trace_bit_for_bit() {
     let folder = tempfile::tempdir().expect("a folder");
     for name in ["textbook", "figure-6", "transmission"] {
@@ -248,27 +237,6 @@ fn a_standard_error_that_is_full_spoils_nothing() {
     assert!(output.status.success() && picture.exists() && !output.stdout.is_empty());
 }
 
-#[cfg(unix)]
-#[test]
-fn signals_end_the_work_at_once_and_leave_nothing_behind() {
-    use std::time::{Duration, Instant};
-    for (signal, code) in [("INT", 130), ("TERM", 143)] {
-        let folder = tempfile::tempdir().expect("a folder");
-        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_raywalk"));
-        // A tree of mirrors and glass this deep has no end that anybody would see.
-        command.args(["trace", "figure-6", "--pixel", "160,120", "--max-depth", "40", "-o"]);
-        let mut child = command.arg(folder.path().join("a.ndjson")).spawn().expect("it starts");
-        std::thread::sleep(Duration::from_millis(300));
-        let kill = std::process::Command::new("kill").args(["-s", signal, &child.id().to_string()]).status();
-        assert!(kill.expect("kill runs").success());
-        let asked = Instant::now();
-        let status = child.wait().expect("it ends");
-        assert!(asked.elapsed() < Duration::from_secs(5), "{:?}", asked.elapsed());
-        assert_eq!(status.code(), Some(code));
-        assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), 0, "stray files after {signal}");
-    }
-}
-
 #[test]
 fn wrong_calls_say_what_to_change() {
     says(2, &["trace", "textbook"], "expected --pixel X,Y or --ray");
@@ -307,25 +275,6 @@ fn a_bad_scene_is_refused_where_it_is_bad() {
         assert!(message.starts_with(&expected), "expected `{expected}` in: {message}");
         assert!(message.contains("objects[1].shape.sphere.radius: must be positive, found -1"), "{message}");
     }
-}
-
-#[test]
-fn a_result_never_overwrites_its_input() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.png");
-    fs::copy("scenes/textbook.json", &path).expect("copied");
-    let path = path.to_str().expect("UTF-8");
-    says(2, &["render", path, "-o", path], "is the input");
-    assert_eq!(fs::read(path).expect("the scene"), fs::read("scenes/textbook.json").expect("the scene"));
-}
-
-#[test]
-fn a_full_disk_is_told() {
-    if !Path::new("/dev/full").exists() {
-        eprintln!("skipped: there is no /dev/full here");
-        return;
-    }
-    says(3, &["trace", "textbook", "--pixel", "1,1", "-o", "/dev/full"], "No space left on device");
 }
 
 #[test]

@@ -2,9 +2,8 @@
 
 mod support;
 
-use proptest::prelude::*;
 use raywalk::log::file::{Ending, LogError, read, to_json, to_ndjson};
-use raywalk::log::{Log, What};
+use raywalk::log::{Log, Tree, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::builtin;
 use support::{grid, middle, scene, scene_of};
@@ -140,16 +139,25 @@ fn a_damaged_record_is_named() {
     assert_eq!(error, "6:1: unknown quantity `plane.v_x`");
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
-
-    #[test]
-    fn no_damage_makes_the_reader_panic(at in 0usize..12_000, byte in any::<u8>(), cut in 0usize..12_000) {
-        let mut bytes = to_ndjson(&textbook_log()).expect("memory");
-        let place = at % bytes.len();
-        bytes[place] = byte;
-        bytes.truncate(bytes.len() - cut % bytes.len().min(4_000));
-        // Whatever comes of it, it is an answer.
-        let _ = read(&bytes);
+#[test]
+fn nodes_inside_are_passed_over() {
+    for name in builtin::names() {
+        let scene = scene(name);
+        let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+        // Whole, and cut off where nodes are still open.
+        for events in [&log.events[..], &log.events[..log.events.len() / 2]] {
+            let tree = Tree::of(events);
+            for node in 0..tree.nodes().len() {
+                let is_own = |event: &usize| tree.owner(*event) == node;
+                let own: Vec<_> = tree.nodes()[node].events.clone().filter(is_own).collect();
+                assert_eq!(tree.own_events(node).collect::<Vec<_>>(), own);
+                for before in [0, own.first().map_or(0, |first| first + 1), events.len() / 3, events.len()] {
+                    let mut expected: Vec<_> = own.iter().copied().filter(|event| *event < before).collect();
+                    assert_eq!(tree.own_events_before(node, before).collect::<Vec<_>>(), expected);
+                    expected.reverse();
+                    assert_eq!(tree.own_events_before(node, before).rev().collect::<Vec<_>>(), expected);
+                }
+            }
+        }
     }
 }

@@ -34,61 +34,6 @@ fn ends(code: i32, folder: &Path, arguments: &[&str]) -> (String, String) {
     texts.into()
 }
 
-#[track_caller]
-fn refuses(path: &str, prepare: impl FnOnce(&Path), expected: &str) {
-    let folder = folder(path);
-    prepare(folder.path());
-    let (out, message) = ends(2, folder.path(), &["scene", "check", "scene.json"]);
-    assert_eq!(out, "");
-    let first = message.lines().next().unwrap_or_default();
-    assert_eq!(first, format!("error: {expected}"), "{message}");
-    let (_, same) = ends(2, folder.path(), &["render", "scene.json", "-o", "picture.png"]);
-    assert_eq!(same, message);
-    assert!(!folder.path().join("picture.png").exists());
-}
-
-const AT: &str = "scene.json:5:47: objects[1].shape.mesh.path:";
-
-#[test]
-fn b44_to_b49_paths_that_are_not_followed() {
-    refuses("no.obj", |_| {}, &format!("{AT} no such file, `no.obj`, expected a mesh"));
-    let inside = "must stay inside the scene's folder, found `../../../../etc/passwd`";
-    refuses("../../../../etc/passwd", |_| {}, &format!("{AT} {inside}"));
-    let relative = "must be relative to the scene file, found the absolute path `/dev/zero`";
-    refuses("/dev/zero", |_| {}, &format!("{AT} {relative}"));
-    let itself = "`scene.json` is the scene file itself, expected an OBJ or PLY file";
-    refuses("scene.json", |_| {}, &format!("{AT} {itself}"));
-}
-
-#[test]
-#[cfg(unix)]
-fn b47_and_b48_what_is_no_file() {
-    let device = |folder: &Path| std::os::unix::fs::symlink("/dev/zero", folder.join("zero.obj")).expect("a link");
-    refuses("zero.obj", device, &format!("{AT} expected a regular file at `zero.obj`, found a device"));
-    let fifo = |folder: &Path| {
-        let made = std::process::Command::new("mkfifo").arg(folder.join("fifo.obj")).status().expect("mkfifo");
-        assert!(made.success());
-    };
-    refuses("fifo.obj", fifo, &format!("{AT} expected a regular file at `fifo.obj`, found a FIFO"));
-}
-
-#[test]
-fn bad_meshes_are_named_with_their_lines() {
-    let write = |text: &'static str| move |folder: &Path| fs::write(folder.join("bad.obj"), text).expect("written");
-    refuses("bad.obj", write("v 0 0 0\nf 1 2 3\n"), "bad.obj:2:7: there is no vertex 3, the file has one vertex");
-    refuses("bad.obj", write("v 0 nan 0\n"), "bad.obj:1:5: expected a finite number, found `nan`");
-    refuses("bad.obj", write("solid\n"), "bad.obj:1:1: the file has no faces, expected at least one such as `f 1 2 3`");
-}
-
-#[test]
-fn triangles_without_area_are_counted() {
-    let folder = folder("square.obj");
-    fs::write(folder.path().join("square.obj"), format!("{SQUARE}f 1 1 2\n")).expect("written");
-    let (out, warning) = ends(0, folder.path(), &["scene", "check", "scene.json"]);
-    assert_eq!(out, "scene: ok, 2 objects, 0 lights, 0 materials\n");
-    assert_eq!(warning, "warning: square.obj: 1 of 3 triangles has no area and is skipped\n");
-}
-
 #[test]
 fn meshes_are_found_beside_the_scene() {
     let folder = folder("square.obj");

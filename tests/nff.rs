@@ -1,5 +1,8 @@
 //! NFF files: those of the Standard Procedural Databases, where they are at hand, and the command line.
 
+#[path = "support/shared.rs"]
+mod shared;
+
 use assert_cmd::Command;
 use flate2::{Compression, write::GzEncoder};
 use glam::DVec3;
@@ -9,20 +12,14 @@ use raywalk::scene::build;
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::{Sampling, SceneFile, Shape};
 use raywalk::scene::file::{self, Loaded, SceneError};
+use shared::shared;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 /// The folder of the databases, which are no part of this repository; says so where it is absent.
 fn databases() -> Option<PathBuf> {
-    let named = std::env::var_os("RAYWALK_NFF").map(PathBuf::from);
-    let folder = named.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/nff"));
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    // Straight to the terminal, past the harness, which hides what passing tests print.
-    let _ = writeln!(std::io::stderr(), "skipped: there are no NFF files in {}", folder.display());
-    None
+    shared("nff")
 }
 
 fn load(path: &Path) -> Result<Loaded, SceneError> {

@@ -33,7 +33,7 @@ impl Session {
         drop(pair.slave);
         let mut reader = pair.master.try_clone_reader().expect("a reader");
         let keys = pair.master.take_writer().expect("a writer");
-        let screen = Arc::new(Mutex::new(vt100::Parser::new(rows, columns, 0)));
+        let screen = Arc::new(Mutex::new(vt100::Parser::new(rows.max(1), columns.max(1), 0)));
         let written = Arc::new(Mutex::new(Vec::new()));
         let (screen_here, written_here) = (screen.clone(), written.clone());
         thread::spawn(move || {
@@ -154,10 +154,9 @@ fn a_link_leads_back_to_the_step() {
 }
 
 #[test]
-fn any_size_and_back() {
-    let mut session = Session::start(&["walk", "figure-6"], 80, 24);
-    session.shows("from the eye");
-    for (columns, rows) in [(1, 1), (19, 5), (40, 12), (300, 100), (2, 90), (80, 24)] {
+fn e12_tty_1x1() {
+    let mut session = Session::start(&["walk", "figure-6"], 1, 1);
+    for (columns, rows) in [(19, 5), (40, 12), (500, 200), (1, 1), (2, 90), (500, 200), (80, 24)] {
         session.resize(columns, rows);
         session.press("n");
         thread::sleep(Duration::from_millis(30));
@@ -168,12 +167,32 @@ fn any_size_and_back() {
 }
 
 #[test]
-fn signals_give_the_terminal_back() {
-    for (signal, code) in [("TERM", 143), ("INT", 130)] {
+fn e13_tty_restore() {
+    for (signal, code) in [("TERM", 143), ("INT", 130), ("HUP", 143), ("QUIT", 143)] {
         let mut session = Session::start(&["walk", "textbook"], 80, 24);
         session.shows("step 1/");
         session.signal(signal);
         session.ends_with(code);
+    }
+}
+
+/// A terminal that goes away while the viewer runs: it ends, and keeps no processor busy.
+#[test]
+fn s05_sighup_of_a_viewer() {
+    let Session { mut child, master, keys, screen, .. } = Session::start(&["walk", "textbook"], 80, 24);
+    let start = Instant::now();
+    while !screen.lock().expect("the screen").screen().contents().contains("step 1/") {
+        assert!(start.elapsed() < PATIENCE);
+        thread::sleep(Duration::from_millis(10));
+    }
+    drop((master, keys));
+    // The thread that reads holds the terminal open; the signal is what its closing would send.
+    let id = child.process_id().expect("a process").to_string();
+    let sent = std::process::Command::new("kill").args(["-s", "HUP", &id]).status().expect("kill runs");
+    assert!(sent.success());
+    while child.try_wait().expect("a status").is_none() {
+        assert!(start.elapsed() < PATIENCE, "the viewer goes on without a terminal");
+        thread::sleep(Duration::from_millis(10));
     }
 }
 
@@ -186,9 +205,32 @@ fn control_c_leaves() {
 }
 
 #[test]
-fn a_dumb_terminal_gets_text() {
-    let mut command = assert_cmd::Command::cargo_bin("raywalk").expect("the program");
-    let output = command.env("TERM", "dumb").output().expect("it runs");
-    assert!(output.status.success());
-    assert!(!output.stdout.contains(&0x1b), "no escape sequences");
+fn e11_tty_0x0() {
+    let mut session = Session::start(&["walk", "textbook"], 0, 0);
+    session.resize(80, 24);
+    session.shows("step 1/");
+    session.press("q");
+    session.ends_with(0);
+    for terminal in [Some("dumb"), Some(""), None] {
+        let mut command = assert_cmd::Command::cargo_bin("raywalk").expect("the program");
+        match terminal {
+            Some(name) => command.env("TERM", name),
+            None => command.env_remove("TERM"),
+        };
+        let output = command.output().expect("it runs");
+        assert!(output.status.success());
+        assert!(!output.stdout.contains(&0x1b), "no escape sequences");
+    }
+}
+
+#[test]
+fn e14_no_color() {
+    // Elsewhere than in a terminal there are none anyway.
+    for arguments in
+        [&["walk", "textbook"][..], &["textbook"], &["--help"], &["scene", "check", "no.json"], &["--wrong"]]
+    {
+        let mut command = assert_cmd::Command::cargo_bin("raywalk").expect("the program");
+        let output = command.args(arguments).env("NO_COLOR", "1").output().expect("it runs");
+        assert!(![output.stdout, output.stderr].concat().contains(&0x1b), "{arguments:?}");
+    }
 }

@@ -9,6 +9,8 @@ use std::path::Path;
 pub const CALLER: u8 = 2;
 /// The machine said no; a retry may help.
 pub const MACHINE: u8 = 3;
+/// The terminal is gone (SIGHUP).
+pub const HUNG_UP: u8 = 129;
 /// Interrupted (SIGINT).
 pub const INTERRUPTED: u8 = 130;
 /// Terminated (SIGTERM).

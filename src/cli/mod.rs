@@ -14,8 +14,10 @@ mod trace;
 mod walk;
 
 use clap::{Parser, Subcommand};
+use failure::Failure;
 pub use failure::MACHINE;
 use options::ColorChoice;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// A ray tracer whose every computed value can be walked through.
@@ -77,7 +79,17 @@ pub fn run() -> ExitCode {
 
 /// Prints help and version to standard output, usage errors to standard error.
 fn usage(error: &clap::Error) -> ExitCode {
-    // A closed pipe is no failure of ours.
-    let _ = error.print();
-    ExitCode::from(if error.use_stderr() { failure::CALLER } else { 0 })
+    let printed = error.print().and_then(|()| io::stdout().flush());
+    if error.use_stderr() {
+        // Where standard error is closed there is nobody to tell.
+        return ExitCode::from(failure::CALLER);
+    }
+    match printed {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            let failure = Failure::stdout(&error);
+            failure.print();
+            ExitCode::from(failure.code())
+        }
+    }
 }

@@ -8,10 +8,13 @@ use raywalk::record::Arithmetic;
 use raywalk::scene::builtin;
 use raywalk::scene::file::nff::{Angle, Import};
 use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
-use raywalk::scene::file::validate::limits::{MAX_GRID, MAX_PIXELS};
+use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_GRID, MAX_PIXELS, MAX_SIDE};
 use raywalk::scene::file::{self, suggest};
 use raywalk::scene::{Index, Scene, Skip, build};
 use std::io::IsTerminal;
+
+/// The most threads.
+const MAX_THREADS: i64 = 4096;
 
 /// Whether to use colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -49,7 +52,7 @@ pub struct TracingOptions {
     #[arg(long, value_name = "NAME", value_parser = algorithm)]
     pub algorithm: Option<Algorithm>,
     /// The depth limit of the algorithm
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=256))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_DEPTH)))]
     pub max_depth: Option<u32>,
     /// Which rays make a pixel: none (one through its centre) or shared:N (the corners of N x N cells, which
     /// neighbours share)
@@ -70,7 +73,7 @@ pub struct TracingOptions {
     #[arg(long, value_enum, default_value = "visited")]
     pub tests: TestsChoice,
     /// On how many threads; 0 is one a core
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=4096))]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     pub threads: u16,
 }
 
@@ -203,9 +206,9 @@ pub fn pixel_in(scene: &Scene, pixel: [u32; 2]) -> Result<[u32; 2], Failure> {
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    let expected = "expected WIDTHxHEIGHT in pixels, each from 1 to 65535";
-    let (width, height) = text.split_once(['x', 'X']).ok_or(expected)?;
-    let side = |side: &str| side.parse().ok().filter(|side| (1..=65535).contains(side)).ok_or(expected);
+    let expected = || format!("expected WIDTHxHEIGHT in pixels, each from 1 to {MAX_SIDE}");
+    let (width, height) = text.split_once(['x', 'X']).ok_or_else(expected)?;
+    let side = |side: &str| side.parse().ok().filter(|side| (1..=MAX_SIDE).contains(side)).ok_or_else(expected);
     let [width, height]: [u32; 2] = [side(width)?, side(height)?];
     if u64::from(width) * u64::from(height) > MAX_PIXELS {
         return Err(format!("at most {MAX_PIXELS} pixels in all"));

@@ -12,14 +12,21 @@ pub enum Output {
     /// Standard output.
     Stdout,
     /// A file that is written beside its place and then renamed.
-    File(NamedTempFile, PathBuf),
+    File {
+        /// The file beside it.
+        file: NamedTempFile,
+        /// The place, where links have led.
+        place: PathBuf,
+        /// The place as it was named.
+        named: PathBuf,
+    },
     /// A device or pipe, which can't be replaced.
     Special(fs::File, PathBuf),
 }
 
 impl Output {
-    /// Standard output for none and `-`; else the file, which must not be `input`.
-    pub fn create(path: Option<&Path>, input: &Path) -> Result<Output, Failure> {
+    /// Standard output for none and `-`; else the file, which must not be one of the `inputs`.
+    pub fn create(path: Option<&Path>, inputs: &[impl AsRef<Path>]) -> Result<Output, Failure> {
         let Some(path) = path.filter(|path| *path != Path::new("-")) else { return Ok(Output::Stdout) };
         let cannot_write = |error: &io::Error| Failure::io(path, "write", error);
         let metadata = match fs::metadata(path) {
@@ -31,7 +38,7 @@ impl Output {
             let path = path.display();
             return Err(Failure::caller(format!("{path}: is a directory, expected the name of a file")));
         }
-        if metadata.is_some() && is_same(path, input) {
+        if metadata.is_some() && inputs.iter().any(|input| is_same(path, input.as_ref())) {
             return Err(Failure::caller(format!("{}: is the input, which would be overwritten", path.display())));
         }
         if metadata.as_ref().is_some_and(|metadata| !metadata.is_file()) {
@@ -50,7 +57,7 @@ impl Output {
         let plain = |error: io::Error| error.raw_os_error().map_or(error, io::Error::from_raw_os_error);
         let file = builder.tempfile_in(folder).map_err(|error| cannot_write(&plain(error)))?;
         signals::unfinished(file.path().to_owned());
-        Ok(Output::File(file, place))
+        Ok(Output::File { file, place, named: path.to_owned() })
     }
 
     /// Writes the whole result.
@@ -62,14 +69,16 @@ impl Output {
     pub fn stream(self, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
         match self {
             Output::Stdout => through(Box::new(io::stdout().lock()), write).map_err(|error| Failure::stdout(&error)),
-            Output::Special(file, path) => {
-                through(Box::new(file), write).map_err(|error| Failure::io(&path, "write", &error))
-            }
-            Output::File(mut file, path) => {
-                let cannot_write = |error: &io::Error| Failure::io(&path, "write", error);
-                through(Box::new(&mut file), write).map_err(|error| cannot_write(&error))?;
+            Output::Special(file, path) => through(Box::new(file), write).map_err(|error| match error.kind() {
+                io::ErrorKind::BrokenPipe => Failure::silent(0),
+                _ => Failure::io(&path, "write", &error),
+            }),
+            Output::File { mut file, place, named } => {
+                let cannot_write = |error: &io::Error| Failure::io(&named, "write", error);
+                // To the file itself: the errors of a temporary file name it, which says nothing to anybody.
+                through(Box::new(file.as_file_mut()), write).map_err(|error| cannot_write(&error))?;
                 file.as_file().sync_all().map_err(|error| cannot_write(&error))?;
-                file.persist(&path).map_err(|error| cannot_write(&error.error))?;
+                file.persist(&place).map_err(|error| cannot_write(&error.error))?;
                 signals::finished();
                 Ok(())
             }

@@ -27,7 +27,7 @@ pub struct Rays {
 }
 
 /// The longest line that is read, in bytes. A longer one is answered with an error and passed over.
-const LONGEST_LINE: u64 = 64 * 1024;
+const MAX_LINE_BYTES: u64 = 64 * 1024;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -162,22 +162,22 @@ impl<'s> HitReply<'s> {
 /// Reads a line without its end; `None` at the end of the input, `false` for a line that was too long to keep.
 fn next_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<Option<bool>> {
     line.clear();
-    if input.by_ref().take(LONGEST_LINE).read_until(b'\n', line)? == 0 {
+    if input.by_ref().take(MAX_LINE_BYTES).read_until(b'\n', line)? == 0 {
         return Ok(None);
     }
-    if line.last() == Some(&b'\n') || (line.len() as u64) < LONGEST_LINE {
+    if line.last() == Some(&b'\n') || (line.len() as u64) < MAX_LINE_BYTES {
         return Ok(Some(true));
     }
     // The rest of the line, piece by piece.
     let mut rest = Vec::new();
-    while input.by_ref().take(LONGEST_LINE).read_until(b'\n', &mut rest)? > 0 && rest.last() != Some(&b'\n') {
+    while input.by_ref().take(MAX_LINE_BYTES).read_until(b'\n', &mut rest)? > 0 && rest.last() != Some(&b'\n') {
         rest.clear();
     }
     Ok(Some(false))
 }
 
 fn too_long(out: &mut impl Write) -> io::Result<()> {
-    let reply = Outcome::Error(format!("the line is longer than {LONGEST_LINE} bytes"));
+    let reply = Outcome::Error(format!("the line is longer than {MAX_LINE_BYTES} bytes"));
     serde_json::to_writer(&mut *out, &reply)?;
     out.write_all(b"\n")
 }

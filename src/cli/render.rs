@@ -58,6 +58,7 @@ impl Render {
         let load = Instant::now();
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let mut seconds = Seconds { load: load.elapsed().as_secs_f64(), ..Seconds::default() };
+        let inputs = loaded.inputs(&self.scene);
         let build = Instant::now();
         let scene = self.tracing.apply(loaded)?;
         seconds.build = build.elapsed().as_secs_f64();
@@ -67,7 +68,7 @@ impl Render {
             threads: self.tracing.threads.into(),
             counts_rays: self.stats.is_some(),
         };
-        let output = Output::create(Some(&self.output), &self.scene)?;
+        let output = Output::create(Some(&self.output), &inputs)?;
 
         let start = Instant::now();
         let [left, top, right, bottom] = settings.crop;

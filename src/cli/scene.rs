@@ -87,14 +87,15 @@ impl SceneCommand {
             SceneCommand::Show(scene) => output::print(scene.without_meshes(colors)?.to_json().as_bytes()),
             SceneCommand::Convert { scene, output } => {
                 let file = scene.without_meshes(colors)?;
-                Output::create(output.as_deref(), &scene.scene)?.commit(file.to_json().as_bytes())
+                let inputs = scene_argument::inputs(&file, &scene.scene);
+                Output::create(output.as_deref(), &inputs)?.commit(file.to_json().as_bytes())
             }
             SceneCommand::List => {
                 let names: String = builtin::names().map(|name| format!("{name}\n")).collect();
                 output::print(names.as_bytes())
             }
             SceneCommand::Generate { what, level, output } => {
-                let output = Output::create(output.as_deref(), Path::new(""))?;
+                let output = Output::create(output.as_deref(), &[] as &[&Path])?;
                 output.stream(|out| match what {
                     Generated::Knot => generate::write_obj(&generate::knot(level), out),
                     Generated::Icosphere => generate::write_obj(&generate::icosphere(level), out),

@@ -6,8 +6,9 @@ use super::output;
 use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
-use raywalk::scene::file::schema::SceneFile;
+use raywalk::scene::file::schema::{Object, SceneFile, Shape};
 use raywalk::scene::file::{self, Problem, Source, visible};
+use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -27,6 +28,26 @@ pub struct Loaded {
     pub scene: SceneFile,
     /// The meshes that it names.
     pub meshes: Meshes,
+}
+
+impl Loaded {
+    /// The files that were read, which no result may overwrite: the argument itself and the meshes beside it.
+    pub fn inputs(&self, argument: &Path) -> Vec<PathBuf> {
+        inputs(&self.scene, argument)
+    }
+}
+
+/// The files of a scene: the argument itself and the meshes beside it.
+pub fn inputs(scene: &SceneFile, argument: &Path) -> Vec<PathBuf> {
+    let mesh = |object: &Object| match &object.shape {
+        Shape::Mesh(mesh) => Some(mesh.path.clone()),
+        _ => None,
+    };
+    // Thousands of objects may share a mesh.
+    let meshes: BTreeSet<String> = scene.objects.iter().filter_map(mesh).collect();
+    let folder = argument.parent().unwrap_or(Path::new(""));
+    let meshes = meshes.iter().map(|mesh| folder.join(mesh));
+    [argument.to_owned()].into_iter().chain(meshes).collect()
 }
 
 /// Reads and checks the scene and its meshes; prints their warnings.

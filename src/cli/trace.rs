@@ -2,15 +2,17 @@
 
 use super::failure::Failure;
 use super::options::{ColorChoice, TracingOptions, numbers, pixel_in};
-use super::output::Output;
+use super::output::{Output, Sink};
 use super::scene_argument;
 use clap::{Args, ValueEnum};
 use glam::DVec3;
 use raywalk::log::{Log, file as log_file};
-use raywalk::record::{self, Arithmetic};
+use raywalk::probe::CutOff;
+use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::{self, Style};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
+use std::io;
 use std::path::PathBuf;
 
 /// Write the log of a pixel or a ray.
@@ -65,37 +67,66 @@ impl Trace {
             return Err(Failure::caller("trace: expected --pixel X,Y or --ray OX,OY,OZ,DX,DY,DZ"));
         }
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
+        let inputs = loaded.inputs(&self.scene);
         let scene = self.tracing.apply(loaded)?;
-        let output = Output::create(self.output.as_deref(), &self.scene)?;
-        let log = self.subject.log(&scene, &self.tracing)?;
-        let in_memory = |error: std::io::Error| Failure::machine(format!("cannot write the log: {error}"));
+        let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        let output = Output::create(self.output.as_deref(), &inputs)?;
+        let in_memory = |error: io::Error| Failure::machine(format!("cannot write the log: {error}"));
         let bytes = match self.format {
-            TraceFormat::Ndjson => log_file::to_ndjson(&log).map_err(in_memory)?,
-            TraceFormat::Json => log_file::to_json(&log).map_err(in_memory)?,
-            TraceFormat::Text => report::text::text(&log, Style { digits: self.digits }).into_bytes(),
+            TraceFormat::Ndjson => {
+                return output.stream(|out| write_as_it_grows(&scene, part, self.tracing.arithmetic, out));
+            }
+            TraceFormat::Json => {
+                log_file::to_json(&short_log(&scene, part, self.tracing.arithmetic)?).map_err(in_memory)?
+            }
+            TraceFormat::Text => {
+                let log = short_log(&scene, part, self.tracing.arithmetic)?;
+                report::text::text(&log, Style { digits: self.digits }).into_bytes()
+            }
         };
         output.commit(&bytes)
     }
 }
 
 impl Subject {
-    /// The log of the pixel or ray; of the middle pixel if neither is named.
-    pub fn log(&self, scene: &Scene, tracing: &TracingOptions) -> Result<Log, Failure> {
+    /// The pixel or ray; the middle pixel if neither is named.
+    pub fn part(&self, scene: &Scene, arithmetic: Arithmetic) -> Result<Part, Failure> {
+        let is_printed = arithmetic == Arithmetic::Printed;
         match (self.pixel, self.ray) {
-            (_, Some(_)) if tracing.arithmetic == Arithmetic::Printed => Err(not_printed()),
+            (_, Some(_)) if is_printed => Err(not_printed()),
             (_, Some([ox, oy, oz, dx, dy, dz])) => {
-                Ok(record::ray(scene, DVec3::new(ox, oy, oz), DVec3::new(dx, dy, dz), tracing.arithmetic))
+                Ok(Part::Ray { origin: DVec3::new(ox, oy, oz), direction: DVec3::new(dx, dy, dz) })
             }
             (pixel, None) => {
                 let middle = scene.camera.resolution.map(|side| side / 2);
                 let pixel = pixel_in(scene, pixel.unwrap_or(middle))?;
-                if pixel != middle && tracing.arithmetic == Arithmetic::Printed {
-                    return Err(not_printed());
-                }
-                Ok(record::pixel(scene, pixel, tracing.arithmetic))
+                if pixel != middle && is_printed { Err(not_printed()) } else { Ok(Part::Pixel(pixel)) }
             }
         }
     }
+}
+
+/// The log of a pixel or ray for views that need the whole of it.
+pub fn short_log(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, Failure> {
+    record::bounded(scene, part, arithmetic).map_err(|cut_off| {
+        let smaller = "expected a smaller --max-depth, or `trace` in the format ndjson, which is written as it grows";
+        let message = format!("{cut_off}, {smaller}");
+        match cut_off {
+            CutOff::TooLong { .. } => Failure::caller(message),
+            CutOff::Memory | CutOff::Io(_) => Failure::machine(message),
+        }
+    })
+}
+
+/// Writes the log of a pixel or ray line by line, so that it may be longer than the memory.
+fn write_as_it_grows(scene: &Scene, part: Part, arithmetic: Arithmetic, out: &mut Sink) -> io::Result<()> {
+    let header = record::header(scene, part.subject(), arithmetic);
+    let mut writer = log_file::Writer::new(out, &header)?;
+    record::stream(scene, part, arithmetic, &mut |events| writer.write(events)).map_err(|cut_off| match cut_off {
+        CutOff::Io(error) => error,
+        CutOff::TooLong { .. } | CutOff::Memory => io::Error::other(cut_off),
+    })?;
+    writer.finish().map(|_| ())
 }
 
 fn not_printed() -> Failure {

@@ -4,9 +4,10 @@ use super::failure::{Failure, INTERRUPTED, TERMINATED};
 use super::options::{ColorChoice, TracingOptions, numbers};
 use super::output::{self, Output};
 use super::scene_argument::{self, Input};
-use super::trace::Subject;
+use super::trace::{Subject, short_log};
 use clap::Args;
-use raywalk::log::{Log, file as log_file};
+use raywalk::log::Log;
+use raywalk::log::file::{self as log_file, LogError};
 use raywalk::report::{self, Style};
 use raywalk::scene::file::visible;
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
@@ -73,7 +74,7 @@ impl Walk {
             let [width, height] = self.screen.unwrap_or(SCREEN);
             let options = self.options(Palette::True, warning);
             let picture = tui::picture(log, &options, &self.keys, width, height);
-            return Output::create(Some(path), walked)?.commit(picture.as_bytes());
+            return Output::create(Some(path), &[walked])?.commit(picture.as_bytes());
         }
         if self.plain || !has_terminal() {
             if let Some(warning) = warning {
@@ -98,12 +99,16 @@ impl Walk {
                 let message = format!("{name}: is a log, which is traced already; expected no options of tracing");
                 return Err(Failure::caller(message));
             }
-            let read = log_file::read(&input.bytes)
-                .map_err(|error| Failure::caller(format!("{}:{error}", visible(&input.name))))?;
+            let name = visible(&input.name);
+            let read = log_file::read(&input.bytes).map_err(|error| match error {
+                LogError::Io(error) => Failure::machine(format!("{name}: cannot read: {error}")),
+                _ => Failure::caller(format!("{name}:{error}")),
+            })?;
             return Ok((read.log, read.ending.warning()));
         }
         let scene = self.tracing.apply(scene_argument::scene(input, &self.tracing.import(), colors)?)?;
-        Ok((self.subject.log(&scene, &self.tracing)?, None))
+        let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        Ok((short_log(&scene, part, self.tracing.arithmetic)?, None))
     }
 
     fn options(&self, palette: Palette, warning: Option<String>) -> tui::Options {

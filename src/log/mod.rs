@@ -3,6 +3,7 @@
 //! This room knows no geometry: objects and lights are numbers that the header names, and what a quantity means stands
 //! in the table of [`Name`].
 
+pub mod escape;
 pub mod event;
 pub mod file;
 pub mod formula;

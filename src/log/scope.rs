@@ -54,7 +54,7 @@ fn seen_from(events: &[Event], tree: &Tree, mut node: usize, mut before: usize, 
 }
 
 fn in_node(events: &[Event], tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
-    tree.own_events(node).rev().skip_while(|event| *event >= before).find_map(|event| {
+    tree.own_events_before(node, before).rev().find_map(|event| {
         let value = noted(&events[event], symbol).or_else(|| given(&events[event], symbol))?;
         Some(Operand { event, value })
     })
@@ -63,11 +63,10 @@ fn in_node(events: &[Event], tree: &Tree, node: usize, before: usize, symbol: &s
 /// The test, directly inside `node`, that found the nearest object. A mesh has a test for each triangle; the one at the
 /// least distance found it, of several the one of the first triangle.
 fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -> Option<usize> {
-    let nearest =
-        tree.own_events(node).take_while(|event| *event < before).find_map(|event| match events[event].what {
-            What::Mark(Decision::Nearest { object }) => Some(object),
-            _ => None,
-        })?;
+    let nearest = tree.own_events_before(node, before).find_map(|event| match events[event].what {
+        What::Mark(Decision::Nearest { object }) => Some(object),
+        _ => None,
+    })?;
     let triangle_of = |child: usize| match tree.nodes()[child].step {
         Some(Step::Test { object, triangle }) if object == nearest => Some(triangle),
         _ => None,

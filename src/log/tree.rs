@@ -85,8 +85,14 @@ impl Tree {
     }
 
     /// The events of a node itself, without those of the nodes inside it, in order.
-    pub fn own_events(&self, node: usize) -> impl DoubleEndedIterator<Item = usize> + '_ {
-        self.nodes[node].events.clone().filter(move |event| self.owner(*event) == node)
+    pub fn own_events(&self, node: usize) -> OwnEvents<'_> {
+        OwnEvents { tree: self, node, rest: self.nodes[node].events.clone() }
+    }
+
+    /// Those of them that lie before an event.
+    pub fn own_events_before(&self, node: usize, before: usize) -> OwnEvents<'_> {
+        let Range { start, end } = self.nodes[node].events;
+        OwnEvents { tree: self, node, rest: start..end.min(before) }
     }
 
     /// The way of a node's ray from the eye, such as `C R S1`, or `3 C R S1` in the third sample; empty outside every ray.
@@ -98,6 +104,63 @@ impl Tree {
             at = self.nodes[at].parent;
         }
         steps.iter().rev().fold(String::new(), |path, step| path_of_child(&path, *step))
+    }
+}
+
+/// The events of a node itself. A node inside it is passed over in one step, however much it holds.
+#[derive(Clone, Debug)]
+pub struct OwnEvents<'t> {
+    tree: &'t Tree,
+    node: usize,
+    rest: Range<usize>,
+}
+
+impl OwnEvents<'_> {
+    /// The events of the node directly inside that holds this one; `None` if no node inside does.
+    fn inside(&self, event: usize) -> Option<Range<usize>> {
+        let mut holder = self.tree.owner(event);
+        if holder == self.node {
+            return None;
+        }
+        // The root is its own parent.
+        while self.tree.nodes[holder].parent != self.node && holder != 0 {
+            holder = self.tree.nodes[holder].parent;
+        }
+        Some(self.tree.nodes[holder].events.clone())
+    }
+}
+
+impl Iterator for OwnEvents<'_> {
+    type Item = usize;
+
+    fn next(&mut self) -> Option<usize> {
+        while !self.rest.is_empty() {
+            let event = self.rest.start;
+            match self.inside(event) {
+                None => {
+                    self.rest.start += 1;
+                    return Some(event);
+                }
+                Some(inside) => self.rest.start = inside.end,
+            }
+        }
+        None
+    }
+}
+
+impl DoubleEndedIterator for OwnEvents<'_> {
+    fn next_back(&mut self) -> Option<usize> {
+        while !self.rest.is_empty() {
+            let event = self.rest.end - 1;
+            match self.inside(event) {
+                None => {
+                    self.rest.end = event;
+                    return Some(event);
+                }
+                Some(inside) => self.rest.end = inside.start,
+            }
+        }
+        None
     }
 }
 

@@ -11,7 +11,7 @@ mod silent;
 
 pub use altered::{Alteration, Altered, Decimal, Single, round_half_away};
 pub use printed::{Printed, PrintedValue};
-pub use recorder::Recorder;
+pub use recorder::{CutOff, Outlet, Recorder, until_cut_off};
 pub use silent::Silent;
 
 use crate::log::{Decision, Name, Step, Value};

@@ -2,25 +2,77 @@
 
 use super::{Probe, Quantity};
 use crate::log::{Decision, Event, Name, Step, Value, What};
+use std::any::Any;
+use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-/// Keeps every event of the computation.
-#[derive(Clone, Debug, Default)]
-pub struct Recorder {
+/// Where events go that are not kept.
+pub type Outlet<'o> = dyn FnMut(&[Event]) -> io::Result<()> + 'o;
+
+/// How many events are handed on at a time.
+const PIECE: usize = 4096;
+
+/// What an event needs beside itself: its inputs, and its lines in a document or a text, which is all in memory too.
+const BYTES_BESIDE: usize = 250;
+
+/// Keeps every event of the computation, or hands them on as they come.
+pub struct Recorder<'o> {
     events: Vec<Event>,
     given: Vec<(Name, Value)>,
     nodes: u32,
     open: Vec<u32>,
+    /// How many events are kept before something must be done about it.
+    room: usize,
+    /// How many events were handed on.
+    gone: u32,
+    outlet: Option<&'o mut Outlet<'o>>,
 }
 
-impl Recorder {
-    /// The events so far.
+/// Why a computation was left before its end: there was no place for its log.
+#[derive(Debug, thiserror::Error)]
+pub enum CutOff {
+    /// The log would be too long.
+    #[error("the log would have more than {most} events")]
+    TooLong {
+        /// The most events it may have.
+        most: usize,
+    },
+    /// There is no memory for it.
+    #[error("not enough memory for the log")]
+    Memory,
+    /// The log can't be written.
+    #[error("{0}")]
+    Io(#[from] io::Error),
+}
+
+impl Default for Recorder<'_> {
+    fn default() -> Self {
+        Recorder::of_at_most(usize::MAX)
+    }
+}
+
+impl<'o> Recorder<'o> {
+    /// Keeps so many events; one more ends the computation, see [`until_cut_off`].
+    pub fn of_at_most(room: usize) -> Recorder<'o> {
+        Recorder { events: Vec::new(), given: Vec::new(), nodes: 0, open: Vec::new(), room, gone: 0, outlet: None }
+    }
+
+    /// Hands events on as they come; an error ends the computation, see [`until_cut_off`].
+    pub fn to_outlet(outlet: &'o mut Outlet<'o>) -> Recorder<'o> {
+        Recorder { outlet: Some(outlet), ..Recorder::of_at_most(PIECE) }
+    }
+
+    /// The events so far, less those that were handed on.
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
-    /// Ends the computation of a pixel with its colour and gives its events.
+    /// Ends the computation of a pixel with its colour and gives its events, or hands the last of them on.
     pub fn finish(mut self, color: [f64; 3]) -> Vec<Event> {
         self.push(0, What::Result { color });
+        if self.outlet.is_some() {
+            self.make_room();
+        }
         self.events
     }
 
@@ -29,12 +81,58 @@ impl Recorder {
     }
 
     fn push(&mut self, node: u32, what: What) {
-        let at = self.events.len() as u32 + 1;
+        if self.events.len() >= self.room {
+            self.make_room();
+        }
+        if self.events.len() == self.events.capacity() {
+            self.ask_for_memory();
+        }
+        let at = self.gone + self.events.len() as u32 + 1;
         self.events.push(Event { at, node, what, given: std::mem::take(&mut self.given) });
+    }
+
+    /// Gets room for as many events again, or ends the computation.
+    #[cold]
+    fn ask_for_memory(&mut self) {
+        let more = self.events.len().clamp(64, PIECE << 4);
+        let beside = if self.outlet.is_some() { 0 } else { (self.events.len() + more) * BYTES_BESIDE };
+        let asked = Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
+        if asked.is_err() {
+            resume_unwind(Box::new(CutOff::Memory));
+        }
+    }
+
+    /// Hands the events on, or ends the computation.
+    #[cold]
+    fn make_room(&mut self) {
+        let made = match &mut self.outlet {
+            None => Err(CutOff::TooLong { most: self.room }),
+            Some(outlet) => outlet(&self.events).map_err(CutOff::Io),
+        };
+        // The numbers of events have 32 bits; the next piece must fit too.
+        let gone = self.gone.saturating_add(self.events.len() as u32);
+        let has_numbers = gone <= u32::MAX - PIECE as u32;
+        match made.and(if has_numbers { Ok(gone) } else { Err(CutOff::TooLong { most: gone as usize }) }) {
+            Ok(gone) => {
+                self.gone = gone;
+                self.events.clear();
+            }
+            // What a probe returns can't end a computation, so it unwinds; this doesn't print the message of a panic.
+            Err(cut_off) => resume_unwind(Box::new(cut_off)),
+        }
     }
 }
 
-impl Probe for Recorder {
+/// Runs what records, and says whether a recorder cut it off.
+pub fn until_cut_off<T>(run: impl FnOnce() -> T) -> Result<T, CutOff> {
+    // Nothing that the computation had changed is looked at after it was cut off.
+    catch_unwind(AssertUnwindSafe(run)).map_err(|payload: Box<dyn Any + Send>| match payload.downcast() {
+        Ok(cut_off) => *cut_off,
+        Err(panic) => resume_unwind(panic),
+    })
+}
+
+impl Probe for Recorder<'_> {
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
         self.given.push((name, value.value()));
     }
@@ -58,5 +156,44 @@ impl Probe for Recorder {
     fn leave(&mut self) {
         self.push(self.here(), What::Leave);
         self.open.pop();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Records `count` marks and the result.
+    fn record(mut recorder: Recorder, count: usize) -> Vec<Event> {
+        (0..count).for_each(|_| recorder.mark(Decision::Hit));
+        recorder.finish([0.0; 3])
+    }
+
+    #[test]
+    fn what_is_handed_on_is_what_would_have_been_kept() {
+        for count in [0, 1, PIECE - 1, PIECE, 3 * PIECE + 5] {
+            let mut handed_on = Vec::new();
+            let mut outlet = |events: &[Event]| {
+                assert!(events.len() <= PIECE);
+                handed_on.extend_from_slice(events);
+                Ok(())
+            };
+            assert_eq!(record(Recorder::to_outlet(&mut outlet), count), []);
+            assert_eq!(handed_on, record(Recorder::default(), count));
+        }
+    }
+
+    #[test]
+    fn a_log_that_is_too_long_ends_the_computation() {
+        let cut_off = until_cut_off(|| record(Recorder::of_at_most(10), 10));
+        assert!(matches!(cut_off, Err(CutOff::TooLong { most: 10 })));
+        assert_eq!(until_cut_off(|| record(Recorder::of_at_most(10), 9).len()).ok(), Some(10));
+    }
+
+    #[test]
+    fn a_log_that_nobody_takes_ends_the_computation() {
+        let mut outlet = |_: &[Event]| Err(io::ErrorKind::BrokenPipe.into());
+        let cut_off = until_cut_off(|| record(Recorder::to_outlet(&mut outlet), usize::MAX));
+        assert!(matches!(cut_off, Err(CutOff::Io(error)) if error.kind() == io::ErrorKind::BrokenPipe));
     }
 }

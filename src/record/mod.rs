@@ -6,35 +6,75 @@ pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 
 use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Event, Header, Log, Subject};
-use crate::probe::{Probe, Recorder};
+use crate::probe::{CutOff, Outlet, Probe, Recorder, Silent, until_cut_off};
 use crate::sampling;
 use crate::scene::{Algorithm, Color, Sampling, Scene, Specular, camera};
 use crate::trace::camera_ray;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// The log of a pixel, by column and row from the top left.
+/// The most events of a log that is held in memory (2²⁰): more than anybody walks through, in about 200 MiB. A log that is
+/// written as it grows may be longer.
+pub const MAX_EVENTS: usize = 1 << 20;
+
+/// A part of a scene that has a log.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Part {
+    /// A pixel, by column and row from the top left.
+    Pixel([u32; 2]),
+    /// A ray.
+    Ray {
+        /// Where it begins.
+        origin: DVec3,
+        /// Where it goes, of any length.
+        direction: DVec3,
+    },
+}
+
+/// The log of a pixel, however long it is.
 pub fn pixel(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Log {
-    Log { header: header(scene, Subject::Pixel(pixel), arithmetic), events: pixel_events(scene, pixel, arithmetic) }
-}
-
-/// The events of a pixel.
-pub fn pixel_events(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Vec<Event> {
-    record(arithmetic, Pixel { scene, pixel })
-}
-
-/// The colour of a pixel, without a log.
-pub fn pixel_color(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Color {
-    let (color, _) = arithmetic.run(crate::probe::Silent, Pixel { scene, pixel });
-    color
+    whole(scene, Part::Pixel(pixel), arithmetic)
 }
 
 /// The log of a ray from `origin` along `direction`, of any length.
 pub fn ray(scene: &Scene, origin: DVec3, direction: DVec3, arithmetic: Arithmetic) -> Log {
-    let [ox, oy, oz] = origin.to_array();
-    let [dx, dy, dz] = direction.to_array();
-    let header = header(scene, Subject::Ray([ox, oy, oz, dx, dy, dz]), arithmetic);
-    Log { header, events: record(arithmetic, SingleRay { scene, origin, direction }) }
+    whole(scene, Part::Ray { origin, direction }, arithmetic)
+}
+
+/// The log of a part, if it has at most [`MAX_EVENTS`] events.
+pub fn bounded(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, CutOff> {
+    let events = until_cut_off(|| record(scene, part, arithmetic, Recorder::of_at_most(MAX_EVENTS)))?;
+    Ok(Log { header: header(scene, part.subject(), arithmetic), events })
+}
+
+/// Hands the events of a part on as they come, so that memory doesn't grow with the log.
+pub fn stream(scene: &Scene, part: Part, arithmetic: Arithmetic, outlet: &mut Outlet) -> Result<(), CutOff> {
+    until_cut_off(|| record(scene, part, arithmetic, Recorder::to_outlet(outlet))).map(|_| ())
+}
+
+/// The colour of a pixel, without a log.
+pub fn pixel_color(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Color {
+    arithmetic.run(Silent, Pixel { scene, pixel }).0
+}
+
+fn whole(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Log {
+    let events = record(scene, part, arithmetic, Recorder::default());
+    Log { header: header(scene, part.subject(), arithmetic), events }
+}
+
+fn record(scene: &Scene, part: Part, arithmetic: Arithmetic, recorder: Recorder) -> Vec<Event> {
+    let (color, recorder) = arithmetic.run(recorder, PartOf { scene, part });
+    recorder.finish(color.to_array())
+}
+
+impl Part {
+    /// The part as the header of its log names it.
+    pub fn subject(self) -> Subject {
+        match self {
+            Part::Pixel(pixel) => Subject::Pixel(pixel),
+            Part::Ray { origin: o, direction: d } => Subject::Ray([o.x, o.y, o.z, d.x, d.y, d.z]),
+        }
+    }
 }
 
 /// What a log of this part of the scene says about itself.
@@ -74,11 +114,6 @@ fn sampling_id(sampling: Sampling) -> BTreeMap<String, BTreeMap<String, f64>> {
     BTreeMap::from([(sampling.word().to_owned(), parameters.collect())])
 }
 
-fn record(arithmetic: Arithmetic, computation: impl Computation) -> Vec<Event> {
-    let (color, recorder) = arithmetic.run(Recorder::default(), computation);
-    recorder.finish(color.to_array())
-}
-
 /// The computation of a pixel.
 pub struct Pixel<'s> {
     /// The scene.
@@ -109,14 +144,18 @@ impl Computation for Corner<'_> {
     }
 }
 
-struct SingleRay<'s> {
+struct PartOf<'s> {
     scene: &'s Scene,
-    origin: DVec3,
-    direction: DVec3,
+    part: Part,
 }
 
-impl Computation for SingleRay<'_> {
+impl Computation for PartOf<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
-        camera_ray(self.scene, |probe| camera::ray_along(self.origin, self.direction, probe), probe)
+        match self.part {
+            Part::Pixel(pixel) => sampling::pixel(self.scene, pixel, probe),
+            Part::Ray { origin, direction } => {
+                camera_ray(self.scene, |probe| camera::ray_along(origin, direction, probe), probe)
+            }
+        }
     }
 }

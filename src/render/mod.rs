@@ -45,10 +45,27 @@ pub enum RenderError {
     /// There are no threads to be had.
     #[error("cannot start threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
+    /// There is no memory to be had.
+    #[error("not enough memory for a picture of {0} x {1} pixels")]
+    Memory(u32, u32),
 }
 
 /// The side of a tile. Tiles are what threads take turns on, and what progress counts.
 const TILE: u32 = 16;
+
+/// What a pixel needs until it is in a file: twice its colour (in its tile and in the film), its levels, their bytes.
+pub const BYTES_PER_PIXEL: usize = 2 * size_of::<Color>() + 16;
+
+/// Makes sure, as far as that goes, that there is memory for a picture: in the middle of the work it could only abort.
+///
+/// # Errors
+/// [`RenderError::Memory`] when there is none.
+pub fn ask_for_memory([left, top, right, bottom]: [u32; 4]) -> Result<(), RenderError> {
+    let (width, height) = (right - left, bottom - top);
+    let bytes = (width as usize).checked_mul(height as usize).and_then(|pixels| pixels.checked_mul(BYTES_PER_PIXEL));
+    let is_there = bytes.is_some_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok());
+    if is_there { Ok(()) } else { Err(RenderError::Memory(width, height)) }
+}
 
 /// Renders a picture. `progress` is told how many pixels each finished tile had; `stop` ends the work early.
 pub fn render(
@@ -57,7 +74,10 @@ pub fn render(
     progress: impl Fn(u64) + Sync,
     stop: &AtomicBool,
 ) -> Result<Rendered, RenderError> {
-    let threads = rayon::ThreadPoolBuilder::new().num_threads(settings.threads).build()?;
+    ask_for_memory(settings.crop)?;
+    // More threads than tiles would only be in each other's way; 0 stays one a core.
+    let threads = settings.threads.min(tiles(settings.crop).len());
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let rendered = threads.install(|| match scene.sampling {
         Sampling::Center => by_pixels(scene, settings, &progress, stop),
         Sampling::Shared { n } => grid::by_corners(scene, settings, n, &progress, stop),

@@ -2,13 +2,13 @@
 
 use super::LogError;
 use super::line::{End, Line};
-use super::read::{Ending, ReadLog, Reader, check_end, check_version, error_at};
+use super::read::{Ending, ReadLog, Reader, check_end, check_names, check_version, error_at};
 use crate::log::{Header, Log};
 use serde::Deserialize;
 use std::thread;
 
 /// How deep a document may nest: a ray tree of the greatest depth takes two brackets a level, and a few more at its end.
-const DEEPEST: usize = 2048;
+const MAX_NESTING: usize = 2048;
 
 /// Enough stack for the parser at that depth, with room to spare.
 const STACK: usize = 256 << 20;
@@ -29,7 +29,7 @@ pub(super) fn is_document(bytes: &[u8]) -> bool {
 /// Reads the document.
 pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
     if let Some(line) = too_deep_at(bytes) {
-        let message = format!("nested more than {DEEPEST} deep");
+        let message = format!("nested more than {MAX_NESTING} deep");
         return Err(LogError::Damaged { line, column: 1, message });
     }
     // The parser's own limit is 128 and its recursion follows the nesting, so it gets a stack that is large enough.
@@ -44,6 +44,7 @@ fn parse(bytes: &[u8]) -> Result<ReadLog, LogError> {
     json.disable_recursion_limit();
     let document = Document::deserialize(&mut json).map_err(|error| error_at(error.line(), &error))?;
     check_version(&document.header.log)?;
+    check_names(&document.header)?;
     let mut reader = Reader::new(&document.header);
     for child in document.children {
         reader.take(child, 1)?;
@@ -74,7 +75,7 @@ fn too_deep_at(bytes: &[u8]) -> Option<usize> {
             b'}' | b']' if !in_string => depth = depth.saturating_sub(1),
             _ => {}
         }
-        if depth > DEEPEST {
+        if depth > MAX_NESTING {
             return Some(line);
         }
     }

@@ -1,5 +1,6 @@
 //! What can be wrong with a log.
 
+use crate::log::escape::shortened;
 use crate::log::header::FORMAT;
 
 /// Why a log can't be read.
@@ -30,4 +31,12 @@ pub enum LogError {
         /// What is wrong with it.
         message: String,
     },
+}
+
+impl LogError {
+    /// A record that is damaged. The message may quote the log, so it is escaped and shortened.
+    pub(super) fn damaged(line: usize, column: usize, message: &str) -> LogError {
+        const LONGEST: usize = 200;
+        LogError::Damaged { line, column, message: shortened(message, LONGEST) }
+    }
 }

@@ -3,6 +3,7 @@
 use super::LogError;
 use super::document::{self, is_document};
 use super::line::{Enter, Line, Mark};
+use crate::log::escape::{is_hidden, shortened, visible};
 use crate::log::event::{Decision, Event, Miss, RayKind, SkipReason, Skippable, Step, What};
 use crate::log::header::{FORMAT, Header};
 use crate::log::name::Name;
@@ -50,8 +51,17 @@ impl Ending {
     }
 }
 
+/// How much larger than its bytes a log is in memory, with the text that may be made of it.
+const GROWTH: usize = 3;
+
 /// Reads a log, NDJSON or one JSON document.
+///
+/// # Errors
+/// [`LogError`]; [`LogError::Io`] when there is no memory for it.
 pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
+    // In the middle of the work it could only abort.
+    let asked = Vec::<u8>::new().try_reserve_exact(bytes.len().saturating_mul(GROWTH));
+    asked.map_err(|_| std::io::Error::from(std::io::ErrorKind::OutOfMemory))?;
     if is_document(bytes) {
         return document::read(bytes);
     }
@@ -100,11 +110,27 @@ fn header(line: &[u8]) -> Result<Header, LogError> {
         });
     };
     check_version(&version.log)?;
-    serde_json::from_slice(line).map_err(|error| error_at(1, &error))
+    let header = serde_json::from_slice(line).map_err(|error| error_at(1, &error))?;
+    check_names(&header)?;
+    Ok(header)
+}
+
+/// Whoever shows a log shows its names, so that none may hold what drives a terminal. No scene has such names.
+pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
+    let tracing = &header.tracing;
+    let words = [&header.version, &header.arithmetic, &tracing.algorithm, &tracing.specular, &tracing.sphere_method];
+    let parameters = header.sampling.iter().flat_map(|(word, parameters)| [word].into_iter().chain(parameters.keys()));
+    let names = header.objects.iter().chain(&header.lights).chain([&header.scene.name, &header.scene.digest]);
+    match words.into_iter().chain(parameters).chain(names).find(|name| name.chars().any(is_hidden)) {
+        None => Ok(()),
+        Some(name) => {
+            Err(LogError::damaged(1, 1, &format!("a name must not hold control characters, found `{}`", visible(name))))
+        }
+    }
 }
 
 pub(super) fn check_version(found: &str) -> Result<(), LogError> {
-    if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: found.to_owned() }) }
+    if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: shortened(found, 40) }) }
 }
 
 pub(super) fn check_end(end: &End, events: usize, hashed: &[u8]) -> Ending {
@@ -120,8 +146,8 @@ pub(super) fn check_end(end: &End, events: usize, hashed: &[u8]) -> Ending {
 
 pub(super) fn error_at(line: usize, error: &serde_json::Error) -> LogError {
     let text = error.to_string();
-    let message = text.split(" at line ").next().unwrap_or(&text).to_owned();
-    LogError::Damaged { line, column: error.column().max(1), message }
+    let message = text.split(" at line ").next().unwrap_or(&text);
+    LogError::damaged(line, error.column().max(1), message)
 }
 
 struct Lines<'b> {
@@ -170,7 +196,7 @@ impl Reader {
     }
 
     pub(super) fn take(&mut self, line: Line, number: usize) -> Result<(), LogError> {
-        let damaged = |message: String| LogError::Damaged { line: number, column: 1, message };
+        let damaged = |message: String| LogError::damaged(number, 1, &message);
         let missing = |field: &str| damaged(format!("expected an event, found no `{field}`"));
         let at = line.at.ok_or_else(|| missing("at"))?;
         let node = line.node.ok_or_else(|| missing("node"))?;

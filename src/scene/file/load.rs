@@ -1,5 +1,6 @@
 //! From bytes to a checked scene: decode, read, fill in names, validate, and give every problem its place.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use serde::Deserialize;
@@ -48,12 +49,25 @@ pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, SceneError> {
 /// Those of [`check`].
 pub fn check_as(text: &[u8], file_name: &str, import: &Import) -> Result<Loaded, SceneError> {
     if nff::is_nff(text, file_name) {
+        ask_for_memory(text, NFF_GROWTH, file_name)?;
         return nff::check(text, file_name, import);
     }
+    ask_for_memory(text, JSON_GROWTH, file_name)?;
     let scene = parse(text, file_name)?;
     let (source, text) = decode(text, file_name)?;
     let warnings = judge(validate(&scene), |findings| place(findings, &source, text))?;
     Ok(Loaded { scene, warnings })
+}
+
+/// How much larger a scene is, ready to be traced, than its text: measured on files of nothing but small spheres.
+const JSON_GROWTH: usize = 15;
+/// The same for NFF, where a sphere takes a few bytes.
+const NFF_GROWTH: usize = 75;
+
+/// Makes sure, as far as that goes, that there is memory for a scene: in the middle of the work it could only abort.
+fn ask_for_memory(text: &[u8], growth: usize, file_name: &str) -> Result<(), SceneError> {
+    let asked = Vec::<u8>::new().try_reserve_exact(text.len().saturating_mul(growth));
+    asked.map_err(|_| SceneError::Unreadable { file: file_name.to_owned(), source: ErrorKind::OutOfMemory.into() })
 }
 
 /// Validates a scene that did not come from JSON text as it is: from another format, or changed by options. Gives the

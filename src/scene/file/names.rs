@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::path::Path;
 
+use super::escape::visible;
 use super::schema::SceneFile;
 
 /// Fills in the scene's name (the file's stem, without `.gz`) and the names of objects and lights (`object-3`, `light-1`).
@@ -11,7 +12,9 @@ pub fn fill_in_names(scene: &mut SceneFile, file_name: &str) {
         let unpacked =
             if file_name.to_ascii_lowercase().ends_with(".gz") { &file_name[..file_name.len() - 3] } else { file_name };
         let stem = Path::new(unpacked).file_stem().unwrap_or_default();
-        scene.name = stem.to_string_lossy().trim_matches(['<', '>']).to_string();
+        let stem = stem.to_string_lossy();
+        // A name in a file may not hold control characters; that of a file may.
+        scene.name = visible(stem.trim_matches(['<', '>'])).into_owned();
     }
     fill_in("object", scene.objects.iter_mut().map(|object| &mut object.name).collect());
     fill_in("light", scene.lights.iter_mut().map(|light| &mut light.name).collect());

@@ -7,12 +7,14 @@
 mod camera;
 mod light;
 mod material;
+mod objects;
 mod settings;
 mod shape;
 
 pub use camera::{Aim, Camera, Lens};
 pub use light::{DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
+pub use objects::MAX_DUPLICATES;
 pub use settings::{Algorithm, Frames, Output, Sampling, SpecularForm, SphereMethod, Tracing, Transfer};
 pub use shape::{
     AxisBox, Cone, Cylinder, Disk, Ellipsoid, Mesh, Motion, Object, Plane, Polygon, Rotation, Shape, Sphere, Triangle,
@@ -53,6 +55,7 @@ pub struct SceneFile {
     #[serde(default)]
     pub materials: Materials,
     /// The objects; the order settles ties.
+    #[serde(deserialize_with = "objects::objects")]
     pub objects: Vec<Object>,
     /// How rays are traced.
     #[serde(default)]

@@ -3,8 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod accepted;
-mod bad_input;
-mod bad_numbers;
+mod damaged;
 mod meaning;
 mod spelling;
 

@@ -102,7 +102,7 @@ const SCALARS: &[(&str, Scalar)] = &[
 ];
 
 /// The most elements, and the most properties of one, of a header.
-const MAX_ENTRIES: usize = 1000;
+const MAX_PLY_ENTRIES: usize = 1000;
 
 impl Header {
     /// Reads the header of a PLY file.
@@ -122,7 +122,7 @@ impl Header {
             match lines.words.bytes(&keyword) {
                 b"comment" | b"obj_info" => {}
                 b"format" => encoding = Some(lines.encoding()?),
-                b"element" if elements.len() < MAX_ENTRIES => {
+                b"element" if elements.len() < MAX_PLY_ENTRIES => {
                     let element = lines.element(keyword.start)?;
                     if elements.iter().any(|known| known.name == element.name) {
                         let message = format!("the element `{}` stands twice, expected it once", shown(&element.name));
@@ -133,7 +133,9 @@ impl Header {
                 b"property" => {
                     let property = lines.property(keyword.start)?;
                     match elements.last_mut() {
-                        Some(element) if element.properties.len() < MAX_ENTRIES => element.properties.push(property),
+                        Some(element) if element.properties.len() < MAX_PLY_ENTRIES => {
+                            element.properties.push(property)
+                        }
                         Some(_) => return Err(too_many(keyword)),
                         None => return Err(Fault::wrong(keyword, "expected an `element` before its properties")),
                     }
@@ -168,7 +170,7 @@ pub fn shown(name: &str) -> String {
 }
 
 fn too_many(span: Range<usize>) -> Fault {
-    Fault::wrong(span, format!("too many, expected at most {MAX_ENTRIES}"))
+    Fault::wrong(span, format!("too many, expected at most {MAX_PLY_ENTRIES}"))
 }
 
 struct Lines<'t> {

@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used)]
 
 mod from_scenes;
-mod mutations;
 mod obj;
 mod ply;
 

@@ -1,0 +1,50 @@
+//! The objects of a scene as they are read: as many as there are, unless most of them are refused anyway.
+
+use std::collections::HashSet;
+use std::fmt;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use serde::de::{Deserializer, Error, SeqAccess, Visitor};
+
+use super::Object;
+
+/// So many objects may have a name that is taken until reading stops. Fewer are all read, so that each is told.
+pub const MAX_DUPLICATES: usize = 1 << 16;
+
+/// Reads the objects. A file of nothing but copies would fill the memory before anybody could say what is wrong with it.
+pub fn objects<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Object>, D::Error> {
+    deserializer.deserialize_seq(Objects)
+}
+
+struct Objects;
+
+impl<'de> Visitor<'de> for Objects {
+    type Value = Vec<Object>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("an array")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Vec<Object>, A::Error> {
+        let mut objects: Vec<Object> = Vec::new();
+        let mut names = HashSet::new();
+        let mut duplicates = 0;
+        while let Some(object) = seq.next_element::<Object>()? {
+            let is_taken = !object.name.is_empty() && !names.insert(digest(&object.name));
+            duplicates += usize::from(is_taken);
+            if duplicates > MAX_DUPLICATES {
+                let message = format!("names must be unique, found more than {MAX_DUPLICATES} that are taken");
+                return Err(A::Error::custom(message));
+            }
+            objects.push(object);
+        }
+        Ok(objects)
+    }
+}
+
+/// A number that stands for a name, which takes less room.
+fn digest(name: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    name.hash(&mut hasher);
+    hasher.finish()
+}
