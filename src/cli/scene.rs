@@ -1,11 +1,11 @@
-//! `raywalk scene`: check, show, convert, list and generate scenes.
+//! `raywalk scene`: check, show, convert, list and generate scenes, and say how they are written.
 
 use super::failure::Failure;
 use super::options::{ColorChoice, NffOptions};
 use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
-use raywalk::scene::file::{SceneFile, visible};
+use raywalk::scene::file::{SceneFile, schema, visible};
 use raywalk::scene::{build, builtin, generate};
 use std::path::{Path, PathBuf};
 
@@ -24,6 +24,8 @@ pub enum SceneCommand {
         #[arg(long, short, value_name = "FILE")]
         output: Option<PathBuf>,
     },
+    /// Print the JSON Schema of scene files, for editors
+    Schema,
     /// List the built-in scenes
     List,
     /// Write a scene or mesh that is computed
@@ -89,6 +91,7 @@ impl SceneCommand {
                 let file = scene.without_meshes(colors)?;
                 Output::create(output.as_deref(), &scene.scene)?.commit(file.to_json().as_bytes())
             }
+            SceneCommand::Schema => output::print(format!("{:#}\n", schema::json_schema()).as_bytes()),
             SceneCommand::List => {
                 let names: String = builtin::names().map(|name| format!("{name}\n")).collect();
                 output::print(names.as_bytes())
