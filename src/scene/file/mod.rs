@@ -23,6 +23,7 @@ mod input;
 mod key_path;
 mod load;
 mod locate;
+mod mend;
 mod mesh_path;
 mod names;
 mod print;
