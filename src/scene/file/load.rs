@@ -63,7 +63,20 @@ pub fn check_as(text: &[u8], file_name: &str, import: &Import) -> Result<Loaded,
 /// # Errors
 /// [`SceneError::Invalid`], with every problem.
 pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, SceneError> {
-    let unplaced = |finding: &Finding| Problem {
+    judge(validate(scene), |findings| findings.iter().map(|finding| unplaced(finding, file_name)).collect())
+}
+
+/// Gives what others found about a scene its place in the text that it was loaded from. Where that isn't JSON there are
+/// paths but no lines.
+pub fn placed(findings: &[Finding], text: &[u8], file_name: &str) -> Vec<Problem> {
+    match decode(text, file_name) {
+        Ok((source, text)) if !nff::is_nff(text.as_bytes(), file_name) => place(findings, &source, text),
+        _ => findings.iter().map(|finding| unplaced(finding, file_name)).collect(),
+    }
+}
+
+fn unplaced(finding: &Finding, file_name: &str) -> Problem {
+    Problem {
         file: file_name.to_string(),
         line: 0,
         column: 0,
@@ -71,8 +84,7 @@ pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, S
         message: finding.message.clone(),
         span: None,
         excerpt: None,
-    };
-    judge(validate(scene), |findings| findings.iter().map(unplaced).collect())
+    }
 }
 
 /// The warnings, when there are no errors.

@@ -39,7 +39,7 @@ pub use error::{Problem, SceneError, Severity};
 pub use escape::visible;
 pub use input::{MAX_BYTES, read_bytes};
 pub use key_path::{KeyPath, Step};
-pub use load::{Loaded, check, check_as, check_scene, parse, read};
+pub use load::{Loaded, check, check_as, check_scene, parse, placed, read};
 pub use locate::{Place, locate, locate_all};
 pub use mesh_path::{MeshPathError, resolve_mesh_path};
 pub use schema::SceneFile;
