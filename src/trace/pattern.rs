@@ -1,21 +1,21 @@
 //! What a pattern makes of the surface's coefficients.
 
 use super::Meeting;
+use super::shade::from_all_lights;
 use crate::log::{Decision, Name};
 use crate::probe::Probe;
 use crate::scene::{Checker, Color, Material, Scene};
 use glam::DVec3;
 
-/// The material as the pattern leaves it at this point: ambient and diffuse are multiplied by its colour. `None` where there
-/// is no pattern.
-#[inline]
-pub(super) fn patterned<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Option<Material> {
-    let pattern = meeting.material.pattern.as_ref()?;
-    Some(multiplied(scene, meeting, pattern, probe))
-}
-
+/// The local intensity where a pattern multiplies ambient and diffuse.
 // Kept out of the shading of materials that have no pattern.
 #[inline(never)]
+pub(super) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, probe: &mut P) -> Color {
+    let material = multiplied(scene, meeting, pattern, probe);
+    from_all_lights(scene, &Meeting { material: &material, ..*meeting }, probe)
+}
+
+/// The material as the pattern leaves it at this point.
 fn multiplied<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, probe: &mut P) -> Material {
     let plain = meeting.material;
     let color = color(scene, meeting, pattern, probe);

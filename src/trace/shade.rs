@@ -11,39 +11,46 @@ use glam::DVec3;
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead.
 pub(super) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
-    probe.within(Step::Shade { object: meeting.object }, |probe| {
-        let patterned = pattern::patterned(scene, meeting, probe);
-        let material = patterned.as_ref().unwrap_or(meeting.material);
-        probe.given(Name::AmbientLight, scene.ambient);
-        if patterned.is_none() {
-            probe.given(Name::MaterialAmbient, material.ambient);
-        }
-        let ambient = scene.ambient * material.ambient;
-        if scene.tracing.shades_ambient_only(meeting.path.level) {
-            return probe.note(Name::ShadeLocalAmbient, ambient);
-        }
-        give(material, probe);
-        let view = probe.note(Name::ViewDirection, -meeting.ray.direction);
-        let mut sum = ambient;
-        for (number, light) in (0..).zip(&scene.lights) {
-            light.give(probe);
-            sum += probe.within(Step::Light { light: number }, |probe| {
-                from_light(scene, meeting, material, view, (number, light), probe)
-            });
-        }
-        probe.note(local_name(scene, material), sum)
+    probe.within(Step::Shade { object: meeting.object }, |probe| match &meeting.material.pattern {
+        None => from_all_lights(scene, meeting, probe),
+        Some(pattern) => pattern::local_intensity(scene, meeting, pattern, probe),
     })
+}
+
+/// The same inside its node, with the material as it is.
+// Inlined twice, so that a material without pattern pays one branch.
+#[inline(always)]
+pub(super) fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+    let material = meeting.material;
+    probe.given(Name::AmbientLight, scene.ambient);
+    if material.pattern.is_none() {
+        probe.given(Name::MaterialAmbient, material.ambient);
+    }
+    let ambient = scene.ambient * material.ambient;
+    if scene.tracing.shades_ambient_only(meeting.path.level) {
+        return probe.note(Name::ShadeLocalAmbient, ambient);
+    }
+    give(material, probe);
+    let view = probe.note(Name::ViewDirection, -meeting.ray.direction);
+    let mut sum = ambient;
+    for (number, light) in (0..).zip(&scene.lights) {
+        light.give(probe);
+        sum +=
+            probe.within(Step::Light { light: number }, |probe| from_light(scene, meeting, view, number, light, probe));
+    }
+    probe.note(local_name(scene, material), sum)
 }
 
 /// What one light adds.
 fn from_light<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
-    material: &Material,
     view: DVec3,
-    (number, light): (u32, &Light),
+    number: u32,
+    light: &Light,
     probe: &mut P,
 ) -> Color {
+    let material = meeting.material;
     let normal = meeting.surface.normal;
     let Some(arrival) = light.seen_from(meeting.surface.point, probe) else { return Color::ZERO };
     let n_dot_l = probe.note(Name::ShadeNDotL, normal.dot(arrival.direction));
