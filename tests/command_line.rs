@@ -291,3 +291,48 @@ fn the_textbook_as_json_has_the_fields_of_the_contract() {
     assert_eq!(table["result"]["printed"].as_f64(), Some(394.028));
     assert_eq!(table["result"]["strict"].as_f64(), Some(394.134));
 }
+
+/// What `scene check` says of the lights of a room: a floor, a ball on it, the eye above.
+#[track_caller]
+fn checks_lights(lights: &str, expected: &[&str]) {
+    let scene = format!(
+        r#"{{"format": "raywalk-scene/1", "name": "room", "camera": {{"position": [0, 2, 6], "look_at": [0, 1, 0]}},
+  "lights": [{lights}],
+  "materials": {{"clay": {{"diffuse": [0.7, 0.3, 0.2]}}, "unused": {{}}}},
+  "objects": [{{"shape": {{"plane": {{"coefficients": [0, 1, 0, 0]}}}}, "material": "clay"}},
+              {{"shape": {{"sphere": {{"center": [0, 1, 0], "radius": 1}}}}, "material": "clay"}}]}}"#
+    );
+    let output = raywalk(&["scene", "check", "-"]).write_stdin(scene).output().expect("it runs");
+    let said = String::from_utf8(output.stderr).expect("UTF-8");
+    assert!(output.status.success(), "{said}");
+    let lines: Vec<_> = said.lines().filter(|line| line.starts_with("warning: ")).collect();
+    let unused = "warning: <stdin>:3:55: materials.unused: no object has this material";
+    let expected: Vec<_> = [unused].into_iter().chain(expected.iter().copied()).collect();
+    assert_eq!(lines.len(), expected.len(), "{said}");
+    assert!(lines.iter().zip(expected).all(|(line, expected)| line.starts_with(expected)), "{said}");
+}
+
+#[test]
+fn lights_that_light_nothing_in_view_are_warned_of() {
+    let at = |position: &str| format!(r#"{{"name": "lamp", "point": {{"position": {position}}}}}"#);
+    let dark = "warning: <stdin>:2:14: lights[0]: lights nothing in view: reaches no surface seen through 3072 pixels";
+    // In the ball, and under the floor.
+    checks_lights(&at("[0, 1, 0]"), &[dark]);
+    checks_lights(&at("[0, -1, 0]"), &[dark]);
+    checks_lights(r#"{"directional": {"direction": [0, 1, 0]}}"#, &[dark]);
+    // In view, and over the eye.
+    checks_lights(&at("[1, 2, 1]"), &[]);
+    checks_lights(
+        &at("[1, 9, 1]"),
+        &["warning: <stdin>:2:14: lights[0]: stands outside the field of view, which it lights all the same"],
+    );
+    checks_lights(r#"{"directional": {"direction": [0, -1, 0]}}"#, &[]);
+}
+
+#[test]
+fn the_schema_is_printed() {
+    let schema = prints(&["scene", "schema"]);
+    let schema: serde_json::Value = serde_json::from_str(&schema).expect("JSON");
+    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    assert_eq!(schema["properties"]["format"]["const"], "raywalk-scene/1");
+}

@@ -92,7 +92,8 @@ pub fn without_meshes(input: &Input, import: &Import, colors: ColorChoice) -> Re
     Ok(loaded.scene)
 }
 
-fn warn(warnings: &[Problem], colors: ColorChoice) {
+/// Prints what is odd about a scene.
+pub fn warn(warnings: &[Problem], colors: ColorChoice) {
     for warning in warnings {
         output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
     }

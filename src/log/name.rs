@@ -285,7 +285,9 @@ names! {
     ShadeNDotTransmitted: "shade.n_dot_transmitted", "", "−N·H′", "−(N · H′)", "1.2.1";
     ShadeNDotTransmittedStraight: "shade.n_dot_transmitted", "no_interface", "−N·H′", "", "1.2.1";
     MaterialAmbient: "material.ambient", "", "K_a", "", "1.2.1";
+    MaterialAmbientPatterned: "material.ambient", "patterned", "K_a", "k_a∘c_p", "1.2.1";
     MaterialDiffuse: "material.diffuse", "", "K_d", "", "1.2.1";
+    MaterialDiffusePatterned: "material.diffuse", "patterned", "K_d", "k_d∘c_p", "1.2.1";
     MaterialSpecular: "material.specular", "", "K_e", "", "1.2.1";
     MaterialShininess: "material.shininess", "", "n_e", "", "1.2.1";
     MaterialTransmission: "material.transmission", "", "K_t", "", "1.2.1";
@@ -300,6 +302,20 @@ names! {
     ShadeLocalMirrorTransmitting: "shade.local", "reflection_vector_transmitting", "I_local",
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((R·V)⁺)^n_e + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
     ShadeLocalAmbient: "shade.local", "ambient", "I_local", "I_a∘K_a", "1.1.2";
+
+    // A checker pattern. m_p is 1 on the axes that count: all of them, but on a flat surface not the one nearest to its
+    // normal. ξ is the cell of the point; the colour is c_a where the sum of its coordinates is even, c_b where it is odd.
+    MaterialAmbientPlain: "material.ambient_plain", "", "k_a", "", "1.2.1";
+    MaterialDiffusePlain: "material.diffuse_plain", "", "k_d", "", "1.2.1";
+    PatternA: "pattern.a", "", "c_a", "", "1.2.1";
+    PatternB: "pattern.b", "", "c_b", "", "1.2.1";
+    PatternSize: "pattern.size", "", "s_p", "", "1.2.1";
+    PatternAxes: "pattern.axes", "", "m_p", "", "1.2.1";
+    PatternCell: "pattern.cell", "", "ξ", "⌊P/s_p⌋", "1.2.1";
+    PatternSum: "pattern.sum", "", "σ", "m_p · ξ", "1.2.1";
+    PatternParity: "pattern.parity", "", "π", "σ − 2·⌊σ/2⌋", "1.2.1";
+    PatternColorEven: "pattern.color", "even", "c_p", "c_a", "1.2.1";
+    PatternColorOdd: "pattern.color", "odd", "c_p", "c_b", "1.2.1";
 
     // The sum of the three contributions.
     WeightLocal: "weight.local", "", "W_l", "", "1.2.3";
@@ -355,32 +371,4 @@ impl Name {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests {
-    use super::*;
-    use std::collections::HashSet;
-
-    #[test]
-    fn rows_stand_in_the_order_of_the_variants() {
-        for (index, (name, _)) in ROWS.iter().enumerate() {
-            assert_eq!(*name as usize, index);
-        }
-    }
-
-    #[test]
-    fn key_and_form_tell_every_name_apart() {
-        let pairs: HashSet<_> = Name::all().map(|name| (name.key(), name.form())).collect();
-        assert_eq!(pairs.len(), ROWS.len());
-        for name in Name::all() {
-            assert_eq!(Name::find(name.key(), name.form()), Some(name));
-        }
-    }
-
-    #[test]
-    fn names_of_one_key_share_their_symbol() {
-        for name in Name::all() {
-            let first = ROWS.iter().find(|(_, row)| row.key == name.key()).unwrap().0;
-            assert_eq!(name.symbol(), first.symbol(), "{}", name.key());
-        }
-    }
-}
+mod tests;

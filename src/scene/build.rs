@@ -3,8 +3,8 @@
 use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::{
-    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Skip, Specular, Tracing,
-    Transfer, Weights,
+    Algorithm, Camera, Checker, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Skip, Specular,
+    Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::shape::{
@@ -106,9 +106,6 @@ fn refuse_unsupported(scene: &file::SceneFile) -> Result<(), Unsupported> {
         if material.translucency_exponent.is_some() {
             return refuse(&path("translucency_exponent"), "blurry transmission");
         }
-        if material.pattern.is_some() {
-            return refuse(&path("pattern"), "patterns");
-        }
     }
     match scene.objects.iter().position(|object| object.motion.is_some()) {
         Some(index) => refuse(&format!("objects[{index}].motion"), "motion"),
@@ -152,6 +149,11 @@ fn material(material: &file::Material) -> Material {
             reflected: material.weights.reflected.rgb().into(),
             transmitted: material.weights.transmitted.rgb().into(),
         },
+        pattern: material.pattern.map(|file::Pattern::Checker(checker)| Checker {
+            a: checker.a.into(),
+            b: checker.b.into(),
+            size: checker.size,
+        }),
     }
 }
 

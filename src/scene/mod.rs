@@ -18,7 +18,7 @@ pub use build::{Unsupported, build};
 pub use camera::Camera;
 pub use index::Index;
 pub use light::{Arrival, Light, LightKind};
-pub use material::{Material, Weights};
+pub use material::{Checker, Material, Weights};
 pub use sampling::Sampling;
 pub use tracing::{Algorithm, Skip, Specular, Tracing};
 

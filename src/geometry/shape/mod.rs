@@ -191,6 +191,20 @@ impl Shape {
         kernel!(self, kernel => kernel.surface_of(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
     }
 
+    /// Whether this part of the surface (see [`Crossing::primitive`]) is flat.
+    pub fn is_flat(&self, primitive: u32) -> bool {
+        match self {
+            Shape::Sphere(_) | Shape::Ellipsoid(_) => false,
+            Shape::Cylinder(_) | Shape::Cone(_) => primitive != axis::LATERAL,
+            Shape::Plane(_)
+            | Shape::Triangle(_)
+            | Shape::Polygon(_)
+            | Shape::Cuboid(_)
+            | Shape::Disk(_)
+            | Shape::Mesh(_) => true,
+        }
+    }
+
     /// Whether hits tell which triangle of a file was met.
     pub fn is_mesh(&self) -> bool {
         matches!(self, Shape::Mesh(_))
