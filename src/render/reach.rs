@@ -9,7 +9,7 @@ use crate::scene::Scene;
 const MOST: [u32; 2] = [64, 48];
 
 /// How deep rays are followed here: what is seen in the mirror of a mirror of a mirror counts as unseen.
-const MAX_DEPTH: u32 = 3;
+const BOUNCES: u32 = 3;
 
 /// How the lights of a scene do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub struct Reach {
 
 /// Traces a coarse picture and sees which lights have a part in it. Ends as soon as all have.
 pub fn reach(mut scene: Scene) -> Reach {
-    scene.tracing.max_depth = scene.tracing.max_depth.min(MAX_DEPTH);
+    scene.tracing.max_depth = scene.tracing.max_depth.min(BOUNCES);
     let mut probe = Lit { lights: vec![false; scene.lights.len()], open: Vec::new() };
     let size = scene.camera.resolution;
     let [across, down] = [0, 1].map(|side| size[side].min(MOST[side]));
