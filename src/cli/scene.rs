@@ -90,6 +90,7 @@ impl SceneCommand {
             SceneCommand::Convert { scene, output } => {
                 let file = scene.without_meshes(colors)?;
                 let inputs = scene_argument::inputs(&file, &scene.scene);
+                warn_of_meshes(&file, &scene.scene, output.as_deref());
                 Output::create(output.as_deref(), &inputs)?.commit(file.to_json().as_bytes())
             }
             SceneCommand::Schema => output::print(format!("{:#}\n", schema::json_schema()).as_bytes()),
@@ -112,5 +113,23 @@ impl SceneCommand {
                 })
             }
         }
+    }
+}
+
+/// Paths of meshes are relative to the scene file, so they lead nowhere when that is written into another folder.
+fn warn_of_meshes(file: &SceneFile, scene: &Path, output: Option<&Path>) {
+    let folder = |path: &Path| path.parent().and_then(|folder| folder.join(".").canonicalize().ok());
+    let stays = output.is_some_and(|output| {
+        let is_file = scene.exists() && scene != Path::new("-");
+        is_file && folder(&Path::new(".").join(output)) == folder(&Path::new(".").join(scene))
+    });
+    let mut paths: Vec<&str> = file.objects.iter().filter_map(|object| object.shape.mesh_path()).collect();
+    paths.sort_unstable();
+    paths.dedup();
+    if !stays && !paths.is_empty() {
+        let list = paths.iter().map(|path| format!("`{}`", visible(path))).collect::<Vec<_>>().join(", ");
+        output::tell(&format!(
+            "warning: the meshes {list} are looked for beside the scene that is written: copy them there"
+        ));
     }
 }

@@ -10,7 +10,7 @@ mod fan;
 mod flat;
 mod mesh;
 mod plane;
-mod polygon;
+pub(in crate::geometry) mod polygon;
 mod roots;
 mod sphere;
 pub(in crate::geometry) mod triangle;
@@ -202,6 +202,14 @@ impl Shape {
             | Shape::Cuboid(_)
             | Shape::Disk(_)
             | Shape::Mesh(_) => true,
+        }
+    }
+
+    /// How many triangles the file of a mesh has; `None` for another shape.
+    pub fn triangle_count(&self) -> Option<usize> {
+        match self {
+            Shape::Mesh(mesh) => Some(mesh.mesh().faces.len()),
+            _ => None,
         }
     }
 

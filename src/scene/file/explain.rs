@@ -205,7 +205,7 @@ impl<'s> Complaint<'s> {
 fn name_and_valid(rest: &str) -> (&str, Vec<&str>) {
     match rest.rsplit_once("`, expected ") {
         Some((name, list)) => (name, list.split('`').skip(1).step_by(2).collect()),
-        None => (rest, Vec::new()),
+        None => (rest.strip_suffix("`, there are no fields").unwrap_or(rest), Vec::new()),
     }
 }
 

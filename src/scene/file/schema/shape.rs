@@ -49,6 +49,14 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// The path of a mesh, as it is written.
+    pub fn mesh_path(&self) -> Option<&str> {
+        match self {
+            Shape::Mesh(mesh) => Some(&mesh.path),
+            _ => None,
+        }
+    }
+
     /// The key of this shape.
     pub fn key(&self) -> &'static str {
         match self {
