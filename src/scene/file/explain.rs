@@ -13,6 +13,7 @@ use super::schema::FORMAT;
 use super::source::Source;
 use super::suggest::suggest;
 use super::syntax;
+use super::validate::limits::whole_numbers;
 
 /// How many characters of a name or string from the file a message repeats.
 const QUOTED: usize = 40;
@@ -139,12 +140,13 @@ fn wrong_data(text: &str, mistake: &Mistake) -> (Range<usize>, KeyPath, String) 
             (second, path, message)
         }
         Complaint::Length { found, expected } => {
-            let message = format!("expected {}, found {found} elements", in_words(expected));
+            let message = format!("expected {}, found {found} elements", in_words(expected, &path));
             (place.value, path, message)
         }
         Complaint::Type { expected } => {
             let found = describe(&text[place.value.clone()]);
-            (place.value, path, format!("expected {}, found {found}", in_words(expected)))
+            let message = format!("expected {}, found {found}", in_words(expected, &path));
+            (place.value, path, message)
         }
         Complaint::Other => (place.value, path, mistake.said.clone()),
     }
@@ -223,12 +225,20 @@ pub fn alternatives(name: &str, valid: &[&str]) -> String {
     }
 }
 
-/// serde's words for what it wanted, in the words of JSON.
-fn in_words(expected: &str) -> String {
+/// serde's words for what it wanted at a path, in the words of JSON.
+fn in_words(expected: &str, path: &KeyPath) -> String {
     match expected {
         "f64" => "a number".to_string(),
-        "u32" => format!("a whole number from 0 to {}", u32::MAX),
-        "u64" => "a whole number, 0 or more".to_string(),
+        "u32" | "u64" => {
+            let keys = path.steps().iter().rev().filter_map(|step| match step {
+                Step::Key(key) => Some(&**key),
+                Step::Index(_) => None,
+            });
+            match whole_numbers(keys) {
+                Some([low, high]) => format!("a whole number from {low} to {high}"),
+                None => "a whole number, 0 or more".to_string(),
+            }
+        }
         "a boolean" => "`true` or `false`".to_string(),
         "a sequence" => "an array".to_string(),
         "a map" => "an object".to_string(),
