@@ -8,7 +8,7 @@ use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
 use raywalk::scene::file::{SceneFile, schema, visible};
-use raywalk::scene::{build, builtin, generate};
+use raywalk::scene::{build, builtin, generate, unsupported};
 use std::path::{Path, PathBuf};
 
 /// Check, show, convert, list or generate scenes.
@@ -78,7 +78,9 @@ impl SceneCommand {
         match self {
             SceneCommand::Check(scene) => {
                 let input = scene_argument::read(&scene.scene, colors)?;
-                let Loaded { scene: file, meshes } = scene_argument::scene(&input, &scene.nff.import(), colors)?;
+                let import = scene.nff.import();
+                let loaded = scene_argument::scene_unless(unsupported::all, &input, &import, colors)?;
+                let Loaded { scene: file, meshes } = loaded;
                 let built = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
                 lights::tell(&input, built, colors);
                 let (objects, lights, materials) = (file.objects.len(), file.lights.len(), file.materials.len());
