@@ -55,8 +55,8 @@ impl Output {
         }
         // The system's error names the temporary file, which says nothing to anybody.
         let plain = |error: io::Error| error.raw_os_error().map_or(error, io::Error::from_raw_os_error);
-        let file = builder.tempfile_in(folder).map_err(|error| cannot_write(&plain(error)))?;
-        signals::unfinished(file.path().to_owned());
+        let begun = signals::unfinished(|| builder.tempfile_in(folder));
+        let file = begun.map_err(|error| cannot_write(&plain(error)))?;
         Ok(Output::File { file, place, named: path.to_owned() })
     }
 

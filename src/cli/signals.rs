@@ -7,6 +7,7 @@ use signal_hook::iterator::{Handle, Signals};
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock, Mutex};
 use std::{fs, io, process, thread};
+use tempfile::NamedTempFile;
 
 /// Files that are not finished yet.
 static UNFINISHED: LazyLock<Mutex<Vec<PathBuf>>> = LazyLock::new(Mutex::default);
@@ -22,7 +23,9 @@ pub fn leave_on_signals() -> io::Result<Handle> {
     let handle = signals.handle();
     let wait = move || {
         if let Some(signal) = signals.forever().next() {
-            for path in UNFINISHED.lock().iter_mut().flat_map(|paths| paths.drain(..)) {
+            // The lock is kept to the end, so that no file is begun any more.
+            let mut unfinished = UNFINISHED.lock();
+            for path in unfinished.iter_mut().flat_map(|paths| paths.drain(..)) {
                 // It may be gone already.
                 let _ = fs::remove_file(path);
             }
@@ -49,11 +52,14 @@ fn ignores_hang_up() -> bool {
     ignored & (1 << (SIGHUP - 1)) != 0
 }
 
-/// A file to remove if a signal comes.
-pub fn unfinished(path: PathBuf) {
-    if let Ok(mut paths) = UNFINISHED.lock() {
-        paths.push(path);
+/// Begins a file that is to be removed if a signal comes; none comes between the beginning and the note of its path.
+pub fn unfinished(begin: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<NamedTempFile> {
+    let mut paths = UNFINISHED.lock();
+    let file = begin()?;
+    if let Ok(paths) = &mut paths {
+        paths.push(file.path().to_owned());
     }
+    Ok(file)
 }
 
 /// All files are finished.
