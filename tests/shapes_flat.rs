@@ -21,7 +21,11 @@ fn check_hit(shape: &Shape, ray: &Ray, (crossing, surface): (Crossing, Surface),
     let side = if outward.dot(ray.direction) < 0.0 { Side::Front } else { Side::Back };
     assert_eq!((crossing.side, surface.side), (side, side));
     let expected = if side == Side::Front { outward } else { -outward };
-    assert!((surface.geometric_normal() - expected).length() < 1e-9, "{} is not {expected}", surface.geometric_normal());
+    assert!(
+        (surface.geometric_normal() - expected).length() < 1e-9,
+        "{} is not {expected}",
+        surface.geometric_normal()
+    );
     assert!(surface.geometric_normal().dot(ray.direction) <= 0.0);
     let bounds = shape.bounds().expect("a flat shape has an end");
     let margin = FEW_ULPS * size;

@@ -9,6 +9,7 @@ mod render;
 mod scene;
 mod scene_argument;
 mod signals;
+mod stress;
 mod textbook;
 mod trace;
 mod walk;
@@ -45,6 +46,8 @@ enum Command {
     Rays(rays::Rays),
     /// Show the numeric example: printed, recomputed, by hand, exact
     Textbook(textbook::Textbook),
+    /// Measure numerical stability on cases with exact answers
+    Stress(stress::Stress),
     /// Check, show, convert or list scenes
     #[command(subcommand)]
     Scene(scene::SceneCommand),
@@ -66,6 +69,10 @@ pub fn run() -> ExitCode {
         Some(Command::Render(render)) => render.run(colors),
         Some(Command::Rays(rays)) => rays.run(colors),
         Some(Command::Textbook(textbook)) => textbook.run(colors),
+        Some(Command::Stress(stress)) => match stress.run() {
+            Ok(false) => return ExitCode::from(failure::NEGATIVE),
+            done => done.map(|_| ()),
+        },
         Some(Command::Scene(command)) => command.run(colors),
     };
     match done {

@@ -3,6 +3,7 @@
 mod area_normal;
 pub mod bounds;
 pub mod bvh;
+pub(crate) mod doubled;
 pub mod mesh;
 pub mod ray;
 pub mod shape;

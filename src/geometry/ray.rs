@@ -11,6 +11,9 @@ pub struct Ray {
     pub origin: DVec3,
     /// Where it goes.
     pub direction: DVec3,
+    /// The same way without the rounding error of a unit length, where it is known: the vector that was normalised to
+    /// `direction`, times a power of two. Decisions that f64 leaves in doubt are taken with it.
+    pub vector: DVec3,
     /// The surface that it leaves, which it can't meet again at its origin.
     pub leaving: Option<Leaving>,
     /// Hits lie beyond this distance.
@@ -85,7 +88,13 @@ impl Surface {
 impl Ray {
     /// A ray that leaves no surface and ends nowhere.
     pub fn new(origin: DVec3, direction: DVec3) -> Ray {
-        Ray { origin, direction, leaving: None, t_min: 0.0, t_max: f64::INFINITY }
+        Ray { origin, direction, vector: direction, leaving: None, t_min: 0.0, t_max: f64::INFINITY }
+    }
+
+    /// A ray along a vector of any length but zero.
+    pub fn along(origin: DVec3, vector: DVec3) -> Ray {
+        let (direction, vector, _) = unit(vector);
+        Ray { vector, ..Ray::new(origin, direction) }
     }
 
     /// Whether a hit at this distance counts.
@@ -95,12 +104,38 @@ impl Ray {
     }
 }
 
+/// The unit vector along a vector, the vector itself scaled to a middling size, and its length. Scaling by a power of two,
+/// which is exact, keeps the squares of very long and very short vectors in range.
+pub(crate) fn unit(vector: DVec3) -> (DVec3, DVec3, f64) {
+    let largest = vector.abs().max_element();
+    let exponent = if (1e-100..=1e100).contains(&largest) { 0 } else { libm::ilogb(largest) };
+    let scaled = DVec3::from_array(vector.to_array().map(|x| libm::scalbn(x, -exponent)));
+    let length = scaled.dot(scaled).sqrt();
+    (scaled / length, scaled, libm::scalbn(length, exponent))
+}
+
 impl Side {
     /// The other side.
     pub fn opposite(self) -> Side {
         match self {
             Side::Front => Side::Back,
             Side::Back => Side::Front,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unit_vectors_of_any_length() {
+        for exponent in [-1000, -300, 0, 300, 1000] {
+            let scale = libm::scalbn(1.0, exponent);
+            let (direction, vector, length) = unit(DVec3::new(3.0, 0.0, 4.0) * scale);
+            assert_eq!(direction, DVec3::new(0.6, 0.0, 0.8));
+            assert_eq!(length, 5.0 * scale);
+            assert!(vector.length() < 1e101);
         }
     }
 }

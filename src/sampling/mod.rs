@@ -1,5 +1,6 @@
 //! Which rays make a pixel: one file a method.
 
+pub mod mean;
 pub mod shared;
 
 use crate::probe::Probe;

@@ -3,6 +3,7 @@
 //! A corner is numbered by its column and row in the grid of the whole picture, n steps a pixel. A picture traces each
 //! corner once (`render`); a single pixel traces its own, and gets the same bits, because both add in the same order.
 
+use super::mean::Sum;
 use crate::log::Step;
 use crate::probe::Probe;
 use crate::scene::{Color, Scene};
@@ -27,7 +28,7 @@ pub fn pixel<P: Probe>(scene: &Scene, n: u32, [column, row]: [u32; 2], probe: &m
         across.map(sample).collect()
     };
     let mut upper = corner_row(0, probe);
-    let mut sum = Color::ZERO;
+    let mut sum = Sum::ZERO;
     for down in 1..=n {
         let lower = corner_row(down, probe);
         add_cells(&mut sum, &upper, &lower);
@@ -37,14 +38,16 @@ pub fn pixel<P: Probe>(scene: &Scene, n: u32, [column, row]: [u32; 2], probe: &m
 }
 
 /// Adds a row of cells, each the sum of its corners; the slices are the corners above and below them.
-pub fn add_cells(sum: &mut Color, upper: &[Color], lower: &[Color]) {
+pub fn add_cells(sum: &mut Sum, upper: &[Color], lower: &[Color]) {
     for (above, below) in upper.windows(2).zip(lower.windows(2)) {
-        *sum += (above[0] + above[1]) + (below[0] + below[1]);
+        for corner in [above[0], above[1], below[0], below[1]] {
+            sum.add(corner);
+        }
     }
 }
 
 /// The pixel's colour from the sum of its n × n cells.
-pub fn mean(sum_of_cells: Color, n: u32) -> Color {
+pub fn mean(sum_of_cells: Sum, n: u32) -> Color {
     let n = f64::from(n);
-    sum_of_cells / (4.0 * n * n)
+    sum_of_cells.over(4.0 * n * n)
 }

@@ -3,8 +3,8 @@
 use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::{
-    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Skip, Specular, Tracing,
-    Transfer, Weights,
+    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular,
+    Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::shape::{
@@ -203,6 +203,7 @@ fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
         sphere_method,
         cutoff: tracing.cutoff,
         two_sided: tracing.two_sided,
+        shadows: Shadows::PerSurface,
         skip: Skip::ALL,
     }
 }

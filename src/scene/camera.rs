@@ -89,7 +89,11 @@ fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
         probe.mark(Decision::Undefined { quantity: Name::RayDirection });
         return None;
     }
-    Some(Ray::new(origin, probe.note(Name::RayDirection, vector / length)))
+    let unit = vector / length;
+    let direction = probe.note(Name::RayDirection, unit);
+    // An arithmetic that goes on with another direction is to go on with that one only.
+    let vector = if direction == unit { vector } else { direction };
+    Some(Ray { vector, ..Ray::new(origin, direction) })
 }
 
 fn unit(vector: DVec3) -> DVec3 {

@@ -20,7 +20,7 @@ pub use index::Index;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Material, Weights};
 pub use sampling::Sampling;
-pub use tracing::{Algorithm, Skip, Specular, Tracing};
+pub use tracing::{Algorithm, Shadows, Skip, Specular, Tracing};
 
 use crate::geometry::Shape;
 use glam::DVec3;

@@ -1,3 +1,4 @@
 //! What the program measures about itself.
 
+pub mod stress;
 pub mod textbook;

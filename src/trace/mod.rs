@@ -8,7 +8,9 @@ pub mod query;
 mod shade;
 mod visibility;
 
+pub(crate) use bounce::{refract, transmitted_cosine};
 pub use media::Media;
+pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};
 pub use visibility::{Hit, closest_hit, is_any_hit, transmittance};
 
 use crate::geometry::{Leaving, Ray, Surface};
@@ -29,13 +31,13 @@ pub struct Path<'a> {
 }
 
 /// Where a ray has met a surface, and how it came there.
-struct Meeting<'a> {
-    object: u32,
-    primitive: u32,
-    ray: &'a Ray,
-    surface: Surface,
-    material: &'a Material,
-    path: &'a Path<'a>,
+pub(crate) struct Meeting<'a> {
+    pub object: u32,
+    pub primitive: u32,
+    pub ray: &'a Ray,
+    pub surface: Surface,
+    pub material: &'a Material,
+    pub path: &'a Path<'a>,
 }
 
 /// The colour that a camera ray brings; the background's if it has no direction.

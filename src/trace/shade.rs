@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead.
-pub(super) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
     probe.within(Step::Shade { object: meeting.object }, |probe| {
         probe.given(Name::AmbientLight, scene.ambient);
@@ -81,18 +81,17 @@ fn shadow_ray<P: Probe>(
     leaks: bool,
     probe: &mut P,
 ) -> Color {
-    let ray = Ray {
-        origin: meeting.surface.point,
-        direction: arrival.direction,
-        leaving: Some(leaving),
-        t_min: 0.0,
-        t_max: arrival.distance,
-    };
+    let ray = Ray { leaving: Some(leaving), ..segment_to_light(meeting.surface.point, &arrival) };
     give_ray(&ray, probe);
     let kind = RayKind::Shadow { light };
     let passed = probe.within(Step::Ray { kind, depth: meeting.path.level }, |probe| transmittance(scene, &ray, probe));
     let passed = unless_it_leaks(passed, leaks, Skippable::Shadow, probe);
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
+}
+
+/// The ray from a point up to a light.
+pub(crate) fn segment_to_light(point: DVec3, arrival: &Arrival) -> Ray {
+    Ray { t_max: arrival.distance, ..Ray::new(point, arrival.direction) }
 }
 
 /// K_e ((N·H)⁺)^n_e, or K_e ((R·V)⁺)^n_e.
@@ -121,14 +120,14 @@ fn specular<P: Probe>(
             probe.note(Name::ShadeRDotV, mirrored.dot(view))
         }
     };
-    material.specular * libm::pow(cosine(between), material.shininess)
+    material.specular * power(between, material.shininess)
 }
 
 /// K_t ((−N·H′)⁺)^n_t with H′ = (−L − ηV)/(η − 1), normalised; the light's side is medium 1, the viewer's medium 2.
 ///
 /// The sum is written as −(L + V)/(η − 1) − V, which keeps its digits where η is near 1.
 fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, light: DVec3, probe: &mut P) -> Color {
-    let lobe = |between: f64| material.transmission * libm::pow(cosine(between), material.transmission_exponent);
+    let lobe = |between: f64| material.transmission * power(between, material.transmission_exponent);
     let media = meeting.path.media;
     let eta_light = media.beyond(meeting.object, material.ior, meeting.surface.side).ior();
     probe.given(Name::RefractEta1, eta_light);
@@ -142,14 +141,26 @@ fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, l
         let between = probe.note(Name::ShadeNDotTransmittedStraight, 1.0);
         return lobe(between);
     }
-    let sum = probe.note(Name::TransmitSum, -(light + view) / (eta - 1.0) - view);
-    let length = probe.note(Name::TransmitLength, sum.dot(sum).sqrt());
-    if length == 0.0 {
-        return Color::ZERO;
-    }
-    let half = probe.note(Name::TransmitDirection, sum / length);
+    let Some(half) = transmitted_half(light, view, eta, probe) else { return Color::ZERO };
     let between = probe.note(Name::ShadeNDotTransmitted, -meeting.surface.normal.dot(half));
     lobe(between)
+}
+
+/// H′ from the two directions and η ≠ 1; `None` where it has no direction.
+pub(crate) fn transmitted_half<P: Probe>(light: DVec3, view: DVec3, eta: f64, probe: &mut P) -> Option<DVec3> {
+    let sum = probe.note(Name::TransmitSum, -(light + view) / (eta - 1.0) - view);
+    let length = probe.note(Name::TransmitLength, sum.dot(sum).sqrt());
+    (length != 0.0).then(|| probe.note(Name::TransmitDirection, sum / length))
+}
+
+/// (x⁺)^n, the height of a lobe.
+pub(crate) fn power(x: f64, exponent: f64) -> f64 {
+    libm::pow(cosine(x), exponent)
+}
+
+/// ((a·b)⁺)^n for two unit vectors.
+pub(crate) fn power_between(a: DVec3, b: DVec3, exponent: f64) -> f64 {
+    power(a.dot(b), exponent)
 }
 
 /// x⁺: what a dot product of unit vectors is worth as a cosine. Rounding can take it past 1, and a large exponent from there

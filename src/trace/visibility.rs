@@ -3,7 +3,7 @@
 use crate::geometry::{Crossing, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
-use crate::scene::{Color, Scene};
+use crate::scene::{Color, Scene, Shadows};
 
 /// The nearest thing on a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,12 +56,13 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
 #[inline(never)]
 pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);
+    let lets_light_pass = scene.tracing.shadows == Shadows::PerSurface;
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
     scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
-        if scene.materials[thing.material].transmits() {
+        if lets_light_pass && scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
         } else if thing.shape.is_crossed(object, thing.one_sided, ray, probe) {

@@ -46,6 +46,11 @@ impl Triangle {
         let [a, b, c] = vertices.map(DVec3::from);
         Triangle { facet: Facet { a, b, c }, normals: normals.map(|normals| normals.map(DVec3::from)) }
     }
+
+    /// The barycentric coordinates of a point of the triangle's plane, which aren't finite where there is no area.
+    pub fn weights(&self, point: DVec3) -> [f64; 3] {
+        self.facet.weights(self.facet.normal(), point)
+    }
 }
 
 impl Kernel for Triangle {
