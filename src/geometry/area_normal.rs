@@ -19,16 +19,28 @@ pub(super) fn area_normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
 }
 
 /// The vector of length 1 in the direction of another one; zero for one without direction.
-///
-/// It is first divided by a power of two, which is exact, so that no square overflows or vanishes.
 pub(super) fn unit(vector: DVec3) -> DVec3 {
+    let Some((scaled, _)) = scaled(vector) else { return DVec3::ZERO };
+    scaled / scaled.dot(scaled).sqrt()
+}
+
+/// The length of a vector of finite numbers.
+#[inline]
+pub(super) fn length(vector: DVec3) -> f64 {
+    /// Squares between these neither overflow nor vanish.
+    const MIDDLING: std::ops::Range<f64> = 1e-280..1e280;
+    let squared = vector.dot(vector);
+    if MIDDLING.contains(&squared) {
+        return squared.sqrt();
+    }
+    scaled(vector).map_or(0.0, |(scaled, size)| scaled.dot(scaled).sqrt() * size)
+}
+
+/// The vector divided by a power of two, which is exact, so that no square overflows or vanishes; and that power.
+fn scaled(vector: DVec3) -> Option<(DVec3, f64)> {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     let size = f64::from_bits(vector.abs().max_element().to_bits() & EXPONENT);
-    if size == 0.0 || !vector.is_finite() {
-        return DVec3::ZERO;
-    }
-    let scaled = vector / size;
-    scaled / scaled.dot(scaled).sqrt()
+    (size != 0.0 && vector.is_finite()).then(|| (vector / size, size))
 }
 
 fn differences(a: DVec3, b: DVec3) -> [Doubled; 3] {

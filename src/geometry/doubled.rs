@@ -158,27 +158,9 @@ impl Doubled3 {
         }
     }
 
-    /// The vector times a number.
-    #[inline]
-    pub fn times(self, factor: Doubled) -> Doubled3 {
-        Doubled3 { x: self.x * factor, y: self.y * factor, z: self.z * factor }
-    }
-
-    /// The sum of two vectors.
-    #[inline]
-    pub fn plus(self, other: Doubled3) -> Doubled3 {
-        Doubled3 { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
-    }
-
     /// The vector times 2 to this power.
     pub fn scaled(self, exponent: i32) -> Doubled3 {
         Doubled3 { x: self.x.scaled(exponent), y: self.y.scaled(exponent), z: self.z.scaled(exponent) }
-    }
-
-    /// Rounded to f64.
-    #[inline]
-    pub fn value(self) -> DVec3 {
-        DVec3::new(self.x.value(), self.y.value(), self.z.value())
     }
 
     /// The greatest magnitude of a component.
@@ -246,7 +228,7 @@ mod tests {
         let (a, b) = (DVec3::new(1e9, 0.1, -3.0), DVec3::new(0.7, 1e-9, 2.0));
         let difference = Doubled3::difference(a, b);
         assert_eq!(difference.x.head + difference.x.tail, 1e9 - 0.7);
-        let across = difference.cross(difference.times(Doubled::from(3.0)));
+        let across = difference.cross(difference.scaled(3));
         assert!(across.size() <= 1e-13, "{across:?}");
         assert_eq!(exponent(0.0), 0);
         assert_eq!(Doubled::from(3.0).scaled(exponent(0.25)).value(), 0.75);

@@ -12,7 +12,7 @@ macro_rules! names {
         /// Several names may share a key: they are the same quantity computed by different formulas, told apart in the
         /// log by their `form`.
         #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
-        #[repr(u8)]
+        #[repr(u16)]
         pub enum Name {
             $(#[doc = concat!("`", $key, "`: ", $symbol, " = ", $formula)] $variant,)*
         }
@@ -56,6 +56,8 @@ names! {
     PlaneVd: "plane.v_d", "", "V_d", "N_p · d", "1.3 (2)";
     PlaneVo: "plane.v_o", "", "V_o", "−(N_p · O + D_p)", "1.3 (2)";
     PlaneT: "plane.t", "", "t", "V_o/V_d", "1.3 (2)";
+    // What was computed with more digits than f64 has: no formula of its operands in the log gives it to the last bit.
+    PlaneTDoubled: "plane.t", "doubled", "t", "", "1.3 (2)";
 
     // Sphere: the geometric method of the source text, and the robust one (Haines et al., Ray Tracing Gems, chapter 7).
     SphereCenter: "sphere.center", "", "S_c", "", "1.3 (5a)";
@@ -70,6 +72,9 @@ names! {
     SphereTFar: "sphere.t", "far", "t", "T_A + √T2_A", "1.3 (5e)";
     SphereTNearRobust: "sphere.t", "near_robust", "t", "(L2oc − r²)/(T_A + √T2_A)", "1.3 (5e)";
     SphereTFarRobust: "sphere.t", "far_robust", "t", "(r² − L2oc)/(√T2_A − T_A)", "1.3 (5e)";
+    SphereT2aDoubled: "sphere.t2_a", "doubled", "T2_A", "", "1.3 (5d)";
+    SphereTDoubled: "sphere.t", "doubled", "t", "", "1.3 (5e)";
+    SphereFromCenter: "sphere.from_center", "", "q_s", "O − S_c + d·t", "1.3 (5f)";
     SphereTLeaving: "sphere.t", "leaving", "t", "2·T_A", "1.3 (5e)";
 
     // Ellipsoid. E_1, E_2 and E_3 are the rows of the linear map that makes it the sphere of its largest radius.
@@ -114,9 +119,11 @@ names! {
     TriangleEdgeA: "triangle.edge_a", "", "E_a", "d · ((C − O)×(B − O))", "1.1.1";
     TriangleEdgeB: "triangle.edge_b", "", "E_b", "d · ((A − O)×(C − O))", "1.1.1";
     TriangleEdgeC: "triangle.edge_c", "", "E_c", "d · ((B − O)×(A − O))", "1.1.1";
+    TriangleEdgesExact: "triangle.edges_exact", "", "E", "", "1.1.1";
     TriangleVd: "triangle.v_d", "", "V_d", "N_t · d", "1.1.1";
     TriangleVo: "triangle.v_o", "", "V_o", "N_t · (A − O)", "1.1.1";
     TriangleT: "triangle.t", "", "t", "V_o/V_d", "1.1.1";
+    TriangleTDoubled: "triangle.t", "doubled", "t", "", "1.1.1";
     TriangleTNear: "triangle.t_near", "", "t_n", "", "1.1.1";
     TriangleTFar: "triangle.t_far", "", "t_f", "", "1.1.1";
     TriangleTInBox: "triangle.t", "in_box", "t", "min(max(t, t_n), t_f)", "1.1.1";
@@ -210,7 +217,7 @@ names! {
 
     // The nearest hit: its point, and the normal turned toward the arriving ray.
     HitPoint: "hit.point", "", "P", "O + d·t", "1.3 (3)";
-    HitPointSphere: "hit.point", "on_sphere", "P", "S_c + (O + d·t − S_c)·(r/|O + d·t − S_c|)", "1.3 (5f)";
+    HitPointSphere: "hit.point", "on_sphere", "P", "S_c + q_s·(r/|q_s|)", "1.3 (5f)";
     HitPointEllipsoid: "hit.point", "on_ellipsoid", "P", "E_c + (p_e − g_e·(f_e/(2·(g_e · g_e))))", "1.1.1";
     HitPointCylinder: "hit.point", "on_cylinder", "P", "A_b + w·p_w + p_r·(r/|p_r|)", "1.1.1";
     HitPointCone: "hit.point", "on_cone", "P", "A_b + (p_b − g_c·(f_c/(g_c · g_c)))", "1.1.1";
@@ -221,6 +228,8 @@ names! {
     HitNormalFacing: "hit.normal", "facing", "N", "−d", "1.1.1";
     HitNormalSphere: "hit.normal", "sphere", "N", "(P − S_c)/r", "1.3 (5g)";
     HitNormalSphereBack: "hit.normal", "sphere_back", "N", "(S_c − P)/r", "1.3 (5g)";
+    HitNormalOnSphere: "hit.normal", "on_sphere", "N", "q_s/|q_s|", "1.3 (5g)";
+    HitNormalOnSphereBack: "hit.normal", "on_sphere_back", "N", "−q_s/|q_s|", "1.3 (5g)";
     HitNormalEllipsoid: "hit.normal", "ellipsoid", "N", "g_e/|g_e|", "1.1.1";
     HitNormalEllipsoidBack: "hit.normal", "ellipsoid_back", "N", "−g_e/|g_e|", "1.1.1";
     HitNormalCylinder: "hit.normal", "cylinder", "N", "p_r/|p_r|", "1.1.1";
@@ -253,6 +262,7 @@ names! {
     RefractEta: "refract.eta", "", "η", "η_2/η_1", "1.2.1";
     RefractCos1: "refract.cos_1", "", "cosφ_1", "−(N · d)", "1.2.1";
     RefractCos2: "refract.cos_2", "", "cosφ_2", "√(η² − |d + cosφ_1·N|²)/η", "1.2.1";
+    RefractCos2Doubled: "refract.cos_2", "doubled", "cosφ_2", "", "1.2.1";
     RefractDirection: "refract.direction", "", "T", "d/η − (cosφ_2 − cosφ_1/η)·N", "1.2.1";
 
     // A light as a surface point sees it. ℓ is not normalised, L is.
@@ -284,6 +294,9 @@ names! {
     ShadeRDotV: "shade.r_dot_v", "", "R·V", "R_L · V", "1.2.1";
     ShadeNDotTransmitted: "shade.n_dot_transmitted", "", "−N·H′", "−(N · H′)", "1.2.1";
     ShadeNDotTransmittedStraight: "shade.n_dot_transmitted", "no_interface", "−N·H′", "", "1.2.1";
+    // Powers of large exponents are taken from the angle itself: near 1 its cosine has lost it.
+    ShadeSpecularPower: "shade.specular_power", "", "π_e", "", "1.2.1";
+    ShadeTransmittedPower: "shade.transmitted_power", "", "π_t", "", "1.2.1";
     MaterialAmbient: "material.ambient", "", "K_a", "", "1.2.1";
     MaterialDiffuse: "material.diffuse", "", "K_d", "", "1.2.1";
     MaterialSpecular: "material.specular", "", "K_e", "", "1.2.1";
@@ -299,6 +312,10 @@ names! {
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^n_e + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
     ShadeLocalMirrorTransmitting: "shade.local", "reflection_vector_transmitting", "I_local",
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((R·V)⁺)^n_e + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
+    ShadeLocalSharp: "shade.local", "sharp", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·π_e))", "1.2.1";
+    ShadeLocalSharpTransmitting: "shade.local", "sharp_transmitting", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·π_e + K_t·π_t))", "1.2.1";
     ShadeLocalAmbient: "shade.local", "ambient", "I_local", "I_a∘K_a", "1.1.2";
 
     // The sum of the three contributions.

@@ -37,6 +37,17 @@ pub trait Probe: Sized {
     #[inline(always)]
     fn bounds_tested(&mut self, _count: u64) {}
 
+    /// Whether decisions that f64 leaves in doubt are taken with more digits. An arithmetic of its own goes on with what it has
+    /// made of the numbers before.
+    #[inline(always)]
+    fn certifies(&self) -> bool {
+        true
+    }
+
+    /// f64 left something in doubt, and more digits were taken. It is counted, not logged.
+    #[inline(always)]
+    fn fallback(&mut self) {}
+
     /// A node begins. Kernels call [`Probe::within`], which can't forget the end.
     #[inline(always)]
     fn enter(&mut self, _step: Step) {}

@@ -2,6 +2,7 @@
 
 use super::shade::give_ray;
 use super::{Media, Meeting, Path, radiance};
+use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
 use crate::probe::Probe;
@@ -91,10 +92,33 @@ pub(crate) fn transmitted_cosine<P: Probe>(
 ) -> TransmittedCosine {
     let tangential = ray.direction + normal * cos_1;
     let k_eta_squared = eta * eta - tangential.dot(tangential);
+    if probe.certifies() && k_eta_squared.abs() <= OF_COSINE * (eta * eta + 1.0) {
+        return doubled_cosine(ray, normal, eta, probe);
+    }
     let squared = k_eta_squared / (eta * eta);
     let is_total = k_eta_squared < 0.0;
     let cos_2 = (!is_total).then(|| probe.note(Name::RefractCos2, k_eta_squared.sqrt() / eta));
     TransmittedCosine { cos_2, squared }
+}
+
+/// A bound of the error of η² − sin²φ₁ in parts of η² + 1: of 2⁻⁵³, one for the square, 2·6 for the tangential part, each
+/// component of which has the error of cos φ₁ (four roundings, those of the direction and the normal among them) and two
+/// of its own, four for the sum of squares, and one for the difference.
+const OF_COSINE: f64 = 16.0 * f64::EPSILON;
+
+/// The same with twice the digits: sin²φ₁ = |v × N|²/(v·v · N·N), whatever the lengths of both.
+#[cold]
+#[inline(never)]
+fn doubled_cosine<P: Probe>(ray: &Ray, normal: DVec3, eta: f64, probe: &mut P) -> TransmittedCosine {
+    probe.fallback();
+    let (vector, normal) = (Doubled3::from(ray.vector), Doubled3::from(normal));
+    let across = vector.cross(normal);
+    let sine_squared = across.dot(across) / (vector.dot(vector) * normal.dot(normal));
+    let eta_squared = Doubled::product(eta, eta);
+    let squared = (eta_squared - sine_squared) / eta_squared;
+    let is_total = squared.head < 0.0;
+    let cos_2 = (!is_total).then(|| probe.note(Name::RefractCos2Doubled, squared.sqrt().value()));
+    TransmittedCosine { cos_2, squared: squared.value() }
 }
 
 /// Whether a bounce isn't traced: because of the depth limit, or because it can't be seen.

@@ -113,22 +113,22 @@ fn specular<P: Probe>(
                 return Color::ZERO;
             }
             let half = probe.note(Name::HalfDirection, sum / length);
-            probe.note(Name::ShadeNDotH, normal.dot(half))
+            (probe.note(Name::ShadeNDotH, normal.dot(half)), half, normal)
         }
         Specular::ReflectionVector => {
             let mirrored = probe.note(Name::MirrorDirection, normal * 2.0 * n_dot_l - light);
-            probe.note(Name::ShadeRDotV, mirrored.dot(view))
+            (probe.note(Name::ShadeRDotV, mirrored.dot(view)), mirrored, view)
         }
     };
-    material.specular * power(between, material.shininess)
+    material.specular * lobe(material, between, material.shininess, Name::ShadeSpecularPower, probe)
 }
 
 /// K_t ((−N·H′)⁺)^n_t with H′ = (−L − ηV)/(η − 1), normalised; the light's side is medium 1, the viewer's medium 2.
 ///
 /// The sum is written as −(L + V)/(η − 1) − V, which keeps its digits where η is near 1.
 fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, light: DVec3, probe: &mut P) -> Color {
-    let lobe = |between: f64| material.transmission * power(between, material.transmission_exponent);
     let media = meeting.path.media;
+    let exponent = material.transmission_exponent;
     let eta_light = media.beyond(meeting.object, material.ior, meeting.surface.side).ior();
     probe.given(Name::RefractEta1, eta_light);
     probe.given(Name::RefractEta2, media.ior());
@@ -139,11 +139,28 @@ fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, l
             return Color::ZERO;
         }
         let between = probe.note(Name::ShadeNDotTransmittedStraight, 1.0);
-        return lobe(between);
+        let along = (between, view, view);
+        return material.transmission * lobe(material, along, exponent, Name::ShadeTransmittedPower, probe);
     }
     let Some(half) = transmitted_half(light, view, eta, probe) else { return Color::ZERO };
-    let between = probe.note(Name::ShadeNDotTransmitted, -meeting.surface.normal.dot(half));
-    lobe(between)
+    let normal = meeting.surface.normal;
+    let between = (probe.note(Name::ShadeNDotTransmitted, -normal.dot(half)), -normal, half);
+    material.transmission * lobe(material, between, exponent, Name::ShadeTransmittedPower, probe)
+}
+
+/// The height of a lobe, (x⁺)^n for the noted product x of two vectors. A sharp lobe's is a quantity of its own.
+fn lobe<P: Probe>(
+    material: &Material,
+    (x, a, b): (f64, DVec3, DVec3),
+    exponent: f64,
+    name: Name,
+    probe: &mut P,
+) -> f64 {
+    match material.is_sharp() {
+        false => power(x, exponent),
+        true if probe.certifies() => probe.note(name, power_between(a, b, exponent)),
+        true => probe.note(name, power(x, exponent)),
+    }
 }
 
 /// H′ from the two directions and η ≠ 1; `None` where it has no direction.
@@ -158,9 +175,17 @@ pub(crate) fn power(x: f64, exponent: f64) -> f64 {
     libm::pow(cosine(x), exponent)
 }
 
-/// ((a·b)⁺)^n for two unit vectors.
+/// ((a·b)⁺)^n for two unit vectors, (1 − sin²)^(n/2).
+///
+/// Near 1 the product has lost the angle: its rounding errors are n times as large in the power. The sine hasn't, because
+/// b − a is exact where the two are near each other.
 pub(crate) fn power_between(a: DVec3, b: DVec3, exponent: f64) -> f64 {
-    power(a.dot(b), exponent)
+    if a.dot(b) <= 0.0 {
+        return power(0.0, exponent);
+    }
+    let across = a.cross(b - a);
+    let sine_squared = across.dot(across) / (a.dot(a) * b.dot(b));
+    libm::exp(exponent / 2.0 * libm::log1p(-sine_squared.min(1.0)))
 }
 
 /// x⁺: what a dot product of unit vectors is worth as a cosine. Rounding can take it past 1, and a large exponent from there
@@ -172,6 +197,8 @@ fn cosine(x: f64) -> f64 {
 /// Which formula the local intensity has under the scene's options and on this material.
 fn local_name(scene: &Scene, material: &Material) -> Name {
     match (scene.tracing.specular, material.uses_light_behind()) {
+        (_, false) if material.is_sharp() => Name::ShadeLocalSharp,
+        (_, true) if material.is_sharp() => Name::ShadeLocalSharpTransmitting,
         (Specular::HalfVector, false) => Name::ShadeLocal,
         (Specular::HalfVector, true) => Name::ShadeLocalTransmitting,
         (Specular::ReflectionVector, false) => Name::ShadeLocalMirror,

@@ -5,6 +5,7 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disk;
+mod doubled_chord;
 mod ellipsoid;
 mod fan;
 mod flat;

@@ -2,6 +2,8 @@
 
 use super::{Approach, Kernel, decide};
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::Doubled3;
+use crate::geometry::exact::dot;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -32,8 +34,12 @@ impl Kernel for Plane {
     /// Neither V_d nor V_o needs a unit normal: their quotient is the same.
     #[inline(always)]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let v_d = probe.note(Name::PlaneVd, self.normal.dot(ray.direction));
+        let v_d = self.normal.dot(ray.direction);
         let v_o = -(self.normal.dot(ray.origin) + self.offset);
+        if probe.certifies() && self.cancels(ray, v_d, v_o) {
+            return self.doubled_crossing(ray, approach, probe);
+        }
+        let v_d = probe.note(Name::PlaneVd, v_d);
         // Parallel, or so nearly that the distance is no number.
         if v_d == 0.0 || !(v_o / v_d).is_finite() {
             probe.mark(Decision::Miss { why: Miss::Parallel });
@@ -41,8 +47,7 @@ impl Kernel for Plane {
         }
         let v_o = probe.note(Name::PlaneVo, v_o);
         let t = probe.note(Name::PlaneT, v_o / v_d);
-        let side = if v_d < 0.0 { Side::Front } else { Side::Back };
-        decide(ray, approach, Crossing { t, side, primitive: 0 }, probe)
+        decide(ray, approach, Crossing { t, side: side(v_d), primitive: 0 }, probe)
     }
 
     #[inline(always)]
@@ -58,4 +63,43 @@ impl Kernel for Plane {
     fn bounds(&self) -> Option<Bounds> {
         None
     }
+}
+
+impl Plane {
+    /// Whether the terms of a sum cancel so far that f64 has lost digits of it: each term errs by two roundings, those of the
+    /// direction among them.
+    #[inline]
+    fn cancels(&self, ray: &Ray, v_d: f64, v_o: f64) -> bool {
+        let normal = self.normal.abs();
+        normal.dot(ray.direction.abs()) > MOST_CANCELLED * v_d.abs()
+            || normal.dot(ray.origin.abs()) + self.offset.abs() > MOST_CANCELLED * v_o.abs()
+    }
+
+    /// The crossing, both sums without error before the last rounding.
+    #[cold]
+    #[inline(never)]
+    fn doubled_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+        probe.fallback();
+        let v_d = dot(self.normal, ray.vector, 0.0);
+        let v_o = -dot(self.normal, ray.origin, self.offset);
+        let vector = Doubled3::from(ray.vector);
+        let length = vector.dot(vector).sqrt();
+        let t = (v_o * length / v_d).value();
+        probe.note(Name::PlaneVd, self.normal.dot(ray.direction));
+        if v_d.head == 0.0 || !t.is_finite() {
+            probe.mark(Decision::Miss { why: Miss::Parallel });
+            return None;
+        }
+        let t = probe.note(Name::PlaneTDoubled, t);
+        decide(ray, approach, Crossing { t, side: side(v_d.head), primitive: 0 }, probe)
+    }
+}
+
+/// How many times as large as its result a sum's terms may be together.
+const MOST_CANCELLED: f64 = 2.0;
+
+/// The side on which a ray arrives that goes along the normal by this much.
+#[inline]
+fn side(v_d: f64) -> Side {
+    if v_d < 0.0 { Side::Front } else { Side::Back }
 }

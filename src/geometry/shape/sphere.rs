@@ -3,12 +3,20 @@
 //! The geometric method loses digits where r², L2oc and T_A² nearly cancel. The robust one takes the half chord from the
 //! vector OC − T_A·d, and the near root from the product of the roots (Haines et al., Ray Tracing Gems, chapter 7).
 
+use super::doubled_chord::{DoubledChord, is_side_in_doubt, is_touch_in_doubt};
 use super::{Approach, Kernel, decide};
+use crate::geometry::area_normal::length;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use glam::DVec3;
+
+/// The largest square of the factor by which the root shows the error of the way to the line, that is let pass.
+const STEEPEST: f64 = 4.0;
+
+/// The least part of L2oc that may be left of L2oc − r².
+const LEAST_DIFFERENCE: f64 = 0.5;
 
 /// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +54,8 @@ struct Chord {
     t_a: f64,
     t2_a: f64,
     is_origin_outside: bool,
+    /// Where the line enters and leaves, where that was computed with twice the digits.
+    doubled: Option<DoubledChord>,
 }
 
 impl Sphere {
@@ -61,18 +71,25 @@ impl Sphere {
         let oc = probe.note(Name::SphereOc, self.center - ray.origin);
         let l2_oc = probe.note(Name::SphereL2oc, oc.dot(oc));
         let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
+        let is_robust = self.method == SphereMethod::Robust;
+        if is_robust && probe.certifies() && is_side_in_doubt(l2_oc, self.radius_squared) {
+            return self.doubled_chord(ray, probe);
+        }
         let is_origin_outside = l2_oc > self.radius_squared;
         probe.mark(if is_origin_outside { Decision::Outside } else { Decision::Inside });
         if is_origin_outside && t_a < 0.0 {
             probe.mark(Decision::Miss { why: Miss::Behind });
             return None;
         }
-        let t2_a = match self.method {
-            SphereMethod::Geometric => probe.note(Name::SphereT2a, self.radius_squared - l2_oc + t_a * t_a),
-            SphereMethod::Robust => {
-                let to_chord = oc - ray.direction * t_a;
-                probe.note(Name::SphereT2aRobust, self.radius_squared - to_chord.dot(to_chord))
+        let t2_a = if is_robust {
+            let to_chord = oc - ray.direction * t_a;
+            let t2_a = self.radius_squared - to_chord.dot(to_chord);
+            if probe.certifies() && is_touch_in_doubt(t2_a, l2_oc, self.radius_squared) {
+                return self.doubled_chord(ray, probe);
             }
+            probe.note(Name::SphereT2aRobust, t2_a)
+        } else {
+            probe.note(Name::SphereT2a, self.radius_squared - l2_oc + t_a * t_a)
         };
         // A line that only touches has one point in common with the sphere, unless it is at the ray's own origin.
         let touches_origin = t2_a == 0.0 && t_a == 0.0;
@@ -80,31 +97,88 @@ impl Sphere {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
         }
-        Some(Chord { l2_oc, t_a, t2_a, is_origin_outside })
+        Some(Chord { l2_oc, t_a, t2_a, is_origin_outside, doubled: None })
+    }
+
+    /// The chord with twice the digits.
+    #[cold]
+    #[inline(never)]
+    fn doubled_chord<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Chord> {
+        probe.fallback();
+        let found = DoubledChord::of(self.center, self.radius, ray);
+        probe.mark(if found.is_origin_outside { Decision::Outside } else { Decision::Inside });
+        probe.note(Name::SphereT2aDoubled, found.t2_a);
+        let why = match () {
+            _ if found.is_origin_outside && found.t_a < 0.0 => Miss::Behind,
+            _ if found.is_beside => Miss::Beside,
+            _ => {
+                let DoubledChord { t_a, t2_a, is_origin_outside, .. } = found;
+                return Some(Chord { l2_oc: 0.0, t_a, t2_a, is_origin_outside, doubled: Some(found) });
+            }
+        };
+        probe.mark(Decision::Miss { why });
+        None
     }
 
     #[inline]
-    fn near<P: Probe>(&self, chord: &Chord, probe: &mut P) -> Crossing {
-        let t = match self.method {
-            SphereMethod::Geometric => probe.note(Name::SphereT, chord.t_a - chord.t2_a.sqrt()),
-            SphereMethod::Robust => {
+    fn near<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> Crossing {
+        let t = match (self.method, chord.doubled) {
+            (_, Some(doubled)) => probe.note(Name::SphereTDoubled, doubled.near),
+            (SphereMethod::Geometric, _) => probe.note(Name::SphereT, chord.t_a - chord.t2_a.sqrt()),
+            (SphereMethod::Robust, _) => {
                 let t = (chord.l2_oc - self.radius_squared) / (chord.t_a + chord.t2_a.sqrt());
-                probe.note(Name::SphereTNearRobust, t)
+                self.settled(ray, chord, (Name::SphereTNearRobust, t, true), |doubled| doubled.near, probe)
             }
         };
         Crossing { t, side: self.outer, primitive: 0 }
     }
 
     #[inline]
-    fn far<P: Probe>(&self, chord: &Chord, probe: &mut P) -> Crossing {
-        let cancels = chord.t_a < 0.0 && self.method == SphereMethod::Robust;
-        let t = if cancels {
-            let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
-            probe.note(Name::SphereTFarRobust, t)
-        } else {
-            probe.note(Name::SphereTFar, chord.t_a + chord.t2_a.sqrt())
+    fn far<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> Crossing {
+        let is_robust = self.method == SphereMethod::Robust;
+        let t = match chord.doubled {
+            Some(doubled) => probe.note(Name::SphereTDoubled, doubled.far),
+            None if is_robust && chord.t_a < 0.0 => {
+                let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
+                self.settled(ray, chord, (Name::SphereTFarRobust, t, true), |doubled| doubled.far, probe)
+            }
+            None => {
+                let t = chord.t_a + chord.t2_a.sqrt();
+                if is_robust {
+                    self.settled(ray, chord, (Name::SphereTFar, t, false), |doubled| doubled.far, probe)
+                } else {
+                    probe.note(Name::SphereTFar, t)
+                }
+            }
         };
         Crossing { t, side: self.outer.opposite(), primitive: 0 }
+    }
+
+    /// The distance as it is, or with twice the digits where too few of it are right.
+    #[inline]
+    fn settled<P: Probe>(
+        &self,
+        ray: &Ray,
+        chord: &Chord,
+        (name, t, has_difference): (Name, f64, bool),
+        pick: impl Fn(&DoubledChord) -> f64,
+        probe: &mut P,
+    ) -> f64 {
+        if !probe.certifies() || self.has_its_digits(chord, t, has_difference) {
+            return probe.note(name, t);
+        }
+        probe.fallback();
+        let t = pick(&DoubledChord::of(self.center, self.radius, ray));
+        probe.note(Name::SphereTDoubled, t)
+    }
+
+    /// Whether a distance of this chord has lost no more than a bit or two. What errs is the way p from the centre to the line, by
+    /// roundings of |OC|, which √T2_A shows p/√T2_A times as large; and L2oc − r², where the two nearly cancel.
+    #[inline]
+    fn has_its_digits(&self, chord: &Chord, t: f64, has_difference: bool) -> bool {
+        let p2 = self.radius_squared - chord.t2_a;
+        let cancels = (chord.l2_oc - self.radius_squared).abs() < chord.l2_oc * LEAST_DIFFERENCE;
+        p2 / chord.t2_a * (chord.l2_oc / (t * t)) <= STEEPEST && !(has_difference && cancels)
     }
 
     /// The other end of the chord of a ray that sets off inward from the sphere itself: one root is 0, the other 2·T_A.
@@ -131,13 +205,13 @@ impl Kernel for Sphere {
         }
         let chord = self.chord(ray, probe)?;
         if chord.is_origin_outside && approach.shows(self.outer) {
-            let near = self.near(&chord, probe);
+            let near = self.near(ray, &chord, probe);
             // Only a ray that is asked to begin later (t_min) can begin inside.
             if near.t > ray.t_min {
                 return decide(ray, approach, near, probe);
             }
         }
-        let far = self.far(&chord, probe);
+        let far = self.far(ray, &chord, probe);
         decide(ray, approach, far, probe)
     }
 
@@ -147,34 +221,41 @@ impl Kernel for Sphere {
         }
         let Some(chord) = self.chord(ray, probe) else { return };
         if chord.is_origin_outside {
-            let near = self.near(&chord, probe);
+            let near = self.near(ray, &chord, probe);
             found.extend(decide(ray, approach, near, probe));
         }
-        let far = self.far(&chord, probe);
+        let far = self.far(ray, &chord, probe);
         found.extend(decide(ray, approach, far, probe));
     }
 
-    /// The robust method puts the point back onto the sphere, from which rounding took it.
+    /// The robust method puts the point back onto the sphere, from which rounding took it, and looks at it from the centre: a scene
+    /// that is moved keeps its normals.
     #[inline(always)]
     fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        let along_ray = ray.origin + ray.direction * crossing.t;
-        let point = match self.method {
-            SphereMethod::Geometric => probe.note(Name::HitPoint, along_ray),
-            SphereMethod::Robust => {
-                let from_center = along_ray - self.center;
-                let distance = from_center.length();
-                if distance == 0.0 {
-                    // Only where few digits are left: there is no direction to put the point back along.
-                    probe.note(Name::HitPoint, along_ray)
-                } else {
-                    probe.note(Name::HitPointSphere, self.center + from_center * (self.radius / distance))
-                }
-            }
-        };
-        let normal = if crossing.side == self.outer {
-            probe.note(Name::HitNormalSphere, (point - self.center) / self.radius)
+        let is_outer = crossing.side == self.outer;
+        if self.method == SphereMethod::Geometric {
+            let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
+            let normal = if is_outer {
+                probe.note(Name::HitNormalSphere, (point - self.center) / self.radius)
+            } else {
+                probe.note(Name::HitNormalSphereBack, (self.center - point) / self.radius)
+            };
+            return Surface::plain(point, normal, crossing.side);
+        }
+        let from_center = ray.origin - self.center + ray.direction * crossing.t;
+        let from_center = probe.note(Name::SphereFromCenter, from_center);
+        let distance = length(from_center);
+        if distance == 0.0 {
+            // Only where few digits are left: there is no direction to put the point back along.
+            let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
+            let normal = probe.note(Name::HitNormalFacing, -ray.direction);
+            return Surface::plain(point, normal, crossing.side);
+        }
+        let point = probe.note(Name::HitPointSphere, self.center + from_center * (self.radius / distance));
+        let normal = if is_outer {
+            probe.note(Name::HitNormalOnSphere, from_center / distance)
         } else {
-            probe.note(Name::HitNormalSphereBack, (self.center - point) / self.radius)
+            probe.note(Name::HitNormalOnSphereBack, -from_center / distance)
         };
         Surface::plain(point, normal, crossing.side)
     }

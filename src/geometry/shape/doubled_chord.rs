@@ -1,0 +1,105 @@
+//! The chord of a ray in a sphere with twice the digits, and when it is needed.
+
+use crate::geometry::doubled::{Doubled, Doubled3, exponent};
+use crate::geometry::exact::squared_less;
+use crate::geometry::ray::Ray;
+use glam::DVec3;
+
+/// A bound of the relative error of L2oc: three roundings of squares and sums, and two of each difference.
+const OF_SQUARE: f64 = 4.0 * f64::EPSILON;
+
+/// A bound of the error of T2_A in parts of L2oc + r². The way p from the centre to the line errs by at most 8 roundings of |OC|
+/// across the line: one of OC, four of T_A·d, which the direction's own three join, and one of the difference. p² then
+/// errs by 2·p·8u·|OC| and five roundings, r² by one; p and r are at most the root of the larger of L2oc and r².
+const OF_CHORD: f64 = 16.0 * f64::EPSILON;
+
+/// Where squares neither overflow nor lose digits.
+const MIDDLING: std::ops::Range<f64> = 1e-260..1e260;
+
+/// Whether f64 can't tell on which side of the sphere the origin lies.
+#[inline]
+pub(super) fn is_side_in_doubt(l2_oc: f64, radius_squared: f64) -> bool {
+    let sum = l2_oc + radius_squared;
+    (l2_oc - radius_squared).abs() <= OF_SQUARE * sum || !MIDDLING.contains(&sum)
+}
+
+/// Whether f64 can't tell if the line meets the sphere.
+#[inline]
+pub(super) fn is_touch_in_doubt(t2_a: f64, l2_oc: f64, radius_squared: f64) -> bool {
+    t2_a.abs() <= OF_CHORD * (l2_oc + radius_squared)
+}
+
+/// The chord, each number of it right to the last bit or two.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DoubledChord {
+    /// Where the line is nearest to the centre.
+    pub t_a: f64,
+    /// The square of half the chord.
+    pub t2_a: f64,
+    /// Where the line enters.
+    pub near: f64,
+    /// Where it leaves.
+    pub far: f64,
+    /// Whether the ray begins outside.
+    pub is_origin_outside: bool,
+    /// Whether the line has no point in common with the sphere but the ray's own origin.
+    pub is_beside: bool,
+}
+
+impl DoubledChord {
+    /// Meets the sphere along the ray's vector, of any length: with a = v·v, b = OC·v, c = OC·OC − r² and
+    /// Δ = r²·a − |OC × v|² the distances are c·√a/(b + √Δ) and (b + √Δ)/√a, or the other way round where b is negative.
+    pub fn of(center: DVec3, radius: f64, ray: &Ray) -> DoubledChord {
+        let oc = Doubled3::difference(center, ray.origin);
+        let size = exponent(oc.size().max(radius));
+        let (oc, radius) = (oc.scaled(-size), libm::scalbn(radius, -size));
+        let vector = Doubled3::from(ray.vector).scaled(-exponent(ray.vector.abs().max_element()));
+        let a = vector.dot(vector);
+        let b = oc.dot(vector);
+        let c = squared_less(oc, radius);
+        let across = oc.cross(vector);
+        let discriminant = Doubled::product(radius, radius) * a - across.dot(across);
+        let root = discriminant.sqrt();
+        let length = a.sqrt();
+        let larger = if b.head > 0.0 { b + root } else { b - root };
+        let is_point = larger.head == 0.0;
+        let (there, other) =
+            if is_point { (Doubled::ZERO, Doubled::ZERO) } else { (larger / length, c * length / larger) };
+        let (near, far) = if b.head > 0.0 { (other, there) } else { (there, other) };
+        let distance = |t: Doubled| libm::scalbn(t.value(), size);
+        DoubledChord {
+            t_a: distance(b / length),
+            t2_a: libm::scalbn((discriminant / a).value(), 2 * size),
+            near: distance(near),
+            far: distance(far),
+            is_origin_outside: c.head > 0.0,
+            is_beside: discriminant.head < 0.0 || is_point,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plain_chords_are_exact() {
+        let ray = Ray::along(DVec3::new(0.0, 3.0, -10.0), DVec3::Z * 7.0);
+        let chord = DoubledChord::of(DVec3::ZERO, 5.0, &ray);
+        assert_eq!((chord.near, chord.far, chord.t_a, chord.t2_a), (6.0, 14.0, 10.0, 16.0));
+        assert!(chord.is_origin_outside && !chord.is_beside);
+        let inside = DoubledChord::of(DVec3::new(0.0, 3.0, -10.0), 5.0, &ray);
+        assert_eq!((inside.near, inside.far), (-5.0, 5.0));
+        assert!(DoubledChord::of(DVec3::X * 6.0, 5.0, &ray).is_beside);
+    }
+
+    #[test]
+    fn any_size_will_do() {
+        for exponent in [-560, -300, 300, 500] {
+            let scale = libm::scalbn(1.0, exponent);
+            let ray = Ray::along(DVec3::new(0.0, 3.0, -10.0) * scale, DVec3::Z * 7.0);
+            let chord = DoubledChord::of(DVec3::ZERO, 5.0 * scale, &ray);
+            assert_eq!((chord.near, chord.far), (6.0 * scale, 14.0 * scale));
+        }
+    }
+}
