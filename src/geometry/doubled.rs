@@ -10,7 +10,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number of twice the digits of an f64.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Doubled {
+pub struct Doubled {
     /// The number, rounded.
     pub head: f64,
     /// What rounding took away.

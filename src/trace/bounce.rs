@@ -92,7 +92,7 @@ pub(crate) fn transmitted_cosine<P: Probe>(
 ) -> TransmittedCosine {
     let tangential = ray.direction + normal * cos_1;
     let k_eta_squared = eta * eta - tangential.dot(tangential);
-    if probe.certifies() && k_eta_squared.abs() <= OF_COSINE * (eta * eta + 1.0) {
+    if probe.certifies() && k_eta_squared.abs() <= CANCELLED * (eta * eta) {
         return doubled_cosine(ray, normal, eta, probe);
     }
     let squared = k_eta_squared / (eta * eta);
@@ -101,10 +101,10 @@ pub(crate) fn transmitted_cosine<P: Probe>(
     TransmittedCosine { cos_2, squared }
 }
 
-/// A bound of the error of η² − sin²φ₁ in parts of η² + 1: of 2⁻⁵³, one for the square, 2·6 for the tangential part, each
-/// component of which has the error of cos φ₁ (four roundings, those of the direction and the normal among them) and two
-/// of its own, four for the sum of squares, and one for the difference.
-const OF_COSINE: f64 = 16.0 * f64::EPSILON;
+/// The part of η² from which η² − sin²φ₁ has lost so many digits that T shows it: what errs by 16 roundings of η² at most (one for
+/// the square, twelve for the tangential part, each component of which has the error of cos φ₁, of the direction, and of its own;
+/// two for the sum of squares, one for the difference) keeps its sign far below.
+const CANCELLED: f64 = 1.0 / 16.0;
 
 /// The same with twice the digits: sin²φ₁ = |v × N|²/(v·v · N·N), whatever the lengths of both.
 #[cold]

@@ -11,6 +11,7 @@ mod visibility;
 pub(crate) use bounce::{refract, transmitted_cosine};
 pub use media::Media;
 pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};
+pub(crate) use visibility::all_crossings;
 pub use visibility::{Hit, closest_hit, is_any_hit, transmittance};
 
 use crate::geometry::{Leaving, Ray, Surface};

@@ -136,6 +136,7 @@ fn bare(name: &str, options: Options) -> Scene {
             sphere_method: options.sphere_method,
             cutoff: 0.0,
             two_sided: true,
+            shadows: raywalk::scene::Shadows::PerSurface,
             skip: options.skip,
         },
         output: Output { white: 1.0, transfer: Transfer::Linear, exposure: 0.0 },

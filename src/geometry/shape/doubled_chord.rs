@@ -37,9 +37,9 @@ pub(super) struct DoubledChord {
     /// The square of half the chord.
     pub t2_a: f64,
     /// Where the line enters.
-    pub near: f64,
+    pub near: Doubled,
     /// Where it leaves.
-    pub far: f64,
+    pub far: Doubled,
     /// Whether the ray begins outside.
     pub is_origin_outside: bool,
     /// Whether the line has no point in common with the sphere but the ray's own origin.
@@ -66,12 +66,11 @@ impl DoubledChord {
         let (there, other) =
             if is_point { (Doubled::ZERO, Doubled::ZERO) } else { (larger / length, c * length / larger) };
         let (near, far) = if b.head > 0.0 { (other, there) } else { (there, other) };
-        let distance = |t: Doubled| libm::scalbn(t.value(), size);
         DoubledChord {
-            t_a: distance(b / length),
+            t_a: (b / length).scaled(size).value(),
             t2_a: libm::scalbn((discriminant / a).value(), 2 * size),
-            near: distance(near),
-            far: distance(far),
+            near: near.scaled(size),
+            far: far.scaled(size),
             is_origin_outside: c.head > 0.0,
             is_beside: discriminant.head < 0.0 || is_point,
         }
@@ -86,10 +85,10 @@ mod tests {
     fn plain_chords_are_exact() {
         let ray = Ray::along(DVec3::new(0.0, 3.0, -10.0), DVec3::Z * 7.0);
         let chord = DoubledChord::of(DVec3::ZERO, 5.0, &ray);
-        assert_eq!((chord.near, chord.far, chord.t_a, chord.t2_a), (6.0, 14.0, 10.0, 16.0));
+        assert_eq!((chord.near.value(), chord.far.value(), chord.t_a, chord.t2_a), (6.0, 14.0, 10.0, 16.0));
         assert!(chord.is_origin_outside && !chord.is_beside);
         let inside = DoubledChord::of(DVec3::new(0.0, 3.0, -10.0), 5.0, &ray);
-        assert_eq!((inside.near, inside.far), (-5.0, 5.0));
+        assert_eq!((inside.near.value(), inside.far.value()), (-5.0, 5.0));
         assert!(DoubledChord::of(DVec3::X * 6.0, 5.0, &ray).is_beside);
     }
 
@@ -99,7 +98,7 @@ mod tests {
             let scale = libm::scalbn(1.0, exponent);
             let ray = Ray::along(DVec3::new(0.0, 3.0, -10.0) * scale, DVec3::Z * 7.0);
             let chord = DoubledChord::of(DVec3::ZERO, 5.0 * scale, &ray);
-            assert_eq!((chord.near, chord.far), (6.0 * scale, 14.0 * scale));
+            assert_eq!((chord.near.value(), chord.far.value()), (6.0 * scale, 14.0 * scale));
         }
     }
 }

@@ -7,16 +7,17 @@ use super::doubled_chord::{DoubledChord, is_side_in_doubt, is_touch_in_doubt};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::length;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use glam::DVec3;
 
 /// The largest square of the factor by which the root shows the error of the way to the line, that is let pass.
-const STEEPEST: f64 = 4.0;
+const STEEPEST: f64 = 1.0;
 
 /// The least part of L2oc that may be left of L2oc − r².
-const LEAST_DIFFERENCE: f64 = 0.5;
+const LEAST_DIFFERENCE: f64 = 0.875;
 
 /// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,7 +124,7 @@ impl Sphere {
     #[inline]
     fn near<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> Crossing {
         let t = match (self.method, chord.doubled) {
-            (_, Some(doubled)) => probe.note(Name::SphereTDoubled, doubled.near),
+            (_, Some(doubled)) => probe.note(Name::SphereTDoubled, doubled.near.value()),
             (SphereMethod::Geometric, _) => probe.note(Name::SphereT, chord.t_a - chord.t2_a.sqrt()),
             (SphereMethod::Robust, _) => {
                 let t = (chord.l2_oc - self.radius_squared) / (chord.t_a + chord.t2_a.sqrt());
@@ -137,7 +138,7 @@ impl Sphere {
     fn far<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> Crossing {
         let is_robust = self.method == SphereMethod::Robust;
         let t = match chord.doubled {
-            Some(doubled) => probe.note(Name::SphereTDoubled, doubled.far),
+            Some(doubled) => probe.note(Name::SphereTDoubled, doubled.far.value()),
             None if is_robust && chord.t_a < 0.0 => {
                 let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
                 self.settled(ray, chord, (Name::SphereTFarRobust, t, true), |doubled| doubled.far, probe)
@@ -161,14 +162,14 @@ impl Sphere {
         ray: &Ray,
         chord: &Chord,
         (name, t, has_difference): (Name, f64, bool),
-        pick: impl Fn(&DoubledChord) -> f64,
+        pick: impl Fn(&DoubledChord) -> Doubled,
         probe: &mut P,
     ) -> f64 {
         if !probe.certifies() || self.has_its_digits(chord, t, has_difference) {
             return probe.note(name, t);
         }
         probe.fallback();
-        let t = pick(&DoubledChord::of(self.center, self.radius, ray));
+        let t = pick(&DoubledChord::of(self.center, self.radius, ray)).value();
         probe.note(Name::SphereTDoubled, t)
     }
 
@@ -266,5 +267,13 @@ impl Kernel for Sphere {
 
     fn can_be_met_again(&self, sets_off: Side) -> bool {
         sets_off != self.outer
+    }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        if self.method == SphereMethod::Geometric || ray.leaving.is_some() {
+            return Doubled::from(crossing.t);
+        }
+        let chord = DoubledChord::of(self.center, self.radius, ray);
+        if crossing.side == self.outer { chord.near } else { chord.far }
     }
 }

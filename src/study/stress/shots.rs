@@ -2,11 +2,11 @@
 
 use super::question::{MeshData, ObjectInput, RayInput, Thing, Triple, input};
 use super::stage::{self, Watch};
-use crate::geometry::{Crossing, Ray, Shape};
+use crate::geometry::{Ray, Shape};
 use crate::log::Name;
 use crate::probe::Silent;
 use crate::scene::{Color, Light, LightKind, Scene};
-use crate::trace::{closest_hit, segment_to_light, transmittance};
+use crate::trace::{all_crossings, closest_hit, segment_to_light, transmittance};
 use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -69,15 +69,9 @@ pub(super) fn spheres(case: &Map<String, Value>) -> Result<Value, String> {
     let Spheres { s } = input(case)?;
     let scene = stage::scene_of(s.iter().map(|ball| stage::sphere(ball.c, ball.r)).collect());
     let ray = stage::ray(&scene, &input(case)?);
-    let mut crossings: Vec<(usize, Crossing)> = Vec::new();
-    for (number, object) in scene.objects.iter().enumerate() {
-        let mut found = Vec::new();
-        object.shape.all_crossings(number as u32, false, &ray, &mut found, &mut Silent);
-        crossings.extend(found.into_iter().map(|crossing| (number, crossing)));
-    }
-    crossings.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
-    let order: Vec<_> = crossings.iter().map(|(number, _)| number).collect();
-    let t: Vec<_> = crossings.iter().map(|(_, crossing)| crossing.t).collect();
+    let crossings = all_crossings(&scene, &ray, &mut Silent);
+    let order: Vec<_> = crossings.iter().map(|hit| hit.object).collect();
+    let t: Vec<_> = crossings.iter().map(|hit| hit.crossing.t).collect();
     Ok(json!({"order": order, "t": t}))
 }
 
