@@ -78,8 +78,8 @@ fn read(path: &Path) -> Result<Family, Failure> {
     };
     let mut text = Vec::new();
     let file = File::open(path).map_err(|error| missing(&error))?;
-    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut text).map_err(|error| missing(&error))?;
-    if text.len() as u64 > MAX_BYTES as u64 {
+    file.take(MAX_BYTES + 1).read_to_end(&mut text).map_err(|error| missing(&error))?;
+    if text.len() as u64 > MAX_BYTES {
         return Err(Failure::caller(format!("{}: larger than {MAX_BYTES} bytes", visible(&name))));
     }
     let family = stress::parse(&text);

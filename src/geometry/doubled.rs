@@ -158,6 +158,18 @@ impl Doubled3 {
         }
     }
 
+    /// The vector times a number.
+    #[inline]
+    pub fn times(self, factor: Doubled) -> Doubled3 {
+        Doubled3 { x: self.x * factor, y: self.y * factor, z: self.z * factor }
+    }
+
+    /// Rounded to f64.
+    #[inline]
+    pub fn value(self) -> DVec3 {
+        DVec3::new(self.x.value(), self.y.value(), self.z.value())
+    }
+
     /// The vector times 2 to this power.
     pub fn scaled(self, exponent: i32) -> Doubled3 {
         Doubled3 { x: self.x.scaled(exponent), y: self.y.scaled(exponent), z: self.z.scaled(exponent) }
@@ -176,9 +188,9 @@ impl From<DVec3> for Doubled3 {
     }
 }
 
-/// The power of two of a number's size, for [`Doubled::scaled`]; 0 for zero.
+/// The power of two of a number's size, for [`Doubled::scaled`]; 0 for what has none.
 pub(crate) fn exponent(x: f64) -> i32 {
-    if x == 0.0 { 0 } else { libm::ilogb(x) }
+    if x == 0.0 || !x.is_finite() { 0 } else { libm::ilogb(x) }
 }
 
 /// a + b without any error where |a| ≥ |b| (Dekker).

@@ -1,6 +1,6 @@
 //! A ray, and what it meets.
 
-use super::doubled::{Doubled, Doubled3};
+use super::doubled::{Doubled, Doubled3, exponent};
 use glam::DVec3;
 
 /// A half line from `origin` along `direction`, of which `t_min < t < t_max` counts.
@@ -109,14 +109,14 @@ impl Ray {
 /// which is exact, keeps the squares of very long and very short vectors in range.
 pub(crate) fn unit(vector: DVec3) -> (DVec3, DVec3, f64) {
     let largest = vector.abs().max_element();
-    let exponent = if (1e-100..=1e100).contains(&largest) { 0 } else { libm::ilogb(largest) };
-    let scaled = DVec3::from_array(vector.to_array().map(|x| libm::scalbn(x, -exponent)));
+    let power = if (1e-100..=1e100).contains(&largest) { 0 } else { exponent(largest) };
+    let scaled = DVec3::from_array(vector.to_array().map(|x| libm::scalbn(x, -power)));
     // With twice the digits, so that the unit vector has no rounding errors but its last: its length would be an error of every
     // distance along it.
     let doubled = Doubled3::from(scaled);
     let length = doubled.dot(doubled).sqrt();
     let unit = DVec3::from_array(scaled.to_array().map(|x| (Doubled::from(x) / length).value()));
-    (unit, scaled, libm::scalbn(length.value(), exponent))
+    (unit, scaled, libm::scalbn(length.value(), power))
 }
 
 impl Side {

@@ -97,6 +97,7 @@ names! {
         "r²·a − ((o_2·d_3 − o_3·d_2)² + (o_3·d_1 − o_1·d_3)² + (o_1·d_2 − o_2·d_1)²)", "1.1.1";
     EllipsoidT1: "ellipsoid.t", "1", "t", "t_1", "1.1.1";
     EllipsoidT2: "ellipsoid.t", "2", "t", "t_2", "1.1.1";
+    EllipsoidTDoubled: "ellipsoid.t", "doubled", "t", "", "1.1.1";
     EllipsoidPoint: "ellipsoid.point", "", "p_e", "O − E_c + d·t", "1.1.1";
     EllipsoidPoint1: "ellipsoid.point_1", "", "p_1", "E_1 · p_e", "1.1.1";
     EllipsoidPoint2: "ellipsoid.point_2", "", "p_2", "E_2 · p_e", "1.1.1";

@@ -92,7 +92,7 @@ pub(crate) fn transmitted_cosine<P: Probe>(
 ) -> TransmittedCosine {
     let tangential = ray.direction + normal * cos_1;
     let k_eta_squared = eta * eta - tangential.dot(tangential);
-    if probe.certifies() && k_eta_squared.abs() <= CANCELLED * (eta * eta) {
+    if probe.certifies() && (k_eta_squared.abs() <= CANCELLED * (eta * eta) || eta < LEAST_ETA) {
         return doubled_cosine(ray, normal, eta, probe);
     }
     let squared = k_eta_squared / (eta * eta);
@@ -101,10 +101,13 @@ pub(crate) fn transmitted_cosine<P: Probe>(
     TransmittedCosine { cos_2, squared }
 }
 
-/// The part of η² from which η² − sin²φ₁ has lost so many digits that T shows it: what errs by 16 roundings of η² at most (one for
-/// the square, twelve for the tangential part, each component of which has the error of cos φ₁, of the direction, and of its own;
-/// two for the sum of squares, one for the difference) keeps its sign far below.
+/// The least part of η² that may be left of η² − sin²φ₁. The tangential part errs by at most six roundings in each component
+/// (cos φ₁ by four, those of the direction and the normal among them, and two of its own), so that near sin φ₁ = η the difference errs
+/// by 2·6·√3·η + 5·η² of them: its sign is right far below this. But T shows the error of cos φ₂, which grows as less is left.
 const CANCELLED: f64 = 1.0 / 16.0;
+
+/// Where η is less, the roundings of the tangential part come near to it.
+const LEAST_ETA: f64 = 1.0 / (1 << 20) as f64;
 
 /// The same with twice the digits: sin²φ₁ = |v × N|²/(v·v · N·N), whatever the lengths of both.
 #[cold]

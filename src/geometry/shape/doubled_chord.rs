@@ -54,25 +54,48 @@ impl DoubledChord {
         let size = exponent(oc.size().max(radius));
         let (oc, radius) = (oc.scaled(-size), libm::scalbn(radius, -size));
         let vector = Doubled3::from(ray.vector).scaled(-exponent(ray.vector.abs().max_element()));
+        let c = squared_less(oc, radius);
+        let length = vector.dot(vector).sqrt();
+        DoubledChord::in_sphere(oc, vector, c, Doubled::product(radius, radius), length).scaled(size)
+    }
+
+    /// The chord along `vector` in the sphere whose centre is seen at `oc`, c = OC·OC − r²; distances are in units of the vector's
+    /// `length`, which is another one where a linear map has made the sphere.
+    pub fn in_sphere(
+        oc: Doubled3,
+        vector: Doubled3,
+        c: Doubled,
+        radius_squared: Doubled,
+        length: Doubled,
+    ) -> DoubledChord {
         let a = vector.dot(vector);
         let b = oc.dot(vector);
-        let c = squared_less(oc, radius);
         let across = oc.cross(vector);
-        let discriminant = Doubled::product(radius, radius) * a - across.dot(across);
+        let discriminant = radius_squared * a - across.dot(across);
         let root = discriminant.sqrt();
-        let length = a.sqrt();
         let larger = if b.head > 0.0 { b + root } else { b - root };
         let is_point = larger.head == 0.0;
         let (there, other) =
-            if is_point { (Doubled::ZERO, Doubled::ZERO) } else { (larger / length, c * length / larger) };
+            if is_point { (Doubled::ZERO, Doubled::ZERO) } else { (larger * length / a, c * length / larger) };
         let (near, far) = if b.head > 0.0 { (other, there) } else { (there, other) };
         DoubledChord {
-            t_a: (b / length).scaled(size).value(),
-            t2_a: libm::scalbn((discriminant / a).value(), 2 * size),
-            near: near.scaled(size),
-            far: far.scaled(size),
+            t_a: (b * length / a).value(),
+            t2_a: (discriminant / a).value(),
+            near,
+            far,
             is_origin_outside: c.head > 0.0,
             is_beside: discriminant.head < 0.0 || is_point,
+        }
+    }
+
+    /// The chord in a world larger by 2 to this power.
+    fn scaled(self, size: i32) -> DoubledChord {
+        DoubledChord {
+            t_a: libm::scalbn(self.t_a, size),
+            t2_a: libm::scalbn(self.t2_a, 2 * size),
+            near: self.near.scaled(size),
+            far: self.far.scaled(size),
+            ..self
         }
     }
 }
