@@ -141,7 +141,7 @@ const OF_DISCRIMINANT: f64 = 24.0 * f64::EPSILON;
 #[inline]
 fn has_its_digits(equation: &Quadratic, origin_squared: f64, across_squared: f64, entry: f64, exit: f64) -> bool {
     /// The square of the greatest factor.
-    const STEEPEST: f64 = 1.0;
+    const STEEPEST: f64 = 4.0;
     let Quadratic { a, c, discriminant, .. } = *equation;
     let nearest = entry.abs().min(exit.abs());
     let of_sum = origin_squared / (a * nearest * nearest);
