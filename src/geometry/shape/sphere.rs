@@ -14,10 +14,10 @@ use crate::probe::Probe;
 use glam::DVec3;
 
 /// The largest square of the factor by which the root shows the error of the way to the line, that is let pass.
-const STEEPEST: f64 = 1.0;
+const STEEPEST: f64 = 4.0;
 
 /// The least part of L2oc that may be left of L2oc − r².
-const LEAST_DIFFERENCE: f64 = 0.875;
+const LEAST_DIFFERENCE: f64 = 0.5;
 
 /// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
