@@ -330,3 +330,67 @@ fn wrong_answers_and_files_that_are_none_have_their_exit_codes() {
         "none.json",
     );
 }
+
+/// What `scene check` says of the lights of a room: a floor, a ball on it, the eye above.
+#[track_caller]
+fn checks_lights(lights: &str, expected: &[&str]) {
+    let scene = format!(
+        r#"{{"format": "raywalk-scene/1", "name": "room", "camera": {{"position": [0, 2, 6], "look_at": [0, 1, 0]}},
+  "lights": [{lights}],
+  "materials": {{"clay": {{"diffuse": [0.7, 0.3, 0.2]}}, "unused": {{}}}},
+  "objects": [{{"shape": {{"plane": {{"coefficients": [0, 1, 0, 0]}}}}, "material": "clay"}},
+              {{"shape": {{"sphere": {{"center": [0, 1, 0], "radius": 1}}}}, "material": "clay"}}]}}"#
+    );
+    let output = raywalk(&["scene", "check", "-"]).write_stdin(scene).output().expect("it runs");
+    let said = String::from_utf8(output.stderr).expect("UTF-8");
+    assert!(output.status.success(), "{said}");
+    let lines: Vec<_> = said.lines().filter(|line| line.starts_with("warning: ")).collect();
+    let unused = "warning: <stdin>:3:55: materials.unused: no object has this material";
+    let expected: Vec<_> = [unused].into_iter().chain(expected.iter().copied()).collect();
+    assert_eq!(lines.len(), expected.len(), "{said}");
+    assert!(lines.iter().zip(expected).all(|(line, expected)| line.starts_with(expected)), "{said}");
+}
+
+#[test]
+fn lights_that_light_nothing_in_view_are_warned_of() {
+    let at = |position: &str| format!(r#"{{"name": "lamp", "point": {{"position": {position}}}}}"#);
+    let dark = "warning: <stdin>:2:14: lights[0]: lights nothing in view: reaches no surface seen through 3072 pixels";
+    // In the ball, and under the floor.
+    checks_lights(&at("[0, 1, 0]"), &[dark]);
+    checks_lights(&at("[0, -1, 0]"), &[dark]);
+    checks_lights(r#"{"directional": {"direction": [0, 1, 0]}}"#, &[dark]);
+    // In view, and over the eye.
+    checks_lights(&at("[1, 2, 1]"), &[]);
+    checks_lights(
+        &at("[1, 9, 1]"),
+        &["warning: <stdin>:2:14: lights[0]: stands outside the field of view, which it lights all the same"],
+    );
+    checks_lights(r#"{"directional": {"direction": [0, -1, 0]}}"#, &[]);
+}
+
+#[test]
+fn everything_that_is_not_supported_is_told_at_once_with_its_place() {
+    let scene = r#"{"format": "raywalk-scene/1",
+ "camera": {"position": [0,0,9], "direction": [0,0,-1], "lens": {"radius": 0.1, "focus_distance": 4}},
+ "lights": [{"name": "L", "rectangle": {"corner": [0,5,0], "edge_u": [1,0,0], "edge_v": [0,0,1]}}],
+ "sampling": {"regular": {"n": 3}},
+ "objects": [{"shape": {"sphere": {"center": [0,0,0], "radius": 1}}}]}"#;
+    let output = raywalk(&["scene", "check", "-"]).write_stdin(scene).output().expect("it runs");
+    let said = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(2));
+    let errors: Vec<_> = said.lines().filter_map(|line| line.strip_prefix("error: <stdin>:")).collect();
+    let expected = [
+        "2:57: camera.lens: not supported by this version: a lens",
+        "3:27: lights[0].rectangle: not supported by this version: a light `rectangle`",
+        "4:15: sampling.regular: not supported by this version: the method `regular`",
+    ];
+    assert_eq!(errors, expected);
+}
+
+#[test]
+fn the_schema_is_printed() {
+    let schema = prints(&["scene", "schema"]);
+    let schema: serde_json::Value = serde_json::from_str(&schema).expect("JSON");
+    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    assert_eq!(schema["properties"]["format"]["const"], "raywalk-scene/1");
+}

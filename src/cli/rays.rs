@@ -5,8 +5,10 @@ use super::options::{ColorChoice, TracingOptions};
 use super::scene_argument;
 use clap::Args;
 use glam::DVec3;
-use raywalk::geometry::Side;
+use raywalk::geometry::{Leaving, Side};
+use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
+use raywalk::scene::file::{suggest, visible};
 use raywalk::trace::query::{Answer, Query};
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
@@ -82,6 +84,9 @@ impl Rays {
         if self.scene.as_os_str() == "-" {
             return Err(Failure::caller("rays: the scene can't be standard input, which holds the rays"));
         }
+        if self.tracing.arithmetic != Arithmetic::F64 {
+            return Err(Failure::caller("rays: --arithmetic: queries are answered in f64 only"));
+        }
         let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import(), colors)?)?;
         let names: HashMap<&str, u32> = scene.objects.iter().map(|object| object.name.as_str()).zip(0..).collect();
         let mut input = BufReader::with_capacity(1 << 16, io::stdin().lock());
@@ -102,7 +107,7 @@ impl Rays {
     }
 
     fn answer(&self, scene: &Scene, names: &HashMap<&str, u32>, line: &[u8], out: &mut impl Write) -> io::Result<()> {
-        let (id, reply) = match serde_json::from_slice::<Question>(line) {
+        let (id, reply) = match read(line) {
             Ok(question) => {
                 let outcome = match question.query(scene, names) {
                     Err(message) => Outcome::Error(message),
@@ -113,7 +118,7 @@ impl Rays {
             }
             Err(error) => {
                 let id = serde_json::from_slice::<Identity>(line).ok().and_then(|identity| identity.id);
-                (id, Outcome::Error(error.to_string()))
+                (id, Outcome::Error(unusable(line, &error)))
             }
         };
         serde_json::to_writer(&mut *out, &Reply { id, reply })?;
@@ -124,20 +129,40 @@ impl Rays {
 impl Question<'_> {
     fn query(&self, scene: &Scene, names: &HashMap<&str, u32>) -> Result<Query, String> {
         let (origin, direction) = (DVec3::from(self.o), DVec3::from(self.d));
-        let from = match &self.from {
-            None => None,
-            Some(name) => {
-                let object = *names.get(name.as_str()).ok_or_else(|| format!("from: no object is called `{name}`"))?;
-                let is_mesh = scene.objects[object as usize].shape.is_mesh();
-                if is_mesh && self.from_primitive.is_none() {
-                    return Err(format!("from: `{name}` is a mesh, expected `from_primitive` too"));
-                }
-                Some((object, self.from_primitive.unwrap_or(0)))
-            }
-        };
+        let from = self.from(scene, names)?;
         let query = Query { origin, direction, t_min: self.tmin, t_max: self.tmax.unwrap_or(f64::INFINITY), from };
         query.check()?;
         Ok(query)
+    }
+}
+
+impl Question<'_> {
+    /// The object and the primitive that the ray leaves.
+    fn from(&self, scene: &Scene, names: &HashMap<&str, u32>) -> Result<Option<(u32, u32)>, String> {
+        let Some(name) = &self.from else {
+            return match self.from_primitive {
+                None => Ok(None),
+                Some(_) => Err("from_primitive: expected `from` too, the object that has it".to_owned()),
+            };
+        };
+        let shown = visible(name);
+        let Some(object) = names.get(name.as_str()) else {
+            let meant = suggest(name, names.keys().copied());
+            let hint = meant.map_or_else(String::new, |meant| format!(", did you mean `{}`?", visible(meant)));
+            return Err(format!("from: no object is called `{shown}`{hint}"));
+        };
+        let primitive = match (scene.objects[*object as usize].shape.triangle_count(), self.from_primitive) {
+            (None, None | Some(0)) => Leaving::ANY_PRIMITIVE,
+            (None, Some(other)) => {
+                return Err(format!("from_primitive: `{shown}` has primitive 0 only, found {other}"));
+            }
+            (Some(_), None) => return Err(format!("from: `{shown}` is a mesh, expected `from_primitive` too")),
+            (Some(count), Some(triangle)) if triangle as usize >= count => {
+                return Err(format!("from_primitive: `{shown}` has {count} triangles, from 0 on, found {triangle}"));
+            }
+            (Some(_), Some(triangle)) => triangle,
+        };
+        Ok(Some((*object, primitive)))
     }
 }
 
@@ -155,6 +180,38 @@ impl<'s> HitReply<'s> {
                 Side::Back => "back",
             },
         }
+    }
+}
+
+/// The question of a line. serde would take an array for one too.
+fn read(line: &[u8]) -> serde_json::Result<Question<'_>> {
+    if line.trim_ascii_start().starts_with(b"[") {
+        return Err(serde::de::Error::custom(
+            "expected an object, {\"o\": [x, y, z], \"d\": [x, y, z]}, found an array",
+        ));
+    }
+    serde_json::from_slice(line)
+}
+
+/// What is wrong with a line, with the key that was perhaps meant.
+fn unusable(line: &[u8], error: &serde_json::Error) -> String {
+    const KEYS: [&str; 7] = ["id", "o", "d", "tmin", "tmax", "from", "from_primitive"];
+    let said = error.to_string();
+    let unknown = said.strip_prefix("unknown field `").and_then(|rest| rest.split_once("`, expected"));
+    match unknown {
+        Some((name, _)) => {
+            let known = match suggest(name, KEYS) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("expected one of `{}`", KEYS.join("`, `")),
+            };
+            format!("column {}: unknown key `{}`, {known}", error.column(), visible(name))
+        }
+        None if said.contains("struct Question") => {
+            let found = String::from_utf8_lossy(line.trim_ascii());
+            let start: String = found.chars().take(20).collect();
+            format!("expected an object, {{\"o\": [x, y, z], \"d\": [x, y, z]}}, found `{}`", visible(&start))
+        }
+        None => said,
     }
 }
 

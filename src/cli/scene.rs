@@ -1,12 +1,14 @@
-//! `raywalk scene`: check, show, convert, list and generate scenes.
+//! `raywalk scene`: check, show, convert, list and generate scenes, and say how they are written.
+
+mod lights;
 
 use super::failure::Failure;
 use super::options::{ColorChoice, NffOptions};
 use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
-use raywalk::scene::file::{SceneFile, visible};
-use raywalk::scene::{build, builtin, generate};
+use raywalk::scene::file::{SceneFile, schema, visible};
+use raywalk::scene::{build, builtin, generate, unsupported};
 use std::path::{Path, PathBuf};
 
 /// Check, show, convert, list or generate scenes.
@@ -24,6 +26,8 @@ pub enum SceneCommand {
         #[arg(long, short, value_name = "FILE")]
         output: Option<PathBuf>,
     },
+    /// Print the JSON Schema of scene files, for editors
+    Schema,
     /// List the built-in scenes
     List,
     /// Write a scene or mesh that is computed
@@ -48,7 +52,7 @@ pub enum Generated {
     Knot,
     /// A ball as an OBJ mesh of 20 * 4^N triangles
     Icosphere,
-    /// A scene of 1 + 9 + ... + 9^N spheres that carry spheres
+    /// A scene of 1 + 10 + ... + 10^N spheres that carry spheres, N from 0 to 6
     SphereFlake,
 }
 
@@ -62,10 +66,6 @@ pub struct Named {
 }
 
 impl Named {
-    fn load(&self, colors: ColorChoice) -> Result<Loaded, Failure> {
-        scene_argument::load(&self.scene, &self.nff.import(), colors)
-    }
-
     fn without_meshes(&self, colors: ColorChoice) -> Result<SceneFile, Failure> {
         let input = scene_argument::read(&self.scene, colors)?;
         scene_argument::without_meshes(&input, &self.nff.import(), colors)
@@ -77,8 +77,12 @@ impl SceneCommand {
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         match self {
             SceneCommand::Check(scene) => {
-                let Loaded { scene: file, meshes } = scene.load(colors)?;
-                build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+                let input = scene_argument::read(&scene.scene, colors)?;
+                let import = scene.nff.import();
+                let loaded = scene_argument::scene_unless(unsupported::all, &input, &import, colors)?;
+                let Loaded { scene: file, meshes } = loaded;
+                let built = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+                lights::tell(&input, built, colors);
                 let (objects, lights, materials) = (file.objects.len(), file.lights.len(), file.materials.len());
                 let name = visible(&file.name).into_owned();
                 let counts = format!("{objects} objects, {lights} lights, {materials} materials");
@@ -88,13 +92,21 @@ impl SceneCommand {
             SceneCommand::Convert { scene, output } => {
                 let file = scene.without_meshes(colors)?;
                 let inputs = scene_argument::inputs(&file, &scene.scene);
+                warn_of_meshes(&file, &scene.scene, output.as_deref());
                 Output::create(output.as_deref(), &inputs)?.commit(file.to_json().as_bytes())
             }
+            SceneCommand::Schema => output::print(format!("{:#}\n", schema::json_schema()).as_bytes()),
             SceneCommand::List => {
                 let names: String = builtin::names().map(|name| format!("{name}\n")).collect();
                 output::print(names.as_bytes())
             }
             SceneCommand::Generate { what, level, output } => {
+                if matches!(what, Generated::SphereFlake) && level > generate::MAX_FLAKE_LEVEL {
+                    let most = generate::MAX_FLAKE_LEVEL;
+                    return Err(Failure::caller(format!(
+                        "--level: must be from 0 to {most} for a sphere-flake, found {level}"
+                    )));
+                }
                 let output = Output::create(output.as_deref(), &[] as &[&Path])?;
                 output.stream(|out| match what {
                     Generated::Knot => generate::write_obj(&generate::knot(level), out),
@@ -103,5 +115,23 @@ impl SceneCommand {
                 })
             }
         }
+    }
+}
+
+/// Paths of meshes are relative to the scene file, so they lead nowhere when that is written into another folder.
+fn warn_of_meshes(file: &SceneFile, scene: &Path, output: Option<&Path>) {
+    let folder = |path: &Path| path.parent().and_then(|folder| folder.join(".").canonicalize().ok());
+    let stays = output.is_some_and(|output| {
+        let is_file = scene.exists() && scene != Path::new("-");
+        is_file && folder(&Path::new(".").join(output)) == folder(&Path::new(".").join(scene))
+    });
+    let mut paths: Vec<&str> = file.objects.iter().filter_map(|object| object.shape.mesh_path()).collect();
+    paths.sort_unstable();
+    paths.dedup();
+    if !stays && !paths.is_empty() {
+        let list = paths.iter().map(|path| format!("`{}`", visible(path))).collect::<Vec<_>>().join(", ");
+        output::tell(&format!(
+            "warning: the meshes {list} are looked for beside the scene that is written: copy them there"
+        ));
     }
 }

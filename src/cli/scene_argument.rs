@@ -3,11 +3,11 @@
 use super::failure::Failure;
 use super::options::ColorChoice;
 use super::output;
-use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::{Object, SceneFile, Shape};
-use raywalk::scene::file::{self, Problem, Source, visible};
+use raywalk::scene::file::{self, Finding, Problem, SceneError, Source, visible};
+use raywalk::scene::{builtin, unsupported};
 use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -75,7 +75,22 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 
 /// Checks a scene that was read, and reads its meshes; prints their warnings.
 pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
+    scene_unless(unsupported::features, input, import, colors)
+}
+
+/// The same, unless something is found that can't be done.
+pub fn scene_unless(
+    unsupported: fn(&SceneFile) -> Vec<Finding>,
+    input: &Input,
+    import: &Import,
+    colors: ColorChoice,
+) -> Result<Loaded, Failure> {
     let scene = without_meshes(input, import, colors)?;
+    let findings = unsupported(&scene);
+    if !findings.is_empty() {
+        let problems = file::placed(&findings, &input.bytes, &input.name);
+        return Err(Failure::scene(&SceneError::Invalid { problems, omitted: 0 }, is_colored(colors)));
+    }
     let source = Source { name: &input.name, text: &input.bytes };
     let folder = input.path.as_ref().map_or(Folder::BuiltIn(builtin::mesh), |path| Folder::OfScene(path));
     let loaded = mesh::load(&scene, &source, folder);
@@ -92,7 +107,8 @@ pub fn without_meshes(input: &Input, import: &Import, colors: ColorChoice) -> Re
     Ok(loaded.scene)
 }
 
-fn warn(warnings: &[Problem], colors: ColorChoice) {
+/// Prints what is odd about a scene.
+pub fn warn(warnings: &[Problem], colors: ColorChoice) {
     for warning in warnings {
         output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
     }

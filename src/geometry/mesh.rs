@@ -3,6 +3,8 @@
 use super::bounds::Bounds;
 use glam::DVec3;
 
+pub use super::shape::polygon::triangulate;
+
 /// Triangles that share corners. Triangle `k` is the face with that number, which is its number in the mesh file; faces
 /// without area keep theirs and are never met.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -34,6 +34,11 @@ pub struct Leaving {
     pub side: Side,
 }
 
+impl Leaving {
+    /// The primitive of a ray of which nobody knows what part of a closed shape it leaves: that is where the ray begins.
+    pub const ANY_PRIMITIVE: u32 = u32::MAX;
+}
+
 /// A side of a surface: the front is where its outward normal points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {

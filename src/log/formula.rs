@@ -6,7 +6,7 @@
 //! power    = prefix [ "^" power ]
 //! prefix   = "−" power | "√" postfix | postfix
 //! postfix  = atom { "²" | "⁺" }
-//! atom     = number | symbol | "(" sum ")" | "|" sum "|" | "Σ(" sum ")"
+//! atom     = number | symbol | "(" sum ")" | "|" sum "|" | "⌊" sum "⌋" | "Σ(" sum ")"
 //!          | ("min" | "max") "(" sum [ "," sum ] ")"
 //! ```
 //!
@@ -14,7 +14,8 @@
 //! channel by channel; `×` is the cross product; `⊘` divides component by component, and a quotient that isn't finite
 //! counts as the largest number of its sign (0⊘0 as 0); `min` and `max` of two triples go component by component, of one
 //! triple they are its least and its greatest component; `x⁺` is the number between 0 and 1 that is nearest to x; `|v|` is a
-//! length, and `|v|²` is v · v, without a root. `Σ` adds over the lights of a surface point, one after the other, to the sum
+//! length, and `|v|²` is v · v, without a root; `⌊x⌋` is the greatest whole number that isn't above x, of a triple component
+//! by component. `Σ` adds over the lights of a surface point, one after the other, to the sum
 //! before it; a term of which the log holds no part is zero. A symbol is the longest one of the table of names that the text
 //! goes on with, so `N·L` is the quantity and `N · L` its formula. Operations are done from left to right: evaluated so, a
 //! formula gives the logged value to the last bit.
@@ -39,6 +40,8 @@ pub enum Formula {
     Positive(Box<Formula>),
     /// `|a|`
     Length(Box<Formula>),
+    /// `⌊a⌋`
+    Floor(Box<Formula>),
     /// `(a)`, kept because it is written.
     Grouped(Box<Formula>),
     /// `Σ(a)`
@@ -187,6 +190,11 @@ impl<'t> Parser<'t> {
             let inner = self.sum()?;
             self.expect("|")?;
             return Ok(Formula::Length(Box::new(inner)));
+        }
+        if self.eat("⌊") {
+            let inner = self.sum()?;
+            self.expect("⌋")?;
+            return Ok(Formula::Floor(Box::new(inner)));
         }
         self.number()
     }

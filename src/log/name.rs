@@ -299,7 +299,9 @@ names! {
     ShadeSpecularPower: "shade.specular_power", "", "π_e", "", "1.2.1";
     ShadeTransmittedPower: "shade.transmitted_power", "", "π_t", "", "1.2.1";
     MaterialAmbient: "material.ambient", "", "K_a", "", "1.2.1";
+    MaterialAmbientPatterned: "material.ambient", "patterned", "K_a", "k_a∘c_p", "1.2.1";
     MaterialDiffuse: "material.diffuse", "", "K_d", "", "1.2.1";
+    MaterialDiffusePatterned: "material.diffuse", "patterned", "K_d", "k_d∘c_p", "1.2.1";
     MaterialSpecular: "material.specular", "", "K_e", "", "1.2.1";
     MaterialShininess: "material.shininess", "", "n_e", "", "1.2.1";
     MaterialTransmission: "material.transmission", "", "K_t", "", "1.2.1";
@@ -318,6 +320,20 @@ names! {
     ShadeLocalSharpTransmitting: "shade.local", "sharp_transmitting", "I_local",
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·π_e + K_t·π_t))", "1.2.1";
     ShadeLocalAmbient: "shade.local", "ambient", "I_local", "I_a∘K_a", "1.1.2";
+
+    // A checker pattern. m_p is 1 on the axes that count: all of them, but on a flat surface not the one nearest to its
+    // normal. ξ is the cell of the point; the colour is c_a where the sum of its coordinates is even, c_b where it is odd.
+    MaterialAmbientPlain: "material.ambient_plain", "", "k_a", "", "1.2.1";
+    MaterialDiffusePlain: "material.diffuse_plain", "", "k_d", "", "1.2.1";
+    PatternA: "pattern.a", "", "c_a", "", "1.2.1";
+    PatternB: "pattern.b", "", "c_b", "", "1.2.1";
+    PatternSize: "pattern.size", "", "s_p", "", "1.2.1";
+    PatternAxes: "pattern.axes", "", "m_p", "", "1.2.1";
+    PatternCell: "pattern.cell", "", "ξ", "⌊P/s_p⌋", "1.2.1";
+    PatternSum: "pattern.sum", "", "σ", "m_p · ξ", "1.2.1";
+    PatternParity: "pattern.parity", "", "π", "σ − 2·⌊σ/2⌋", "1.2.1";
+    PatternColorEven: "pattern.color", "even", "c_p", "c_a", "1.2.1";
+    PatternColorOdd: "pattern.color", "odd", "c_p", "c_b", "1.2.1";
 
     // The sum of the three contributions.
     WeightLocal: "weight.local", "", "W_l", "", "1.2.3";

@@ -3,6 +3,7 @@
 pub mod export;
 pub mod film;
 mod grid;
+pub mod reach;
 pub mod statistics;
 
 pub use film::Film;

@@ -93,6 +93,7 @@ impl Substitution<'_> {
             Formula::Root(inner) => self.wrapped(inner, "√", ""),
             Formula::Squared(inner) => self.wrapped(inner, "", "²"),
             Formula::Length(inner) => self.text(inner).shown().map_or(Part::Zero, |text| plain(format!("|{text}|"))),
+            Formula::Floor(inner) => self.text(inner).shown().map_or(Part::Zero, |text| plain(format!("⌊{text}⌋"))),
             Formula::Positive(inner) => self.positive(inner),
             Formula::Grouped(inner) => match (self.text(inner), &**inner) {
                 // A number needs no parentheses of its own.

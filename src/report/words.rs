@@ -1,7 +1,7 @@
 //! The words for nodes and decisions.
 
 use super::{Style, number};
-use crate::log::{Decision, Header, Log, Miss, RayKind, SkipReason, Skippable, Step, Subject, Tree, Value};
+use crate::log::{Decision, Header, Log, Miss, Name, RayKind, SkipReason, Skippable, Step, Subject, Tree, Value};
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
 pub fn title(log: &Log, tree: &Tree, node: usize) -> String {
@@ -66,6 +66,9 @@ pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
                 plain(header.object(*object)),
                 number::value(&Value::Triple(*factor), style)
             )
+        }
+        Decision::Undefined { quantity: Name::PatternCell } => {
+            format!("{} has no value: the pattern is finer than numbers are here", Name::PatternCell.symbol())
         }
         Decision::Undefined { quantity } => {
             format!("{} has no value in this arithmetic: it would be divided by zero", quantity.symbol())

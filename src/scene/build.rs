@@ -2,9 +2,10 @@
 
 use super::file::mesh::Meshes;
 use super::file::schema as file;
+use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular,
-    Tracing, Transfer, Weights,
+    Algorithm, Camera, Checker, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip,
+    Specular, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::shape::{
@@ -14,19 +15,9 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Something that a scene file asks for and this version can't do.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{path}: not supported by this version: {what}")]
-pub struct Unsupported {
-    /// Where the file asks for it.
-    pub path: String,
-    /// What it is.
-    pub what: String,
-}
-
 /// Makes a checked scene file and the meshes that it names ready to be traced.
 pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsupported> {
-    refuse_unsupported(scene)?;
+    unsupported::refuse(unsupported::features(scene))?;
     let sphere_method = match scene.tracing.sphere_method {
         file::SphereMethod::Robust => SphereMethod::Robust,
         file::SphereMethod::Geometric => SphereMethod::Geometric,
@@ -45,7 +36,7 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
             material,
         })
     };
-    let objects: Vec<_> = scene.objects.iter().enumerate().map(object).collect::<Result<_, _>>()?;
+    let objects: Vec<_> = scene.objects.iter().enumerate().map(object).collect::<Result<_, Unsupported>>()?;
     Ok(Scene {
         name: scene.name.clone(),
         digest: digest(scene, meshes),
@@ -90,32 +81,6 @@ impl Trees<'_> {
     }
 }
 
-fn refuse_unsupported(scene: &file::SceneFile) -> Result<(), Unsupported> {
-    let refuse = |path: &str, what: &str| Err(Unsupported { path: path.to_owned(), what: what.to_owned() });
-    if scene.camera.lens.is_some() {
-        return refuse("camera.lens", "a lens");
-    }
-    if scene.camera.shutter != [0.0, 0.0] || scene.frames.is_some() {
-        return refuse(if scene.frames.is_some() { "frames" } else { "camera.shutter" }, "motion");
-    }
-    for (name, material) in scene.materials.iter() {
-        let path = |key: &str| format!("materials.{name}.{key}");
-        if material.gloss_exponent.is_some() {
-            return refuse(&path("gloss_exponent"), "blurry reflection");
-        }
-        if material.translucency_exponent.is_some() {
-            return refuse(&path("translucency_exponent"), "blurry transmission");
-        }
-        if material.pattern.is_some() {
-            return refuse(&path("pattern"), "patterns");
-        }
-    }
-    match scene.objects.iter().position(|object| object.motion.is_some()) {
-        Some(index) => refuse(&format!("objects[{index}].motion"), "motion"),
-        None => Ok(()),
-    }
-}
-
 fn camera(camera: &file::Camera) -> Camera {
     let direction = DVec3::from(camera.direction());
     Camera::new(camera.position.into(), direction, camera.up.into(), camera.vertical_fov, camera.resolution)
@@ -128,10 +93,7 @@ fn light((index, light): (usize, &file::Light)) -> Result<Light, Unsupported> {
             let direction = DVec3::from(direction);
             LightKind::Directional { travel: direction / direction.length() }
         }
-        _ => {
-            let key = light.kind.key();
-            return Err(Unsupported { path: format!("lights[{index}].{key}"), what: format!("a light `{key}`") });
-        }
+        _ => return Err(unsupported::light(index, light).into()),
     };
     let fades = matches!(kind, LightKind::Point { .. }) && light.attenuation != [1.0, 0.0, 0.0];
     let attenuation = fades.then_some(light.attenuation);
@@ -152,6 +114,11 @@ fn material(material: &file::Material) -> Material {
             reflected: material.weights.reflected.rgb().into(),
             transmitted: material.weights.transmitted.rgb().into(),
         },
+        pattern: material.pattern.map(|file::Pattern::Checker(checker)| Checker {
+            a: checker.a.into(),
+            b: checker.b.into(),
+            size: checker.size,
+        }),
     }
 }
 
@@ -181,10 +148,7 @@ fn shape(
             Shape::Cone(Cone::new(base, apex, cone.caps, cone.inward))
         }
         file::Shape::Disk(disk) => Shape::Disk(Disk::new(disk.center.into(), disk.normal.into(), disk.radius)),
-        file::Shape::Mesh(mesh) => trees.get(&mesh.path).ok_or_else(|| Unsupported {
-            path: format!("objects[{index}].shape.mesh.path"),
-            what: "a mesh that was not loaded".to_owned(),
-        })?,
+        file::Shape::Mesh(mesh) => trees.get(&mesh.path).ok_or_else(|| unsupported::not_loaded(index))?,
     })
 }
 
@@ -212,10 +176,7 @@ fn sampling(sampling: file::Sampling) -> Result<Sampling, Unsupported> {
     match sampling {
         file::Sampling::None {} => Ok(Sampling::Center),
         file::Sampling::Shared { n } => Ok(Sampling::Shared { n: u32::try_from(n).unwrap_or(u32::MAX) }),
-        _ => {
-            let key = sampling.key();
-            Err(Unsupported { path: format!("sampling.{key}"), what: format!("the method `{key}`") })
-        }
+        _ => Err(unsupported::sampling(sampling).into()),
     }
 }
 

@@ -43,6 +43,14 @@ impl Camera {
     /// The ray through a place of the picture, in pixels from its top left corner.
     ///
     /// Through the centre it has the direction of view as given, normalised; others normalise
+    /// Whether a point lies in the field of view, whatever stands before it.
+    pub fn sees(&self, point: DVec3) -> bool {
+        let away = point - self.position;
+        let depth = away.dot(self.direction) / self.length;
+        let [half_width, half_height] = self.resolution.map(|side| f64::from(side) / 2.0 * self.pixel_side * depth);
+        depth > 0.0 && away.dot(self.right).abs() <= half_width && away.dot(self.up).abs() <= half_height
+    }
+
     /// G + |G|·(x·e_x + y·e_y), x and y measured in the plane at distance 1.
     pub fn ray<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> Option<Ray> {
         let middle = self.resolution.map(|side| f64::from(side) / 2.0);

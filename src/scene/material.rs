@@ -22,6 +22,19 @@ pub struct Material {
     pub ior: f64,
     /// The weights of the three contributions.
     pub weights: Weights,
+    /// What multiplies `ambient` and `diffuse` from place to place.
+    pub pattern: Option<Checker>,
+}
+
+/// A checkerboard: cubes of two colours that fill space, of which a flat surface shows squares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Checker {
+    /// The colour where the sum of floor(coordinate/size) is even.
+    pub a: Color,
+    /// The colour where it is odd.
+    pub b: Color,
+    /// The side of a cube.
+    pub size: f64,
 }
 
 /// W_l, W_r and W_t (Ramos, section 1.2.3), per channel.

@@ -13,14 +13,17 @@ pub mod light;
 pub mod material;
 pub mod sampling;
 pub mod tracing;
+pub mod unsupported;
 
-pub use build::{Unsupported, build};
+pub use build::build;
 pub use camera::Camera;
 pub use index::Index;
 pub use light::{Arrival, Light, LightKind};
-pub use material::{Material, Weights};
+pub use material::{Checker, Material, Weights};
 pub use sampling::Sampling;
 pub use tracing::{Algorithm, Shadows, Skip, Specular, Tracing};
+
+pub use unsupported::Unsupported;
 
 use crate::geometry::Shape;
 use glam::DVec3;

@@ -4,6 +4,7 @@
 
 mod bounce;
 mod media;
+mod pattern;
 pub mod query;
 mod shade;
 mod visibility;

@@ -64,7 +64,8 @@ impl Query {
             primitive: hit.crossing.primitive,
             t: hit.crossing.t / length,
             point: surface.point,
-            normal,
+            // −0 turned over and back is +0.
+            normal: normal + DVec3::ZERO,
             side: surface.side,
         })
     }

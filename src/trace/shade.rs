@@ -1,7 +1,7 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
 use super::bounce::unless_it_leaks;
-use super::{Meeting, transmittance};
+use super::{Meeting, pattern, transmittance};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
 use crate::probe::Probe;
@@ -11,24 +11,34 @@ use glam::DVec3;
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead.
 pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
-    let material = meeting.material;
-    probe.within(Step::Shade { object: meeting.object }, |probe| {
-        probe.given(Name::AmbientLight, scene.ambient);
-        probe.given(Name::MaterialAmbient, material.ambient);
-        let ambient = scene.ambient * material.ambient;
-        if scene.tracing.shades_ambient_only(meeting.path.level) {
-            return probe.note(Name::ShadeLocalAmbient, ambient);
-        }
-        give(material, probe);
-        let view = probe.note(Name::ViewDirection, -meeting.ray.direction);
-        let mut sum = ambient;
-        for (number, light) in (0..).zip(&scene.lights) {
-            light.give(probe);
-            sum += probe
-                .within(Step::Light { light: number }, |probe| from_light(scene, meeting, view, number, light, probe));
-        }
-        probe.note(local_name(scene, material), sum)
+    probe.within(Step::Shade { object: meeting.object }, |probe| match &meeting.material.pattern {
+        None => from_all_lights(scene, meeting, probe),
+        Some(pattern) => pattern::local_intensity(scene, meeting, pattern, probe),
     })
+}
+
+/// The same inside its node, with the material as it is.
+// Inlined twice, so that a material without pattern pays one branch.
+#[inline(always)]
+pub(super) fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+    let material = meeting.material;
+    probe.given(Name::AmbientLight, scene.ambient);
+    if material.pattern.is_none() {
+        probe.given(Name::MaterialAmbient, material.ambient);
+    }
+    let ambient = scene.ambient * material.ambient;
+    if scene.tracing.shades_ambient_only(meeting.path.level) {
+        return probe.note(Name::ShadeLocalAmbient, ambient);
+    }
+    give(material, probe);
+    let view = probe.note(Name::ViewDirection, -meeting.ray.direction);
+    let mut sum = ambient;
+    for (number, light) in (0..).zip(&scene.lights) {
+        light.give(probe);
+        sum +=
+            probe.within(Step::Light { light: number }, |probe| from_light(scene, meeting, view, number, light, probe));
+    }
+    probe.note(local_name(scene, material), sum)
 }
 
 /// What one light adds.
@@ -206,9 +216,11 @@ fn local_name(scene: &Scene, material: &Material) -> Name {
     }
 }
 
-/// The coefficients that the formula of the local intensity puts in.
+/// The coefficients that the formula of the local intensity puts in. Those that a pattern has multiplied are noted already.
 fn give<P: Probe>(material: &Material, probe: &mut P) {
-    probe.given(Name::MaterialDiffuse, material.diffuse);
+    if material.pattern.is_none() {
+        probe.given(Name::MaterialDiffuse, material.diffuse);
+    }
     probe.given(Name::MaterialSpecular, material.specular);
     probe.given(Name::MaterialShininess, material.shininess);
     if material.uses_light_behind() {

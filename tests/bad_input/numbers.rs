@@ -16,7 +16,7 @@ fn b29_zero_width() {
 fn b30_negative_width() {
     refuses(
         textbook_with("[321, 241]", "[-5, 241]"),
-        "9:20: camera.resolution[0]: expected a whole number from 0 to 4294967295, found -5",
+        "9:20: camera.resolution[0]: expected a whole number from 1 to 65535, found -5",
     );
 }
 
@@ -40,7 +40,7 @@ fn b32_overflowing_image() {
     );
     refuses_value(
         textbook_with("[321, 241]", "[4294967296, 1]"),
-        "camera.resolution[0]: expected a whole number from 0 to 4294967295, found 4294967296",
+        "camera.resolution[0]: expected a whole number from 1 to 65535, found 4294967296",
     );
 }
 
@@ -48,7 +48,7 @@ fn b32_overflowing_image() {
 fn b33_fractional_width() {
     refuses_value(
         textbook_with("[321, 241]", "[10.5, 241]"),
-        "camera.resolution[0]: expected a whole number from 0 to 4294967295, found 10.5",
+        "camera.resolution[0]: expected a whole number from 1 to 65535, found 10.5",
     );
 }
 

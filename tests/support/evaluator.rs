@@ -44,6 +44,7 @@ impl Evaluator<'_> {
             Formula::Grouped(inner) => self.part(inner),
             Formula::Negated(inner) => map(self.part(inner)?, |x| -x),
             Formula::Positive(inner) => map(self.part(inner)?, |x| x.clamp(0.0, 1.0)),
+            Formula::Floor(inner) => map(self.part(inner)?, f64::floor),
             Formula::Root(inner) => map(self.part(inner)?, f64::sqrt),
             // |v|² is v · v: on paper nobody takes a root to square it.
             Formula::Squared(inner) => match (self.part(inner)?, &**inner) {

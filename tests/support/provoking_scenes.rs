@@ -43,6 +43,7 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
         transmission_exponent: 1.0,
         ior: 1.0,
         weights: Weights { local: DVec3::ONE, reflected: DVec3::ZERO, transmitted: DVec3::ZERO },
+        pattern: None,
     };
     let mirror = Material { weights: weights([1.0, 0.4, 0.0]), ..plain.clone() };
     let glass = Material { ior: 1.5, weights: weights([0.1, 0.2, 0.8]), ..plain.clone() };
@@ -98,6 +99,7 @@ pub fn straight_through(options: Options) -> Scene {
         transmission_exponent: 3.0,
         ior: 1.0,
         weights: weights([1.0, 0.0, 0.0]),
+        pattern: None,
     };
     indexed(Scene {
         lights: vec![point("behind", [0.0, 0.0, -4.0], [1.0, 0.5, 0.25], None)],

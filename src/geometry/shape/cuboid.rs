@@ -9,7 +9,7 @@ use super::flat::toward;
 use super::roots::{Root, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::geometry::ray::{Crossing, Leaving, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use glam::DVec3;
@@ -63,6 +63,13 @@ impl Cuboid {
             return None;
         }
         let left = ray.leaving.filter(|_| approach.leaving.is_some()).map(|leaving| leaving.primitive);
+        let [entry_is_left, exit_is_left] = match left {
+            None => [false, false],
+            // The root nearest to 0.
+            Some(Leaving::ANY_PRIMITIVE) if span.exit.abs() < span.entry.abs() => [false, true],
+            Some(Leaving::ANY_PRIMITIVE) => [true, false],
+            Some(face) => [true, face == span.exit_face],
+        };
         // Numbers near the greatest one may have no point.
         let has_point = |t: f64| (ray.origin + ray.direction * t).is_finite();
         let root = |t: f64, primitive: u32, is_left: bool, name: Name| {
@@ -70,8 +77,8 @@ impl Cuboid {
             Root { t, primitive, is_on_surface, name }
         };
         Some(Roots {
-            entry: root(span.entry, span.entry_face, left.is_some(), Name::BoxTEntry),
-            exit: root(span.exit, span.exit_face, left == Some(span.exit_face), Name::BoxTExit),
+            entry: root(span.entry, span.entry_face, entry_is_left, Name::BoxTEntry),
+            exit: root(span.exit, span.exit_face, exit_is_left, Name::BoxTExit),
             outer: Side::Front,
         })
     }

@@ -37,7 +37,7 @@ impl Fan {
 }
 
 /// The triangles of a counter-clockwise outline, by the numbers of their corners.
-fn triangles(outline: &[DVec2]) -> Vec<[usize; 3]> {
+pub(super) fn triangles(outline: &[DVec2]) -> Vec<[usize; 3]> {
     let mut rest: Vec<usize> = (0..outline.len()).collect();
     let mut cut = Vec::with_capacity(outline.len());
     while rest.len() > 3 {

@@ -11,7 +11,7 @@ mod fan;
 mod flat;
 mod mesh;
 mod plane;
-mod polygon;
+pub(in crate::geometry) mod polygon;
 mod roots;
 mod sphere;
 pub(in crate::geometry) mod triangle;
@@ -201,6 +201,28 @@ impl Shape {
     /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
     pub(crate) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
         kernel!(self, kernel => kernel.refined(ray, crossing), _mesh => Doubled::from(crossing.t))
+    }
+
+    /// Whether this part of the surface (see [`Crossing::primitive`]) is flat.
+    pub fn is_flat(&self, primitive: u32) -> bool {
+        match self {
+            Shape::Sphere(_) | Shape::Ellipsoid(_) => false,
+            Shape::Cylinder(_) | Shape::Cone(_) => primitive != axis::LATERAL,
+            Shape::Plane(_)
+            | Shape::Triangle(_)
+            | Shape::Polygon(_)
+            | Shape::Cuboid(_)
+            | Shape::Disk(_)
+            | Shape::Mesh(_) => true,
+        }
+    }
+
+    /// How many triangles the file of a mesh has; `None` for another shape.
+    pub fn triangle_count(&self) -> Option<usize> {
+        match self {
+            Shape::Mesh(mesh) => Some(mesh.mesh().faces.len()),
+            _ => None,
+        }
     }
 
     /// Whether hits tell which triangle of a file was met.

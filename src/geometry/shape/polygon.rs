@@ -6,7 +6,7 @@
 //! upper one, and a point on it counts as left of it: no corner is counted twice, and of two polygons in a plane that
 //! share an edge exactly one holds a point of it.
 
-use super::fan::Fan;
+use super::fan::{Fan, triangles};
 use super::flat::{PlaneNames, meet_plane, toward};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::{area_normal, unit};
@@ -40,6 +40,14 @@ struct Projection {
 }
 
 const PLANE: PlaneNames = PlaneNames { v_d: Name::PolygonVd, v_o: Name::PolygonVo, t: Name::PolygonT };
+
+/// The triangles into which a flat outline with these corners falls, two fewer than corners, by the numbers of their
+/// corners.
+pub fn triangulate(corners: &[DVec3]) -> Vec<[usize; 3]> {
+    let projection = Projection::along(newell_normal(corners));
+    let outline: Vec<DVec2> = corners.iter().map(|corner| projection.of(*corner)).collect();
+    triangles(&outline)
+}
 
 impl Polygon {
     /// The polygon with these corners, three or more; with a normal for each its shading is smooth.

@@ -1,3 +1,5 @@
+//! The table of names is in order, and its names can be told apart.
+
 #![allow(clippy::unwrap_used)]
 
 use super::*;

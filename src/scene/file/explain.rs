@@ -13,23 +13,61 @@ use super::schema::FORMAT;
 use super::source::Source;
 use super::suggest::suggest;
 use super::syntax;
+use super::validate::limits::whole_numbers;
 
 /// How many characters of a name or string from the file a message repeats.
 const QUOTED: usize = 40;
 
+/// Why and where the JSON reader stopped.
+pub struct NoScene {
+    /// What it said.
+    pub error: serde_json::Error,
+    /// How far it had come.
+    pub path: KeyPath,
+}
+
 /// The problem behind an error of the JSON reader.
-pub fn explain(source: &Source, text: &str, error: &serde_json::Error, path: &Path) -> Problem {
-    let said = without_position(error);
-    let path = key_path(path);
-    let (span, path, message) = match error.classify() {
-        Category::Data => other_format(text).unwrap_or_else(|| wrong_data(text, path, &said)),
+pub fn explain(source: &Source, text: &str, refused: &NoScene) -> Problem {
+    let (span, path, message) = match refused.error.classify() {
+        Category::Data => other_format(text).unwrap_or_else(|| wrong_data(text, &Mistake::of(text, refused))),
         Category::Syntax | Category::Eof | Category::Io => {
-            let offset = offset_of(text, error.line(), error.column());
-            let (span, message) = syntax::explain(text, offset, &said);
-            (span, path, message)
+            let offset = offset_of(text, refused.error.line(), refused.error.column());
+            let (span, message) = syntax::explain(text, offset, &without_position(&refused.error));
+            (span, refused.path.clone(), message)
         }
     };
     source.problem(span, path, message)
+}
+
+/// The problem behind a mistake of form. The text may be another one than was read, as long as the path leads to the same.
+pub fn describe_mistake(source: &Source, text: &str, mistake: &Mistake) -> Problem {
+    let (span, path, message) = wrong_data(text, mistake);
+    source.problem(span, path, message)
+}
+
+/// A mistake of form: the text is JSON, but no scene.
+pub struct Mistake {
+    /// The way to the value that is complained about.
+    pub path: KeyPath,
+    said: String,
+}
+
+impl Mistake {
+    /// The mistake at which the reader of a text stopped.
+    pub fn of(text: &str, refused: &NoScene) -> Self {
+        let mut path = refused.path.clone();
+        let depth = locate(text, &path).depth;
+        // A word counts as a step of the path for serde, but in the text it is the value.
+        while path.steps().len() > depth {
+            path.pop();
+        }
+        Self { path, said: without_position(&refused.error) }
+    }
+
+    /// What kind it is.
+    pub fn complaint(&self) -> Complaint<'_> {
+        Complaint::of(&self.said)
+    }
 }
 
 /// serde's message without its `at line 1 column 2`.
@@ -41,7 +79,8 @@ fn without_position(error: &serde_json::Error) -> String {
     message
 }
 
-fn key_path(path: &Path) -> KeyPath {
+/// The path as messages write it.
+pub fn key_path(path: &Path) -> KeyPath {
     let steps = path.iter().filter_map(|segment| match segment {
         Segment::Seq { index } => Some(Step::Index(*index)),
         Segment::Map { key: name } | Segment::Enum { variant: name } => Some(name.clone().into()),
@@ -60,7 +99,7 @@ fn offset_of(text: &str, line: usize, column: usize) -> usize {
 }
 
 /// A file of another format has other keys, so that only its format is worth a word.
-fn other_format(text: &str) -> Option<(Range<usize>, KeyPath, String)> {
+pub fn other_format(text: &str) -> Option<(Range<usize>, KeyPath, String)> {
     let path = KeyPath::default().join("format");
     let place = locate(text, &path);
     let found: String = serde_json::from_str(&text[place.value.clone()]).ok()?;
@@ -73,13 +112,10 @@ pub fn unknown_format(found: &str) -> String {
     format!("this program reads `{FORMAT}`, found `{}`", shortened(found, QUOTED))
 }
 
-fn wrong_data(text: &str, mut path: KeyPath, said: &str) -> (Range<usize>, KeyPath, String) {
+fn wrong_data(text: &str, mistake: &Mistake) -> (Range<usize>, KeyPath, String) {
+    let mut path = mistake.path.clone();
     let place = locate(text, &path);
-    // A word counts as a step of the path for serde, but in the text it is the value.
-    while path.steps().len() > place.depth {
-        path.pop();
-    }
-    match Complaint::of(said) {
+    match mistake.complaint() {
         Complaint::UnknownKey { name, valid } => {
             let message = format!("unknown key `{}`, {}", shortened(name, QUOTED), alternatives(name, &valid));
             (key_span(place), path, message)
@@ -104,14 +140,15 @@ fn wrong_data(text: &str, mut path: KeyPath, said: &str) -> (Range<usize>, KeyPa
             (second, path, message)
         }
         Complaint::Length { found, expected } => {
-            let message = format!("expected {}, found {found} elements", in_words(expected));
+            let message = format!("expected {}, found {found} elements", in_words(expected, &path));
             (place.value, path, message)
         }
         Complaint::Type { expected } => {
             let found = describe(&text[place.value.clone()]);
-            (place.value, path, format!("expected {}, found {found}", in_words(expected)))
+            let message = format!("expected {}, found {found}", in_words(expected, &path));
+            (place.value, path, message)
         }
-        Complaint::Other => (place.value, path, said.to_string()),
+        Complaint::Other => (place.value, path, mistake.said.clone()),
     }
 }
 
@@ -120,13 +157,20 @@ fn key_span(place: Place) -> Range<usize> {
 }
 
 /// The kinds of message that serde composes.
-enum Complaint<'s> {
+pub enum Complaint<'s> {
+    /// A key that nobody knows.
     UnknownKey { name: &'s str, valid: Vec<&'s str> },
+    /// A word that nobody knows, as a string or as the only key of an object.
     UnknownWord { name: &'s str, valid: Vec<&'s str> },
+    /// A key that must be there.
     Missing { name: &'s str },
+    /// A key that stands twice.
     Repeated { name: &'s str },
+    /// Too few or too many elements.
     Length { found: &'s str, expected: &'s str },
+    /// A value of the wrong kind.
     Type { expected: &'s str },
+    /// A sentence of our own.
     Other,
 }
 
@@ -163,7 +207,7 @@ impl<'s> Complaint<'s> {
 fn name_and_valid(rest: &str) -> (&str, Vec<&str>) {
     match rest.rsplit_once("`, expected ") {
         Some((name, list)) => (name, list.split('`').skip(1).step_by(2).collect()),
-        None => (rest, Vec::new()),
+        None => (rest.strip_suffix("`, there are no fields").unwrap_or(rest), Vec::new()),
     }
 }
 
@@ -181,12 +225,20 @@ pub fn alternatives(name: &str, valid: &[&str]) -> String {
     }
 }
 
-/// serde's words for what it wanted, in the words of JSON.
-fn in_words(expected: &str) -> String {
+/// serde's words for what it wanted at a path, in the words of JSON.
+fn in_words(expected: &str, path: &KeyPath) -> String {
     match expected {
         "f64" => "a number".to_string(),
-        "u32" => format!("a whole number from 0 to {}", u32::MAX),
-        "u64" => "a whole number, 0 or more".to_string(),
+        "u32" | "u64" => {
+            let keys = path.steps().iter().rev().filter_map(|step| match step {
+                Step::Key(key) => Some(&**key),
+                Step::Index(_) => None,
+            });
+            match whole_numbers(keys) {
+                Some([low, high]) => format!("a whole number from {low} to {high}"),
+                None => "a whole number, 0 or more".to_string(),
+            }
+        }
         "a boolean" => "`true` or `false`".to_string(),
         "a sequence" => "an array".to_string(),
         "a map" => "an object".to_string(),

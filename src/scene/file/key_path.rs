@@ -29,6 +29,11 @@ impl KeyPath {
         &self.0
     }
 
+    /// Whether this way begins with another one, or is the same.
+    pub fn starts_with(&self, beginning: &KeyPath) -> bool {
+        self.0.starts_with(&beginning.0)
+    }
+
     /// Goes one step deeper.
     pub fn push(&mut self, step: impl Into<Step>) {
         self.0.push(step.into());

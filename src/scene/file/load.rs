@@ -7,10 +7,11 @@ use serde::Deserialize;
 use serde_path_to_error::Track;
 
 use super::error::{Problem, SceneError};
-use super::explain::explain;
+use super::explain::{NoScene, key_path};
 use super::input::{display_name, read_bytes};
 use super::key_path::KeyPath;
 use super::locate::locate_all;
+use super::mend::all_problems;
 use super::names::fill_in_names;
 use super::nff::{self, Import};
 use super::schema::SceneFile;
@@ -30,7 +31,7 @@ pub struct Loaded {
 /// Reads and checks a scene file, or standard input for `-`.
 ///
 /// # Errors
-/// [`SceneError`], with every problem that validation finds, or the first that reading finds.
+/// [`SceneError`], with every problem; of a text that isn't JSON, with the first.
 pub fn read(path: &Path) -> Result<Loaded, SceneError> {
     check(&read_bytes(path)?, &display_name(path))
 }
@@ -38,7 +39,7 @@ pub fn read(path: &Path) -> Result<Loaded, SceneError> {
 /// Parses and validates the text of a scene file, JSON or [`nff`].
 ///
 /// # Errors
-/// [`SceneError::Invalid`], with every problem that validation finds, or the first that parsing finds.
+/// [`SceneError::Invalid`], with every problem; of a text that isn't JSON, with the first.
 pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, SceneError> {
     check_as(text, file_name, &Import::default())
 }
@@ -76,7 +77,20 @@ fn ask_for_memory(text: &[u8], growth: usize, file_name: &str) -> Result<(), Sce
 /// # Errors
 /// [`SceneError::Invalid`], with every problem.
 pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, SceneError> {
-    let unplaced = |finding: &Finding| Problem {
+    judge(validate(scene), |findings| findings.iter().map(|finding| unplaced(finding, file_name)).collect())
+}
+
+/// Gives what others found about a scene its place in the text that it was loaded from. Where that isn't JSON there are
+/// paths but no lines.
+pub fn placed(findings: &[Finding], text: &[u8], file_name: &str) -> Vec<Problem> {
+    match decode(text, file_name) {
+        Ok((source, text)) if !nff::is_nff(text.as_bytes(), file_name) => place(findings, &source, text),
+        _ => findings.iter().map(|finding| unplaced(finding, file_name)).collect(),
+    }
+}
+
+fn unplaced(finding: &Finding, file_name: &str) -> Problem {
+    Problem {
         file: file_name.to_string(),
         line: 0,
         column: 0,
@@ -84,8 +98,7 @@ pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, S
         message: finding.message.clone(),
         span: None,
         excerpt: None,
-    };
-    judge(validate(scene), |findings| findings.iter().map(unplaced).collect())
+    }
 }
 
 /// The warnings, when there are no errors.
@@ -103,20 +116,22 @@ pub(super) fn judge(
 /// skipped and missing names are filled in.
 ///
 /// # Errors
-/// [`SceneError::Invalid`] with the first problem.
+/// [`SceneError::Invalid`], with every problem; of a text that isn't JSON, with the first.
 pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, SceneError> {
     let (source, text) = decode(text, file_name)?;
+    read_scene(text, file_name).map_err(|refused| all_problems(&source, text, file_name, &refused))
+}
+
+/// Reads a scene; the error is the first mistake in the text.
+pub(super) fn read_scene(text: &str, file_name: &str) -> Result<SceneFile, NoScene> {
     let mut json = serde_json::Deserializer::from_str(text);
     let mut track = Track::new();
     let tracked = serde_path_to_error::Deserializer::new(Strict(&mut json), &mut track);
-    let result = SceneFile::deserialize(tracked).and_then(|scene| json.end().map(|()| scene));
-    match result {
-        Ok(mut scene) => {
-            fill_in_names(&mut scene, file_name);
-            Ok(scene)
-        }
-        Err(error) => Err(explain(&source, text, &error, &track.path()).into()),
-    }
+    let mut scene = SceneFile::deserialize(tracked)
+        .and_then(|scene| json.end().map(|()| scene))
+        .map_err(|error| NoScene { error, path: key_path(&track.path()) })?;
+    fill_in_names(&mut scene, file_name);
+    Ok(scene)
 }
 
 /// The text without a byte-order mark.
@@ -140,7 +155,7 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), S
     }
 }
 
-fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
+pub(super) fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
     if findings.is_empty() {
         return Vec::new();
     }

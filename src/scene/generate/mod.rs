@@ -8,9 +8,9 @@ mod sphere_flake;
 pub use icosphere::icosphere;
 pub use knot::knot;
 pub use obj::write_obj;
-pub use sphere_flake::{sphere_count, sphere_flake};
+pub use sphere_flake::{MAX_FLAKE_LEVEL, sphere_count, sphere_flake};
 
-/// The greatest level of detail. The triangles of a mesh and the spheres of a flake still count in millions there.
+/// The greatest level of detail. The triangles of a mesh still count in millions there.
 pub const MAX_LEVEL: u32 = 7;
 
 #[cfg(test)]

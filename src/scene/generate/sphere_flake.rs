@@ -1,19 +1,23 @@
-//! A flake of spheres: each carries nine of a third of its radius, which carry nine each, and so on.
+//! A flake of spheres: each carries ten of a third of its radius, which carry ten each, and so on.
 //!
-//! The picture is that of "balls" in Eric Haines' Standard Procedural Databases (1987): six children about the equator,
-//! three above it. The scene is written as it is computed, so that a million spheres need no memory.
+//! The idea is that of "balls" in Eric Haines' Standard Procedural Databases (1987), which has six children about the equator
+//! and three above it; here one more sits at the pole, so that the levels have 1, 11, 111 spheres and the sixth more than a
+//! million. The scene is written as it is computed, so that a million spheres need no memory.
 
 use std::io::{self, Write};
 
 use glam::DVec3;
 
-/// How many spheres there are: 1 + 9 + … + 9^`level`.
+/// The greatest level, 1,111,111 spheres: the file of the next one would be larger than a scene may be.
+pub const MAX_FLAKE_LEVEL: u32 = 6;
+
+/// How many spheres there are: 1 + 10 + … + 10^`level`.
 pub fn sphere_count(level: u32) -> u64 {
-    (9_u64.pow(level + 1) - 1) / 8
+    (10_u64.pow(level + 1) - 1) / 9
 }
 
 /// Writes the flake as a scene, `raywalk-scene/1`. A sphere is named after its way from the first, `ball`: its third
-/// child's first is `ball-31`.
+/// child's first is `ball-20`.
 pub fn sphere_flake(level: u32, out: &mut impl Write) -> io::Result<()> {
     out.write_all(HEAD.as_bytes())?;
     let mut name = "ball".to_owned();
@@ -69,7 +73,7 @@ impl Ball {
         if length == "ball".len() {
             name.push('-');
         }
-        for (digit, axis) in ('1'..='9').zip(self.axes_of_children()) {
+        for (digit, axis) in ('0'..='9').zip(self.axes_of_children()) {
             let radius = self.radius / 3.0;
             name.push(digit);
             let child = Ball { center: self.center + axis * (self.radius + radius), radius, axis };
@@ -80,7 +84,7 @@ impl Ball {
         Ok(())
     }
 
-    /// Where the children sit: six around the equator, 60° apart, and three in between at a height of √(2/3).
+    /// Where the children sit: six around the equator, 60° apart, three in between at a height of √(2/3), one at the pole.
     fn axes_of_children(&self) -> impl Iterator<Item = DVec3> + use<> {
         let half_root_3 = 0.75_f64.sqrt();
         let equator = [
@@ -96,7 +100,8 @@ impl Ball {
         let axis = self.axis;
         let (right, up) = across(axis);
         let around = equator.into_iter().map(move |(x, y)| right * x + up * y);
-        around.chain(above.into_iter().map(move |(x, y)| (right * x + up * y) * away + axis * height))
+        let above = above.into_iter().map(move |(x, y)| (right * x + up * y) * away + axis * height);
+        around.chain(above).chain([axis])
     }
 }
 
@@ -129,11 +134,11 @@ mod tests {
 
     #[test]
     fn it_is_a_good_scene_of_as_many_spheres_as_it_says() {
-        for (level, expected) in [(0, 1), (1, 10), (2, 91), (3, 820)] {
+        for (level, expected) in [(0, 1), (1, 11), (2, 111), (3, 1111)] {
             assert_eq!(sphere_count(level), expected);
             assert_eq!(spheres(level).len() as u64, expected);
         }
-        assert!(sphere_count(7) > 1_000_000);
+        assert!(sphere_count(MAX_FLAKE_LEVEL) > 1_000_000);
     }
 
     #[test]

@@ -101,6 +101,7 @@ pub(super) fn sphere(center: [f64; 3], radius: f64) -> Shape {
 /// A material as the scene has it.
 pub(super) fn material(input: &MaterialInput) -> Material {
     Material {
+        pattern: None,
         ambient: input.ka.into(),
         diffuse: input.kd.into(),
         specular: input.ke.into(),

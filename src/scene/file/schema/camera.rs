@@ -1,11 +1,13 @@
 //! The keys of `camera`.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Vec3;
+use crate::scene::file::validate::limits::MAX_SIDE;
 
 /// The camera as the file gives it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "CameraKeys", into = "CameraKeys")]
 pub struct Camera {
     /// The eye.
@@ -44,32 +46,45 @@ impl Camera {
 }
 
 /// A lens for depth of field.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Lens {
     /// Radius of the opening.
+    #[schemars(range(min = 0))]
     pub radius: f64,
     /// Distance of the plane in focus, measured along the direction.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub focus_distance: f64,
 }
 
 /// The keys one by one, before it is known which of `direction` and `look_at` was given.
-#[derive(Clone, Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{"required": ["direction"]}, {"required": ["look_at"]}]))]
 struct CameraKeys {
+    /// The eye.
     position: Vec3,
+    /// Along this vector it looks, of any length.
     #[serde(skip_serializing_if = "Option::is_none")]
     direction: Option<Vec3>,
+    /// At this point it looks.
     #[serde(skip_serializing_if = "Option::is_none")]
     look_at: Option<Vec3>,
+    /// The direction that shows upwards in the picture.
     #[serde(default = "default_up")]
     up: Vec3,
+    /// Degrees from the image's top edge to its bottom edge.
     #[serde(default = "default_vertical_fov")]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180))]
     vertical_fov: f64,
+    /// Width and height in pixels.
     #[serde(default = "default_resolution")]
+    #[schemars(inner(range(min = 1, max = MAX_SIDE)))]
     resolution: [u32; 2],
+    /// A thin lens; without it everything is sharp.
     #[serde(skip_serializing_if = "Option::is_none")]
     lens: Option<Lens>,
+    /// The times at which the shutter opens and closes.
     #[serde(default)]
     shutter: [f64; 2],
 }

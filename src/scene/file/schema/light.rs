@@ -1,11 +1,13 @@
 //! The keys of one of the `lights`: the kind of light is itself a key, beside the others.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Rgb, Vec3};
+use crate::scene::file::validate::limits::MAX_SAMPLES;
 
 /// One light.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "LightKeys", into = "LightKeys")]
 pub struct Light {
     /// Its name; left out, it is filled in on loading (`light-1`).
@@ -61,7 +63,7 @@ impl LightKind {
 }
 
 /// Light from one point.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointLight {
     /// The point.
@@ -69,7 +71,7 @@ pub struct PointLight {
 }
 
 /// Parallel light.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DirectionalLight {
     /// The way the light travels, of any length.
@@ -77,7 +79,7 @@ pub struct DirectionalLight {
 }
 
 /// Light from a parallelogram.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RectangleLight {
     /// One corner.
@@ -89,7 +91,7 @@ pub struct RectangleLight {
 }
 
 /// Light from a flat disk.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DiskLight {
     /// Its centre.
@@ -97,53 +99,76 @@ pub struct DiskLight {
     /// The normal of its plane, of any length.
     pub normal: Vec3,
     /// Its radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
 }
 
 /// Light from the surface of a sphere.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereLight {
     /// Its centre.
     pub center: Vec3,
     /// Its radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
 }
 
 /// The weight over the surface of an area light.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Profile {
     /// The same everywhere.
     #[default]
     Uniform,
     /// ∝ cos^p(π/2·ρ), ρ the distance from the centre over the radius.
-    CosinePower(f64),
+    CosinePower(#[schemars(range(min = 0))] f64),
 }
 
 /// The keys one by one, before it is known which kind was given.
-#[derive(Clone, Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    {"required": ["point"]}, {"required": ["directional"]}, {"required": ["rectangle"]}, {"required": ["disk"]},
+    {"required": ["sphere"]},
+]))]
+#[schemars(extend("dependentSchemas" = {
+    "profile": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}]},
+    "samples": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}, {"required": ["sphere"]}]},
+}))]
 struct LightKeys {
+    /// Its name; left out, it is `light-1` and so on.
     #[serde(default)]
     name: String,
+    /// Light from one point.
     #[serde(skip_serializing_if = "Option::is_none")]
     point: Option<PointLight>,
+    /// Parallel light.
     #[serde(skip_serializing_if = "Option::is_none")]
     directional: Option<DirectionalLight>,
+    /// Light from a parallelogram.
     #[serde(skip_serializing_if = "Option::is_none")]
     rectangle: Option<RectangleLight>,
+    /// Light from a flat disk.
     #[serde(skip_serializing_if = "Option::is_none")]
     disk: Option<DiskLight>,
+    /// Light from the surface of a sphere.
     #[serde(skip_serializing_if = "Option::is_none")]
     sphere: Option<SphereLight>,
+    /// Its intensity, I_i.
     #[serde(default = "white")]
+    #[schemars(inner(range(min = 0)))]
     color: Rgb,
+    /// c, l and q of min(1, 1/(c + l·dist + q·dist²)); a directional light is never attenuated.
     #[serde(default = "no_attenuation")]
+    #[schemars(inner(range(min = 0)))]
     attenuation: [f64; 3],
+    /// How the light is spread over its surface; `uniform` where it is left out. For rectangles and disks.
     #[serde(skip_serializing_if = "Option::is_none")]
     profile: Option<Profile>,
+    /// How many shadow rays ask for an area light; 1 where it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = MAX_SAMPLES))]
     samples: Option<u64>,
 }
 

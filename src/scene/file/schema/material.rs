@@ -3,39 +3,51 @@
 use std::collections::HashMap;
 use std::fmt;
 
+use schemars::JsonSchema;
 use serde::de::{self, DeserializeSeed, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::Rgb;
+use crate::scene::file::validate::limits::{MAX_RATIO, MAX_SAMPLES};
 
 /// One material; every key has a default.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Material {
     /// K_a.
+    #[schemars(inner(range(min = 0)))]
     pub ambient: Rgb,
     /// K_d.
+    #[schemars(inner(range(min = 0)))]
     pub diffuse: Rgb,
     /// K_e.
+    #[schemars(inner(range(min = 0)))]
     pub specular: Rgb,
     /// K_t, the local transmission.
+    #[schemars(inner(range(min = 0)))]
     pub transmission: Rgb,
     /// n_e, the exponent of the highlight.
+    #[schemars(range(min = 0))]
     pub shininess: f64,
     /// n_t, the exponent of the local transmission.
+    #[schemars(range(min = 0))]
     pub transmission_exponent: f64,
     /// Refractive index.
+    #[schemars(range(min = 1.0 / MAX_RATIO, max = MAX_RATIO))]
     pub ior: f64,
     /// How much the local, reflected and transmitted parts count.
     pub weights: Weights,
     /// Blurry reflection by cos^n; `None` is a mirror.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0))]
     pub gloss_exponent: Option<f64>,
     /// Blurry transmission by cos^n; `None` is clear.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0))]
     pub translucency_exponent: Option<f64>,
     /// Rays for one blurry bounce.
+    #[schemars(range(min = 1, max = MAX_SAMPLES))]
     pub samples: u64,
     /// A pattern that multiplies ambient and diffuse.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -62,7 +74,7 @@ impl Default for Material {
 }
 
 /// W_l, W_r and W_t.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Weights {
     /// Weight of the local intensity.
@@ -80,13 +92,13 @@ impl Default for Weights {
 }
 
 /// A weight, written as one number or as a colour.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Weight {
     /// The same in every channel.
-    Scalar(f64),
+    Scalar(#[schemars(range(min = 0))] f64),
     /// One number a channel.
-    Rgb(Rgb),
+    Rgb(#[schemars(inner(range(min = 0)))] Rgb),
 }
 
 impl Weight {
@@ -143,7 +155,7 @@ impl<'de> Visitor<'de> for WeightVisitor {
 }
 
 /// What varies over a surface.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Pattern {
     /// Cubes of two colours.
@@ -151,14 +163,17 @@ pub enum Pattern {
 }
 
 /// A checkerboard in space.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Checker {
     /// Colour where the sum of floor(coordinate/size) is even.
+    #[schemars(inner(range(min = 0)))]
     pub a: Rgb,
     /// Colour where it is odd.
+    #[schemars(inner(range(min = 0)))]
     pub b: Rgb,
     /// Side of a cube.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub size: f64,
 }
 

@@ -5,6 +5,7 @@
 //! that [`parse`](super::parse) uses.
 
 mod camera;
+mod json_schema;
 mod light;
 mod material;
 mod objects;
@@ -12,6 +13,7 @@ mod settings;
 mod shape;
 
 pub use camera::{Aim, Camera, Lens};
+pub use json_schema::json_schema;
 pub use light::{DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
 pub use objects::MAX_DUPLICATES;
@@ -20,6 +22,9 @@ pub use shape::{
     AxisBox, Cone, Cylinder, Disk, Ellipsoid, Mesh, Motion, Object, Plane, Polygon, Rotation, Shape, Sphere, Triangle,
 };
 
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The value of the key `format`: the only form of scene file that this program reads.
@@ -32,10 +37,11 @@ pub type Vec3 = [f64; 3];
 pub type Rgb = [f64; 3];
 
 /// A whole scene file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SceneFile {
     /// [`FORMAT`].
+    #[schemars(description = "The form of the file.", extend("const" = FORMAT))]
     pub format: String,
     /// The scene's name; left out, it is the stem of the file's name.
     #[serde(default)]
@@ -44,15 +50,18 @@ pub struct SceneFile {
     pub camera: Camera,
     /// Ambient light, I_a.
     #[serde(default)]
+    #[schemars(inner(range(min = 0)))]
     pub ambient: Rgb,
     /// What a ray brings back that meets nothing.
     #[serde(default)]
+    #[schemars(inner(range(min = 0)))]
     pub background: Rgb,
     /// The lights, in the order of the file.
     #[serde(default)]
     pub lights: Vec<Light>,
     /// The materials by name, in the order of the file.
     #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Material>")]
     pub materials: Materials,
     /// The objects; the order settles ties.
     #[serde(deserialize_with = "objects::objects")]

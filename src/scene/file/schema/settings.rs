@@ -1,20 +1,27 @@
 //! The keys of `tracing`, `sampling`, `frames` and `output`.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::scene::file::validate::limits::{
+    MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES,
+};
+
 /// How rays are traced.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Tracing {
     /// Which pseudocode.
     pub algorithm: Algorithm,
     /// Where the recursion stops.
+    #[schemars(range(max = MAX_DEPTH))]
     pub max_depth: u32,
     /// Which form of the highlight.
     pub specular: SpecularForm,
     /// Which intersection of ray and sphere.
     pub sphere_method: SphereMethod,
     /// A bounce is left out when the product of the weights along its path is below this in every channel; 0 is off.
+    #[schemars(range(min = 0))]
     pub cutoff: f64,
     /// Whether a face is there when seen from behind.
     pub two_sided: bool,
@@ -34,7 +41,7 @@ impl Default for Tracing {
 }
 
 /// The recursion of the first pseudocode, of the second as printed, or of the second as in its source.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Algorithm {
     /// Starts at depth 0; a ray deeper than the limit is black.
@@ -47,7 +54,7 @@ pub enum Algorithm {
 }
 
 /// The two forms of the specular term.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SpecularForm {
     /// N·H.
@@ -58,7 +65,7 @@ pub enum SpecularForm {
 }
 
 /// The two ways to meet a sphere.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SphereMethod {
     /// Without cancellation.
@@ -69,7 +76,7 @@ pub enum SphereMethod {
 }
 
 /// Which rays make a pixel.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Sampling {
     /// One ray through the pixel's centre.
@@ -77,44 +84,55 @@ pub enum Sampling {
     /// n × n cell centres.
     Regular {
         /// Cells a side.
+        #[schemars(range(min = 1, max = MAX_GRID))]
         n: u64,
     },
     /// Corners of n × n cells, shared with the neighbours.
     Shared {
         /// Cells a side.
+        #[schemars(range(min = 1, max = MAX_GRID))]
         n: u64,
     },
     /// Cells split where their corners differ.
     Adaptive {
         /// The difference that splits, as a fraction of `output.white`.
+        #[schemars(range(min = 0))]
         threshold: f64,
         /// How often a cell may be halved.
+        #[schemars(range(max = MAX_ADAPTIVE_DEPTH))]
         depth: u32,
     },
     /// n in all, jittered in near-square strata.
     Stochastic {
         /// Rays a pixel.
+        #[schemars(range(min = 1, max = MAX_SAMPLES))]
         n: u64,
     },
     /// n uniform points.
     Random {
         /// Rays a pixel.
+        #[schemars(range(min = 1, max = MAX_SAMPLES))]
         n: u64,
     },
     /// n Owen-scrambled Sobol points.
     Sobol {
         /// Rays a pixel.
+        #[schemars(range(min = 1, max = MAX_SAMPLES))]
         n: u64,
     },
     /// As many as the wanted quality needs.
     Statistical {
         /// Confidence of the interval, between 0 and 1.
+        #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1))]
         confidence: f64,
         /// Half-width of the interval, as a fraction of `output.white`.
+        #[schemars(extend("exclusiveMinimum" = 0))]
         tolerance: f64,
         /// Fewest rays a pixel.
+        #[schemars(range(min = 1, max = MAX_SAMPLES))]
         min: u64,
         /// Most rays a pixel.
+        #[schemars(range(min = 1, max = MAX_SAMPLES))]
         max: u64,
     },
 }
@@ -142,24 +160,28 @@ impl Default for Sampling {
 }
 
 /// An animation: frame k, from 1, adds (k − 1)·duration/count to both shutter times.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Frames {
     /// How many frames.
+    #[schemars(range(min = 1, max = MAX_FRAMES))]
     pub count: u32,
     /// The time that all of them last.
+    #[schemars(range(min = 0))]
     pub duration: f64,
 }
 
 /// How values become the numbers of a picture; integer formats only.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Output {
     /// The value shown as full white.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub white: f64,
     /// The curve from value to number.
     pub transfer: Transfer,
     /// Exposure in stops.
+    #[schemars(range(min = -MAX_EXPOSURE, max = MAX_EXPOSURE))]
     pub exposure: f64,
 }
 
@@ -170,7 +192,7 @@ impl Default for Output {
 }
 
 /// The curve from value to number.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Transfer {
     /// In proportion.

@@ -1,11 +1,12 @@
 //! The keys of one of the `objects`: its shape, material and motion.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Vec3;
 
 /// One object.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Object {
     /// Its name; left out, it is filled in on loading (`object-1`).
@@ -22,7 +23,7 @@ pub struct Object {
 }
 
 /// The shapes, one key each.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Shape {
     /// `plane`.
@@ -48,6 +49,14 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// The path of a mesh, as it is written.
+    pub fn mesh_path(&self) -> Option<&str> {
+        match self {
+            Shape::Mesh(mesh) => Some(&mesh.path),
+            _ => None,
+        }
+    }
+
     /// The key of this shape.
     pub fn key(&self) -> &'static str {
         match self {
@@ -66,7 +75,7 @@ impl Shape {
 }
 
 /// The plane Ax + By + Cz + D = 0.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plane {
     /// A, B, C (the normal, of any length) and D.
@@ -74,12 +83,13 @@ pub struct Plane {
 }
 
 /// A sphere.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
     /// Its centre.
     pub center: Vec3,
     /// Its radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
     /// Whether the front is the inside.
     #[serde(default)]
@@ -87,12 +97,13 @@ pub struct Sphere {
 }
 
 /// world = center + rotation·(radii ∘ unit point).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ellipsoid {
     /// Its centre.
     pub center: Vec3,
     /// Its three radii.
+    #[schemars(extend("items" = {"type": "number", "exclusiveMinimum": 0}))]
     pub radii: Vec3,
     /// The rows of a proper rotation; `None` is the identity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -100,7 +111,7 @@ pub struct Ellipsoid {
 }
 
 /// A triangle, counter-clockwise seen from the front.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Triangle {
     /// Its corners.
@@ -111,18 +122,20 @@ pub struct Triangle {
 }
 
 /// A flat polygon, counter-clockwise seen from the front.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Polygon {
     /// Its corners, three or more.
+    #[schemars(length(min = 3))]
     pub vertices: Vec<Vec3>,
     /// Normals at the corners, for smooth shading.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 3))]
     pub normals: Option<Vec<Vec3>>,
 }
 
 /// A box along the axes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AxisBox {
     /// The corner of the smallest coordinates.
@@ -132,7 +145,7 @@ pub struct AxisBox {
 }
 
 /// A cylinder.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cylinder {
     /// Centre of one end.
@@ -140,6 +153,7 @@ pub struct Cylinder {
     /// Centre of the other end.
     pub apex: Vec3,
     /// Its radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
     /// Whether the ends are closed.
     #[serde(default)]
@@ -150,16 +164,18 @@ pub struct Cylinder {
 }
 
 /// A cone or a frustum.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cone {
     /// Centre of one end.
     pub base: Vec3,
     /// Radius of that end.
+    #[schemars(range(min = 0))]
     pub base_radius: f64,
     /// Centre of the other end.
     pub apex: Vec3,
     /// Radius of that end.
+    #[schemars(range(min = 0))]
     pub apex_radius: f64,
     /// Whether the ends are closed.
     #[serde(default)]
@@ -170,7 +186,7 @@ pub struct Cone {
 }
 
 /// A flat disk.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Disk {
     /// Its centre.
@@ -178,11 +194,12 @@ pub struct Disk {
     /// The normal of its front, of any length.
     pub normal: Vec3,
     /// Its radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
 }
 
 /// Triangles of another file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
     /// An OBJ or PLY file, relative to the scene file.
@@ -190,7 +207,7 @@ pub struct Mesh {
 }
 
 /// Where an object has got to at time 1: at time t it is turned by t·degrees, then moved by t·translation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
     /// How far it moves.
@@ -202,7 +219,7 @@ pub struct Motion {
 }
 
 /// A turn about an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rotation {
     /// The axis, of any length.

@@ -4,11 +4,16 @@
 
 mod accepted;
 mod damaged;
+mod every_problem;
 mod meaning;
 mod spelling;
 
 use super::error::{SceneError, Severity};
-use super::load::{Loaded, check};
+use super::load::{Loaded, check, parse};
+use super::schema::json_schema;
+use jsonschema::Validator;
+use serde_json::Value;
+use std::sync::LazyLock;
 
 /// The scene of the numeric example.
 const TEXTBOOK: &str = r#"{
@@ -33,8 +38,26 @@ const TEXTBOOK: &str = r#"{
 }
 "#;
 
+/// Loads a text, which the JSON Schema must accept too.
+#[track_caller]
 fn loads(text: &str) -> Loaded {
+    if let Ok(value) = serde_json::from_str::<Value>(text.trim_start_matches('\u{feff}')) {
+        let errors: Vec<String> = SCHEMA.iter_errors(&value).map(|error| error.to_string()).collect();
+        assert!(errors.is_empty(), "the schema refuses what is accepted: {errors:#?}");
+    }
     check(text.as_bytes(), "scenes/t.json").unwrap_or_else(|error| panic!("{}", error.report(false)))
+}
+
+static SCHEMA: LazyLock<Validator> =
+    LazyLock::new(|| jsonschema::draft202012::new(&json_schema()).expect("a good schema"));
+
+/// What the reader refuses for its form, the JSON Schema refuses. It can't see a key that stands twice.
+#[track_caller]
+fn schema_refuses(bytes: &[u8]) {
+    let Ok(value) = serde_json::from_slice::<Value>(bytes) else { return };
+    let Err(error) = parse(bytes, "t") else { return };
+    let is_of_form = !error.to_string().contains("stands twice");
+    assert!(!is_of_form || !SCHEMA.is_valid(&value), "the schema accepts what is refused: {error}");
 }
 
 /// The textbook scene with one part of its text replaced.
@@ -62,6 +85,7 @@ fn error_of(bytes: &[u8]) -> SceneError {
     assert_eq!(error.exit_code(), 2);
     let report = error.report(false);
     assert!(!report.chars().any(|c| c.is_control() && c != '\n'), "{report:?}");
+    schema_refuses(bytes);
     error
 }
 

@@ -1,0 +1,67 @@
+//! What a pattern makes of the surface's coefficients.
+
+use super::Meeting;
+use super::shade::from_all_lights;
+use crate::log::{Decision, Name};
+use crate::probe::Probe;
+use crate::scene::{Checker, Color, Material, Scene};
+use glam::DVec3;
+
+/// The local intensity where a pattern multiplies ambient and diffuse.
+// Kept out of the shading of materials that have no pattern.
+#[inline(never)]
+pub(super) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, probe: &mut P) -> Color {
+    let material = multiplied(scene, meeting, pattern, probe);
+    from_all_lights(scene, &Meeting { material: &material, ..*meeting }, probe)
+}
+
+/// The material as the pattern leaves it at this point.
+fn multiplied<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, probe: &mut P) -> Material {
+    let plain = meeting.material;
+    let color = color(scene, meeting, pattern, probe);
+    probe.given(Name::MaterialAmbientPlain, plain.ambient);
+    let ambient = probe.note(Name::MaterialAmbientPatterned, plain.ambient * color);
+    probe.given(Name::MaterialDiffusePlain, plain.diffuse);
+    let diffuse = probe.note(Name::MaterialDiffusePatterned, plain.diffuse * color);
+    Material { ambient, diffuse, ..plain.clone() }
+}
+
+/// From here on numbers stand more than one apart, so that none of them is odd.
+const LAST_CELL: f64 = 9_007_199_254_740_992.0;
+
+/// The colour of the checkerboard: that of the even cubes, also where the numbers can't tell one cube from the next.
+fn color<P: Probe>(scene: &Scene, meeting: &Meeting, checker: &Checker, probe: &mut P) -> Color {
+    let axes = probe.note(Name::PatternAxes, axes(scene, meeting));
+    let cell = (meeting.surface.point / checker.size).floor();
+    let is_countable = cell.is_finite() && (cell * axes).abs().max_element() <= LAST_CELL;
+    probe.given(Name::PatternSize, checker.size);
+    let is_odd = if is_countable {
+        let cell = probe.note(Name::PatternCell, cell);
+        let sum = probe.note(Name::PatternSum, axes.dot(cell));
+        probe.note(Name::PatternParity, sum - 2.0 * (sum / 2.0).floor()) != 0.0
+    } else {
+        probe.mark(Decision::Undefined { quantity: Name::PatternCell });
+        false
+    };
+    if is_odd {
+        probe.given(Name::PatternB, checker.b);
+        probe.note(Name::PatternColorOdd, checker.b)
+    } else {
+        probe.given(Name::PatternA, checker.a);
+        probe.note(Name::PatternColorEven, checker.a)
+    }
+}
+
+/// 1 on the axes along which cubes are counted. On a flat surface the one nearest to its normal is left out, of equals the
+/// first: such a surface often lies exactly between two layers of cubes, where rounding would mix their colours.
+fn axes(scene: &Scene, meeting: &Meeting) -> DVec3 {
+    if !scene.objects[meeting.object as usize].shape.is_flat(meeting.primitive) {
+        return DVec3::ONE;
+    }
+    let normal = meeting.surface.geometric_normal().abs();
+    match () {
+        _ if normal.x >= normal.y && normal.x >= normal.z => DVec3::new(0.0, 1.0, 1.0),
+        _ if normal.y >= normal.z => DVec3::new(1.0, 0.0, 1.0),
+        _ => DVec3::new(1.0, 1.0, 0.0),
+    }
+}
