@@ -125,9 +125,7 @@ fn warn_of_meshes(file: &SceneFile, scene: &Path, output: Option<&Path>) {
         let is_file = scene.exists() && scene != Path::new("-");
         is_file && folder(&Path::new(".").join(output)) == folder(&Path::new(".").join(scene))
     });
-    let mut paths: Vec<&str> = file.objects.iter().filter_map(|object| object.shape.mesh_path()).collect();
-    paths.sort_unstable();
-    paths.dedup();
+    let paths = scene_argument::mesh_paths(file);
     if !stays && !paths.is_empty() {
         let list = paths.iter().map(|path| format!("`{}`", visible(path))).collect::<Vec<_>>().join(", ");
         output::tell(&format!(

@@ -5,7 +5,7 @@ use super::options::ColorChoice;
 use super::output;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
-use raywalk::scene::file::schema::{Object, SceneFile, Shape};
+use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::{self, Finding, Problem, SceneError, Source, visible};
 use raywalk::scene::{builtin, unsupported};
 use std::collections::BTreeSet;
@@ -39,15 +39,14 @@ impl Loaded {
 
 /// The files of a scene: the argument itself and the meshes beside it.
 pub fn inputs(scene: &SceneFile, argument: &Path) -> Vec<PathBuf> {
-    let mesh = |object: &Object| match &object.shape {
-        Shape::Mesh(mesh) => Some(mesh.path.clone()),
-        _ => None,
-    };
-    // Thousands of objects may share a mesh.
-    let meshes: BTreeSet<String> = scene.objects.iter().filter_map(mesh).collect();
     let folder = argument.parent().unwrap_or(Path::new(""));
-    let meshes = meshes.iter().map(|mesh| folder.join(mesh));
+    let meshes = mesh_paths(scene).into_iter().map(|mesh| folder.join(mesh));
     [argument.to_owned()].into_iter().chain(meshes).collect()
+}
+
+/// The paths of a scene's meshes, each once: thousands of objects may share a mesh.
+pub fn mesh_paths(scene: &SceneFile) -> BTreeSet<&str> {
+    scene.objects.iter().filter_map(|object| object.shape.mesh_path()).collect()
 }
 
 /// Reads and checks the scene and its meshes; prints their warnings.

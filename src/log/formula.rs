@@ -173,7 +173,7 @@ impl<'t> Parser<'t> {
         }
         if self.eat("Σ(") {
             let inner = self.sum()?;
-            self.expect(")")?;
+            self.require(")")?;
             return Ok(Formula::OverLights(Box::new(inner)));
         }
         for (word, extreme) in [("min(", Extreme::Min), ("max(", Extreme::Max)] {
@@ -183,17 +183,17 @@ impl<'t> Parser<'t> {
         }
         if self.eat("(") {
             let inner = self.sum()?;
-            self.expect(")")?;
+            self.require(")")?;
             return Ok(Formula::Grouped(Box::new(inner)));
         }
         if self.eat("|") {
             let inner = self.sum()?;
-            self.expect("|")?;
+            self.require("|")?;
             return Ok(Formula::Length(Box::new(inner)));
         }
         if self.eat("⌊") {
             let inner = self.sum()?;
-            self.expect("⌋")?;
+            self.require("⌋")?;
             return Ok(Formula::Floor(Box::new(inner)));
         }
         self.number()
@@ -204,10 +204,10 @@ impl<'t> Parser<'t> {
         let first = Box::new(self.sum()?);
         if self.eat(",") {
             let second = Box::new(self.sum()?);
-            self.expect(")")?;
+            self.require(")")?;
             return Ok(Formula::Extreme(extreme, first, second));
         }
-        self.expect(")")?;
+        self.require(")")?;
         Ok(Formula::ExtremeComponent(extreme, first))
     }
 
@@ -245,7 +245,7 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn expect(&mut self, token: &str) -> Result<(), String> {
+    fn require(&mut self, token: &str) -> Result<(), String> {
         if self.eat(token) { Ok(()) } else { Err(format!("expected `{token}`, found `{}`", self.rest)) }
     }
 }

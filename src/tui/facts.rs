@@ -90,7 +90,8 @@ impl Facts {
 /// Whether a quantity is what such a node is there for.
 fn says_what_came(step: Option<Step>, key: &str) -> bool {
     match step {
-        Some(Step::Test { .. }) => true,
+        // The distance; a disk and a polygon name more after it.
+        Some(Step::Test { .. }) => key.ends_with(".t"),
         Some(Step::Shade { .. }) => key == "shade.local",
         Some(Step::Combine) => key == "combine.color",
         _ => false,

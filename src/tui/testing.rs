@@ -31,6 +31,15 @@ pub(super) fn glass() -> Log {
     record::pixel(&scene(text), [1, 1], Arithmetic::F64)
 }
 
+/// A ray that hits a disk and a polygon behind it, which name more quantities after the distance.
+pub(super) fn flat() -> Log {
+    let text = r#"{
+      "format": "raywalk-scene/1", "name": "flat", "camera": {"position": [0, 0, 5], "direction": [0, 0, -1]},
+      "objects": [{"name": "disk", "shape": {"disk": {"center": [0.25, 0, 1], "normal": [0, 0, 1], "radius": 1}}},
+                  {"name": "square", "shape": {"polygon": {"vertices": [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]}}}]}"#;
+    record::pixel(&scene(text), [160, 120], Arithmetic::F64)
+}
+
 /// A scene from the text of its file.
 fn scene(text: &str) -> Scene {
     let loaded = file::check(text.as_bytes(), "test").unwrap_or_else(|error| panic!("{}", error.report(false)));

@@ -1,9 +1,9 @@
 //! The viewer without a terminal: what keys do, and that every size of screen can be drawn.
 
 use super::dump::dump;
-use super::testing::{glass, nested, sized, textbook, typed};
+use super::testing::{flat, glass, nested, sized, textbook, typed};
 use super::*;
-use crate::log::What;
+use crate::log::{Step, What};
 
 /// Types `keys` at the numeric example; the selected node then has this title.
 #[track_caller]
@@ -195,6 +195,18 @@ fn the_current_step_is_always_on_the_screen() {
             typed(&mut model, "]");
         }
     }
+}
+
+#[test]
+fn a_hit_shows_its_distance_whatever_else_is_named() {
+    let model = sized(flat(), 100, 30);
+    let tests =
+        (1..model.tree.nodes().len()).filter(|node| matches!(model.tree.nodes()[*node].step, Some(Step::Test { .. })));
+    let shown = |node: usize| match model.facts.value(node).map(|event| &model.log.events[event].what) {
+        Some(What::Note { name, .. }) => name.key(),
+        _ => "nothing",
+    };
+    assert_eq!(tests.map(shown).collect::<Vec<_>>(), ["disk.t", "polygon.t"]);
 }
 
 #[test]

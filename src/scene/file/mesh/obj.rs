@@ -52,10 +52,14 @@ const SKIPPED: &[&[u8]] = &[
     b"csh",
 ];
 
+/// What some editors put before a text.
+const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
+
 /// The mesh in the text of an OBJ file, and warnings.
 pub fn read(source: &Source) -> Result<(Mesh, Vec<Problem>), SceneError> {
+    let start = if source.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
     let mut reader = Reader {
-        words: Words::new(source.text, 0, Syntax::Obj),
+        words: Words::new(source.text, start, Syntax::Obj),
         mesh: Collector::default(),
         highest_vertex: None,
         highest_normal: None,

@@ -178,3 +178,9 @@ fn the_line_is_shown() {
     let report = error.report(false);
     assert!(report.ends_with("\n  |\n4 | f 1 2 x\n  |       ^"), "{report}");
 }
+
+#[test]
+fn a_byte_order_mark_is_passed_over() {
+    assert_eq!(reads(format!("\u{feff}{SQUARE}"), "a.obj").mesh.faces.len(), 2);
+    refuses("\u{feff}v 1 2 x\n", "a.obj", "1:8: expected a finite number, found `x`");
+}
