@@ -13,6 +13,17 @@ pub struct Event {
     pub what: What,
     /// Inputs that the problem states and no arithmetic rounds, used from this event on.
     pub given: Vec<(Name, Value)>,
+    /// How far several perturbed runs agree on it, if there were any.
+    pub digits: Option<Box<Digits>>,
+}
+
+/// How far several runs of a computation, each perturbed in its own way, agree on what an event says.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Digits {
+    /// So many significant decimal digits of each component are the same.
+    Significant(Value),
+    /// None: the decision isn't the same in all runs, or one that stands before this value.
+    DecisionDiffers,
 }
 
 /// What an event says.
@@ -44,7 +55,7 @@ pub enum What {
 }
 
 /// What a node of the computation is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Step {
     /// A pixel (opens the pixels of a region log).
     Pixel([u32; 2]),
@@ -82,7 +93,7 @@ pub enum Step {
 }
 
 /// What a ray is for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum RayKind {
     /// From the eye through the picture.
     Camera,

@@ -5,12 +5,18 @@
 //! every method does nothing, so that [`Silent`] compiles to nothing.
 
 mod altered;
+mod perturbed;
+mod position;
 mod printed;
+mod ray_tree;
 mod recorder;
 mod silent;
 
 pub use altered::{Alteration, Altered, Decimal, Single, round_half_away};
+pub use perturbed::{Perturbed, Places};
+pub use position::Position;
 pub use printed::{Printed, PrintedValue};
+pub use ray_tree::{RayTree, is_same};
 pub use recorder::{CutOff, Outlet, Recorder, until_cut_off};
 pub use silent::Silent;
 

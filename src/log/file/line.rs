@@ -22,6 +22,9 @@ pub(super) struct Line {
     pub result: Option<PixelResult>,
     #[serde(default)]
     pub given: Given,
+    pub digits: Option<Value>,
+    #[serde(default)]
+    pub decision_differs: bool,
     pub end: Option<End>,
     #[serde(default)]
     pub children: Vec<Line>,
