@@ -1,5 +1,6 @@
 //! The command line: one file a command.
 
+mod causes;
 mod failure;
 mod options;
 mod output;

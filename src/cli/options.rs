@@ -45,7 +45,8 @@ pub struct TracingOptions {
     /// Pixels across and down; the vertical field of view stays
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// In which arithmetic: f64, f32, decimal:N (by hand with N decimals), printed (the book's own values)
+    /// In which arithmetic: f64, f32, decimal:N (by hand with N decimals), perturbed:SEED (f64 with every quantity moved by
+    /// an ulp at random, which shows how many digits can be trusted), printed (the book's own values)
     #[arg(long, value_name = "NAME", default_value = "f64")]
     pub arithmetic: Arithmetic,
     /// Which pseudocode: recursive, whitted or foley

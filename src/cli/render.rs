@@ -6,11 +6,13 @@ use super::output::{self, Output};
 use super::progress::ProgressOptions;
 use super::scene_argument;
 use clap::{Args, ValueEnum};
+use image::ImageError;
 use raywalk::record::Arithmetic;
-use raywalk::render::export::{self, Format};
+use raywalk::render::digits::{Summary, false_colors, render_digits};
+use raywalk::render::export::{self, Encoded, Format};
 use raywalk::render::statistics::{Seconds, Statistics};
-use raywalk::render::{Settings, render};
-use raywalk::scene::Scene;
+use raywalk::render::{Film, Settings, render};
+use raywalk::scene::{self, Scene};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -26,6 +28,11 @@ pub struct Render {
     /// Only a part: left, top, right and bottom in pixels, the last two exclusive
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>)]
     crop: Option<[u32; 4]>,
+    /// Show where few digits can be trusted instead of the colours: the fewest significant digits of a pixel's channels
+    /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In .png and .ppm bright yellow is 0
+    /// digits and black is 15.95; .pfm holds the numbers
+    #[arg(long)]
+    digits: bool,
     /// Write PNG with 16 bits a channel
     #[arg(long)]
     png16: bool,
@@ -55,6 +62,7 @@ impl Render {
                 "render: --arithmetic printed is for the walk of the numeric example's one pixel",
             ));
         }
+        let digits_seed = self.digits_seed()?;
         let load = Instant::now();
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let mut seconds = Seconds { load: load.elapsed().as_secs_f64(), ..Seconds::default() };
@@ -73,14 +81,27 @@ impl Render {
         let start = Instant::now();
         let [left, top, right, bottom] = settings.crop;
         let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
-        let rendered = render(&scene, &settings, |pixels| progress.advance(pixels), &AtomicBool::new(false));
+        let advance = |pixels| progress.advance(pixels);
+        let rendered = match digits_seed {
+            None => render(&scene, &settings, advance, &AtomicBool::new(false)),
+            Some(seed) => render_digits(&scene, &settings, seed, advance, &AtomicBool::new(false)),
+        };
         progress.finish();
         let rendered = rendered.map_err(|error| Failure::machine(error.to_string()))?;
         seconds.render = start.elapsed().as_secs_f64();
 
-        let encoded = export::encode(&rendered.film, format, &scene.output)
-            .map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", self.output.display())))?;
+        let encoded = if self.digits {
+            encode_digits(&rendered.film, format)
+        } else {
+            export::encode(&rendered.film, format, &scene.output)
+        };
+        let encoded =
+            encoded.map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", self.output.display())))?;
         output.commit(&encoded.bytes)?;
+        if self.digits && !self.progress.quiet {
+            let Summary { fewest, median, without } = Summary::of(&rendered.film);
+            output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
+        }
         if encoded.clipped_pixels > 0 && !self.progress.quiet {
             output::tell(&format!("note: {} pixels were brighter than white and clipped", encoded.clipped_pixels));
         }
@@ -89,6 +110,18 @@ impl Render {
                 print_statistics(&counts.statistics(encoded.clipped_pixels, seconds, peak_bytes()), stats)
             }
             _ => Ok(()),
+        }
+    }
+
+    /// The seed of the first run, if digits are asked for.
+    fn digits_seed(&self) -> Result<Option<u64>, Failure> {
+        match self.tracing.arithmetic {
+            _ if !self.digits => Ok(None),
+            Arithmetic::F64 => Ok(Some(0)),
+            Arithmetic::Perturbed(seed) => Ok(Some(seed)),
+            other => Err(Failure::caller(format!(
+                "render: --digits counts the digits of f64: expected --arithmetic perturbed:SEED or none, found {other}"
+            ))),
         }
     }
 
@@ -110,6 +143,15 @@ impl Render {
         Err(Failure::caller(format!(
             "--crop {found}: expected X0 < X1 <= {width} and Y0 < Y1 <= {height}, the picture has {width} x {height} pixels"
         )))
+    }
+}
+
+/// Digits as numbers where the format has numbers, else in false colours, whatever white the scene has.
+fn encode_digits(digits: &Film, format: Format) -> Result<Encoded, ImageError> {
+    let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
+    match format {
+        Format::Pfm => export::encode(digits, format, &plain),
+        Format::Png8 | Format::Png16 | Format::Ppm => export::encode(&false_colors(digits), format, &plain),
     }
 }
 

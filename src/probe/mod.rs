@@ -14,7 +14,7 @@ mod silent;
 
 pub use altered::{Alteration, Altered, Decimal, Single, round_half_away};
 pub use perturbed::{Perturbed, Places};
-pub use position::Position;
+pub use position::{Position, mixed_with};
 pub use printed::{Printed, PrintedValue};
 pub use ray_tree::{RayTree, is_same};
 pub use recorder::{CutOff, Outlet, Recorder, until_cut_off};

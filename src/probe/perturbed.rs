@@ -113,9 +113,8 @@ mod tests {
 
     #[test]
     fn a_sample_is_perturbed_by_its_place() {
-        let throws = |perturbed: &mut Perturbed| -> Vec<f64> {
-            (0..64).map(|_| perturbed.alter(Name::PlaneT, 1.0)).collect()
-        };
+        let throws =
+            |perturbed: &mut Perturbed| -> Vec<f64> { (0..64).map(|_| perturbed.alter(Name::PlaneT, 1.0)).collect() };
         let mut pixel = Perturbed::new(5, Places { first: [20, 40], across: 3 });
         pixel.enter(Step::Sample { number: 6 });
         let mut corner = Perturbed::new(5, Places { first: [22, 41], across: 0 });

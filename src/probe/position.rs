@@ -91,8 +91,8 @@ pub(super) fn words(step: Step) -> [u64; 3] {
     }
 }
 
-/// A number that looks random, made of two.
-pub(super) fn mixed_with(key: u64, word: u64) -> u64 {
+/// A number that looks random, made of two: the same on every machine, for the same two.
+pub fn mixed_with(key: u64, word: u64) -> u64 {
     mixed(key.wrapping_add(GOLDEN) ^ mixed(word))
 }
 

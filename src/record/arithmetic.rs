@@ -112,7 +112,18 @@ mod tests {
 
     #[test]
     fn other_words_are_refused() {
-        for text in ["", "f16", "decimal", "decimal:", "decimal:-1", "decimal:16", "decimal:x", "perturbed:", "perturbed:-1", "perturbed:1.5"] {
+        for text in [
+            "",
+            "f16",
+            "decimal",
+            "decimal:",
+            "decimal:-1",
+            "decimal:16",
+            "decimal:x",
+            "perturbed:",
+            "perturbed:-1",
+            "perturbed:1.5",
+        ] {
             assert!(text.parse::<Arithmetic>().is_err(), "{text}");
         }
     }

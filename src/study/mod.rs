@@ -1,4 +1,5 @@
 //! What the program measures about itself.
 
+pub mod rounding;
 pub mod stress;
 pub mod textbook;
