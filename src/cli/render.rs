@@ -29,8 +29,8 @@ pub struct Render {
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>)]
     crop: Option<[u32; 4]>,
     /// Show where few digits can be trusted instead of the colours: the fewest significant digits of a pixel's channels
-    /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In .png and .ppm bright yellow is 0
-    /// digits and black is 15.95; .pfm holds the numbers
+    /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In .png and .ppm black is all
+    /// 15.95 digits and bright yellow none; .pfm holds the numbers
     #[arg(long)]
     digits: bool,
     /// Write PNG with 16 bits a channel

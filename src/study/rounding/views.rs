@@ -11,11 +11,11 @@ impl Study {
         let off: [f64; 3] = std::array::from_fn(|channel| self.rounded[channel] - self.exact[channel]);
         let mut lines = vec![
             format!("{} · {} · {}", words::plain(&header.scene.name), words::subject(header), header.arithmetic),
-            format!("rounded  {}", triple(self.rounded, "", style)),
-            format!("in f64   {}", triple(self.exact, "", style)),
-            format!("off by   {}", triple(off, "+", style)),
+            format!("rounded      {}", triple(self.rounded, "", style)),
+            format!("in f64       {}", triple(self.exact, "", style)),
+            format!("off by       {}", triple(off, "+", style)),
             format!(
-                "         about {} when each is rounded up or down at random ({RUNS} runs)",
+                "to expect    {}, from {RUNS} runs that round up or down at random",
                 triple(self.spread, "±", style)
             ),
         ];
