@@ -42,6 +42,9 @@ pub(super) fn put_into(
     seed: u64,
     record: impl Fn(Arithmetic) -> Result<Vec<Event>, CutOff>,
 ) -> Result<(), CutOff> {
+    // The numbers of digits themselves: in the middle of the work an allocation that fails could only abort.
+    let asked = Vec::<Digits>::new().try_reserve_exact(2 * events.len());
+    asked.map_err(|_| CutOff::Memory)?;
     let mut differs = filled(events.len(), false)?;
     let mut values = Vec::with_capacity(RUNS);
     let ours = Run::of(events);

@@ -28,8 +28,9 @@ pub fn significant(values: &[f64; RUNS]) -> f64 {
     let variance = ways.iter().map(|way| (way - mean_way) * (way - mean_way)).sum::<f64>() / (count - 1.0);
     let mean = values[0] / greatest + mean_way;
     let digits = libm::log10(count.sqrt() * mean.abs() / (variance.sqrt() * STUDENT));
-    // Infinite where the mean is 0; not a number never passes `max`.
-    (digits.max(0.0).min(ALL_DIGITS) * 100.0 + 1e-9).floor() / 100.0
+    // Not a number where the differences overflow: then they are as large as the values.
+    let digits = if digits.is_nan() { 0.0 } else { digits.clamp(0.0, ALL_DIGITS) };
+    (digits * 100.0 + 1e-9).floor() / 100.0
 }
 
 #[cfg(test)]
@@ -61,6 +62,7 @@ mod tests {
     fn what_has_no_digits_has_none() {
         has([1.0, -1.0, 2.0, -2.0, 0.0], 0.0);
         has([1.0, -3.0, 2.0, -2.5, 4.0], 0.0);
+        has([1.7e308, -1.7e308, 1.7e308, 1.0, 2.0], 0.0);
     }
 
     #[test]
