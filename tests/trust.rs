@@ -51,6 +51,14 @@ fn digits_that_can_be_trusted() {
         "perturbed:SEED with a whole SEED from 0",
     );
 
+    // Runs are compared when they are whole, so that such a log can't be written as it grows.
+    let long = ["--sampling", "shared:160", "--arithmetic", "perturbed"];
+    let message = "the log would have more than 1048576 events, expected a smaller --max-depth";
+    says(2, &[&["trace", "textbook", "--pixel", "160,120"], &long[..]].concat(), message);
+    let picture = path("viewer.svg");
+    prints(&["walk", "textbook", "--arithmetic", "perturbed:1", "--screenshot", &picture]);
+    assert!(fs::read_to_string(&picture).expect("a picture").contains("(15 digits)"));
+
     let (pfm, png) = (path("digits.pfm"), path("digits.png"));
     let render = ["render", "figure-6", "--size", "20x15", "--digits", "-o"];
     let statistics = prints(&[&render[..], &[&pfm, "--stats", "json", "--quiet"]].concat());
