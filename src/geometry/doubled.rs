@@ -57,9 +57,18 @@ impl Doubled {
         quick_sum(root, rest.head / (2.0 * root))
     }
 
+    /// The quotient, right to the last bit or two of an f64.
+    #[inline]
+    pub fn quotient(self, other: Doubled) -> f64 {
+        let first = self.head / other.head;
+        let product = Doubled::product(first, other.head);
+        let rest = ((self.head - product.head) - product.tail) + (self.tail - first * other.tail);
+        first + rest / other.head
+    }
+
     /// The number times 2 to this power, exactly, unless it over- or underflows.
     pub fn scaled(self, exponent: i32) -> Doubled {
-        Doubled { head: libm::scalbn(self.head, exponent), tail: libm::scalbn(self.tail, exponent) }
+        Doubled { head: scaled(self.head, exponent), tail: scaled(self.tail, exponent) }
     }
 }
 
@@ -188,10 +197,47 @@ impl From<DVec3> for Doubled3 {
     }
 }
 
-/// The power of two of a number's size, for [`Doubled::scaled`]; 0 for what has none.
-pub(crate) fn exponent(x: f64) -> i32 {
-    if x == 0.0 || !x.is_finite() { 0 } else { libm::ilogb(x) }
+/// The length of a vector.
+#[inline]
+pub(crate) fn length(vector: DVec3) -> Doubled {
+    let [x, y, z] = vector.to_array().map(|x| Doubled::product(x, x));
+    let first = Doubled::sum(x.head, y.head);
+    let all = Doubled::sum(first.head, z.head);
+    let tails = first.tail + all.tail + (x.tail + y.tail + z.tail);
+    let length = (all.head + tails).sqrt();
+    let square = Doubled::product(length, length);
+    let rest = (all.head - square.head) + (tails - square.tail);
+    Doubled { head: length, tail: if length > 0.0 { rest / (2.0 * length) } else { 0.0 } }
 }
+
+/// The power of two of a number's size, for [`scaled`]; 0 for what has none.
+#[inline]
+pub(crate) fn exponent(x: f64) -> i32 {
+    match (x.to_bits() >> DIGITS) & INFINITE {
+        0 if x != 0.0 => libm::ilogb(x),
+        0 | INFINITE => 0,
+        biased => biased as i32 - BIAS,
+    }
+}
+
+/// The number times 2 to this power.
+#[inline]
+pub(crate) fn scaled(x: f64, exponent: i32) -> f64 {
+    if (1..2 * BIAS + 1).contains(&(exponent + BIAS)) {
+        x * f64::from_bits(((exponent + BIAS) as u64) << DIGITS)
+    } else {
+        libm::scalbn(x, exponent)
+    }
+}
+
+/// The stored digits of an f64.
+const DIGITS: u32 = 52;
+
+/// What is added to the exponent of an f64.
+const BIAS: i32 = 1023;
+
+/// The stored exponent of what isn't finite.
+const INFINITE: u64 = 0x7ff;
 
 /// a + b without any error where |a| ≥ |b| (Dekker).
 #[inline]

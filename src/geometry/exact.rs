@@ -73,24 +73,47 @@ impl Exact {
     }
 }
 
-/// a·b + rest, without error before the last rounding to twice the digits.
+/// a·b + rest, right to the last digits of a doubled number or nearly so, however much of it cancels.
 pub(super) fn dot(a: DVec3, b: DVec3, rest: f64) -> Doubled {
-    let mut sum = Exact::default();
-    sum.add(rest);
-    for (a, b) in a.to_array().into_iter().zip(b.to_array()) {
-        sum.add_product(a, b);
-    }
-    sum.doubled()
+    let products = [Doubled::product(a.x, b.x), Doubled::product(a.y, b.y), Doubled::product(a.z, b.z)];
+    sum_of([Doubled::from(rest), products[0], products[1], products[2]])
 }
 
-/// v·v − r², without error before the last rounding to twice the digits.
+/// v·v − r², likewise.
 pub(super) fn squared_less(v: Doubled3, r: f64) -> Doubled {
+    let square = |part: Doubled| part * part;
+    let quick = Doubled::product(-r, r) + square(v.x) + square(v.y) + square(v.z);
+    if quick.head.abs() > LEAST_LEFT * (r * r) {
+        return quick;
+    }
     let mut sum = Exact::default();
     sum.add_product(-r, r);
     for Doubled { head, tail } in [v.x, v.y, v.z] {
         sum.add_product(tail, tail);
         sum.add_product(2.0 * head, tail);
         sum.add_product(head, head);
+    }
+    sum.doubled()
+}
+
+/// The part of a sum's terms below which its digits aren't all there with doubled numbers: their errors, some 2⁻¹⁰⁰ of the terms,
+/// are 2⁻⁶⁰ of what is left then.
+const LEAST_LEFT: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// The sum of numbers that are exact.
+#[inline]
+fn sum_of(terms: [Doubled; 4]) -> Doubled {
+    let quick = terms[1..].iter().fold(terms[0], |sum, term| sum + *term);
+    let size: f64 = terms.iter().map(|term| term.head.abs()).sum();
+    if quick.head.abs() > LEAST_LEFT * size { quick } else { exact_sum_of(terms) }
+}
+
+#[cold]
+fn exact_sum_of(terms: [Doubled; 4]) -> Doubled {
+    let mut sum = Exact::default();
+    for Doubled { head, tail } in terms {
+        sum.add(tail);
+        sum.add(head);
     }
     sum.doubled()
 }

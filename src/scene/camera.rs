@@ -1,6 +1,7 @@
 //! The eye: which ray goes through which place of the picture.
 
 use crate::geometry::Ray;
+use crate::geometry::ray::middling;
 use crate::log::{Decision, Name};
 use crate::probe::Probe;
 use glam::DVec3;
@@ -100,7 +101,7 @@ fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
     let unit = vector / length;
     let direction = probe.note(Name::RayDirection, unit);
     // An arithmetic that goes on with another direction is to go on with that one only.
-    let vector = if direction == unit { vector } else { direction };
+    let vector = if direction == unit { middling(vector) } else { direction };
     Some(Ray { vector, ..Ray::new(origin, direction) })
 }
 

@@ -67,6 +67,7 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 /// Whether the ray meets anything at all.
 pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
     let mut is_hit = false;
+    let ray = &ray.without_distance();
     scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         is_hit |= thing.shape.is_crossed(object, thing.one_sided, ray, probe);
@@ -85,12 +86,13 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
+    let asking = ray.without_distance();
     scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         if lets_light_pass && scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
-        } else if thing.shape.is_crossed(object, thing.one_sided, ray, probe) {
+        } else if thing.shape.is_crossed(object, thing.one_sided, &asking, probe) {
             if !is_blocked {
                 probe.mark(Decision::Occluded { object });
             }

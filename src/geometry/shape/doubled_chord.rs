@@ -1,6 +1,6 @@
 //! The chord of a ray in a sphere with twice the digits, and when it is needed.
 
-use crate::geometry::doubled::{Doubled, Doubled3, exponent};
+use crate::geometry::doubled::{Doubled, Doubled3, exponent, length, scaled};
 use crate::geometry::exact::squared_less;
 use crate::geometry::ray::Ray;
 use glam::DVec3;
@@ -29,6 +29,45 @@ pub(super) fn is_touch_in_doubt(t2_a: f64, l2_oc: f64, radius_squared: f64) -> b
     t2_a.abs() <= OF_CHORD * (l2_oc + radius_squared)
 }
 
+/// A distance to the sphere, of which the first digits are right, with all of its digits: with s = t/|v| and
+/// f(s) = |OC − s·v|² − r², of which nothing is lost to rounding, the correction is the small root of
+/// v·v·Δ² + f′·Δ + f = 0, where a few digits of f′ and Δ are enough.
+pub(super) fn corrected(center: DVec3, radius: f64, ray: &Ray, t: f64) -> f64 {
+    let vector = ray.vector;
+    let length = length(vector);
+    let s = t / length.head;
+    let [x, y, z] = [0, 1, 2].map(|i| from_center(center[i], ray.origin[i], s, vector[i]));
+    let r = Doubled::product(radius, -radius);
+    let squares = [x, y, z].map(|part| Doubled::product(part.head, part.head));
+    // Of magnitude r² all, but for what is left in the end.
+    let mut f = r;
+    let mut tails = r.tail;
+    for (part, square) in [x, y, z].into_iter().zip(squares) {
+        let sum = Doubled::sum(f.head, square.head);
+        f.head = sum.head;
+        tails += sum.tail + (square.tail + 2.0 * part.head * part.tail);
+    }
+    let f = f.head + tails;
+    let a = vector.dot(vector);
+    let slope = -2.0 * DVec3::new(x.head, y.head, z.head).dot(vector);
+    let root = (slope * slope - 4.0 * a * f).max(0.0).sqrt();
+    let correction = -2.0 * f / (slope + root.copysign(slope));
+    let rest = length.head * correction + length.tail * s;
+    let along = Doubled::product(s, length.head);
+    let corrected = along.head + (along.tail + rest);
+    // Not where squares overflow, or the root is a double one.
+    if corrected.is_finite() { corrected } else { t }
+}
+
+/// C − O − s·v along an axis.
+#[inline]
+fn from_center(center: f64, origin: f64, s: f64, v: f64) -> Doubled {
+    let oc = Doubled::sum(center, -origin);
+    let along = Doubled::product(s, v);
+    let heads = Doubled::sum(oc.head, -along.head);
+    Doubled::sum(heads.head, heads.tail + (oc.tail - along.tail))
+}
+
 /// The chord, each number of it right to the last bit or two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DoubledChord {
@@ -52,11 +91,10 @@ impl DoubledChord {
     pub fn of(center: DVec3, radius: f64, ray: &Ray) -> DoubledChord {
         let oc = Doubled3::difference(center, ray.origin);
         let size = exponent(oc.size().max(radius));
-        let (oc, radius) = (oc.scaled(-size), libm::scalbn(radius, -size));
-        let vector = Doubled3::from(ray.vector).scaled(-exponent(ray.vector.abs().max_element()));
+        let (oc, radius) = (oc.scaled(-size), scaled(radius, -size));
+        let vector = Doubled3::from(ray.vector);
         let c = squared_less(oc, radius);
-        let length = vector.dot(vector).sqrt();
-        DoubledChord::in_sphere(oc, vector, c, Doubled::product(radius, radius), length).scaled(size)
+        DoubledChord::in_sphere(oc, vector, c, Doubled::product(radius, radius), length(ray.vector)).scaled(size)
     }
 
     /// The chord along `vector` in the sphere whose centre is seen at `oc`, c = OC·OC − r²; distances are in units of the vector's
@@ -91,8 +129,8 @@ impl DoubledChord {
     /// The chord in a world larger by 2 to this power.
     fn scaled(self, size: i32) -> DoubledChord {
         DoubledChord {
-            t_a: libm::scalbn(self.t_a, size),
-            t2_a: libm::scalbn(self.t2_a, 2 * size),
+            t_a: scaled(self.t_a, size),
+            t2_a: scaled(self.t2_a, 2 * size),
             near: self.near.scaled(size),
             far: self.far.scaled(size),
             ..self

@@ -58,6 +58,36 @@ pub(super) fn meet_plane<P: Probe>(
     found
 }
 
+/// A sum of products.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sum {
+    /// The sum in f64.
+    pub value: f64,
+    /// The sum of the products' magnitudes, which its rounding errors are parts of.
+    pub terms: f64,
+}
+
+impl Sum {
+    /// Whether its terms are together at most so many times as large.
+    #[inline(always)]
+    fn keeps(self, most: f64) -> bool {
+        self.terms <= most * self.value.abs()
+    }
+}
+
+/// Whether the distance V_o/V_d has lost digits because the terms of a sum cancel, and half of them aren't enough.
+#[inline(always)]
+pub(super) fn is_distance_in_doubt(v_o: Sum, v_d: Sum, ray: &Ray) -> bool {
+    /// Each term errs by two roundings or three.
+    const MOST_CANCELLED: f64 = 2.0;
+    const HALF_CANCELLED: f64 = (1 << 20) as f64;
+    if v_o.keeps(MOST_CANCELLED) && v_d.keeps(MOST_CANCELLED) {
+        return false;
+    }
+    let has_half = v_o.keeps(HALF_CANCELLED) && v_d.keeps(HALF_CANCELLED);
+    !(has_half && ray.is_settled_by_half(v_o.value / v_d.value))
+}
+
 /// The unit normal toward the arriving ray, noted under the name for its side.
 #[inline]
 pub(super) fn toward<P: Probe>(side: Side, unit_normal: DVec3, front: Name, back: Name, probe: &mut P) -> DVec3 {

@@ -1,8 +1,9 @@
 //! The plane A·x + B·y + C·z + D = 0 (Ramos, section 1.3, steps 2 and 3).
 
+use super::flat::{Sum, is_distance_in_doubt};
 use super::{Approach, Kernel, decide};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::doubled::Doubled3;
+use crate::geometry::doubled::length;
 use crate::geometry::exact::dot;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
@@ -36,7 +37,10 @@ impl Kernel for Plane {
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         let v_d = self.normal.dot(ray.direction);
         let v_o = -(self.normal.dot(ray.origin) + self.offset);
-        if probe.certifies() && self.cancels(ray, v_d, v_o) {
+        let normal = self.normal.abs();
+        let along = Sum { value: v_d, terms: normal.dot(ray.direction.abs()) };
+        let above = Sum { value: v_o, terms: normal.dot(ray.origin.abs()) + self.offset.abs() };
+        if probe.certifies() && is_distance_in_doubt(above, along, ray) {
             return self.doubled_crossing(ray, approach, probe);
         }
         let v_d = probe.note(Name::PlaneVd, v_d);
@@ -66,25 +70,14 @@ impl Kernel for Plane {
 }
 
 impl Plane {
-    /// Whether the terms of a sum cancel so far that f64 has lost digits of it: each term errs by two roundings, those of the
-    /// direction among them.
-    #[inline]
-    fn cancels(&self, ray: &Ray, v_d: f64, v_o: f64) -> bool {
-        let normal = self.normal.abs();
-        normal.dot(ray.direction.abs()) > MOST_CANCELLED * v_d.abs()
-            || normal.dot(ray.origin.abs()) + self.offset.abs() > MOST_CANCELLED * v_o.abs()
-    }
-
-    /// The crossing, both sums without error before the last rounding.
+    /// The crossing, both sums with all their digits.
     #[cold]
     #[inline(never)]
     fn doubled_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         probe.fallback();
         let v_d = dot(self.normal, ray.vector, 0.0);
         let v_o = -dot(self.normal, ray.origin, self.offset);
-        let vector = Doubled3::from(ray.vector);
-        let length = vector.dot(vector).sqrt();
-        let t = (v_o * length / v_d).value();
+        let t = (v_o * length(ray.vector)).quotient(v_d);
         probe.note(Name::PlaneVd, self.normal.dot(ray.direction));
         if v_d.head == 0.0 || !t.is_finite() {
             probe.mark(Decision::Miss { why: Miss::Parallel });
@@ -94,9 +87,6 @@ impl Plane {
         decide(ray, approach, Crossing { t, side: side(v_d.head), primitive: 0 }, probe)
     }
 }
-
-/// How many times as large as its result a sum's terms may be together.
-const MOST_CANCELLED: f64 = 2.0;
 
 /// The side on which a ray arrives that goes along the normal by this much.
 #[inline]

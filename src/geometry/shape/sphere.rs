@@ -3,7 +3,7 @@
 //! The geometric method loses digits where r², L2oc and T_A² nearly cancel. The robust one takes the half chord from the
 //! vector OC − T_A·d, and the near root from the product of the roots (Haines et al., Ray Tracing Gems, chapter 7).
 
-use super::doubled_chord::{DoubledChord, is_side_in_doubt, is_touch_in_doubt};
+use super::doubled_chord::{DoubledChord, corrected, is_side_in_doubt, is_touch_in_doubt};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::length;
 use crate::geometry::bounds::Bounds;
@@ -16,8 +16,14 @@ use glam::DVec3;
 /// The largest square of the factor by which the root shows the error of the way to the line, that is let pass.
 const STEEPEST: f64 = 4.0;
 
+/// The same where half of the digits are enough: eight roundings of |OC|, times the root of this, are 2⁻²².
+const HALF_STEEP: f64 = (1_u64 << 56) as f64;
+
 /// The least part of L2oc that may be left of L2oc − r².
 const LEAST_DIFFERENCE: f64 = 0.5;
+
+/// The least part of L2oc left of L2oc − r² with which a distance can be corrected.
+const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
 
 /// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +31,8 @@ pub struct Sphere {
     center: DVec3,
     radius: f64,
     radius_squared: f64,
+    /// 1/r²
+    per_radius_squared: f64,
     method: SphereMethod,
     /// The side that faces outward.
     outer: Side,
@@ -56,18 +64,19 @@ struct Chord {
     t2_a: f64,
     is_origin_outside: bool,
     /// Where the line enters and leaves, where that was computed with twice the digits.
-    doubled: Option<DoubledChord>,
+    doubled: Option<[f64; 2]>,
 }
 
 impl Sphere {
     /// The sphere with this centre and positive radius; `inward` makes the inside its front.
     pub fn new(center: DVec3, radius: f64, inward: bool, method: SphereMethod) -> Sphere {
         let outer = if inward { Side::Back } else { Side::Front };
-        Sphere { center, radius, radius_squared: radius * radius, method, outer }
+        let radius_squared = radius * radius;
+        Sphere { center, radius, radius_squared, per_radius_squared: 1.0 / radius_squared, method, outer }
     }
 
     /// The chord, unless the ray's line passes beside the sphere or the sphere lies behind the origin.
-    #[inline]
+    #[inline(always)]
     fn chord<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Chord> {
         let oc = probe.note(Name::SphereOc, self.center - ray.origin);
         let l2_oc = probe.note(Name::SphereL2oc, oc.dot(oc));
@@ -113,73 +122,103 @@ impl Sphere {
             _ if found.is_origin_outside && found.t_a < 0.0 => Miss::Behind,
             _ if found.is_beside => Miss::Beside,
             _ => {
-                let DoubledChord { t_a, t2_a, is_origin_outside, .. } = found;
-                return Some(Chord { l2_oc: 0.0, t_a, t2_a, is_origin_outside, doubled: Some(found) });
+                let DoubledChord { t_a, t2_a, is_origin_outside, near, far, .. } = found;
+                let doubled = Some([near.value(), far.value()]);
+                return Some(Chord { l2_oc: 0.0, t_a, t2_a, is_origin_outside, doubled });
             }
         };
         probe.mark(Decision::Miss { why });
         None
     }
 
-    #[inline]
+    #[inline(always)]
     fn near<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> Crossing {
         let t = match (self.method, chord.doubled) {
-            (_, Some(doubled)) => probe.note(Name::SphereTDoubled, doubled.near.value()),
+            (_, Some([near, _])) => probe.note(Name::SphereTDoubled, near),
             (SphereMethod::Geometric, _) => probe.note(Name::SphereT, chord.t_a - chord.t2_a.sqrt()),
             (SphereMethod::Robust, _) => {
                 let t = (chord.l2_oc - self.radius_squared) / (chord.t_a + chord.t2_a.sqrt());
-                self.settled(ray, chord, (Name::SphereTNearRobust, t, true), |doubled| doubled.near, probe)
+                let has_its_digits = self.has_its_digits(chord, t) && self.keeps(chord, LEAST_DIFFERENCE);
+                self.settled(ray, chord, has_its_digits, (Name::SphereTNearRobust, t), probe)
             }
         };
         Crossing { t, side: self.outer, primitive: 0 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn far<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> Crossing {
-        let is_robust = self.method == SphereMethod::Robust;
-        let t = match chord.doubled {
-            Some(doubled) => probe.note(Name::SphereTDoubled, doubled.far.value()),
-            None if is_robust && chord.t_a < 0.0 => {
+        let t = match (self.method, chord.doubled) {
+            (_, Some([_, far])) => probe.note(Name::SphereTDoubled, far),
+            (SphereMethod::Geometric, _) => probe.note(Name::SphereTFar, chord.t_a + chord.t2_a.sqrt()),
+            (SphereMethod::Robust, _) if chord.t_a < 0.0 => {
                 let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
-                self.settled(ray, chord, (Name::SphereTFarRobust, t, true), |doubled| doubled.far, probe)
+                let has_its_digits = self.has_its_digits(chord, t) && self.keeps(chord, LEAST_DIFFERENCE);
+                self.settled(ray, chord, has_its_digits, (Name::SphereTFarRobust, t), probe)
             }
-            None => {
+            (SphereMethod::Robust, _) => {
                 let t = chord.t_a + chord.t2_a.sqrt();
-                if is_robust {
-                    self.settled(ray, chord, (Name::SphereTFar, t, false), |doubled| doubled.far, probe)
-                } else {
-                    probe.note(Name::SphereTFar, t)
-                }
+                self.settled(ray, chord, self.has_its_digits(chord, t), (Name::SphereTFar, t), probe)
             }
         };
         Crossing { t, side: self.outer.opposite(), primitive: 0 }
     }
 
     /// The distance as it is, or with twice the digits where too few of it are right.
-    #[inline]
+    #[inline(always)]
     fn settled<P: Probe>(
         &self,
         ray: &Ray,
         chord: &Chord,
-        (name, t, has_difference): (Name, f64, bool),
-        pick: impl Fn(&DoubledChord) -> Doubled,
+        has_its_digits: bool,
+        (name, t): (Name, f64),
         probe: &mut P,
     ) -> f64 {
-        if !probe.certifies() || self.has_its_digits(chord, t, has_difference) {
+        if has_its_digits || !probe.certifies() || self.is_settled_by_half(ray, chord, t) {
             return probe.note(name, t);
         }
         probe.fallback();
-        let t = pick(&DoubledChord::of(self.center, self.radius, ray)).value();
+        let t = self.corrected(ray, chord, t);
         probe.note(Name::SphereTDoubled, t)
     }
 
-    /// Whether a distance of this chord has lost no more than a bit or two. What errs is the way p from the centre to the line, by
-    /// roundings of |OC|, which √T2_A shows p/√T2_A times as large; and L2oc − r², where the two nearly cancel.
-    #[inline]
-    fn has_its_digits(&self, chord: &Chord, t: f64, has_difference: bool) -> bool {
+    /// The distance with all of its digits.
+    #[cold]
+    #[inline(never)]
+    fn corrected(&self, ray: &Ray, chord: &Chord, t: f64) -> f64 {
+        // At the surface itself the distance is made of errors, and a correction of it would be, too.
+        if self.keeps(chord, LEAST_TO_CORRECT) {
+            return corrected(self.center, self.radius, ray, t);
+        }
+        let DoubledChord { near, far, .. } = DoubledChord::of(self.center, self.radius, ray);
+        let [near, far] = [near.value(), far.value()];
+        if (t - near).abs() < (t - far).abs() { near } else { far }
+    }
+
+    /// Whether a distance of this chord has lost no more than a bit or two by the way p from the centre to the line, which errs
+    /// by roundings of |OC|: √T2_A shows them p/√T2_A times as large.
+    #[inline(always)]
+    fn has_its_digits(&self, chord: &Chord, t: f64) -> bool {
+        self.is_steep_at_most(chord, t, STEEPEST)
+    }
+
+    #[inline(always)]
+    fn is_steep_at_most(&self, chord: &Chord, t: f64, most: f64) -> bool {
         let p2 = self.radius_squared - chord.t2_a;
-        let cancels = (chord.l2_oc - self.radius_squared).abs() < chord.l2_oc * LEAST_DIFFERENCE;
-        p2 / chord.t2_a * (chord.l2_oc / (t * t)) <= STEEPEST && !(has_difference && cancels)
+        // Parts of r², whose products with squares stay in range.
+        let (of_way, of_chord) = (p2 * self.per_radius_squared, chord.t2_a * self.per_radius_squared);
+        of_way * chord.l2_oc <= most * of_chord * (t * t)
+    }
+
+    /// Whether so much of L2oc is left of L2oc − r².
+    #[inline(always)]
+    fn keeps(&self, chord: &Chord, least: f64) -> bool {
+        (chord.l2_oc - self.radius_squared).abs() >= chord.l2_oc * least
+    }
+
+    /// Whether the distance has half of its digits, and they are enough.
+    #[inline]
+    fn is_settled_by_half(&self, ray: &Ray, chord: &Chord, t: f64) -> bool {
+        ray.is_settled_by_half(t) && self.is_steep_at_most(chord, t, HALF_STEEP) && self.keeps(chord, LEAST_TO_CORRECT)
     }
 
     /// The other end of the chord of a ray that sets off inward from the sphere itself: one root is 0, the other 2·T_A.

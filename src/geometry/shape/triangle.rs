@@ -11,11 +11,11 @@
 //! D of a triangle of size s they err by D²/s² roundings. V_o/V_d with the triangle's own normal errs by a few, if
 //! the normal has all its digits, which [`area_normal`] sees to.
 
-use super::flat::{PlaneHit, PlaneNames, meet_plane, toward};
+use super::flat::{PlaneHit, PlaneNames, Sum, is_distance_in_doubt, meet_plane, toward};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::{area_normal, unit};
 use crate::geometry::bounds::{Bounds, Slabs};
-use crate::geometry::doubled::{Doubled3, exponent};
+use crate::geometry::doubled::{Doubled3, exponent, length};
 use crate::geometry::exact::triple_product;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
@@ -94,7 +94,7 @@ impl Facet {
         }
         let normal = self.normal();
         probe.given(Name::TriangleNormal, normal);
-        let plane = if probe.certifies() && cancels(ray, normal, self.a) {
+        let plane = if probe.certifies() && is_in_doubt_along(ray, normal, self.a) {
             self.meet_doubled(ray, probe)?
         } else {
             let plane = meet_plane(ray, normal, self.a, &PLANE, probe)?;
@@ -116,9 +116,9 @@ impl Facet {
         // Powers of two keep the products of three lengths in range.
         let size = exponent(along_b.size().max(along_c.size()));
         let normal = along_b.scaled(-size).cross(along_c.scaled(-size));
-        let vector = Doubled3::from(ray.vector).scaled(-exponent(ray.vector.abs().max_element()));
+        let vector = Doubled3::from(ray.vector);
         let v_d = normal.dot(vector);
-        let t = (normal.dot(to_a) * vector.dot(vector).sqrt() / v_d).value();
+        let t = (normal.dot(to_a) * length(ray.vector)).quotient(v_d);
         if v_d.head == 0.0 || !(ray.origin + ray.direction * t).is_finite() {
             probe.mark(Decision::Miss { why: Miss::Parallel });
             return None;
@@ -261,12 +261,10 @@ impl Facet {
         let corners = [self.a, self.b, self.c].map(|corner| Doubled3::difference(corner, ray.origin));
         let size = exponent(corners.iter().map(|corner| corner.size()).fold(0.0, f64::max));
         let [to_a, to_b, to_c] = corners.map(|corner| corner.scaled(-size));
-        let scale = -exponent(ray.vector.abs().max_element());
-        let vector = DVec3::from_array(ray.vector.to_array().map(|x| libm::scalbn(x, scale)));
         let edges = DVec3::new(
-            triple_product(vector, to_c, to_b),
-            triple_product(vector, to_a, to_c),
-            triple_product(vector, to_b, to_a),
+            triple_product(ray.vector, to_c, to_b),
+            triple_product(ray.vector, to_a, to_c),
+            triple_product(ray.vector, to_b, to_a),
         );
         probe.note(Name::TriangleEdgesExact, edges).to_array()
     }
@@ -292,15 +290,12 @@ fn is_in_doubt(edges: [f64; 3], bound: f64) -> bool {
     !(is_certainly_beside || is_certainly_inside)
 }
 
-/// Whether the terms of V_d or V_o cancel so far that f64 has lost digits of it.
+/// Whether the distance to the plane through `corner` has lost digits.
 #[inline]
-fn cancels(ray: &Ray, normal: DVec3, corner: DVec3) -> bool {
-    /// How many times as large as its result a sum's terms may be together.
-    const MOST: f64 = 2.0;
+fn is_in_doubt_along(ray: &Ray, normal: DVec3, corner: DVec3) -> bool {
     let to_corner = corner - ray.origin;
-    let terms = |vector: DVec3| (normal * vector).abs().element_sum();
-    terms(ray.direction) > MOST * normal.dot(ray.direction).abs()
-        || terms(to_corner) > MOST * normal.dot(to_corner).abs()
+    let sum = |vector: DVec3| Sum { value: normal.dot(vector), terms: normal.abs().dot(vector.abs()) };
+    is_distance_in_doubt(sum(to_corner), sum(ray.direction), ray)
 }
 
 /// Whether the ray's line passes inside all three edges: the one place where their signs decide.
