@@ -1,6 +1,7 @@
 //! The command line: one file a command.
 
 mod causes;
+mod bench;
 mod failure;
 mod options;
 mod output;
@@ -49,6 +50,9 @@ enum Command {
     Textbook(textbook::Textbook),
     /// Measure numerical stability on cases with exact answers
     Stress(stress::Stress),
+    /// Measure error and time
+    #[command(subcommand)]
+    Bench(bench::Bench),
     /// Check, show, convert or list scenes
     #[command(subcommand)]
     Scene(scene::SceneCommand),
@@ -74,6 +78,7 @@ pub fn run() -> ExitCode {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },
+        Some(Command::Bench(bench)) => bench.run(colors),
         Some(Command::Scene(command)) => command.run(colors),
     };
     match done {

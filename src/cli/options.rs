@@ -14,7 +14,7 @@ use raywalk::scene::{Index, Scene, Skip, build};
 use std::io::IsTerminal;
 
 /// The most threads.
-const MAX_THREADS: i64 = 4096;
+pub const MAX_THREADS: i64 = 4096;
 
 /// Whether to use colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -206,7 +206,7 @@ pub fn pixel_in(scene: &Scene, pixel: [u32; 2]) -> Result<[u32; 2], Failure> {
     }
 }
 
-fn size(text: &str) -> Result<[u32; 2], String> {
+pub fn size(text: &str) -> Result<[u32; 2], String> {
     let expected = || format!("expected WIDTHxHEIGHT in pixels, each from 1 to {MAX_SIDE}");
     let (width, height) = text.split_once(['x', 'X']).ok_or_else(expected)?;
     let side = |side: &str| side.parse().ok().filter(|side| (1..=MAX_SIDE).contains(side)).ok_or_else(expected);
