@@ -167,6 +167,44 @@ impl Doubled3 {
         }
     }
 
+    /// The scalar product, of which what cancels loses digits.
+    #[inline]
+    pub fn quick_dot(self, other: Doubled3) -> Doubled {
+        let mut sum = Doubled::ZERO;
+        for (a, b) in [(self.x, other.x), (self.y, other.y), (self.z, other.z)] {
+            let product = Doubled::product(a.head, b.head);
+            let heads = Doubled::sum(sum.head, product.head);
+            let tails = product.tail + (a.head * b.tail + a.tail * b.head);
+            sum = Doubled { head: heads.head, tail: sum.tail + (heads.tail + tails) };
+        }
+        quick_sum(sum.head, sum.tail)
+    }
+
+    /// The vector product of two plain vectors: differences of products without error.
+    #[inline]
+    pub fn across(a: DVec3, b: DVec3) -> Doubled3 {
+        let difference = |a: f64, b: f64, c: f64, d: f64| {
+            let (first, second) = (Doubled::product(a, b), Doubled::product(c, d));
+            let heads = Doubled::sum(first.head, -second.head);
+            quick_sum(heads.head, heads.tail + (first.tail - second.tail))
+        };
+        Doubled3 {
+            x: difference(a.y, b.z, a.z, b.y),
+            y: difference(a.z, b.x, a.x, b.z),
+            z: difference(a.x, b.y, a.y, b.x),
+        }
+    }
+
+    /// The square of its length: a sum of squares, of which nothing cancels.
+    #[inline]
+    pub fn squared(self) -> Doubled {
+        let [x, y, z] = [self.x, self.y, self.z].map(|part| Doubled::product(part.head, part.head));
+        let doubled_products = self.x.head * self.x.tail + self.y.head * self.y.tail + self.z.head * self.z.tail;
+        let first = Doubled::sum(x.head, y.head);
+        let all = Doubled::sum(first.head, z.head);
+        quick_sum(all.head, first.tail + all.tail + (x.tail + y.tail + z.tail) + 2.0 * doubled_products)
+    }
+
     /// The vector times a number.
     #[inline]
     pub fn times(self, factor: Doubled) -> Doubled3 {
@@ -200,13 +238,10 @@ impl From<DVec3> for Doubled3 {
 /// The length of a vector.
 #[inline]
 pub(crate) fn length(vector: DVec3) -> Doubled {
-    let [x, y, z] = vector.to_array().map(|x| Doubled::product(x, x));
-    let first = Doubled::sum(x.head, y.head);
-    let all = Doubled::sum(first.head, z.head);
-    let tails = first.tail + all.tail + (x.tail + y.tail + z.tail);
-    let length = (all.head + tails).sqrt();
+    let squared = Doubled3::from(vector).squared();
+    let length = squared.head.sqrt();
     let square = Doubled::product(length, length);
-    let rest = (all.head - square.head) + (tails - square.tail);
+    let rest = (squared.head - square.head) + (squared.tail - square.tail);
     Doubled { head: length, tail: if length > 0.0 { rest / (2.0 * length) } else { 0.0 } }
 }
 

@@ -124,9 +124,11 @@ impl Ray {
     pub fn is_settled_by_half(&self, t: f64) -> bool {
         /// A few more than half of the digits of an f64.
         const HALF: f64 = 1.0 / (1 << 20) as f64;
-        let is_beyond = t > self.t_max * (1.0 + HALF);
+        if t < 0.0 {
+            return self.t_min >= 0.0;
+        }
         let is_within = t > self.t_min * (1.0 + HALF) && t < self.t_max * (1.0 - HALF);
-        is_beyond || (t < 0.0 && self.t_min >= 0.0) || (is_within && !self.wants_distance)
+        t > self.t_max * (1.0 + HALF) || (is_within && !self.wants_distance)
     }
 
     /// Whether a hit at this distance counts.

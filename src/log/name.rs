@@ -145,6 +145,7 @@ names! {
     PolygonVd: "polygon.v_d", "", "V_d", "N_q · d", "1.1.1";
     PolygonVo: "polygon.v_o", "", "V_o", "N_q · (Q − O)", "1.1.1";
     PolygonT: "polygon.t", "", "t", "V_o/V_d", "1.1.1";
+    PolygonTDoubled: "polygon.t", "doubled", "t", "", "1.1.1";
     PolygonPoint: "polygon.point", "", "P_q", "O + d·t", "1.1.1";
     PolygonCrossings: "polygon.crossings", "", "κ", "", "1.1.1";
 
@@ -214,6 +215,7 @@ names! {
     DiskVd: "disk.v_d", "", "V_d", "N_d · d", "1.1.1";
     DiskVo: "disk.v_o", "", "V_o", "N_d · (C_d − O)", "1.1.1";
     DiskT: "disk.t", "", "t", "V_o/V_d", "1.1.1";
+    DiskTDoubled: "disk.t", "doubled", "t", "", "1.1.1";
     DiskDistanceSquared: "disk.distance_squared", "", "ρ²", "|O + d·t − C_d|²", "1.1.1";
 
     // The nearest hit: its point, and the normal turned toward the arriving ray.

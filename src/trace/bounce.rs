@@ -92,19 +92,24 @@ pub(crate) fn transmitted_cosine<P: Probe>(
 ) -> TransmittedCosine {
     let tangential = ray.direction + normal * cos_1;
     let k_eta_squared = eta * eta - tangential.dot(tangential);
-    if probe.certifies() && (k_eta_squared.abs() <= CANCELLED * (eta * eta) || eta < LEAST_ETA) {
+    let left = k_eta_squared / (eta * eta);
+    let is_certain = left > CANCELLED || left < -TOTAL;
+    if probe.certifies() && !(is_certain && eta >= LEAST_ETA) {
         return doubled_cosine(ray, normal, eta, probe);
     }
-    let squared = k_eta_squared / (eta * eta);
     let is_total = k_eta_squared < 0.0;
     let cos_2 = (!is_total).then(|| probe.note(Name::RefractCos2, k_eta_squared.sqrt() / eta));
-    TransmittedCosine { cos_2, squared }
+    TransmittedCosine { cos_2, squared: left }
 }
 
 /// The least part of η² that may be left of η² − sin²φ₁. The tangential part errs by at most six roundings in each component
 /// (cos φ₁ by four, those of the direction and the normal among them, and two of its own), so that near sin φ₁ = η the difference errs
 /// by 2·6·√3·η + 5·η² of them: its sign is right far below this. But T shows the error of cos φ₂, which grows as less is left.
 const CANCELLED: f64 = 1.0 / 16.0;
+
+/// Where more than this part of η² is missing, the reflection is total: it is far more than the errors of the difference, and nothing
+/// else is asked.
+const TOTAL: f64 = 1.0 / (1 << 20) as f64;
 
 /// Where η is less, the roundings of the tangential part come near to it.
 const LEAST_ETA: f64 = 1.0 / (1 << 20) as f64;
@@ -114,14 +119,12 @@ const LEAST_ETA: f64 = 1.0 / (1 << 20) as f64;
 #[inline(never)]
 fn doubled_cosine<P: Probe>(ray: &Ray, normal: DVec3, eta: f64, probe: &mut P) -> TransmittedCosine {
     probe.fallback();
-    let (vector, normal) = (Doubled3::from(ray.vector), Doubled3::from(normal));
-    let across = vector.cross(normal);
-    let sine_squared = across.dot(across) / (vector.dot(vector) * normal.dot(normal));
-    let eta_squared = Doubled::product(eta, eta);
-    let squared = (eta_squared - sine_squared) / eta_squared;
-    let is_total = squared.head < 0.0;
-    let cos_2 = (!is_total).then(|| probe.note(Name::RefractCos2Doubled, squared.sqrt().value()));
-    TransmittedCosine { cos_2, squared: squared.value() }
+    let lengths_squared = Doubled3::from(ray.vector).squared() * Doubled3::from(normal).squared();
+    let whole = Doubled::product(eta, eta) * lengths_squared;
+    let squared = (whole - Doubled3::across(ray.vector, normal).squared()).quotient(whole);
+    let is_total = squared < 0.0;
+    let cos_2 = (!is_total).then(|| probe.note(Name::RefractCos2Doubled, squared.sqrt()));
+    TransmittedCosine { cos_2, squared }
 }
 
 /// Whether a bounce isn't traced: because of the depth limit, or because it can't be seen.

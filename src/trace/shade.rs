@@ -99,9 +99,9 @@ fn shadow_ray<P: Probe>(
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
 }
 
-/// The ray from a point up to a light.
+/// The ray from a point up to a light. How far the things are that stand in its way isn't asked, but for their order.
 pub(crate) fn segment_to_light(point: DVec3, arrival: &Arrival) -> Ray {
-    Ray { t_max: arrival.distance, ..Ray::new(point, arrival.direction) }
+    Ray { t_max: arrival.distance, wants_distance: false, ..Ray::new(point, arrival.direction) }
 }
 
 /// K_e ((N·H)⁺)^n_e, or K_e ((R·V)⁺)^n_e.

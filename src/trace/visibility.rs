@@ -18,6 +18,10 @@ pub struct Hit {
 /// Two distances nearer to each other than so many parts of them are compared with more digits.
 const NEAR_TIE: f64 = 8.0 * f64::EPSILON;
 
+/// Two distances with twice the digits that differ by no more than this part of them are the same: that much is their own error where
+/// half of their digits were lost.
+const SAME: f64 = f64::EPSILON * f64::EPSILON * (1 << 24) as f64;
+
 /// How two crossings with objects follow each other along the ray; at the same distance the object that comes first in the
 /// scene is the first.
 fn order<P: Probe>(scene: &Scene, ray: &Ray, one: Hit, other: Hit, probe: &mut P) -> Ordering {
@@ -25,7 +29,8 @@ fn order<P: Probe>(scene: &Scene, ray: &Ray, one: Hit, other: Hit, probe: &mut P
     let is_near_tie = (t - other_t).abs() <= NEAR_TIE * t.abs() && one.object != other.object;
     let by_distance = if is_near_tie && probe.certifies() {
         let refined = |hit: Hit| scene.objects[hit.object as usize].shape.refined(ray, hit.crossing);
-        (refined(one) - refined(other)).head.total_cmp(&0.0)
+        let difference = (refined(one) - refined(other)).head;
+        if difference.abs() <= SAME * t.abs() { Ordering::Equal } else { difference.total_cmp(&0.0) }
     } else {
         t.total_cmp(&other_t)
     };
@@ -86,13 +91,12 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
-    let asking = ray.without_distance();
     scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         if lets_light_pass && scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
-        } else if thing.shape.is_crossed(object, thing.one_sided, &asking, probe) {
+        } else if thing.shape.is_crossed(object, thing.one_sided, ray, probe) {
             if !is_blocked {
                 probe.mark(Decision::Occluded { object });
             }

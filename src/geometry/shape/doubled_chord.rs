@@ -16,45 +16,79 @@ const OF_CHORD: f64 = 16.0 * f64::EPSILON;
 /// Where squares neither overflow nor lose digits.
 const MIDDLING: std::ops::Range<f64> = 1e-260..1e260;
 
-/// Whether f64 can't tell on which side of the sphere the origin lies.
-#[inline]
-pub(super) fn is_side_in_doubt(l2_oc: f64, radius_squared: f64) -> bool {
-    let sum = l2_oc + radius_squared;
-    (l2_oc - radius_squared).abs() <= OF_SQUARE * sum || !MIDDLING.contains(&sum)
+/// Where f64 can't tell how a line lies to a sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Doubt {
+    of_side: f64,
+    of_touch: f64,
+    /// The square of the radius; another number where it may be 0 and all is in doubt or nothing.
+    radius_squared: f64,
 }
 
-/// Whether f64 can't tell if the line meets the sphere.
-#[inline]
-pub(super) fn is_touch_in_doubt(t2_a: f64, l2_oc: f64, radius_squared: f64) -> bool {
-    t2_a.abs() <= OF_CHORD * (l2_oc + radius_squared)
-}
+impl Doubt {
+    /// No doubt at all.
+    pub const NONE: Doubt = Doubt { of_side: f64::NEG_INFINITY, of_touch: f64::NEG_INFINITY, radius_squared: 1.0 };
 
-/// A distance to the sphere, of which the first digits are right, with all of its digits: with s = t/|v| and
-/// f(s) = |OC − s·v|² − r², of which nothing is lost to rounding, the correction is the small root of
-/// v·v·Δ² + f′·Δ + f = 0, where a few digits of f′ and Δ are enough.
-pub(super) fn corrected(center: DVec3, radius: f64, ray: &Ray, t: f64) -> f64 {
-    let vector = ray.vector;
-    let length = length(vector);
-    let s = t / length.head;
-    let [x, y, z] = [0, 1, 2].map(|i| from_center(center[i], ray.origin[i], s, vector[i]));
-    let r = Doubled::product(radius, -radius);
-    let squares = [x, y, z].map(|part| Doubled::product(part.head, part.head));
-    // Of magnitude r² all, but for what is left in the end.
-    let mut f = r;
-    let mut tails = r.tail;
-    for (part, square) in [x, y, z].into_iter().zip(squares) {
-        let sum = Doubled::sum(f.head, square.head);
-        f.head = sum.head;
-        tails += sum.tail + (square.tail + 2.0 * part.head * part.tail);
+    /// The doubts about a sphere with this square of its radius: where that is so small that digits of squares are lost, all is in
+    /// doubt.
+    pub fn of_radius(radius_squared: f64) -> Doubt {
+        if MIDDLING.contains(&radius_squared) {
+            Doubt { of_side: OF_SQUARE, of_touch: OF_CHORD, radius_squared }
+        } else {
+            Doubt { of_side: f64::INFINITY, of_touch: f64::INFINITY, radius_squared: 1.0 }
+        }
     }
-    let f = f.head + tails;
-    let a = vector.dot(vector);
-    let slope = -2.0 * DVec3::new(x.head, y.head, z.head).dot(vector);
+
+    /// Whether f64 can't tell on which side of the sphere the origin lies by `difference`, L2oc − r². Squares without end are in
+    /// doubt.
+    #[inline(always)]
+    pub fn has_side(self, difference: f64, l2_oc: f64) -> bool {
+        difference.abs() <= self.of_side * (l2_oc + self.radius_squared)
+    }
+
+    /// Whether f64 can't tell if the line meets the sphere.
+    #[inline(always)]
+    pub fn has_touch(self, t2_a: f64, l2_oc: f64) -> bool {
+        t2_a.abs() <= self.of_touch * (l2_oc + self.radius_squared)
+    }
+}
+
+/// A distance to the sphere, of which the first digits are right, with all of its digits.
+pub(super) fn corrected(center: DVec3, radius: f64, ray: &Ray, t: f64) -> f64 {
+    corrected_in(|seen| seen, ray.vector, center, Doubled::product(radius, radius), ray, t)
+}
+
+/// The same where `map`, which makes `along` of the ray's vector, makes a sphere of the surface.
+///
+/// With s = t/|v| and f(s) = |OC − s·v|² − r², of which nothing is lost to rounding, the correction is the small root of v·v·Δ² + f′·Δ + f =
+/// 0, where a few digits of f′ and Δ are enough.
+pub(super) fn corrected_in(
+    map: impl Fn(Doubled3) -> Doubled3,
+    along: DVec3,
+    center: DVec3,
+    radius_squared: Doubled,
+    ray: &Ray,
+    t: f64,
+) -> f64 {
+    let length = length(ray.vector);
+    let s = t / length.head;
+    let [x, y, z] = [0, 1, 2].map(|i| from_center(center[i], ray.origin[i], s, ray.vector[i]));
+    let seen = map(Doubled3 { x, y, z });
+    let parts = [seen.x, seen.y, seen.z];
+    // Of magnitude r² all, but for what is left in the end.
+    let mut f = Doubled { head: -radius_squared.head, tail: -radius_squared.tail };
+    for part in parts {
+        let square = Doubled::product(part.head, part.head);
+        let sum = Doubled::sum(f.head, square.head);
+        f = Doubled { head: sum.head, tail: f.tail + sum.tail + (square.tail + 2.0 * part.head * part.tail) };
+    }
+    let f = f.value();
+    let a = along.dot(along);
+    let slope = -2.0 * DVec3::from_array(parts.map(|part| part.head)).dot(along);
     let root = (slope * slope - 4.0 * a * f).max(0.0).sqrt();
     let correction = -2.0 * f / (slope + root.copysign(slope));
-    let rest = length.head * correction + length.tail * s;
-    let along = Doubled::product(s, length.head);
-    let corrected = along.head + (along.tail + rest);
+    let way = Doubled::product(s, length.head);
+    let corrected = way.head + (way.tail + (length.head * correction + length.tail * s));
     // Not where squares overflow, or the root is a double one.
     if corrected.is_finite() { corrected } else { t }
 }

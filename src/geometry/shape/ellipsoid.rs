@@ -4,7 +4,7 @@
 //! and no direction gets shorter. By Lagrange's identity the discriminant b² − a·c is r²·|d'|² − |o' × d'|² (d' and o' the
 //! mapped direction and origin), where a far origin doesn't cancel; nor do the roots (see [`Quadratic`]).
 
-use super::doubled_chord::DoubledChord;
+use super::doubled_chord::{DoubledChord, corrected_in};
 use super::roots::{Quadratic, Root, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
@@ -96,7 +96,7 @@ impl Ellipsoid {
     }
 
     #[inline]
-    fn roots<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Roots> {
+    fn roots<P: Probe>(&self, ray: &Ray, is_leaving: bool, probe: &mut P) -> Option<Roots> {
         let from_center = probe.note(Name::EllipsoidOrigin, ray.origin - self.center);
         let origin = self.mapped(from_center, ORIGIN, probe);
         let direction = self.mapped(ray.direction, DIRECTION, probe);
@@ -121,10 +121,36 @@ impl Ellipsoid {
         };
         let root = |(t, name)| Root { t, primitive: 0, is_on_surface: true, name };
         let (entry, exit) = if first.0 < second.0 { (first, second) } else { (second, first) };
-        if probe.certifies() && !has_its_digits(&equation, origin.dot(origin), across.dot(across), entry.0, exit.0) {
-            return self.doubled_roots(ray, probe);
+        let (mut entry, mut exit) = (root(entry), root(exit));
+        if probe.certifies() {
+            let digits = Digits::of(&equation, origin.dot(origin), across.dot(across));
+            // A ray that leaves the surface has been at one root already, of which there are no digits.
+            let left = if is_leaving { entry.t.abs().min(exit.t.abs()) } else { -1.0 };
+            for root in [&mut entry, &mut exit] {
+                if root.t.abs() == left {
+                    continue;
+                }
+                match digits.of_root(root, ray) {
+                    Lost::Nothing => {}
+                    Lost::Some => self.correct(root, ray, probe),
+                    Lost::All => return self.doubled_roots(ray, probe),
+                }
+            }
         }
-        Some(Roots { entry: root(entry), exit: root(exit), outer: Side::Front })
+        Some(Roots { entry, exit, outer: Side::Front })
+    }
+
+    /// Gives a distance all of its digits.
+    #[cold]
+    #[inline(never)]
+    fn correct<P: Probe>(&self, root: &mut Root, ray: &Ray, probe: &mut P) {
+        probe.fallback();
+        let [row_1, row_2, row_3] = *self.doubled_rows;
+        let map = |v: Doubled3| Doubled3 { x: row_1.quick_dot(v), y: row_2.quick_dot(v), z: row_3.quick_dot(v) };
+        let along = DVec3::from_array(self.rows.map(|row| row.dot(ray.vector)));
+        let radius = self.radius_squared.sqrt();
+        root.t = corrected_in(map, along, self.center, Doubled::product(radius, radius), ray, root.t);
+        root.name = Name::EllipsoidTDoubled;
     }
 }
 
@@ -136,18 +162,53 @@ const LONGEST: f64 = 8.0;
 /// five for its own sum; r²·a by twelve.
 const OF_DISCRIMINANT: f64 = 24.0 * f64::EPSILON;
 
-/// Whether the distances have lost no more than a bit or two: b shows the roundings of |o'|·|d'| in t, the root of the discriminant those
-/// of |o' × d'| magnified, and c those of o'·o'.
-#[inline]
-fn has_its_digits(equation: &Quadratic, origin_squared: f64, across_squared: f64, entry: f64, exit: f64) -> bool {
-    /// The square of the greatest factor.
-    const STEEPEST: f64 = 4.0;
-    let Quadratic { a, c, discriminant, .. } = *equation;
-    let nearest = entry.abs().min(exit.abs());
-    let of_sum = origin_squared / (a * nearest * nearest);
-    let is_steep = of_sum * (across_squared / discriminant).max(1.0) > STEEPEST;
-    // Compared so that what is no number is steep.
-    !is_steep && of_sum.is_finite() && c.abs() * 2.0 >= origin_squared.min(c.abs() * 4.0)
+/// How many digits the distances have lost: b shows the roundings of |o'|·|d'| in t, the root of the discriminant those of |o' × d'|
+/// magnified, and c those of o'·o'.
+struct Digits {
+    /// The square of the factor by which a distance shows them, times its own square.
+    steepness: f64,
+    /// The part of o'·o' that is left in c.
+    left: f64,
+}
+
+/// What a distance has lost.
+enum Lost {
+    /// No more than a bit or two that matter.
+    Nothing,
+    /// Digits that a correction gives back.
+    Some,
+    /// So many that there is nothing to correct.
+    All,
+}
+
+impl Digits {
+    #[inline]
+    fn of(equation: &Quadratic, origin_squared: f64, across_squared: f64) -> Digits {
+        let Quadratic { a, c, discriminant, .. } = *equation;
+        let steepness = origin_squared / a * (across_squared / discriminant).max(1.0);
+        Digits { steepness, left: c.abs() / origin_squared }
+    }
+
+    #[inline]
+    fn of_root(&self, root: &Root, ray: &Ray) -> Lost {
+        /// The square of the greatest factor.
+        const STEEPEST: f64 = 4.0;
+        /// The same where half of the digits are enough.
+        const HALF_STEEP: f64 = (1_u64 << 56) as f64;
+        const LEAST_LEFT: f64 = 0.5;
+        const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
+        let squared = root.t * root.t;
+        // Only one of the roots is a part of c.
+        let left = if root.name == Name::EllipsoidT2 { self.left } else { 1.0 };
+        // Compared so that what is no number has lost all.
+        let has_half = self.steepness <= HALF_STEEP * squared && left >= LEAST_TO_CORRECT;
+        match () {
+            _ if self.steepness <= STEEPEST * squared && left >= LEAST_LEFT => Lost::Nothing,
+            _ if has_half && ray.is_settled_by_half(root.t) => Lost::Nothing,
+            _ if has_half => Lost::Some,
+            _ => Lost::All,
+        }
+    }
 }
 
 const ORIGIN: [Name; 3] = [Name::EllipsoidOrigin1, Name::EllipsoidOrigin2, Name::EllipsoidOrigin3];
@@ -165,11 +226,11 @@ impl Kernel for Ellipsoid {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        self.roots(ray, probe)?.first(ray, approach, probe)
+        self.roots(ray, approach.leaving.is_some(), probe)?.first(ray, approach, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
-        if let Some(roots) = self.roots(ray, probe) {
+        if let Some(roots) = self.roots(ray, approach.leaving.is_some(), probe) {
             roots.all(ray, approach, found, probe);
         }
     }

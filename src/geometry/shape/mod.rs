@@ -200,7 +200,7 @@ impl Shape {
 
     /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
     pub(crate) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
-        kernel!(self, kernel => kernel.refined(ray, crossing), _mesh => Doubled::from(crossing.t))
+        kernel!(self, kernel => kernel.refined(ray, crossing), mesh => mesh.refined(ray, crossing))
     }
 
     /// Whether this part of the surface (see [`Crossing::primitive`]) is flat.

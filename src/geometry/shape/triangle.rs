@@ -11,11 +11,11 @@
 //! D of a triangle of size s they err by D²/s² roundings. V_o/V_d with the triangle's own normal errs by a few, if
 //! the normal has all its digits, which [`area_normal`] sees to.
 
-use super::flat::{PlaneHit, PlaneNames, Sum, is_distance_in_doubt, meet_plane, toward};
+use super::flat::{PlaneHit, PlaneNames, is_in_doubt_along, meet_plane, toward};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::{area_normal, unit};
 use crate::geometry::bounds::{Bounds, Slabs};
-use crate::geometry::doubled::{Doubled3, exponent, length};
+use crate::geometry::doubled::{Doubled, Doubled3, exponent, length};
 use crate::geometry::exact::triple_product;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
@@ -74,6 +74,10 @@ impl Kernel for Triangle {
     fn bounds(&self) -> Option<Bounds> {
         Some(self.facet.bounds())
     }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        self.facet.refined(ray, crossing)
+    }
 }
 
 impl Facet {
@@ -111,6 +115,18 @@ impl Facet {
     #[inline(never)]
     fn meet_doubled<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<(PlaneHit, f64)> {
         probe.fallback();
+        let (v_d, distance) = self.doubled_distance(ray);
+        let t = distance.value();
+        if v_d.head == 0.0 || !(ray.origin + ray.direction * t).is_finite() {
+            probe.mark(Decision::Miss { why: Miss::Parallel });
+            return None;
+        }
+        let side = if v_d.head < 0.0 { Side::Front } else { Side::Back };
+        Some((PlaneHit { t: probe.note(Name::TriangleTDoubled, t), side }, t))
+    }
+
+    /// V_d for the ray's vector, in units that are nobody's, and the distance to the triangle's plane.
+    fn doubled_distance(&self, ray: &Ray) -> (Doubled, Doubled) {
         let [along_b, along_c] = [self.b, self.c].map(|corner| Doubled3::difference(corner, self.a));
         let to_a = Doubled3::difference(self.a, ray.origin);
         // Powers of two keep the products of three lengths in range.
@@ -118,13 +134,14 @@ impl Facet {
         let normal = along_b.scaled(-size).cross(along_c.scaled(-size));
         let vector = Doubled3::from(ray.vector);
         let v_d = normal.dot(vector);
-        let t = (normal.dot(to_a) * length(ray.vector)).quotient(v_d);
-        if v_d.head == 0.0 || !(ray.origin + ray.direction * t).is_finite() {
-            probe.mark(Decision::Miss { why: Miss::Parallel });
-            return None;
-        }
-        let side = if v_d.head < 0.0 { Side::Front } else { Side::Back };
-        Some((PlaneHit { t: probe.note(Name::TriangleTDoubled, t), side }, t))
+        (v_d, normal.dot(to_a) * length(ray.vector) / v_d)
+    }
+
+    /// The distance with twice the digits, unless that isn't where the triangle was met: along its own plane.
+    pub fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        let (_, distance) = self.doubled_distance(ray);
+        let is_there = (distance.head - crossing.t).abs() <= CLOSE * crossing.t.abs();
+        if is_there { distance } else { Doubled::from(crossing.t) }
     }
 
     /// The distance, kept within the box around the triangle. Along the triangle's plane V_o/V_d is a quotient of rounding errors,
@@ -276,6 +293,9 @@ impl Facet {
 /// less than 14·2⁻⁵², and the rest is for what the roundings do to each other.
 const OF_EDGE: f64 = 16.0 * f64::EPSILON;
 
+/// The greatest difference of a distance and the same with twice the digits, as a part of it.
+const CLOSE: f64 = 1.0 / (1 << 20) as f64;
+
 /// Below this the products of an edge function lose digits at the lower end of f64.
 const LEAST_SIZE: f64 = 1e-140;
 
@@ -288,14 +308,6 @@ fn is_in_doubt(edges: [f64; 3], bound: f64) -> bool {
     let is_certainly_beside = least < -bound && greatest > bound;
     let is_certainly_inside = least > bound || greatest < -bound;
     !(is_certainly_beside || is_certainly_inside)
-}
-
-/// Whether the distance to the plane through `corner` has lost digits.
-#[inline]
-fn is_in_doubt_along(ray: &Ray, normal: DVec3, corner: DVec3) -> bool {
-    let to_corner = corner - ray.origin;
-    let sum = |vector: DVec3| Sum { value: normal.dot(vector), terms: normal.abs().dot(vector.abs()) };
-    is_distance_in_doubt(sum(to_corner), sum(ray.direction), ray)
 }
 
 /// Whether the ray's line passes inside all three edges: the one place where their signs decide.
