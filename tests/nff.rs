@@ -285,7 +285,7 @@ fn the_grid_of_corners_counts_its_rays() {
         "--pixel-grid corners",
     );
     says(&["trace", &plain, "--pixel", "3,4", "--sampling", "shared:0"], "from 1 to 1024");
-    says(&["trace", &plain, "--pixel", "3,4", "--sampling", "shred:1"], "unknown sampling `shred:1`");
+    says(&["trace", &plain, "--pixel", "3,4", "--sampling", "shred:1"], "unknown sampling `shred`");
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! The command line: one file a command.
 
 mod failure;
+mod frames;
 mod options;
 mod output;
 mod progress;
 mod rays;
 mod render;
+mod sampling_spec;
 mod scene;
 mod scene_argument;
 mod signals;

@@ -1,10 +1,11 @@
 //! `raywalk render`: all pixels, on all cores.
 
 use super::failure::Failure;
+use super::frames::{self, Frame, FrameRange};
 use super::options::{ColorChoice, TracingOptions, numbers};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
-use super::scene_argument;
+use super::scene_argument::{self, Loaded};
 use clap::{Args, ValueEnum};
 use raywalk::record::Arithmetic;
 use raywalk::render::export::{self, Format};
@@ -26,6 +27,9 @@ pub struct Render {
     /// Only a part: left, top, right and bottom in pixels, the last two exclusive
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>)]
     crop: Option<[u32; 4]>,
+    /// The frames of an animation, the last inclusive; #### in the picture's name becomes the frame's number
+    #[arg(long, value_name = "A-B")]
+    frames: Option<FrameRange>,
     /// Write PNG with 16 bits a channel
     #[arg(long)]
     png16: bool,
@@ -57,10 +61,20 @@ impl Render {
         }
         let load = Instant::now();
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
-        let mut seconds = Seconds { load: load.elapsed().as_secs_f64(), ..Seconds::default() };
+        let load = load.elapsed().as_secs_f64();
+        let mut frames = frames::frames(&loaded.scene, self.frames, &self.output)?;
+        let last = frames.pop();
+        for frame in frames {
+            self.render_frame(loaded.clone(), &frame, format, Seconds { load, ..Seconds::default() })?;
+        }
+        last.map_or(Ok(()), |last| self.render_frame(loaded, &last, format, Seconds { load, ..Seconds::default() }))
+    }
+
+    /// Renders one frame into its file.
+    fn render_frame(&self, loaded: Loaded, frame: &Frame, format: Format, mut seconds: Seconds) -> Result<(), Failure> {
         let inputs = loaded.inputs(&self.scene);
         let build = Instant::now();
-        let scene = self.tracing.apply(loaded)?;
+        let scene = self.tracing.apply(frames::at(loaded, frame.number))?;
         seconds.build = build.elapsed().as_secs_f64();
         let settings = Settings {
             crop: self.crop_in(&scene)?,
@@ -68,7 +82,7 @@ impl Render {
             threads: self.tracing.threads.into(),
             counts_rays: self.stats.is_some(),
         };
-        let output = Output::create(Some(&self.output), &inputs)?;
+        let output = Output::create(Some(&frame.path), &inputs)?;
 
         let start = Instant::now();
         let [left, top, right, bottom] = settings.crop;
@@ -79,7 +93,7 @@ impl Render {
         seconds.render = start.elapsed().as_secs_f64();
 
         let encoded = export::encode(&rendered.film, format, &scene.output)
-            .map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", self.output.display())))?;
+            .map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", frame.path.display())))?;
         output.commit(&encoded.bytes)?;
         if encoded.clipped_pixels > 0 && !self.progress.quiet {
             output::tell(&format!("note: {} pixels were brighter than white and clipped", encoded.clipped_pixels));

@@ -104,6 +104,7 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
             two_sided: tracing.two_sided,
         },
         sampling: sampling_id(scene.sampling),
+        seed: scene.seed,
         objects: scene.objects.iter().map(|object| object.name.clone()).collect(),
         lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
     }
@@ -140,7 +141,7 @@ pub struct Corner<'s> {
 
 impl Computation for Corner<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
-        sampling::shared::corner(self.scene, self.n, self.corner, probe)
+        sampling::shared::corner(self.scene, self.n, self.corner, probe).color
     }
 }
 

@@ -1,5 +1,6 @@
 //! All pixels of a picture, on all cores. A pixel has the same bits whatever the tiles, the threads or the crop.
 
+mod cells;
 pub mod export;
 pub mod film;
 mod grid;
@@ -80,8 +81,11 @@ pub fn render(
     let threads = settings.threads.min(tiles(settings.crop).len());
     let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let rendered = threads.install(|| match scene.sampling {
-        Sampling::Center => by_pixels(scene, settings, &progress, stop),
         Sampling::Shared { n } => grid::by_corners(scene, settings, n, &progress, stop),
+        Sampling::Adaptive { threshold, depth } => {
+            cells::by_cells(scene, settings, (threshold, depth), &progress, stop)
+        }
+        _ => by_pixels(scene, settings, &progress, stop),
     });
     let (film, counter) = rendered.ok_or(RenderError::Interrupted)?;
     Ok(Rendered { film, counts: settings.counts_rays.then_some(counter) })
