@@ -20,16 +20,6 @@ use crate::trace::camera_ray;
 pub fn pixel<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
     match scene.sampling {
         Sampling::Center => through_center(scene, pixel, probe),
-        _ => mean_of_samples(scene, pixel, probe),
-    }
-}
-
-/// The mean of the samples that the scene's method takes.
-// Kept out of the caller, which would make room for all of them where there is one ray.
-#[inline(never)]
-fn mean_of_samples<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
-    match scene.sampling {
-        Sampling::Center => through_center(scene, pixel, probe),
         Sampling::Regular { n } => regular::pixel(scene, n, pixel, probe),
         Sampling::Shared { n } => shared::pixel(scene, n, pixel, probe),
         Sampling::Adaptive { threshold, depth } => adaptive::pixel(scene, threshold, depth, pixel, probe),

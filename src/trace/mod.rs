@@ -74,8 +74,6 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> C
 }
 
 /// The colour that a ray brings from its nearest hit.
-// A part of both of its callers: handing over the hit would cost a copy a ray.
-#[inline(always)]
 fn incoming<P: Probe>(scene: &Scene, ray: &Ray, hit: Option<Hit>, path: &Path, probe: &mut P) -> Color {
     let Some(hit) = hit else {
         probe.mark(Decision::Background);
