@@ -382,7 +382,6 @@ fn everything_that_is_not_supported_is_told_at_once_with_its_place() {
     let expected = [
         "2:57: camera.lens: not supported by this version: a lens",
         "3:27: lights[0].rectangle: not supported by this version: a light `rectangle`",
-        "4:15: sampling.regular: not supported by this version: the method `regular`",
     ];
     assert_eq!(errors, expected);
 }

@@ -1,13 +1,15 @@
 //! The command line: one file a command.
 
-mod causes;
 mod bench;
+mod causes;
 mod failure;
+mod frames;
 mod options;
 mod output;
 mod progress;
 mod rays;
 mod render;
+mod sampling_spec;
 mod scene;
 mod scene_argument;
 mod signals;

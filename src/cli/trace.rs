@@ -138,11 +138,12 @@ pub fn short_log(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Lo
     record::bounded(scene, part, arithmetic).map_err(|cut_off| {
         let message = match arithmetic {
             Arithmetic::Perturbed(_) => {
-                format!("{cut_off}, expected a smaller --max-depth: runs are compared in memory")
+                format!("{cut_off}, expected fewer samples or a smaller --max-depth: runs are compared in memory")
             }
             _ => {
-                let longer = "or `trace` in the format ndjson, which is written as it grows";
-                format!("{cut_off}, expected a smaller --max-depth, {longer}")
+                let smaller =
+                    "expected fewer samples, a smaller --max-depth, or `trace` in ndjson, which is written as it grows";
+                format!("{cut_off}, {smaller}")
             }
         };
         match cut_off {

@@ -187,6 +187,29 @@ pub enum Decision {
         /// By which rule.
         why: SkipReason,
     },
+    /// A cell of the pixel is cut in four.
+    Subdivided {
+        /// Its left and upper side, in pixels from the pixel's own, and how long they are.
+        cell: [f64; 3],
+        /// Why.
+        why: Split,
+        /// The object that no corner met, if it was one.
+        object: Option<u32>,
+    },
+    /// What is known of a cell, or of the whole pixel, is enough.
+    Accepted {
+        /// The cell, as in [`Decision::Subdivided`]; `None` for the pixel.
+        cell: Option<[f64; 3]>,
+        /// Why.
+        why: Acceptance,
+    },
+    /// The samples so far don't tell the pixel's colour well enough.
+    MoreSamples {
+        /// How many there are.
+        from: u32,
+        /// How many there will be.
+        to: u32,
+    },
 }
 
 /// Declares an enum whose variants stand as words in a log.
@@ -252,6 +275,32 @@ words! {
         Blocked = "blocked",
         /// A bounce whose product of weights lies below `tracing.cutoff`.
         Cutoff = "cutoff",
+    }
+}
+
+words! {
+    /// Why a cell of a pixel is cut in four.
+    Split {
+        /// The colours at its corners differ by more than the threshold.
+        Color = "color",
+        /// Its corners see different objects.
+        Objects = "objects",
+        /// A small object lies in it, and no corner sees that.
+        SmallObject = "small_object",
+    }
+}
+
+words! {
+    /// Why the samples so far are enough.
+    Acceptance {
+        /// They agree.
+        Alike = "alike",
+        /// The cell may not be cut further.
+        Depth = "depth",
+        /// The interval of the mean is narrow enough.
+        Interval = "interval",
+        /// There may not be more.
+        Max = "max",
     }
 }
 

@@ -4,32 +4,10 @@
 //! is written with the symbols of this same table (see [`super::formula`] for its grammar), and a test evaluates every
 //! formula on the logged operands and must get the logged value.
 
-/// Declares [`Name`] from rows `Variant: key, form, symbol, formula, source section`.
-macro_rules! names {
-    ($($variant:ident: $key:literal, $form:literal, $symbol:literal, $formula:literal, $section:literal;)*) => {
-        /// A named quantity of the computation.
-        ///
-        /// Several names may share a key: they are the same quantity computed by different formulas, told apart in the
-        /// log by their `form`.
-        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
-        #[repr(u16)]
-        pub enum Name {
-            $(#[doc = concat!("`", $key, "`: ", $symbol, " = ", $formula)] $variant,)*
-        }
+#[macro_use]
+mod row;
 
-        const ROWS: &[(Name, Row)] = &[$((Name::$variant, Row {
-            key: $key, form: $form, symbol: $symbol, formula: $formula, section: $section,
-        }),)*];
-    };
-}
-
-struct Row {
-    key: &'static str,
-    form: &'static str,
-    symbol: &'static str,
-    formula: &'static str,
-    section: &'static str,
-}
+use row::Row;
 
 names! {
     // The camera and its ray. G is the direction of view, e_x and e_y point right and up in the picture.
@@ -347,47 +325,42 @@ names! {
     CombineReflected: "combine.reflected", "", "C_r", "W_r∘I_reflected", "1.2.3";
     CombineTransmitted: "combine.transmitted", "", "C_t", "W_t∘I_transmitted", "1.2.3";
     CombineColor: "combine.color", "", "I", "C_l + C_r + C_t", "1.2.3";
-}
 
-impl Name {
-    /// Every name, in the order of the table.
-    pub fn all() -> impl Iterator<Item = Name> {
-        ROWS.iter().map(|(name, _)| *name)
-    }
+    // The place of a sample in its pixel: in stratum i_s of the c_s of its row, a_s of all n_s lying in the rows above.
+    SampleColumn: "sample.column", "", "i_s", "", "1.5";
+    SampleAcross: "sample.across", "", "c_s", "", "1.5";
+    SampleAbove: "sample.above", "", "a_s", "", "1.5";
+    SampleCount: "sample.count", "", "n_s", "", "1.5";
+    SampleJitterX: "sample.jitter_x", "", "ξ_x", "", "1.5";
+    SampleJitterY: "sample.jitter_y", "", "ξ_y", "", "1.5";
+    SampleX: "sample.x", "", "s_x", "(i_s + ξ_x)/c_s", "1.5";
+    SampleY: "sample.y", "", "s_y", "(a_s + ξ_y·c_s)/n_s", "1.5";
+    PixelLeft: "pixel.left", "", "col_0", "", "1.4.2";
+    PixelTop: "pixel.top", "", "row_0", "", "1.4.2";
+    PixelColumnSampled: "pixel.column", "sampled", "col", "col_0 + s_x", "1.4.2";
+    PixelRowSampled: "pixel.row", "sampled", "row", "row_0 + s_y", "1.4.2";
 
-    /// The name with this key and form, if there is one.
-    pub fn find(key: &str, form: &str) -> Option<Name> {
-        ROWS.iter().find(|(_, row)| row.key == key && row.form == form).map(|(name, _)| *name)
-    }
+    // Adaptive sampling: the colours at the corners of a cell, and the figures by which it is cut.
+    OutputWhite: "output.white", "", "w_o", "", "1.4.2";
+    CellColor1: "cell.color_1", "", "I_1", "", "1.4.2";
+    CellColor2: "cell.color_2", "", "I_2", "", "1.4.2";
+    CellColor3: "cell.color_3", "", "I_3", "", "1.4.2";
+    CellColor4: "cell.color_4", "", "I_4", "", "1.4.2";
+    CellThreshold: "cell.threshold", "", "θ", "", "1.4.2";
+    CellLimit: "cell.limit", "", "Δ_max", "θ·w_o", "1.4.2";
+    CellDifference: "cell.difference", "", "Δ_I",
+        "max(max(max(I_1, I_2), max(I_3, I_4)) − min(min(I_1, I_2), min(I_3, I_4)))", "1.4.2";
 
-    /// The key of the quantity in a log, such as `sphere.t2_a`.
-    pub fn key(self) -> &'static str {
-        self.row().key
-    }
-
-    /// Which of several formulas gave the quantity, such as `far`; empty for the usual one.
-    pub fn form(self) -> &'static str {
-        self.row().form
-    }
-
-    /// The symbol of the quantity in formulas, such as `T2_A`.
-    pub fn symbol(self) -> &'static str {
-        self.row().symbol
-    }
-
-    /// The formula text, such as `r² − L2oc + T_A²`; `None` for what is given.
-    pub fn formula(self) -> Option<&'static str> {
-        Some(self.row().formula).filter(|text| !text.is_empty())
-    }
-
-    /// The section of the source text (Ramos, "Trazado de rayos") that has the quantity.
-    pub fn section(self) -> &'static str {
-        self.row().section
-    }
-
-    fn row(self) -> &'static Row {
-        &ROWS[self as usize].1
-    }
+    // Statistical sampling: Student's interval of the mean of the samples so far, per channel.
+    StatisticalMean: "statistical.mean", "", "I_m", "", "1.4.2";
+    StatisticalError: "statistical.standard_error", "", "σ_m", "", "1.4.2";
+    StatisticalFreedom: "statistical.degrees_of_freedom", "", "ν_m", "", "1.4.2";
+    StatisticalConfidence: "statistical.confidence", "", "γ_m", "", "1.4.2";
+    StatisticalQuantile: "statistical.t_quantile", "", "t_m", "", "1.4.2";
+    StatisticalHalfWidth: "statistical.half_width", "", "h_m", "t_m∘σ_m", "1.4.2";
+    StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
+    StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";
+    StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ mod recorder;
 mod silent;
 
 pub use altered::{Alteration, Altered, Decimal, Single, round_half_away};
-pub use perturbed::{Perturbed, Places};
+pub use perturbed::Perturbed;
 pub use position::{Position, mixed_with};
 pub use printed::{Printed, PrintedValue};
 pub use ray_tree::{RayTree, is_same};
@@ -53,6 +53,14 @@ pub trait Probe: Sized {
     /// f64 left something in doubt, and more digits were taken. It is counted, not logged.
     #[inline(always)]
     fn fallback(&mut self) {}
+
+    /// The ray through this place of the picture begins, in pixels from its top left corner.
+    #[inline(always)]
+    fn aim(&mut self, _place: [f64; 2]) {}
+
+    /// All that the ray through the latest place brings is there.
+    #[inline(always)]
+    fn aimed(&mut self) {}
 
     /// A node begins. Kernels call [`Probe::within`], which can't forget the end.
     #[inline(always)]

@@ -12,26 +12,16 @@ use crate::log::{Name, Step};
 #[derive(Clone, Debug)]
 pub struct Perturbed {
     seed: u64,
-    places: Places,
     position: Position,
-}
-
-/// The places in the picture of a computation's samples, each a point of a grid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Places {
-    /// That of the first sample, or of the only one.
-    pub first: [u32; 2],
-    /// How many samples stand side by side; 0 is one.
-    pub across: u32,
 }
 
 /// Whole numbers that f64 computes without rounding, and on which a decision rests that rounding can't touch.
 const COUNTS: [Name; 4] = [Name::PatternAxes, Name::PatternCell, Name::PatternSum, Name::PatternParity];
 
 impl Perturbed {
-    /// Perturbs a computation of these places.
-    pub fn new(seed: u64, places: Places) -> Perturbed {
-        Perturbed { seed, places, position: Position::new(key_of(seed, places.first)) }
+    /// Perturbs the computation of this pixel.
+    pub fn new(seed: u64, pixel: [u32; 2]) -> Perturbed {
+        Perturbed { seed, position: Position::new(key_of(seed, pixel.map(u64::from))) }
     }
 
     /// The seed of a further run of the same computation; run 0 has `seed` itself.
@@ -40,17 +30,8 @@ impl Perturbed {
     }
 }
 
-/// A sample has the same choices whether it is one of a pixel's or, as a corner that pixels share, traced alone.
-fn key_of(seed: u64, [x, y]: [u32; 2]) -> u64 {
-    mixed_with(mixed_with(mixed(seed), x.into()), y.into())
-}
-
-impl Places {
-    /// The place of a sample, by its number from 1.
-    fn of_sample(self, number: u32) -> [u32; 2] {
-        let (index, across) = (number.saturating_sub(1), self.across.max(1));
-        [self.first[0] + index % across, self.first[1] + index / across]
-    }
+fn key_of(seed: u64, [x, y]: [u64; 2]) -> u64 {
+    mixed_with(mixed_with(mixed(seed), x), y)
 }
 
 impl Alteration for Perturbed {
@@ -63,10 +44,16 @@ impl Alteration for Perturbed {
     }
 
     fn enter(&mut self, step: Step) {
-        match step {
-            Step::Sample { number } => self.position.enter_at(key_of(self.seed, self.places.of_sample(number))),
-            _ => self.position.enter(step),
-        }
+        self.position.enter(step);
+    }
+
+    /// A ray has the same choices whether its sample is one of a pixel's or, as a corner that pixels share, traced alone.
+    fn aim(&mut self, place: [f64; 2]) {
+        self.position.enter_at(key_of(self.seed, place.map(f64::to_bits)));
+    }
+
+    fn aimed(&mut self) {
+        self.position.leave();
     }
 
     fn leave(&mut self) {
@@ -98,7 +85,7 @@ mod tests {
 
     /// How many of the components of many quantities went up.
     fn ups(seed: u64) -> usize {
-        let mut perturbed = Perturbed::new(seed, Places::default());
+        let mut perturbed = Perturbed::new(seed, [0, 0]);
         let altered = (0..1000).map(|_| perturbed.alter(Name::HitPoint, DVec3::splat(3.0)).to_array());
         altered.flatten().inspect(|x| assert!((x - 3.0).abs() == 2.0 * f64::EPSILON)).filter(|x| *x > 3.0).count()
     }
@@ -112,23 +99,24 @@ mod tests {
     }
 
     #[test]
-    fn a_sample_is_perturbed_by_its_place() {
-        let throws =
-            |perturbed: &mut Perturbed| -> Vec<f64> { (0..64).map(|_| perturbed.alter(Name::PlaneT, 1.0)).collect() };
-        let mut pixel = Perturbed::new(5, Places { first: [20, 40], across: 3 });
-        pixel.enter(Step::Sample { number: 6 });
-        let mut corner = Perturbed::new(5, Places { first: [22, 41], across: 0 });
-        assert_eq!(throws(&mut pixel), throws(&mut corner));
-        let mut elsewhere = Perturbed::new(5, Places { first: [22, 42], across: 0 });
-        let mut otherwise = Perturbed::new(6, Places { first: [22, 41], across: 0 });
-        let expected = throws(&mut Perturbed::new(5, Places { first: [22, 41], across: 0 }));
-        assert_ne!(throws(&mut elsewhere), expected);
-        assert_ne!(throws(&mut otherwise), expected);
+    fn a_ray_is_perturbed_by_its_place() {
+        let throws = |mut perturbed: Perturbed, place: [f64; 2]| -> Vec<f64> {
+            perturbed.aim(place);
+            let thrown = (0..64).map(|_| perturbed.alter(Name::PlaneT, 1.0)).collect();
+            perturbed.aimed();
+            thrown
+        };
+        let mut in_sample = Perturbed::new(5, [20, 40]);
+        in_sample.enter(Step::Sample { number: 6 });
+        let expected = throws(Perturbed::new(5, [21, 40]), [21.0, 40.5]);
+        assert_eq!(throws(in_sample, [21.0, 40.5]), expected);
+        assert_ne!(throws(Perturbed::new(5, [21, 40]), [21.0, 41.0]), expected);
+        assert_ne!(throws(Perturbed::new(6, [21, 40]), [21.0, 40.5]), expected);
     }
 
     #[test]
     fn counts_stay() {
-        let mut perturbed = Perturbed::new(0, Places::default());
+        let mut perturbed = Perturbed::new(0, [0, 0]);
         assert_eq!(perturbed.alter(Name::PatternSum, 8.0), 8.0);
     }
 }

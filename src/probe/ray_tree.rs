@@ -93,7 +93,16 @@ fn words_of(decision: Decision) -> [u64; 3] {
         Decision::DepthLimit { what } => [40, what as u64, 0],
         Decision::LeakGuard { what } => [41, what as u64, 0],
         Decision::Skipped { what, why } => [42, what as u64, why as u64],
+        Decision::Subdivided { cell, why, .. } => [43, word_of(cell), why as u64],
+        Decision::Accepted { cell, why } => [44, cell.map_or(0, word_of), why as u64],
+        Decision::MoreSamples { from, to } => [45, from.into(), to.into()],
     }
+}
+
+/// A cell as a number: its sides are fractions of a pixel with few digits, so that no two have the same.
+fn word_of(cell: [f64; 3]) -> u64 {
+    let [left, top, side] = cell.map(f64::to_bits);
+    left ^ top.rotate_left(21) ^ side.rotate_left(42)
 }
 
 /// Whether two decisions are the same. Which of several opaque objects blocks the light first hangs on the order of the

@@ -1,6 +1,6 @@
 //! The arithmetics, by name, and how a computation is run in one of them.
 
-use crate::probe::{Alteration, Altered, Decimal, Perturbed, Places, Printed, Probe, Single};
+use crate::probe::{Alteration, Altered, Decimal, Perturbed, Printed, Probe, Single};
 use crate::scene::Color;
 use std::fmt;
 use std::str::FromStr;
@@ -26,9 +26,9 @@ pub trait Computation {
     /// Runs it; gives the colour.
     fn run<P: Probe>(self, probe: &mut P) -> Color;
 
-    /// Where its samples stand in the picture. What is random there hangs on that alone.
-    fn places(&self) -> Places {
-        Places::default()
+    /// The pixel that it is about, or any. What is random in it hangs on that.
+    fn pixel(&self) -> [u32; 2] {
+        [0, 0]
     }
 }
 
@@ -51,7 +51,7 @@ impl Arithmetic {
             Arithmetic::F64 => (computation.run(&mut probe), probe),
             Arithmetic::F32 => altered(Single, probe, computation),
             Arithmetic::Decimal(digits) => altered(Decimal::new(digits), probe, computation),
-            Arithmetic::Perturbed(seed) => altered(Perturbed::new(seed, computation.places()), probe, computation),
+            Arithmetic::Perturbed(seed) => altered(Perturbed::new(seed, computation.pixel()), probe, computation),
             Arithmetic::Printed => altered(Printed::default(), probe, computation),
         }
     }

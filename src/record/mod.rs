@@ -7,7 +7,7 @@ pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 
 use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Event, Header, Log, Subject};
-use crate::probe::{CutOff, Outlet, Places, Probe, Recorder, Silent, until_cut_off};
+use crate::probe::{CutOff, Outlet, Probe, Recorder, Silent, until_cut_off};
 use crate::sampling;
 use crate::scene::{Algorithm, Color, Sampling, Scene, Specular, camera};
 use crate::trace::camera_ray;
@@ -111,6 +111,7 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
             two_sided: tracing.two_sided,
         },
         sampling: sampling_id(scene.sampling),
+        seed: scene.seed,
         objects: scene.objects.iter().map(|object| object.name.clone()).collect(),
         lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
     }
@@ -135,11 +136,8 @@ impl Computation for Pixel<'_> {
         sampling::pixel(self.scene, self.pixel, probe)
     }
 
-    fn places(&self) -> Places {
-        match self.scene.sampling {
-            Sampling::Center => Places { first: self.pixel, across: 1 },
-            Sampling::Shared { n } => Places { first: self.pixel.map(|at| at * n), across: n + 1 },
-        }
+    fn pixel(&self) -> [u32; 2] {
+        self.pixel
     }
 }
 
@@ -155,11 +153,7 @@ pub struct Corner<'s> {
 
 impl Computation for Corner<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
-        sampling::shared::corner(self.scene, self.n, self.corner, probe)
-    }
-
-    fn places(&self) -> Places {
-        Places { first: self.corner, across: 1 }
+        sampling::shared::corner(self.scene, self.n, self.corner, probe).color
     }
 }
 
@@ -182,10 +176,10 @@ impl Computation for PartOf<'_> {
         }
     }
 
-    fn places(&self) -> Places {
+    fn pixel(&self) -> [u32; 2] {
         match self.part {
-            Part::Pixel(pixel) => Pixel { scene: self.scene, pixel }.places(),
-            Part::Ray { .. } => Places::default(),
+            Part::Pixel(pixel) => pixel,
+            Part::Ray { .. } => [0, 0],
         }
     }
 }

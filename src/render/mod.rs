@@ -1,5 +1,6 @@
 //! All pixels of a picture, on all cores. A pixel has the same bits whatever the tiles, the threads or the crop.
 
+mod cells;
 pub mod digits;
 pub mod export;
 pub mod film;
@@ -78,8 +79,11 @@ pub fn render(
 ) -> Result<Rendered, RenderError> {
     let of_pixel = |pixel: [u32; 2], counter: &mut Counter| color_of(settings, Pixel { scene, pixel }, counter);
     on_threads(settings, || match scene.sampling {
-        Sampling::Center => by_pixels(settings, of_pixel, &progress, stop),
         Sampling::Shared { n } => grid::by_corners(scene, settings, n, &progress, stop),
+        Sampling::Adaptive { threshold, depth } => {
+            cells::by_cells(scene, settings, (threshold, depth), &progress, stop)
+        }
+        _ => by_pixels(settings, of_pixel, &progress, stop),
     })
 }
 

@@ -45,6 +45,21 @@ mod tests {
         assert_eq!(sum.over(1000.0), Color::ONE);
     }
 
+    /// The exact sum of 10⁶ whole numbers of 52 bits is compared with the mean in whole numbers too.
+    #[test]
+    fn the_mean_of_a_million_values_errs_by_less_than_a_unit_in_the_last_place() {
+        let n = 1_000_000_u64;
+        let bits = |k: u64| (crate::random::hash(1, k) >> 12) + (1 << 50);
+        let mut sum = Sum::ZERO;
+        (0..n).for_each(|k| sum.add(Color::splat(bits(k) as f64)));
+        let exact: u128 = (0..n).map(|k| u128::from(bits(k))).sum();
+        let mean = sum.over(n as f64).x;
+        // The mean lies between 2⁵¹ and 2⁵², where a unit in the last place is 1/2.
+        assert!((1_u64 << 51..1 << 52).contains(&(mean as u64)));
+        let twice = (2.0 * mean) as u128;
+        assert!((twice * u128::from(n)).abs_diff(2 * exact) <= u128::from(n) / 2, "{mean}: the nearest number");
+    }
+
     #[test]
     fn the_mean_of_equal_values_is_that_value() {
         let mut sum = Sum::ZERO;

@@ -131,6 +131,7 @@ fn bare(name: &str, options: Options) -> Scene {
         objects: Vec::new(),
         index: Index::default(),
         sampling: raywalk::scene::Sampling::Center,
+        seed: 0,
         tracing: Tracing {
             algorithm: options.algorithm,
             max_depth: options.max_depth,

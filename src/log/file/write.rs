@@ -242,6 +242,25 @@ fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
         Decision::Skipped { what, why } => {
             text(out, &format!("skipped\":{{\"what\":\"{}\",\"why\":\"{}\"", what.word(), why.word()));
         }
+        Decision::Subdivided { cell, why, object } => {
+            text(out, "subdivided\":{\"cell\":");
+            triple(out, cell);
+            text(out, &format!(",\"why\":\"{}\"", why.word()));
+            if let Some(object) = object {
+                text(out, ",\"object\":");
+                string(out, header.object(*object));
+            }
+        }
+        Decision::Accepted { cell, why } => {
+            text(out, "accepted\":{");
+            if let Some(cell) = cell {
+                text(out, "\"cell\":");
+                triple(out, cell);
+                text(out, ",");
+            }
+            text(out, &format!("\"why\":\"{}\"", why.word()));
+        }
+        Decision::MoreSamples { from, to } => text(out, &format!("more_samples\":{{\"from\":{from},\"to\":{to}")),
     }
 }
 

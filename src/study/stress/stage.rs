@@ -46,6 +46,7 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
             skip: Skip::ALL,
         },
         sampling: Sampling::Center,
+        seed: 0,
         output: Output { white: 1.0, transfer: Transfer::Linear, exposure: 0.0 },
     }
 }
