@@ -37,7 +37,11 @@ fn digits_that_can_be_trusted() {
     let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
     let trace = ["trace", "textbook", "--pixel", "160,120", "--arithmetic", "perturbed:1"];
     let walk = prints(&[&trace[..], &["--format", "text"]].concat());
-    assert!(walk.contains("result: (393.054, 311.666, 370.310) (14 digits)"), "{walk}");
+    // Five runs say it to a digit or so.
+    let digits =
+        walk.split("result: (393.054, 311.666, 370.310) (").nth(1).and_then(|rest| rest.split(" digits").next());
+    let digits = digits.unwrap_or_else(|| panic!("no result in: {walk}"));
+    assert!(digits.split(", ").all(|digits| ["13", "14", "15"].contains(&digits)), "{digits}");
     for format in ["ndjson", "json"] {
         let log = path(format);
         prints(&[&trace[..], &["--format", format, "-o", &log]].concat());
@@ -53,7 +57,7 @@ fn digits_that_can_be_trusted() {
 
     // Runs are compared when they are whole, so that such a log can't be written as it grows.
     let long = ["--sampling", "shared:160", "--arithmetic", "perturbed"];
-    let message = "the log would have more than 1048576 events, expected a smaller --max-depth";
+    let message = "the log would have more than 1048576 events, expected fewer samples or a smaller --max-depth";
     says(2, &[&["trace", "textbook", "--pixel", "160,120"], &long[..]].concat(), message);
     let picture = path("viewer.svg");
     prints(&["walk", "textbook", "--arithmetic", "perturbed:1", "--screenshot", &picture]);

@@ -1,6 +1,7 @@
 //! Where in the tree of a computation a quantity is noted, as a number: the same in every run, whatever comes before it.
 
 use crate::log::{Name, RayKind, Step};
+use std::sync::LazyLock;
 
 /// The place that a computation has come to.
 ///
@@ -51,7 +52,7 @@ impl Position {
     pub fn next(&mut self, name: Name) -> u64 {
         let Some(frame) = self.open.last_mut() else { return 0 };
         let number = count(&mut frame.notes, name);
-        mixed_with(mixed_with(frame.key, name as u64), number)
+        mixed_with(mixed_with(frame.key, word_of(name)), number)
     }
 }
 
@@ -73,6 +74,17 @@ fn count<T: PartialEq>(counts: &mut Vec<(T, u64)>, what: T) -> u64 {
             0
         }
     }
+}
+
+/// A name as a number that stays when others are added: of its key and form (FNV-1a).
+fn word_of(name: Name) -> u64 {
+    static WORDS: LazyLock<Vec<u64>> = LazyLock::new(|| Name::all().map(spelt).collect());
+    WORDS.get(name as usize).copied().unwrap_or_default()
+}
+
+fn spelt(name: Name) -> u64 {
+    let letters = name.key().bytes().chain([0]).chain(name.form().bytes());
+    letters.fold(0xcbf2_9ce4_8422_2325, |word, letter| (word ^ u64::from(letter)).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// A step as numbers.
@@ -131,6 +143,13 @@ mod tests {
     fn tests_of_other_objects_change_nothing() {
         assert_eq!(key_of(&[CAMERA, MIRRORED], 0), key_of(&[CAMERA, MIRRORED], 5));
         assert_ne!(key_of(&[CAMERA, MIRRORED], 0), key_of(&[CAMERA], 0));
+    }
+
+    #[test]
+    fn no_two_names_have_the_same_word() {
+        let mut words: Vec<_> = Name::all().map(word_of).collect();
+        words.sort_unstable();
+        assert!(words.windows(2).all(|pair| pair[0] != pair[1]));
     }
 
     #[test]
