@@ -5,6 +5,7 @@
 pub mod geometry;
 pub mod log;
 pub mod probe;
+pub mod random;
 pub mod record;
 pub mod render;
 pub mod report;

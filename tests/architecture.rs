@@ -9,13 +9,17 @@ use std::collections::BTreeSet;
 use support::source::{SourceFile, files_below, program};
 
 /// The rooms, from the ground up: each may import those before it.
-const ROOMS: &[&str] =
-    &["log", "probe", "geometry", "scene", "trace", "sampling", "record", "render", "report", "study", "tui", "cli"];
+const ROOMS: &[&str] = &[
+    "log", "probe", "random", "geometry", "scene", "trace", "sampling", "record", "render", "report", "study", "tui",
+    "cli",
+];
 
 /// Rooms and parts of rooms that may import less than all that lies below them.
 const NARROW: &[(&str, &[&str])] = &[
     // A log knows no geometry: it can be read by a program that has none.
     ("log", &["log"]),
+    // Random numbers are numbers: whoever draws them says what for.
+    ("random", &["random"]),
     // A report is made of the log alone, and rounds as the probes do.
     ("report", &["report", "log", "probe"]),
     // The viewer shows a log and an image that it is handed; it computes no geometry.

@@ -292,6 +292,45 @@ fn the_textbook_as_json_has_the_fields_of_the_contract() {
     assert_eq!(table["result"]["strict"].as_f64(), Some(394.134));
 }
 
+#[test]
+fn stability_is_measured_on_files_or_the_own_sample() {
+    let table = prints(&["stress"]);
+    assert!(table.starts_with("family ") && table.contains("f13_slivers") && !table.contains("FAILS"), "{table}");
+    let json: serde_json::Value = serde_json::from_str(&prints(&["stress", "--format", "json"])).expect("JSON");
+    assert_eq!(json["rows"][0]["wrong"], 0);
+    let answers = prints(&["stress", "--answers"]);
+    let first: serde_json::Value = serde_json::from_str(answers.lines().next().expect("a line")).expect("JSON");
+    assert!(first["id"].is_string() && first["out"]["hit"].is_boolean(), "{first}");
+}
+
+#[test]
+fn wrong_answers_and_files_that_are_none_have_their_exit_codes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str, text: &str| -> String {
+        let path = folder.path().join(name);
+        fs::write(&path, text).expect("a file");
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    let sphere = |t: &str| {
+        format!(
+            r#"{{"family": "f01_own", "op": "sphere", "cases": [{{"id": "a",
+            "in": {{"o": [0, 0, 0], "d": [0, 0, 2], "c": [0, 0, 5], "r": 1}}, "out": {{"hit": true, "t": "{t}"}}}}]}}"#
+        )
+    };
+    assert!(prints(&["stress", &path("right.json", &sphere("4"))]).contains("holds"));
+    let wrong = raywalk(&["stress", &path("wrong.json", &sphere("4.5"))]).output().expect("it runs");
+    assert_eq!(wrong.status.code(), Some(1));
+    says(2, &["stress", "nowhere.json"], "nowhere.json: there is no such file");
+    says(2, &["stress", &path("text.json", "no JSON")], "text.json: ");
+    says(2, &["stress", &path("op.json", &sphere("4").replace("\"sphere\"", "\"what\""))], "unknown operation `what`");
+    says(2, &["stress", &path("in.json", &sphere("4").replace("\"r\"", "\"s\""))], "case `a`: in");
+    says(
+        2,
+        &["stress", &path("none.json", r#"{"family": "f", "op": "mesh", "cases": []}"#.trim_end_matches('}'))],
+        "none.json",
+    );
+}
+
 /// What `scene check` says of the lights of a room: a floor, a ball on it, the eye above.
 #[track_caller]
 fn checks_lights(lights: &str, expected: &[&str]) {
@@ -343,7 +382,6 @@ fn everything_that_is_not_supported_is_told_at_once_with_its_place() {
     let expected = [
         "2:57: camera.lens: not supported by this version: a lens",
         "3:27: lights[0].rectangle: not supported by this version: a light `rectangle`",
-        "4:15: sampling.regular: not supported by this version: the method `regular`",
     ];
     assert_eq!(errors, expected);
 }

@@ -161,6 +161,17 @@ fn normals_that_grow_evenly_are_interpolated_exactly() {
     });
 }
 
+/// Whether two hits are one but for the roundings that a ray along the surface magnifies: a triangle has its distance with more digits.
+fn are_near(one: &Option<(Crossing, Surface)>, other: &Option<(Crossing, Surface)>) -> bool {
+    match (one, other) {
+        (Some((one, surface)), Some((other, its))) => {
+            let is_one_place = (one.t - other.t).abs() <= 1e-9 * one.t;
+            one.side == other.side && is_one_place && (surface.normal - its.normal).length() <= 1e-6
+        }
+        (one, other) => one.is_none() && other.is_none(),
+    }
+}
+
 #[test]
 fn a_polygon_of_three_corners_shades_as_the_triangle() {
     let weights = (corners(), [point(), point(), point()], -0.2..1.0_f64, -0.2..1.0_f64, point());
@@ -171,7 +182,7 @@ fn a_polygon_of_three_corners_shades_as_the_triangle() {
         let ray = ray_through(origin, a + (b - a) * u + (c - a) * v);
         let (one, other) = (meet(&triangle, &ray), meet(&polygon, &ray));
         let is_near_an_edge = u.abs().min(v.abs()).min((u + v - 1.0).abs()) < 1e-6;
-        assert!(one == other || is_near_an_edge, "{one:?} {other:?}");
+        assert!(are_near(&one, &other) || is_near_an_edge, "{one:?} {other:?}");
         if let Some((_, surface)) = one {
             assert!(surface.normal.dot(surface.geometric_normal()) >= 0.0);
             assert!((surface.normal.length() - 1.0).abs() <= FEW_ULPS);

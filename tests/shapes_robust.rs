@@ -58,7 +58,8 @@ fn no_ray_slips_through_a_shared_edge() {
         }
     }
     assert_eq!(both + one, 100_000);
-    assert!(both > 1000 && one > 50_000, "{both} rays hit both, {one} one of them");
+    // Signs are exact: a ray hits both only where its line meets the edge itself, of which f64 rarely has a point.
+    assert!(one > 99_000, "{both} rays hit both, {one} one of them");
 }
 
 #[test]

@@ -82,7 +82,10 @@ fn a_log_shows_the_corners_as_samples() {
 
     let lines = log_file::to_ndjson(&log).expect("a log");
     let text = String::from_utf8(lines.clone()).expect("UTF-8");
-    assert!(text.contains("\"enter\":{\"sample\":{\"number\":4}},\"parent\":0}"), "{text}");
+    assert!(
+        text.contains("\"enter\":{\"sample\":{\"number\":4}},\"parent\":0,\"given\":{\"sample.x\":1,\"sample.y\":1}}"),
+        "{text}"
+    );
     assert!(text.contains("\"path\":\"4 C\""));
     assert_eq!(log_file::read(&lines).expect("a log").log, log);
 }
@@ -100,7 +103,8 @@ fn a_corner_is_the_mean_of_its_pixels_neighbours() {
     let tree = Tree::of(&log.events);
     let colors: Vec<_> = tree.children(0).map(|sample| came_to(&corners, &log, &tree, sample)).collect();
     let [a, b, c, d] = colors[..] else { panic!("four corners") };
-    assert_eq!(result, ((a + b) + (c + d)) / 4.0);
+    let error = result - ((a + b) + (c + d)) / 4.0;
+    assert!(error.cmple(result * f64::EPSILON).all(), "{result}");
 }
 
 /// The colour that the ray of a sample brings.

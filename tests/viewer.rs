@@ -43,6 +43,24 @@ fn frames_without_colour_and_in_ascii() {
     });
 }
 
+/// The pixel of figure 19 that holds a lost object: its samples are drawn when the pixel or a sample is selected.
+#[test]
+fn the_samples_of_a_pixel_are_a_picture() {
+    let log = || record::pixel(&scene("figure-19"), [20, 8], Arithmetic::F64);
+    let frame = |keys: &str, width, height, ascii| {
+        let options = options(Palette::None, ascii);
+        let model = tui::opened_with_keys(log(), &options, keys, width, height);
+        dump(&tui::frame(&model, width, height, &options.theme))
+    };
+    snapshots().bind(|| insta::assert_snapshot!("viewer_samples", frame("g", 80, 30, false)));
+    let ascii = frame("g", 80, 30, true);
+    assert!(ascii.lines().take(30).all(|line| line.is_ascii()), "{ascii}");
+    assert!(ascii.contains("samples in the pixel"), "{ascii}");
+    for (width, height) in (0..90).step_by(3).flat_map(|width| (0..34).map(move |height| (width, height))) {
+        frame("g", width, height, false);
+    }
+}
+
 #[test]
 fn no_size_is_too_small_to_be_drawn() {
     for width in 0..45 {

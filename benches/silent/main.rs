@@ -4,30 +4,28 @@
 //! most 2 % of. The whole *picture* is traced by a tracer of planes and spheres that knows nothing of the program's other
 //! shapes, tree and interpolated normals: what it saves by that is shown too, but isn't the probe's.
 //!
-//! Both sides must first give the same bits. Then they are timed in pairs, one right after the other and in turns, so that a
-//! machine that slows down slows both; what counts is the median of the pairs' ratios. Where valgrind is installed, the
-//! instructions are counted too: they don't depend on the machine's mood.
+//! Both sides must first give the same bits, so the program's asks for no more digits than f64 has: what those cost is measured by
+//! the bench `certified`. Then they are timed in pairs, and their instructions are counted, which don't depend on the machine's
+//! mood (`support/paired.rs`).
 //!
 //! ```text
 //! cargo bench --bench silent
 //! ```
 
+#[path = "../support/paired.rs"]
+mod paired;
 mod yardstick;
 
 use glam::DVec3;
+use paired::{PAIRS, Pairs, Uncertified, instructions};
 use raywalk::geometry::Ray;
 use raywalk::geometry::shape::{Approach, Kernel, Shape};
 use raywalk::probe::Silent;
 use raywalk::sampling;
 use raywalk::scene::{Scene, build, builtin, file};
 use std::hint::black_box;
-use std::process::Command;
-use std::time::{Duration, Instant};
 use yardstick::Yardstick;
 use yardstick::shapes::{Meet, Ray as RayByHand, Shape as ByHand};
-
-/// How many pairs are timed.
-const PAIRS: usize = 41;
 
 /// The size of the pictures, small enough that their rays stay in the cache: memory isn't what is compared.
 const SIZE: [u32; 2] = [80, 60];
@@ -59,23 +57,17 @@ fn report(scene: &str) {
     contest.assert_same_bits();
     println!("{scene}, {} × {} camera rays, {ROUNDS} rounds; the same bits everywhere", SIZE[0], SIZE[1]);
     for work in [Work::Kernels, Work::Picture] {
-        let (silent, by_hand, mut ratios) = contest.times(work);
-        ratios.sort_by(f64::total_cmp);
-        let quartile = |part: usize| ratios[(ratios.len() - 1) * part / 4];
+        let pairs = contest.times(work);
+        let [ratio, lower, upper] = pairs.ratio();
         let verdict = match work {
-            Work::Kernels if quartile(2) <= ALLOWED => format!(", within {ALLOWED}"),
+            Work::Kernels if ratio <= ALLOWED => format!(", within {ALLOWED}"),
             Work::Kernels => format!(", ABOVE {ALLOWED}"),
             Work::Picture => String::new(),
         };
-        println!("  {work:?}: median time silent {silent:.2?}, by hand {by_hand:.2?}");
-        println!(
-            "    ratio of times {:.4} (quartiles {:.4} and {:.4} of {PAIRS} pairs){verdict}",
-            quartile(2),
-            quartile(1),
-            quartile(3)
-        );
-        match instructions(work, scene) {
-            Some((silent, by_hand)) => {
+        println!("  {work:?}: median time silent {:.2?}, by hand {:.2?}", pairs.one, pairs.other);
+        println!("    ratio of times {ratio:.4} (quartiles {lower:.4} and {upper:.4} of {PAIRS} pairs){verdict}");
+        match instructions(&format!("{work:?}"), ["silent", "by_hand"], scene) {
+            Some([silent, by_hand]) => {
                 let ratio = silent as f64 / by_hand as f64;
                 println!("    ratio of instructions {ratio:.4} (silent {silent}, by hand {by_hand})");
             }
@@ -136,7 +128,7 @@ impl Contest {
             }
             Work::Picture => {
                 for pixel in pixels(self.scene.camera.resolution) {
-                    see(sampling::pixel(&self.scene, black_box(pixel), &mut Silent));
+                    see(sampling::pixel(&self.scene, black_box(pixel), &mut Uncertified));
                 }
             }
         }
@@ -193,32 +185,21 @@ impl Contest {
         }
     }
 
-    /// The median times of the one and of the other, and the ratio of each pair.
-    fn times(&self, work: Work) -> (Duration, Duration, Vec<f64>) {
-        let silent = || time(|| self.silent(work, |value| _ = black_box(value)));
-        let by_hand = || time(|| self.by_hand(work, |value| _ = black_box(value)));
-        // The first run warms up caches and clock.
-        let _ = (silent(), by_hand());
-        let pair = |number: usize| {
-            if number.is_multiple_of(2) {
-                (silent(), by_hand())
-            } else {
-                let by_hand = by_hand();
-                (silent(), by_hand)
-            }
-        };
-        let pairs: Vec<_> = (0..PAIRS).map(pair).collect();
-        let ratios = pairs.iter().map(|(silent, by_hand)| silent.as_secs_f64() / by_hand.as_secs_f64()).collect();
-        let (silent, by_hand): (Vec<_>, Vec<_>) = pairs.into_iter().unzip();
-        (median(silent), median(by_hand), ratios)
+    /// The times of the one and of the other.
+    fn times(&self, work: Work) -> Pairs {
+        let rounds = |round: &dyn Fn()| (0..ROUNDS).for_each(|_| round());
+        Pairs::timed(
+            || rounds(&|| self.silent(work, |value| _ = black_box(value))),
+            || rounds(&|| self.by_hand(work, |value| _ = black_box(value))),
+        )
     }
 }
 
 /// A kernel, as one function.
 #[inline(never)]
 fn hit(kernel: &impl Kernel, ray: &Ray, approach: Approach) -> Option<(DVec3, DVec3)> {
-    let crossing = kernel.first_crossing(ray, approach, &mut Silent)?;
-    let surface = kernel.surface(ray, crossing, &mut Silent);
+    let crossing = kernel.first_crossing(ray, approach, &mut Uncertified)?;
+    let surface = kernel.surface(ray, crossing, &mut Uncertified);
     Some((surface.point, surface.normal))
 }
 
@@ -233,19 +214,6 @@ fn pixels([width, height]: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
     (0..height).flat_map(move |y| (0..width).map(move |x| [x, y]))
 }
 
-fn time(work: impl Fn()) -> Duration {
-    let start = Instant::now();
-    for _ in 0..ROUNDS {
-        work();
-    }
-    start.elapsed()
-}
-
-fn median(mut times: Vec<Duration>) -> Duration {
-    times.sort();
-    times[times.len() / 2]
-}
-
 /// Does the work of one side, or everything but.
 fn run(work: &str, side: &str, contest: &Contest) {
     let work = if work == "Kernels" { Work::Kernels } else { Work::Picture };
@@ -254,23 +222,4 @@ fn run(work: &str, side: &str, contest: &Contest) {
         "by_hand" => contest.by_hand(work, |value| _ = black_box(value)),
         _ => {}
     }
-}
-
-/// The instructions of the work by the program and by hand, without those of getting ready.
-fn instructions(work: Work, scene: &str) -> Option<(u64, u64)> {
-    let nothing = instructions_of(work, "nothing", scene)?;
-    let silent = instructions_of(work, "silent", scene)?;
-    let by_hand = instructions_of(work, "by_hand", scene)?;
-    Some((silent - nothing, by_hand - nothing))
-}
-
-fn instructions_of(work: Work, side: &str, scene: &str) -> Option<u64> {
-    let this = std::env::current_exe().ok()?;
-    let mut valgrind = Command::new("valgrind");
-    valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
-    valgrind.arg(this).args(["--run", &format!("{work:?}"), side, scene]);
-    let output = valgrind.output().ok()?;
-    let messages = String::from_utf8_lossy(&output.stderr);
-    let collected = messages.lines().find_map(|line| line.split_once("Collected : "))?.1;
-    collected.trim().parse().ok()
 }

@@ -5,6 +5,8 @@ use raywalk::scene::file::visible;
 use std::io::{self, Write};
 use std::path::Path;
 
+/// The answer is negative: a check failed.
+pub const NEGATIVE: u8 = 1;
 /// The caller must change something.
 pub const CALLER: u8 = 2;
 /// The machine said no; a retry may help.

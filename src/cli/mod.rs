@@ -1,14 +1,19 @@
 //! The command line: one file a command.
 
+mod bench;
+mod causes;
 mod failure;
+mod frames;
 mod options;
 mod output;
 mod progress;
 mod rays;
 mod render;
+mod sampling_spec;
 mod scene;
 mod scene_argument;
 mod signals;
+mod stress;
 mod textbook;
 mod trace;
 mod walk;
@@ -45,6 +50,11 @@ enum Command {
     Rays(rays::Rays),
     /// Show the numeric example: printed, recomputed, by hand, exact
     Textbook(textbook::Textbook),
+    /// Measure numerical stability on cases with exact answers
+    Stress(stress::Stress),
+    /// Measure error and time
+    #[command(subcommand)]
+    Bench(bench::Bench),
     /// Check, show, convert or list scenes
     #[command(subcommand)]
     Scene(scene::SceneCommand),
@@ -66,6 +76,11 @@ pub fn run() -> ExitCode {
         Some(Command::Render(render)) => render.run(colors),
         Some(Command::Rays(rays)) => rays.run(colors),
         Some(Command::Textbook(textbook)) => textbook.run(colors),
+        Some(Command::Stress(stress)) => match stress.run() {
+            Ok(false) => return ExitCode::from(failure::NEGATIVE),
+            done => done.map(|_| ()),
+        },
+        Some(Command::Bench(bench)) => bench.run(colors),
         Some(Command::Scene(command)) => command.run(colors),
     };
     match done {

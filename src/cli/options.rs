@@ -1,6 +1,7 @@
 //! The options that every tracing command has. They override what the scene says.
 
 use super::failure::Failure;
+use super::sampling_spec::sampling;
 use super::scene_argument::Loaded;
 use clap::{Args, ValueEnum};
 use raywalk::log::SkipReason;
@@ -8,13 +9,13 @@ use raywalk::record::Arithmetic;
 use raywalk::scene::builtin;
 use raywalk::scene::file::nff::{Angle, Import};
 use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
-use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_GRID, MAX_PIXELS, MAX_SIDE};
+use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_PIXELS, MAX_SIDE};
 use raywalk::scene::file::{self, suggest};
 use raywalk::scene::{Index, Scene, Skip, build};
 use std::io::IsTerminal;
 
 /// The most threads.
-const MAX_THREADS: i64 = 4096;
+pub const MAX_THREADS: i64 = 4096;
 
 /// Whether to use colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -45,7 +46,8 @@ pub struct TracingOptions {
     /// Pixels across and down; the vertical field of view stays
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// In which arithmetic: f64, f32, decimal:N (by hand with N decimals), printed (the book's own values)
+    /// In which arithmetic: f64, f32, decimal:N (by hand with N decimals), perturbed:SEED (f64 with every quantity moved by
+    /// an ulp at random, which shows how many digits can be trusted), printed (the book's own values)
     #[arg(long, value_name = "NAME", default_value = "f64")]
     pub arithmetic: Arithmetic,
     /// Which pseudocode: recursive, whitted or foley
@@ -54,10 +56,15 @@ pub struct TracingOptions {
     /// The depth limit of the algorithm
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_DEPTH)))]
     pub max_depth: Option<u32>,
-    /// Which rays make a pixel: none (one through its centre) or shared:N (the corners of N x N cells, which
-    /// neighbours share)
+    /// Which rays make a pixel: none (one through its centre), regular:N (N x N cell centres), shared:N (the corners of
+    /// N x N cells, which neighbours share), adaptive:threshold=T,depth=D (cells cut where corners differ by more than
+    /// T of white), stochastic:N (N jittered), random:N, sobol:N, or
+    /// statistical:confidence=C,tolerance=T,min=M,max=N (until the mean is within T of white)
     #[arg(long, value_name = "SPEC", value_parser = sampling)]
     pub sampling: Option<Sampling>,
+    /// Which random numbers samples draw; another seed gives other noise
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
     /// Where a pixel's rays go: through its centre, or through its corners, which it shares with its neighbours
     #[arg(long, value_enum, value_name = "PLACE", default_value = "centers")]
     pub pixel_grid: PixelGrid,
@@ -147,6 +154,9 @@ impl TracingOptions {
         if let Some(sampling) = self.sampling {
             file.sampling = sampling;
         }
+        if let Some(seed) = self.seed {
+            file.seed = seed;
+        }
         if self.pixel_grid == PixelGrid::Corners {
             file.sampling = through_corners(file.sampling)?;
         }
@@ -205,7 +215,7 @@ pub fn pixel_in(scene: &Scene, pixel: [u32; 2]) -> Result<[u32; 2], Failure> {
     }
 }
 
-fn size(text: &str) -> Result<[u32; 2], String> {
+pub fn size(text: &str) -> Result<[u32; 2], String> {
     let expected = || format!("expected WIDTHxHEIGHT in pixels, each from 1 to {MAX_SIDE}");
     let (width, height) = text.split_once(['x', 'X']).ok_or_else(expected)?;
     let side = |side: &str| side.parse().ok().filter(|side| (1..=MAX_SIDE).contains(side)).ok_or_else(expected);
@@ -225,20 +235,6 @@ fn algorithm(text: &str) -> Result<Algorithm, String> {
     }
 }
 
-fn sampling(text: &str) -> Result<Sampling, String> {
-    match text {
-        "none" => return Ok(Sampling::None {}),
-        "shared" => return Err("expected the number of cells a side, such as shared:1".to_owned()),
-        _ => {}
-    }
-    let Some(n) = text.strip_prefix("shared:") else {
-        return Err(unknown("sampling", text, &["none", "shared:N"]));
-    };
-    let n = n.parse().ok().filter(|n| (1..=MAX_GRID).contains(n));
-    let n = n.ok_or_else(|| format!("expected shared:N with a whole number N from 1 to {MAX_GRID}"))?;
-    Ok(Sampling::Shared { n })
-}
-
 fn skip(text: &str) -> Result<Skip, String> {
     match text {
         "all" => return Ok(Skip::ALL),
@@ -254,7 +250,8 @@ fn skip(text: &str) -> Result<Skip, String> {
     })
 }
 
-fn unknown(what: &str, found: &str, known: &[&str]) -> String {
+/// The message about a word that isn't among the known ones.
+pub fn unknown(what: &str, found: &str, known: &[&str]) -> String {
     let near = suggest(found, known.iter().copied()).map(|near| format!("; did you mean `{near}`?"));
     format!("unknown {what} `{found}`, expected {}{}", known.join(", "), near.unwrap_or_default())
 }

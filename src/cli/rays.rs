@@ -129,11 +129,10 @@ impl Rays {
 impl Question<'_> {
     fn query(&self, scene: &Scene, names: &HashMap<&str, u32>) -> Result<Query, String> {
         let (origin, direction) = (DVec3::from(self.o), DVec3::from(self.d));
-        if direction == DVec3::ZERO {
-            return Err("d: expected a direction that is not zero".to_owned());
-        }
         let from = self.from(scene, names)?;
-        Ok(Query { origin, direction, t_min: self.tmin, t_max: self.tmax.unwrap_or(f64::INFINITY), from })
+        let query = Query { origin, direction, t_min: self.tmin, t_max: self.tmax.unwrap_or(f64::INFINITY), from };
+        query.check()?;
+        Ok(query)
     }
 }
 

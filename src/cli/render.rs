@@ -1,16 +1,19 @@
 //! `raywalk render`: all pixels, on all cores.
 
 use super::failure::Failure;
+use super::frames::{self, Frame, FrameRange};
 use super::options::{ColorChoice, TracingOptions, numbers};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
-use super::scene_argument;
+use super::scene_argument::{self, Loaded};
 use clap::{Args, ValueEnum};
+use image::ImageError;
 use raywalk::record::Arithmetic;
-use raywalk::render::export::{self, Format};
+use raywalk::render::digits::{Summary, false_colors, render_digits};
+use raywalk::render::export::{self, Encoded, Format};
 use raywalk::render::statistics::{Seconds, Statistics};
-use raywalk::render::{Settings, render};
-use raywalk::scene::Scene;
+use raywalk::render::{Film, Rendered, Settings, render};
+use raywalk::scene::{self, Scene};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -26,6 +29,14 @@ pub struct Render {
     /// Only a part: left, top, right and bottom in pixels, the last two exclusive
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>)]
     crop: Option<[u32; 4]>,
+    /// Show where few digits can be trusted instead of the colours: the fewest significant digits of a pixel's channels
+    /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In .png and .ppm black is all
+    /// 15.95 digits and bright yellow none; .pfm holds the numbers
+    #[arg(long)]
+    digits: bool,
+    /// The frames of an animation, the last inclusive; #### in the picture's name becomes the frame's number
+    #[arg(long, value_name = "A-B")]
+    frames: Option<FrameRange>,
     /// Write PNG with 16 bits a channel
     #[arg(long)]
     png16: bool,
@@ -55,12 +66,24 @@ impl Render {
                 "render: --arithmetic printed is for the walk of the numeric example's one pixel",
             ));
         }
+        // Before anything is read.
+        self.digits_seed()?;
         let load = Instant::now();
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
-        let mut seconds = Seconds { load: load.elapsed().as_secs_f64(), ..Seconds::default() };
+        let load = load.elapsed().as_secs_f64();
+        let mut frames = frames::frames(&loaded.scene, self.frames, &self.output)?;
+        let last = frames.pop();
+        for frame in frames {
+            self.render_frame(loaded.clone(), &frame, format, Seconds { load, ..Seconds::default() })?;
+        }
+        last.map_or(Ok(()), |last| self.render_frame(loaded, &last, format, Seconds { load, ..Seconds::default() }))
+    }
+
+    /// Renders one frame into its file.
+    fn render_frame(&self, loaded: Loaded, frame: &Frame, format: Format, mut seconds: Seconds) -> Result<(), Failure> {
         let inputs = loaded.inputs(&self.scene);
         let build = Instant::now();
-        let scene = self.tracing.apply(loaded)?;
+        let scene = self.tracing.apply(frames::at(loaded, frame.number))?;
         seconds.build = build.elapsed().as_secs_f64();
         let settings = Settings {
             crop: self.crop_in(&scene)?,
@@ -68,27 +91,64 @@ impl Render {
             threads: self.tracing.threads.into(),
             counts_rays: self.stats.is_some(),
         };
-        let output = Output::create(Some(&self.output), &inputs)?;
-
+        let output = Output::create(Some(&frame.path), &inputs)?;
         let start = Instant::now();
-        let [left, top, right, bottom] = settings.crop;
-        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
-        let rendered = render(&scene, &settings, |pixels| progress.advance(pixels), &AtomicBool::new(false));
-        progress.finish();
-        let rendered = rendered.map_err(|error| Failure::machine(error.to_string()))?;
+        let rendered = self.picture(&scene, &settings)?;
         seconds.render = start.elapsed().as_secs_f64();
-
-        let encoded = export::encode(&rendered.film, format, &scene.output)
-            .map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", self.output.display())))?;
-        output.commit(&encoded.bytes)?;
-        if encoded.clipped_pixels > 0 && !self.progress.quiet {
-            output::tell(&format!("note: {} pixels were brighter than white and clipped", encoded.clipped_pixels));
-        }
+        let clipped_pixels = self.save(&rendered.film, &scene, (&frame.path, format), output)?;
         match (self.stats, rendered.counts) {
             (Some(stats), Some(counts)) => {
-                print_statistics(&counts.statistics(encoded.clipped_pixels, seconds, peak_bytes()), stats)
+                print_statistics(&counts.statistics(clipped_pixels, seconds, peak_bytes()), stats)
             }
             _ => Ok(()),
+        }
+    }
+
+    /// The picture of colours or of digits.
+    fn picture(&self, scene: &Scene, settings: &Settings) -> Result<Rendered, Failure> {
+        let [left, top, right, bottom] = settings.crop;
+        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
+        let advance = |pixels| progress.advance(pixels);
+        let rendered = match self.digits_seed()? {
+            None => render(scene, settings, advance, &AtomicBool::new(false)),
+            Some(seed) => render_digits(scene, settings, seed, advance, &AtomicBool::new(false)),
+        };
+        progress.finish();
+        rendered.map_err(|error| Failure::machine(error.to_string()))
+    }
+
+    /// Writes the picture into its file; says how many pixels were clipped.
+    fn save(
+        &self,
+        film: &Film,
+        scene: &Scene,
+        (path, format): (&Path, Format),
+        output: Output,
+    ) -> Result<u64, Failure> {
+        let encoded =
+            if self.digits { encode_digits(film, format) } else { export::encode(film, format, &scene.output) };
+        let Encoded { bytes, clipped_pixels } =
+            encoded.map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", path.display())))?;
+        output.commit(&bytes)?;
+        if self.digits && !self.progress.quiet {
+            let Summary { fewest, median, without } = Summary::of(film);
+            output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
+        }
+        if clipped_pixels > 0 && !self.progress.quiet {
+            output::tell(&format!("note: {clipped_pixels} pixels were brighter than white and clipped"));
+        }
+        Ok(clipped_pixels)
+    }
+
+    /// The seed of the first run, if digits are asked for.
+    fn digits_seed(&self) -> Result<Option<u64>, Failure> {
+        match self.tracing.arithmetic {
+            _ if !self.digits => Ok(None),
+            Arithmetic::F64 => Ok(Some(0)),
+            Arithmetic::Perturbed(seed) => Ok(Some(seed)),
+            other => Err(Failure::caller(format!(
+                "render: --digits counts the digits of f64: expected --arithmetic perturbed:SEED or none, found {other}"
+            ))),
         }
     }
 
@@ -110,6 +170,15 @@ impl Render {
         Err(Failure::caller(format!(
             "--crop {found}: expected X0 < X1 <= {width} and Y0 < Y1 <= {height}, the picture has {width} x {height} pixels"
         )))
+    }
+}
+
+/// Digits as numbers where the format has numbers, else in false colours, whatever white the scene has.
+fn encode_digits(digits: &Film, format: Format) -> Result<Encoded, ImageError> {
+    let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
+    match format {
+        Format::Pfm => export::encode(digits, format, &plain),
+        Format::Png8 | Format::Png16 | Format::Ppm => export::encode(&false_colors(digits), format, &plain),
     }
 }
 

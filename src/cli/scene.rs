@@ -8,7 +8,7 @@ use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
 use raywalk::scene::file::{SceneFile, schema, visible};
-use raywalk::scene::{build, builtin, generate, unsupported};
+use raywalk::scene::{build, builtin, generate};
 use std::path::{Path, PathBuf};
 
 /// Check, show, convert, list or generate scenes.
@@ -79,7 +79,7 @@ impl SceneCommand {
             SceneCommand::Check(scene) => {
                 let input = scene_argument::read(&scene.scene, colors)?;
                 let import = scene.nff.import();
-                let loaded = scene_argument::scene_unless(unsupported::all, &input, &import, colors)?;
+                let loaded = scene_argument::scene(&input, &import, colors)?;
                 let Loaded { scene: file, meshes } = loaded;
                 let built = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
                 lights::tell(&input, built, colors);

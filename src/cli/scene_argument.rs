@@ -6,7 +6,7 @@ use super::output;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self, Finding, Problem, SceneError, Source, visible};
+use raywalk::scene::file::{self, Problem, SceneError, Source, visible};
 use raywalk::scene::{builtin, unsupported};
 use std::collections::BTreeSet;
 use std::io;
@@ -23,6 +23,7 @@ pub struct Input {
 }
 
 /// A checked scene with its meshes.
+#[derive(Clone)]
 pub struct Loaded {
     /// The scene.
     pub scene: SceneFile,
@@ -74,18 +75,8 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 
 /// Checks a scene that was read, and reads its meshes; prints their warnings.
 pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
-    scene_unless(unsupported::features, input, import, colors)
-}
-
-/// The same, unless something is found that can't be done.
-pub fn scene_unless(
-    unsupported: fn(&SceneFile) -> Vec<Finding>,
-    input: &Input,
-    import: &Import,
-    colors: ColorChoice,
-) -> Result<Loaded, Failure> {
     let scene = without_meshes(input, import, colors)?;
-    let findings = unsupported(&scene);
+    let findings = unsupported::features(&scene);
     if !findings.is_empty() {
         let problems = file::placed(&findings, &input.bytes, &input.name);
         return Err(Failure::scene(&SceneError::Invalid { problems, omitted: 0 }, is_colored(colors)));

@@ -1,5 +1,6 @@
 //! `raywalk trace`: the log of a pixel or a ray.
 
+use super::causes;
 use super::failure::Failure;
 use super::options::{ColorChoice, TracingOptions, numbers, pixel_in};
 use super::output::{Output, Sink};
@@ -12,6 +13,7 @@ use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::{self, Style};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
+use raywalk::study::rounding::Rounding;
 use std::io;
 use std::path::PathBuf;
 
@@ -22,9 +24,13 @@ pub struct Trace {
     scene: PathBuf,
     #[command(flatten)]
     subject: Subject,
-    /// What to write
-    #[arg(long, value_enum, default_value = "ndjson")]
-    format: TraceFormat,
+    /// What to write; without it ndjson, and text with --causes
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    format: Option<TraceFormat>,
+    /// Instead of the log, show which roundings of decimal:N or f32 caused the error of the result: the result with only
+    /// one quantity rounded, and with all but it, for every quantity (as text or json)
+    #[arg(long)]
+    causes: bool,
     /// Decimals in the text
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
@@ -50,7 +56,7 @@ pub struct Subject {
     pub ray: Option<[f64; 6]>,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum TraceFormat {
     /// One event a line.
     Ndjson,
@@ -66,25 +72,46 @@ impl Trace {
         if self.subject.pixel.is_none() && self.subject.ray.is_none() {
             return Err(Failure::caller("trace: expected --pixel X,Y or --ray OX,OY,OZ,DX,DY,DZ"));
         }
+        let rounding = self.rounding()?;
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let inputs = loaded.inputs(&self.scene);
         let scene = self.tracing.apply(loaded)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;
         let output = Output::create(self.output.as_deref(), &inputs)?;
         let in_memory = |error: io::Error| Failure::machine(format!("cannot write the log: {error}"));
-        let bytes = match self.format {
-            TraceFormat::Ndjson => {
-                return output.stream(|out| write_as_it_grows(&scene, part, self.tracing.arithmetic, out));
+        let style = Style { digits: self.digits };
+        let arithmetic = self.tracing.arithmetic;
+        let bytes = match (rounding, self.format) {
+            (Some(rounding), format) => {
+                let study = causes::study_of(&scene, part, rounding)?;
+                if format == Some(TraceFormat::Json) { study.json() } else { study.text(style) }.into_bytes()
             }
-            TraceFormat::Json => {
-                log_file::to_json(&short_log(&scene, part, self.tracing.arithmetic)?).map_err(in_memory)?
+            (None, None | Some(TraceFormat::Ndjson)) => match arithmetic {
+                // Its runs are compared before there are digits to write.
+                Arithmetic::Perturbed(_) => {
+                    log_file::to_ndjson(&short_log(&scene, part, arithmetic)?).map_err(in_memory)?
+                }
+                _ => return output.stream(|out| write_as_it_grows(&scene, part, arithmetic, out)),
+            },
+            (None, Some(TraceFormat::Json)) => {
+                log_file::to_json(&short_log(&scene, part, arithmetic)?).map_err(in_memory)?
             }
-            TraceFormat::Text => {
-                let log = short_log(&scene, part, self.tracing.arithmetic)?;
-                report::text::text(&log, Style { digits: self.digits }).into_bytes()
+            (None, Some(TraceFormat::Text)) => {
+                report::text::text(&short_log(&scene, part, arithmetic)?, style).into_bytes()
             }
         };
         output.commit(&bytes)
+    }
+}
+
+impl Trace {
+    /// The rounding whose effects are to be studied, if any is.
+    fn rounding(&self) -> Result<Option<Rounding>, Failure> {
+        match self.format {
+            _ if !self.causes => Ok(None),
+            Some(TraceFormat::Ndjson) => Err(Failure::caller("--causes: expected --format text or json, found ndjson")),
+            _ => causes::rounding(self.tracing.arithmetic).map(Some),
+        }
     }
 }
 
@@ -109,8 +136,16 @@ impl Subject {
 /// The log of a pixel or ray for views that need the whole of it.
 pub fn short_log(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, Failure> {
     record::bounded(scene, part, arithmetic).map_err(|cut_off| {
-        let smaller = "expected a smaller --max-depth, or `trace` in the format ndjson, which is written as it grows";
-        let message = format!("{cut_off}, {smaller}");
+        let message = match arithmetic {
+            Arithmetic::Perturbed(_) => {
+                format!("{cut_off}, expected fewer samples or a smaller --max-depth: runs are compared in memory")
+            }
+            _ => {
+                let smaller =
+                    "expected fewer samples, a smaller --max-depth, or `trace` in ndjson, which is written as it grows";
+                format!("{cut_off}, {smaller}")
+            }
+        };
         match cut_off {
             CutOff::TooLong { .. } => Failure::caller(message),
             CutOff::Memory | CutOff::Io(_) => Failure::machine(message),

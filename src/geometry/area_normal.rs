@@ -2,8 +2,9 @@
 //!
 //! The products of a cross product cancel where two edges are nearly parallel: at an aspect of 10¹⁵ the plain formula has no
 //! right digit left, and the distance to the plane has none either. Here differences and products keep their rounding
-//! errors (Dekker, "A floating-point technique for extending the available precision", 1971; Knuth, TAOCP 2, 4.2.2).
+//! errors (see [`super::doubled`]).
 
+use super::doubled::Doubled;
 use glam::DVec3;
 
 /// (b − a) × (c − a): perpendicular to the triangle, its length twice the area; zero for a triangle without area.
@@ -18,27 +19,32 @@ pub(super) fn area_normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
 }
 
 /// The vector of length 1 in the direction of another one; zero for one without direction.
-///
-/// It is first divided by a power of two, which is exact, so that no square overflows or vanishes.
 pub(super) fn unit(vector: DVec3) -> DVec3 {
-    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
-    let size = f64::from_bits(vector.abs().max_element().to_bits() & EXPONENT);
-    if size == 0.0 || !vector.is_finite() {
-        return DVec3::ZERO;
-    }
-    let scaled = vector / size;
+    let Some((scaled, _)) = scaled(vector) else { return DVec3::ZERO };
     scaled / scaled.dot(scaled).sqrt()
 }
 
-/// The exact sum of two numbers, of which the second is at most a rounding error of the first.
-#[derive(Clone, Copy)]
-struct Doubled {
-    head: f64,
-    tail: f64,
+/// The length of a vector of finite numbers.
+#[inline]
+pub(super) fn length(vector: DVec3) -> f64 {
+    /// Squares between these neither overflow nor vanish.
+    const MIDDLING: std::ops::Range<f64> = 1e-280..1e280;
+    let squared = vector.dot(vector);
+    if MIDDLING.contains(&squared) {
+        return squared.sqrt();
+    }
+    scaled(vector).map_or(0.0, |(scaled, size)| scaled.dot(scaled).sqrt() * size)
+}
+
+/// The vector divided by a power of two, which is exact, so that no square overflows or vanishes; and that power.
+fn scaled(vector: DVec3) -> Option<(DVec3, f64)> {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    let size = f64::from_bits(vector.abs().max_element().to_bits() & EXPONENT);
+    (size != 0.0 && vector.is_finite()).then(|| (vector / size, size))
 }
 
 fn differences(a: DVec3, b: DVec3) -> [Doubled; 3] {
-    [sum(a.x, -b.x), sum(a.y, -b.y), sum(a.z, -b.z)]
+    [Doubled::sum(a.x, -b.x), Doubled::sum(a.y, -b.y), Doubled::sum(a.z, -b.z)]
 }
 
 /// a·b − c·d with about twice the digits of f64 before its last rounding. What lies below the rounding errors counts as
@@ -46,38 +52,13 @@ fn differences(a: DVec3, b: DVec3) -> [Doubled; 3] {
 fn difference_of_products(a: Doubled, b: Doubled, c: Doubled, d: Doubled) -> f64 {
     /// The errors left below are at most about 2⁻¹⁰³ of the products.
     const NOISE: f64 = 16.0 * f64::EPSILON * f64::EPSILON;
-    let (first, second) = (product(a.head, b.head), product(c.head, d.head));
-    let heads = sum(first.head, -second.head);
+    let (first, second) = (Doubled::product(a.head, b.head), Doubled::product(c.head, d.head));
+    let heads = Doubled::sum(first.head, -second.head);
     let mixed = (a.head * b.tail + a.tail * b.head) - (c.head * d.tail + c.tail * d.head);
     let result = heads.head + (heads.tail + ((first.tail - second.tail) + mixed));
     // False for an infinite noise and for NaN.
     let is_known = result.abs() > (first.head.abs() + second.head.abs()) * NOISE;
     if is_known { result } else { 0.0 }
-}
-
-/// a + b and its rounding error (Knuth).
-fn sum(a: f64, b: f64) -> Doubled {
-    let head = a + b;
-    let b_in_head = head - a;
-    let tail = (a - (head - b_in_head)) + (b - b_in_head);
-    Doubled { head, tail }
-}
-
-/// a·b and its rounding error (Dekker, Veltkamp): both factors are cut into halves whose products are exact.
-fn product(a: f64, b: f64) -> Doubled {
-    let head = a * b;
-    let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
-    let tail = a_low * b_low - (((head - a_high * b_high) - a_low * b_high) - a_high * b_low);
-    Doubled { head, tail }
-}
-
-/// A number as a sum of two of at most 26 digits each.
-fn halves(a: f64) -> (f64, f64) {
-    /// 2²⁷ + 1
-    const SPLITTER: f64 = 134_217_729.0;
-    let scaled = SPLITTER * a;
-    let high = scaled - (scaled - a);
-    (high, a - high)
 }
 
 #[cfg(test)]

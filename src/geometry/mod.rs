@@ -3,6 +3,8 @@
 mod area_normal;
 pub mod bounds;
 pub mod bvh;
+pub(crate) mod doubled;
+mod exact;
 pub mod mesh;
 pub mod ray;
 pub mod shape;

@@ -1,5 +1,6 @@
 //! A ray, and what it meets.
 
+use super::doubled::{Doubled, exponent, length, scaled};
 use glam::DVec3;
 
 /// A half line from `origin` along `direction`, of which `t_min < t < t_max` counts.
@@ -11,12 +12,17 @@ pub struct Ray {
     pub origin: DVec3,
     /// Where it goes.
     pub direction: DVec3,
+    /// The same way without the rounding error of a unit length, where it is known: the vector that was normalised to
+    /// `direction`, times a power of two that makes it of middling size. Decisions that f64 leaves in doubt are taken with it.
+    pub vector: DVec3,
     /// The surface that it leaves, which it can't meet again at its origin.
     pub leaving: Option<Leaving>,
     /// Hits lie beyond this distance.
     pub t_min: f64,
     /// Hits lie before this distance.
     pub t_max: f64,
+    /// Whether the distance of a hit is asked for, or only whether there is one.
+    pub wants_distance: bool,
 }
 
 /// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive instead.
@@ -90,7 +96,39 @@ impl Surface {
 impl Ray {
     /// A ray that leaves no surface and ends nowhere.
     pub fn new(origin: DVec3, direction: DVec3) -> Ray {
-        Ray { origin, direction, leaving: None, t_min: 0.0, t_max: f64::INFINITY }
+        Ray {
+            origin,
+            direction,
+            vector: direction,
+            leaving: None,
+            t_min: 0.0,
+            t_max: f64::INFINITY,
+            wants_distance: true,
+        }
+    }
+
+    /// A ray along a vector of any length but zero.
+    pub fn along(origin: DVec3, vector: DVec3) -> Ray {
+        let (direction, vector, _) = unit(vector);
+        Ray { vector, ..Ray::new(origin, direction) }
+    }
+
+    /// The same ray, of which it is asked only whether it meets anything.
+    pub fn without_distance(&self) -> Ray {
+        Ray { wants_distance: false, ..*self }
+    }
+
+    /// Whether a distance needs no more digits if half of them are right: it is certainly not that of a hit, or only a hit
+    /// was asked for.
+    #[inline]
+    pub fn is_settled_by_half(&self, t: f64) -> bool {
+        /// A few more than half of the digits of an f64.
+        const HALF: f64 = 1.0 / (1 << 20) as f64;
+        if t < 0.0 {
+            return self.t_min >= 0.0;
+        }
+        let is_within = t > self.t_min * (1.0 + HALF) && t < self.t_max * (1.0 - HALF);
+        t > self.t_max * (1.0 + HALF) || (is_within && !self.wants_distance)
     }
 
     /// Whether a hit at this distance counts.
@@ -100,12 +138,47 @@ impl Ray {
     }
 }
 
+/// The unit vector along a vector, the vector itself scaled to a middling size, and its length. Scaling by a power of two,
+/// which is exact, keeps the squares of very long and very short vectors in range.
+pub(crate) fn unit(vector: DVec3) -> (DVec3, DVec3, f64) {
+    let power = exponent(vector.abs().max_element());
+    let middling = middling(vector);
+    // With twice the digits, so that the unit vector has no rounding errors but its last: its length would be an error of every
+    // distance along it.
+    let length = length(middling);
+    let unit = DVec3::from_array(middling.to_array().map(|x| Doubled::from(x).quotient(length)));
+    (unit, middling, scaled(length.value(), power))
+}
+
+/// The vector times the power of two that makes its greatest component one from 1 to 2.
+#[inline]
+pub(crate) fn middling(vector: DVec3) -> DVec3 {
+    let power = exponent(vector.abs().max_element());
+    DVec3::from_array(vector.to_array().map(|x| scaled(x, -power)))
+}
+
 impl Side {
     /// The other side.
     pub fn opposite(self) -> Side {
         match self {
             Side::Front => Side::Back,
             Side::Back => Side::Front,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unit_vectors_of_any_length() {
+        for exponent in [-1000, -300, 0, 300, 1000] {
+            let scale = libm::scalbn(1.0, exponent);
+            let (direction, vector, length) = unit(DVec3::new(3.0, 0.0, 4.0) * scale);
+            assert_eq!(direction, DVec3::new(0.6, 0.0, 0.8));
+            assert_eq!(length, 5.0 * scale);
+            assert!(vector.length() < 1e101);
         }
     }
 }

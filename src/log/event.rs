@@ -13,6 +13,17 @@ pub struct Event {
     pub what: What,
     /// Inputs that the problem states and no arithmetic rounds, used from this event on.
     pub given: Vec<(Name, Value)>,
+    /// How far several perturbed runs agree on it, if there were any.
+    pub digits: Option<Box<Digits>>,
+}
+
+/// How far several runs of a computation, each perturbed in its own way, agree on what an event says.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Digits {
+    /// So many significant decimal digits of each component are the same.
+    Significant(Value),
+    /// None: the decision isn't the same in all runs, or one that stands before this value.
+    DecisionDiffers,
 }
 
 /// What an event says.
@@ -44,7 +55,7 @@ pub enum What {
 }
 
 /// What a node of the computation is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Step {
     /// A pixel (opens the pixels of a region log).
     Pixel([u32; 2]),
@@ -82,7 +93,7 @@ pub enum Step {
 }
 
 /// What a ray is for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum RayKind {
     /// From the eye through the picture.
     Camera,
@@ -176,6 +187,29 @@ pub enum Decision {
         /// By which rule.
         why: SkipReason,
     },
+    /// A cell of the pixel is cut in four.
+    Subdivided {
+        /// Its left and upper side, in pixels from the pixel's own, and how long they are.
+        cell: [f64; 3],
+        /// Why.
+        why: Split,
+        /// The object that no corner met, if it was one.
+        object: Option<u32>,
+    },
+    /// What is known of a cell, or of the whole pixel, is enough.
+    Accepted {
+        /// The cell, as in [`Decision::Subdivided`]; `None` for the pixel.
+        cell: Option<[f64; 3]>,
+        /// Why.
+        why: Acceptance,
+    },
+    /// The samples so far don't tell the pixel's colour well enough.
+    MoreSamples {
+        /// How many there are.
+        from: u32,
+        /// How many there will be.
+        to: u32,
+    },
 }
 
 /// Declares an enum whose variants stand as words in a log.
@@ -241,6 +275,32 @@ words! {
         Blocked = "blocked",
         /// A bounce whose product of weights lies below `tracing.cutoff`.
         Cutoff = "cutoff",
+    }
+}
+
+words! {
+    /// Why a cell of a pixel is cut in four.
+    Split {
+        /// The colours at its corners differ by more than the threshold.
+        Color = "color",
+        /// Its corners see different objects.
+        Objects = "objects",
+        /// A small object lies in it, and no corner sees that.
+        SmallObject = "small_object",
+    }
+}
+
+words! {
+    /// Why the samples so far are enough.
+    Acceptance {
+        /// They agree.
+        Alike = "alike",
+        /// The cell may not be cut further.
+        Depth = "depth",
+        /// The interval of the mean is narrow enough.
+        Interval = "interval",
+        /// There may not be more.
+        Max = "max",
     }
 }
 

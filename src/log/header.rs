@@ -24,10 +24,19 @@ pub struct Header {
     pub tracing: TracingId,
     /// How pixels were sampled: the method and its parameters.
     pub sampling: BTreeMap<String, BTreeMap<String, f64>>,
+    /// Which random numbers samples drew; 0 isn't written.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub seed: u64,
     /// The names of the objects, by number.
     pub objects: Vec<String>,
     /// The names of the lights, by number.
     pub lights: Vec<String>,
+}
+
+// serde hands over a reference.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_zero(seed: &u64) -> bool {
+    *seed == 0
 }
 
 /// Which scene a log tells of.

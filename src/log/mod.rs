@@ -12,7 +12,7 @@ pub mod name;
 pub mod scope;
 pub mod tree;
 
-pub use event::{Decision, Event, Miss, RayKind, SkipReason, Skippable, Step, Value, What};
+pub use event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, Value, What};
 pub use header::{Header, Subject};
 pub use name::Name;
 pub use tree::{Node, Tree};

@@ -4,32 +4,10 @@
 //! is written with the symbols of this same table (see [`super::formula`] for its grammar), and a test evaluates every
 //! formula on the logged operands and must get the logged value.
 
-/// Declares [`Name`] from rows `Variant: key, form, symbol, formula, source section`.
-macro_rules! names {
-    ($($variant:ident: $key:literal, $form:literal, $symbol:literal, $formula:literal, $section:literal;)*) => {
-        /// A named quantity of the computation.
-        ///
-        /// Several names may share a key: they are the same quantity computed by different formulas, told apart in the
-        /// log by their `form`.
-        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
-        #[repr(u8)]
-        pub enum Name {
-            $(#[doc = concat!("`", $key, "`: ", $symbol, " = ", $formula)] $variant,)*
-        }
+#[macro_use]
+mod row;
 
-        const ROWS: &[(Name, Row)] = &[$((Name::$variant, Row {
-            key: $key, form: $form, symbol: $symbol, formula: $formula, section: $section,
-        }),)*];
-    };
-}
-
-struct Row {
-    key: &'static str,
-    form: &'static str,
-    symbol: &'static str,
-    formula: &'static str,
-    section: &'static str,
-}
+use row::Row;
 
 names! {
     // The camera and its ray. G is the direction of view, e_x and e_y point right and up in the picture.
@@ -56,6 +34,8 @@ names! {
     PlaneVd: "plane.v_d", "", "V_d", "N_p · d", "1.3 (2)";
     PlaneVo: "plane.v_o", "", "V_o", "−(N_p · O + D_p)", "1.3 (2)";
     PlaneT: "plane.t", "", "t", "V_o/V_d", "1.3 (2)";
+    // What was computed with more digits than f64 has: no formula of its operands in the log gives it to the last bit.
+    PlaneTDoubled: "plane.t", "doubled", "t", "", "1.3 (2)";
 
     // Sphere: the geometric method of the source text, and the robust one (Haines et al., Ray Tracing Gems, chapter 7).
     SphereCenter: "sphere.center", "", "S_c", "", "1.3 (5a)";
@@ -70,6 +50,9 @@ names! {
     SphereTFar: "sphere.t", "far", "t", "T_A + √T2_A", "1.3 (5e)";
     SphereTNearRobust: "sphere.t", "near_robust", "t", "(L2oc − r²)/(T_A + √T2_A)", "1.3 (5e)";
     SphereTFarRobust: "sphere.t", "far_robust", "t", "(r² − L2oc)/(√T2_A − T_A)", "1.3 (5e)";
+    SphereT2aDoubled: "sphere.t2_a", "doubled", "T2_A", "", "1.3 (5d)";
+    SphereTDoubled: "sphere.t", "doubled", "t", "", "1.3 (5e)";
+    SphereFromCenter: "sphere.from_center", "", "q_s", "O − S_c + d·t", "1.3 (5f)";
     SphereTLeaving: "sphere.t", "leaving", "t", "2·T_A", "1.3 (5e)";
 
     // Ellipsoid. E_1, E_2 and E_3 are the rows of the linear map that makes it the sphere of its largest radius.
@@ -92,6 +75,7 @@ names! {
         "r²·a − ((o_2·d_3 − o_3·d_2)² + (o_3·d_1 − o_1·d_3)² + (o_1·d_2 − o_2·d_1)²)", "1.1.1";
     EllipsoidT1: "ellipsoid.t", "1", "t", "t_1", "1.1.1";
     EllipsoidT2: "ellipsoid.t", "2", "t", "t_2", "1.1.1";
+    EllipsoidTDoubled: "ellipsoid.t", "doubled", "t", "", "1.1.1";
     EllipsoidPoint: "ellipsoid.point", "", "p_e", "O − E_c + d·t", "1.1.1";
     EllipsoidPoint1: "ellipsoid.point_1", "", "p_1", "E_1 · p_e", "1.1.1";
     EllipsoidPoint2: "ellipsoid.point_2", "", "p_2", "E_2 · p_e", "1.1.1";
@@ -114,9 +98,11 @@ names! {
     TriangleEdgeA: "triangle.edge_a", "", "E_a", "d · ((C − O)×(B − O))", "1.1.1";
     TriangleEdgeB: "triangle.edge_b", "", "E_b", "d · ((A − O)×(C − O))", "1.1.1";
     TriangleEdgeC: "triangle.edge_c", "", "E_c", "d · ((B − O)×(A − O))", "1.1.1";
+    TriangleEdgesExact: "triangle.edges_exact", "", "E", "", "1.1.1";
     TriangleVd: "triangle.v_d", "", "V_d", "N_t · d", "1.1.1";
     TriangleVo: "triangle.v_o", "", "V_o", "N_t · (A − O)", "1.1.1";
     TriangleT: "triangle.t", "", "t", "V_o/V_d", "1.1.1";
+    TriangleTDoubled: "triangle.t", "doubled", "t", "", "1.1.1";
     TriangleTNear: "triangle.t_near", "", "t_n", "", "1.1.1";
     TriangleTFar: "triangle.t_far", "", "t_f", "", "1.1.1";
     TriangleTInBox: "triangle.t", "in_box", "t", "min(max(t, t_n), t_f)", "1.1.1";
@@ -137,6 +123,7 @@ names! {
     PolygonVd: "polygon.v_d", "", "V_d", "N_q · d", "1.1.1";
     PolygonVo: "polygon.v_o", "", "V_o", "N_q · (Q − O)", "1.1.1";
     PolygonT: "polygon.t", "", "t", "V_o/V_d", "1.1.1";
+    PolygonTDoubled: "polygon.t", "doubled", "t", "", "1.1.1";
     PolygonPoint: "polygon.point", "", "P_q", "O + d·t", "1.1.1";
     PolygonCrossings: "polygon.crossings", "", "κ", "", "1.1.1";
 
@@ -206,11 +193,12 @@ names! {
     DiskVd: "disk.v_d", "", "V_d", "N_d · d", "1.1.1";
     DiskVo: "disk.v_o", "", "V_o", "N_d · (C_d − O)", "1.1.1";
     DiskT: "disk.t", "", "t", "V_o/V_d", "1.1.1";
+    DiskTDoubled: "disk.t", "doubled", "t", "", "1.1.1";
     DiskDistanceSquared: "disk.distance_squared", "", "ρ²", "|O + d·t − C_d|²", "1.1.1";
 
     // The nearest hit: its point, and the normal turned toward the arriving ray.
     HitPoint: "hit.point", "", "P", "O + d·t", "1.3 (3)";
-    HitPointSphere: "hit.point", "on_sphere", "P", "S_c + (O + d·t − S_c)·(r/|O + d·t − S_c|)", "1.3 (5f)";
+    HitPointSphere: "hit.point", "on_sphere", "P", "S_c + q_s·(r/|q_s|)", "1.3 (5f)";
     HitPointEllipsoid: "hit.point", "on_ellipsoid", "P", "E_c + (p_e − g_e·(f_e/(2·(g_e · g_e))))", "1.1.1";
     HitPointCylinder: "hit.point", "on_cylinder", "P", "A_b + w·p_w + p_r·(r/|p_r|)", "1.1.1";
     HitPointCone: "hit.point", "on_cone", "P", "A_b + (p_b − g_c·(f_c/(g_c · g_c)))", "1.1.1";
@@ -221,6 +209,8 @@ names! {
     HitNormalFacing: "hit.normal", "facing", "N", "−d", "1.1.1";
     HitNormalSphere: "hit.normal", "sphere", "N", "(P − S_c)/r", "1.3 (5g)";
     HitNormalSphereBack: "hit.normal", "sphere_back", "N", "(S_c − P)/r", "1.3 (5g)";
+    HitNormalOnSphere: "hit.normal", "on_sphere", "N", "q_s/|q_s|", "1.3 (5g)";
+    HitNormalOnSphereBack: "hit.normal", "on_sphere_back", "N", "−q_s/|q_s|", "1.3 (5g)";
     HitNormalEllipsoid: "hit.normal", "ellipsoid", "N", "g_e/|g_e|", "1.1.1";
     HitNormalEllipsoidBack: "hit.normal", "ellipsoid_back", "N", "−g_e/|g_e|", "1.1.1";
     HitNormalCylinder: "hit.normal", "cylinder", "N", "p_r/|p_r|", "1.1.1";
@@ -253,6 +243,7 @@ names! {
     RefractEta: "refract.eta", "", "η", "η_2/η_1", "1.2.1";
     RefractCos1: "refract.cos_1", "", "cosφ_1", "−(N · d)", "1.2.1";
     RefractCos2: "refract.cos_2", "", "cosφ_2", "√(η² − |d + cosφ_1·N|²)/η", "1.2.1";
+    RefractCos2Doubled: "refract.cos_2", "doubled", "cosφ_2", "", "1.2.1";
     RefractDirection: "refract.direction", "", "T", "d/η − (cosφ_2 − cosφ_1/η)·N", "1.2.1";
 
     // A light as a surface point sees it. ℓ is not normalised, L is.
@@ -284,6 +275,9 @@ names! {
     ShadeRDotV: "shade.r_dot_v", "", "R·V", "R_L · V", "1.2.1";
     ShadeNDotTransmitted: "shade.n_dot_transmitted", "", "−N·H′", "−(N · H′)", "1.2.1";
     ShadeNDotTransmittedStraight: "shade.n_dot_transmitted", "no_interface", "−N·H′", "", "1.2.1";
+    // Powers of large exponents are taken from the angle itself: near 1 its cosine has lost it.
+    ShadeSpecularPower: "shade.specular_power", "", "π_e", "", "1.2.1";
+    ShadeTransmittedPower: "shade.transmitted_power", "", "π_t", "", "1.2.1";
     MaterialAmbient: "material.ambient", "", "K_a", "", "1.2.1";
     MaterialAmbientPatterned: "material.ambient", "patterned", "K_a", "k_a∘c_p", "1.2.1";
     MaterialDiffuse: "material.diffuse", "", "K_d", "", "1.2.1";
@@ -301,6 +295,10 @@ names! {
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^n_e + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
     ShadeLocalMirrorTransmitting: "shade.local", "reflection_vector_transmitting", "I_local",
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((R·V)⁺)^n_e + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
+    ShadeLocalSharp: "shade.local", "sharp", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·π_e))", "1.2.1";
+    ShadeLocalSharpTransmitting: "shade.local", "sharp_transmitting", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·π_e + K_t·π_t))", "1.2.1";
     ShadeLocalAmbient: "shade.local", "ambient", "I_local", "I_a∘K_a", "1.1.2";
 
     // A checker pattern. m_p is 1 on the axes that count: all of them, but on a flat surface not the one nearest to its
@@ -327,47 +325,42 @@ names! {
     CombineReflected: "combine.reflected", "", "C_r", "W_r∘I_reflected", "1.2.3";
     CombineTransmitted: "combine.transmitted", "", "C_t", "W_t∘I_transmitted", "1.2.3";
     CombineColor: "combine.color", "", "I", "C_l + C_r + C_t", "1.2.3";
-}
 
-impl Name {
-    /// Every name, in the order of the table.
-    pub fn all() -> impl Iterator<Item = Name> {
-        ROWS.iter().map(|(name, _)| *name)
-    }
+    // The place of a sample in its pixel: in stratum i_s of the c_s of its row, a_s of all n_s lying in the rows above.
+    SampleColumn: "sample.column", "", "i_s", "", "1.5";
+    SampleAcross: "sample.across", "", "c_s", "", "1.5";
+    SampleAbove: "sample.above", "", "a_s", "", "1.5";
+    SampleCount: "sample.count", "", "n_s", "", "1.5";
+    SampleJitterX: "sample.jitter_x", "", "ξ_x", "", "1.5";
+    SampleJitterY: "sample.jitter_y", "", "ξ_y", "", "1.5";
+    SampleX: "sample.x", "", "s_x", "(i_s + ξ_x)/c_s", "1.5";
+    SampleY: "sample.y", "", "s_y", "(a_s + ξ_y·c_s)/n_s", "1.5";
+    PixelLeft: "pixel.left", "", "col_0", "", "1.4.2";
+    PixelTop: "pixel.top", "", "row_0", "", "1.4.2";
+    PixelColumnSampled: "pixel.column", "sampled", "col", "col_0 + s_x", "1.4.2";
+    PixelRowSampled: "pixel.row", "sampled", "row", "row_0 + s_y", "1.4.2";
 
-    /// The name with this key and form, if there is one.
-    pub fn find(key: &str, form: &str) -> Option<Name> {
-        ROWS.iter().find(|(_, row)| row.key == key && row.form == form).map(|(name, _)| *name)
-    }
+    // Adaptive sampling: the colours at the corners of a cell, and the figures by which it is cut.
+    OutputWhite: "output.white", "", "w_o", "", "1.4.2";
+    CellColor1: "cell.color_1", "", "I_1", "", "1.4.2";
+    CellColor2: "cell.color_2", "", "I_2", "", "1.4.2";
+    CellColor3: "cell.color_3", "", "I_3", "", "1.4.2";
+    CellColor4: "cell.color_4", "", "I_4", "", "1.4.2";
+    CellThreshold: "cell.threshold", "", "θ", "", "1.4.2";
+    CellLimit: "cell.limit", "", "Δ_max", "θ·w_o", "1.4.2";
+    CellDifference: "cell.difference", "", "Δ_I",
+        "max(max(max(I_1, I_2), max(I_3, I_4)) − min(min(I_1, I_2), min(I_3, I_4)))", "1.4.2";
 
-    /// The key of the quantity in a log, such as `sphere.t2_a`.
-    pub fn key(self) -> &'static str {
-        self.row().key
-    }
-
-    /// Which of several formulas gave the quantity, such as `far`; empty for the usual one.
-    pub fn form(self) -> &'static str {
-        self.row().form
-    }
-
-    /// The symbol of the quantity in formulas, such as `T2_A`.
-    pub fn symbol(self) -> &'static str {
-        self.row().symbol
-    }
-
-    /// The formula text, such as `r² − L2oc + T_A²`; `None` for what is given.
-    pub fn formula(self) -> Option<&'static str> {
-        Some(self.row().formula).filter(|text| !text.is_empty())
-    }
-
-    /// The section of the source text (Ramos, "Trazado de rayos") that has the quantity.
-    pub fn section(self) -> &'static str {
-        self.row().section
-    }
-
-    fn row(self) -> &'static Row {
-        &ROWS[self as usize].1
-    }
+    // Statistical sampling: Student's interval of the mean of the samples so far, per channel.
+    StatisticalMean: "statistical.mean", "", "I_m", "", "1.4.2";
+    StatisticalError: "statistical.standard_error", "", "σ_m", "", "1.4.2";
+    StatisticalFreedom: "statistical.degrees_of_freedom", "", "ν_m", "", "1.4.2";
+    StatisticalConfidence: "statistical.confidence", "", "γ_m", "", "1.4.2";
+    StatisticalQuantile: "statistical.t_quantile", "", "t_m", "", "1.4.2";
+    StatisticalHalfWidth: "statistical.half_width", "", "h_m", "t_m∘σ_m", "1.4.2";
+    StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
+    StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";
+    StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
 }
 
 #[cfg(test)]

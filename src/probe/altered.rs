@@ -22,6 +22,12 @@ pub trait Alteration {
 
     /// The latest node ends.
     fn leave(&mut self) {}
+
+    /// The ray through this place of the picture begins.
+    fn aim(&mut self, _place: [f64; 2]) {}
+
+    /// All that it brings is there.
+    fn aimed(&mut self) {}
 }
 
 impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
@@ -40,6 +46,20 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
 
     fn bounds_tested(&mut self, count: u64) {
         self.probe.bounds_tested(count);
+    }
+
+    fn certifies(&self) -> bool {
+        false
+    }
+
+    fn aim(&mut self, place: [f64; 2]) {
+        self.alteration.aim(place);
+        self.probe.aim(place);
+    }
+
+    fn aimed(&mut self) {
+        self.probe.aimed();
+        self.alteration.aimed();
     }
 
     fn enter(&mut self, step: Step) {

@@ -5,12 +5,18 @@
 //! every method does nothing, so that [`Silent`] compiles to nothing.
 
 mod altered;
+mod perturbed;
+mod position;
 mod printed;
+mod ray_tree;
 mod recorder;
 mod silent;
 
 pub use altered::{Alteration, Altered, Decimal, Single, round_half_away};
+pub use perturbed::Perturbed;
+pub use position::{Position, mixed_with};
 pub use printed::{Printed, PrintedValue};
+pub use ray_tree::{RayTree, is_same};
 pub use recorder::{CutOff, Outlet, Recorder, until_cut_off};
 pub use silent::Silent;
 
@@ -36,6 +42,25 @@ pub trait Probe: Sized {
     /// Bounding volumes were tested. They narrow down and decide nothing, so they are counted, not logged.
     #[inline(always)]
     fn bounds_tested(&mut self, _count: u64) {}
+
+    /// Whether decisions that f64 leaves in doubt are taken with more digits. An arithmetic of its own goes on with what it has
+    /// made of the numbers before.
+    #[inline(always)]
+    fn certifies(&self) -> bool {
+        true
+    }
+
+    /// f64 left something in doubt, and more digits were taken. It is counted, not logged.
+    #[inline(always)]
+    fn fallback(&mut self) {}
+
+    /// The ray through this place of the picture begins, in pixels from its top left corner.
+    #[inline(always)]
+    fn aim(&mut self, _place: [f64; 2]) {}
+
+    /// All that the ray through the latest place brings is there.
+    #[inline(always)]
+    fn aimed(&mut self) {}
 
     /// A node begins. Kernels call [`Probe::within`], which can't forget the end.
     #[inline(always)]

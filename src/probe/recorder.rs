@@ -88,7 +88,7 @@ impl<'o> Recorder<'o> {
             self.ask_for_memory();
         }
         let at = self.gone + self.events.len() as u32 + 1;
-        self.events.push(Event { at, node, what, given: std::mem::take(&mut self.given) });
+        self.events.push(Event { at, node, what, given: std::mem::take(&mut self.given), digits: None });
     }
 
     /// Gets room for as many events again, or ends the computation.

@@ -1,6 +1,6 @@
 //! The arithmetics, by name, and how a computation is run in one of them.
 
-use crate::probe::{Altered, Decimal, Printed, Probe, Single};
+use crate::probe::{Alteration, Altered, Decimal, Perturbed, Printed, Probe, Single};
 use crate::scene::Color;
 use std::fmt;
 use std::str::FromStr;
@@ -15,6 +15,8 @@ pub enum Arithmetic {
     F32,
     /// By hand, with this many decimals.
     Decimal(u32),
+    /// Double precision with every named quantity moved by one ulp at random, from this seed.
+    Perturbed(u64),
     /// The book's own values, in the numeric example.
     Printed,
 }
@@ -23,13 +25,20 @@ pub enum Arithmetic {
 pub trait Computation {
     /// Runs it; gives the colour.
     fn run<P: Probe>(self, probe: &mut P) -> Color;
+
+    /// The pixel that it is about, or any. What is random in it hangs on that.
+    fn pixel(&self) -> [u32; 2] {
+        [0, 0]
+    }
 }
 
 /// Text that names no arithmetic.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "unknown arithmetic `{found}`, expected f64, f32, decimal:N with N from 0 to {}, or printed",
-    Decimal::MAX_DIGITS
+    "unknown arithmetic `{found}`, expected f64, f32, decimal:N with N from 0 to {}, perturbed:SEED with a whole SEED \
+     from 0 to {}, or printed",
+    Decimal::MAX_DIGITS,
+    u64::MAX
 )]
 pub struct ArithmeticError {
     found: String,
@@ -42,16 +51,13 @@ impl Arithmetic {
             Arithmetic::F64 => (computation.run(&mut probe), probe),
             Arithmetic::F32 => altered(Single, probe, computation),
             Arithmetic::Decimal(digits) => altered(Decimal::new(digits), probe, computation),
+            Arithmetic::Perturbed(seed) => altered(Perturbed::new(seed, computation.pixel()), probe, computation),
             Arithmetic::Printed => altered(Printed::default(), probe, computation),
         }
     }
 }
 
-fn altered<A: crate::probe::Alteration, P: Probe, C: Computation>(
-    alteration: A,
-    probe: P,
-    computation: C,
-) -> (Color, P) {
+fn altered<A: Alteration, P: Probe, C: Computation>(alteration: A, probe: P, computation: C) -> (Color, P) {
     let mut altered = Altered { alteration, probe };
     (computation.run(&mut altered), altered.probe)
 }
@@ -62,6 +68,7 @@ impl fmt::Display for Arithmetic {
             Arithmetic::F64 => f.write_str("f64"),
             Arithmetic::F32 => f.write_str("f32"),
             Arithmetic::Decimal(digits) => write!(f, "decimal:{digits}"),
+            Arithmetic::Perturbed(seed) => write!(f, "perturbed:{seed}"),
             Arithmetic::Printed => f.write_str("printed"),
         }
     }
@@ -76,6 +83,11 @@ impl FromStr for Arithmetic {
             "f64" => Ok(Arithmetic::F64),
             "f32" => Ok(Arithmetic::F32),
             "printed" => Ok(Arithmetic::Printed),
+            "perturbed" => Ok(Arithmetic::Perturbed(0)),
+            _ if text.starts_with("perturbed:") => {
+                let seed = text["perturbed:".len()..].parse();
+                seed.map(Arithmetic::Perturbed).map_err(|_| unknown())
+            }
             _ => {
                 let digits = text.strip_prefix("decimal:").ok_or_else(unknown)?;
                 let digits: u32 = digits.parse().map_err(|_| unknown())?;
@@ -91,14 +103,27 @@ mod tests {
 
     #[test]
     fn names_read_back() {
-        for arithmetic in [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(3), Arithmetic::Printed] {
+        use Arithmetic::*;
+        for arithmetic in [F64, F32, Decimal(3), Perturbed(0), Perturbed(u64::MAX), Printed] {
             assert_eq!(arithmetic.to_string().parse(), Ok(arithmetic));
         }
+        assert_eq!("perturbed".parse(), Ok(Perturbed(0)));
     }
 
     #[test]
     fn other_words_are_refused() {
-        for text in ["", "f16", "decimal", "decimal:", "decimal:-1", "decimal:16", "decimal:x"] {
+        for text in [
+            "",
+            "f16",
+            "decimal",
+            "decimal:",
+            "decimal:-1",
+            "decimal:16",
+            "decimal:x",
+            "perturbed:",
+            "perturbed:-1",
+            "perturbed:1.5",
+        ] {
             assert!(text.parse::<Arithmetic>().is_err(), "{text}");
         }
     }

@@ -1,6 +1,7 @@
 //! A pixel or ray of a scene as a log, in any arithmetic.
 
 mod arithmetic;
+pub mod digits;
 
 pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 
@@ -31,7 +32,7 @@ pub enum Part {
     },
 }
 
-/// The log of a pixel, however long it is.
+/// The log of a pixel, however long it is, of a single run: see [`bounded`] for digits.
 pub fn pixel(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Log {
     whole(scene, Part::Pixel(pixel), arithmetic)
 }
@@ -41,13 +42,19 @@ pub fn ray(scene: &Scene, origin: DVec3, direction: DVec3, arithmetic: Arithmeti
     whole(scene, Part::Ray { origin, direction }, arithmetic)
 }
 
-/// The log of a part, if it has at most [`MAX_EVENTS`] events.
+/// The log of a part, if it has at most [`MAX_EVENTS`] events. In perturbed arithmetic every value has its number of
+/// [`digits`]: its further runs are compared with the log.
 pub fn bounded(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, CutOff> {
-    let events = until_cut_off(|| record(scene, part, arithmetic, Recorder::of_at_most(MAX_EVENTS)))?;
+    let record = |arithmetic| until_cut_off(|| record(scene, part, arithmetic, Recorder::of_at_most(MAX_EVENTS)));
+    let mut events = record(arithmetic)?;
+    if let Arithmetic::Perturbed(seed) = arithmetic {
+        digits::put_into(&mut events, seed, record)?;
+    }
     Ok(Log { header: header(scene, part.subject(), arithmetic), events })
 }
 
-/// Hands the events of a part on as they come, so that memory doesn't grow with the log.
+/// Hands the events of a part on as they come, so that memory doesn't grow with the log. They have no numbers of digits:
+/// runs can be compared only when they are whole, see [`bounded`].
 pub fn stream(scene: &Scene, part: Part, arithmetic: Arithmetic, outlet: &mut Outlet) -> Result<(), CutOff> {
     until_cut_off(|| record(scene, part, arithmetic, Recorder::to_outlet(outlet))).map(|_| ())
 }
@@ -104,6 +111,7 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
             two_sided: tracing.two_sided,
         },
         sampling: sampling_id(scene.sampling),
+        seed: scene.seed,
         objects: scene.objects.iter().map(|object| object.name.clone()).collect(),
         lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
     }
@@ -115,6 +123,7 @@ fn sampling_id(sampling: Sampling) -> BTreeMap<String, BTreeMap<String, f64>> {
 }
 
 /// The computation of a pixel.
+#[derive(Clone, Copy)]
 pub struct Pixel<'s> {
     /// The scene.
     pub scene: &'s Scene,
@@ -125,6 +134,10 @@ pub struct Pixel<'s> {
 impl Computation for Pixel<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
         sampling::pixel(self.scene, self.pixel, probe)
+    }
+
+    fn pixel(&self) -> [u32; 2] {
+        self.pixel
     }
 }
 
@@ -140,22 +153,33 @@ pub struct Corner<'s> {
 
 impl Computation for Corner<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
-        sampling::shared::corner(self.scene, self.n, self.corner, probe)
+        sampling::shared::corner(self.scene, self.n, self.corner, probe).color
     }
 }
 
-struct PartOf<'s> {
-    scene: &'s Scene,
-    part: Part,
+/// The computation of a part that has a log.
+#[derive(Clone, Copy)]
+pub struct PartOf<'s> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// What is traced of it.
+    pub part: Part,
 }
 
 impl Computation for PartOf<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
         match self.part {
-            Part::Pixel(pixel) => sampling::pixel(self.scene, pixel, probe),
+            Part::Pixel(pixel) => Pixel { scene: self.scene, pixel }.run(probe),
             Part::Ray { origin, direction } => {
                 camera_ray(self.scene, |probe| camera::ray_along(origin, direction, probe), probe)
             }
+        }
+    }
+
+    fn pixel(&self) -> [u32; 2] {
+        match self.part {
+            Part::Pixel(pixel) => pixel,
+            Part::Ray { .. } => [0, 0],
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::{Settings, TILE, color_of, tiles};
 use crate::record::Corner;
 use crate::render::{Counter, Film};
+use crate::sampling::mean::Sum;
 use crate::sampling::shared::{add_cells, mean};
 use crate::scene::{Color, Scene};
 use rayon::prelude::*;
@@ -114,13 +115,13 @@ struct Pixels {
     crop: [u32; 4],
     n: u32,
     /// The sums of the pixel row that is being added up.
-    sums: Vec<Color>,
+    sums: Vec<Sum>,
 }
 
 impl Pixels {
     fn new(crop: [u32; 4], n: u32) -> Pixels {
         let film = Film::new(crop);
-        Pixels { sums: vec![Color::ZERO; film.width() as usize], film, crop, n }
+        Pixels { sums: vec![Sum::ZERO; film.width() as usize], film, crop, n }
     }
 
     /// Adds the row of cells between two rows of corners, `row` being the lower one's number in the picture's grid.
@@ -133,7 +134,8 @@ impl Pixels {
         if row.is_multiple_of(self.n) {
             let [left, _, right, _] = self.crop;
             let bottom = row / self.n;
-            let finished: Vec<_> = self.sums.iter_mut().map(|sum| mean(std::mem::take(sum), self.n)).collect();
+            let finished: Vec<_> =
+                self.sums.iter_mut().map(|sum| mean(std::mem::replace(sum, Sum::ZERO), self.n)).collect();
             self.film.put([left, bottom - 1, right, bottom], &finished);
         }
     }

@@ -1,5 +1,7 @@
 //! All pixels of a picture, on all cores. A pixel has the same bits whatever the tiles, the threads or the crop.
 
+mod cells;
+pub mod digits;
 pub mod export;
 pub mod film;
 mod grid;
@@ -75,27 +77,38 @@ pub fn render(
     progress: impl Fn(u64) + Sync,
     stop: &AtomicBool,
 ) -> Result<Rendered, RenderError> {
+    let of_pixel = |pixel: [u32; 2], counter: &mut Counter| color_of(settings, Pixel { scene, pixel }, counter);
+    on_threads(settings, || match scene.sampling {
+        Sampling::Shared { n } => grid::by_corners(scene, settings, n, &progress, stop),
+        Sampling::Adaptive { threshold, depth } => {
+            cells::by_cells(scene, settings, (threshold, depth), &progress, stop)
+        }
+        _ => by_pixels(settings, of_pixel, &progress, stop),
+    })
+}
+
+/// Does the work on the threads that the settings ask for.
+fn on_threads(
+    settings: &Settings,
+    work: impl FnOnce() -> Option<(Film, Counter)> + Send,
+) -> Result<Rendered, RenderError> {
     ask_for_memory(settings.crop)?;
     // More threads than tiles would only be in each other's way; 0 stays one a core.
     let threads = settings.threads.min(tiles(settings.crop).len());
     let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-    let rendered = threads.install(|| match scene.sampling {
-        Sampling::Center => by_pixels(scene, settings, &progress, stop),
-        Sampling::Shared { n } => grid::by_corners(scene, settings, n, &progress, stop),
-    });
-    let (film, counter) = rendered.ok_or(RenderError::Interrupted)?;
+    let (film, counter) = threads.install(work).ok_or(RenderError::Interrupted)?;
     Ok(Rendered { film, counts: settings.counts_rays.then_some(counter) })
 }
 
 /// The picture, pixel by pixel; `None` when the work is to stop.
 fn by_pixels(
-    scene: &Scene,
     settings: &Settings,
+    of_pixel: impl Fn([u32; 2], &mut Counter) -> Color + Sync,
     progress: &(impl Fn(u64) + Sync),
     stop: &AtomicBool,
 ) -> Option<(Film, Counter)> {
     let tiles = tiles(settings.crop);
-    let of_tile = |tile: &[u32; 4]| tile_of(scene, settings, *tile, progress, stop);
+    let of_tile = |tile: &[u32; 4]| tile_of(&of_pixel, *tile, progress, stop);
     // Collected by the tiles' order, so that nothing depends on which thread was first.
     let rendered = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
     let mut film = Film::new(settings.crop);
@@ -116,8 +129,7 @@ fn tiles([left, top, right, bottom]: [u32; 4]) -> Vec<[u32; 4]> {
 
 /// The pixels of a tile row by row; `None` when the work is to stop.
 fn tile_of(
-    scene: &Scene,
-    settings: &Settings,
+    of_pixel: &impl Fn([u32; 2], &mut Counter) -> Color,
     [left, top, right, bottom]: [u32; 4],
     progress: &impl Fn(u64),
     stop: &AtomicBool,
@@ -129,7 +141,7 @@ fn tile_of(
             if stop.load(Ordering::Relaxed) {
                 return None;
             }
-            colors.push(color_of(settings, Pixel { scene, pixel: [column, row] }, &mut counter));
+            colors.push(of_pixel([column, row], &mut counter));
         }
     }
     progress(colors.len() as u64);

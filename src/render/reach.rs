@@ -3,7 +3,7 @@
 use crate::log::{Decision, RayKind, Step};
 use crate::probe::Probe;
 use crate::sampling;
-use crate::scene::Scene;
+use crate::scene::{Sampling, Scene};
 
 /// The most pixels across and down that are asked.
 const MOST: [u32; 2] = [64, 48];
@@ -22,6 +22,7 @@ pub struct Reach {
 
 /// Traces a coarse picture and sees which lights have a part in it. Ends as soon as all have.
 pub fn reach(mut scene: Scene) -> Reach {
+    scene.sampling = Sampling::Center;
     scene.tracing.max_depth = scene.tracing.max_depth.min(BOUNCES);
     let mut probe = Lit { lights: vec![false; scene.lights.len()], open: Vec::new() };
     let size = scene.camera.resolution;

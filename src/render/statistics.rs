@@ -15,6 +15,7 @@ pub struct Counter {
     skipped: [u64; SkipReason::ALL.len()],
     primitive_tests: u64,
     bounds_tests: u64,
+    fallbacks: u64,
     samples: u64,
     /// The kinds of the rays that the computation is inside; other nodes are not kept.
     open: Vec<Option<RayKind>>,
@@ -102,6 +103,7 @@ impl Counter {
         }
         self.primitive_tests += other.primitive_tests;
         self.bounds_tests += other.bounds_tests;
+        self.fallbacks += other.fallbacks;
         self.samples += other.samples;
     }
 
@@ -114,7 +116,7 @@ impl Counter {
             by_depth: self.by_depth.clone(),
             skipped: skipped.collect(),
             tests: Tests { bounds: self.bounds_tests, primitives: self.primitive_tests },
-            fallbacks: 0,
+            fallbacks: self.fallbacks,
             samples: self.samples,
             clipped_pixels,
             seconds,
@@ -130,6 +132,10 @@ impl Counter {
 impl Probe for Counter {
     fn bounds_tested(&mut self, count: u64) {
         self.bounds_tests += count;
+    }
+
+    fn fallback(&mut self) {
+        self.fallbacks += 1;
     }
 
     fn enter(&mut self, step: Step) {

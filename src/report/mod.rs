@@ -3,6 +3,7 @@
 //! Nothing is computed here that a log doesn't hold; a report needs no scene.
 
 pub mod computation;
+pub mod digits;
 pub mod number;
 pub mod outline;
 pub mod text;

@@ -1,6 +1,6 @@
 //! The walk as plain text: every node, every value with its formula and the numbers put in.
 
-use super::{Style, computation, number, words};
+use super::{Style, computation, digits, number, words};
 use crate::log::{Event, Log, Name, Tree, Value, What};
 use std::fmt::Write;
 
@@ -37,13 +37,18 @@ fn line(log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
         }
         What::Note { name, .. } => {
             let line = computation(log, tree, event, style)?.line();
-            let body = format!("{line}   [{}]", source(*name));
+            let body = format!("{line}{}   [{}]", digits::marker(happening), source(*name));
             let given = given(happening, style);
             if given.is_empty() { body } else { format!("given {given}\n{}{body}", "  ".repeat(level)) }
         }
-        What::Mark(decision) => format!("→ {}", words::decision(&log.header, decision, style)),
+        What::Mark(decision) => {
+            format!("→ {}{}", words::decision(&log.header, decision, style), digits::marker(happening))
+        }
         What::Leave => return None,
-        What::Result { color } => return Some(format!("result: {}", number::value(&Value::Triple(*color), style))),
+        What::Result { color } => {
+            let color = number::value(&Value::Triple(*color), style);
+            return Some(format!("result: {color}{}", digits::marker(happening)));
+        }
     };
     Some(format!("{}{body}", "  ".repeat(level)))
 }

@@ -1,7 +1,9 @@
 //! The words for nodes and decisions.
 
 use super::{Style, number};
-use crate::log::{Decision, Header, Log, Miss, Name, RayKind, SkipReason, Skippable, Step, Subject, Tree, Value};
+use crate::log::{
+    Acceptance, Decision, Header, Log, Miss, Name, RayKind, SkipReason, Skippable, Split, Step, Subject, Tree, Value,
+};
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
 pub fn title(log: &Log, tree: &Tree, node: usize) -> String {
@@ -80,6 +82,42 @@ pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
             format!("no leak: the {} lies beyond the surface and brings nothing", skippable(*what))
         }
         Decision::Skipped { what, why } => format!("skipped: {} ({})", skippable(*what), skip_reason(*why)),
+        Decision::Subdivided { cell, why, object } => {
+            let object = object.map_or("an object", |object| header.object(object));
+            format!("{} is subdivided: {}", self::cell(cell, style), split(*why, &plain(object)))
+        }
+        Decision::Accepted { cell, why } => {
+            let what = cell.map_or("the mean".to_owned(), |cell| self::cell(&cell, style));
+            format!("{what} is accepted: {}", acceptance(*why))
+        }
+        Decision::MoreSamples { from, to } => {
+            format!("{from} samples are too few, the interval of their mean is too wide: {to} are taken")
+        }
+    }
+}
+
+fn cell([x, y, side]: &[f64; 3], style: Style) -> String {
+    let number = |x: f64| number::value(&Value::Number(x), style);
+    if *side == 1.0 {
+        return "the pixel".to_owned();
+    }
+    format!("the cell at ({}, {}) with side {}", number(*x), number(*y), number(*side))
+}
+
+fn split(why: Split, object: &str) -> String {
+    match why {
+        Split::Color => "the colours at its corners differ by more than the threshold".to_owned(),
+        Split::Objects => "its corners see different objects".to_owned(),
+        Split::SmallObject => format!("{object} may lie in it, and no corner sees that"),
+    }
+}
+
+fn acceptance(why: Acceptance) -> &'static str {
+    match why {
+        Acceptance::Alike => "the samples agree",
+        Acceptance::Depth => "it may not be cut further",
+        Acceptance::Interval => "its interval is narrow enough",
+        Acceptance::Max => "there may be no more samples",
     }
 }
 

@@ -1,16 +1,32 @@
-//! Which rays make a pixel: one file a method.
+//! Which rays make a pixel: one file a method. `docs/sampling.md` compares them.
 
+pub mod adaptive;
+pub mod mean;
+pub mod place;
+pub mod random;
+pub mod regular;
 pub mod shared;
+pub mod small_objects;
+pub mod sobol;
+pub mod statistical;
+pub mod stochastic;
+pub mod student;
 
 use crate::probe::Probe;
 use crate::scene::{Color, Sampling, Scene};
 use crate::trace::camera_ray;
 
-/// The colour of a pixel, by column and row from the top left.
+/// The colour of a pixel, by column and row from the top left: its mean over the pixel's own square.
 pub fn pixel<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
     match scene.sampling {
         Sampling::Center => through_center(scene, pixel, probe),
+        Sampling::Regular { n } => regular::pixel(scene, n, pixel, probe),
         Sampling::Shared { n } => shared::pixel(scene, n, pixel, probe),
+        Sampling::Adaptive { threshold, depth } => adaptive::pixel(scene, threshold, depth, pixel, probe),
+        Sampling::Stochastic { n } => stochastic::pixel(scene, n, pixel, probe),
+        Sampling::Random { n } => random::pixel(scene, n, pixel, probe),
+        Sampling::Sobol { n } => sobol::pixel(scene, n, pixel, probe),
+        Sampling::Statistical(wanted) => statistical::pixel(scene, wanted, pixel, probe),
     }
 }
 

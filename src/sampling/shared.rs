@@ -1,33 +1,44 @@
-//! Samples that pixels share (Ramos, section 1.4, figure 21): rays through the corners of n × n cells of each pixel.
+//! Samples that pixels share (Ramos, section 1.4.2, figure 21): rays through the corners of n × n cells of each pixel.
 //!
 //! A corner is numbered by its column and row in the grid of the whole picture, n steps a pixel. A picture traces each
-//! corner once (`render`); a single pixel traces its own, and gets the same bits, because both add in the same order.
+//! corner once (`render`); a single pixel traces its own, and gets the same bits, because both add in the same order and the
+//! corner's random numbers belong to its place.
 
-use crate::log::Step;
+use super::mean::Sum;
+use super::place::ray_through;
+use crate::log::{Name, Step};
 use crate::probe::Probe;
+use crate::random::Draws;
 use crate::scene::{Color, Scene};
-use crate::trace::camera_ray;
+use crate::trace::Seen;
 
-/// The colour that the ray through a corner brings.
-pub fn corner<P: Probe>(scene: &Scene, n: u32, corner: [u32; 2], probe: &mut P) -> Color {
+/// What the ray through a corner sees.
+pub fn corner<P: Probe>(scene: &Scene, n: u32, corner: [u32; 2], probe: &mut P) -> Seen {
     let place = corner.map(|step| f64::from(step) / f64::from(n));
-    camera_ray(scene, |probe| scene.camera.ray(place, probe), probe)
+    ray_through(scene, place, &Draws::of_corner(scene.seed, corner, n), probe)
+}
+
+/// The same as a node of its own, a sample of a pixel; the corner is numbered from the pixel's, the sample from 1.
+pub fn sample<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], within: [u32; 2], number: u32, probe: &mut P) -> Seen {
+    let [x, y] = within.map(|step| f64::from(step) / f64::from(n));
+    probe.given(Name::SampleX, x);
+    probe.given(Name::SampleY, y);
+    let place = [0, 1].map(|axis| pixel[axis] * n + within[axis]);
+    probe.within(Step::Sample { number }, |probe| corner(scene, n, place, probe))
 }
 
 /// The colour of a pixel: the mean over its cells of the mean of their corners. Its samples are the corners, row by row.
-pub fn pixel<P: Probe>(scene: &Scene, n: u32, [column, row]: [u32; 2], probe: &mut P) -> Color {
+pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) -> Color {
     let mut number = 0;
     let mut corner_row = |down: u32, probe: &mut P| -> Vec<Color> {
-        let across = 0..=n;
         let sample = |across: u32| {
             number += 1;
-            let place = [column * n + across, row * n + down];
-            probe.within(Step::Sample { number }, |probe| corner(scene, n, place, probe))
+            sample(scene, n, pixel, [across, down], number, probe).color
         };
-        across.map(sample).collect()
+        (0..=n).map(sample).collect()
     };
     let mut upper = corner_row(0, probe);
-    let mut sum = Color::ZERO;
+    let mut sum = Sum::ZERO;
     for down in 1..=n {
         let lower = corner_row(down, probe);
         add_cells(&mut sum, &upper, &lower);
@@ -37,14 +48,16 @@ pub fn pixel<P: Probe>(scene: &Scene, n: u32, [column, row]: [u32; 2], probe: &m
 }
 
 /// Adds a row of cells, each the sum of its corners; the slices are the corners above and below them.
-pub fn add_cells(sum: &mut Color, upper: &[Color], lower: &[Color]) {
+pub fn add_cells(sum: &mut Sum, upper: &[Color], lower: &[Color]) {
     for (above, below) in upper.windows(2).zip(lower.windows(2)) {
-        *sum += (above[0] + above[1]) + (below[0] + below[1]);
+        for corner in [above[0], above[1], below[0], below[1]] {
+            sum.add(corner);
+        }
     }
 }
 
 /// The pixel's colour from the sum of its n × n cells.
-pub fn mean(sum_of_cells: Color, n: u32) -> Color {
+pub fn mean(sum_of_cells: Sum, n: u32) -> Color {
     let n = f64::from(n);
-    sum_of_cells / (4.0 * n * n)
+    sum_of_cells.over(4.0 * n * n)
 }

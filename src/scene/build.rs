@@ -4,8 +4,8 @@ use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, Camera, Checker, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Skip, Specular,
-    Tracing, Transfer, Weights,
+    Algorithm, Camera, Checker, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip,
+    Specular, Statistical, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::shape::{
@@ -48,7 +48,8 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         objects,
         materials,
         tracing: tracing(&scene.tracing, sphere_method),
-        sampling: sampling(scene.sampling)?,
+        sampling: sampling(scene.sampling),
+        seed: scene.seed,
         output: output(&scene.output),
     })
 }
@@ -83,7 +84,10 @@ impl Trees<'_> {
 
 fn camera(camera: &file::Camera) -> Camera {
     let direction = DVec3::from(camera.direction());
-    Camera::new(camera.position.into(), direction, camera.up.into(), camera.vertical_fov, camera.resolution)
+    let resolution = camera.resolution;
+    let mut built = Camera::new(camera.position.into(), direction, camera.up.into(), camera.vertical_fov, resolution);
+    built.shutter = camera.shutter;
+    built
 }
 
 fn light((index, light): (usize, &file::Light)) -> Result<Light, Unsupported> {
@@ -167,15 +171,25 @@ fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
         sphere_method,
         cutoff: tracing.cutoff,
         two_sided: tracing.two_sided,
+        shadows: Shadows::PerSurface,
         skip: Skip::ALL,
     }
 }
 
-fn sampling(sampling: file::Sampling) -> Result<Sampling, Unsupported> {
+/// The limits of counts keep them far below 2³².
+fn sampling(sampling: file::Sampling) -> Sampling {
+    let count = |n: u64| u32::try_from(n).unwrap_or(u32::MAX);
     match sampling {
-        file::Sampling::None {} => Ok(Sampling::Center),
-        file::Sampling::Shared { n } => Ok(Sampling::Shared { n: u32::try_from(n).unwrap_or(u32::MAX) }),
-        _ => Err(unsupported::sampling(sampling).into()),
+        file::Sampling::None {} => Sampling::Center,
+        file::Sampling::Regular { n } => Sampling::Regular { n: count(n) },
+        file::Sampling::Shared { n } => Sampling::Shared { n: count(n) },
+        file::Sampling::Adaptive { threshold, depth } => Sampling::Adaptive { threshold, depth },
+        file::Sampling::Stochastic { n } => Sampling::Stochastic { n: count(n) },
+        file::Sampling::Random { n } => Sampling::Random { n: count(n) },
+        file::Sampling::Sobol { n } => Sampling::Sobol { n: count(n) },
+        file::Sampling::Statistical { confidence, tolerance, min, max } => {
+            Sampling::Statistical(Statistical { confidence, tolerance, min: count(min), max: count(max) })
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The eye: which ray goes through which place of the picture.
 
 use crate::geometry::Ray;
+use crate::geometry::ray::middling;
 use crate::log::{Decision, Name};
 use crate::probe::Probe;
 use glam::DVec3;
@@ -20,6 +21,8 @@ pub struct Camera {
     pixel_side: f64,
     /// Pixels across and down.
     pub resolution: [u32; 2],
+    /// When the shutter opens and closes.
+    pub shutter: [f64; 2],
 }
 
 impl Camera {
@@ -37,12 +40,20 @@ impl Camera {
             up: unit(to_right.cross(direction)),
             pixel_side: 2.0 * half_height / f64::from(resolution[1]),
             resolution,
+            shutter: [0.0; 2],
         }
     }
 
-    /// The ray through a place of the picture, in pixels from its top left corner.
-    ///
-    /// Through the centre it has the direction of view as given, normalised; others normalise
+    /// The place of the picture, in pixels from its top left corner, at which a point is seen; `None` for what doesn't lie in
+    /// front of the eye.
+    pub fn place_of(&self, point: DVec3) -> Option<[f64; 2]> {
+        let away = point - self.position;
+        let depth = away.dot(self.direction) / self.length * self.pixel_side;
+        let [half_width, half_height] = self.resolution.map(|side| f64::from(side) / 2.0);
+        let place = [half_width + away.dot(self.right) / depth, half_height - away.dot(self.up) / depth];
+        (depth > 0.0 && place.iter().all(|side| side.is_finite())).then_some(place)
+    }
+
     /// Whether a point lies in the field of view, whatever stands before it.
     pub fn sees(&self, point: DVec3) -> bool {
         let away = point - self.position;
@@ -51,6 +62,9 @@ impl Camera {
         depth > 0.0 && away.dot(self.right).abs() <= half_width && away.dot(self.up).abs() <= half_height
     }
 
+    /// The ray through a place of the picture, in pixels from its top left corner.
+    ///
+    /// Through the centre it has the direction of view as given, normalised; others normalise
     /// G + |G|·(x·e_x + y·e_y), x and y measured in the plane at distance 1.
     pub fn ray<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> Option<Ray> {
         let middle = self.resolution.map(|side| f64::from(side) / 2.0);
@@ -97,9 +111,34 @@ fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
         probe.mark(Decision::Undefined { quantity: Name::RayDirection });
         return None;
     }
-    Some(Ray::new(origin, probe.note(Name::RayDirection, vector / length)))
+    let unit = vector / length;
+    let direction = probe.note(Name::RayDirection, unit);
+    // An arithmetic that goes on with another direction is to go on with that one only.
+    let vector = if direction == unit { middling(vector) } else { direction };
+    Some(Ray { vector, ..Ray::new(origin, direction) })
 }
 
 fn unit(vector: DVec3) -> DVec3 {
     vector / vector.length()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::probe::Silent;
+
+    #[test]
+    fn a_point_is_seen_where_its_ray_goes() {
+        let (eye, up) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.1, 1.0, 0.0));
+        let camera = Camera::new(eye, DVec3::new(2.0, -1.0, 0.5), up, 50.0, [30, 20]);
+        for place in [[0.0, 0.0], [15.0, 10.0], [29.5, 3.25], [-4.0, 21.0]] {
+            let ray = camera.ray(place, &mut Silent).expect("a direction");
+            for distance in [0.5, 7.0] {
+                let seen = camera.place_of(eye + ray.direction * distance).expect("a place");
+                assert!((0..2).all(|axis| (seen[axis] - place[axis]).abs() < 1e-12), "{place:?} {seen:?}");
+            }
+            assert_eq!(camera.place_of(eye - ray.direction), None);
+        }
+        assert_eq!(camera.place_of(eye), None);
+    }
 }

@@ -59,6 +59,13 @@ impl Material {
         self.weights.transmitted != DVec3::ZERO
     }
 
+    /// Whether its lobes are so narrow that a cosine near 1 no longer tells their angle: the power is taken from the sine.
+    pub fn is_sharp(&self) -> bool {
+        /// Up to here the power shows the cosine's rounding errors no more than 10⁻¹³ large.
+        const SHARP: f64 = 1024.0;
+        self.shininess >= SHARP || self.transmission_exponent >= SHARP
+    }
+
     /// Whether light passes in any way, so that both sides of the surface are there.
     pub fn lets_light_through(&self) -> bool {
         self.transmits() || self.uses_light_behind()

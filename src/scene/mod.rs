@@ -20,8 +20,8 @@ pub use camera::Camera;
 pub use index::Index;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Checker, Material, Weights};
-pub use sampling::Sampling;
-pub use tracing::{Algorithm, Skip, Specular, Tracing};
+pub use sampling::{Sampling, Statistical};
+pub use tracing::{Algorithm, Shadows, Skip, Specular, Tracing};
 
 pub use unsupported::Unsupported;
 
@@ -56,6 +56,8 @@ pub struct Scene {
     pub tracing: Tracing,
     /// Which rays make a pixel.
     pub sampling: Sampling,
+    /// Which random numbers samples draw.
+    pub seed: u64,
     /// How the picture is shown.
     pub output: Output,
 }

@@ -1,15 +1,57 @@
 //! Which rays make a pixel: the choice. What each method does stands in `sampling`.
 
 /// The methods.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
     /// One ray through the pixel's centre.
     Center,
+    /// Rays through the centres of n × n cells.
+    Regular {
+        /// Cells a side, 1 or more.
+        n: u32,
+    },
     /// Rays through the corners of n × n cells, which neighbours share.
     Shared {
         /// Cells a side, 1 or more.
         n: u32,
     },
+    /// Rays through the corners of cells that are cut in four where it matters.
+    Adaptive {
+        /// The difference between corners that cuts a cell, as a part of white.
+        threshold: f64,
+        /// How often a side may be halved.
+        depth: u32,
+    },
+    /// A jittered ray in each of n strata.
+    Stochastic {
+        /// Rays a pixel.
+        n: u32,
+    },
+    /// Rays anywhere.
+    Random {
+        /// Rays a pixel.
+        n: u32,
+    },
+    /// Rays through scrambled points of Sobol's sequence.
+    Sobol {
+        /// Rays a pixel.
+        n: u32,
+    },
+    /// As many of those as tell the mean well enough.
+    Statistical(Statistical),
+}
+
+/// When the mean of samples is known well enough.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Statistical {
+    /// The probability with which the mean's interval is to hold the pixel's colour.
+    pub confidence: f64,
+    /// Half the interval's width in each channel at the most, as a part of white.
+    pub tolerance: f64,
+    /// The fewest samples.
+    pub min: u32,
+    /// The most samples.
+    pub max: u32,
 }
 
 impl Sampling {
@@ -17,7 +59,13 @@ impl Sampling {
     pub fn word(self) -> &'static str {
         match self {
             Sampling::Center => "none",
+            Sampling::Regular { .. } => "regular",
             Sampling::Shared { .. } => "shared",
+            Sampling::Adaptive { .. } => "adaptive",
+            Sampling::Stochastic { .. } => "stochastic",
+            Sampling::Random { .. } => "random",
+            Sampling::Sobol { .. } => "sobol",
+            Sampling::Statistical(_) => "statistical",
         }
     }
 
@@ -25,7 +73,15 @@ impl Sampling {
     pub fn parameters(self) -> Vec<(&'static str, f64)> {
         match self {
             Sampling::Center => Vec::new(),
-            Sampling::Shared { n } => vec![("n", n.into())],
+            Sampling::Regular { n }
+            | Sampling::Shared { n }
+            | Sampling::Stochastic { n }
+            | Sampling::Random { n }
+            | Sampling::Sobol { n } => vec![("n", n.into())],
+            Sampling::Adaptive { threshold, depth } => vec![("threshold", threshold), ("depth", depth.into())],
+            Sampling::Statistical(Statistical { confidence, tolerance, min, max }) => {
+                vec![("confidence", confidence), ("tolerance", tolerance), ("min", min.into()), ("max", max.into())]
+            }
         }
     }
 }

@@ -18,6 +18,8 @@ pub struct Tracing {
     pub cutoff: f64,
     /// Whether faces are seen from behind.
     pub two_sided: bool,
+    /// What a semitransparent thing does to the light behind it.
+    pub shadows: Shadows,
     /// What is left out because it can't change the colour.
     pub skip: Skip,
 }
@@ -40,6 +42,15 @@ pub enum Specular {
     HalfVector,
     /// (R·V)^n.
     ReflectionVector,
+}
+
+/// What a semitransparent thing between a light and a surface does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shadows {
+    /// Each of its surfaces keeps a part of the light, as its material says.
+    PerSurface,
+    /// It throws the shadow of an opaque one.
+    Opaque,
 }
 
 impl Tracing {

@@ -14,15 +14,11 @@ impl From<Finding> for Unsupported {
     }
 }
 
-/// Everything in a scene that isn't supported, but for its sampling, which a call may override.
+/// Everything in a scene that isn't supported.
 pub fn features(scene: &file::SceneFile) -> Vec<Finding> {
-    let camera = || KeyPath::default().join("camera");
     let mut found = Vec::new();
     if scene.camera.lens.is_some() {
-        found.push(missing(camera().join("lens"), "a lens"));
-    }
-    if scene.camera.shutter != [0.0, 0.0] {
-        found.push(missing(camera().join("shutter"), "motion"));
+        found.push(missing(KeyPath::default().join("camera").join("lens"), "a lens"));
     }
     let lights = scene.lights.iter().enumerate();
     found.extend(lights.filter(|(_, of)| is_area(of)).map(|(index, of)| light(index, of)));
@@ -38,18 +34,6 @@ pub fn features(scene: &file::SceneFile) -> Vec<Finding> {
     let moves = scene.objects.iter().enumerate().filter(|(_, object)| object.motion.is_some());
     let motion = |index: usize| missing(KeyPath::default().join("objects").join(index).join("motion"), "motion");
     found.extend(moves.map(|(index, _)| motion(index)));
-    if scene.frames.is_some() {
-        found.push(missing(KeyPath::default().join("frames"), "motion"));
-    }
-    found
-}
-
-/// Everything in a scene that isn't supported.
-pub fn all(scene: &file::SceneFile) -> Vec<Finding> {
-    let mut found = features(scene);
-    if !matches!(scene.sampling, file::Sampling::None {} | file::Sampling::Shared { .. }) {
-        found.push(sampling(scene.sampling));
-    }
     found
 }
 
@@ -66,12 +50,6 @@ fn is_area(light: &file::Light) -> bool {
 pub(super) fn light(index: usize, light: &file::Light) -> Finding {
     let key = light.kind.key();
     missing(KeyPath::default().join("lights").join(index).join(key), &format!("a light `{key}`"))
-}
-
-/// A method of sampling that isn't supported.
-pub(super) fn sampling(sampling: file::Sampling) -> Finding {
-    let key = sampling.key();
-    missing(KeyPath::default().join("sampling").join(key), &format!("the method `{key}`"))
 }
 
 /// A mesh that nobody has read.

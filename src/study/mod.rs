@@ -1,3 +1,6 @@
 //! What the program measures about itself.
 
+pub mod ladder;
+pub mod rounding;
+pub mod stress;
 pub mod textbook;

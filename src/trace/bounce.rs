@@ -2,6 +2,7 @@
 
 use super::shade::give_ray;
 use super::{Media, Meeting, Path, radiance};
+use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
 use crate::probe::Probe;
@@ -30,7 +31,9 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
     }
     let inside = meeting.path.media;
     let beyond = inside.beyond(meeting.object, material.ior, meeting.surface.side);
-    let Some(direction) = refract(meeting, inside.ior(), beyond.ior(), probe) else { return Color::ZERO };
+    let Some(direction) = refract(meeting.ray, meeting.surface.normal, inside.ior(), beyond.ior(), probe) else {
+        return Color::ZERO;
+    };
     let ray = leaving_ray(meeting, direction, meeting.leaving_beyond());
     let color = follow(scene, meeting, RayKind::Transmitted, &ray, weight, &beyond, probe);
     unless_it_leaks(color, meeting.leaks(direction, false), Skippable::Transmitted, probe)
@@ -51,10 +54,7 @@ fn mirror<P: Probe>(direction: DVec3, normal: DVec3, probe: &mut P) -> DVec3 {
 }
 
 /// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None`, marked, at a total internal reflection.
-///
-/// The usual k = 1 − (1 − cos²φ₁)/η² cancels; here sin²φ₁ is the squared length of the direction's tangential part.
-fn refract<P: Probe>(meeting: &Meeting, eta_1: f64, eta_2: f64, probe: &mut P) -> Option<DVec3> {
-    let (direction, normal) = (meeting.ray.direction, meeting.surface.normal);
+pub(crate) fn refract<P: Probe>(ray: &Ray, normal: DVec3, eta_1: f64, eta_2: f64, probe: &mut P) -> Option<DVec3> {
     probe.given(Name::RefractEta1, eta_1);
     probe.given(Name::RefractEta2, eta_2);
     let eta = probe.note(Name::RefractEta, eta_2 / eta_1);
@@ -62,15 +62,69 @@ fn refract<P: Probe>(meeting: &Meeting, eta_1: f64, eta_2: f64, probe: &mut P) -
         probe.mark(Decision::Undefined { quantity: Name::RefractDirection });
         return None;
     }
-    let cos_1 = probe.note(Name::RefractCos1, -normal.dot(direction));
-    let tangential = direction + normal * cos_1;
-    let k_eta_squared = eta * eta - tangential.dot(tangential);
-    if k_eta_squared < 0.0 {
+    let cos_1 = probe.note(Name::RefractCos1, -normal.dot(ray.direction));
+    let TransmittedCosine { cos_2, .. } = transmitted_cosine(ray, normal, eta, cos_1, probe);
+    let Some(cos_2) = cos_2 else {
         probe.mark(Decision::TotalInternalReflection);
         return None;
+    };
+    Some(probe.note(Name::RefractDirection, ray.direction / eta - normal * (cos_2 - cos_1 / eta)))
+}
+
+/// What Snell's law says of the transmitted ray's angle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TransmittedCosine {
+    /// cos φ₂; `None` where there is no transmitted ray.
+    pub cos_2: Option<f64>,
+    /// Its square, which is negative then.
+    pub squared: f64,
+}
+
+/// cos²φ₂ = (η² − sin²φ₁)/η².
+///
+/// The usual k = 1 − (1 − cos²φ₁)/η² cancels; here sin²φ₁ is the squared length of the direction's tangential part.
+pub(crate) fn transmitted_cosine<P: Probe>(
+    ray: &Ray,
+    normal: DVec3,
+    eta: f64,
+    cos_1: f64,
+    probe: &mut P,
+) -> TransmittedCosine {
+    let tangential = ray.direction + normal * cos_1;
+    let k_eta_squared = eta * eta - tangential.dot(tangential);
+    let left = k_eta_squared / (eta * eta);
+    let is_certain = left > CANCELLED || left < -TOTAL;
+    if probe.certifies() && !(is_certain && eta >= LEAST_ETA) {
+        return doubled_cosine(ray, normal, eta, probe);
     }
-    let cos_2 = probe.note(Name::RefractCos2, k_eta_squared.sqrt() / eta);
-    Some(probe.note(Name::RefractDirection, direction / eta - normal * (cos_2 - cos_1 / eta)))
+    let is_total = k_eta_squared < 0.0;
+    let cos_2 = (!is_total).then(|| probe.note(Name::RefractCos2, k_eta_squared.sqrt() / eta));
+    TransmittedCosine { cos_2, squared: left }
+}
+
+/// The least part of η² that may be left of η² − sin²φ₁. The tangential part errs by at most six roundings in each component
+/// (cos φ₁ by four, those of the direction and the normal among them, and two of its own), so that near sin φ₁ = η the difference errs
+/// by 2·6·√3·η + 5·η² of them: its sign is right far below this. But T shows the error of cos φ₂, which grows as less is left.
+const CANCELLED: f64 = 1.0 / 16.0;
+
+/// Where more than this part of η² is missing, the reflection is total: it is far more than the errors of the difference, and nothing
+/// else is asked.
+const TOTAL: f64 = 1.0 / (1 << 20) as f64;
+
+/// Where η is less, the roundings of the tangential part come near to it.
+const LEAST_ETA: f64 = 1.0 / (1 << 20) as f64;
+
+/// The same with twice the digits: sin²φ₁ = |v × N|²/(v·v · N·N), whatever the lengths of both.
+#[cold]
+#[inline(never)]
+fn doubled_cosine<P: Probe>(ray: &Ray, normal: DVec3, eta: f64, probe: &mut P) -> TransmittedCosine {
+    probe.fallback();
+    let lengths_squared = Doubled3::from(ray.vector).squared() * Doubled3::from(normal).squared();
+    let whole = Doubled::product(eta, eta) * lengths_squared;
+    let squared = (whole - Doubled3::across(ray.vector, normal).squared()).quotient(whole);
+    let is_total = squared < 0.0;
+    let cos_2 = (!is_total).then(|| probe.note(Name::RefractCos2Doubled, squared.sqrt()));
+    TransmittedCosine { cos_2, squared }
 }
 
 /// Whether a bounce isn't traced: because of the depth limit, or because it can't be seen.

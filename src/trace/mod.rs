@@ -9,7 +9,10 @@ pub mod query;
 mod shade;
 mod visibility;
 
+pub(crate) use bounce::{refract, transmitted_cosine};
 pub use media::Media;
+pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};
+pub(crate) use visibility::all_crossings;
 pub use visibility::{Hit, closest_hit, is_any_hit, transmittance};
 
 use crate::geometry::{Leaving, Ray, Surface};
@@ -30,27 +33,49 @@ pub struct Path<'a> {
 }
 
 /// Where a ray has met a surface, and how it came there.
-struct Meeting<'a> {
-    object: u32,
-    primitive: u32,
-    ray: &'a Ray,
-    surface: Surface,
-    material: &'a Material,
-    path: &'a Path<'a>,
+pub(crate) struct Meeting<'a> {
+    pub object: u32,
+    pub primitive: u32,
+    pub ray: &'a Ray,
+    pub surface: Surface,
+    pub material: &'a Material,
+    pub path: &'a Path<'a>,
+}
+
+/// What a camera ray saw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// The colour that it brings.
+    pub color: Color,
+    /// The object that it meets first, if it meets any.
+    pub object: Option<u32>,
 }
 
 /// The colour that a camera ray brings; the background's if it has no direction.
 pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Color {
+    see(scene, aim, probe).color
+}
+
+/// What a camera ray sees; the background if it has no direction.
+pub fn see<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Seen {
     probe.within(Step::Ray { kind: RayKind::Camera, depth: 0 }, |probe| {
-        let Some(ray) = aim(probe) else { return scene.background };
+        let Some(ray) = aim(probe) else { return Seen { color: scene.background, object: None } };
+        let hit = closest_hit(scene, &ray, probe);
         let outside = Media::default();
-        radiance(scene, &ray, &Path { level: 0, media: &outside, weight: Color::ONE }, probe)
+        let path = Path { level: 0, media: &outside, weight: Color::ONE };
+        Seen { color: incoming(scene, &ray, hit, &path, probe), object: hit.map(|hit| hit.object) }
     })
 }
 
 /// The colour that a ray brings: the recursion of the source text.
 fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> Color {
-    let Some(hit) = closest_hit(scene, ray, probe) else {
+    let hit = closest_hit(scene, ray, probe);
+    incoming(scene, ray, hit, path, probe)
+}
+
+/// The colour that a ray brings from its nearest hit.
+fn incoming<P: Probe>(scene: &Scene, ray: &Ray, hit: Option<Hit>, path: &Path, probe: &mut P) -> Color {
+    let Some(hit) = hit else {
         probe.mark(Decision::Background);
         return scene.background;
     };

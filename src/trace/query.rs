@@ -1,6 +1,7 @@
 //! Single ray queries: what a ray meets, without any shading.
 
 use super::visibility::{closest_hit, is_any_hit};
+use crate::geometry::ray::unit;
 use crate::geometry::{Leaving, Ray, Side};
 use crate::probe::Silent;
 use crate::scene::Scene;
@@ -39,6 +40,16 @@ pub struct Answer {
 }
 
 impl Query {
+    /// What is wrong with the numbers of this query, if anything is.
+    pub fn check(&self) -> Result<(), &'static str> {
+        match () {
+            _ if !self.origin.is_finite() => Err("o: expected finite numbers"),
+            _ if !self.direction.is_finite() => Err("d: expected finite numbers"),
+            _ if self.direction == DVec3::ZERO => Err("d: expected a direction that is not zero"),
+            _ => Ok(()),
+        }
+    }
+
     /// The nearest hit.
     pub fn nearest(&self, scene: &Scene) -> Option<Answer> {
         let (ray, length) = self.ray(scene);
@@ -65,39 +76,13 @@ impl Query {
     }
 
     /// The ray with a unit direction, and the length of the direction as given.
-    fn ray(&self, scene: &Scene) -> (Ray, f64) {
-        let (direction, length) = unit(self.direction);
+    pub fn ray(&self, scene: &Scene) -> (Ray, f64) {
+        let (direction, vector, length) = unit(self.direction);
         let leaving = self.from.map(|(object, primitive)| {
             let side = scene.objects[object as usize].shape.returning_side();
             Leaving { object, primitive, side }
         });
-        let ray =
-            Ray { origin: self.origin, direction, leaving, t_min: self.t_min * length, t_max: self.t_max * length };
-        (ray, length)
-    }
-}
-
-/// The unit vector along a vector, and its length. Scaling by a power of two, which is exact, keeps the squares of very
-/// long and very short vectors in range.
-fn unit(vector: DVec3) -> (DVec3, f64) {
-    let largest = vector.abs().max_element();
-    let exponent = if (1e-100..=1e100).contains(&largest) { 0 } else { libm::ilogb(largest) };
-    let scaled = DVec3::from_array(vector.to_array().map(|x| libm::scalbn(x, -exponent)));
-    let length = scaled.dot(scaled).sqrt();
-    (scaled / length, libm::scalbn(length, exponent))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn unit_vectors_of_any_length() {
-        for exponent in [-1000, -300, 0, 300, 1000] {
-            let scale = libm::scalbn(1.0, exponent);
-            let (direction, length) = unit(DVec3::new(3.0, 0.0, 4.0) * scale);
-            assert_eq!(direction, DVec3::new(0.6, 0.0, 0.8));
-            assert_eq!(length, 5.0 * scale);
-        }
+        let (t_min, t_max) = (self.t_min * length, self.t_max * length);
+        (Ray { vector, leaving, t_min, t_max, ..Ray::new(self.origin, direction) }, length)
     }
 }

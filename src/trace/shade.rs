@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead.
-pub(super) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     probe.within(Step::Shade { object: meeting.object }, |probe| match &meeting.material.pattern {
         None => from_all_lights(scene, meeting, probe),
         Some(pattern) => pattern::local_intensity(scene, meeting, pattern, probe),
@@ -91,18 +91,17 @@ fn shadow_ray<P: Probe>(
     leaks: bool,
     probe: &mut P,
 ) -> Color {
-    let ray = Ray {
-        origin: meeting.surface.point,
-        direction: arrival.direction,
-        leaving: Some(leaving),
-        t_min: 0.0,
-        t_max: arrival.distance,
-    };
+    let ray = Ray { leaving: Some(leaving), ..segment_to_light(meeting.surface.point, &arrival) };
     give_ray(&ray, probe);
     let kind = RayKind::Shadow { light };
     let passed = probe.within(Step::Ray { kind, depth: meeting.path.level }, |probe| transmittance(scene, &ray, probe));
     let passed = unless_it_leaks(passed, leaks, Skippable::Shadow, probe);
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
+}
+
+/// The ray from a point up to a light. How far the things are that stand in its way isn't asked, but for their order.
+pub(crate) fn segment_to_light(point: DVec3, arrival: &Arrival) -> Ray {
+    Ray { t_max: arrival.distance, wants_distance: false, ..Ray::new(point, arrival.direction) }
 }
 
 /// K_e ((N·H)⁺)^n_e, or K_e ((R·V)⁺)^n_e.
@@ -124,22 +123,22 @@ fn specular<P: Probe>(
                 return Color::ZERO;
             }
             let half = probe.note(Name::HalfDirection, sum / length);
-            probe.note(Name::ShadeNDotH, normal.dot(half))
+            (probe.note(Name::ShadeNDotH, normal.dot(half)), half, normal)
         }
         Specular::ReflectionVector => {
             let mirrored = probe.note(Name::MirrorDirection, normal * 2.0 * n_dot_l - light);
-            probe.note(Name::ShadeRDotV, mirrored.dot(view))
+            (probe.note(Name::ShadeRDotV, mirrored.dot(view)), mirrored, view)
         }
     };
-    material.specular * libm::pow(cosine(between), material.shininess)
+    material.specular * lobe(material, between, material.shininess, Name::ShadeSpecularPower, probe)
 }
 
 /// K_t ((−N·H′)⁺)^n_t with H′ = (−L − ηV)/(η − 1), normalised; the light's side is medium 1, the viewer's medium 2.
 ///
 /// The sum is written as −(L + V)/(η − 1) − V, which keeps its digits where η is near 1.
 fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, light: DVec3, probe: &mut P) -> Color {
-    let lobe = |between: f64| material.transmission * libm::pow(cosine(between), material.transmission_exponent);
     let media = meeting.path.media;
+    let exponent = material.transmission_exponent;
     let eta_light = media.beyond(meeting.object, material.ior, meeting.surface.side).ior();
     probe.given(Name::RefractEta1, eta_light);
     probe.given(Name::RefractEta2, media.ior());
@@ -150,16 +149,53 @@ fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, l
             return Color::ZERO;
         }
         let between = probe.note(Name::ShadeNDotTransmittedStraight, 1.0);
-        return lobe(between);
+        let along = (between, view, view);
+        return material.transmission * lobe(material, along, exponent, Name::ShadeTransmittedPower, probe);
     }
+    let Some(half) = transmitted_half(light, view, eta, probe) else { return Color::ZERO };
+    let normal = meeting.surface.normal;
+    let between = (probe.note(Name::ShadeNDotTransmitted, -normal.dot(half)), -normal, half);
+    material.transmission * lobe(material, between, exponent, Name::ShadeTransmittedPower, probe)
+}
+
+/// The height of a lobe, (x⁺)^n for the noted product x of two vectors. A sharp lobe's is a quantity of its own.
+fn lobe<P: Probe>(
+    material: &Material,
+    (x, a, b): (f64, DVec3, DVec3),
+    exponent: f64,
+    name: Name,
+    probe: &mut P,
+) -> f64 {
+    match material.is_sharp() {
+        false => power(x, exponent),
+        true if probe.certifies() => probe.note(name, power_between(a, b, exponent)),
+        true => probe.note(name, power(x, exponent)),
+    }
+}
+
+/// H′ from the two directions and η ≠ 1; `None` where it has no direction.
+pub(crate) fn transmitted_half<P: Probe>(light: DVec3, view: DVec3, eta: f64, probe: &mut P) -> Option<DVec3> {
     let sum = probe.note(Name::TransmitSum, -(light + view) / (eta - 1.0) - view);
     let length = probe.note(Name::TransmitLength, sum.dot(sum).sqrt());
-    if length == 0.0 {
-        return Color::ZERO;
+    (length != 0.0).then(|| probe.note(Name::TransmitDirection, sum / length))
+}
+
+/// (x⁺)^n, the height of a lobe.
+pub(crate) fn power(x: f64, exponent: f64) -> f64 {
+    libm::pow(cosine(x), exponent)
+}
+
+/// ((a·b)⁺)^n for two unit vectors, (1 − sin²)^(n/2).
+///
+/// Near 1 the product has lost the angle: its rounding errors are n times as large in the power. The sine hasn't, because
+/// b − a is exact where the two are near each other.
+pub(crate) fn power_between(a: DVec3, b: DVec3, exponent: f64) -> f64 {
+    if a.dot(b) <= 0.0 {
+        return power(0.0, exponent);
     }
-    let half = probe.note(Name::TransmitDirection, sum / length);
-    let between = probe.note(Name::ShadeNDotTransmitted, -meeting.surface.normal.dot(half));
-    lobe(between)
+    let across = a.cross(b - a);
+    let sine_squared = across.dot(across) / (a.dot(a) * b.dot(b));
+    libm::exp(exponent / 2.0 * libm::log1p(-sine_squared.min(1.0)))
 }
 
 /// x⁺: what a dot product of unit vectors is worth as a cosine. Rounding can take it past 1, and a large exponent from there
@@ -171,6 +207,8 @@ fn cosine(x: f64) -> f64 {
 /// Which formula the local intensity has under the scene's options and on this material.
 fn local_name(scene: &Scene, material: &Material) -> Name {
     match (scene.tracing.specular, material.uses_light_behind()) {
+        (_, false) if material.is_sharp() => Name::ShadeLocalSharp,
+        (_, true) if material.is_sharp() => Name::ShadeLocalSharpTransmitting,
         (Specular::HalfVector, false) => Name::ShadeLocal,
         (Specular::HalfVector, true) => Name::ShadeLocalTransmitting,
         (Specular::ReflectionVector, false) => Name::ShadeLocalMirror,

@@ -3,7 +3,8 @@
 use crate::geometry::{Crossing, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
-use crate::scene::{Color, Scene};
+use crate::scene::{Color, Scene, Shadows};
+use std::cmp::Ordering;
 
 /// The nearest thing on a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,11 +15,40 @@ pub struct Hit {
     pub crossing: Crossing,
 }
 
-impl Hit {
-    /// Whether a crossing with another object comes before this hit.
-    fn is_behind(&self, crossing: Crossing, object: u32) -> bool {
-        crossing.t < self.crossing.t || (crossing.t == self.crossing.t && object < self.object)
-    }
+/// Two distances nearer to each other than so many parts of them are compared with more digits.
+const NEAR_TIE: f64 = 8.0 * f64::EPSILON;
+
+/// Two distances with twice the digits that differ by no more than this part of them are the same: that much is their own error where
+/// half of their digits were lost.
+const SAME: f64 = f64::EPSILON * f64::EPSILON * (1 << 24) as f64;
+
+/// How two crossings with objects follow each other along the ray; at the same distance the object that comes first in the
+/// scene is the first.
+fn order<P: Probe>(scene: &Scene, ray: &Ray, one: Hit, other: Hit, probe: &mut P) -> Ordering {
+    let (t, other_t) = (one.crossing.t, other.crossing.t);
+    let is_near_tie = (t - other_t).abs() <= NEAR_TIE * t.abs() && one.object != other.object;
+    let by_distance = if is_near_tie && probe.certifies() {
+        let refined = |hit: Hit| scene.objects[hit.object as usize].shape.refined(ray, hit.crossing);
+        let difference = (refined(one) - refined(other)).head;
+        if difference.abs() <= SAME * t.abs() { Ordering::Equal } else { difference.total_cmp(&0.0) }
+    } else {
+        t.total_cmp(&other_t)
+    };
+    by_distance.then(one.object.cmp(&other.object))
+}
+
+/// All crossings with all objects, in the order of the ray.
+pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Vec<Hit> {
+    let mut hits = Vec::new();
+    let mut crossings = Vec::new();
+    scene.index.visit(ray, probe, |object, probe| {
+        let thing = &scene.objects[object as usize];
+        thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
+        hits.extend(crossings.drain(..).map(|crossing| Hit { object, crossing }));
+        ray.t_max
+    });
+    hits.sort_by(|one, other| order(scene, ray, *one, *other, probe));
+    hits
 }
 
 /// The nearest hit. Of several at the same distance the object that comes first in the scene wins.
@@ -27,7 +57,7 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
     scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         if let Some(crossing) = thing.shape.first_crossing(object, thing.one_sided, ray, probe)
-            && nearest.is_none_or(|hit| hit.is_behind(crossing, object))
+            && nearest.is_none_or(|hit| order(scene, ray, Hit { object, crossing }, hit, probe).is_lt())
         {
             nearest = Some(Hit { object, crossing });
         }
@@ -42,6 +72,7 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 /// Whether the ray meets anything at all.
 pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
     let mut is_hit = false;
+    let ray = &ray.without_distance();
     scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         is_hit |= thing.shape.is_crossed(object, thing.one_sided, ray, probe);
@@ -56,12 +87,13 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
 #[inline(never)]
 pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);
+    let lets_light_pass = scene.tracing.shadows == Shadows::PerSurface;
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
     scene.index.visit(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
-        if scene.materials[thing.material].transmits() {
+        if lets_light_pass && scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
         } else if thing.shape.is_crossed(object, thing.one_sided, ray, probe) {

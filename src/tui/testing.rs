@@ -66,7 +66,7 @@ pub(super) fn nested(shape: &str) -> Log {
         if what == What::Leave {
             open.pop();
         }
-        events.push(Event { at, node, what, given: Vec::new() });
+        events.push(Event { at, node, what, given: Vec::new(), digits: None });
     }
     Log { header: header(), events }
 }

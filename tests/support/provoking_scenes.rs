@@ -131,6 +131,7 @@ fn bare(name: &str, options: Options) -> Scene {
         objects: Vec::new(),
         index: Index::default(),
         sampling: raywalk::scene::Sampling::Center,
+        seed: 0,
         tracing: Tracing {
             algorithm: options.algorithm,
             max_depth: options.max_depth,
@@ -138,6 +139,7 @@ fn bare(name: &str, options: Options) -> Scene {
             sphere_method: options.sphere_method,
             cutoff: 0.0,
             two_sided: true,
+            shadows: raywalk::scene::Shadows::PerSurface,
             skip: options.skip,
         },
         output: Output { white: 1.0, transfer: Transfer::Linear, exposure: 0.0 },

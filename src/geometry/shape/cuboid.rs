@@ -9,6 +9,7 @@ use super::flat::toward;
 use super::roots::{Root, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::{Doubled, length};
 use crate::geometry::ray::{Crossing, Leaving, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -111,6 +112,13 @@ impl Kernel for Cuboid {
 
     fn bounds(&self) -> Option<Bounds> {
         Some(Bounds { min: self.min, max: self.max })
+    }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        let axis = crossing.primitive as usize / 2;
+        let corner = if crossing.primitive.is_multiple_of(2) { self.min } else { self.max };
+        let to_face = Doubled::sum(corner[axis], -ray.origin[axis]);
+        to_face * length(ray.vector) / Doubled::from(ray.vector[axis])
     }
 
     fn can_be_met_again(&self, sets_off: Side) -> bool {

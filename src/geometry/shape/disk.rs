@@ -1,9 +1,10 @@
 //! The flat disk: where the ray meets its plane, the squared distance from the centre decides.
 
-use super::flat::{PlaneNames, meet_plane, toward};
+use super::flat::{PlaneNames, meet_plane_certainly, refined, toward};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::unit;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -38,7 +39,7 @@ impl Kernel for Disk {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let plane = meet_plane(ray, self.normal, self.center, &PLANE, probe)?;
+        let plane = meet_plane_certainly(ray, self.normal, self.center, (&PLANE, Name::DiskTDoubled), probe)?;
         let from_center = ray.origin + ray.direction * plane.t - self.center;
         let distance_squared = from_center.dot(from_center);
         let is_on_disk = distance_squared.is_finite()
@@ -59,6 +60,10 @@ impl Kernel for Disk {
     }
 
     /// Along an axis the disk reaches as far as its radius times the sine between the axis and the normal.
+    fn refined(&self, ray: &Ray, _crossing: Crossing) -> Doubled {
+        refined(ray, self.normal, self.center)
+    }
+
     fn bounds(&self) -> Option<Bounds> {
         let squares = self.unit_normal * self.unit_normal;
         let sine = |others: f64| others.sqrt();

@@ -4,9 +4,11 @@
 //! and no direction gets shorter. By Lagrange's identity the discriminant b² − a·c is r²·|d'|² − |o' × d'|² (d' and o' the
 //! mapped direction and origin), where a far origin doesn't cancel; nor do the roots (see [`Quadratic`]).
 
+use super::doubled_chord::{DoubledChord, corrected_in};
 use super::roots::{Quadratic, Root, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -18,6 +20,10 @@ pub struct Ellipsoid {
     center: DVec3,
     /// The rows of the map to the sphere, E_1, E_2, E_3.
     rows: [DVec3; 3],
+    /// The rows with twice the digits.
+    doubled_rows: Box<[Doubled3; 3]>,
+    /// Whether the map stretches so much that what it makes of a vector is left of terms that cancel.
+    is_elongated: bool,
     /// The square of the sphere's radius.
     radius_squared: f64,
     /// Half the sides of the box around the ellipsoid.
@@ -44,13 +50,18 @@ impl Ellipsoid {
     /// the columns as they are.
     fn along(center: DVec3, columns: [DVec3; 3], radii: [f64; 3], largest: f64) -> Ellipsoid {
         // A row of the inverse is the cross product of the two other columns over the determinant.
+        let doubled = columns.map(Doubled3::from);
         let row = |i: usize| {
-            let across = columns[(i + 1) % 3].cross(columns[(i + 2) % 3]);
-            across / columns[i].dot(across) * (largest / radii[i])
+            let across = doubled[(i + 1) % 3].cross(doubled[(i + 2) % 3]);
+            let factor = Doubled::from(largest) / (doubled[i].dot(across) * Doubled::from(radii[i]));
+            across.times(factor)
         };
+        let doubled_rows = Box::new([row(0), row(1), row(2)]);
+        let rows = doubled_rows.map(Doubled3::value);
+        let is_elongated = rows.iter().any(|row| row.length() > LONGEST);
         let extent_squared: DVec3 = (0..3).map(|i| columns[i] * radii[i]).map(|axis| axis * axis).sum();
         let extent = DVec3::new(extent_squared.x.sqrt(), extent_squared.y.sqrt(), extent_squared.z.sqrt());
-        Ellipsoid { center, rows: [row(0), row(1), row(2)], radius_squared: largest * largest, extent }
+        Ellipsoid { center, rows, doubled_rows, is_elongated, radius_squared: largest * largest, extent }
     }
 
     /// A vector of the scene in the sphere's space, each component under its own name.
@@ -62,8 +73,30 @@ impl Ellipsoid {
         DVec3::new(x, y, z)
     }
 
+    /// The roots with twice the digits.
+    #[cold]
+    #[inline(never)]
+    fn doubled_roots<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Roots> {
+        probe.fallback();
+        let [row_1, row_2, row_3] = *self.doubled_rows;
+        let mapped = |v: Doubled3| Doubled3 { x: row_1.dot(v), y: row_2.dot(v), z: row_3.dot(v) };
+        let vector = Doubled3::from(ray.vector);
+        let oc = mapped(Doubled3::difference(self.center, ray.origin));
+        let radius = self.radius_squared.sqrt();
+        let radius_squared = Doubled::product(radius, radius);
+        let length = vector.dot(vector).sqrt();
+        let chord = DoubledChord::in_sphere(oc, mapped(vector), oc.dot(oc) - radius_squared, radius_squared, length);
+        if chord.is_beside {
+            probe.mark(Decision::Miss { why: Miss::Beside });
+            return None;
+        }
+        let name = Name::EllipsoidTDoubled;
+        let root = |t: Doubled| Root { t: t.value(), primitive: 0, is_on_surface: true, name };
+        Some(Roots { entry: root(chord.near), exit: root(chord.far), outer: Side::Front })
+    }
+
     #[inline]
-    fn roots<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Roots> {
+    fn roots<P: Probe>(&self, ray: &Ray, is_leaving: bool, probe: &mut P) -> Option<Roots> {
         let from_center = probe.note(Name::EllipsoidOrigin, ray.origin - self.center);
         let origin = self.mapped(from_center, ORIGIN, probe);
         let direction = self.mapped(ray.direction, DIRECTION, probe);
@@ -74,6 +107,10 @@ impl Ellipsoid {
         let across = origin.cross(direction);
         let discriminant = self.radius_squared * a - across.dot(across);
         let discriminant = probe.note(Name::EllipsoidDiscriminant, discriminant);
+        let doubt = OF_DISCRIMINANT * a * (origin.dot(origin) + self.radius_squared);
+        if probe.certifies() && (self.is_elongated || discriminant.abs() <= doubt) {
+            return self.doubled_roots(ray, probe);
+        }
         // Arithmetic with few digits can round the direction away.
         let crosses = discriminant >= 0.0 && a > 0.0;
         let equation = Quadratic { a, b, c, discriminant };
@@ -84,7 +121,93 @@ impl Ellipsoid {
         };
         let root = |(t, name)| Root { t, primitive: 0, is_on_surface: true, name };
         let (entry, exit) = if first.0 < second.0 { (first, second) } else { (second, first) };
-        Some(Roots { entry: root(entry), exit: root(exit), outer: Side::Front })
+        let (mut entry, mut exit) = (root(entry), root(exit));
+        if probe.certifies() {
+            let digits = Digits::of(&equation, origin.dot(origin), across.dot(across));
+            // A ray that leaves the surface has been at one root already, of which there are no digits.
+            let left = if is_leaving { entry.t.abs().min(exit.t.abs()) } else { -1.0 };
+            for root in [&mut entry, &mut exit] {
+                if root.t.abs() == left {
+                    continue;
+                }
+                match digits.of_root(root, ray) {
+                    Lost::Nothing => {}
+                    Lost::Some => self.correct(root, ray, probe),
+                    Lost::All => return self.doubled_roots(ray, probe),
+                }
+            }
+        }
+        Some(Roots { entry, exit, outer: Side::Front })
+    }
+
+    /// Gives a distance all of its digits.
+    #[cold]
+    #[inline(never)]
+    fn correct<P: Probe>(&self, root: &mut Root, ray: &Ray, probe: &mut P) {
+        probe.fallback();
+        let [row_1, row_2, row_3] = *self.doubled_rows;
+        let map = |v: Doubled3| Doubled3 { x: row_1.quick_dot(v), y: row_2.quick_dot(v), z: row_3.quick_dot(v) };
+        let along = DVec3::from_array(self.rows.map(|row| row.dot(ray.vector)));
+        let radius = self.radius_squared.sqrt();
+        root.t = corrected_in(map, along, self.center, Doubled::product(radius, radius), ray, root.t);
+        root.name = Name::EllipsoidTDoubled;
+    }
+}
+
+/// The greatest ratio of half axes that f64 alone copes with.
+const LONGEST: f64 = 8.0;
+
+/// A bound of the error of the discriminant in parts of a·(o'·o' + r²): of 2⁻⁵³, four for each component of the mapped vectors
+/// (one of the row, one of the ray, two of the sum), so that o' × d' errs by ten of |o'|·|d'| and its square by twenty and
+/// five for its own sum; r²·a by twelve.
+const OF_DISCRIMINANT: f64 = 24.0 * f64::EPSILON;
+
+/// How many digits the distances have lost: b shows the roundings of |o'|·|d'| in t, the root of the discriminant those of |o' × d'|
+/// magnified, and c those of o'·o'.
+struct Digits {
+    /// The square of the factor by which a distance shows them, times its own square.
+    steepness: f64,
+    /// The part of o'·o' that is left in c.
+    left: f64,
+}
+
+/// What a distance has lost.
+enum Lost {
+    /// No more than a bit or two that matter.
+    Nothing,
+    /// Digits that a correction gives back.
+    Some,
+    /// So many that there is nothing to correct.
+    All,
+}
+
+impl Digits {
+    #[inline]
+    fn of(equation: &Quadratic, origin_squared: f64, across_squared: f64) -> Digits {
+        let Quadratic { a, c, discriminant, .. } = *equation;
+        let steepness = origin_squared / a * (across_squared / discriminant).max(1.0);
+        Digits { steepness, left: c.abs() / origin_squared }
+    }
+
+    #[inline]
+    fn of_root(&self, root: &Root, ray: &Ray) -> Lost {
+        /// The square of the greatest factor.
+        const STEEPEST: f64 = 4.0;
+        /// The same where half of the digits are enough.
+        const HALF_STEEP: f64 = (1_u64 << 56) as f64;
+        const LEAST_LEFT: f64 = 0.5;
+        const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
+        let squared = root.t * root.t;
+        // Only one of the roots is a part of c.
+        let left = if root.name == Name::EllipsoidT2 { self.left } else { 1.0 };
+        // Compared so that what is no number has lost all.
+        let has_half = self.steepness <= HALF_STEEP * squared && left >= LEAST_TO_CORRECT;
+        match () {
+            _ if self.steepness <= STEEPEST * squared && left >= LEAST_LEFT => Lost::Nothing,
+            _ if has_half && ray.is_settled_by_half(root.t) => Lost::Nothing,
+            _ if has_half => Lost::Some,
+            _ => Lost::All,
+        }
     }
 }
 
@@ -103,11 +226,11 @@ impl Kernel for Ellipsoid {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        self.roots(ray, probe)?.first(ray, approach, probe)
+        self.roots(ray, approach.leaving.is_some(), probe)?.first(ray, approach, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
-        if let Some(roots) = self.roots(ray, probe) {
+        if let Some(roots) = self.roots(ray, approach.leaving.is_some(), probe) {
             roots.all(ray, approach, found, probe);
         }
     }

@@ -1,5 +1,7 @@
 //! What the flat shapes share: the distance to their plane, and the normal toward the ray.
 
+use crate::geometry::doubled::{Doubled, Doubled3, length};
+use crate::geometry::exact::dot;
 use crate::geometry::ray::{Ray, Side};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -56,6 +58,73 @@ pub(super) fn meet_plane<P: Probe>(
         probe.mark(Decision::Miss { why: Miss::Parallel });
     }
     found
+}
+
+/// The same, with twice the digits where f64 has lost too many; `doubled` is what the distance is called then.
+#[inline]
+pub(super) fn meet_plane_certainly<P: Probe>(
+    ray: &Ray,
+    normal: DVec3,
+    corner: DVec3,
+    (names, doubled): (&PlaneNames, Name),
+    probe: &mut P,
+) -> Option<PlaneHit> {
+    if !(probe.certifies() && is_in_doubt_along(ray, normal, corner)) {
+        return meet_plane(ray, normal, corner, names, probe);
+    }
+    probe.fallback();
+    let t = refined(ray, normal, corner).value();
+    let v_d = dot(normal, ray.vector, 0.0).head;
+    if v_d == 0.0 || !(ray.origin + ray.direction * t).is_finite() {
+        probe.mark(Decision::Miss { why: Miss::Parallel });
+        return None;
+    }
+    let side = if v_d < 0.0 { Side::Front } else { Side::Back };
+    Some(PlaneHit { t: probe.note(doubled, t), side })
+}
+
+/// Whether the distance to the plane through `corner` has lost digits.
+#[inline]
+pub(super) fn is_in_doubt_along(ray: &Ray, normal: DVec3, corner: DVec3) -> bool {
+    let to_corner = corner - ray.origin;
+    let sum = |vector: DVec3| Sum { value: normal.dot(vector), terms: normal.abs().dot(vector.abs()) };
+    is_distance_in_doubt(sum(to_corner), sum(ray.direction), ray)
+}
+
+/// The distance V_o/V_d of [`meet_plane`] with twice the digits.
+pub(super) fn refined(ray: &Ray, normal: DVec3, corner: DVec3) -> Doubled {
+    let normal = Doubled3::from(normal);
+    let to_corner = Doubled3::difference(corner, ray.origin);
+    normal.dot(to_corner) * length(ray.vector) / normal.dot(Doubled3::from(ray.vector))
+}
+
+/// A sum of products.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sum {
+    /// The sum in f64.
+    pub value: f64,
+    /// The sum of the products' magnitudes, which its rounding errors are parts of.
+    pub terms: f64,
+}
+
+impl Sum {
+    /// Whether it is at least this part of its terms.
+    #[inline(always)]
+    fn keeps(self, part: f64) -> bool {
+        self.value.abs() >= part * self.terms
+    }
+}
+
+/// The part of a sum's terms that its value is with half of its digits.
+pub(super) const HALF: f64 = 1.0 / (1 << 20) as f64;
+
+/// Whether the distance V_o/V_d has lost digits because the terms of a sum cancel, and half of them aren't enough.
+#[inline(always)]
+pub(super) fn is_distance_in_doubt(v_o: Sum, v_d: Sum, ray: &Ray) -> bool {
+    /// Each term errs by two roundings or three.
+    const LEAST: f64 = 0.5;
+    let has_all = v_o.keeps(LEAST) && v_d.keeps(LEAST);
+    !(has_all || (v_o.keeps(HALF) && v_d.keeps(HALF) && ray.is_settled_by_half(v_o.value / v_d.value)))
 }
 
 /// The unit normal toward the arriving ray, noted under the name for its side.

@@ -9,6 +9,7 @@ use super::Approach;
 use super::triangle::Facet;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::Bvh;
+use crate::geometry::doubled::Doubled;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::Step;
@@ -80,6 +81,11 @@ impl TriangleMesh {
     pub fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
         let normals = self.mesh.corner_normals(crossing.primitive);
         self.facet(crossing.primitive).surface(normals.as_ref(), ray, crossing, probe)
+    }
+
+    /// The distance of a crossing with twice the digits.
+    pub(super) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        self.facet(crossing.primitive).refined(ray, crossing)
     }
 
     /// A box around the mesh; `None` if no triangle has an area.

@@ -5,6 +5,7 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disk;
+mod doubled_chord;
 mod ellipsoid;
 mod fan;
 mod flat;
@@ -27,6 +28,7 @@ pub use sphere::{Sphere, SphereMethod};
 pub use triangle::Triangle;
 
 use super::bounds::Bounds;
+use super::doubled::Doubled;
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Step};
 use crate::probe::Probe;
@@ -110,6 +112,11 @@ pub trait Kernel {
         false
     }
 
+    /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
+    fn refined(&self, _ray: &Ray, crossing: Crossing) -> Doubled {
+        Doubled::from(crossing.t)
+    }
+
     /// The first point where the ray crosses object `object` of this shape.
     // Each kernel is a function of its own: together in one they would crowd each other out of the registers.
     #[inline(never)]
@@ -189,6 +196,11 @@ impl Shape {
     #[inline(always)]
     pub fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
         kernel!(self, kernel => kernel.surface_of(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
+    }
+
+    /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
+    pub(crate) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        kernel!(self, kernel => kernel.refined(ray, crossing), mesh => mesh.refined(ray, crossing))
     }
 
     /// Whether this part of the surface (see [`Crossing::primitive`]) is flat.

@@ -7,10 +7,11 @@
 //! share an edge exactly one holds a point of it.
 
 use super::fan::{Fan, triangles};
-use super::flat::{PlaneNames, meet_plane, toward};
+use super::flat::{PlaneNames, meet_plane_certainly, refined, toward};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::{area_normal, unit};
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -92,7 +93,7 @@ impl Kernel for Polygon {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let plane = meet_plane(ray, self.normal, self.corner, &PLANE, probe)?;
+        let plane = meet_plane_certainly(ray, self.normal, self.corner, (&PLANE, Name::PolygonTDoubled), probe)?;
         let candidate = Crossing { t: plane.t, side: plane.side, primitive: 0 };
         let is_candidate = ray.reaches(plane.t) && approach.shows(plane.side);
         if is_candidate && !self.holds(ray.origin + ray.direction * plane.t, probe) {
@@ -113,6 +114,10 @@ impl Kernel for Polygon {
         let geometric_normal = toward(side, self.unit_normal, front, back, probe);
         let normal = facet.shading_normal(normals, point, geometric_normal, probe);
         Surface::interpolated(point, normal, geometric_normal, side)
+    }
+
+    fn refined(&self, ray: &Ray, _crossing: Crossing) -> Doubled {
+        refined(ray, self.normal, self.corner)
     }
 
     fn bounds(&self) -> Option<Bounds> {

@@ -3,12 +3,28 @@
 //! The geometric method loses digits where r², L2oc and T_A² nearly cancel. The robust one takes the half chord from the
 //! vector OC − T_A·d, and the near root from the product of the roots (Haines et al., Ray Tracing Gems, chapter 7).
 
+use super::doubled_chord::{DoubledChord, Doubt, corrected};
 use super::{Approach, Kernel, decide};
+use crate::geometry::area_normal::length;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
+use arrayvec::ArrayVec;
 use glam::DVec3;
+
+/// The largest square of the factor by which the root shows the error of the way to the line, that is let pass.
+const STEEPEST: f64 = 4.0;
+
+/// The same where half of the digits are enough: eight roundings of |OC|, times the root of this, are 2⁻²².
+const HALF_STEEP: f64 = (1_u64 << 56) as f64;
+
+/// The least part of L2oc that may be left of L2oc − r².
+const LEAST_DIFFERENCE: f64 = 0.5;
+
+/// The least part of L2oc left of L2oc − r² with which a distance can be corrected.
+const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
 
 /// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +32,9 @@ pub struct Sphere {
     center: DVec3,
     radius: f64,
     radius_squared: f64,
+    /// 1/r²
+    per_radius_squared: f64,
+    doubt: Doubt,
     method: SphereMethod,
     /// The side that faces outward.
     outer: Side,
@@ -48,63 +67,208 @@ struct Chord {
     is_origin_outside: bool,
 }
 
+/// An end of the chord, as f64 has it.
+#[derive(Clone, Copy)]
+struct End {
+    name: Name,
+    t: f64,
+    side: Side,
+    is_settled: bool,
+}
+
+/// What the line has in common with the sphere, as far as f64 can tell.
+enum Line {
+    Crosses(Chord),
+    Misses,
+    InDoubt,
+}
+
 impl Sphere {
     /// The sphere with this centre and positive radius; `inward` makes the inside its front.
     pub fn new(center: DVec3, radius: f64, inward: bool, method: SphereMethod) -> Sphere {
         let outer = if inward { Side::Back } else { Side::Front };
-        Sphere { center, radius, radius_squared: radius * radius, method, outer }
+        let radius_squared = radius * radius;
+        let doubt = match method {
+            SphereMethod::Robust => Doubt::of_radius(radius_squared),
+            SphereMethod::Geometric => Doubt::NONE,
+        };
+        Sphere { center, radius, radius_squared, per_radius_squared: 1.0 / radius_squared, doubt, method, outer }
     }
 
     /// The chord, unless the ray's line passes beside the sphere or the sphere lies behind the origin.
-    #[inline]
-    fn chord<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Chord> {
+    #[inline(always)]
+    fn chord<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Line {
         let oc = probe.note(Name::SphereOc, self.center - ray.origin);
         let l2_oc = probe.note(Name::SphereL2oc, oc.dot(oc));
         let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
-        let is_origin_outside = l2_oc > self.radius_squared;
-        probe.mark(if is_origin_outside { Decision::Outside } else { Decision::Inside });
-        if is_origin_outside && t_a < 0.0 {
-            probe.mark(Decision::Miss { why: Miss::Behind });
-            return None;
+        if self.doubt.has_side(l2_oc - self.radius_squared, l2_oc) && probe.certifies() {
+            return Line::InDoubt;
         }
-        let t2_a = match self.method {
-            SphereMethod::Geometric => probe.note(Name::SphereT2a, self.radius_squared - l2_oc + t_a * t_a),
+        let is_origin_outside = l2_oc > self.radius_squared;
+        if is_origin_outside && t_a < 0.0 {
+            probe.mark(Decision::Outside);
+            probe.mark(Decision::Miss { why: Miss::Behind });
+            return Line::Misses;
+        }
+        let (name, t2_a) = match self.method {
             SphereMethod::Robust => {
                 let to_chord = oc - ray.direction * t_a;
-                probe.note(Name::SphereT2aRobust, self.radius_squared - to_chord.dot(to_chord))
+                (Name::SphereT2aRobust, self.radius_squared - to_chord.dot(to_chord))
             }
+            SphereMethod::Geometric => (Name::SphereT2a, self.radius_squared - l2_oc + t_a * t_a),
         };
+        if self.doubt.has_touch(t2_a, l2_oc) && probe.certifies() {
+            return Line::InDoubt;
+        }
+        probe.mark(if is_origin_outside { Decision::Outside } else { Decision::Inside });
+        let t2_a = probe.note(name, t2_a);
         // A line that only touches has one point in common with the sphere, unless it is at the ray's own origin.
         let touches_origin = t2_a == 0.0 && t_a == 0.0;
         if t2_a < 0.0 || touches_origin {
             probe.mark(Decision::Miss { why: Miss::Beside });
-            return None;
+            return Line::Misses;
         }
-        Some(Chord { l2_oc, t_a, t2_a, is_origin_outside })
+        Line::Crosses(Chord { l2_oc, t_a, t2_a, is_origin_outside })
     }
 
-    #[inline]
-    fn near<P: Probe>(&self, chord: &Chord, probe: &mut P) -> Crossing {
-        let t = match self.method {
-            SphereMethod::Geometric => probe.note(Name::SphereT, chord.t_a - chord.t2_a.sqrt()),
+    /// The crossings with twice the digits, from the first to the last one that is on the side that the ray is on.
+    #[cold]
+    #[inline(never)]
+    fn doubled_crossings<P: Probe>(&self, ray: &Ray, probe: &mut P) -> ArrayVec<Crossing, 2> {
+        probe.fallback();
+        let found = DoubledChord::of(self.center, self.radius, ray);
+        probe.mark(if found.is_origin_outside { Decision::Outside } else { Decision::Inside });
+        probe.note(Name::SphereT2aDoubled, found.t2_a);
+        let mut crossings = ArrayVec::new();
+        if found.is_beside || (found.is_origin_outside && found.t_a < 0.0) {
+            let why = if found.is_beside { Miss::Beside } else { Miss::Behind };
+            probe.mark(Decision::Miss { why });
+            return crossings;
+        }
+        if found.is_origin_outside {
+            let t = probe.note(Name::SphereTDoubled, found.near.value());
+            crossings.push(Crossing { t, side: self.outer, primitive: 0 });
+        }
+        let t = probe.note(Name::SphereTDoubled, found.far.value());
+        crossings.push(Crossing { t, side: self.outer.opposite(), primitive: 0 });
+        crossings
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn first_doubled<P: Probe>(&self, ray: &Ray, one_sided: bool, probe: &mut P) -> Option<Crossing> {
+        let approach = Approach { leaving: None, one_sided };
+        let crossings = self.doubled_crossings(ray, probe);
+        let last = crossings.last().copied()?;
+        // Only a ray that is asked to begin later (t_min) can begin inside.
+        let is_first = |crossing: &Crossing| approach.shows(crossing.side) && crossing.t > ray.t_min;
+        decide(ray, approach, crossings.into_iter().find(is_first).unwrap_or(last), probe)
+    }
+
+    /// Where the chord begins.
+    #[inline(always)]
+    fn near(&self, ray: &Ray, chord: &Chord) -> End {
+        let (name, t, has_its_digits) = match self.method {
+            SphereMethod::Geometric => (Name::SphereT, chord.t_a - chord.t2_a.sqrt(), true),
             SphereMethod::Robust => {
                 let t = (chord.l2_oc - self.radius_squared) / (chord.t_a + chord.t2_a.sqrt());
-                probe.note(Name::SphereTNearRobust, t)
+                let has_its_digits = self.has_its_digits(chord, t) && self.keeps(chord.l2_oc, LEAST_DIFFERENCE);
+                (Name::SphereTNearRobust, t, has_its_digits)
             }
         };
-        Crossing { t, side: self.outer, primitive: 0 }
+        End { name, t, side: self.outer, is_settled: has_its_digits || self.is_settled_by_half(ray, chord, t) }
     }
 
-    #[inline]
-    fn far<P: Probe>(&self, chord: &Chord, probe: &mut P) -> Crossing {
-        let cancels = chord.t_a < 0.0 && self.method == SphereMethod::Robust;
-        let t = if cancels {
-            let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
-            probe.note(Name::SphereTFarRobust, t)
-        } else {
-            probe.note(Name::SphereTFar, chord.t_a + chord.t2_a.sqrt())
+    /// Where the chord ends.
+    #[inline(always)]
+    fn far(&self, ray: &Ray, chord: &Chord) -> End {
+        let (name, t, has_its_digits) = match self.method {
+            SphereMethod::Geometric => (Name::SphereTFar, chord.t_a + chord.t2_a.sqrt(), true),
+            SphereMethod::Robust if chord.t_a < 0.0 => {
+                let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
+                let has_its_digits = self.has_its_digits(chord, t) && self.keeps(chord.l2_oc, LEAST_DIFFERENCE);
+                (Name::SphereTFarRobust, t, has_its_digits)
+            }
+            SphereMethod::Robust => {
+                let t = chord.t_a + chord.t2_a.sqrt();
+                (Name::SphereTFar, t, self.has_its_digits(chord, t))
+            }
         };
-        Crossing { t, side: self.outer.opposite(), primitive: 0 }
+        let is_settled = has_its_digits || self.is_settled_by_half(ray, chord, t);
+        End { name, t, side: self.outer.opposite(), is_settled }
+    }
+
+    /// The crossing at an end of the chord, with more digits where too few of the distance are right.
+    #[inline]
+    fn crossing<P: Probe>(&self, ray: &Ray, l2_oc: f64, end: End, probe: &mut P) -> Crossing {
+        let End { name, t, side, is_settled } = end;
+        let t = if is_settled || !probe.certifies() {
+            probe.note(name, t)
+        } else {
+            probe.fallback();
+            probe.note(Name::SphereTDoubled, self.corrected(ray, l2_oc, t))
+        };
+        Crossing { t, side, primitive: 0 }
+    }
+
+    /// The first crossing, where the distance of the end that it is at needs more digits.
+    #[cold]
+    #[inline(never)]
+    fn first_corrected<P: Probe>(
+        &self,
+        ray: &Ray,
+        one_sided: bool,
+        l2_oc: f64,
+        end: End,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        let crossing = self.crossing(ray, l2_oc, end, probe);
+        if end.side == self.outer && crossing.t <= ray.t_min {
+            return self.first_doubled(ray, one_sided, probe);
+        }
+        decide(ray, Approach { leaving: None, one_sided }, crossing, probe)
+    }
+
+    /// The distance with all of its digits.
+    #[cold]
+    #[inline(never)]
+    fn corrected(&self, ray: &Ray, l2_oc: f64, t: f64) -> f64 {
+        // At the surface itself the distance is made of errors, and a correction of it would be, too.
+        if self.keeps(l2_oc, LEAST_TO_CORRECT) {
+            return corrected(self.center, self.radius, ray, t);
+        }
+        let DoubledChord { near, far, .. } = DoubledChord::of(self.center, self.radius, ray);
+        let [near, far] = [near.value(), far.value()];
+        if (t - near).abs() < (t - far).abs() { near } else { far }
+    }
+
+    /// Whether a distance of this chord has lost no more than a bit or two by the way p from the centre to the line, which errs
+    /// by roundings of |OC|: √T2_A shows them p/√T2_A times as large.
+    #[inline(always)]
+    fn has_its_digits(&self, chord: &Chord, t: f64) -> bool {
+        self.is_steep_at_most(chord, t, STEEPEST)
+    }
+
+    #[inline(always)]
+    fn is_steep_at_most(&self, chord: &Chord, t: f64, most: f64) -> bool {
+        let p2 = self.radius_squared - chord.t2_a;
+        // Parts of r², whose products with squares stay in range.
+        let (of_way, of_chord) = (p2 * self.per_radius_squared, chord.t2_a * self.per_radius_squared);
+        of_way * chord.l2_oc <= most * of_chord * (t * t)
+    }
+
+    /// Whether so much of L2oc is left of L2oc − r².
+    #[inline(always)]
+    fn keeps(&self, l2_oc: f64, least: f64) -> bool {
+        (l2_oc - self.radius_squared).abs() >= l2_oc * least
+    }
+
+    /// Whether the distance has half of its digits, and they are enough.
+    #[inline]
+    fn is_settled_by_half(&self, ray: &Ray, chord: &Chord, t: f64) -> bool {
+        ray.is_settled_by_half(t)
+            && self.is_steep_at_most(chord, t, HALF_STEEP)
+            && self.keeps(chord.l2_oc, LEAST_TO_CORRECT)
     }
 
     /// The other end of the chord of a ray that sets off inward from the sphere itself: one root is 0, the other 2·T_A.
@@ -129,52 +293,79 @@ impl Kernel for Sphere {
         if approach.leaving.is_some() {
             return self.other_end(ray, approach, probe);
         }
-        let chord = self.chord(ray, probe)?;
+        let chord = match self.chord(ray, probe) {
+            Line::Crosses(chord) => chord,
+            Line::Misses => return None,
+            Line::InDoubt => return self.first_doubled(ray, approach.one_sided, probe),
+        };
         if chord.is_origin_outside && approach.shows(self.outer) {
-            let near = self.near(&chord, probe);
+            let near = self.near(ray, &chord);
+            if !near.is_settled && probe.certifies() {
+                return self.first_corrected(ray, approach.one_sided, chord.l2_oc, near, probe);
+            }
+            let t = probe.note(near.name, near.t);
             // Only a ray that is asked to begin later (t_min) can begin inside.
-            if near.t > ray.t_min {
-                return decide(ray, approach, near, probe);
+            if t > ray.t_min {
+                return decide(ray, approach, Crossing { t, side: near.side, primitive: 0 }, probe);
             }
         }
-        let far = self.far(&chord, probe);
-        decide(ray, approach, far, probe)
+        let far = self.far(ray, &chord);
+        if !far.is_settled && probe.certifies() {
+            return self.first_corrected(ray, approach.one_sided, chord.l2_oc, far, probe);
+        }
+        let t = probe.note(far.name, far.t);
+        decide(ray, approach, Crossing { t, side: far.side, primitive: 0 }, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         if approach.leaving.is_some() {
             return found.extend(self.other_end(ray, approach, probe));
         }
-        let Some(chord) = self.chord(ray, probe) else { return };
+        let chord = match self.chord(ray, probe) {
+            Line::Crosses(chord) => chord,
+            Line::Misses => return,
+            Line::InDoubt => {
+                let crossings = self.doubled_crossings(ray, probe);
+                return found
+                    .extend(crossings.into_iter().filter_map(|crossing| decide(ray, approach, crossing, probe)));
+            }
+        };
         if chord.is_origin_outside {
-            let near = self.near(&chord, probe);
+            let near = self.crossing(ray, chord.l2_oc, self.near(ray, &chord), probe);
             found.extend(decide(ray, approach, near, probe));
         }
-        let far = self.far(&chord, probe);
+        let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord), probe);
         found.extend(decide(ray, approach, far, probe));
     }
 
-    /// The robust method puts the point back onto the sphere, from which rounding took it.
+    /// The robust method puts the point back onto the sphere, from which rounding took it, and looks at it from the centre: a scene
+    /// that is moved keeps its normals.
     #[inline(always)]
     fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        let along_ray = ray.origin + ray.direction * crossing.t;
-        let point = match self.method {
-            SphereMethod::Geometric => probe.note(Name::HitPoint, along_ray),
-            SphereMethod::Robust => {
-                let from_center = along_ray - self.center;
-                let distance = from_center.length();
-                if distance == 0.0 {
-                    // Only where few digits are left: there is no direction to put the point back along.
-                    probe.note(Name::HitPoint, along_ray)
-                } else {
-                    probe.note(Name::HitPointSphere, self.center + from_center * (self.radius / distance))
-                }
-            }
-        };
-        let normal = if crossing.side == self.outer {
-            probe.note(Name::HitNormalSphere, (point - self.center) / self.radius)
+        let is_outer = crossing.side == self.outer;
+        if self.method == SphereMethod::Geometric {
+            let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
+            let normal = if is_outer {
+                probe.note(Name::HitNormalSphere, (point - self.center) / self.radius)
+            } else {
+                probe.note(Name::HitNormalSphereBack, (self.center - point) / self.radius)
+            };
+            return Surface::plain(point, normal, crossing.side);
+        }
+        let from_center = ray.origin - self.center + ray.direction * crossing.t;
+        let from_center = probe.note(Name::SphereFromCenter, from_center);
+        let distance = length(from_center);
+        if distance == 0.0 {
+            // Only where few digits are left: there is no direction to put the point back along.
+            let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
+            let normal = probe.note(Name::HitNormalFacing, -ray.direction);
+            return Surface::plain(point, normal, crossing.side);
+        }
+        let point = probe.note(Name::HitPointSphere, self.center + from_center * (self.radius / distance));
+        let normal = if is_outer {
+            probe.note(Name::HitNormalOnSphere, from_center / distance)
         } else {
-            probe.note(Name::HitNormalSphereBack, (self.center - point) / self.radius)
+            probe.note(Name::HitNormalOnSphereBack, -from_center / distance)
         };
         Surface::plain(point, normal, crossing.side)
     }
@@ -185,5 +376,13 @@ impl Kernel for Sphere {
 
     fn can_be_met_again(&self, sets_off: Side) -> bool {
         sets_off != self.outer
+    }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        if self.method == SphereMethod::Geometric || ray.leaving.is_some() {
+            return Doubled::from(crossing.t);
+        }
+        let chord = DoubledChord::of(self.center, self.radius, ray);
+        if crossing.side == self.outer { chord.near } else { chord.far }
     }
 }

@@ -4,17 +4,20 @@
 //! as seen from its origin (Plücker's side operator; Shoemake, Ray Tracing News 11, 1998). An edge that two triangles
 //! share gives exactly opposite values in both, whichever way round each of them has it: exchanging the two factors
 //! negates a cross product and its dot product bit by bit, for rounding to nearest is the same above and below zero. A
-//! value of zero counts as inside. So no ray slips between two triangles.
+//! value of zero counts as inside. Where rounding leaves a sign in doubt the triple product is taken without error, so that
+//! the signs are those of one line in all triangles around a corner too. So no ray slips between two triangles.
 //!
 //! The distance isn't made from the edge functions, although their weighted mean of the corners would give one: at the distance
 //! D of a triangle of size s they err by D²/s² roundings. V_o/V_d with the triangle's own normal errs by a few, if
 //! the normal has all its digits, which [`area_normal`] sees to.
 
-use super::flat::{PlaneNames, meet_plane, toward};
+use super::flat::{PlaneHit, PlaneNames, is_in_doubt_along, meet_plane, toward};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::{area_normal, unit};
 use crate::geometry::bounds::{Bounds, Slabs};
-use crate::geometry::ray::{Crossing, Ray, Surface};
+use crate::geometry::doubled::{Doubled, Doubled3, exponent, length};
+use crate::geometry::exact::triple_product;
+use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use glam::DVec3;
@@ -46,6 +49,11 @@ impl Triangle {
         let [a, b, c] = vertices.map(DVec3::from);
         Triangle { facet: Facet { a, b, c }, normals: normals.map(|normals| normals.map(DVec3::from)) }
     }
+
+    /// The barycentric coordinates of a point of the triangle's plane, which aren't finite where there is no area.
+    pub fn weights(&self, point: DVec3) -> [f64; 3] {
+        self.facet.weights(self.facet.normal(), point)
+    }
 }
 
 impl Kernel for Triangle {
@@ -65,6 +73,10 @@ impl Kernel for Triangle {
 
     fn bounds(&self) -> Option<Bounds> {
         Some(self.facet.bounds())
+    }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        self.facet.refined(ray, crossing)
     }
 }
 
@@ -86,21 +98,62 @@ impl Facet {
         }
         let normal = self.normal();
         probe.given(Name::TriangleNormal, normal);
-        let plane = meet_plane(ray, normal, self.a, &PLANE, probe)?;
-        let t = self.kept_in_box(ray, normal, plane.t, probe)?;
-        decide(ray, approach, Crossing { t, side: plane.side, primitive: number }, probe)
+        let plane = if probe.certifies() && is_in_doubt_along(ray, normal, self.a) {
+            self.meet_doubled(ray, probe)?
+        } else {
+            let plane = meet_plane(ray, normal, self.a, &PLANE, probe)?;
+            let quotient = normal.dot(self.a - ray.origin) / normal.dot(ray.direction);
+            (plane, quotient)
+        };
+        let (PlaneHit { t, side }, quotient) = plane;
+        let t = self.kept_in_box(ray, t, quotient, probe)?;
+        decide(ray, approach, Crossing { t, side, primitive: number }, probe)
+    }
+
+    /// Where the ray meets the triangle's plane, with twice the digits.
+    #[cold]
+    #[inline(never)]
+    fn meet_doubled<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<(PlaneHit, f64)> {
+        probe.fallback();
+        let (v_d, distance) = self.doubled_distance(ray);
+        let t = distance.value();
+        if v_d.head == 0.0 || !(ray.origin + ray.direction * t).is_finite() {
+            probe.mark(Decision::Miss { why: Miss::Parallel });
+            return None;
+        }
+        let side = if v_d.head < 0.0 { Side::Front } else { Side::Back };
+        Some((PlaneHit { t: probe.note(Name::TriangleTDoubled, t), side }, t))
+    }
+
+    /// V_d for the ray's vector, in units that are nobody's, and the distance to the triangle's plane.
+    fn doubled_distance(&self, ray: &Ray) -> (Doubled, Doubled) {
+        let [along_b, along_c] = [self.b, self.c].map(|corner| Doubled3::difference(corner, self.a));
+        let to_a = Doubled3::difference(self.a, ray.origin);
+        // Powers of two keep the products of three lengths in range.
+        let size = exponent(along_b.size().max(along_c.size()));
+        let normal = along_b.scaled(-size).cross(along_c.scaled(-size));
+        let vector = Doubled3::from(ray.vector);
+        let v_d = normal.dot(vector);
+        (v_d, normal.dot(to_a) * length(ray.vector) / v_d)
+    }
+
+    /// The distance with twice the digits, unless that isn't where the triangle was met: along its own plane.
+    pub fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        let (_, distance) = self.doubled_distance(ray);
+        let is_there = (distance.head - crossing.t).abs() <= CLOSE * crossing.t.abs();
+        if is_there { distance } else { Doubled::from(crossing.t) }
     }
 
     /// The distance, kept within the box around the triangle. Along the triangle's plane V_o/V_d is a quotient of rounding errors,
     /// which may lie anywhere; kept in the box it can't be at odds with the trees of boxes, whatever the order of the tests.
-    fn kept_in_box<P: Probe>(&self, ray: &Ray, normal: DVec3, t: f64, probe: &mut P) -> Option<f64> {
+    ///
+    /// `quotient` is the distance as it was computed, `t` what an arithmetic of its own has made of it.
+    fn kept_in_box<P: Probe>(&self, ray: &Ray, t: f64, quotient: f64, probe: &mut P) -> Option<f64> {
         let [near, far] = self.bounds().widened().interval(&Slabs::new(ray));
         if near > far {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
         }
-        // Not `t`: what an arithmetic makes of it is its own.
-        let quotient = normal.dot(self.a - ray.origin) / normal.dot(ray.direction);
         if near <= quotient && quotient <= far {
             return Some(t);
         }
@@ -196,26 +249,68 @@ impl Facet {
     }
 
     /// The edge functions, named after the corner over against the edge; `None` where their products overflow. Their sum is
-    /// −N_t · d.
+    /// −N_t · d. Where rounding may have changed a sign they are those of the ray's vector, with their right signs.
     #[inline]
     fn edges<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<[f64; 3]> {
         let [to_a, to_b, to_c] = [self.a, self.b, self.c].map(|corner| corner - ray.origin);
         let edge_a = ray.direction.dot(to_c.cross(to_b));
         let edge_b = ray.direction.dot(to_a.cross(to_c));
         let edge_c = ray.direction.dot(to_b.cross(to_a));
-        (edge_a.is_finite() && edge_b.is_finite() && edge_c.is_finite()).then(|| {
-            [
-                probe.note(Name::TriangleEdgeA, edge_a),
-                probe.note(Name::TriangleEdgeB, edge_b),
-                probe.note(Name::TriangleEdgeC, edge_c),
-            ]
-        })
+        if !(edge_a.is_finite() && edge_b.is_finite() && edge_c.is_finite()) {
+            return None;
+        }
+        let edges = [
+            probe.note(Name::TriangleEdgeA, edge_a),
+            probe.note(Name::TriangleEdgeB, edge_b),
+            probe.note(Name::TriangleEdgeC, edge_c),
+        ];
+        let size = to_a.abs().max(to_b.abs()).max(to_c.abs()).max_element();
+        let bound = OF_EDGE * size * size;
+        let is_in_doubt = is_in_doubt(edges, bound) || size < LEAST_SIZE;
+        Some(if is_in_doubt && probe.certifies() { self.exact_edges(ray, probe) } else { edges })
+    }
+
+    /// The edge functions of the ray's vector without error.
+    #[cold]
+    #[inline(never)]
+    fn exact_edges<P: Probe>(&self, ray: &Ray, probe: &mut P) -> [f64; 3] {
+        probe.fallback();
+        let corners = [self.a, self.b, self.c].map(|corner| Doubled3::difference(corner, ray.origin));
+        let size = exponent(corners.iter().map(|corner| corner.size()).fold(0.0, f64::max));
+        let [to_a, to_b, to_c] = corners.map(|corner| corner.scaled(-size));
+        let edges = DVec3::new(
+            triple_product(ray.vector, to_c, to_b),
+            triple_product(ray.vector, to_a, to_c),
+            triple_product(ray.vector, to_b, to_a),
+        );
+        probe.note(Name::TriangleEdgesExact, edges).to_array()
     }
 }
 
-/// Whether the ray's line passes inside all three edges: the one place where their signs decide. It will be told exact signs
-/// of those values that rounding leaves in doubt; till then a line within rounding of a corner may pass a whole fan of
-/// triangles, and one within rounding of an edge may count as inside.
+/// A bound of the error of an edge function in squares of the greatest coordinate of the corners as seen from the origin. Each
+/// of its six products of three numbers errs by at most seven roundings: two of differences, one of the direction, two of
+/// products, and two of sums; together they are at most 2·(|d_x| + |d_y| + |d_z|) ≤ 2·√3 such squares. 6·3.5·2⁻⁵³·7/6 is
+/// less than 14·2⁻⁵², and the rest is for what the roundings do to each other.
+const OF_EDGE: f64 = 16.0 * f64::EPSILON;
+
+/// The greatest difference of a distance and the same with twice the digits, as a part of it.
+const CLOSE: f64 = 1.0 / (1 << 20) as f64;
+
+/// Below this the products of an edge function lose digits at the lower end of f64.
+const LEAST_SIZE: f64 = 1e-140;
+
+/// Whether the signs of these edge functions decide nothing because some of them may be wrong.
+#[inline]
+fn is_in_doubt(edges: [f64; 3], bound: f64) -> bool {
+    let [a, b, c] = edges;
+    let least = a.min(b).min(c);
+    let greatest = a.max(b).max(c);
+    let is_certainly_beside = least < -bound && greatest > bound;
+    let is_certainly_inside = least > bound || greatest < -bound;
+    !(is_certainly_beside || is_certainly_inside)
+}
+
+/// Whether the ray's line passes inside all three edges: the one place where their signs decide.
 #[inline]
 fn is_inside(edges: [f64; 3]) -> bool {
     let all_front = edges.iter().all(|edge| *edge >= 0.0);
@@ -227,7 +322,6 @@ fn is_inside(edges: [f64; 3]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::ray::Side;
     use crate::probe::Silent;
 
     const APPROACH: Approach = Approach { leaving: None, one_sided: false };

@@ -22,6 +22,9 @@ pub(super) struct Line {
     pub result: Option<PixelResult>,
     #[serde(default)]
     pub given: Given,
+    pub digits: Option<Value>,
+    #[serde(default)]
+    pub decision_differs: bool,
     pub end: Option<End>,
     #[serde(default)]
     pub children: Vec<Line>,
@@ -70,6 +73,9 @@ pub(super) enum Mark {
     DepthLimit { what: String },
     LeakGuard { what: String },
     Skipped { what: String, why: String },
+    Subdivided { cell: [f64; 3], why: String, object: Option<String> },
+    Accepted { cell: Option<[f64; 3]>, why: String },
+    MoreSamples { from: u32, to: u32 },
 }
 
 /// The inputs of an event, in the order of the file.

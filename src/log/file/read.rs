@@ -4,7 +4,7 @@ use super::LogError;
 use super::document::{self, is_document};
 use super::line::{Enter, Line, Mark};
 use crate::log::escape::{is_hidden, shortened, visible};
-use crate::log::event::{Decision, Event, Miss, RayKind, SkipReason, Skippable, Step, What};
+use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
 use crate::log::header::{FORMAT, Header};
 use crate::log::name::Name;
 use crate::log::{Log, file::line::End};
@@ -219,7 +219,11 @@ impl Reader {
             None => Err(damaged(format!("unknown quantity `{key}`"))),
         });
         let given = given.collect::<Result<_, _>>()?;
-        self.events.push(Event { at, node, what, given });
+        let digits = match line.digits {
+            _ if line.decision_differs => Some(Digits::DecisionDiffers),
+            digits => digits.map(Digits::Significant),
+        };
+        self.events.push(Event { at, node, what, given, digits: digits.map(Box::new) });
         for child in line.children {
             self.take(child, number)?;
         }
@@ -271,6 +275,16 @@ impl Reader {
                 what: skippable(&what)?,
                 why: SkipReason::find(&why).ok_or_else(|| format!("unknown rule `{why}`"))?,
             },
+            Mark::Subdivided { cell, why, object } => Decision::Subdivided {
+                cell,
+                why: Split::find(&why).ok_or_else(|| format!("unknown reason `{why}`"))?,
+                object: object.map(|object| self.object(&object)).transpose()?,
+            },
+            Mark::Accepted { cell, why } => Decision::Accepted {
+                cell,
+                why: Acceptance::find(&why).ok_or_else(|| format!("unknown reason `{why}`"))?,
+            },
+            Mark::MoreSamples { from, to } => Decision::MoreSamples { from, to },
         })
     }
 

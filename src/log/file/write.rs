@@ -1,6 +1,6 @@
 //! Writing logs. A log is written while it grows, and its last line counts and digests what stands before it.
 
-use crate::log::event::{Decision, Event, RayKind, Step, Value, What};
+use crate::log::event::{Decision, Digits, Event, RayKind, Step, Value, What};
 use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::{Log, tree::path_of_child};
@@ -134,6 +134,9 @@ fn event_fields(out: &mut Vec<u8>, header: &Header, event: &Event, paths: &mut V
             text(out, "}");
         }
     }
+    if let Some(agreed) = &event.digits {
+        digits(out, &event.what, agreed);
+    }
     if !event.given.is_empty() {
         text(out, ",\"given\":{");
         for (index, (name, given)) in event.given.iter().enumerate() {
@@ -143,6 +146,23 @@ fn event_fields(out: &mut Vec<u8>, header: &Header, event: &Event, paths: &mut V
             value(out, *given);
         }
         text(out, "}");
+    }
+}
+
+/// The number of significant digits of each component, and whether a decision differs between the runs.
+fn digits(out: &mut Vec<u8>, what: &What, digits: &Digits) {
+    let count = match (digits, what) {
+        (Digits::Significant(count), _) => Some(*count),
+        (_, What::Note { value: Value::Number(_), .. }) => Some(Value::Number(0.0)),
+        (_, What::Note { .. } | What::Result { .. }) => Some(Value::Triple([0.0; 3])),
+        _ => None,
+    };
+    if let Some(count) = count {
+        text(out, ",\"digits\":");
+        value(out, count);
+    }
+    if *digits == Digits::DecisionDiffers {
+        text(out, ",\"decision_differs\":true");
     }
 }
 
@@ -222,6 +242,25 @@ fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
         Decision::Skipped { what, why } => {
             text(out, &format!("skipped\":{{\"what\":\"{}\",\"why\":\"{}\"", what.word(), why.word()));
         }
+        Decision::Subdivided { cell, why, object } => {
+            text(out, "subdivided\":{\"cell\":");
+            triple(out, cell);
+            text(out, &format!(",\"why\":\"{}\"", why.word()));
+            if let Some(object) = object {
+                text(out, ",\"object\":");
+                string(out, header.object(*object));
+            }
+        }
+        Decision::Accepted { cell, why } => {
+            text(out, "accepted\":{");
+            if let Some(cell) = cell {
+                text(out, "\"cell\":");
+                triple(out, cell);
+                text(out, ",");
+            }
+            text(out, &format!("\"why\":\"{}\"", why.word()));
+        }
+        Decision::MoreSamples { from, to } => text(out, &format!("more_samples\":{{\"from\":{from},\"to\":{to}")),
     }
 }
 

@@ -73,14 +73,20 @@ fn block(model: &Model, item: Item, width: usize, theme: &Theme) -> (Vec<Line<'s
 
 /// An event without its inputs.
 fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
+    let marker = report::digits::marker(&model.log.events[event]);
     let pieces = match &model.log.events[event].what {
         What::Note { .. } => return note(model, event, theme, width),
         What::Enter { .. } => label(model, model.tree.owner(event), theme),
-        What::Mark(decision) => decision_pieces(model, decision, theme),
+        What::Mark(decision) => {
+            let mut pieces = decision_pieces(model, decision, theme);
+            pieces.push((marker, theme.style(Role::Faint)));
+            pieces
+        }
         What::Leave => vec![("end".to_owned(), theme.style(Role::Faint))],
         What::Result { color } => vec![
             ("result: ".to_owned(), theme.style(Role::Text)),
             (shown(&number::value(&Value::Triple(*color), model.numbers), theme), theme.style(Role::Value)),
+            (marker, theme.style(Role::Faint)),
         ],
     };
     wrap(&pieces, width, 4)
@@ -95,7 +101,8 @@ fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'s
     let symbol = shown(&computation.symbol, theme);
     let middle = [&computation.formula, &computation.substituted];
     let parts = middle.into_iter().flatten().map(|part| (shown(part, theme), text));
-    let parts: Vec<Piece> = parts.chain([(shown(&computation.result, theme), theme.style(Role::Value))]).collect();
+    let result = shown(&computation.result, theme) + &report::digits::marker(&model.log.events[event]);
+    let parts: Vec<Piece> = parts.chain([(result, theme.style(Role::Value))]).collect();
 
     let one_line: usize = width_of(&symbol) + parts.iter().map(|(part, _)| 3 + width_of(part)).sum::<usize>();
     if one_line <= width {

@@ -4,6 +4,7 @@
 mod computation;
 pub(super) mod help;
 mod label;
+mod pattern;
 mod status;
 mod text;
 mod tree;
@@ -30,7 +31,9 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
             put(buffer, Rect { y, height: 1, ..divider }, Span::styled(glyph, theme.style(Role::Faint)).into());
         }
     }
-    computation::draw(model, theme, layout.computation, buffer);
+    let (computation, pattern) = pattern::split(model, layout.computation);
+    computation::draw(model, theme, computation, buffer);
+    pattern::draw(model, theme, pattern, buffer);
     status::draw(model, theme, &layout, buffer);
     if let Some(Overlay::Help { top }) = model.overlay {
         help::draw(top, theme, buffer);
@@ -71,6 +74,14 @@ fn title(model: &Model, pane: Pane, name: String, remark: &str, theme: &Theme, a
     if remark.width() > 2 && used.saturating_add(width) < area.width {
         put(buffer, Rect { x: area.right() - width - 1, width, ..area }, remark);
     }
+}
+
+/// The title above a part of a pane: its name in a rule.
+fn title_rule(name: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let faint = theme.style(Role::Faint);
+    let rule = theme.glyphs.horizontal;
+    put(buffer, area, Span::styled(rule.repeat(usize::from(area.width)), faint).into());
+    put(buffer, area, Span::styled(format!("{rule} {name} "), faint).into());
 }
 
 fn too_small(screen: Rect, buffer: &mut Buffer) {

@@ -29,6 +29,7 @@ pub fn scene(records: Records, file_name: &str, import: &Import) -> (SceneFile, 
         objects: records.primitives.into_iter().map(|each| object(each, &mut numbers)).collect(),
         tracing: Tracing { two_sided: false, ..Tracing::default() },
         sampling: Sampling::default(),
+        seed: 0,
         frames: None,
         output: Output::default(),
     };

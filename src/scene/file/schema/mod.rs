@@ -72,6 +72,9 @@ pub struct SceneFile {
     /// Which rays make a pixel.
     #[serde(default)]
     pub sampling: Sampling,
+    /// Which random numbers the samples draw: another seed gives another picture of the same scene.
+    #[serde(default)]
+    pub seed: u64,
     /// The animation, if the scene is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frames: Option<Frames>,

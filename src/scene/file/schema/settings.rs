@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::scene::file::validate::limits::{
-    MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES,
+    MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES, MIN_STATISTICAL,
 };
 
 /// How rays are traced.
@@ -132,7 +132,7 @@ pub enum Sampling {
         #[schemars(range(min = 1, max = MAX_SAMPLES))]
         min: u64,
         /// Most rays a pixel.
-        #[schemars(range(min = 1, max = MAX_SAMPLES))]
+        #[schemars(range(min = MIN_STATISTICAL, max = MAX_SAMPLES))]
         max: u64,
     },
 }
@@ -169,6 +169,13 @@ pub struct Frames {
     /// The time that all of them last.
     #[schemars(range(min = 0))]
     pub duration: f64,
+}
+
+impl Frames {
+    /// What a frame, counted from 1, adds to the times of the shutter.
+    pub fn time_of(&self, frame: u32) -> f64 {
+        f64::from(frame.saturating_sub(1)) * self.duration / f64::from(self.count)
+    }
 }
 
 /// How values become the numbers of a picture; integer formats only.

@@ -12,6 +12,9 @@ pub const MAX_DEPTH: u32 = 256;
 /// The most rays a pixel, or shadow rays a light, or rays a blurry bounce: 2²⁰.
 pub const MAX_SAMPLES: u64 = 1 << 20;
 
+/// The fewest samples that tell a variance: two pairs.
+pub const MIN_STATISTICAL: u64 = 4;
+
 /// The most cells a side of regular sampling, √[`MAX_SAMPLES`].
 pub const MAX_GRID: u64 = 1 << 10;
 
@@ -43,7 +46,8 @@ pub fn whole_numbers<'k>(mut keys: impl Iterator<Item = &'k str>) -> Option<[u64
         ("max_depth", _) => [0, MAX_DEPTH.into()],
         ("n", Some("regular" | "shared")) => [1, MAX_GRID],
         ("depth", Some("adaptive")) => [0, MAX_ADAPTIVE_DEPTH.into()],
-        ("n", _) | ("samples", _) | ("min" | "max", Some("statistical")) => [1, MAX_SAMPLES],
+        ("n", _) | ("samples", _) | ("min", Some("statistical")) => [1, MAX_SAMPLES],
+        ("max", Some("statistical")) => [MIN_STATISTICAL, MAX_SAMPLES],
         ("count", Some("frames")) => [1, MAX_FRAMES.into()],
         _ => return None,
     })

@@ -18,7 +18,7 @@ use std::collections::HashSet;
 use super::escape::{is_hidden, shortened};
 use super::explain::unknown_format;
 use super::key_path::KeyPath;
-use super::schema::{FORMAT, SceneFile};
+use super::schema::{FORMAT, Sampling, SceneFile};
 use checker::Checker;
 
 /// Something about a value of the scene.
@@ -57,12 +57,19 @@ pub fn validate(scene: &SceneFile) -> Findings {
     materials(check.at("materials"), scene);
     objects(check.at("objects"), scene);
     settings::tracing(check.at("tracing"), &scene.tracing);
-    settings::sampling(check.at("sampling"), &scene.sampling);
+    settings::sampling(&mut check.at("sampling"), &scene.sampling);
     if let Some(frames) = &scene.frames {
         settings::frames(check.at("frames"), frames);
     }
     settings::output(check.at("output"), &scene.output);
     check.findings()
+}
+
+/// Checks which rays make a pixel, by itself: what is wrong, with paths that begin at the method.
+pub fn sampling(sampling: &Sampling) -> Vec<Finding> {
+    let mut check = Checker::default();
+    settings::sampling(&mut check, sampling);
+    check.findings().errors
 }
 
 fn lights(mut check: Checker<'_>, scene: &SceneFile) {

@@ -3,7 +3,7 @@
 use crate::scene::file::schema::{Frames, Output, Sampling, Tracing};
 
 use super::checker::Checker;
-use super::limits::{MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES};
+use super::limits::{MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES, MIN_STATISTICAL};
 
 /// Checks how rays are traced.
 pub fn tracing(mut check: Checker<'_>, tracing: &Tracing) {
@@ -12,7 +12,7 @@ pub fn tracing(mut check: Checker<'_>, tracing: &Tracing) {
 }
 
 /// Checks which rays make a pixel.
-pub fn sampling(mut check: Checker<'_>, sampling: &Sampling) {
+pub fn sampling(check: &mut Checker<'_>, sampling: &Sampling) {
     match *sampling {
         Sampling::None {} => {}
         Sampling::Regular { n } => check.at("regular").count("n", n, 1, MAX_GRID),
@@ -30,7 +30,7 @@ pub fn sampling(mut check: Checker<'_>, sampling: &Sampling) {
             check.between("confidence", confidence, 0.0, 1.0);
             check.positive("tolerance", tolerance);
             check.count("min", min, 1, MAX_SAMPLES);
-            check.count("max", max, 1, MAX_SAMPLES);
+            check.count("max", max, MIN_STATISTICAL, MAX_SAMPLES);
             if max < min {
                 check.at("max").error(format!("must be `min`, {min}, or more, found {max}"));
             }

@@ -1,0 +1,87 @@
+//! `raywalk stress`: cases with exact answers, and how far the program is from them.
+
+use super::failure::Failure;
+use super::output;
+use clap::{Args, ValueEnum};
+use raywalk::scene::file::{MAX_BYTES, visible};
+use raywalk::study::stress::{self, Family};
+use serde_json::json;
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// Measure numerical stability on cases with exact answers
+#[derive(Args)]
+pub struct Stress {
+    /// Files of cases; a built-in sample where none is named
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Print only the answers, as NDJSON, a line a case
+    #[arg(long)]
+    answers: bool,
+    /// How to print the report
+    #[arg(long, value_enum, default_value = "text", conflicts_with = "answers")]
+    format: ReportFormat,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ReportFormat {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+}
+
+impl Stress {
+    /// Runs the command; `false` where a requirement doesn't hold.
+    pub fn run(self) -> Result<bool, Failure> {
+        let families = self.families()?;
+        if self.answers {
+            output::print(answers(&families)?.as_bytes())?;
+            return Ok(true);
+        }
+        let table = stress::table(&families).map_err(|error| Failure::caller(visible(&error).into_owned()))?;
+        let text = match self.format {
+            ReportFormat::Text => table.text(|name| visible(name).into_owned()),
+            ReportFormat::Json => table.json(),
+        };
+        output::print(text.as_bytes())?;
+        Ok(table.holds())
+    }
+
+    fn families(&self) -> Result<Vec<Family>, Failure> {
+        if self.files.is_empty() {
+            return stress::samples().map_err(Failure::caller);
+        }
+        self.files.iter().map(|path| read(path)).collect()
+    }
+}
+
+fn answers(families: &[Family]) -> Result<String, Failure> {
+    let mut text = String::new();
+    for family in families {
+        let answers = stress::answers(family)
+            .map_err(|error| Failure::caller(visible(&format!("{}: {error}", family.family)).into_owned()))?;
+        for (case, out) in family.cases.iter().zip(answers) {
+            text.push_str(&json!({"id": case.id, "out": out}).to_string());
+            text.push('\n');
+        }
+    }
+    Ok(text)
+}
+
+fn read(path: &Path) -> Result<Family, Failure> {
+    let name = path.to_string_lossy();
+    let missing = |error: &std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => Failure::caller(format!("{}: there is no such file", visible(&name))),
+        _ => Failure::io(path, "read", error),
+    };
+    let mut text = Vec::new();
+    let file = File::open(path).map_err(|error| missing(&error))?;
+    file.take(MAX_BYTES + 1).read_to_end(&mut text).map_err(|error| missing(&error))?;
+    if text.len() as u64 > MAX_BYTES {
+        return Err(Failure::caller(format!("{}: larger than {MAX_BYTES} bytes", visible(&name))));
+    }
+    let family = stress::parse(&text);
+    family.map_err(|error| Failure::caller(format!("{}: {}", visible(&name), visible(&error))))
+}

@@ -1,0 +1,72 @@
+//! What a row of the table of names is: the macro that declares it, and how a name gives what stands in it.
+
+use super::{Name, ROWS};
+
+/// Declares [`Name`] from rows `Variant: key, form, symbol, formula, source section`.
+macro_rules! names {
+    ($($variant:ident: $key:literal, $form:literal, $symbol:literal, $formula:literal, $section:literal;)*) => {
+        /// A named quantity of the computation.
+        ///
+        /// Several names may share a key: they are the same quantity computed by different formulas, told apart in the
+        /// log by their `form`.
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
+        #[repr(u16)]
+        pub enum Name {
+            $(#[doc = concat!("`", $key, "`: ", $symbol, " = ", $formula)] $variant,)*
+        }
+
+        const ROWS: &[(Name, Row)] = &[$((Name::$variant, Row {
+            key: $key, form: $form, symbol: $symbol, formula: $formula, section: $section,
+        }),)*];
+    };
+}
+
+/// A row of the table.
+pub(super) struct Row {
+    pub key: &'static str,
+    pub form: &'static str,
+    pub symbol: &'static str,
+    pub formula: &'static str,
+    pub section: &'static str,
+}
+
+impl Name {
+    /// Every name, in the order of the table.
+    pub fn all() -> impl Iterator<Item = Name> {
+        ROWS.iter().map(|(name, _)| *name)
+    }
+
+    /// The name with this key and form, if there is one.
+    pub fn find(key: &str, form: &str) -> Option<Name> {
+        ROWS.iter().find(|(_, row)| row.key == key && row.form == form).map(|(name, _)| *name)
+    }
+
+    /// The key of the quantity in a log, such as `sphere.t2_a`.
+    pub fn key(self) -> &'static str {
+        self.row().key
+    }
+
+    /// Which of several formulas gave the quantity, such as `far`; empty for the usual one.
+    pub fn form(self) -> &'static str {
+        self.row().form
+    }
+
+    /// The symbol of the quantity in formulas, such as `T2_A`.
+    pub fn symbol(self) -> &'static str {
+        self.row().symbol
+    }
+
+    /// The formula text, such as `r² − L2oc + T_A²`; `None` for what is given.
+    pub fn formula(self) -> Option<&'static str> {
+        Some(self.row().formula).filter(|text| !text.is_empty())
+    }
+
+    /// The section of the source text (Ramos, "Trazado de rayos") that has the quantity.
+    pub fn section(self) -> &'static str {
+        self.row().section
+    }
+
+    fn row(self) -> &'static Row {
+        &ROWS[self as usize].1
+    }
+}

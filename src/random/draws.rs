@@ -1,0 +1,213 @@
+//! The random numbers of one sample.
+
+use super::permutation::permuted;
+use super::{Dimension, Stratum, hash, sobol, unit};
+
+/// How the samples of a pixel share the range of a dimension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrangement {
+    /// Each by itself.
+    Independent,
+    /// One in each of so many strata as there are samples.
+    Stratified {
+        /// The samples of the pixel.
+        count: u32,
+    },
+    /// As the points of a sequence of low discrepancy, of which any beginning is well spread.
+    Sobol,
+}
+
+/// The random numbers of one sample: pure functions of (seed, place, sample, dimension).
+///
+/// Over the samples of a pixel each dimension is spread by the [`Arrangement`] (stratified together). Which of its strata a sample
+/// gets in a dimension is a permutation that belongs to the dimension (decorrelated): knowing where in the pixel a sample lies
+/// says nothing of where on the lens it lies. See `docs/sampling.md`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Draws {
+    /// The hash of the seed and the pixel.
+    key: u64,
+    /// The sample's number, from 0.
+    number: u32,
+    arrangement: Arrangement,
+}
+
+/// A random point with the way it came to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pick {
+    /// The part of the square that it was to lie in.
+    pub stratum: Stratum,
+    /// Where in that part, each from 0 to 1.
+    pub jitter: [f64; 2],
+}
+
+impl Pick {
+    /// The point.
+    pub fn point(&self) -> [f64; 2] {
+        // Rounding may reach 1, which no random number is.
+        self.stratum.at(self.jitter).map(|x| x.min(1.0 - f64::EPSILON / 2.0))
+    }
+}
+
+impl Draws {
+    /// The numbers of a sample of a pixel: its number from 0, and how the pixel's samples are arranged.
+    pub fn of_pixel(seed: u64, [column, row]: [u32; 2], number: u32, arrangement: Arrangement) -> Draws {
+        let key = hash(hash(seed, 0), u64::from(column) << 32 | u64::from(row));
+        Draws { key, number, arrangement }
+    }
+
+    /// The numbers of a sample that pixels share: they belong to its place in the picture, in steps of 1/n of a pixel.
+    pub fn of_corner(seed: u64, [column, row]: [u32; 2], n: u32) -> Draws {
+        let key = hash(hash(hash(seed, 1), n.into()), u64::from(column) << 32 | u64::from(row));
+        Draws { key, number: 0, arrangement: Arrangement::Independent }
+    }
+
+    /// A number in [0, 1).
+    pub fn number(&self, dimension: Dimension) -> f64 {
+        self.number_under(self.key_of(dimension))
+    }
+
+    /// A point in the unit square.
+    pub fn point(&self, dimension: Dimension) -> [f64; 2] {
+        self.pick(dimension).point()
+    }
+
+    /// A point in the unit square with its stratum.
+    pub fn pick(&self, dimension: Dimension) -> Pick {
+        // The places in the pixel are taken in their order, so that a log reads row by row.
+        self.pick_under(self.key_of(dimension), dimension != Dimension::Pixel)
+    }
+
+    /// Of several numbers that one sample draws in a dimension, one with each part of [0, 1) for itself.
+    pub fn split_number(&self, dimension: Dimension, part: u32, parts: u32) -> f64 {
+        let within = self.number_under(hash(self.key_of(dimension), part.into()));
+        ((f64::from(part) + within) / f64::from(parts)).min(1.0 - f64::EPSILON / 2.0)
+    }
+
+    /// Of several points that one sample draws in a dimension, the one with this number: each has a stratum for itself, in
+    /// which the samples of the pixel are arranged.
+    pub fn split(&self, dimension: Dimension, part: u32, parts: u32) -> Pick {
+        if parts == 1 {
+            return self.pick(dimension);
+        }
+        let within = self.pick_under(hash(self.key_of(dimension), part.into()), true);
+        Pick { stratum: Stratum::of(part, parts), jitter: within.point() }
+    }
+
+    fn key_of(&self, dimension: Dimension) -> u64 {
+        hash(self.key, dimension.word())
+    }
+
+    fn number_under(&self, key: u64) -> f64 {
+        match self.arrangement {
+            Arrangement::Independent => self.jitter(key)[0],
+            Arrangement::Stratified { count } => {
+                let stratum = permuted(self.number, count, key);
+                ((f64::from(stratum) + self.jitter(key)[0]) / f64::from(count)).min(1.0 - f64::EPSILON / 2.0)
+            }
+            Arrangement::Sobol => sobol::point(sobol::shuffled(self.number, hash(key, 2)), key)[0],
+        }
+    }
+
+    fn pick_under(&self, key: u64, shuffles: bool) -> Pick {
+        match self.arrangement {
+            Arrangement::Independent => Pick { stratum: Stratum::WHOLE, jitter: self.jitter(key) },
+            Arrangement::Stratified { count } => {
+                let stratum = if shuffles { permuted(self.number, count, key) } else { self.number };
+                Pick { stratum: Stratum::of(stratum, count), jitter: self.jitter(key) }
+            }
+            Arrangement::Sobol => {
+                let index = if shuffles { sobol::shuffled(self.number, hash(key, 2)) } else { self.number };
+                Pick { stratum: Stratum::WHOLE, jitter: sobol::point(index, key) }
+            }
+        }
+    }
+
+    /// Two numbers that nothing else depends on.
+    fn jitter(&self, key: u64) -> [f64; 2] {
+        let key = hash(key, u64::from(self.number) + 8);
+        [unit(hash(key, 0)), unit(hash(key, 1))]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Route;
+
+    const ALL: [Arrangement; 3] = [Arrangement::Independent, Arrangement::Stratified { count: 64 }, Arrangement::Sobol];
+
+    fn draws(number: u32, arrangement: Arrangement) -> Draws {
+        Draws::of_pixel(5, [3, 4], number, arrangement)
+    }
+
+    #[test]
+    fn every_dimension_is_stratified() {
+        let dimensions = [Dimension::Pixel, Dimension::Lens, Dimension::Light { route: Route::CAMERA, light: 1 }];
+        for arrangement in &ALL[1..] {
+            for dimension in dimensions {
+                let mut taken = [false; 64];
+                for number in 0..64 {
+                    let [x, y] = draws(number, *arrangement).point(dimension);
+                    taken[(y * 8.0) as usize * 8 + (x * 8.0) as usize] = true;
+                }
+                assert!(taken.iter().all(|is_taken| *is_taken), "{arrangement:?} {dimension:?}");
+            }
+            let mut taken = [false; 64];
+            (0..64).for_each(|k| taken[(draws(k, *arrangement).number(Dimension::Time) * 64.0) as usize] = true);
+            assert!(taken.iter().all(|is_taken| *is_taken), "{arrangement:?} time");
+        }
+    }
+
+    /// The correlation of two dimensions over many pixels is that of unrelated numbers (four standard deviations).
+    #[test]
+    fn dimensions_are_unrelated() {
+        for arrangement in ALL {
+            for (one, other) in [(Dimension::Pixel, Dimension::Lens), (Dimension::Lens, Dimension::Time)] {
+                let mut sum = 0.0;
+                for pixel in 0..400 {
+                    for number in 0..64 {
+                        let draws = Draws::of_pixel(0, [pixel, 7], number, arrangement);
+                        let other = if other == Dimension::Time { draws.number(other) } else { draws.point(other)[0] };
+                        sum += (draws.point(one)[0] - 0.5) * (other - 0.5);
+                    }
+                }
+                let correlation = sum * 12.0 / 25_600.0;
+                assert!(correlation.abs() < 4.0 / 160.0, "{arrangement:?} {one:?} {other:?}: {correlation}");
+            }
+        }
+    }
+
+    #[test]
+    fn splits_have_a_stratum_each_and_share_it_among_the_samples() {
+        let dimension = Dimension::Reflection { route: Route::CAMERA.reflected(0) };
+        for arrangement in &ALL[1..] {
+            for part in 0..16 {
+                let mut taken = [false; 64];
+                for number in 0..64 {
+                    let [x, y] = draws(number, *arrangement).split(dimension, part, 16).point();
+                    let inside = [x * 4.0 - f64::from(part % 4), y * 4.0 - f64::from(part / 4)];
+                    assert!(inside.iter().all(|x| (0.0..1.0).contains(x)), "{inside:?}");
+                    taken[(inside[1] * 8.0) as usize * 8 + (inside[0] * 8.0) as usize] = true;
+                }
+                assert!(taken.iter().all(|is_taken| *is_taken), "{arrangement:?} {part}");
+            }
+        }
+    }
+
+    #[test]
+    fn each_of_seed_pixel_sample_and_dimension_matters() {
+        let of = |seed, pixel, number| Draws::of_pixel(seed, pixel, number, Arrangement::Independent);
+        let points = [
+            of(0, [1, 2], 0).point(Dimension::Lens),
+            of(1, [1, 2], 0).point(Dimension::Lens),
+            of(0, [2, 1], 0).point(Dimension::Lens),
+            of(0, [1, 2], 1).point(Dimension::Lens),
+            of(0, [1, 2], 0).point(Dimension::Pixel),
+            Draws::of_corner(0, [1, 2], 1).point(Dimension::Lens),
+            Draws::of_corner(0, [1, 2], 2).point(Dimension::Lens),
+        ];
+        for (k, point) in points.iter().enumerate() {
+            assert!(points[..k].iter().all(|other| other[0] != point[0] && other[1] != point[1]), "{k}");
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! The first two dimensions of Sobol's sequence, scrambled by Owen's method.
+//!
+//! The first 2^k points have one in each of the 2^k parts into which halvings of the sides cut the square, however the
+//! halvings are shared between the sides: a (0, 2)-sequence. Scrambling keeps that, and makes each point uniform by itself, so that
+//! a mean over the points has no bias (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995). More dimensions are
+//! further pairs, each scrambled by itself and taken in an order of its own (Burley, "Practical hash-based Owen scrambling",
+//! 2020). Written out here because 24 bits, which the crates for it give, are too few for f64.
+
+use super::{hash, mix, unit};
+
+/// The point with this number, its coordinates in [0, 1) with all 53 bits.
+pub fn point(index: u32, key: u64) -> [f64; 2] {
+    let coordinate = |bits: u32, axis: u64| {
+        let key = hash(key, axis);
+        let scrambled = u64::from(scrambled(bits, key));
+        // What 32 bits leave open is uniform too.
+        unit(scrambled << 32 | hash(key, index.into()) >> 32)
+    };
+    [coordinate(index.reverse_bits(), 0), coordinate(second(index), 1)]
+}
+
+/// The index at which a sequence of its own order stands: aligned runs of 2^k indices stay together.
+pub fn shuffled(index: u32, key: u64) -> u32 {
+    scrambled(index, key)
+}
+
+/// The second coordinate as a binary fraction: Pascal's triangle modulo 2 (Kollig and Keller, "Efficient multidimensional
+/// sampling", 2002).
+fn second(index: u32) -> u32 {
+    let mut direction = 1_u32 << 31;
+    let mut bits = 0;
+    let mut rest = index;
+    while rest != 0 {
+        if rest & 1 == 1 {
+            bits ^= direction;
+        }
+        rest >>= 1;
+        direction ^= direction >> 1;
+    }
+    bits
+}
+
+/// Owen's scrambling of a binary fraction: whether a digit is turned depends on the digits before it, and on nothing else.
+fn scrambled(bits: u32, key: u64) -> u32 {
+    let turned = |level: u32| {
+        let before = u64::from(bits).checked_shr(32 - level).unwrap_or(0);
+        let word = (before << 6 | u64::from(level)).wrapping_mul(super::GOLDEN);
+        ((mix(key.wrapping_add(word)) >> 63) as u32) << (31 - level)
+    };
+    (0..32).fold(bits, |scrambled, level| scrambled ^ turned(level))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_elementary_interval_has_one_point() {
+        for (key, start) in [(0, 0), (1, 0), (99, 64)] {
+            for k in 0..=8 {
+                let start = (start >> k) << k;
+                for halvings in 0..=k {
+                    let (across, down) = (1_u32 << halvings, 1_u32 << (k - halvings));
+                    let mut taken = vec![false; 1 << k];
+                    for index in start..start + (1 << k) {
+                        let [x, y] = point(index, key);
+                        let cell = (y * f64::from(down)) as u32 * across + (x * f64::from(across)) as u32;
+                        assert!(!std::mem::replace(&mut taken[cell as usize], true), "{k}, {halvings}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_shuffle_keeps_runs_together() {
+        for key in 0..20 {
+            for k in 0..8 {
+                let run: Vec<_> = (0..1 << k).map(|index| shuffled(index, key) >> k).collect();
+                assert!(run.iter().all(|block| *block == run[0]), "{k}: {run:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn each_point_is_uniform_by_itself() {
+        for index in [0, 1, 5, 100] {
+            for axis in [0, 1] {
+                let mut bins = [0_i32; 64];
+                (0..6400).for_each(|key| bins[(point(index, key)[axis] * 64.0) as usize] += 1);
+                let chi_square: f64 = bins.iter().map(|count| f64::from((count - 100) * (count - 100)) / 100.0).sum();
+                assert!(chi_square < 63.0 + 4.0 * 11.3, "point {index}, axis {axis}: {chi_square}");
+            }
+        }
+    }
+}

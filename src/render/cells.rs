@@ -1,0 +1,163 @@
+//! Pixels from cells that are cut where it matters: each corner that any pixel needs is traced once.
+//!
+//! A corner inside of a pixel belongs to that pixel, one between pixels of a tile to the tile, and one between tiles to all of them:
+//! whoever needs it first traces it, and others wait for that. What a corner sees depends on its place alone, so that it
+//! doesn't matter who was first, and every corner is counted once.
+
+use super::{Counter, Film, Settings, TILE, color_of, tiles};
+use crate::probe::Probe;
+use crate::random::hash;
+use crate::record::Computation;
+use crate::sampling::adaptive::{Cutting, rectangle};
+use crate::sampling::shared::corner;
+use crate::sampling::small_objects::{self, Rectangle, SmallObject};
+use crate::scene::{Color, Scene};
+use crate::trace::Seen;
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// How many tiles high a strip is. What lies between tiles is kept for one strip.
+const TILES_IN_STRIP: u32 = 4;
+
+/// The picture; `None` when the work is to stop.
+pub(super) fn by_cells(
+    scene: &Scene,
+    settings: &Settings,
+    (threshold, depth): (f64, u32),
+    progress: &(impl Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Option<(Film, Counter)> {
+    let [left, top, right, bottom] = settings.crop;
+    let small = small_objects::of(scene);
+    let mut between_tiles = Shared::new();
+    let mut film = Film::new(settings.crop);
+    let mut counter = Counter::default();
+    for strip_top in (top..bottom).step_by((TILE * TILES_IN_STRIP) as usize) {
+        let strip = [left, strip_top, right, bottom.min(strip_top + TILE * TILES_IN_STRIP)];
+        let small = small_objects::within(&small, in_picture(strip));
+        let tiles = tiles(strip);
+        let of_tile = |area: &[u32; 4]| {
+            let small = small_objects::within(&small, in_picture(*area));
+            let tile = Tile { scene, settings, threshold, depth, area: *area, small, between_tiles: &between_tiles };
+            tile.render(progress, stop)
+        };
+        let rendered = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
+        for (tile, (colors, counted)) in tiles.iter().zip(rendered) {
+            film.put(*tile, &colors);
+            counter.add(&counted);
+        }
+        between_tiles.forget_above(strip[3] << depth);
+    }
+    Some((film, counter))
+}
+
+fn in_picture(area: [u32; 4]) -> Rectangle {
+    area.map(f64::from)
+}
+
+/// A part of the picture that one thread renders.
+struct Tile<'s> {
+    scene: &'s Scene,
+    settings: &'s Settings,
+    threshold: f64,
+    depth: u32,
+    /// Left, top, right, bottom.
+    area: [u32; 4],
+    small: Vec<SmallObject>,
+    between_tiles: &'s Shared,
+}
+
+impl Tile<'_> {
+    /// The pixels row by row; `None` when the work is to stop.
+    fn render(&self, progress: &impl Fn(u64), stop: &AtomicBool) -> Option<(Vec<Color>, Counter)> {
+        let [left, top, right, bottom] = self.area;
+        let mut counter = Counter::default();
+        let mut colors = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
+        let mut between_pixels = HashMap::new();
+        for row in top..bottom {
+            for column in left..right {
+                if stop.load(Ordering::Relaxed) {
+                    return None;
+                }
+                let pixel = [column, row];
+                let small = small_objects::within(&self.small, rectangle(pixel));
+                let computation = Pixel { tile: self, pixel, small: &small, between_pixels: &mut between_pixels };
+                colors.push(color_of(self.settings, computation, &mut counter));
+            }
+        }
+        progress(colors.len() as u64);
+        Some((colors, counter))
+    }
+
+    /// Whether a corner of the picture's grid lies on the tile's edge.
+    fn has_on_edge(&self, [column, row]: [u32; 2]) -> bool {
+        let [left, top, right, bottom] = self.area.map(|side| side << self.depth);
+        column == left || column == right || row == top || row == bottom
+    }
+}
+
+/// The computation of a pixel that shares corners with its neighbours.
+struct Pixel<'t> {
+    tile: &'t Tile<'t>,
+    pixel: [u32; 2],
+    small: &'t [SmallObject],
+    between_pixels: &'t mut HashMap<[u32; 2], Seen>,
+}
+
+impl Computation for Pixel<'_> {
+    fn run<P: Probe>(self, probe: &mut P) -> Color {
+        let Tile { scene, threshold, depth, .. } = *self.tile;
+        let cutting = Cutting { scene, threshold, depth, pixel: self.pixel, small: self.small };
+        let mut inside: HashMap<[u32; 2], Seen> = HashMap::new();
+        let n = 1 << depth;
+        cutting.color(probe, |within, probe| {
+            let place = [0, 1].map(|axis| self.pixel[axis] * n + within[axis]);
+            let trace = || corner(scene, n, place, probe);
+            if within.iter().all(|step| step % n != 0) {
+                *inside.entry(place).or_insert_with(trace)
+            } else if self.tile.has_on_edge(place) {
+                self.tile.between_tiles.get(place, trace)
+            } else {
+                *self.between_pixels.entry(place).or_insert_with(trace)
+            }
+        })
+    }
+
+    fn pixel(&self) -> [u32; 2] {
+        self.pixel
+    }
+}
+
+/// What corners see, or will see when whoever traces them is done.
+type Corners = HashMap<[u32; 2], Arc<OnceLock<Seen>>>;
+
+/// What the corners between tiles see.
+struct Shared {
+    shards: Vec<Mutex<Corners>>,
+}
+
+/// So many that threads seldom want the same.
+const SHARDS: usize = 64;
+
+impl Shared {
+    fn new() -> Shared {
+        Shared { shards: (0..SHARDS).map(|_| Mutex::default()).collect() }
+    }
+
+    /// What a corner sees, which is traced unless somebody has done so or is about it.
+    fn get(&self, place @ [column, row]: [u32; 2], trace: impl FnOnce() -> Seen) -> Seen {
+        let shard = &self.shards[hash(column.into(), row.into()) as usize % SHARDS];
+        // A thread that panics leaves no entry half made.
+        let entry = shard.lock().unwrap_or_else(PoisonError::into_inner).entry(place).or_default().clone();
+        *entry.get_or_init(trace)
+    }
+
+    /// Forgets the corners above a row of the grid.
+    fn forget_above(&mut self, first: u32) {
+        for shard in &mut self.shards {
+            shard.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|[_, row], _| *row >= first);
+        }
+    }
+}

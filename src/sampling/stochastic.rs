@@ -1,0 +1,29 @@
+//! One jittered sample in each stratum (Ramos, section 1.5; Cook, Porter and Carpenter, "Distributed ray tracing", 1984;
+//! Cook, "Stochastic sampling in computer graphics", 1986).
+
+use super::mean::Sum;
+use super::place::sample;
+use crate::probe::Probe;
+use crate::random::{Arrangement, Draws};
+use crate::scene::{Color, Scene};
+
+/// The mean of n rays, one in each of n near-square strata of the same area, row by row.
+pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) -> Color {
+    mean_of(scene, n, Arrangement::Stratified { count: n }, pixel, probe)
+}
+
+/// The mean of n samples in this arrangement.
+pub(super) fn mean_of<P: Probe>(
+    scene: &Scene,
+    n: u32,
+    arrangement: Arrangement,
+    pixel: [u32; 2],
+    probe: &mut P,
+) -> Color {
+    let mut sum = Sum::ZERO;
+    for number in 0..n {
+        let draws = Draws::of_pixel(scene.seed, pixel, number, arrangement);
+        sum.add(sample(scene, pixel, number + 1, &draws, probe));
+    }
+    sum.over(f64::from(n))
+}

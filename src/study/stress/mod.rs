@@ -1,0 +1,97 @@
+//! Numerical stability, measured: cases with exact answers go through the program's own kernels, scenes and tracing, and
+//! errors are counted in units of the last place or of the case's condition.
+//!
+//! There is no second implementation here of anything that is measured: the room turns numbers into shapes, scenes and rays,
+//! and answers back into numbers.
+
+mod case;
+mod decimal;
+mod invalid;
+mod judge;
+mod optics;
+mod question;
+mod requirement;
+mod same;
+mod samples;
+mod shots;
+mod stage;
+mod table;
+
+pub use case::{Case, Family, parse};
+pub use judge::Outcome;
+pub use requirement::{Requirement, Unit, requirement};
+pub use samples::samples;
+pub use table::{Row, Table};
+
+use serde_json::{Map, Value};
+
+/// The answers to the cases of a family, in its order: objects with the keys of the cases' `out`. The message of an error
+/// names the case.
+pub fn answers(family: &Family) -> Result<Vec<Value>, String> {
+    let mesh = family.mesh.as_ref().map(shots::mesh_scene).transpose().map_err(|error| format!("mesh: {error}"))?;
+    let answer = |case: &Case| {
+        let input = &case.input;
+        let answer = match family.op.as_str() {
+            "sphere" | "plane" | "triangle" | "ellipsoid" => shots::one_shape(input),
+            "spheres" => shots::spheres(input),
+            "nearest" => shots::nearest(input),
+            "mesh" => match &mesh {
+                Some(scene) => shots::mesh(input, scene),
+                None => Err("expected a `mesh` beside the cases".to_owned()),
+            },
+            "visible" => shots::visible(input),
+            "spawn" => shots::spawn(input),
+            "refract" => optics::refraction(input),
+            "refract_hprime" => optics::refraction_and_half(input),
+            "power" => optics::power_of(input),
+            "stack" => optics::stack(input),
+            "local" => optics::local(input),
+            "scene" => optics::colors(input),
+            "mean" => optics::mean(input),
+            "invalid" => invalid::verdict(input),
+            other => Err(format!("unknown operation `{other}`")),
+        };
+        answer.map(|answer| as_asked(answer, &case.out)).map_err(|error| format!("case `{}`: {error}", case.id))
+    };
+    family.cases.iter().map(answer).collect()
+}
+
+/// What of an answer is asked for; `id` stands for `ids`.
+fn as_asked(answer: Value, out: &Map<String, Value>) -> Value {
+    let Value::Object(answer) = answer else { return answer };
+    // Beside the hit itself, what a miss or a total reflection has no more than the exact answer.
+    let is_asked = |key: &String| out.contains_key(key) || (key == "id" && out.contains_key("ids")) || is_decision(key);
+    Value::Object(answer.into_iter().filter(|(key, _)| is_asked(key)).collect())
+}
+
+/// What every answer has that can have it.
+fn is_decision(key: &str) -> bool {
+    matches!(key, "hit" | "tir")
+}
+
+/// Answers and judges every case of these families.
+pub fn table(families: &[Family]) -> Result<Table, String> {
+    let mut rows = Vec::new();
+    for family in families {
+        let answers = answers(family).map_err(|error| format!("{}: {error}", family.family))?;
+        rows.extend(rows_of(family, &answers));
+    }
+    Ok(Table { rows })
+}
+
+/// A family has a row; powers have two, for a number and for an angle.
+fn rows_of(family: &Family, answers: &[Value]) -> Vec<Row> {
+    let differs = same::different_from_base(family, answers);
+    let mut by_op: Vec<(&str, Vec<Outcome>)> = Vec::new();
+    for ((case, answer), differs) in family.cases.iter().zip(answers).zip(differs) {
+        let op = if case.input.contains_key("x") && family.op == "power" { "power of a number" } else { &family.op };
+        let mut outcome = judge::judge(case, answer, &requirement(&family.family, op));
+        outcome.is_wrong |= differs;
+        match by_op.iter_mut().find(|(known, _)| *known == op) {
+            Some((_, outcomes)) => outcomes.push(outcome),
+            None => by_op.push((op, vec![outcome])),
+        }
+    }
+    let row = |(op, outcomes): (&str, Vec<Outcome>)| Row::of(family, op, &outcomes);
+    by_op.into_iter().map(row).collect()
+}

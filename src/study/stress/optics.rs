@@ -1,0 +1,217 @@
+//! Cases of light at a surface: refraction, the local model, whole scenes, means.
+
+use super::question::{MaterialInput, RayInput, SceneInput, Triple, input};
+use super::stage::{self, Watch};
+use crate::geometry::{Ray, Side, Surface};
+use crate::log::Name;
+use crate::probe::Silent;
+use crate::sampling::mean::Sum;
+use crate::scene::{Color, Light, LightKind, Scene, Specular};
+use crate::trace::{
+    Media, Meeting, Path, camera_ray, local_intensity, power, power_between, refract, transmitted_cosine,
+    transmitted_half,
+};
+use glam::DVec3;
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+
+/// A ray along a vector of any length.
+fn along(vector: Triple) -> Ray {
+    Ray::along(DVec3::ZERO, vector.into())
+}
+
+/// `refract`: cos φ₂ and T, or a total internal reflection.
+pub(super) fn refraction(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    struct Interface {
+        d: Triple,
+        n: Triple,
+        eta: f64,
+    }
+    let Interface { d, n, eta } = input(case)?;
+    let (ray, normal) = (along(d), DVec3::from(n));
+    let k = transmitted_cosine(&ray, normal, eta, -normal.dot(ray.direction), &mut Silent).squared;
+    let mut watch = Watch::default();
+    Ok(match refract(&ray, normal, 1.0, eta, &mut watch) {
+        Some(direction) => {
+            json!({"tir": false, "cos2": watch.number(Name::RefractCos2), "T": direction.to_array(), "k": k})
+        }
+        None => json!({"tir": true, "k": k}),
+    })
+}
+
+/// `refract_hprime`: T, and H′ for two directions.
+pub(super) fn refraction_and_half(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    #[allow(non_snake_case)]
+    struct Interface {
+        d: Triple,
+        n: Triple,
+        eta: f64,
+        L: Triple,
+        V: Triple,
+    }
+    let Interface { d, n, eta, L: light, V: view } = input(case)?;
+    let (ray, normal) = (along(d), DVec3::from(n));
+    let mut watch = Watch::default();
+    let direction = refract(&ray, normal, 1.0, eta, &mut watch);
+    let (light, view) = (DVec3::from(light), DVec3::from(view));
+    // Without an interface the lobe is the straight line from the light.
+    let half = if eta == 1.0 { Some(light) } else { transmitted_half(light, view, eta, &mut watch) };
+    Ok(json!({
+        "T": direction.map(|direction| direction.to_array()),
+        "cos2": watch.number(Name::RefractCos2),
+        "deviation": direction.map(|direction| (direction - ray.direction).length()),
+        "hraw_len": watch.number(Name::TransmitLength),
+        "h": half.map(|half| half.to_array()),
+        "ndoth": half.map(|half| normal.dot(half)),
+    }))
+}
+
+/// `power`: x^n, or the n-th power of the cosine between two vectors.
+pub(super) fn power_of(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    #[allow(non_snake_case)]
+    enum Power {
+        Given { x: f64, n: f64 },
+        Between { N: Triple, H: Triple, n: f64 },
+    }
+    Ok(match input(case)? {
+        Power::Given { x, n } => json!({"y": power(x, n)}),
+        Power::Between { N: normal, H: half, n } => json!({"y": power_between(normal.into(), half.into(), n)}),
+    })
+}
+
+/// `stack`: the direction of a ray behind many refracting surfaces.
+pub(super) fn stack(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    enum Stack {
+        Planes { d: Triple, n: Triple, iors: Vec<f64> },
+        Spheres { radii: Vec<f64>, iors: Vec<f64> },
+    }
+    match input(case)? {
+        Stack::Planes { d, n, iors } => Ok(through_planes(d, n, &iors)),
+        Stack::Spheres { radii, iors } => {
+            if iors.len() != radii.len() + 1 {
+                return Err("in.iors: expected one more than `radii`".to_owned());
+            }
+            Ok(through_spheres(&input(case)?, &radii, &iors))
+        }
+    }
+}
+
+/// Planes have no distance here: only the directions matter.
+fn through_planes(d: Triple, n: Triple, iors: &[f64]) -> Value {
+    let mut ray = along(d);
+    let normal = DVec3::from(n);
+    let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
+    for media in iors.windows(2) {
+        match refract(&ray, normal, media[0], media[1], &mut Silent) {
+            Some(direction) => ray = Ray::new(DVec3::ZERO, direction),
+            None => return json!({"T": null}),
+        }
+    }
+    json!({"T": ray.direction.to_array()})
+}
+
+/// Spheres one in the other, all about the origin, traced as a scene.
+fn through_spheres(input: &RayInput, radii: &[f64], iors: &[f64]) -> Value {
+    let mut scene = stage::scene_of(radii.iter().map(|radius| stage::sphere([0.0; 3], *radius)).collect());
+    let glass = |ior: &f64| stage::material(&MaterialInput { ior: *ior, wl: 0.0, wt: 1.0, ..MaterialInput::default() });
+    scene.materials = iors[1..].iter().map(glass).collect();
+    for (number, object) in scene.objects.iter_mut().enumerate() {
+        object.material = number;
+    }
+    scene.tracing.max_depth = 2 * radii.len() as u32 + 2;
+    let mut watch = Watch::default();
+    let ray = stage::ray(&scene, input);
+    camera_ray(&scene, |_| Some(ray), &mut watch);
+    json!({
+        "T": watch.triple(Name::RefractDirection),
+        "p": watch.triple(Name::HitPoint),
+        "interfaces": watch.transmitted_rays,
+    })
+}
+
+/// `local`: the three parts of the local model, in the channels of one colour.
+pub(super) fn local(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    #[allow(non_snake_case)]
+    struct Local {
+        N: Triple,
+        L: Triple,
+        V: Triple,
+        kd: f64,
+        ke: f64,
+        kt: f64,
+        n: f64,
+        nt: f64,
+        eta: f64,
+    }
+    let Local { N: normal, L: light, V: view, kd, ke, kt, n, nt, eta } = input(case)?;
+    let none = MaterialInput::default();
+    let parts = MaterialInput { kd: [kd, 0.0, 0.0], ke: [0.0, ke, 0.0], kt: [0.0, 0.0, kt], n, nt, ior: 1.0, ..none };
+    let mut scene = stage::scene_of(Vec::new());
+    scene.materials = vec![stage::material(&parts)];
+    let kind = LightKind::Directional { travel: -DVec3::from(light) };
+    scene.lights = vec![Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None }];
+    // The viewer's side has the index η, the light's side 1.
+    let media = Media::default().beyond(u32::MAX, eta, Side::Front);
+    let mut parts_with = |specular: Specular| {
+        scene.tracing.specular = specular;
+        let [diffuse, specular, transmitted] = local_parts(&scene, normal, view, &media).to_array();
+        json!({"diffuse": diffuse, "specular": specular, "transmitted": transmitted})
+    };
+    Ok(json!({"H": parts_with(Specular::HalfVector), "R": parts_with(Specular::ReflectionVector)}))
+}
+
+fn local_parts(scene: &Scene, normal: Triple, view: Triple, media: &Media) -> Color {
+    let ray = Ray::new(DVec3::from(view), -DVec3::from(view));
+    let meeting = Meeting {
+        object: 0,
+        primitive: 0,
+        ray: &ray,
+        surface: Surface::plain(DVec3::ZERO, normal.into(), Side::Front),
+        material: &scene.materials[0],
+        path: &Path { level: 0, media, weight: Color::ONE },
+    };
+    local_intensity(scene, &meeting, &mut Silent)
+}
+
+/// `scene`: the colours that single rays bring.
+pub(super) fn colors(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    struct Shots {
+        scene: SceneInput,
+        rays: Vec<RayInput>,
+    }
+    let Shots { scene, rays } = input(case)?;
+    let scene = stage::whole_scene(&scene)?;
+    let color = |input: &RayInput| {
+        let ray = stage::ray(&scene, input);
+        json!({"rgb": camera_ray(&scene, |_| Some(ray), &mut Silent).to_array()})
+    };
+    Ok(json!({"rays": rays.iter().map(color).collect::<Vec<_>>()}))
+}
+
+/// `mean`: the mean of values, or of one value many times.
+pub(super) fn mean(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Values {
+        Listed { v: Vec<f64> },
+        Repeated { repeat: usize, value: f64 },
+    }
+    /// More samples than a pixel has.
+    const MOST: usize = 1 << 24;
+    let values = match input(case)? {
+        Values::Listed { v } => v,
+        Values::Repeated { repeat, value } if repeat <= MOST => vec![value; repeat],
+        Values::Repeated { .. } => return Err(format!("in.repeat: expected at most {MOST}")),
+    };
+    let mut sum = Sum::ZERO;
+    values.iter().for_each(|value| sum.add(Color::splat(*value)));
+    Ok(json!({"mean": sum.over(values.len() as f64).x}))
+}

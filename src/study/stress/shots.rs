@@ -1,0 +1,166 @@
+//! Cases that shoot rays at shapes.
+
+use super::question::{MeshData, ObjectInput, RayInput, Thing, Triple, input};
+use super::stage::{self, Watch};
+use crate::geometry::{Ray, Shape};
+use crate::log::Name;
+use crate::probe::Silent;
+use crate::scene::{Color, Light, LightKind, Scene};
+use crate::trace::{all_crossings, closest_hit, segment_to_light, transmittance};
+use glam::DVec3;
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+
+/// `sphere`, `plane`, `triangle`, `ellipsoid`: one ray at one shape.
+pub(super) fn one_shape(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum One {
+        Sphere { c: Triple, r: f64 },
+        Plane { abcd: [f64; 4] },
+        Triangle { v: [Triple; 3] },
+        Ellipsoid { m: [[f64; 4]; 3] },
+    }
+    let thing = match input(case)? {
+        One::Sphere { c, r } => Thing::Sphere { c, r },
+        One::Plane { abcd } => Thing::Plane { abcd },
+        One::Triangle { v: [v0, v1, v2] } => Thing::Triangle { v0, v1, v2 },
+        One::Ellipsoid { m } => Thing::Ellipsoid { m },
+    };
+    let scene = stage::scene_of(vec![stage::shape(&thing)?]);
+    let mut watch = Watch::default();
+    let ray = stage::ray(&scene, &input(case)?);
+    let found = stage::meet(&scene, &ray, &mut watch);
+    let gap = match thing {
+        Thing::Sphere { r, .. } => relative_gap(&watch, r),
+        _ => Value::Null,
+    };
+    let Some((hit, surface)) = found else { return Ok(json!({"hit": false, "gap": gap})) };
+    let mut answer = json!({
+        "hit": true, "t": hit.crossing.t, "n": stage::outward(&surface).to_array(), "gap": gap,
+    });
+    if let (Shape::Triangle(triangle), Some(answer)) = (&scene.objects[0].shape, answer.as_object_mut()) {
+        let weights = triangle.weights(surface.point);
+        let least = (0..3).min_by(|a, b| weights[*a].total_cmp(&weights[*b])).unwrap_or_default();
+        answer.insert("u".to_owned(), json!(weights[1]));
+        answer.insert("v".to_owned(), json!(weights[2]));
+        answer.insert("edge".to_owned(), json!((least + 1) % 3));
+    }
+    Ok(answer)
+}
+
+/// How far beside a sphere of this radius the line passes that was last noted, in radii less one: from r² − T2_A.
+fn relative_gap(watch: &Watch, radius: f64) -> Value {
+    let half_chord = watch.number(Name::SphereT2a).map(|t2_a| t2_a / radius / radius);
+    half_chord.map_or(Value::Null, |part| json!(-part / (1.0 + (1.0 - part).max(0.0).sqrt())))
+}
+
+/// `spheres`: all crossings with several spheres, in order.
+pub(super) fn spheres(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    struct Spheres {
+        s: Vec<Ball>,
+    }
+    #[derive(Deserialize)]
+    struct Ball {
+        c: Triple,
+        r: f64,
+    }
+    let Spheres { s } = input(case)?;
+    let scene = stage::scene_of(s.iter().map(|ball| stage::sphere(ball.c, ball.r)).collect());
+    let ray = stage::ray(&scene, &input(case)?);
+    let crossings = all_crossings(&scene, &ray, &mut Silent);
+    let order: Vec<_> = crossings.iter().map(|hit| hit.object).collect();
+    let t: Vec<_> = crossings.iter().map(|hit| hit.crossing.t).collect();
+    Ok(json!({"order": order, "t": t}))
+}
+
+/// `nearest`: what a ray meets first among several things.
+pub(super) fn nearest(case: &Map<String, Value>) -> Result<Value, String> {
+    let scene = objects(case)?;
+    let ray = stage::ray(&scene, &input(case)?);
+    Ok(match stage::meet(&scene, &ray, &mut Watch::default()) {
+        None => json!({"hit": false, "t": null, "id": null}),
+        Some((hit, surface)) => {
+            let normal = stage::outward(&surface).to_array();
+            json!({"hit": true, "t": hit.crossing.t, "id": hit.object, "n": normal})
+        }
+    })
+}
+
+/// `mesh`: which triangle a ray meets. The mesh belongs to the whole family.
+pub(super) fn mesh(case: &Map<String, Value>, scene: &Scene) -> Result<Value, String> {
+    let ray = stage::ray(scene, &input(case)?);
+    Ok(match closest_hit(scene, &ray, &mut Silent) {
+        None => json!({"hit": false, "t": null, "id": null}),
+        Some(hit) => json!({"hit": true, "t": hit.crossing.t, "id": hit.crossing.primitive}),
+    })
+}
+
+/// The scene of a family's mesh.
+pub(super) fn mesh_scene(data: &MeshData) -> Result<Scene, String> {
+    Ok(stage::scene_of(vec![stage::shape(&Thing::Mesh(data.clone()))?]))
+}
+
+/// `visible`: whether a light is seen from a point.
+pub(super) fn visible(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    struct Segment {
+        p: Triple,
+        light: Triple,
+    }
+    let Segment { p, light } = input(case)?;
+    let scene = objects(case)?;
+    let kind = LightKind::Point { position: light.into() };
+    let light = Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None };
+    let point = DVec3::from(p);
+    let is_visible = light
+        .seen_from(point, &mut Silent)
+        .is_some_and(|arrival| transmittance(&scene, &segment_to_light(point, &arrival), &mut Silent) == Color::ONE);
+    Ok(json!({"visible": is_visible}))
+}
+
+/// `spawn`: rays that leave the point where a first ray has met a shape.
+pub(super) fn spawn(case: &Map<String, Value>) -> Result<Value, String> {
+    #[derive(Deserialize)]
+    struct Spawn {
+        sphere: Option<Ball>,
+        plane: Option<[f64; 4]>,
+        triangle: Option<[Triple; 3]>,
+        w: Vec<Triple>,
+    }
+    #[derive(Deserialize)]
+    struct Ball {
+        c: Triple,
+        r: f64,
+    }
+    let spawn: Spawn = input(case)?;
+    let thing = match (spawn.sphere, spawn.plane, spawn.triangle) {
+        (Some(Ball { c, r }), None, None) => Thing::Sphere { c, r },
+        (None, Some(abcd), None) => Thing::Plane { abcd },
+        (None, None, Some([v0, v1, v2])) => Thing::Triangle { v0, v1, v2 },
+        _ => return Err("in: expected one of `sphere`, `plane`, `triangle`".to_owned()),
+    };
+    let scene = stage::scene_of(vec![stage::shape(&thing)?]);
+    let ray = stage::ray(&scene, &input(case)?);
+    let Some((hit, surface)) = stage::meet(&scene, &ray, &mut Watch::default()) else {
+        return Ok(json!({"t": null, "exit": vec![Value::Null; spawn.w.len()]}));
+    };
+    let exit = |w: &Triple| {
+        let ray = stage::ray(&scene, &RayInput { o: surface.point.to_array(), d: *w });
+        let on_this_side = surface.normal.dot(ray.direction) >= 0.0;
+        let ray = Ray { leaving: Some(stage::leaving(&hit, &surface, on_this_side)), ..ray };
+        closest_hit(&scene, &ray, &mut Silent).map(|hit| hit.crossing.t)
+    };
+    let exits: Vec<_> = spawn.w.iter().map(exit).collect();
+    Ok(json!({"t": hit.crossing.t, "exit": exits}))
+}
+
+fn objects(case: &Map<String, Value>) -> Result<Scene, String> {
+    #[derive(Deserialize)]
+    struct Objects {
+        objects: Vec<ObjectInput>,
+    }
+    let Objects { objects } = input(case)?;
+    Ok(stage::scene_of(stage::shapes(&objects)?))
+}

@@ -1,0 +1,185 @@
+//! Cases as scenes: the things of a case become shapes of the program's own scene, and rays go through its own tracing.
+
+use super::question::{
+    LightInput, MaterialInput, ObjectInput, RayInput, SceneInput, ShadowInput, SpecularInput, Thing,
+};
+use crate::geometry::shape::{Ellipsoid, Plane, Sphere, SphereMethod, Triangle, TriangleMesh};
+use crate::geometry::{Leaving, Ray, Shape, Surface};
+use crate::log::{Name, RayKind, Step, Value};
+use crate::probe::{Probe, Quantity, Silent};
+use crate::scene::{
+    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular,
+    Tracing, Transfer, Weights,
+};
+use crate::trace::query::Query;
+use crate::trace::{Hit, closest_hit};
+use glam::DVec3;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A scene of these shapes, of a plain material, without lights.
+pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
+    let plain = material(&MaterialInput::default());
+    let objects: Vec<_> = shapes
+        .into_iter()
+        .enumerate()
+        .map(|(number, shape)| Object { name: number.to_string(), shape, material: 0, one_sided: false })
+        .collect();
+    Scene {
+        name: "stress".to_owned(),
+        digest: String::new(),
+        camera: Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 45.0, [1, 1]),
+        ambient: DVec3::ZERO,
+        background: DVec3::ZERO,
+        lights: Vec::new(),
+        materials: vec![plain],
+        index: Index::new(&objects),
+        objects,
+        tracing: Tracing {
+            algorithm: Algorithm::Recursive,
+            max_depth: 4,
+            specular: Specular::HalfVector,
+            sphere_method: SphereMethod::Robust,
+            cutoff: 0.0,
+            two_sided: true,
+            shadows: Shadows::PerSurface,
+            skip: Skip::ALL,
+        },
+        sampling: Sampling::Center,
+        seed: 0,
+        output: Output { white: 1.0, transfer: Transfer::Linear, exposure: 0.0 },
+    }
+}
+
+/// A whole scene as a case describes it.
+pub(super) fn whole_scene(input: &SceneInput) -> Result<Scene, String> {
+    let mut scene = scene_of(shapes(&input.objects)?);
+    scene.materials = input.objects.iter().map(|object| material(&object.mat)).collect();
+    for (number, object) in scene.objects.iter_mut().enumerate() {
+        object.material = number;
+    }
+    scene.ambient = input.ambient.into();
+    scene.background = input.background.into();
+    scene.lights = input.lights.iter().map(light).collect();
+    scene.tracing.max_depth = input.max_depth;
+    scene.tracing.specular = match input.specular {
+        SpecularInput::H => Specular::HalfVector,
+        SpecularInput::R => Specular::ReflectionVector,
+    };
+    scene.tracing.shadows = match input.shadow {
+        ShadowInput::PerSurface => Shadows::PerSurface,
+        ShadowInput::Opaque => Shadows::Opaque,
+    };
+    Ok(scene)
+}
+
+/// The shapes of things.
+pub(super) fn shapes(objects: &[ObjectInput]) -> Result<Vec<Shape>, String> {
+    objects.iter().map(|object| shape(&object.thing)).collect()
+}
+
+/// The shape of a thing.
+pub(super) fn shape(thing: &Thing) -> Result<Shape, String> {
+    Ok(match thing {
+        Thing::Sphere { c, r } => sphere(*c, *r),
+        Thing::Plane { abcd } => Shape::Plane(Plane::new(*abcd)),
+        Thing::Triangle { v0, v1, v2 } => Shape::Triangle(Triangle::new([*v0, *v1, *v2], None)),
+        Thing::Mesh(data) => Shape::Mesh(Arc::new(TriangleMesh::new(Arc::new(data.mesh()?)))),
+        Thing::Ellipsoid { m } => {
+            let column = |i: usize| DVec3::new(m[0][i], m[1][i], m[2][i]);
+            let axes = [column(0), column(1), column(2)];
+            let ellipsoid = Ellipsoid::with_axes(column(3), axes).ok_or("the axes of the ellipsoid lie in a plane")?;
+            Shape::Ellipsoid(ellipsoid)
+        }
+    })
+}
+
+/// A sphere by the robust method.
+pub(super) fn sphere(center: [f64; 3], radius: f64) -> Shape {
+    Shape::Sphere(Sphere::new(center.into(), radius, false, SphereMethod::Robust))
+}
+
+/// A material as the scene has it.
+pub(super) fn material(input: &MaterialInput) -> Material {
+    Material {
+        pattern: None,
+        ambient: input.ka.into(),
+        diffuse: input.kd.into(),
+        specular: input.ke.into(),
+        transmission: input.kt.into(),
+        shininess: input.n,
+        transmission_exponent: input.nt,
+        ior: input.ior,
+        weights: Weights {
+            local: DVec3::splat(input.wl),
+            reflected: DVec3::splat(input.wr),
+            transmitted: DVec3::splat(input.wt),
+        },
+    }
+}
+
+fn light(input: &LightInput) -> Light {
+    let attenuation = (input.att != [1.0, 0.0, 0.0]).then_some(input.att);
+    let kind = LightKind::Point { position: input.p.into() };
+    Light { name: "light".to_owned(), kind, color: input.color.into(), attenuation }
+}
+
+/// The ray that a query sends for this input.
+pub(super) fn ray(scene: &Scene, input: &RayInput) -> Ray {
+    let (origin, direction) = (input.o.into(), input.d.into());
+    Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None }.ray(scene).0
+}
+
+/// What a ray meets first, and the surface there.
+pub(super) fn meet(scene: &Scene, ray: &Ray, watch: &mut Watch) -> Option<(Hit, Surface)> {
+    let hit = closest_hit(scene, ray, watch)?;
+    let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, &mut Silent);
+    Some((hit, surface))
+}
+
+/// The outward normal of a surface, which faces the arriving ray.
+pub(super) fn outward(surface: &Surface) -> DVec3 {
+    match surface.side {
+        crate::geometry::Side::Front => surface.geometric_normal(),
+        crate::geometry::Side::Back => -surface.geometric_normal(),
+    }
+}
+
+/// The surface of a hit, for a ray that leaves it on the side of the arriving ray or on the other one.
+pub(super) fn leaving(hit: &Hit, surface: &Surface, on_this_side: bool) -> Leaving {
+    let side = if on_this_side { surface.side } else { surface.side.opposite() };
+    Leaving { object: hit.object, primitive: hit.crossing.primitive, side }
+}
+
+/// Remembers the latest value of every quantity, and counts transmitted rays.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Watch {
+    latest: HashMap<&'static str, Value>,
+    /// How many transmitted rays there were.
+    pub transmitted_rays: u64,
+}
+
+impl Watch {
+    /// The latest number noted under this name's key.
+    pub fn number(&self, name: Name) -> Option<f64> {
+        self.latest.get(name.key()).and_then(|value| value.components().first().copied())
+    }
+
+    /// The latest triple noted under this name's key.
+    pub fn triple(&self, name: Name) -> Option<[f64; 3]> {
+        self.latest.get(name.key()).and_then(|value| value.components().try_into().ok())
+    }
+}
+
+impl Probe for Watch {
+    fn note<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
+        self.latest.insert(name.key(), value.value());
+        value
+    }
+
+    fn enter(&mut self, step: Step) {
+        if let Step::Ray { kind: RayKind::Transmitted, .. } = step {
+            self.transmitted_rays += 1;
+        }
+    }
+}
