@@ -93,7 +93,8 @@ pub(crate) fn transmitted_cosine<P: Probe>(
     let tangential = ray.direction + normal * cos_1;
     let k_eta_squared = eta * eta - tangential.dot(tangential);
     let left = k_eta_squared / (eta * eta);
-    let is_certain = left > CANCELLED || left < -TOTAL;
+    let is_certainly_total = left < -TOTAL;
+    let is_certain = is_certainly_total || left > CANCELLED;
     if probe.certifies() && !(is_certain && eta >= LEAST_ETA) {
         return doubled_cosine(ray, normal, eta, probe);
     }
