@@ -65,3 +65,26 @@ fn the_first_in_the_scene_wins() {
         }
     }
 }
+
+#[test]
+fn of_equal_curved_surfaces_too() {
+    let ball = r#"{"sphere": {"center": [0.1, 0.2, 0.3], "radius": 0.7}}"#;
+    let same = r#"{"ellipsoid": {"center": [0.1, 0.2, 0.3], "radii": [0.7, 0.7, 0.7]}}"#;
+    let turned = r#"{"ellipsoid": {"center": [0.1, 0.2, 0.3], "radii": [0.7, 0.7, 0.7],
+        "rotation": [[0, 1, 0], [0, 0, 1], [1, 0, 0]]}}"#;
+    let mut random = Random::new(12);
+    for (first, second) in [(ball, same), (same, ball), (same, turned), (turned, same), (turned, ball)] {
+        let text = format!(
+            r#"{{"format": "raywalk-scene/1", "camera": {{"position": [0, 0, 0], "direction": [1, 0, 0]}},
+            "objects": [{{"name": "a", "shape": {first}}}, {{"name": "b", "shape": {second}}}]}}"#
+        );
+        let scene = scene_of(text.as_bytes(), "equal");
+        for _ in 0..2_000 {
+            let target = DVec3::new(0.1, 0.2, 0.3) + random.point() * 0.4;
+            let origin = target + random.unit() * 5.0;
+            let ray = raywalk::geometry::Ray::along(origin, target - origin);
+            let hit = closest_hit(&scene, &ray, &mut Silent).expect("a hit");
+            assert_eq!(hit.object, 0, "{first}, {second}: {ray:?}");
+        }
+    }
+}

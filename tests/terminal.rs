@@ -79,7 +79,8 @@ impl Session {
     }
 
     fn resize(&self, columns: u16, rows: u16) {
-        self.screen.lock().expect("the screen").screen_mut().set_size(rows, columns);
+        // The emulator can't put a wide character, of a frame that was on its way, into a single column.
+        self.screen.lock().expect("the screen").screen_mut().set_size(rows, columns.max(2));
         let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
         self.master.resize(size).expect("a resize");
     }

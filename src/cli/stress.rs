@@ -37,8 +37,12 @@ impl Stress {
     pub fn run(self) -> Result<bool, Failure> {
         let families = self.families()?;
         if self.answers {
-            output::print(answers(&families)?.as_bytes())?;
-            return Ok(true);
+            let (text, unanswered) = answers(&families)?;
+            output::print(text.as_bytes())?;
+            return match unanswered {
+                0 => Ok(true),
+                count => Err(Failure::caller(format!("{count} cases can't be answered, see their lines"))),
+            };
         }
         let table = stress::table(&families).map_err(|error| Failure::caller(visible(&error).into_owned()))?;
         let text = match self.format {
@@ -57,17 +61,24 @@ impl Stress {
     }
 }
 
-fn answers(families: &[Family]) -> Result<String, Failure> {
+/// A line a case, and how many of them say why there is no answer.
+fn answers(families: &[Family]) -> Result<(String, usize), Failure> {
     let mut text = String::new();
+    let mut unanswered = 0;
     for family in families {
         let answers = stress::answers(family)
             .map_err(|error| Failure::caller(visible(&format!("{}: {error}", family.family)).into_owned()))?;
         for (case, out) in family.cases.iter().zip(answers) {
-            text.push_str(&json!({"id": case.id, "out": out}).to_string());
+            let line = match out {
+                Ok(out) => json!({"id": case.id, "out": out}),
+                Err(error) => json!({"id": case.id, "error": error}),
+            };
+            unanswered += usize::from(line.get("error").is_some());
+            text.push_str(&line.to_string());
             text.push('\n');
         }
     }
-    Ok(text)
+    Ok((text, unanswered))
 }
 
 fn read(path: &Path) -> Result<Family, Failure> {

@@ -164,6 +164,7 @@ names! {
     CylinderDiscriminant: "cylinder.discriminant", "", "Δ", "r²·a − |o_r × d_r|²", "1.1.1";
     CylinderT1: "cylinder.t", "1", "t", "t_1", "1.1.1";
     CylinderT2: "cylinder.t", "2", "t", "t_2", "1.1.1";
+    CylinderTDoubled: "cylinder.t", "doubled", "t", "", "1.1.1";
     CylinderTBase: "cylinder.t", "base", "t", "t_b", "1.1.1";
     CylinderTApex: "cylinder.t", "apex", "t", "t_a", "1.1.1";
 

@@ -39,6 +39,9 @@ pub struct Answer {
     pub side: Side,
 }
 
+/// More than the roundings of a distance that is brought from one unit to another and back.
+const MARGIN: f64 = 4.0 * f64::EPSILON;
+
 impl Query {
     /// What is wrong with the numbers of this query, if anything is.
     pub fn check(&self) -> Result<(), &'static str> {
@@ -52,8 +55,15 @@ impl Query {
 
     /// The nearest hit.
     pub fn nearest(&self, scene: &Scene) -> Option<Answer> {
-        let (ray, length) = self.ray(scene);
-        let hit = closest_hit(scene, &ray, &mut Silent)?;
+        let (mut ray, length) = self.ray(scene);
+        let hit = loop {
+            let hit = closest_hit(scene, &ray, &mut Silent)?;
+            match hit.crossing.t / length {
+                t if t <= self.t_min => ray.t_min = hit.crossing.t,
+                t if t >= self.t_max => return None,
+                _ => break hit,
+            }
+        };
         let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
         let normal = match surface.side {
             Side::Front => surface.geometric_normal(),
@@ -72,10 +82,12 @@ impl Query {
 
     /// Whether there is any hit.
     pub fn is_occluded(&self, scene: &Scene) -> bool {
-        is_any_hit(scene, &self.ray(scene).0, &mut Silent)
+        let is_bounded = self.t_min != 0.0 || self.t_max.is_finite();
+        if is_bounded { self.nearest(scene).is_some() } else { is_any_hit(scene, &self.ray(scene).0, &mut Silent) }
     }
 
-    /// The ray with a unit direction, and the length of the direction as given.
+    /// The ray with a unit direction, and the length of the direction as given. Its ends are a little beyond those of the query, because
+    /// they aren't in the same units: what counts is the distance in units of the direction as given.
     pub fn ray(&self, scene: &Scene) -> (Ray, f64) {
         let (direction, vector, length) = unit(self.direction);
         let leaving = self.from.map(|(object, primitive)| {
@@ -83,6 +95,8 @@ impl Query {
             Leaving { object, primitive, side }
         });
         let (t_min, t_max) = (self.t_min * length, self.t_max * length);
+        let t_min = t_min - t_min.abs() * MARGIN;
+        let t_max = if t_max.is_finite() { t_max + t_max.abs() * MARGIN } else { t_max };
         (Ray { vector, leaving, t_min, t_max, ..Ray::new(self.origin, direction) }, length)
     }
 }

@@ -1,7 +1,9 @@
 //! What cylinder and cone share: an axis with an end at either side, and the slab between the ends.
 
+use super::flat::refined;
 use super::roots::{Root, Roots, noted};
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::Name;
 use crate::probe::Probe;
@@ -103,6 +105,12 @@ impl Axis {
         let t_apex = noted(Name::AxisTApex, (self.length - ray.origin_along) / ray.along, probe);
         let (base, apex) = (end(t_base, BASE_CAP, base_name), end(t_apex, APEX_CAP, apex_name));
         Some(if ray.along > 0.0 { Span { start: base, end: apex } } else { Span { start: apex, end: base } })
+    }
+
+    /// The distance to the plane of a cap with twice the digits.
+    pub fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        let corner = if crossing.primitive == APEX_CAP { self.apex } else { self.base };
+        refined(ray, self.apex - self.base, corner)
     }
 
     #[inline]

@@ -10,6 +10,7 @@ use super::axis::{APEX_CAP, AxialRay, Axis, BASE_CAP, End, LATERAL, Span};
 use super::roots::{Quadratic, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -169,6 +170,13 @@ impl Kernel for Cone {
 
     fn bounds(&self) -> Option<Bounds> {
         Some(self.axis.bounds(self.base_radius, self.apex_radius))
+    }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        match crossing.primitive {
+            LATERAL => Doubled::from(crossing.t),
+            _ => self.axis.refined(ray, crossing),
+        }
     }
 
     fn can_be_met_again(&self, sets_off: Side) -> bool {

@@ -4,9 +4,11 @@
 //! seen along the axis), where a far origin doesn't cancel.
 
 use super::axis::{Axis, LATERAL, Span};
-use super::roots::{Quadratic, Roots};
+use super::doubled_chord::DoubledChord;
+use super::roots::{Digits, Lost, Quadratic, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::{Doubled, Doubled3, exponent, length, scaled};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -31,9 +33,9 @@ impl Cylinder {
     }
 
     #[inline]
-    fn roots<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Roots> {
-        let origin = probe.note(Name::AxisOrigin, ray.origin - self.axis.base);
-        let ray = self.axis.see(origin, ray, probe);
+    fn roots<P: Probe>(&self, whole: &Ray, is_leaving: bool, probe: &mut P) -> Option<Roots> {
+        let origin = probe.note(Name::AxisOrigin, whole.origin - self.axis.base);
+        let ray = self.axis.see(origin, whole, probe);
         let a = probe.note(Name::CylinderA, ray.across.dot(ray.across));
         let c = probe.note(Name::CylinderC, ray.origin_across.dot(ray.origin_across) - self.radius_squared);
         let lateral = if a == 0.0 {
@@ -45,9 +47,22 @@ impl Cylinder {
             let discriminant = self.radius_squared * a - distance.dot(distance);
             let discriminant = probe.note(Name::CylinderDiscriminant, discriminant);
             let equation = Quadratic { a, b, c, discriminant };
-            let names = [Name::CylinderT1, Name::CylinderT2];
-            let roots = (discriminant >= 0.0).then(|| equation.roots(names, probe)).flatten();
-            roots.map(Span::between).ok_or(Miss::Beside)
+            let far = origin.dot(origin);
+            let is_in_doubt =
+                discriminant.abs() <= OF_DISCRIMINANT * a * (far + self.radius_squared) || a < LEAST_ACROSS;
+            if is_in_doubt && probe.certifies() {
+                self.doubled_span(whole, probe)
+            } else {
+                let names = [Name::CylinderT1, Name::CylinderT2];
+                let roots = (discriminant >= 0.0).then(|| equation.roots(names, probe)).flatten();
+                let digits = Digits::of(&equation, far, distance.dot(distance));
+                match roots {
+                    Some(roots) if probe.certifies() && lack_digits(&digits, roots, is_leaving, whole) => {
+                        self.doubled_span(whole, probe)
+                    }
+                    roots => roots.map(Span::between).ok_or(Miss::Beside),
+                }
+            }
         };
         let roots = lateral.and_then(|lateral| {
             let ends = self.axis.between_ends(&ray, [Name::CylinderTBase, Name::CylinderTApex], probe);
@@ -55,6 +70,50 @@ impl Cylinder {
         });
         roots.inspect_err(|why| probe.mark(Decision::Miss { why: *why })).ok()
     }
+
+    /// The part of the line inside the lateral surface, with twice the digits.
+    #[cold]
+    #[inline(never)]
+    fn doubled_span<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Result<Span, Miss> {
+        probe.fallback();
+        let chord = self.doubled_chord(ray).filter(|chord| !chord.is_beside).ok_or(Miss::Beside)?;
+        Ok(Span::between([chord.near, chord.far].map(|t| (t.value(), Name::CylinderTDoubled))))
+    }
+
+    /// Seen along the axis w, of any length, the cylinder is a circle of the radius r·|w|, and the ray's vector v × w. `None` for a
+    /// ray along the axis.
+    fn doubled_chord(&self, ray: &Ray) -> Option<DoubledChord> {
+        let axis = Doubled3::difference(self.axis.apex, self.axis.base);
+        let axis = axis.scaled(-exponent(axis.size()));
+        let to_base = Doubled3::difference(self.axis.base, ray.origin);
+        // Powers of two keep the products of lengths in range.
+        let size = exponent(to_base.size().max(self.radius));
+        let center = to_base.scaled(-size).cross(axis);
+        let vector = Doubled3::from(ray.vector).cross(axis);
+        let radius = scaled(self.radius, -size);
+        let radius_squared = Doubled::product(radius, radius) * axis.dot(axis);
+        let c = center.dot(center) - radius_squared;
+        (vector.size() > 0.0)
+            .then(|| DoubledChord::in_sphere(center, vector, c, radius_squared, length(ray.vector)).scaled(size))
+    }
+}
+
+/// A bound of the error of the discriminant in parts of a·(|o|² + r²), o the origin from the base: of 2⁻⁵³, five for each component of
+/// the vectors across (one of the difference, two of the product, one of the axis, one of the ray), so that their cross product errs by
+/// ten of |o|·|d'| and its square by twenty and five for its own sum; r²·a by twelve.
+const OF_DISCRIMINANT: f64 = 24.0 * f64::EPSILON;
+
+/// The least a whose digits are all there: what the ray has across the axis errs by roundings of its whole.
+const LEAST_ACROSS: f64 = 1.0 / 64.0;
+
+/// Whether a distance that is wanted has lost digits; of a ray that leaves the surface the nearer one isn't.
+#[inline]
+fn lack_digits(digits: &Digits, roots: [(f64, Name); 2], is_leaving: bool, ray: &Ray) -> bool {
+    let left = if is_leaving { roots[0].0.abs().min(roots[1].0.abs()) } else { -1.0 };
+    let lacks = |(t, name): &(f64, Name)| {
+        t.abs() != left && !matches!(digits.of_root(*t, *name == Name::CylinderT2, ray), Lost::Nothing)
+    };
+    roots.iter().any(lacks)
 }
 
 impl Kernel for Cylinder {
@@ -66,11 +125,11 @@ impl Kernel for Cylinder {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        self.roots(ray, probe)?.first(ray, approach, probe)
+        self.roots(ray, approach.leaving.is_some(), probe)?.first(ray, approach, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
-        if let Some(roots) = self.roots(ray, probe) {
+        if let Some(roots) = self.roots(ray, approach.leaving.is_some(), probe) {
             roots.all(ray, approach, found, probe);
         }
     }
@@ -100,6 +159,14 @@ impl Kernel for Cylinder {
 
     fn bounds(&self) -> Option<Bounds> {
         Some(self.axis.bounds(self.radius, self.radius))
+    }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        if crossing.primitive != LATERAL {
+            return self.axis.refined(ray, crossing);
+        }
+        let Some(chord) = self.doubled_chord(ray) else { return Doubled::from(crossing.t) };
+        if crossing.side == self.outer { chord.near } else { chord.far }
     }
 
     fn can_be_met_again(&self, sets_off: Side) -> bool {

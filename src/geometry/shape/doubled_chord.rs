@@ -161,7 +161,7 @@ impl DoubledChord {
     }
 
     /// The chord in a world larger by 2 to this power.
-    fn scaled(self, size: i32) -> DoubledChord {
+    pub fn scaled(self, size: i32) -> DoubledChord {
         DoubledChord {
             t_a: scaled(self.t_a, size),
             t2_a: scaled(self.t2_a, 2 * size),

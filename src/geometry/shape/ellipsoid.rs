@@ -5,10 +5,10 @@
 //! mapped direction and origin), where a far origin doesn't cancel; nor do the roots (see [`Quadratic`]).
 
 use super::doubled_chord::{DoubledChord, corrected_in};
-use super::roots::{Quadratic, Root, Roots};
+use super::roots::{Digits, Lost, Quadratic, Root, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::doubled::{Doubled, Doubled3};
+use crate::geometry::doubled::{Doubled, Doubled3, length};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -78,14 +78,7 @@ impl Ellipsoid {
     #[inline(never)]
     fn doubled_roots<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Roots> {
         probe.fallback();
-        let [row_1, row_2, row_3] = *self.doubled_rows;
-        let mapped = |v: Doubled3| Doubled3 { x: row_1.dot(v), y: row_2.dot(v), z: row_3.dot(v) };
-        let vector = Doubled3::from(ray.vector);
-        let oc = mapped(Doubled3::difference(self.center, ray.origin));
-        let radius = self.radius_squared.sqrt();
-        let radius_squared = Doubled::product(radius, radius);
-        let length = vector.dot(vector).sqrt();
-        let chord = DoubledChord::in_sphere(oc, mapped(vector), oc.dot(oc) - radius_squared, radius_squared, length);
+        let chord = self.doubled_chord(ray);
         if chord.is_beside {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
@@ -93,6 +86,16 @@ impl Ellipsoid {
         let name = Name::EllipsoidTDoubled;
         let root = |t: Doubled| Root { t: t.value(), primitive: 0, is_on_surface: true, name };
         Some(Roots { entry: root(chord.near), exit: root(chord.far), outer: Side::Front })
+    }
+
+    fn doubled_chord(&self, ray: &Ray) -> DoubledChord {
+        let [row_1, row_2, row_3] = *self.doubled_rows;
+        let mapped = |v: Doubled3| Doubled3 { x: row_1.dot(v), y: row_2.dot(v), z: row_3.dot(v) };
+        let oc = mapped(Doubled3::difference(self.center, ray.origin));
+        let radius = self.radius_squared.sqrt();
+        let radius_squared = Doubled::product(radius, radius);
+        let vector = mapped(Doubled3::from(ray.vector));
+        DoubledChord::in_sphere(oc, vector, oc.dot(oc) - radius_squared, radius_squared, length(ray.vector))
     }
 
     #[inline]
@@ -130,7 +133,7 @@ impl Ellipsoid {
                 if root.t.abs() == left {
                     continue;
                 }
-                match digits.of_root(root, ray) {
+                match digits.of_root(root.t, root.name == Name::EllipsoidT2, ray) {
                     Lost::Nothing => {}
                     Lost::Some => self.correct(root, ray, probe),
                     Lost::All => return self.doubled_roots(ray, probe),
@@ -161,55 +164,6 @@ const LONGEST: f64 = 8.0;
 /// (one of the row, one of the ray, two of the sum), so that o' × d' errs by ten of |o'|·|d'| and its square by twenty and
 /// five for its own sum; r²·a by twelve.
 const OF_DISCRIMINANT: f64 = 24.0 * f64::EPSILON;
-
-/// How many digits the distances have lost: b shows the roundings of |o'|·|d'| in t, the root of the discriminant those of |o' × d'|
-/// magnified, and c those of o'·o'.
-struct Digits {
-    /// The square of the factor by which a distance shows them, times its own square.
-    steepness: f64,
-    /// The part of o'·o' that is left in c.
-    left: f64,
-}
-
-/// What a distance has lost.
-enum Lost {
-    /// No more than a bit or two that matter.
-    Nothing,
-    /// Digits that a correction gives back.
-    Some,
-    /// So many that there is nothing to correct.
-    All,
-}
-
-impl Digits {
-    #[inline]
-    fn of(equation: &Quadratic, origin_squared: f64, across_squared: f64) -> Digits {
-        let Quadratic { a, c, discriminant, .. } = *equation;
-        let steepness = origin_squared / a * (across_squared / discriminant).max(1.0);
-        Digits { steepness, left: c.abs() / origin_squared }
-    }
-
-    #[inline]
-    fn of_root(&self, root: &Root, ray: &Ray) -> Lost {
-        /// The square of the greatest factor.
-        const STEEPEST: f64 = 4.0;
-        /// The same where half of the digits are enough.
-        const HALF_STEEP: f64 = (1_u64 << 56) as f64;
-        const LEAST_LEFT: f64 = 0.5;
-        const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
-        let squared = root.t * root.t;
-        // Only one of the roots is a part of c.
-        let left = if root.name == Name::EllipsoidT2 { self.left } else { 1.0 };
-        // Compared so that what is no number has lost all.
-        let has_half = self.steepness <= HALF_STEEP * squared && left >= LEAST_TO_CORRECT;
-        match () {
-            _ if self.steepness <= STEEPEST * squared && left >= LEAST_LEFT => Lost::Nothing,
-            _ if has_half && ray.is_settled_by_half(root.t) => Lost::Nothing,
-            _ if has_half => Lost::Some,
-            _ => Lost::All,
-        }
-    }
-}
 
 const ORIGIN: [Name; 3] = [Name::EllipsoidOrigin1, Name::EllipsoidOrigin2, Name::EllipsoidOrigin3];
 const DIRECTION: [Name; 3] = [Name::EllipsoidDirection1, Name::EllipsoidDirection2, Name::EllipsoidDirection3];
@@ -264,6 +218,11 @@ impl Kernel for Ellipsoid {
 
     fn bounds(&self) -> Option<Bounds> {
         Some(Bounds { min: self.center - self.extent, max: self.center + self.extent })
+    }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        let chord = self.doubled_chord(ray);
+        if crossing.side == Side::Front { chord.near } else { chord.far }
     }
 
     fn can_be_met_again(&self, sets_off: Side) -> bool {

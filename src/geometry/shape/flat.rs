@@ -122,7 +122,7 @@ pub(super) const HALF: f64 = 1.0 / (1 << 20) as f64;
 #[inline(always)]
 pub(super) fn is_distance_in_doubt(v_o: Sum, v_d: Sum, ray: &Ray) -> bool {
     /// Each term errs by two roundings or three.
-    const LEAST: f64 = 0.5;
+    const LEAST: f64 = 0.75;
     let has_all = v_o.keeps(LEAST) && v_d.keeps(LEAST);
     !(has_all || (v_o.keeps(HALF) && v_d.keeps(HALF) && ray.is_settled_by_half(v_o.value / v_d.value)))
 }

@@ -29,7 +29,7 @@ impl Plane {
         let normal = DVec3::new(a, b, c);
         let size = normal.abs().element_sum();
         let is_axial = normal.abs().max_element() == size;
-        let certain_from = if is_axial { 2.0 * d.abs() } else { f64::INFINITY };
+        let certain_from = if is_axial { 6.0 * d.abs() } else { f64::INFINITY };
         Plane { normal, offset: d, unit_normal: normal / normal.length(), size, certain_from }
     }
 }

@@ -114,6 +114,55 @@ impl Quadratic {
     }
 }
 
+/// How many digits the distances have lost: b shows the roundings of |o'|·|d'| in t, the root of the discriminant those of |o' × d'|
+/// magnified, and c those of o'·o'.
+pub(super) struct Digits {
+    /// The square of the factor by which a distance shows them, times its own square.
+    steepness: f64,
+    /// The part of o'·o' that is left in c.
+    left: f64,
+}
+
+/// What a distance has lost.
+pub(super) enum Lost {
+    /// No more than a bit or two that matter.
+    Nothing,
+    /// Digits that a correction gives back.
+    Some,
+    /// So many that there is nothing to correct.
+    All,
+}
+
+impl Digits {
+    #[inline]
+    pub fn of(equation: &Quadratic, origin_squared: f64, across_squared: f64) -> Digits {
+        let Quadratic { a, c, discriminant, .. } = *equation;
+        let steepness = origin_squared / a * (across_squared / discriminant).max(1.0);
+        Digits { steepness, left: c.abs() / origin_squared }
+    }
+
+    #[inline]
+    pub fn of_root(&self, t: f64, is_part_of_c: bool, ray: &Ray) -> Lost {
+        /// The square of the greatest factor.
+        const STEEPEST: f64 = 2.0;
+        /// The same where half of the digits are enough.
+        const HALF_STEEP: f64 = (1_u64 << 56) as f64;
+        const LEAST_LEFT: f64 = 0.75;
+        const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
+        let squared = t * t;
+        // Only one of the roots is a part of c.
+        let left = if is_part_of_c { self.left } else { 1.0 };
+        // Compared so that what is no number has lost all.
+        let has_half = self.steepness <= HALF_STEEP * squared && left >= LEAST_TO_CORRECT;
+        match () {
+            _ if self.steepness <= STEEPEST * squared && left >= LEAST_LEFT => Lost::Nothing,
+            _ if has_half && ray.is_settled_by_half(t) => Lost::Nothing,
+            _ if has_half => Lost::Some,
+            _ => Lost::All,
+        }
+    }
+}
+
 /// Notes a distance, unless it is infinite: a log holds numbers only.
 #[inline]
 pub(super) fn noted<P: Probe>(name: Name, t: f64, probe: &mut P) -> f64 {

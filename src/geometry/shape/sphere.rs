@@ -15,13 +15,13 @@ use arrayvec::ArrayVec;
 use glam::DVec3;
 
 /// The largest square of the factor by which the root shows the error of the way to the line, that is let pass.
-const STEEPEST: f64 = 4.0;
+const STEEPEST: f64 = 2.0;
 
 /// The same where half of the digits are enough: eight roundings of |OC|, times the root of this, are 2⁻²².
 const HALF_STEEP: f64 = (1_u64 << 56) as f64;
 
 /// The least part of L2oc that may be left of L2oc − r².
-const LEAST_DIFFERENCE: f64 = 0.5;
+const LEAST_DIFFERENCE: f64 = 0.75;
 
 /// The least part of L2oc left of L2oc − r² with which a distance can be corrected.
 const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;

@@ -25,9 +25,12 @@ pub use table::{Row, Table};
 
 use serde_json::{Map, Value};
 
-/// The answers to the cases of a family, in its order: objects with the keys of the cases' `out`. The message of an error
-/// names the case.
-pub fn answers(family: &Family) -> Result<Vec<Value>, String> {
+/// The answers to the cases of a family, in its order: objects with the keys of the cases' `out`, or the message of an error,
+/// which names the case.
+///
+/// # Errors
+/// Where the family's own mesh can't be used.
+pub fn answers(family: &Family) -> Result<Vec<Result<Value, String>>, String> {
     let mesh = family.mesh.as_ref().map(shots::mesh_scene).transpose().map_err(|error| format!("mesh: {error}"))?;
     let answer = |case: &Case| {
         let input = &case.input;
@@ -53,7 +56,7 @@ pub fn answers(family: &Family) -> Result<Vec<Value>, String> {
         };
         answer.map(|answer| as_asked(answer, &case.out)).map_err(|error| format!("case `{}`: {error}", case.id))
     };
-    family.cases.iter().map(answer).collect()
+    Ok(family.cases.iter().map(answer).collect())
 }
 
 /// What of an answer is asked for; `id` stands for `ids`.
@@ -73,7 +76,8 @@ fn is_decision(key: &str) -> bool {
 pub fn table(families: &[Family]) -> Result<Table, String> {
     let mut rows = Vec::new();
     for family in families {
-        let answers = answers(family).map_err(|error| format!("{}: {error}", family.family))?;
+        let answers = answers(family).and_then(|answers| answers.into_iter().collect::<Result<Vec<_>, _>>());
+        let answers = answers.map_err(|error| format!("{}: {error}", family.family))?;
         rows.extend(rows_of(family, &answers));
     }
     Ok(Table { rows })
