@@ -21,6 +21,8 @@ pub struct Ray {
     pub t_min: f64,
     /// Hits lie before this distance.
     pub t_max: f64,
+    /// When: where moving objects are.
+    pub time: f64,
 }
 
 /// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive instead.
@@ -92,9 +94,9 @@ impl Surface {
 }
 
 impl Ray {
-    /// A ray that leaves no surface and ends nowhere.
+    /// A ray at time 0 that leaves no surface and ends nowhere.
     pub fn new(origin: DVec3, direction: DVec3) -> Ray {
-        Ray { origin, direction, vector: direction, leaving: None, t_min: 0.0, t_max: f64::INFINITY }
+        Ray { origin, direction, vector: direction, leaving: None, t_min: 0.0, t_max: f64::INFINITY, time: 0.0 }
     }
 
     /// A ray along a vector of any length but zero.

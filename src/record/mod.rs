@@ -4,6 +4,7 @@ mod arithmetic;
 
 pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 
+use crate::geometry::Ray;
 use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Event, Header, Log, Subject};
 use crate::probe::{CutOff, Outlet, Probe, Recorder, Silent, until_cut_off};
@@ -155,7 +156,9 @@ impl Computation for PartOf<'_> {
         match self.part {
             Part::Pixel(pixel) => sampling::pixel(self.scene, pixel, probe),
             Part::Ray { origin, direction } => {
-                camera_ray(self.scene, |probe| camera::ray_along(origin, direction, probe), probe)
+                let time = self.scene.camera.opening();
+                let aim = |probe: &mut P| Some(Ray { time, ..camera::ray_along(origin, direction, probe)? });
+                camera_ray(self.scene, aim, probe)
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Single ray queries: what a ray meets, without any shading.
+//! Single ray queries: what a ray meets, without any shading, at the time when the shutter opens.
 
 use super::visibility::{closest_hit, is_any_hit};
 use crate::geometry::ray::unit;
@@ -83,6 +83,7 @@ impl Query {
             Leaving { object, primitive, side }
         });
         let (t_min, t_max) = (self.t_min * length, self.t_max * length);
-        (Ray { vector, leaving, t_min, t_max, ..Ray::new(self.origin, direction) }, length)
+        let time = scene.camera.opening();
+        (Ray { vector, leaving, t_min, t_max, time, ..Ray::new(self.origin, direction) }, length)
     }
 }
