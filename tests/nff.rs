@@ -278,7 +278,10 @@ fn the_grid_of_corners_counts_its_rays() {
     let log = prints(&["trace", &plain, "--pixel", "3,4", "--pixel-grid", "corners"]);
     assert!(log.contains("\"sampling\":{\"shared\":{\"n\":1.0}}"), "{log}");
     let text = prints(&["trace", &plain, "--pixel", "3,4", "--pixel-grid", "corners", "--format", "text"]);
-    assert!(text.starts_with("sample · pixel 3,4 · f64 · recursive, depth 4 · shared: n = 1\nsample 1\n"), "{text}");
+    assert!(
+        text.starts_with("sample · pixel 3,4 · f64 · recursive, depth 4 · shared: n = 1\nsample 1: s_x = 0, s_y = 0\n"),
+        "{text}"
+    );
 
     says(
         &["trace", &plain, "--pixel", "3,4", "--sampling", "shared:2", "--pixel-grid", "corners"],

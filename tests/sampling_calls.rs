@@ -79,11 +79,11 @@ fn decisions_are_said_in_words() {
     let text = |sampling: &str, pixel: &str| {
         prints(folder, &["trace", "figure-19", "--pixel", pixel, "--sampling", sampling, "--format", "text"])
     };
-    let adaptive = text("adaptive:threshold=0.05,depth=3", "20,8");
+    let adaptive = text("adaptive:threshold=0.05,depth=3", "8,8");
     for expected in [
         "sample 1: s_x = 0, s_y = 0\n",
-        "→ the pixel is subdivided: B may lie in it, and no corner sees that\n",
-        "→ the cell at (0, 0) with side 0.500 is accepted: the samples agree\n",
+        "→ the pixel is subdivided: A may lie in it, and no corner sees that\n",
+        "→ the cell at (0, 0) with side 0.250 is accepted: the samples agree\n",
         "its corners differ by more than the threshold\n",
         "is accepted: it may not be cut further\n",
         "Δ_max = θ·w_o = 0.050·1 = 0.050   [cell.limit 1.4.2]\n",

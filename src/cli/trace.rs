@@ -109,7 +109,8 @@ impl Subject {
 /// The log of a pixel or ray for views that need the whole of it.
 pub fn short_log(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, Failure> {
     record::bounded(scene, part, arithmetic).map_err(|cut_off| {
-        let smaller = "expected a smaller --max-depth, or `trace` in the format ndjson, which is written as it grows";
+        let smaller =
+            "expected fewer samples, a smaller --max-depth, or `trace` in ndjson, which is written as it grows";
         let message = format!("{cut_off}, {smaller}");
         match cut_off {
             CutOff::TooLong { .. } => Failure::caller(message),

@@ -126,9 +126,12 @@ impl Computation for Pixel<'_> {
     }
 }
 
+/// What corners see, or will see when whoever traces them is done.
+type Corners = HashMap<[u32; 2], Arc<OnceLock<Seen>>>;
+
 /// What the corners between tiles see.
 struct Shared {
-    shards: Vec<Mutex<HashMap<[u32; 2], Arc<OnceLock<Seen>>>>>,
+    shards: Vec<Mutex<Corners>>,
 }
 
 /// So many that threads seldom want the same.
