@@ -67,8 +67,8 @@ macro_rules! with_effects {
             LightSpread: "light.spread", "", "κ_F", "", "1.5";
             LightX: "light.x", "", "x_F", "(2·s_x − 1)·κ_F", "1.5";
             LightY: "light.y", "", "y_F", "(2·s_y − 1)·κ_F", "1.5";
-            LightXOnDisk: "light.x", "disk", "x_F", "x_D·κ_F", "1.5";
-            LightYOnDisk: "light.y", "disk", "y_F", "y_D·κ_F", "1.5";
+            LightXOnDisk: "light.x", "round", "x_F", "x_D·κ_F", "1.5";
+            LightYOnDisk: "light.y", "round", "y_F", "y_D·κ_F", "1.5";
             LightOutward: "light.outward", "", "ν_F", "", "1.5";
             LightPositionOnArea: "light.position", "on_area", "F", "C_F + e_u·x_F + e_v·y_F", "1.5";
             LightPositionOnSphere: "light.position", "on_sphere", "F", "C_F + ν_F·r_F", "1.5";
