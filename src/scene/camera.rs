@@ -73,16 +73,23 @@ impl Camera {
 
     /// The ray of a sample through a place of the picture, in pixels from its top left corner: from a point of the lens, at a time
     /// while the shutter is open.
-    #[inline]
+    #[inline(always)]
     pub fn sampled_ray<P: Probe>(&self, place: [f64; 2], draws: &Draws, probe: &mut P) -> Option<Ray> {
+        if self.lens.is_none() && self.shutter.is_none() {
+            return self.ray(place, probe);
+        }
+        self.distributed_ray(place, draws, probe)
+    }
+
+    // Kept out of the way of a pinhole before which nothing moves.
+    #[inline(never)]
+    fn distributed_ray<P: Probe>(&self, place: [f64; 2], draws: &Draws, probe: &mut P) -> Option<Ray> {
         let ray = match &self.lens {
             None => self.ray(place, probe)?,
             Some(lens) => lens.ray(self, place, draws, probe)?,
         };
-        Some(match self.shutter {
-            None => ray,
-            Some(shutter) => Ray { time: time_within(shutter, draws, probe), ..ray },
-        })
+        let time = self.shutter.map_or(0.0, |shutter| time_within(shutter, draws, probe));
+        Some(Ray { time, ..ray })
     }
 
     /// The pinhole's ray through a place of the picture, in pixels from its top left corner.

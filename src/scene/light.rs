@@ -98,9 +98,9 @@ impl Light {
     /// What arrives of this colour over this distance through empty space: all, scaled by
     /// min(1, 1/(c + l·dist + q·dist²)).
     #[inline]
-    pub fn faded<P: Probe>(&self, color: Color, distance: f64, probe: &mut P) -> Color {
-        let Some([constant, linear, quadratic]) = self.attenuation else { return color };
+    pub fn faded<P: Probe>(&self, color: &Color, distance: f64, probe: &mut P) -> Color {
+        let Some([constant, linear, quadratic]) = self.attenuation else { return *color };
         let fading = 1.0 / (constant + linear * distance + quadratic * (distance * distance));
-        color * probe.note(Name::LightAttenuation, fading.min(1.0))
+        *color * probe.note(Name::LightAttenuation, fading.min(1.0))
     }
 }

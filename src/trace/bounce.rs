@@ -18,13 +18,14 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
         return Color::ZERO;
     }
     let direction = mirror(meeting.ray.direction, meeting.surface.normal, probe);
+    // Made where it is used, so that a sharp bounce isn't put in memory.
     let bounce =
-        Bounce { kind: RayKind::Reflected, leaving: meeting.leaving_here(), weight, media: meeting.path.media };
+        || Bounce { kind: RayKind::Reflected, leaving: meeting.leaving_here(), weight, media: meeting.path.media };
     if let Some(exponent) = material.gloss_exponent {
         let lobe = Lobe { what: Skippable::Reflected, middle: direction, exponent };
-        return zones::mean(scene, meeting, &lobe, &bounce, probe);
+        return zones::mean(scene, meeting, &lobe, &bounce(), probe);
     }
-    let color = bounce.follow(scene, meeting, direction, 0, probe);
+    let color = bounce().follow(scene, meeting, direction, 0, probe);
     unless_it_leaks(color, meeting.leaks(direction, true), Skippable::Reflected, probe)
 }
 
@@ -40,12 +41,12 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
     let Some(direction) = refract(meeting.ray, meeting.surface.normal, inside.ior(), beyond.ior(), probe) else {
         return Color::ZERO;
     };
-    let bounce = Bounce { kind: RayKind::Transmitted, leaving: meeting.leaving_beyond(), weight, media: &beyond };
+    let bounce = || Bounce { kind: RayKind::Transmitted, leaving: meeting.leaving_beyond(), weight, media: &beyond };
     if let Some(exponent) = material.translucency_exponent {
         let lobe = Lobe { what: Skippable::Transmitted, middle: direction, exponent };
-        return zones::mean(scene, meeting, &lobe, &bounce, probe);
+        return zones::mean(scene, meeting, &lobe, &bounce(), probe);
     }
-    let color = bounce.follow(scene, meeting, direction, 0, probe);
+    let color = bounce().follow(scene, meeting, direction, 0, probe);
     unless_it_leaks(color, meeting.leaks(direction, false), Skippable::Transmitted, probe)
 }
 
@@ -165,7 +166,7 @@ pub(super) struct Bounce<'a> {
 impl Bounce<'_> {
     /// The colour that the ray in this direction, one level deeper, brings; of several the one with this number from 1.
     // Each kind of bounce is followed at one or two places.
-    #[inline]
+    #[inline(always)]
     pub fn follow<P: Probe>(
         &self,
         scene: &Scene,

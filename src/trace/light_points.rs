@@ -7,7 +7,7 @@ use crate::log::Step;
 use crate::probe::Probe;
 use crate::random::Dimension;
 use crate::scene::square::place_in_square;
-use crate::scene::{AreaLight, Arrival, Color, Scene};
+use crate::scene::{AreaLight, Arrival, Color, Light, Scene};
 use glam::DVec3;
 
 /// The sum with what an area light adds: its points are so many lights, one in each stratum of its surface, that share its intensity.
@@ -17,17 +17,17 @@ pub(super) fn add<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
     view: DVec3,
-    light: Source,
-    area: &AreaLight,
+    (number, light, area): (u32, &Light, &AreaLight),
     mut sum: Color,
     probe: &mut P,
 ) -> Color {
-    let dimension = Dimension::Light { route: meeting.path.route(), light: light.number };
+    let dimension = Dimension::Light { route: meeting.path.route(), light: number };
+    let color = light.share();
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
-        let source = Source { split, ..light };
-        light.light.give(probe);
-        sum += probe.within(Step::Light { light: light.number, split }, |probe| {
+        let source = Source { light, number, split, color: &color };
+        light.give(probe);
+        sum += probe.within(Step::Light { light: number, split }, |probe| {
             let square = place_in_square(meeting.path.draws.split(dimension, part, area.samples), probe);
             let position = area.point(square, probe);
             let arrival = Arrival::of(position, meeting.surface.point, probe);

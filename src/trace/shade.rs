@@ -35,14 +35,13 @@ pub(super) fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe:
     let mut sum = ambient;
     for (number, light) in (0..).zip(&scene.lights) {
         if let LightKind::Area(area) = &light.kind {
-            let source = Source { light, number, split: 0, color: light.share() };
-            sum = light_points::add(scene, meeting, view, source, area, sum, probe);
+            sum = light_points::add(scene, meeting, view, (number, light, area), sum, probe);
             continue;
         }
         light.give(probe);
         sum += probe.within(Step::Light { light: number, split: 0 }, |probe| {
             let arrival = light.seen_from(meeting.surface.point, probe);
-            let source = Source { light, number, split: 0, color: light.color };
+            let source = Source { light, number, split: 0, color: &light.color };
             from_light(scene, meeting, view, &source, arrival, probe)
         });
     }
@@ -58,7 +57,7 @@ pub(super) struct Source<'a> {
     /// Of several points of an area light, the number from 1; 0 if there is one.
     pub split: u32,
     /// Its intensity, I_i.
-    pub color: Color,
+    pub color: &'a Color,
 }
 
 /// What a light adds that is seen so; nothing if it stands at the surface point.
