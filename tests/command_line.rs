@@ -369,24 +369,6 @@ fn lights_that_light_nothing_in_view_are_warned_of() {
 }
 
 #[test]
-fn everything_that_is_not_supported_is_told_at_once_with_its_place() {
-    let scene = r#"{"format": "raywalk-scene/1",
- "camera": {"position": [0,0,9], "direction": [0,0,-1], "lens": {"radius": 0.1, "focus_distance": 4}},
- "lights": [{"name": "L", "rectangle": {"corner": [0,5,0], "edge_u": [1,0,0], "edge_v": [0,0,1]}}],
- "sampling": {"regular": {"n": 3}},
- "objects": [{"shape": {"sphere": {"center": [0,0,0], "radius": 1}}}]}"#;
-    let output = raywalk(&["scene", "check", "-"]).write_stdin(scene).output().expect("it runs");
-    let said = String::from_utf8(output.stderr).expect("UTF-8");
-    assert_eq!(output.status.code(), Some(2));
-    let errors: Vec<_> = said.lines().filter_map(|line| line.strip_prefix("error: <stdin>:")).collect();
-    let expected = [
-        "2:57: camera.lens: not supported by this version: a lens",
-        "3:27: lights[0].rectangle: not supported by this version: a light `rectangle`",
-    ];
-    assert_eq!(errors, expected);
-}
-
-#[test]
 fn the_schema_is_printed() {
     let schema = prints(&["scene", "schema"]);
     let schema: serde_json::Value = serde_json::from_str(&schema).expect("JSON");

@@ -65,6 +65,11 @@ fn every_formula_gives_the_logged_value() {
                 checked.check(&record::ray(&shapes, eye, direction, arithmetic));
             }
         }
+        // Area lights, blurred bounces, lens, shutter and motion.
+        let effects = support::scene_of(include_bytes!("support/effects.json"), "effects");
+        for pixel in support::grid(&effects, 9) {
+            checked.check(&record::pixel(&effects, pixel, arithmetic));
+        }
         for scene in straight_scenes() {
             for eye in [DVec3::new(0.0, 0.0, 4.0), DVec3::new(0.0, 0.0, 0.5)] {
                 checked.check(&record::ray(&scene, eye, DVec3::NEG_Z, arithmetic));

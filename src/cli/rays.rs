@@ -16,7 +16,9 @@ use std::collections::HashMap;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 use std::path::PathBuf;
 
-/// Answer ray queries from standard input, a JSON object a line.
+/// Answer ray queries from standard input, a JSON object a line
+///
+/// Moving objects are where they are when the shutter opens.
 #[derive(Args)]
 pub struct Rays {
     /// A scene file or a built-in scene

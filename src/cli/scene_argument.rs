@@ -3,11 +3,11 @@
 use super::failure::Failure;
 use super::options::ColorChoice;
 use super::output;
+use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self, Problem, SceneError, Source, visible};
-use raywalk::scene::{builtin, unsupported};
+use raywalk::scene::file::{self, Problem, Source, visible};
 use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -76,11 +76,6 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 /// Checks a scene that was read, and reads its meshes; prints their warnings.
 pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
     let scene = without_meshes(input, import, colors)?;
-    let findings = unsupported::features(&scene);
-    if !findings.is_empty() {
-        let problems = file::placed(&findings, &input.bytes, &input.name);
-        return Err(Failure::scene(&SceneError::Invalid { problems, omitted: 0 }, is_colored(colors)));
-    }
     let source = Source { name: &input.name, text: &input.bytes };
     let folder = input.path.as_ref().map_or(Folder::BuiltIn(builtin::mesh), |path| Folder::OfScene(path));
     let loaded = mesh::load(&scene, &source, folder);

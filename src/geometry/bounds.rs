@@ -42,6 +42,12 @@ impl Bounds {
         Bounds { min: self.min - margin, max: self.max + margin }
     }
 
+    /// Its eight corners.
+    pub fn corners(&self) -> impl Iterator<Item = DVec3> + '_ {
+        let pick = |k: u32, axis: usize| if k >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
+        (0..8).map(move |k| DVec3::new(pick(k, 0), pick(k, 1), pick(k, 2)))
+    }
+
     /// The middle of the box.
     pub fn center(&self) -> DVec3 {
         self.min * 0.5 + self.max * 0.5

@@ -6,6 +6,7 @@ pub mod bvh;
 pub(crate) mod doubled;
 mod exact;
 pub mod mesh;
+pub mod motion;
 pub mod ray;
 pub mod shape;
 

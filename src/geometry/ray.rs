@@ -23,6 +23,8 @@ pub struct Ray {
     pub t_max: f64,
     /// Whether the distance of a hit is asked for, or only whether there is one.
     pub wants_distance: bool,
+    /// When: where moving objects are.
+    pub time: f64,
 }
 
 /// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive instead.
@@ -94,7 +96,7 @@ impl Surface {
 }
 
 impl Ray {
-    /// A ray that leaves no surface and ends nowhere.
+    /// A ray at time 0 that leaves no surface and ends nowhere.
     pub fn new(origin: DVec3, direction: DVec3) -> Ray {
         Ray {
             origin,
@@ -104,6 +106,7 @@ impl Ray {
             t_min: 0.0,
             t_max: f64::INFINITY,
             wants_distance: true,
+            time: 0.0,
         }
     }
 

@@ -70,6 +70,13 @@ pub enum Step {
         kind: RayKind,
         /// Its level in the ray tree; the camera's ray has 0. A shadow ray has its surface's.
         depth: u32,
+        /// Its number, from 1, among several of its kind from one place; 0 if it is alone.
+        split: u32,
+    },
+    /// How a moving object is met: the ray in the object's own frame, with the tests there, or the hit carried back from it.
+    Motion {
+        /// The object.
+        object: u32,
     },
     /// An intersection test of the enclosing ray with an object.
     Test {
@@ -87,6 +94,15 @@ pub enum Step {
     Light {
         /// The light.
         light: u32,
+        /// Of several points of an area light, its number from 1; 0 if there is one.
+        split: u32,
+    },
+    /// A zone of the lobe about a blurred bounce: a direction in it, and what comes from there.
+    Zone {
+        /// Which bounce.
+        what: Skippable,
+        /// Its number, from 1.
+        number: u32,
     },
     /// The weighted sum of the three contributions.
     Combine,
@@ -180,6 +196,11 @@ pub enum Decision {
         /// Which ray.
         what: Skippable,
     },
+    /// A direction of a blurred bounce lies on the wrong side of the surface. No ray goes there, and the mean is over the others.
+    Rejected {
+        /// Which bounce.
+        what: Skippable,
+    },
     /// Work isn't done because it can't change the colour.
     Skipped {
         /// What isn't done.
@@ -216,7 +237,7 @@ pub enum Decision {
 macro_rules! words {
     ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal,)* }) => {
         $(#[$doc])*
-        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
         pub enum $name { $($(#[$variant_doc])* $variant,)* }
 
         impl $name {

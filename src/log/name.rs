@@ -6,10 +6,12 @@
 
 #[macro_use]
 mod row;
+#[macro_use]
+mod effects;
 
 use row::Row;
 
-names! {
+with_effects! { names! {
     // The camera and its ray. G is the direction of view, e_x and e_y point right and up in the picture.
     CameraDirection: "camera.direction", "", "G", "", "1.1.1";
     CameraUpAsGiven: "camera.up_as_given", "", "G_u", "", "1.1.1";
@@ -327,7 +329,7 @@ names! {
     CombineTransmitted: "combine.transmitted", "", "C_t", "W_t∘I_transmitted", "1.2.3";
     CombineColor: "combine.color", "", "I", "C_l + C_r + C_t", "1.2.3";
 
-    // The place of a sample in its pixel: in stratum i_s of the c_s of its row, a_s of all n_s lying in the rows above.
+    // The place of a random point in the unit square, a sample's in its pixel or that of a split: in stratum i_s of the c_s of its row, a_s of all n_s lying in the rows above.
     SampleColumn: "sample.column", "", "i_s", "", "1.5";
     SampleAcross: "sample.across", "", "c_s", "", "1.5";
     SampleAbove: "sample.above", "", "a_s", "", "1.5";
@@ -362,7 +364,7 @@ names! {
     StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
     StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";
     StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
-}
+} }
 
 #[cfg(test)]
 mod tests;

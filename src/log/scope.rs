@@ -60,7 +60,7 @@ fn in_node(events: &[Event], tree: &Tree, node: usize, before: usize, symbol: &s
     })
 }
 
-/// The test, directly inside `node`, that found the nearest object. A mesh has a test for each triangle; the one at the
+/// The test, directly inside `node` or in a moving object's frame there, that found the nearest object. A mesh has a test for each triangle; the one at the
 /// least distance found it, of several the one of the first triangle.
 fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -> Option<usize> {
     let nearest = tree.own_events_before(node, before).find_map(|event| match events[event].what {
@@ -72,7 +72,10 @@ fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -> Op
         _ => None,
     };
     let is_hit = |child: usize| tree.own_events(child).any(|event| events[event].what == What::Mark(Decision::Hit));
-    let tests = tree.children(node).filter_map(|child| Some((child, triangle_of(child)?)));
+    // The tests with a moving object stand in a node around them.
+    let is_moving = |child: &usize| tree.nodes()[*child].step == Some(Step::Motion { object: nearest });
+    let moving = tree.children(node).filter(is_moving).flat_map(|motion| tree.children(motion));
+    let tests = tree.children(node).chain(moving).filter_map(|child| Some((child, triangle_of(child)?)));
     let found = tests.filter(|(child, triangle)| triangle.is_none() || is_hit(*child));
     let key = |(child, triangle): &(usize, Option<u32>)| {
         // Everything else has one test, so that its distance doesn't matter.

@@ -165,14 +165,18 @@ impl DoubleEndedIterator for OwnEvents<'_> {
 }
 
 /// The path of a node inside a node with this path: samples add their number, rays their letter, a
-/// shadow ray also its light's number from 1: `3 C R S1`. A pixel of one sample has no sample node and no number.
+/// shadow ray also its light's number from 1: `3 C R S1`. Of several rays of a kind from one place each has its number after a
+/// dot: `C R.12 S1.4` is the fourth shadow ray to the first light from the twelfth zone of a blurred reflection. A pixel of one sample has no sample node and no number.
 pub fn path_of_child(path: &str, step: Step) -> String {
     let gap = if path.is_empty() { "" } else { " " };
     match step {
         Step::Pixel(_) => String::new(),
         Step::Sample { number } => format!("{path}{gap}{number}"),
-        Step::Ray { kind: RayKind::Shadow { light }, .. } => format!("{path}{gap}S{}", light + 1),
-        Step::Ray { kind, .. } => format!("{path}{gap}{}", kind.letter()),
+        Step::Ray { kind, split, .. } => {
+            let light = if let RayKind::Shadow { light } = kind { (light + 1).to_string() } else { String::new() };
+            let split = if split == 0 { String::new() } else { format!(".{split}") };
+            format!("{path}{gap}{}{light}{split}", kind.letter())
+        }
         _ => path.to_owned(),
     }
 }

@@ -92,15 +92,21 @@ pub(super) fn words(step: Step) -> [u64; 3] {
     match step {
         Step::Pixel([x, y]) => [1, x.into(), y.into()],
         Step::Sample { number } => [2, number.into(), 0],
-        Step::Ray { kind: RayKind::Camera, depth } => [3, depth.into(), 0],
-        Step::Ray { kind: RayKind::Shadow { light }, depth } => [4, depth.into(), light.into()],
-        Step::Ray { kind: RayKind::Reflected, depth } => [5, depth.into(), 0],
-        Step::Ray { kind: RayKind::Transmitted, depth } => [6, depth.into(), 0],
+        Step::Ray { kind: RayKind::Camera, depth, split } => [3, depth.into(), split.into()],
+        Step::Ray { kind: RayKind::Shadow { light }, depth, split } => [4, depth.into(), pair(light, split)],
+        Step::Ray { kind: RayKind::Reflected, depth, split } => [5, depth.into(), split.into()],
+        Step::Ray { kind: RayKind::Transmitted, depth, split } => [6, depth.into(), split.into()],
         Step::Test { object, triangle } => [7, object.into(), triangle.map_or(0, |triangle| u64::from(triangle) + 1)],
         Step::Shade { object } => [8, object.into(), 0],
-        Step::Light { light } => [9, light.into(), 0],
+        Step::Light { light, split } => [9, light.into(), split.into()],
         Step::Combine => [10, 0, 0],
+        Step::Motion { object } => [11, object.into(), 0],
+        Step::Zone { what, number } => [12, what as u64, number.into()],
     }
+}
+
+fn pair(one: u32, other: u32) -> u64 {
+    u64::from(one) << 32 | u64::from(other)
 }
 
 /// A number that looks random, made of two: the same on every machine, for the same two.
@@ -122,8 +128,8 @@ pub(super) fn mixed(x: u64) -> u64 {
 mod tests {
     use super::*;
 
-    const CAMERA: Step = Step::Ray { kind: RayKind::Camera, depth: 0 };
-    const MIRRORED: Step = Step::Ray { kind: RayKind::Reflected, depth: 1 };
+    const CAMERA: Step = Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 };
+    const MIRRORED: Step = Step::Ray { kind: RayKind::Reflected, depth: 1, split: 0 };
 
     /// The key of the first `PlaneT` in these nodes, after other tests.
     fn key_of(path: &[Step], tests_before: u32) -> u64 {

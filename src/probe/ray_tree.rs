@@ -63,7 +63,7 @@ impl<P: Probe> Probe for RayTree<P> {
     }
 
     fn enter(&mut self, step: Step) {
-        if self.tests > 0 || matches!(step, Step::Test { .. }) {
+        if self.tests > 0 || matches!(step, Step::Test { .. } | Step::Motion { .. }) {
             self.tests += 1;
         }
         self.take(words(step));
@@ -95,6 +95,7 @@ fn words_of(decision: Decision) -> [u64; 3] {
         Decision::Skipped { what, why } => [42, what as u64, why as u64],
         Decision::Subdivided { cell, why, .. } => [43, word_of(cell), why as u64],
         Decision::Accepted { cell, why } => [44, cell.map_or(0, word_of), why as u64],
+        Decision::Rejected { what } => [46, what as u64, 0],
         Decision::MoreSamples { from, to } => [45, from.into(), to.into()],
     }
 }

@@ -9,6 +9,7 @@ mod draws;
 pub mod permutation;
 pub mod sobol;
 mod strata;
+pub mod warp;
 
 pub use dimension::{Dimension, Route};
 pub use draws::{Arrangement, Draws, Pick};

@@ -5,6 +5,7 @@ pub mod digits;
 
 pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 
+use crate::geometry::Ray;
 use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Event, Header, Log, Subject};
 use crate::probe::{CutOff, Outlet, Probe, Recorder, Silent, until_cut_off};
@@ -171,7 +172,9 @@ impl Computation for PartOf<'_> {
         match self.part {
             Part::Pixel(pixel) => Pixel { scene: self.scene, pixel }.run(probe),
             Part::Ray { origin, direction } => {
-                camera_ray(self.scene, |probe| camera::ray_along(origin, direction, probe), probe)
+                let time = self.scene.camera.opening();
+                let aim = |probe: &mut P| Some(Ray { time, ..camera::ray_along(origin, direction, probe)? });
+                camera_ray(self.scene, aim, probe)
             }
         }
     }

@@ -13,6 +13,7 @@ pub struct Counter {
     hits: ByKind,
     by_depth: Vec<u64>,
     skipped: [u64; SkipReason::ALL.len()],
+    rejected: u64,
     primitive_tests: u64,
     bounds_tests: u64,
     fallbacks: u64,
@@ -45,6 +46,8 @@ pub struct Statistics {
     pub by_depth: Vec<u64>,
     /// Work left out, by rule.
     pub skipped: BTreeMap<&'static str, u64>,
+    /// Directions of blurred bounces on the wrong side of a surface.
+    pub rejected: u64,
     /// Intersection tests.
     pub tests: Tests,
     /// Decisions that needed more than f64.
@@ -101,6 +104,7 @@ impl Counter {
         for (ours, theirs) in self.skipped.iter_mut().zip(&other.skipped) {
             *ours += theirs;
         }
+        self.rejected += other.rejected;
         self.primitive_tests += other.primitive_tests;
         self.bounds_tests += other.bounds_tests;
         self.fallbacks += other.fallbacks;
@@ -115,6 +119,7 @@ impl Counter {
             hits: self.hits,
             by_depth: self.by_depth.clone(),
             skipped: skipped.collect(),
+            rejected: self.rejected,
             tests: Tests { bounds: self.bounds_tests, primitives: self.primitive_tests },
             fallbacks: self.fallbacks,
             samples: self.samples,
@@ -140,7 +145,7 @@ impl Probe for Counter {
 
     fn enter(&mut self, step: Step) {
         let kind = match step {
-            Step::Ray { kind, depth } => {
+            Step::Ray { kind, depth, .. } => {
                 *self.rays.of(kind) += 1;
                 if !matches!(kind, RayKind::Shadow { .. }) {
                     let level = depth as usize;
@@ -172,6 +177,7 @@ impl Probe for Counter {
                     *self.hits.of(kind) += 1;
                 }
             }
+            Decision::Rejected { .. } => self.rejected += 1,
             Decision::Skipped { why, .. } => self.skipped[why as usize] += 1,
             _ => {}
         }
@@ -215,6 +221,9 @@ impl fmt::Display for Statistics {
         writeln!(f, "{:<12}{:>14}", "total", self.rays.total)?;
         for (why, count) in self.skipped.iter().filter(|(_, count)| **count > 0) {
             writeln!(f, "skipped {why}: {count}")?;
+        }
+        if self.rejected > 0 {
+            writeln!(f, "rejected directions: {}", self.rejected)?;
         }
         writeln!(f, "tests: {} of shapes, {} of bounds", self.tests.primitives, self.tests.bounds)?;
         writeln!(f, "clipped pixels: {}", self.clipped_pixels)?;

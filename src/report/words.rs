@@ -18,7 +18,11 @@ pub fn title(log: &Log, tree: &Tree, node: usize) -> String {
             format!("test {}, triangle {triangle}", plain(header.object(object)))
         }
         Some(Step::Shade { object }) => format!("local model on {}", plain(header.object(object))),
-        Some(Step::Light { light }) => format!("light {}", plain(header.light(light))),
+        Some(Step::Light { light, split: 0 }) => format!("light {}", plain(header.light(light))),
+        Some(Step::Light { light, split }) => format!("light {}, point {split}", plain(header.light(light))),
+        Some(Step::Motion { object }) => format!("{} where it is at this time", plain(header.object(object))),
+        Some(Step::Zone { what: Skippable::Transmitted, number }) => format!("zone {number} of the transmission"),
+        Some(Step::Zone { number, .. }) => format!("zone {number} of the reflection"),
         Some(Step::Combine) => "weighted sum".to_owned(),
     }
 }
@@ -81,6 +85,7 @@ pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
         Decision::LeakGuard { what } => {
             format!("no leak: the {} lies beyond the surface and brings nothing", skippable(*what))
         }
+        Decision::Rejected { what } => format!("rejected: the {} would run on the wrong side", skippable(*what)),
         Decision::Skipped { what, why } => format!("skipped: {} ({})", skippable(*what), skip_reason(*why)),
         Decision::Subdivided { cell, why, object } => {
             let object = object.map_or("an object", |object| header.object(object));

@@ -13,8 +13,9 @@ pub mod stochastic;
 pub mod student;
 
 use crate::probe::Probe;
+use crate::random::{Arrangement, Draws};
 use crate::scene::{Color, Sampling, Scene};
-use crate::trace::camera_ray;
+use place::ray_through;
 
 /// The colour of a pixel, by column and row from the top left: its mean over the pixel's own square.
 pub fn pixel<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
@@ -30,8 +31,9 @@ pub fn pixel<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
     }
 }
 
-/// One ray through the pixel's centre.
+/// One ray through the pixel's centre. What else a sample decides is random all the same.
 fn through_center<P: Probe>(scene: &Scene, [column, row]: [u32; 2], probe: &mut P) -> Color {
     let center = [f64::from(column) + 0.5, f64::from(row) + 0.5];
-    camera_ray(scene, |probe| scene.camera.ray(center, probe), probe)
+    let draws = Draws::of_pixel(scene.seed, [column, row], 0, Arrangement::Independent);
+    ray_through(scene, center, &draws, probe).color
 }

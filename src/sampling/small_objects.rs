@@ -2,7 +2,6 @@
 
 use crate::geometry::Bounds;
 use crate::scene::{Camera, Scene};
-use glam::DVec3;
 
 /// A rectangle of the picture in pixels: left, top, right, bottom.
 pub type Rectangle = [f64; 4];
@@ -50,11 +49,7 @@ impl SmallObject {
 
 /// The rectangle around a box in the picture; `None` where a part of it doesn't lie in front of the eye.
 fn projected(camera: &Camera, bounds: &Bounds) -> Option<Rectangle> {
-    let corner = |k: usize| {
-        let pick = |axis: usize| if k >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
-        camera.place_of(DVec3::new(pick(0), pick(1), pick(2)))
-    };
-    (0..8).map(corner).try_fold(
+    bounds.corners().map(|corner| camera.place_of(corner)).try_fold(
         [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY],
         |around, place| {
             let [left, top, right, bottom] = around;

@@ -2,14 +2,16 @@
 
 use super::file::mesh::Meshes;
 use super::file::schema as file;
+use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, Camera, Checker, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip,
-    Specular, Statistical, Tracing, Transfer, Weights,
+    Algorithm, AreaLight, Camera, Checker, Index, Lens, Light, LightKind, LightSurface, Material, Object, Output,
+    Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
+use crate::geometry::motion::{Motion, Turn};
 use crate::geometry::shape::{
-    Cone, Cuboid, Cylinder, Disk, Ellipsoid, Plane, Polygon, Sphere, SphereMethod, Triangle, TriangleMesh,
+    Cone, Cuboid, Cylinder, Disk, Ellipsoid, Moving, Plane, Polygon, Sphere, SphereMethod, Triangle, TriangleMesh,
 };
 use glam::DVec3;
 use std::collections::HashMap;
@@ -17,7 +19,6 @@ use std::sync::Arc;
 
 /// Makes a checked scene file and the meshes that it names ready to be traced.
 pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsupported> {
-    unsupported::refuse(unsupported::features(scene))?;
     let sphere_method = match scene.tracing.sphere_method {
         file::SphereMethod::Robust => SphereMethod::Robust,
         file::SphereMethod::Geometric => SphereMethod::Geometric,
@@ -31,7 +32,7 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         let material = object.material.as_ref().and_then(named).unwrap_or(default_material);
         Ok(Object {
             name: object.name.clone(),
-            shape: shape(&object.shape, sphere_method, index, &mut trees)?,
+            shape: moving(shape(&object.shape, sphere_method, index, &mut trees)?, object, index, scene.camera.shutter),
             one_sided: !scene.tracing.two_sided && !materials[material].lets_light_through(),
             material,
         })
@@ -40,10 +41,10 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
     Ok(Scene {
         name: scene.name.clone(),
         digest: digest(scene, meshes),
-        camera: camera(&scene.camera),
+        camera: camera(&scene.camera, scene.objects.iter().any(|object| object.motion.is_some())),
         ambient: scene.ambient.into(),
         background: scene.background.into(),
-        lights: scene.lights.iter().enumerate().map(light).collect::<Result<_, _>>()?,
+        lights: scene.lights.iter().map(light).collect(),
         index: Index::new(&objects),
         objects,
         materials,
@@ -82,26 +83,48 @@ impl Trees<'_> {
     }
 }
 
-fn camera(camera: &file::Camera) -> Camera {
+fn camera(camera: &file::Camera, moves: bool) -> Camera {
     let direction = DVec3::from(camera.direction());
     let resolution = camera.resolution;
     let mut built = Camera::new(camera.position.into(), direction, camera.up.into(), camera.vertical_fov, resolution);
-    built.shutter = camera.shutter;
+    built.shutter = moves.then_some(camera.shutter);
+    built.lens = camera.lens.map(|file::Lens { radius, focus_distance }| Lens { radius, focus_distance });
     built
 }
 
-fn light((index, light): (usize, &file::Light)) -> Result<Light, Unsupported> {
+fn light(light: &file::Light) -> Light {
     let kind = match light.kind {
         file::LightKind::Point(file::PointLight { position }) => LightKind::Point { position: position.into() },
         file::LightKind::Directional(file::DirectionalLight { direction }) => {
             let direction = DVec3::from(direction);
             LightKind::Directional { travel: direction / direction.length() }
         }
-        _ => return Err(unsupported::light(index, light).into()),
+        file::LightKind::Rectangle(file::RectangleLight { corner, edge_u, edge_v }) => {
+            area(LightSurface::rectangle(corner.into(), edge_u.into(), edge_v.into()), light)
+        }
+        file::LightKind::Disk(file::DiskLight { center, normal, radius }) => {
+            area(LightSurface::disk(center.into(), normal.into(), radius), light)
+        }
+        file::LightKind::Sphere(file::SphereLight { center, radius }) => {
+            area(LightSurface::Sphere { center: center.into(), radius }, light)
+        }
     };
-    let fades = matches!(kind, LightKind::Point { .. }) && light.attenuation != [1.0, 0.0, 0.0];
+    let fades = !matches!(kind, LightKind::Directional { .. }) && light.attenuation != [1.0, 0.0, 0.0];
     let attenuation = fades.then_some(light.attenuation);
-    Ok(Light { name: light.name.clone(), kind, color: light.color.into(), attenuation })
+    Light { name: light.name.clone(), kind, color: light.color.into(), attenuation }
+}
+
+fn area(surface: LightSurface, light: &file::Light) -> LightKind {
+    let profile = match light.profile {
+        file::Profile::CosinePower(power) if power > 0.0 => Some(CosineProfile::new(power)),
+        _ => None,
+    };
+    LightKind::Area(Box::new(AreaLight { surface, profile, samples: count(light.samples) }))
+}
+
+/// The limits of counts keep them far below 2³².
+fn count(n: u64) -> u32 {
+    u32::try_from(n).unwrap_or(u32::MAX)
 }
 
 fn material(material: &file::Material) -> Material {
@@ -118,12 +141,32 @@ fn material(material: &file::Material) -> Material {
             reflected: material.weights.reflected.rgb().into(),
             transmitted: material.weights.transmitted.rgb().into(),
         },
+        gloss_exponent: material.gloss_exponent,
+        translucency_exponent: material.translucency_exponent,
+        zones: next_square(count(material.samples)),
         pattern: material.pattern.map(|file::Pattern::Checker(checker)| Checker {
             a: checker.a.into(),
             b: checker.b.into(),
             size: checker.size,
         }),
     }
+}
+
+/// The shape with its motion, if it has one.
+fn moving(shape: Shape, object: &file::Object, index: usize, shutter: [f64; 2]) -> Shape {
+    let Some(motion) = &object.motion else { return shape };
+    let turn = motion
+        .rotation
+        .as_ref()
+        .map(|rotation| Turn::new(rotation.axis.into(), rotation.point.into(), rotation.degrees));
+    let motion = Motion { translation: motion.translation.into(), turn };
+    Shape::Moving(Box::new(Moving::new(shape, motion, index as u32, shutter)))
+}
+
+/// The next square number.
+fn next_square(n: u32) -> u32 {
+    let root = libm::sqrt(f64::from(n)) as u32;
+    if root * root < n { (root + 1) * (root + 1) } else { root * root }
 }
 
 fn shape(
@@ -176,9 +219,7 @@ fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
     }
 }
 
-/// The limits of counts keep them far below 2³².
 fn sampling(sampling: file::Sampling) -> Sampling {
-    let count = |n: u64| u32::try_from(n).unwrap_or(u32::MAX);
     match sampling {
         file::Sampling::None {} => Sampling::Center,
         file::Sampling::Regular { n } => Sampling::Regular { n: count(n) },

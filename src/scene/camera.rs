@@ -1,12 +1,14 @@
 //! The eye: which ray goes through which place of the picture.
 
+use super::lens::Lens;
 use crate::geometry::Ray;
 use crate::geometry::ray::middling;
 use crate::log::{Decision, Name};
 use crate::probe::Probe;
+use crate::random::{Dimension, Draws};
 use glam::DVec3;
 
-/// A pinhole camera with square pixels.
+/// A camera with square pixels: a pinhole, or a thin lens.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     position: DVec3,
@@ -21,8 +23,10 @@ pub struct Camera {
     pixel_side: f64,
     /// Pixels across and down.
     pub resolution: [u32; 2],
-    /// When the shutter opens and closes.
-    pub shutter: [f64; 2],
+    /// When the shutter opens and closes; `None` where nothing moves.
+    pub shutter: Option<[f64; 2]>,
+    /// The lens; `None` for a pinhole.
+    pub lens: Option<Lens>,
 }
 
 impl Camera {
@@ -40,7 +44,8 @@ impl Camera {
             up: unit(to_right.cross(direction)),
             pixel_side: 2.0 * half_height / f64::from(resolution[1]),
             resolution,
-            shutter: [0.0; 2],
+            shutter: None,
+            lens: None,
         }
     }
 
@@ -62,7 +67,33 @@ impl Camera {
         depth > 0.0 && away.dot(self.right).abs() <= half_width && away.dot(self.up).abs() <= half_height
     }
 
-    /// The ray through a place of the picture, in pixels from its top left corner.
+    /// The time at which the shutter opens: that of rays of which nobody knows a sample.
+    pub fn opening(&self) -> f64 {
+        self.shutter.map_or(0.0, |[open, _]| open)
+    }
+
+    /// The ray of a sample through a place of the picture, in pixels from its top left corner: from a point of the lens, at a time
+    /// while the shutter is open.
+    #[inline(always)]
+    pub fn sampled_ray<P: Probe>(&self, place: [f64; 2], draws: &Draws, probe: &mut P) -> Option<Ray> {
+        if self.lens.is_none() && self.shutter.is_none() {
+            return self.ray(place, probe);
+        }
+        self.distributed_ray(place, draws, probe)
+    }
+
+    // Kept out of the way of a pinhole before which nothing moves.
+    #[inline(never)]
+    fn distributed_ray<P: Probe>(&self, place: [f64; 2], draws: &Draws, probe: &mut P) -> Option<Ray> {
+        let ray = match &self.lens {
+            None => self.ray(place, probe)?,
+            Some(lens) => lens.ray(self, place, draws, probe)?,
+        };
+        let time = self.shutter.map_or(0.0, |shutter| time_within(shutter, draws, probe));
+        Some(Ray { time, ..ray })
+    }
+
+    /// The pinhole's ray through a place of the picture, in pixels from its top left corner.
     ///
     /// Through the centre it has the direction of view as given, normalised; others normalise
     /// G + |G|·(x·e_x + y·e_y), x and y measured in the plane at distance 1.
@@ -73,13 +104,20 @@ impl Camera {
             probe.given(Name::RayVector, self.direction);
             self.direction
         } else {
-            self.vector_through([column, row], middle, probe)
+            self.frame_through([column, row], probe).2
         };
         along(self.position, vector, probe)
     }
 
-    /// G + |G|·(x·e_x + y·e_y). What doesn't depend on the pixel was computed with the camera, by the same formulas.
-    fn vector_through<P: Probe>(&self, [column, row]: [f64; 2], middle: [f64; 2], probe: &mut P) -> DVec3 {
+    /// The eye, or the lens's centre.
+    pub(super) fn position(&self) -> DVec3 {
+        self.position
+    }
+    /// |G|, e_x and e_y, and D = G + |G|·(x·e_x + y·e_y). What doesn't depend on the pixel was computed with the camera, by the same
+    /// formulas.
+    #[inline(always)]
+    pub(super) fn frame_through<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> (f64, [DVec3; 2], DVec3) {
+        let middle = self.resolution.map(|side| f64::from(side) / 2.0);
         probe.given(Name::CameraDirection, self.direction);
         let length = probe.note(Name::CameraLength, self.length);
         probe.given(Name::CameraUpAsGiven, self.up_as_given);
@@ -92,7 +130,8 @@ impl Camera {
         probe.given(Name::PixelRow, row);
         probe.given(Name::PixelMiddleRow, middle[1]);
         let y = probe.note(Name::PixelY, (middle[1] - row) * self.pixel_side);
-        probe.note(Name::RayVector, self.direction + (right * x + up * y) * length)
+        let vector = probe.note(Name::RayVector, self.direction + (right * x + up * y) * length);
+        (length, [right, up], vector)
     }
 }
 
@@ -105,7 +144,7 @@ pub fn ray_along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Optio
 
 /// The ray from `origin` along `vector`, which is normalised (Ramos, section 1.3, step 1); `None` where an arithmetic of few
 /// digits makes nothing of its length.
-fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
+pub(super) fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
     let length = probe.note(Name::RayLength, vector.dot(vector).sqrt());
     if length == 0.0 {
         probe.mark(Decision::Undefined { quantity: Name::RayDirection });
@@ -116,6 +155,19 @@ fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
     // An arithmetic that goes on with another direction is to go on with that one only.
     let vector = if direction == unit { middling(vector) } else { direction };
     Some(Ray { vector, ..Ray::new(origin, direction) })
+}
+
+/// A time while the shutter is open.
+fn time_within<P: Probe>([open, close]: [f64; 2], draws: &Draws, probe: &mut P) -> f64 {
+    if open == close {
+        probe.given(Name::RayTime, open);
+        return open;
+    }
+    let part = draws.number(Dimension::Time);
+    probe.given(Name::ShutterOpen, open);
+    probe.given(Name::SampleTime, part);
+    probe.given(Name::ShutterClose, close);
+    probe.note(Name::RayTimeSampled, open + part * (close - open))
 }
 
 fn unit(vector: DVec3) -> DVec3 {

@@ -1,6 +1,6 @@
 //! Lights, and how a surface point sees them.
 
-use super::Color;
+use super::{AreaLight, Color};
 use crate::log::Name;
 use crate::probe::Probe;
 use glam::DVec3;
@@ -26,6 +26,8 @@ pub enum LightKind {
         /// The point.
         position: DVec3,
     },
+    /// On a surface.
+    Area(Box<AreaLight>),
     /// Infinitely far away.
     Directional {
         /// The unit direction in which its light travels.
@@ -42,14 +44,29 @@ pub struct Arrival {
     pub distance: f64,
 }
 
+impl Arrival {
+    /// A place as seen from a point; `None` if it is the same.
+    #[inline]
+    pub fn of<P: Probe>(position: DVec3, point: DVec3, probe: &mut P) -> Option<Arrival> {
+        let vector = probe.note(Name::LightVector, position - point);
+        let distance = probe.note(Name::LightDistance, vector.dot(vector).sqrt());
+        if distance == 0.0 {
+            return None;
+        }
+        let direction = probe.note(Name::LightDirection, vector / distance);
+        Some(Arrival { direction, distance })
+    }
+}
+
 impl Light {
     /// The inputs of the light, for the log.
     pub fn give<P: Probe>(&self, probe: &mut P) {
-        match self.kind {
-            LightKind::Point { position } => probe.given(Name::LightPosition, position),
-            LightKind::Directional { travel } => probe.given(Name::LightTravel, travel),
+        match &self.kind {
+            LightKind::Point { position } => probe.given(Name::LightPosition, *position),
+            LightKind::Area(area) => area.give(probe),
+            LightKind::Directional { travel } => probe.given(Name::LightTravel, *travel),
         }
-        probe.given(Name::LightColor, self.color);
+        probe.given(Name::LightColor, self.share());
         if let Some([constant, linear, quadratic]) = self.attenuation {
             probe.given(Name::LightConstant, constant);
             probe.given(Name::LightLinear, linear);
@@ -57,32 +74,33 @@ impl Light {
         }
     }
 
-    /// The light as seen from a point (Ramos, section 1.3, step 6); `None` from the very place where it is.
+    /// The intensity of one of its points: of an area light each point that is asked has an equal share.
+    pub fn share(&self) -> Color {
+        match &self.kind {
+            LightKind::Area(area) => self.color / f64::from(area.samples),
+            _ => self.color,
+        }
+    }
+
+    /// The light as seen from a point (Ramos, section 1.3, step 6), an area light's centre; `None` from the very place where it is.
     #[inline]
     pub fn seen_from<P: Probe>(&self, point: DVec3, probe: &mut P) -> Option<Arrival> {
-        match self.kind {
-            LightKind::Point { position } => {
-                let vector = probe.note(Name::LightVector, position - point);
-                let distance = probe.note(Name::LightDistance, vector.dot(vector).sqrt());
-                if distance == 0.0 {
-                    return None;
-                }
-                let direction = probe.note(Name::LightDirection, vector / distance);
-                Some(Arrival { direction, distance })
-            }
+        match &self.kind {
+            LightKind::Point { position } => Arrival::of(*position, point, probe),
+            LightKind::Area(area) => Arrival::of(area.surface.center(), point, probe),
             LightKind::Directional { travel } => {
-                let direction = probe.note(Name::LightDirectionFixed, -travel);
+                let direction = probe.note(Name::LightDirectionFixed, -*travel);
                 Some(Arrival { direction, distance: f64::INFINITY })
             }
         }
     }
 
-    /// The colour that arrives over this distance through empty space: the light's, scaled by
+    /// What arrives of this colour over this distance through empty space: all, scaled by
     /// min(1, 1/(c + l·dist + q·dist²)).
     #[inline]
-    pub fn faded<P: Probe>(&self, distance: f64, probe: &mut P) -> Color {
-        let Some([constant, linear, quadratic]) = self.attenuation else { return self.color };
+    pub fn faded<P: Probe>(&self, color: &Color, distance: f64, probe: &mut P) -> Color {
+        let Some([constant, linear, quadratic]) = self.attenuation else { return *color };
         let fading = 1.0 / (constant + linear * distance + quadratic * (distance * distance));
-        self.color * probe.note(Name::LightAttenuation, fading.min(1.0))
+        *color * probe.note(Name::LightAttenuation, fading.min(1.0))
     }
 }

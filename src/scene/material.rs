@@ -22,6 +22,12 @@ pub struct Material {
     pub ior: f64,
     /// The weights of the three contributions.
     pub weights: Weights,
+    /// The exponent of the lobe of a blurred reflection; `None` for a mirror.
+    pub gloss_exponent: Option<f64>,
+    /// The exponent of the lobe of a blurred transmission; `None` for clear glass.
+    pub translucency_exponent: Option<f64>,
+    /// How many zones a lobe has: a square number.
+    pub zones: u32,
     /// What multiplies `ambient` and `diffuse` from place to place.
     pub pattern: Option<Checker>,
 }

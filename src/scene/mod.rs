@@ -3,21 +3,27 @@
 //! Behind the door of [`mod@file`] there are indices and no surprises: names are resolved, vectors have a length, and numbers
 //! are finite.
 
+pub mod area_light;
 mod build;
 pub mod builtin;
 pub mod camera;
 pub mod file;
 pub mod generate;
 mod index;
+pub mod lens;
 pub mod light;
 pub mod material;
+pub mod profile;
 pub mod sampling;
+pub mod square;
 pub mod tracing;
 pub mod unsupported;
 
+pub use area_light::{AreaLight, LightSurface};
 pub use build::build;
 pub use camera::Camera;
 pub use index::Index;
+pub use lens::Lens;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Checker, Material, Weights};
 pub use sampling::{Sampling, Statistical};

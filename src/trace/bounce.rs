@@ -1,7 +1,8 @@
 //! The two bounces: the mirrored and the refracted ray (Ramos, section 1.2.2).
 
 use super::shade::give_ray;
-use super::{Media, Meeting, Path, radiance};
+use super::zones::{self, Lobe};
+use super::{Media, Meeting, Path, Via, radiance};
 use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
@@ -17,8 +18,14 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
         return Color::ZERO;
     }
     let direction = mirror(meeting.ray.direction, meeting.surface.normal, probe);
-    let ray = leaving_ray(meeting, direction, meeting.leaving_here());
-    let color = follow(scene, meeting, RayKind::Reflected, &ray, weight, meeting.path.media, probe);
+    // Made where it is used, so that a sharp bounce isn't put in memory.
+    let bounce =
+        || Bounce { kind: RayKind::Reflected, leaving: meeting.leaving_here(), weight, media: meeting.path.media };
+    if let Some(exponent) = material.gloss_exponent {
+        let lobe = Lobe { what: Skippable::Reflected, middle: direction, exponent };
+        return zones::mean(scene, meeting, &lobe, &bounce(), probe);
+    }
+    let color = bounce().follow(scene, meeting, direction, 0, probe);
     unless_it_leaks(color, meeting.leaks(direction, true), Skippable::Reflected, probe)
 }
 
@@ -34,8 +41,12 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
     let Some(direction) = refract(meeting.ray, meeting.surface.normal, inside.ior(), beyond.ior(), probe) else {
         return Color::ZERO;
     };
-    let ray = leaving_ray(meeting, direction, meeting.leaving_beyond());
-    let color = follow(scene, meeting, RayKind::Transmitted, &ray, weight, &beyond, probe);
+    let bounce = || Bounce { kind: RayKind::Transmitted, leaving: meeting.leaving_beyond(), weight, media: &beyond };
+    if let Some(exponent) = material.translucency_exponent {
+        let lobe = Lobe { what: Skippable::Transmitted, middle: direction, exponent };
+        return zones::mean(scene, meeting, &lobe, &bounce(), probe);
+    }
+    let color = bounce().follow(scene, meeting, direction, 0, probe);
     unless_it_leaks(color, meeting.leaks(direction, false), Skippable::Transmitted, probe)
 }
 
@@ -147,22 +158,33 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weig
     true
 }
 
-fn leaving_ray(meeting: &Meeting, direction: DVec3, leaving: Leaving) -> Ray {
-    Ray { leaving: Some(leaving), ..Ray::new(meeting.surface.point, direction) }
+/// A bounce, whatever its direction.
+pub(super) struct Bounce<'a> {
+    pub kind: RayKind,
+    pub leaving: Leaving,
+    pub weight: Color,
+    /// The media that the ray will be inside.
+    pub media: &'a Media,
 }
 
-/// The colour that a ray one level deeper brings.
-fn follow<P: Probe>(
-    scene: &Scene,
-    meeting: &Meeting,
-    kind: RayKind,
-    ray: &Ray,
-    weight: Color,
-    media: &Media,
-    probe: &mut P,
-) -> Color {
-    let level = meeting.path.level + 1;
-    let path = Path { level, media, weight: meeting.path.weight * weight };
-    give_ray(ray, probe);
-    probe.within(Step::Ray { kind, depth: level }, |probe| radiance(scene, ray, &path, probe))
+impl Bounce<'_> {
+    /// The colour that the ray in this direction, one level deeper, brings; of several the one with this number from 1.
+    // Each kind of bounce is followed at one or two places.
+    #[inline(always)]
+    pub fn follow<P: Probe>(
+        &self,
+        scene: &Scene,
+        meeting: &Meeting,
+        direction: DVec3,
+        split: u32,
+        probe: &mut P,
+    ) -> Color {
+        let (level, weight) = (meeting.path.level + 1, meeting.path.weight * self.weight);
+        let via = Via { path: meeting.path, is_transmitted: self.kind == RayKind::Transmitted, split };
+        let path = Path { level, media: self.media, weight, draws: meeting.path.draws, via: Some(via) };
+        let ray =
+            Ray { leaving: Some(self.leaving), time: meeting.ray.time, ..Ray::new(meeting.surface.point, direction) };
+        give_ray(&ray, probe);
+        probe.within(Step::Ray { kind: self.kind, depth: level, split }, |probe| radiance(scene, &ray, &path, probe))
+    }
 }

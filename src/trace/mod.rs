@@ -3,11 +3,13 @@
 //! This is the only tracer there is. What sees its values, and in which arithmetic they go on, is the probe's business.
 
 mod bounce;
+mod light_points;
 mod media;
 mod pattern;
 pub mod query;
 mod shade;
 mod visibility;
+mod zones;
 
 pub(crate) use bounce::{refract, transmitted_cosine};
 pub use media::Media;
@@ -18,6 +20,7 @@ pub use visibility::{Hit, closest_hit, is_any_hit, transmittance};
 use crate::geometry::{Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
+use crate::random::{Arrangement, Draws, Route};
 use crate::scene::{Color, Material, Scene, Weights};
 use glam::DVec3;
 
@@ -30,6 +33,38 @@ pub struct Path<'a> {
     pub media: &'a Media,
     /// The product of the weights so far.
     pub weight: Color,
+    /// The random numbers of the sample.
+    pub draws: &'a Draws,
+    /// The bounce that the ray came by; `None` for the camera's.
+    pub via: Option<Via<'a>>,
+}
+
+/// The last bounce of a path.
+#[derive(Clone, Copy, Debug)]
+pub struct Via<'a> {
+    /// The path up to there.
+    pub path: &'a Path<'a>,
+    /// Whether the ray was transmitted; else it was reflected.
+    pub is_transmitted: bool,
+    /// Its number, from 1, among several; 0 if it is alone.
+    pub split: u32,
+}
+
+impl<'a> Path<'a> {
+    /// The path of a camera ray.
+    pub fn of_camera(media: &'a Media, draws: &'a Draws) -> Path<'a> {
+        Path { level: 0, media, weight: Color::ONE, draws, via: None }
+    }
+
+    /// The way from the eye, which names the random decisions at the ray's end. Reckoned where it is asked for, so that rays which
+    /// decide nothing at random don't pay for it.
+    pub fn route(&self) -> Route {
+        match &self.via {
+            None => Route::CAMERA,
+            Some(Via { path, is_transmitted: true, split }) => path.route().transmitted(*split),
+            Some(Via { path, is_transmitted: false, split }) => path.route().reflected(*split),
+        }
+    }
 }
 
 /// Where a ray has met a surface, and how it came there.
@@ -52,17 +87,20 @@ pub struct Seen {
 }
 
 /// The colour that a camera ray brings; the background's if it has no direction.
+///
+/// The ray belongs to no pixel: its random numbers are those of a place that no picture has.
 pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Color {
-    see(scene, aim, probe).color
+    let draws = Draws::of_pixel(scene.seed, [u32::MAX; 2], 0, Arrangement::Independent);
+    see(scene, &draws, aim, probe).color
 }
 
-/// What a camera ray sees; the background if it has no direction.
-pub fn see<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Seen {
-    probe.within(Step::Ray { kind: RayKind::Camera, depth: 0 }, |probe| {
+/// What a camera ray of a sample with these random numbers sees; the background if it has no direction.
+pub fn see<P: Probe>(scene: &Scene, draws: &Draws, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Seen {
+    probe.within(Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 }, |probe| {
         let Some(ray) = aim(probe) else { return Seen { color: scene.background, object: None } };
         let hit = closest_hit(scene, &ray, probe);
         let outside = Media::default();
-        let path = Path { level: 0, media: &outside, weight: Color::ONE };
+        let path = Path::of_camera(&outside, draws);
         Seen { color: incoming(scene, &ray, hit, &path, probe), object: hit.map(|hit| hit.object) }
     })
 }

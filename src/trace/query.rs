@@ -1,4 +1,4 @@
-//! Single ray queries: what a ray meets, without any shading.
+//! Single ray queries: what a ray meets, without any shading, at the time when the shutter opens.
 
 use super::visibility::{closest_hit, is_any_hit};
 use crate::geometry::ray::unit;
@@ -97,6 +97,7 @@ impl Query {
         let (t_min, t_max) = (self.t_min * length, self.t_max * length);
         let t_min = t_min - t_min.abs() * MARGIN;
         let t_max = if t_max.is_finite() { t_max + t_max.abs() * MARGIN } else { t_max };
-        (Ray { vector, leaving, t_min, t_max, ..Ray::new(self.origin, direction) }, length)
+        let time = scene.camera.opening();
+        (Ray { vector, leaving, t_min, t_max, time, ..Ray::new(self.origin, direction) }, length)
     }
 }

@@ -1,11 +1,11 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
 use super::bounce::unless_it_leaks;
-use super::{Meeting, pattern, transmittance};
+use super::{Meeting, light_points, pattern, transmittance};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
 use crate::probe::Probe;
-use crate::scene::{Arrival, Color, Light, Material, Scene, Specular};
+use crate::scene::{Arrival, Color, Light, LightKind, Material, Scene, Specular};
 use glam::DVec3;
 
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
@@ -34,25 +34,45 @@ pub(super) fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe:
     let view = probe.note(Name::ViewDirection, -meeting.ray.direction);
     let mut sum = ambient;
     for (number, light) in (0..).zip(&scene.lights) {
+        if let LightKind::Area(area) = &light.kind {
+            sum = light_points::add(scene, meeting, view, (number, light, area), sum, probe);
+            continue;
+        }
         light.give(probe);
-        sum +=
-            probe.within(Step::Light { light: number }, |probe| from_light(scene, meeting, view, number, light, probe));
+        sum += probe.within(Step::Light { light: number, split: 0 }, |probe| {
+            let arrival = light.seen_from(meeting.surface.point, probe);
+            let source = Source { light, number, split: 0, color: &light.color };
+            from_light(scene, meeting, view, &source, arrival, probe)
+        });
     }
     probe.note(local_name(scene, material), sum)
 }
 
-/// What one light adds.
-fn from_light<P: Probe>(
+/// A light, or a point of one.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'a> {
+    pub light: &'a Light,
+    /// The light's number.
+    pub number: u32,
+    /// Of several points of an area light, the number from 1; 0 if there is one.
+    pub split: u32,
+    /// Its intensity, I_i.
+    pub color: &'a Color,
+}
+
+/// What a light adds that is seen so; nothing if it stands at the surface point.
+#[inline]
+pub(super) fn from_light<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
     view: DVec3,
-    number: u32,
-    light: &Light,
+    source: &Source,
+    arrival: Option<Arrival>,
     probe: &mut P,
 ) -> Color {
     let material = meeting.material;
     let normal = meeting.surface.normal;
-    let Some(arrival) = light.seen_from(meeting.surface.point, probe) else { return Color::ZERO };
+    let Some(arrival) = arrival else { return Color::ZERO };
     let n_dot_l = probe.note(Name::ShadeNDotL, normal.dot(arrival.direction));
 
     let is_in_front = n_dot_l > 0.0;
@@ -67,11 +87,13 @@ fn from_light<P: Probe>(
         return Color::ZERO;
     }
     let leaks = meeting.leaks(arrival.direction, is_in_front);
-    let passed = shadow_ray(scene, meeting, number, arrival, leaving, leaks, probe);
+    let step =
+        Step::Ray { kind: RayKind::Shadow { light: source.number }, depth: meeting.path.level, split: source.split };
+    let passed = shadow_ray(scene, meeting, step, arrival, leaving, leaks, probe);
     if passed == Color::ZERO {
         return Color::ZERO;
     }
-    let arriving = light.faded(arrival.distance, probe) * passed;
+    let arriving = source.light.faded(source.color, arrival.distance, probe) * passed;
     let reflectance = if is_in_front {
         material.diffuse * cosine(n_dot_l) + specular(scene, material, normal, view, arrival.direction, n_dot_l, probe)
     } else {
@@ -85,16 +107,16 @@ fn from_light<P: Probe>(
 fn shadow_ray<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
-    light: u32,
+    step: Step,
     arrival: Arrival,
     leaving: Leaving,
     leaks: bool,
     probe: &mut P,
 ) -> Color {
-    let ray = Ray { leaving: Some(leaving), ..segment_to_light(meeting.surface.point, &arrival) };
+    let time = meeting.ray.time;
+    let ray = Ray { leaving: Some(leaving), time, ..segment_to_light(meeting.surface.point, &arrival) };
     give_ray(&ray, probe);
-    let kind = RayKind::Shadow { light };
-    let passed = probe.within(Step::Ray { kind, depth: meeting.path.level }, |probe| transmittance(scene, &ray, probe));
+    let passed = probe.within(step, |probe| transmittance(scene, &ray, probe));
     let passed = unless_it_leaks(passed, leaks, Skippable::Shadow, probe);
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
 }

@@ -79,7 +79,11 @@ impl Facts {
         let outer = &mut self.nodes[parent];
         match (tree.nodes()[parent].step, tree.nodes()[node].step) {
             (Some(Step::Ray { .. }), Some(Step::Combine)) => outer.value = inner.value,
-            (Some(Step::Sample { .. }), Some(Step::Ray { .. })) => outer.value = inner.value,
+            (Some(Step::Sample { .. } | Step::Zone { .. }), Some(Step::Ray { .. })) => outer.value = inner.value,
+            (Some(Step::Motion { .. }), Some(Step::Test { .. })) => {
+                outer.value = inner.value;
+                outer.outcome = inner.outcome;
+            }
             (Some(Step::Light { .. }), Some(Step::Ray { kind: RayKind::Shadow { .. }, .. })) => {
                 outer.outcome = inner.outcome;
             }

@@ -43,6 +43,9 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
         transmission_exponent: 1.0,
         ior: 1.0,
         weights: Weights { local: DVec3::ONE, reflected: DVec3::ZERO, transmitted: DVec3::ZERO },
+        gloss_exponent: None,
+        translucency_exponent: None,
+        zones: 1,
         pattern: None,
     };
     let mirror = Material { weights: weights([1.0, 0.4, 0.0]), ..plain.clone() };
@@ -99,6 +102,9 @@ pub fn straight_through(options: Options) -> Scene {
         transmission_exponent: 3.0,
         ior: 1.0,
         weights: weights([1.0, 0.0, 0.0]),
+        gloss_exponent: None,
+        translucency_exponent: None,
+        zones: 1,
         pattern: None,
     };
     indexed(Scene {

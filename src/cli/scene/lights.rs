@@ -31,8 +31,9 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
 
 /// Whether a light has a place and the camera can't see it.
 fn stands_outside(scene: &Scene, light: &Light) -> bool {
-    match light.kind {
-        LightKind::Point { position } => !scene.camera.sees(position),
+    match &light.kind {
+        LightKind::Point { position } => !scene.camera.sees(*position),
+        LightKind::Area(area) => !scene.camera.sees(area.surface.center()),
         LightKind::Directional { .. } => false,
     }
 }

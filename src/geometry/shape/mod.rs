@@ -10,6 +10,7 @@ mod ellipsoid;
 mod fan;
 mod flat;
 mod mesh;
+mod moving;
 mod plane;
 pub(in crate::geometry) mod polygon;
 mod roots;
@@ -22,6 +23,7 @@ pub use cylinder::Cylinder;
 pub use disk::Disk;
 pub use ellipsoid::Ellipsoid;
 pub use mesh::TriangleMesh;
+pub use moving::Moving;
 pub use plane::Plane;
 pub use polygon::Polygon;
 pub use sphere::{Sphere, SphereMethod};
@@ -59,13 +61,16 @@ pub enum Shape {
     Disk(Disk),
     /// A mesh of triangles, which has a test for each. Several objects may share it.
     Mesh(Arc<TriangleMesh>),
+    /// One of these that moves.
+    Moving(Box<Moving>),
 }
 
-/// Calls a method of the kernel behind a shape, or of a mesh, which is many.
+/// Calls a method of the kernel behind a shape, or of a mesh, which is many, or of a moving shape.
 macro_rules! kernel {
     ($shape:expr, $kernel:ident => $call:expr, $mesh:ident => $mesh_call:expr) => {
         match $shape {
             Shape::Mesh($mesh) => $mesh_call,
+            Shape::Moving($mesh) => $mesh_call,
             Shape::Plane($kernel) => $call,
             Shape::Sphere($kernel) => $call,
             Shape::Ellipsoid($kernel) => $call,
@@ -171,6 +176,7 @@ impl Shape {
     pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> bool {
         match self {
             Shape::Mesh(mesh) => mesh.is_crossed(object, one_sided, ray, probe),
+            Shape::Moving(moving) => moving.is_crossed(object, one_sided, ray, probe),
             _ => self.first_crossing(object, one_sided, ray, probe).is_some(),
         }
     }
@@ -200,12 +206,23 @@ impl Shape {
 
     /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
     pub(crate) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
-        kernel!(self, kernel => kernel.refined(ray, crossing), mesh => mesh.refined(ray, crossing))
+        match self {
+            Shape::Moving(moving) => moving.refined(ray, crossing),
+            _ => kernel!(self, kernel => kernel.refined(ray, crossing), mesh => mesh.refined(ray, crossing)),
+        }
+    }
+
+    /// The shape itself, where it is at time 0.
+    pub fn at_rest(&self) -> &Shape {
+        match self {
+            Shape::Moving(moving) => moving.shape(),
+            _ => self,
+        }
     }
 
     /// Whether this part of the surface (see [`Crossing::primitive`]) is flat.
     pub fn is_flat(&self, primitive: u32) -> bool {
-        match self {
+        match self.at_rest() {
             Shape::Sphere(_) | Shape::Ellipsoid(_) => false,
             Shape::Cylinder(_) | Shape::Cone(_) => primitive != axis::LATERAL,
             Shape::Plane(_)
@@ -213,13 +230,14 @@ impl Shape {
             | Shape::Polygon(_)
             | Shape::Cuboid(_)
             | Shape::Disk(_)
-            | Shape::Mesh(_) => true,
+            | Shape::Mesh(_)
+            | Shape::Moving(_) => true,
         }
     }
 
     /// How many triangles the file of a mesh has; `None` for another shape.
     pub fn triangle_count(&self) -> Option<usize> {
-        match self {
+        match self.at_rest() {
             Shape::Mesh(mesh) => Some(mesh.mesh().faces.len()),
             _ => None,
         }
@@ -227,7 +245,7 @@ impl Shape {
 
     /// Whether hits tell which triangle of a file was met.
     pub fn is_mesh(&self) -> bool {
-        matches!(self, Shape::Mesh(_))
+        matches!(self.at_rest(), Shape::Mesh(_))
     }
 
     /// A box around the shape; `None` for one without end.
@@ -238,7 +256,7 @@ impl Shape {
     /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
     /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
     pub fn returning_side(&self) -> Side {
-        let can_return = kernel!(self, kernel => kernel.can_be_met_again(Side::Front), _mesh => false);
+        let can_return = kernel!(self.at_rest(), kernel => kernel.can_be_met_again(Side::Front), _mesh => false);
         if can_return { Side::Front } else { Side::Back }
     }
 }

@@ -49,11 +49,35 @@ pub(super) struct End {
 #[serde(rename_all = "snake_case")]
 pub(super) enum Enter {
     Pixel([u32; 2]),
-    Sample { number: u32 },
-    Ray { kind: String, depth: u32, light: Option<String> },
-    Test { object: String, triangle: Option<u32> },
-    Shade { object: String },
-    Light { light: String },
+    Sample {
+        number: u32,
+    },
+    Ray {
+        kind: String,
+        depth: u32,
+        light: Option<String>,
+        #[serde(default)]
+        split: u32,
+    },
+    Motion {
+        object: String,
+    },
+    Zone {
+        what: String,
+        number: u32,
+    },
+    Test {
+        object: String,
+        triangle: Option<u32>,
+    },
+    Shade {
+        object: String,
+    },
+    Light {
+        light: String,
+        #[serde(default)]
+        split: u32,
+    },
     Combine {},
 }
 
@@ -72,6 +96,7 @@ pub(super) enum Mark {
     TotalInternalReflection {},
     DepthLimit { what: String },
     LeakGuard { what: String },
+    Rejected { what: String },
     Skipped { what: String, why: String },
     Subdivided { cell: [f64; 3], why: String, object: Option<String> },
     Accepted { cell: Option<[f64; 3]>, why: String },

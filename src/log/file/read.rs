@@ -234,7 +234,7 @@ impl Reader {
         Ok(match enter {
             Enter::Pixel(pixel) => Step::Pixel(pixel),
             Enter::Sample { number } => Step::Sample { number },
-            Enter::Ray { kind, depth, light } => {
+            Enter::Ray { kind, depth, light, split } => {
                 let kind = match (kind.as_str(), light) {
                     ("camera", _) => RayKind::Camera,
                     ("reflected", _) => RayKind::Reflected,
@@ -242,17 +242,18 @@ impl Reader {
                     ("shadow", Some(light)) => RayKind::Shadow { light: self.light(&light)? },
                     (other, _) => return Err(format!("unknown kind of ray `{other}`")),
                 };
-                Step::Ray { kind, depth }
+                Step::Ray { kind, depth, split }
             }
             Enter::Test { object, triangle } => Step::Test { object: self.object(&object)?, triangle },
             Enter::Shade { object } => Step::Shade { object: self.object(&object)? },
-            Enter::Light { light } => Step::Light { light: self.light(&light)? },
+            Enter::Light { light, split } => Step::Light { light: self.light(&light)?, split },
+            Enter::Motion { object } => Step::Motion { object: self.object(&object)? },
+            Enter::Zone { what, number } => Step::Zone { what: skippable(&what)?, number },
             Enter::Combine {} => Step::Combine,
         })
     }
 
     fn decision(&self, mark: Mark) -> Result<Decision, String> {
-        let skippable = |word: &str| Skippable::find(word).ok_or_else(|| format!("unknown work `{word}`"));
         Ok(match mark {
             Mark::Hit {} => Decision::Hit,
             Mark::Miss { why } => {
@@ -271,6 +272,7 @@ impl Reader {
             Mark::TotalInternalReflection {} => Decision::TotalInternalReflection,
             Mark::DepthLimit { what } => Decision::DepthLimit { what: skippable(&what)? },
             Mark::LeakGuard { what } => Decision::LeakGuard { what: skippable(&what)? },
+            Mark::Rejected { what } => Decision::Rejected { what: skippable(&what)? },
             Mark::Skipped { what, why } => Decision::Skipped {
                 what: skippable(&what)?,
                 why: SkipReason::find(&why).ok_or_else(|| format!("unknown rule `{why}`"))?,
@@ -295,4 +297,8 @@ impl Reader {
     fn light(&self, name: &str) -> Result<u32, String> {
         self.lights.get(name).copied().ok_or_else(|| format!("light `{name}` isn't in the header"))
     }
+}
+
+fn skippable(word: &str) -> Result<Skippable, String> {
+    Skippable::find(word).ok_or_else(|| format!("unknown work `{word}`"))
 }

@@ -170,12 +170,13 @@ fn enter(out: &mut Vec<u8>, header: &Header, step: Step) {
     match step {
         Step::Pixel([x, y]) => text(out, &format!("{{\"pixel\":[{x},{y}]}}")),
         Step::Sample { number } => text(out, &format!("{{\"sample\":{{\"number\":{number}}}}}")),
-        Step::Ray { kind, depth } => {
+        Step::Ray { kind, depth, split } => {
             text(out, &format!("{{\"ray\":{{\"kind\":\"{}\",\"depth\":{depth}", kind.word()));
             if let RayKind::Shadow { light } = kind {
                 text(out, ",\"light\":");
                 string(out, header.light(light));
             }
+            self::split(out, split);
             text(out, "}}");
         }
         Step::Test { object, triangle } => {
@@ -191,12 +192,28 @@ fn enter(out: &mut Vec<u8>, header: &Header, step: Step) {
             string(out, header.object(object));
             text(out, "}}");
         }
-        Step::Light { light } => {
+        Step::Light { light, split } => {
             text(out, "{\"light\":{\"light\":");
             string(out, header.light(light));
+            self::split(out, split);
             text(out, "}}");
         }
+        Step::Motion { object } => {
+            text(out, "{\"motion\":{\"object\":");
+            string(out, header.object(object));
+            text(out, "}}");
+        }
+        Step::Zone { what, number } => {
+            text(out, &format!("{{\"zone\":{{\"what\":\"{}\",\"number\":{number}}}}}", what.word()));
+        }
         Step::Combine => text(out, "{\"combine\":{}}"),
+    }
+}
+
+/// The number of one of several; nothing for what is alone.
+fn split(out: &mut Vec<u8>, split: u32) {
+    if split > 0 {
+        text(out, &format!(",\"split\":{split}"));
     }
 }
 
@@ -239,6 +256,7 @@ fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
         Decision::TotalInternalReflection => text(out, "total_internal_reflection\":{"),
         Decision::DepthLimit { what } => text(out, &format!("depth_limit\":{{\"what\":\"{}\"", what.word())),
         Decision::LeakGuard { what } => text(out, &format!("leak_guard\":{{\"what\":\"{}\"", what.word())),
+        Decision::Rejected { what } => text(out, &format!("rejected\":{{\"what\":\"{}\"", what.word())),
         Decision::Skipped { what, why } => {
             text(out, &format!("skipped\":{{\"what\":\"{}\",\"why\":\"{}\"", what.word(), why.word()));
         }

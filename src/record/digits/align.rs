@@ -39,7 +39,7 @@ impl<'e> Run<'e> {
     }
 
     fn is_test(&self, node: usize) -> bool {
-        matches!(self.step(node), Some(Step::Test { .. }))
+        matches!(self.step(node), Some(Step::Test { .. } | Step::Motion { .. }))
     }
 
     /// What a node holds, in order, beside intersection tests.

@@ -5,6 +5,7 @@ use super::stage::{self, Watch};
 use crate::geometry::{Ray, Side, Surface};
 use crate::log::Name;
 use crate::probe::Silent;
+use crate::random::{Arrangement, Draws};
 use crate::sampling::mean::Sum;
 use crate::scene::{Color, Light, LightKind, Scene, Specular};
 use crate::trace::{
@@ -169,13 +170,14 @@ pub(super) fn local(case: &Map<String, Value>) -> Result<Value, String> {
 
 fn local_parts(scene: &Scene, normal: Triple, view: Triple, media: &Media) -> Color {
     let ray = Ray::new(DVec3::from(view), -DVec3::from(view));
+    let draws = Draws::of_pixel(0, [0; 2], 0, Arrangement::Independent);
     let meeting = Meeting {
         object: 0,
         primitive: 0,
         ray: &ray,
         surface: Surface::plain(DVec3::ZERO, normal.into(), Side::Front),
         material: &scene.materials[0],
-        path: &Path { level: 0, media, weight: Color::ONE },
+        path: &Path::of_camera(media, &draws),
     };
     local_intensity(scene, &meeting, &mut Silent)
 }

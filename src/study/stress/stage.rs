@@ -102,6 +102,9 @@ pub(super) fn sphere(center: [f64; 3], radius: f64) -> Shape {
 /// A material as the scene has it.
 pub(super) fn material(input: &MaterialInput) -> Material {
     Material {
+        gloss_exponent: None,
+        translucency_exponent: None,
+        zones: 1,
         pattern: None,
         ambient: input.ka.into(),
         diffuse: input.kd.into(),

@@ -133,7 +133,8 @@ fn decision_pieces(model: &Model, decision: &Decision, theme: &Theme) -> Vec<Pie
         Decision::Occluded { .. }
         | Decision::DepthLimit { .. }
         | Decision::TotalInternalReflection
-        | Decision::LeakGuard { .. } => (glyphs.blocked, Role::Blocked),
+        | Decision::LeakGuard { .. }
+        | Decision::Rejected { .. } => (glyphs.blocked, Role::Blocked),
         Decision::Attenuated { .. } => (glyphs.shade, Role::Light),
         _ => (glyphs.leaf, Role::Text),
     };

@@ -96,6 +96,7 @@ fn decided(model: &Model, decision: Option<Decision>, theme: &Theme) -> Option<P
         Decision::Occluded { object: blocker } => {
             (glyphs.blocked, format!("blocked by {}", object(blocker)), Role::Blocked)
         }
+        Decision::Rejected { .. } => (glyphs.blocked, "rejected".to_owned(), Role::Blocked),
         Decision::Attenuated { object: filter, .. } => {
             (glyphs.shade, format!("weakened by {}", object(filter)), Role::Light)
         }

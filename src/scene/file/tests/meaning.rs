@@ -234,6 +234,13 @@ fn meshes() {
 fn motions() {
     let sphere = r#"{"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "motion": {"rotation": {"axis": [0, 0, 0], "point": [0, 0, 0], "degrees": 1}}}"#;
     refuses_value(scene_of(sphere), "objects[0].motion.rotation.axis: must not be the zero vector, found [0, 0, 0]");
+    let sphere =
+        r#"{"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "motion": {"translation": [0, 3e60, 0]}}"#;
+    let late = scene_of(sphere).replacen("\"camera\": {", "\"camera\": {\"shutter\": [-1e50, 0], ", 1);
+    refuses_value(
+        late,
+        "objects[0].motion.translation: must lead at most 1e100 away while the shutter is open, found 3e110",
+    );
 }
 
 #[test]

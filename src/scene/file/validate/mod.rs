@@ -99,6 +99,8 @@ fn objects(mut check: Checker<'_>, scene: &SceneFile) {
     if scene.objects.is_empty() {
         check.warning("no objects: only the background will be seen".to_string());
     }
+    let last = scene.frames.map_or(0.0, |frames| frames.duration);
+    let times: Vec<_> = scene.camera.shutter.into_iter().flat_map(|time| [time, time + last]).collect();
     let mut names = HashSet::new();
     for (index, object) in scene.objects.iter().enumerate() {
         let mut check = check.at(index);
@@ -108,7 +110,7 @@ fn objects(mut check: Checker<'_>, scene: &SceneFile) {
             material::reference(check.at("material"), name, &scene.materials);
         }
         if let Some(motion) = &object.motion {
-            shape::motion(check.at("motion"), motion);
+            shape::motion(check.at("motion"), motion, &times);
         }
     }
 }

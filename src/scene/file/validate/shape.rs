@@ -4,6 +4,7 @@ use crate::scene::file::mesh_path::check_as_written;
 use crate::scene::file::schema::{AxisBox, Cone, Ellipsoid, Motion, Polygon, Shape, Triangle, Vec3};
 
 use super::checker::{Checker, number, triple};
+use super::limits::MAX_COORDINATE;
 use super::vector::{dot, has_area, is_proper_rotation, length, minus, over, size, twice_area};
 
 /// How exactly the rows of a rotation must be orthonormal.
@@ -47,9 +48,14 @@ pub fn shape(mut check: Checker<'_>, shape: &Shape) {
     }
 }
 
-/// Checks a motion.
-pub fn motion(mut check: Checker<'_>, motion: &Motion) {
+/// Checks a motion; at all of these times the object must be within reach of the numbers.
+pub fn motion(mut check: Checker<'_>, motion: &Motion, times: &[f64]) {
     check.point("translation", motion.translation);
+    let farthest = times.iter().map(|time| size(motion.translation) * time.abs()).fold(0.0, f64::max);
+    if size(motion.translation) <= MAX_COORDINATE && farthest > MAX_COORDINATE {
+        let message = format!("must lead at most 1e100 away while the shutter is open, found {}", number(farthest));
+        check.at("translation").error(message);
+    }
     if let Some(rotation) = &motion.rotation {
         let mut check = check.at("rotation");
         check.direction("axis", rotation.axis);

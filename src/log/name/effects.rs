@@ -1,0 +1,95 @@
+//! The rows of distributed effects (Ramos, section 1.5): lens, shutter, motion, area lights, blurred bounces.
+
+/// Calls the macro of the table with the rows that it is given and those of this file.
+macro_rules! with_effects {
+    ($table:ident! { $($rows:tt)* }) => {
+        $table! {
+            $($rows)*
+
+            // The lens. The eye is its centre; (x_D, y_D) is a point of the unit disc, to which the unit square is bent.
+            CameraPosition: "camera.position", "", "O_e", "", "1.5";
+            LensRadius: "lens.radius", "", "r_l", "", "1.5";
+            LensFocusDistance: "lens.focus_distance", "", "f_l", "", "1.5";
+            LensFocus: "lens.focus", "", "Q_l", "O_e + D·(f_l/|G|)", "1.5";
+            DiscX: "disc.x", "", "x_D", "", "1.5";
+            DiscY: "disc.y", "", "y_D", "", "1.5";
+            RayOriginLens: "ray.origin", "lens", "O", "O_e + (e_x·x_D + e_y·y_D)·r_l", "1.5";
+            RayVectorLens: "ray.vector", "lens", "D", "Q_l − O", "1.5";
+
+            // The time of a ray.
+            ShutterOpen: "shutter.open", "", "t_open", "", "1.5";
+            ShutterClose: "shutter.close", "", "t_close", "", "1.5";
+            SampleTime: "sample.time", "", "ξ_t", "", "1.5";
+            RayTime: "ray.time", "", "t_now", "", "1.5";
+            RayTimeSampled: "ray.time", "sampled", "t_now", "t_open + ξ_t·(t_close − t_open)", "1.5";
+
+            // A moving object. The ray is carried into the object's own frame, where it is at time 0, and the hit back: by the
+            // shift s_M, and by the turn φ_M (degrees) about the unit axis a_M through p_M (Rodrigues' formula).
+            MotionTranslation: "motion.translation", "", "v_M", "", "1.5";
+            MotionShift: "motion.shift", "", "s_M", "v_M·t_now", "1.5";
+            MotionAxis: "motion.axis", "", "a_M", "", "1.5";
+            MotionPoint: "motion.point", "", "p_M", "", "1.5";
+            MotionDegrees: "motion.degrees", "", "ω_M", "", "1.5";
+            MotionAngle: "motion.angle", "", "φ_M", "ω_M·t_now", "1.5";
+            MotionCos: "motion.cos", "", "cosφ_M", "", "1.5";
+            MotionSin: "motion.sin", "", "sinφ_M", "", "1.5";
+            MotionArm: "motion.arm", "", "b_M", "O − s_M − p_M", "1.5";
+            MotionArmHit: "motion.arm", "hit", "b_M", "P_M − p_M", "1.5";
+            MotionArmPattern: "motion.arm", "pattern", "b_M", "P − s_M − p_M", "1.5";
+            MotionHitPoint: "motion.hit_point", "", "P_M", "", "1.5";
+            MotionHitNormal: "motion.hit_normal", "", "N_M", "", "1.5";
+            MotionGeometricNormal: "motion.geometric_normal", "", "G_M", "", "1.5";
+            RayOriginShifted: "ray.origin", "shifted_back", "O", "O − s_M", "1.5";
+            RayOriginTurned: "ray.origin", "turned_back", "O",
+                "b_M·cosφ_M − (a_M × b_M)·sinφ_M + a_M·((a_M · b_M)·(1 − cosφ_M)) + p_M", "1.5";
+            RayDirectionTurned: "ray.direction", "turned_back", "d",
+                "d·cosφ_M − (a_M × d)·sinφ_M + a_M·((a_M · d)·(1 − cosφ_M))", "1.5";
+            HitPointShifted: "hit.point", "shifted", "P", "P_M + s_M", "1.5";
+            HitPointTurned: "hit.point", "turned", "P",
+                "b_M·cosφ_M + (a_M × b_M)·sinφ_M + a_M·((a_M · b_M)·(1 − cosφ_M)) + p_M + s_M", "1.5";
+            HitNormalShifted: "hit.normal", "shifted", "N", "N_M", "1.5";
+            HitNormalTurned: "hit.normal", "turned", "N",
+                "N_M·cosφ_M + (a_M × N_M)·sinφ_M + a_M·((a_M · N_M)·(1 − cosφ_M))", "1.5";
+            HitGeometricNormalShifted: "hit.geometric_normal", "shifted", "N_g", "G_M", "1.5";
+            HitGeometricNormalTurned: "hit.geometric_normal", "turned", "N_g",
+                "G_M·cosφ_M + (a_M × G_M)·sinφ_M + a_M·((a_M · G_M)·(1 − cosφ_M))", "1.5";
+            PatternPointShifted: "pattern.point", "shifted_back", "P_p", "P − s_M", "1.5";
+            PatternPointTurned: "pattern.point", "turned_back", "P_p",
+                "b_M·cosφ_M − (a_M × b_M)·sinφ_M + a_M·((a_M · b_M)·(1 − cosφ_M)) + p_M", "1.5";
+            PatternCellMoving: "pattern.cell", "moving", "ξ", "⌊P_p/s_p⌋", "1.5";
+
+            // A point of an area light, each with an equal share I_i of the light's intensity. κ_F draws the points together so
+            // that they lie as dense as the profile says.
+            LightCenter: "light.center", "", "C_F", "", "1.5";
+            LightEdgeU: "light.edge_u", "", "e_u", "", "1.5";
+            LightEdgeV: "light.edge_v", "", "e_v", "", "1.5";
+            LightRadius: "light.radius", "", "r_F", "", "1.5";
+            LightSpread: "light.spread", "", "κ_F", "", "1.5";
+            LightX: "light.x", "", "x_F", "(2·s_x − 1)·κ_F", "1.5";
+            LightY: "light.y", "", "y_F", "(2·s_y − 1)·κ_F", "1.5";
+            LightXOnDisk: "light.x", "round", "x_F", "x_D·κ_F", "1.5";
+            LightYOnDisk: "light.y", "round", "y_F", "y_D·κ_F", "1.5";
+            LightOutward: "light.outward", "", "ν_F", "", "1.5";
+            LightPositionOnArea: "light.position", "on_area", "F", "C_F + e_u·x_F + e_v·y_F", "1.5";
+            LightPositionOnSphere: "light.position", "on_sphere", "F", "C_F + ν_F·r_F", "1.5";
+
+            // A blurred bounce: directions of the lobe cosⁿ about M_z, which is R or T, in zones of equal probability.
+            LobeMiddle: "lobe.middle", "", "M_z", "", "1.5";
+            LobeExponent: "lobe.exponent", "", "n_z", "", "1.5";
+            LobeHelper: "lobe.helper", "", "A_z", "", "1.5";
+            LobeAxis1: "lobe.axis_1", "", "u_z", "(M_z × A_z)/|M_z × A_z|", "1.5";
+            LobeAxis2: "lobe.axis_2", "", "w_z", "M_z × u_z", "1.5";
+            LobeX: "lobe.x", "", "x_z", "", "1.5";
+            LobeY: "lobe.y", "", "y_z", "", "1.5";
+            LobeZ: "lobe.z", "", "z_z", "", "1.5";
+            LobeDirection: "lobe.direction", "", "D_z", "u_z·x_z + w_z·y_z + M_z·z_z", "1.5";
+            LobeHeight: "lobe.height", "", "h_z", "N · D_z", "1.5";
+            LobeHeightGeometric: "lobe.height", "geometric", "h_z", "N_g · D_z", "1.5";
+            LobeColor: "lobe.color", "", "I_z", "", "1.5";
+            LobeSumFirst: "lobe.sum", "first", "S_z", "I_z", "1.5";
+            LobeSum: "lobe.sum", "", "S_z", "S_z + I_z", "1.5";
+            LobeKept: "lobe.kept", "", "k_z", "", "1.5";
+            LobeMean: "lobe.mean", "", "m_z", "S_z/k_z", "1.5";
+        }
+    };
+}

@@ -1,0 +1,129 @@
+//! Lights with a surface, and points on them.
+
+use super::profile::CosineProfile;
+use crate::log::Name;
+use crate::probe::Probe;
+use crate::random::warp;
+use glam::DVec3;
+
+/// A light with a surface. It gives the mean over the surface, by area and profile, of what a point light there would give; both
+/// sides shine, and it isn't seen itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AreaLight {
+    /// What the surface is.
+    pub surface: LightSurface,
+    /// How its weight falls toward the rim; `None` where it doesn't.
+    pub profile: Option<CosineProfile>,
+    /// How many points of it each surface point asks.
+    pub samples: u32,
+}
+
+/// The surface of an area light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LightSurface {
+    /// A parallelogram: from the centre to the middle of two of its sides.
+    Rectangle {
+        /// The centre.
+        center: DVec3,
+        /// Half of one edge, and half of the other.
+        edges: [DVec3; 2],
+    },
+    /// A flat disk: two perpendicular radii.
+    Disk {
+        /// The centre.
+        center: DVec3,
+        /// The radii.
+        edges: [DVec3; 2],
+    },
+    /// A sphere.
+    Sphere {
+        /// The centre.
+        center: DVec3,
+        /// The radius.
+        radius: f64,
+    },
+}
+
+impl LightSurface {
+    /// A parallelogram by a corner and the edges from there.
+    pub fn rectangle(corner: DVec3, edge_u: DVec3, edge_v: DVec3) -> LightSurface {
+        let edges = [edge_u * 0.5, edge_v * 0.5];
+        LightSurface::Rectangle { center: corner + edges[0] + edges[1], edges }
+    }
+
+    /// A disk by its centre, a normal of any length, and its radius.
+    pub fn disk(center: DVec3, normal: DVec3, radius: f64) -> LightSurface {
+        let normal = crate::geometry::Ray::along(center, normal).direction;
+        let across = normal.cross(least_axis(normal));
+        let across = across / across.length();
+        LightSurface::Disk { center, edges: [across * radius, normal.cross(across) * radius] }
+    }
+
+    /// Its centre.
+    pub fn center(&self) -> DVec3 {
+        let (LightSurface::Rectangle { center, .. }
+        | LightSurface::Disk { center, .. }
+        | LightSurface::Sphere { center, .. }) = self;
+        *center
+    }
+}
+
+/// The axis along which a vector has its least component, of equals the first: the vector is far from parallel to it.
+pub fn least_axis(vector: DVec3) -> DVec3 {
+    let size = vector.abs();
+    match () {
+        _ if size.x <= size.y && size.x <= size.z => DVec3::X,
+        _ if size.y <= size.z => DVec3::Y,
+        _ => DVec3::Z,
+    }
+}
+
+impl AreaLight {
+    /// The inputs, for the log.
+    pub fn give<P: Probe>(&self, probe: &mut P) {
+        probe.given(Name::LightCenter, self.surface.center());
+        match self.surface {
+            LightSurface::Rectangle { edges: [u, v], .. } | LightSurface::Disk { edges: [u, v], .. } => {
+                probe.given(Name::LightEdgeU, u);
+                probe.given(Name::LightEdgeV, v);
+            }
+            LightSurface::Sphere { radius, .. } => probe.given(Name::LightRadius, radius),
+        }
+    }
+
+    /// The point of the light for a point of the unit square: uniform by area and profile, if that is uniform.
+    pub fn point<P: Probe>(&self, square: [f64; 2], probe: &mut P) -> DVec3 {
+        match self.surface {
+            LightSurface::Rectangle { center, edges } => {
+                let [a, b] = square.map(|x| 2.0 * x - 1.0);
+                let spread = self.spread(a.abs().max(b.abs()), probe);
+                let x = probe.note(Name::LightX, a * spread);
+                let y = probe.note(Name::LightY, b * spread);
+                on_edges(center, edges, [x, y], probe)
+            }
+            LightSurface::Disk { center, edges } => {
+                let [a, b] = warp::disc(square);
+                probe.given(Name::DiscX, a);
+                probe.given(Name::DiscY, b);
+                let spread = self.spread((a * a + b * b).sqrt(), probe);
+                let x = probe.note(Name::LightXOnDisk, a * spread);
+                let y = probe.note(Name::LightYOnDisk, b * spread);
+                on_edges(center, edges, [x, y], probe)
+            }
+            LightSurface::Sphere { center, radius } => {
+                let outward = probe.note(Name::LightOutward, DVec3::from(warp::sphere(square)));
+                probe.note(Name::LightPositionOnSphere, center + outward * radius)
+            }
+        }
+    }
+
+    fn spread<P: Probe>(&self, rho: f64, probe: &mut P) -> f64 {
+        let spread = self.profile.as_ref().map_or(1.0, |profile| profile.spread(rho.min(1.0)));
+        probe.given(Name::LightSpread, spread);
+        spread
+    }
+}
+
+fn on_edges<P: Probe>(center: DVec3, [u, v]: [DVec3; 2], [x, y]: [f64; 2], probe: &mut P) -> DVec3 {
+    probe.note(Name::LightPositionOnArea, center + u * x + v * y)
+}

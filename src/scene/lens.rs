@@ -1,0 +1,41 @@
+//! A thin lens: what isn't at its distance of focus is blurred (Ramos, section 1.5; Potmesil and Chakravarty, "A lens and aperture
+//! camera model for synthetic image generation", 1981; Cook, Porter and Carpenter, "Distributed ray tracing", 1984).
+
+use super::camera::{Camera, along};
+use super::square::place_in_square;
+use crate::geometry::Ray;
+use crate::log::Name;
+use crate::probe::Probe;
+use crate::random::{Dimension, Draws, warp};
+
+/// A thin lens about the eye, across the direction of view.
+///
+/// All rays of a place of the picture meet where the pinhole's ray meets the plane in focus. A point at the depth z makes a disc with
+/// the radius r·|z − f|/z in that plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// The radius r of its opening.
+    pub radius: f64,
+    /// The distance f of the plane in focus, along the direction of view.
+    pub focus_distance: f64,
+}
+
+impl Lens {
+    /// The ray of a sample through a place of the picture.
+    // Kept out of the pinhole's way.
+    #[inline(never)]
+    pub(super) fn ray<P: Probe>(&self, camera: &Camera, place: [f64; 2], draws: &Draws, probe: &mut P) -> Option<Ray> {
+        let (length, [right, up], vector) = camera.frame_through(place, probe);
+        let eye = camera.position();
+        probe.given(Name::CameraPosition, eye);
+        probe.given(Name::LensFocusDistance, self.focus_distance);
+        let focus = probe.note(Name::LensFocus, eye + vector * (self.focus_distance / length));
+        let [x, y] = warp::disc(place_in_square(draws.pick(Dimension::Lens), probe));
+        probe.given(Name::DiscX, x);
+        probe.given(Name::DiscY, y);
+        probe.given(Name::LensRadius, self.radius);
+        let origin = probe.note(Name::RayOriginLens, eye + (right * x + up * y) * self.radius);
+        let vector = probe.note(Name::RayVectorLens, focus - origin);
+        along(origin, vector, probe)
+    }
+}

@@ -1,0 +1,38 @@
+//! Area lights: points of their surface, each with a shadow ray of its own (Ramos, section 1.5; Cook, Porter and Carpenter,
+//! "Distributed ray tracing", 1984).
+
+use super::Meeting;
+use super::shade::{Source, from_light};
+use crate::log::Step;
+use crate::probe::Probe;
+use crate::random::Dimension;
+use crate::scene::square::place_in_square;
+use crate::scene::{AreaLight, Arrival, Color, Light, Scene};
+use glam::DVec3;
+
+/// The sum with what an area light adds: its points are so many lights, one in each stratum of its surface, that share its intensity.
+// Kept out of the shading by point lights.
+#[inline(never)]
+pub(super) fn add<P: Probe>(
+    scene: &Scene,
+    meeting: &Meeting,
+    view: DVec3,
+    (number, light, area): (u32, &Light, &AreaLight),
+    mut sum: Color,
+    probe: &mut P,
+) -> Color {
+    let dimension = Dimension::Light { route: meeting.path.route(), light: number };
+    let color = light.share();
+    for part in 0..area.samples {
+        let split = if area.samples == 1 { 0 } else { part + 1 };
+        let source = Source { light, number, split, color: &color };
+        light.give(probe);
+        sum += probe.within(Step::Light { light: number, split }, |probe| {
+            let square = place_in_square(meeting.path.draws.split(dimension, part, area.samples), probe);
+            let position = area.point(square, probe);
+            let arrival = Arrival::of(position, meeting.surface.point, probe);
+            from_light(scene, meeting, view, &source, arrival, probe)
+        });
+    }
+    sum
+}
