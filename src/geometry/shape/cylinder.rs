@@ -5,7 +5,7 @@
 
 use super::axis::{Axis, LATERAL, Span};
 use super::doubled_chord::DoubledChord;
-use super::roots::{Digits, Lost, Quadratic, Roots};
+use super::roots::{Quadratic, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::{Doubled, Doubled3, exponent, length, scaled};
@@ -33,7 +33,7 @@ impl Cylinder {
     }
 
     #[inline]
-    fn roots<P: Probe>(&self, whole: &Ray, is_leaving: bool, probe: &mut P) -> Option<Roots> {
+    fn roots<P: Probe>(&self, whole: &Ray, probe: &mut P) -> Option<Roots> {
         let origin = probe.note(Name::AxisOrigin, whole.origin - self.axis.base);
         let ray = self.axis.see(origin, whole, probe);
         let a = probe.note(Name::CylinderA, ray.across.dot(ray.across));
@@ -48,20 +48,13 @@ impl Cylinder {
             let discriminant = probe.note(Name::CylinderDiscriminant, discriminant);
             let equation = Quadratic { a, b, c, discriminant };
             let far = origin.dot(origin);
-            let is_in_doubt =
-                discriminant.abs() <= OF_DISCRIMINANT * a * (far + self.radius_squared) || a < LEAST_ACROSS;
-            if is_in_doubt && probe.certifies() {
+            let doubt = OF_DISCRIMINANT * a.sqrt() * (far + self.radius_squared);
+            if discriminant.abs() <= doubt && probe.certifies() {
                 self.doubled_span(whole, probe)
             } else {
                 let names = [Name::CylinderT1, Name::CylinderT2];
                 let roots = (discriminant >= 0.0).then(|| equation.roots(names, probe)).flatten();
-                let digits = Digits::of(&equation, far, distance.dot(distance));
-                match roots {
-                    Some(roots) if probe.certifies() && lack_digits(&digits, roots, is_leaving, whole) => {
-                        self.doubled_span(whole, probe)
-                    }
-                    roots => roots.map(Span::between).ok_or(Miss::Beside),
-                }
+                roots.map(Span::between).ok_or(Miss::Beside)
             }
         };
         let roots = lateral.and_then(|lateral| {
@@ -98,23 +91,11 @@ impl Cylinder {
     }
 }
 
-/// A bound of the error of the discriminant in parts of a·(|o|² + r²), o the origin from the base: of 2⁻⁵³, five for each component of
-/// the vectors across (one of the difference, two of the product, one of the axis, one of the ray), so that their cross product errs by
-/// ten of |o|·|d'| and its square by twenty and five for its own sum; r²·a by twelve.
+/// A bound of the error of the discriminant in parts of √a·(|o|² + r²), o the origin from the base, √a the part of the direction that is
+/// across the axis and errs by roundings of its whole. Of 2⁻⁵³, five for each component of the vectors across (one of the difference,
+/// two of the product, one of the axis, one of the ray), so that their cross product errs by ten of |o|·|d'| and its square by twenty and
+/// five for its own sum; r²·a by twelve.
 const OF_DISCRIMINANT: f64 = 24.0 * f64::EPSILON;
-
-/// The least a whose digits are all there: what the ray has across the axis errs by roundings of its whole.
-const LEAST_ACROSS: f64 = 1.0 / 64.0;
-
-/// Whether a distance that is wanted has lost digits; of a ray that leaves the surface the nearer one isn't.
-#[inline]
-fn lack_digits(digits: &Digits, roots: [(f64, Name); 2], is_leaving: bool, ray: &Ray) -> bool {
-    let left = if is_leaving { roots[0].0.abs().min(roots[1].0.abs()) } else { -1.0 };
-    let lacks = |(t, name): &(f64, Name)| {
-        t.abs() != left && !matches!(digits.of_root(*t, *name == Name::CylinderT2, ray), Lost::Nothing)
-    };
-    roots.iter().any(lacks)
-}
 
 impl Kernel for Cylinder {
     fn give<P: Probe>(&self, probe: &mut P) {
@@ -125,11 +106,11 @@ impl Kernel for Cylinder {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        self.roots(ray, approach.leaving.is_some(), probe)?.first(ray, approach, probe)
+        self.roots(ray, probe)?.first(ray, approach, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
-        if let Some(roots) = self.roots(ray, approach.leaving.is_some(), probe) {
+        if let Some(roots) = self.roots(ray, probe) {
             roots.all(ray, approach, found, probe);
         }
     }

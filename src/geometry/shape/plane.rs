@@ -29,7 +29,7 @@ impl Plane {
         let normal = DVec3::new(a, b, c);
         let size = normal.abs().element_sum();
         let is_axial = normal.abs().max_element() == size;
-        let certain_from = if is_axial { 6.0 * d.abs() } else { f64::INFINITY };
+        let certain_from = if is_axial { 2.0 * d.abs() } else { f64::INFINITY };
         Plane { normal, offset: d, unit_normal: normal / normal.length(), size, certain_from }
     }
 }
@@ -116,6 +116,7 @@ impl Plane {
             probe.mark(Decision::Miss { why: Miss::Parallel });
             return None;
         }
+        probe.note(Name::PlaneVo, -(self.normal.dot(ray.origin) + self.offset));
         let t = probe.note(Name::PlaneTDoubled, t);
         decide(ray, approach, Crossing { t, side: side(v_d.head), primitive: 0 }, probe)
     }
