@@ -1,36 +1,11 @@
 //! The command line as its users meet it: results on standard output, messages on standard error, exit codes.
 
-use assert_cmd::Command;
+#[path = "support/calls.rs"]
+mod calls;
+
+use calls::{fails, prints, raywalk, says};
 use std::fs;
 use std::path::Path;
-
-fn raywalk(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("raywalk").expect("the program");
-    command.args(arguments).env_remove("NO_COLOR").current_dir(env!("CARGO_MANIFEST_DIR"));
-    command
-}
-
-#[track_caller]
-fn prints(arguments: &[&str]) -> String {
-    let output = raywalk(arguments).output().expect("it runs");
-    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).expect("UTF-8")
-}
-
-/// The error message of a call that ends with this code and prints nothing else.
-#[track_caller]
-fn fails(code: i32, arguments: &[&str]) -> String {
-    let output = raywalk(arguments).output().expect("it runs");
-    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
-    assert_eq!(String::from_utf8_lossy(&output.stdout), "", "{arguments:?}");
-    String::from_utf8(output.stderr).expect("UTF-8")
-}
-
-#[track_caller]
-fn says(code: i32, arguments: &[&str], expected: &str) {
-    let message = fails(code, arguments);
-    assert!(message.contains(expected), "{arguments:?}: expected `{expected}` in: {message}");
-}
 
 #[test]
 fn without_a_terminal_the_main_job_prints_the_walk() {
@@ -301,6 +276,25 @@ fn stability_is_measured_on_files_or_the_own_sample() {
     let answers = prints(&["stress", "--answers"]);
     let first: serde_json::Value = serde_json::from_str(answers.lines().next().expect("a line")).expect("JSON");
     assert!(first["id"].is_string() && first["out"]["hit"].is_boolean(), "{first}");
+}
+
+#[test]
+fn a_case_that_is_none_stops_no_other_answer() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("cases.json");
+    let good = r#""in": {"o": [0, 0, 0], "d": [0, 0, 2], "c": [0, 0, 5], "r": 1}, "out": {"hit": true, "t": "4"}"#;
+    let text = format!(
+        r#"{{"family": "f01_own", "op": "sphere", "cases": [{{"id": "a", "in": {{}}, "out": {{"hit": true}}}},
+        {{"id": "b", {good}}}]}}"#
+    );
+    fs::write(&path, text).expect("a file");
+    let path = path.to_str().expect("UTF-8");
+    let output = raywalk(&["stress", "--answers", path]).output().expect("it runs");
+    let lines = String::from_utf8(output.stdout).expect("UTF-8");
+    let lines: Vec<serde_json::Value> = lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    assert!(lines.len() == 2 && lines[0]["id"] == "a" && lines[0]["error"].is_string(), "{lines:?}");
+    assert_eq!((lines[1]["id"].as_str(), lines[1]["out"]["t"].as_f64()), (Some("b"), Some(4.0)));
+    assert_eq!(output.status.code(), Some(2));
 }
 
 #[test]

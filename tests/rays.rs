@@ -41,6 +41,36 @@ fn a_ray_that_leaves_a_box_meets_it_again_inward_only() {
     });
 }
 
+/// Hits have tmin < t < tmax in the very numbers that are printed, whatever the length of the direction.
+#[test]
+fn the_ends_of_a_query_are_exact() {
+    let scenes = [
+        BOX,
+        r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 9], "direction": [0, 0, -1]},
+        "objects": [{"name": "s", "shape": {"sphere": {"center": [0.1, 0.2, 0.3], "radius": 0.9}}}]}"#,
+        r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 9], "direction": [0, 0, -1]},
+        "objects": [{"name": "p", "shape": {"plane": {"coefficients": [0.1, 0.5, -0.7, 0.3]}}}]}"#,
+    ]
+    .map(|text| support::scene_of(text.as_bytes(), "ends"));
+    random::property((random::point(), random::point()), |(origin, direction)| {
+        if direction.length() < 0.1 {
+            return false;
+        }
+        let hits = scenes.iter().filter_map(|scene| {
+            let query = |t_min: f64, t_max: f64| Query { origin, direction, t_min, t_max, from: None };
+            let t = query(0.0, f64::INFINITY).nearest(scene)?.t;
+            assert!(query(t, f64::INFINITY).nearest(scene).is_none_or(|next| next.t > t));
+            assert_eq!(query(0.0, t).nearest(scene), None);
+            assert!(!query(0.0, t).is_occluded(scene));
+            let around = query(t.next_down(), t.next_up());
+            assert_eq!(around.nearest(scene).map(|hit| hit.t), Some(t));
+            assert!(around.is_occluded(scene));
+            Some(())
+        });
+        hits.count() > 0
+    });
+}
+
 /// What `raywalk rays` answers to a line.
 fn answer(scene: &str, line: &str) -> String {
     let mut command = Command::cargo_bin("raywalk").expect("the program");

@@ -1,8 +1,9 @@
 //! The probe of CESTAC: every named quantity is moved by one ulp, up or down at random.
 
-use super::position::{GOLDEN, Position, mixed, mixed_with};
+use super::position::{Position, mixed_with};
 use super::{Alteration, Quantity};
 use crate::log::{Name, Step};
+use crate::random::{GOLDEN, mix};
 
 /// Moves every named quantity to one of its two neighbours among the f64 (Vignes 1993: random rounding). What differs
 /// between runs of several seeds is what rounding makes of the result.
@@ -26,12 +27,12 @@ impl Perturbed {
 
     /// The seed of a further run of the same computation; run 0 has `seed` itself.
     pub fn seed_of_run(seed: u64, run: u64) -> u64 {
-        if run == 0 { seed } else { mixed(seed.wrapping_add(run.wrapping_mul(GOLDEN))) }
+        if run == 0 { seed } else { mix(seed.wrapping_add(run.wrapping_mul(GOLDEN))) }
     }
 }
 
 fn key_of(seed: u64, [x, y]: [u64; 2]) -> u64 {
-    mixed_with(mixed_with(mixed(seed), x), y)
+    mixed_with(mixed_with(mix(seed), x), y)
 }
 
 impl Alteration for Perturbed {

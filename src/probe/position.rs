@@ -1,6 +1,7 @@
 //! Where in the tree of a computation a quantity is noted, as a number: the same in every run, whatever comes before it.
 
 use crate::log::{Name, RayKind, Step};
+use crate::random::{GOLDEN, mix};
 use std::sync::LazyLock;
 
 /// The place that a computation has come to.
@@ -111,17 +112,7 @@ fn pair(one: u32, other: u32) -> u64 {
 
 /// A number that looks random, made of two: the same on every machine, for the same two.
 pub fn mixed_with(key: u64, word: u64) -> u64 {
-    mixed(key.wrapping_add(GOLDEN) ^ mixed(word))
-}
-
-/// The increment of `SplitMix64`: 2⁶⁴ divided by the golden ratio.
-pub(super) const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
-
-/// The output function of `SplitMix64` (Steele, Lea and Flood 2014), which maps one to one.
-pub(super) fn mixed(x: u64) -> u64 {
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
+    mix(key.wrapping_add(GOLDEN) ^ mix(word))
 }
 
 #[cfg(test)]

@@ -28,12 +28,12 @@ pub fn unit(bits: u64) -> f64 {
 }
 
 /// 2⁶⁴ over the golden ratio: multiples of it are spread evenly.
-const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
+pub const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// Each bit of the result depends on every bit given: the finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable
 /// pseudorandom number generators", 2014; constants of Stafford's variant 13). It can be undone, so that nothing collides.
 #[inline]
-fn mix(mut bits: u64) -> u64 {
+pub fn mix(mut bits: u64) -> u64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     bits ^ (bits >> 31)
