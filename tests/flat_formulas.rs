@@ -65,7 +65,7 @@ fn every_formula_of_a_flat_shape_gives_the_logged_value() {
     for arithmetic in ARITHMETICS {
         let mut counts: BTreeMap<Name, usize> = BTreeMap::new();
         let mut leaks: BTreeMap<&str, usize> = BTreeMap::new();
-        for pixel in support::grid(&scene, 24) {
+        for pixel in support::grid(&scene, 32) {
             let log = record::pixel(&scene, pixel, arithmetic);
             check(&log, arithmetic, &mut counts);
             for event in &log.events {
@@ -78,11 +78,14 @@ fn every_formula_of_a_flat_shape_gives_the_logged_value() {
             FLAT.iter().any(|key| name.key().starts_with(key) || name.form().starts_with(&key[..key.len() - 1]))
                 || name.form().starts_with("mean")
         };
-        // Only rays along its plane come to a triangle's t kept in its box.
-        let is_common = |name: &Name| name.formula().is_some() && *name != Name::TriangleTInBox;
+        // Only rays along its plane come to a t kept in the box.
+        let is_common = |name: &Name| name.formula().is_some() && name.form() != "in_box";
         let with_formula = || Name::all().filter(is_flat).filter(is_common);
         let unchecked: Vec<_> = with_formula().filter(|name| counts.get(name).is_none_or(|count| *count < 5)).collect();
-        assert!(with_formula().count() > 25 && unchecked.is_empty(), "{arithmetic}: not checked: {unchecked:?}");
+        assert!(
+            with_formula().count() > 25 && unchecked.is_empty(),
+            "{arithmetic}: not checked: {unchecked:?}"
+        );
         for what in [Skippable::Shadow, Skippable::Reflected] {
             assert!(leaks.contains_key(what.word()), "{arithmetic}: {what:?} never leaked: {leaks:?}");
         }

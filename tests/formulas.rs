@@ -25,8 +25,8 @@ const DIGITS: u32 = 3;
 const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(DIGITS)];
 
 /// What only degenerate shapes and rays come to: an ellipsoid too small for the arithmetic, corner normals that cancel, a ray
-/// along a triangle's plane. Where they occur they are checked like all others.
-const DEGENERATE: [Name; 3] = [Name::HitNormalFacing, Name::HitNormalFlat, Name::TriangleTInBox];
+/// along the plane of a triangle or polygon. Where they occur they are checked like all others.
+const DEGENERATE: [Name; 4] = [Name::HitNormalFacing, Name::HitNormalFlat, Name::TriangleTInBox, Name::PolygonTInBox];
 
 /// How often each formula must have been checked, in each arithmetic.
 const ENOUGH: usize = 25;

@@ -118,7 +118,7 @@ with_effects! { names! {
     TriangleWeightC: "triangle.weight_c", "", "w_c", "1 − w_a − w_b", "1.1.1";
     TriangleMeanNormal: "triangle.mean_normal", "", "N_m", "w_a·N_a + w_b·N_b + w_c·N_c", "1.1.1";
 
-    // Polygon. Q is its first corner. How many edges lie beyond the point has no formula.
+    // Polygon. Q is its first corner. How many of its edges a half plane from the ray crosses has no formula.
     PolygonCorner: "polygon.corner", "", "Q", "", "1.1.1";
     PolygonNormal: "polygon.normal", "", "N_q", "", "1.1.1";
     PolygonUnitNormal: "polygon.unit_normal", "", "ν_q", "", "1.1.1";
@@ -126,7 +126,9 @@ with_effects! { names! {
     PolygonVo: "polygon.v_o", "", "V_o", "N_q · (Q − O)", "1.1.1";
     PolygonT: "polygon.t", "", "t", "V_o/V_d", "1.1.1";
     PolygonTDoubled: "polygon.t", "doubled", "t", "", "1.1.1";
-    PolygonPoint: "polygon.point", "", "P_q", "O + d·t", "1.1.1";
+    PolygonTNear: "polygon.t_near", "", "t_n", "", "1.1.1";
+    PolygonTFar: "polygon.t_far", "", "t_f", "", "1.1.1";
+    PolygonTInBox: "polygon.t", "in_box", "t", "min(max(t, t_n), t_f)", "1.1.1";
     PolygonCrossings: "polygon.crossings", "", "κ", "", "1.1.1";
 
     // Box.

@@ -1,5 +1,6 @@
 //! What the flat shapes share: the distance to their plane, and the normal toward the ray.
 
+use crate::geometry::bounds::{Bounds, Slabs};
 use crate::geometry::doubled::{Doubled, Doubled3, length};
 use crate::geometry::exact::dot;
 use crate::geometry::ray::{Ray, Side};
@@ -23,6 +24,16 @@ pub(super) struct PlaneNames {
     /// V_o = N · (Q − O) with a point Q of the plane
     pub v_o: Name,
     /// t = V_o/V_d
+    pub t: Name,
+}
+
+/// What the quantities of the box around a shape are called.
+pub(super) struct BoxNames {
+    /// Where the ray enters the box.
+    pub near: Name,
+    /// Where it leaves it.
+    pub far: Name,
+    /// The distance that is kept in it.
     pub t: Name,
 }
 
@@ -81,6 +92,38 @@ pub(super) fn meet_plane_certainly<P: Probe>(
     }
     let side = if v_d < 0.0 { Side::Front } else { Side::Back };
     Some(PlaneHit { t: probe.note(doubled, t), side })
+}
+
+/// The distance `t` along the ray to the plane, before an arithmetic of its own made something else of it.
+#[inline]
+pub(super) fn unaltered<P: Probe>(t: f64, ray: &Ray, normal: DVec3, corner: DVec3, probe: &P) -> f64 {
+    if probe.certifies() { t } else { normal.dot(corner - ray.origin) / normal.dot(ray.direction) }
+}
+
+/// The distance, kept within the box around the shape. Along the shape's plane V_o/V_d is a quotient of rounding errors,
+/// which may lie anywhere; kept in the box it can't be at odds with the trees of boxes, whatever the order of the tests.
+///
+/// `quotient` is the distance as it was computed, `t` what an arithmetic of its own has made of it.
+#[inline]
+pub(super) fn kept_in_box<P: Probe>(
+    bounds: Bounds,
+    ray: &Ray,
+    t: f64,
+    quotient: f64,
+    names: &BoxNames,
+    probe: &mut P,
+) -> Option<f64> {
+    let [near, far] = bounds.widened().interval(&Slabs::new(ray));
+    if near > far {
+        probe.mark(Decision::Miss { why: Miss::Beside });
+        return None;
+    }
+    if near <= quotient && quotient <= far {
+        return Some(t);
+    }
+    probe.given(names.near, near);
+    probe.given(names.far, far);
+    Some(probe.note(names.t, t.max(near).min(far)))
 }
 
 /// Whether the distance to the plane through `corner` has lost digits.

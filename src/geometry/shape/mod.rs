@@ -6,6 +6,7 @@ mod cuboid;
 mod cylinder;
 mod disk;
 mod doubled_chord;
+mod edge;
 mod ellipsoid;
 mod fan;
 mod flat;

@@ -1,13 +1,13 @@
 //! The flat polygon with three or more corners, convex or concave.
 //!
-//! Its plane has the normal that Newell's method gives, the mean over all corners (Tampieri, Graphics Gems III, V.5). In the
-//! projection along the largest component of the normal, the number of edges that a half line from the point crosses says
-//! whether the point lies inside (Shimrat, 1962; Haines, Graphics Gems IV, I.4). An edge holds its lower end and not its
-//! upper one, and a point on it counts as left of it: no corner is counted twice, and of two polygons in a plane that
-//! share an edge exactly one holds a point of it.
+//! Its plane has the normal that Newell's method gives, the mean over all corners (Tampieri, Graphics Gems III, V.5). The
+//! number of edges that a half plane from the ray's line crosses says whether the ray passes inside (Shimrat, 1962; Haines,
+//! Graphics Gems IV, I.4): the signs that decide it are right (see [`edge`](super::edge)), so that of two polygons that share
+//! an edge exactly one holds a ray through it.
 
+use super::edge::HalfPlane;
 use super::fan::{Fan, triangles};
-use super::flat::{PlaneNames, meet_plane_certainly, refined, toward};
+use super::flat::{BoxNames, PlaneNames, kept_in_box, meet_plane_certainly, refined, toward, unaltered};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::{area_normal, unit};
 use crate::geometry::bounds::Bounds;
@@ -20,14 +20,11 @@ use glam::{DVec2, DVec3};
 /// A flat polygon. Its front is the side from which its corners run counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
-    /// The first corner, a point of the plane.
-    corner: DVec3,
+    /// The first is the plane's point.
+    corners: Vec<DVec3>,
     /// Of twice the polygon's area.
     normal: DVec3,
     unit_normal: DVec3,
-    projection: Projection,
-    /// The corners in the projection.
-    outline: Vec<DVec2>,
     bounds: Bounds,
     /// Triangles with the normals at their corners, if shading is smooth.
     fan: Option<Fan>,
@@ -41,66 +38,79 @@ struct Projection {
 }
 
 const PLANE: PlaneNames = PlaneNames { v_d: Name::PolygonVd, v_o: Name::PolygonVo, t: Name::PolygonT };
+const IN_BOX: BoxNames = BoxNames { near: Name::PolygonTNear, far: Name::PolygonTFar, t: Name::PolygonTInBox };
 
 /// The triangles into which a flat outline with these corners falls, two fewer than corners, by the numbers of their
 /// corners.
 pub fn triangulate(corners: &[DVec3]) -> Vec<[usize; 3]> {
-    let projection = Projection::along(newell_normal(corners));
-    let outline: Vec<DVec2> = corners.iter().map(|corner| projection.of(*corner)).collect();
-    triangles(&outline)
+    triangles(&outline(corners, newell_normal(corners)))
+}
+
+/// Corners in the projection along the largest component of a normal.
+fn outline(corners: &[DVec3], normal: DVec3) -> Vec<DVec2> {
+    let projection = Projection::along(normal);
+    corners.iter().map(|corner| projection.of(*corner)).collect()
 }
 
 impl Polygon {
     /// The polygon with these corners, three or more; with a normal for each its shading is smooth.
     pub fn new(vertices: &[[f64; 3]], normals: Option<&[[f64; 3]]>) -> Polygon {
         let corners: Vec<DVec3> = vertices.iter().copied().map(DVec3::from).collect();
-        let corner = corners.first().copied().unwrap_or_default();
         let normal = newell_normal(&corners);
-        let projection = Projection::along(normal);
-        let outline: Vec<DVec2> = corners.iter().map(|corner| projection.of(*corner)).collect();
+        let unit_normal = unit(normal);
+        let point = corners.first().copied().unwrap_or_default();
+        // Where corners don't lie in one plane the surface is that of their mean, which may leave the box around them.
+        let onto_plane = |corner: &DVec3| *corner - unit_normal * unit_normal.dot(*corner - point);
+        let on_plane = corners.iter().map(onto_plane).filter(|corner| corner.is_finite());
         Polygon {
-            corner,
             normal,
-            unit_normal: unit(normal),
-            projection,
-            bounds: Bounds::around(corners.iter().copied()),
-            fan: normals.map(|normals| Fan::new(&corners, normals, &outline)),
-            outline,
+            unit_normal,
+            bounds: Bounds::around(corners.iter().copied().chain(on_plane)),
+            fan: normals.map(|normals| Fan::new(&corners, normals, &outline(&corners, normal))),
+            corners,
         }
     }
 
-    /// Whether a point of the plane lies inside: by the number of edges that a half line crosses which goes from the point in
-    /// the direction of the projection's first axis.
-    fn holds<P: Probe>(&self, point: DVec3, probe: &mut P) -> bool {
-        if !point.is_finite() {
-            return false;
+    /// A point of the plane.
+    fn corner(&self) -> DVec3 {
+        self.corners.first().copied().unwrap_or_default()
+    }
+
+    /// Whether the ray's line passes inside.
+    #[inline]
+    fn is_inside<P: Probe>(&self, ray: &Ray, probe: &mut P) -> bool {
+        let crossings = HalfPlane::of(ray, probe.certifies()).crossings(&self.corners);
+        if crossings.in_doubt {
+            probe.fallback();
         }
-        let point = self.projection.of(probe.note(Name::PolygonPoint, point));
-        let edges = self.outline.iter().zip(self.outline.iter().cycle().skip(1));
-        let crossings = edges.filter(|(from, to)| crosses(**from - point, **to - point)).count();
         // A count is exact in any arithmetic.
-        probe.note(Name::PolygonCrossings, crossings as f64);
-        crossings % 2 == 1
+        probe.note(Name::PolygonCrossings, f64::from(crossings.count));
+        crossings.count % 2 == 1
     }
 }
 
 impl Kernel for Polygon {
     fn give<P: Probe>(&self, probe: &mut P) {
-        probe.given(Name::PolygonCorner, self.corner);
+        probe.given(Name::PolygonCorner, self.corner());
         probe.given(Name::PolygonNormal, self.normal);
         probe.given(Name::PolygonUnitNormal, self.unit_normal);
     }
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let plane = meet_plane_certainly(ray, self.normal, self.corner, (&PLANE, Name::PolygonTDoubled), probe)?;
+        let corner = self.corner();
+        let plane = meet_plane_certainly(ray, self.normal, corner, (&PLANE, Name::PolygonTDoubled), probe)?;
         let candidate = Crossing { t: plane.t, side: plane.side, primitive: 0 };
-        let is_candidate = ray.reaches(plane.t) && approach.shows(plane.side);
-        if is_candidate && !self.holds(ray.origin + ray.direction * plane.t, probe) {
+        if !(ray.reaches(plane.t) && approach.shows(plane.side)) {
+            return decide(ray, approach, candidate, probe);
+        }
+        if !self.is_inside(ray, probe) {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
         }
-        decide(ray, approach, candidate, probe)
+        let quotient = unaltered(plane.t, ray, self.normal, corner, probe);
+        let t = kept_in_box(self.bounds, ray, plane.t, quotient, &IN_BOX, probe)?;
+        decide(ray, approach, Crossing { t, ..candidate }, probe)
     }
 
     fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
@@ -117,7 +127,7 @@ impl Kernel for Polygon {
     }
 
     fn refined(&self, ray: &Ray, _crossing: Crossing) -> Doubled {
-        refined(ray, self.normal, self.corner)
+        refined(ray, self.normal, self.corner())
     }
 
     fn bounds(&self) -> Option<Bounds> {
@@ -131,19 +141,6 @@ fn newell_normal(corners: &[DVec3]) -> DVec3 {
     let Some((first, others)) = corners.split_first() else { return DVec3::ZERO };
     let normal: DVec3 = others.windows(2).map(|edge| area_normal(*first, edge[0], edge[1])).sum();
     if normal.is_finite() { normal } else { DVec3::ZERO }
-}
-
-/// Whether an edge, its ends seen from a point, crosses the half line to the right of the point.
-///
-/// The value compared with zero is twice the area of the triangle of the point and the edge; the same edge run the other
-/// way gives exactly its negative.
-fn crosses(from: DVec2, to: DVec2) -> bool {
-    let area = from.x * to.y - to.x * from.y;
-    match (from.y > 0.0, to.y > 0.0) {
-        (false, true) => area > 0.0,
-        (true, false) => area < 0.0,
-        _ => false,
-    }
 }
 
 impl Projection {

@@ -1,20 +1,17 @@
 //! The triangle, alone or as a facet of a mesh.
 //!
-//! Three edge functions say whether the ray passes inside: each is the triple product of the ray's direction with two corners
-//! as seen from its origin (Plücker's side operator; Shoemake, Ray Tracing News 11, 1998). An edge that two triangles
-//! share gives exactly opposite values in both, whichever way round each of them has it: exchanging the two factors
-//! negates a cross product and its dot product bit by bit, for rounding to nearest is the same above and below zero. A
-//! value of zero counts as inside. Where rounding leaves a sign in doubt the triple product is taken without error, so that
-//! the signs are those of one line in all triangles around a corner too. So no ray slips between two triangles.
+//! Three edge functions with their right signs (see [`edge`](super::edge)) say whether the ray passes inside. A value of zero
+//! counts as inside.
 //!
 //! The distance isn't made from the edge functions, although their weighted mean of the corners would give one: at the distance
 //! D of a triangle of size s they err by D²/s² roundings. V_o/V_d with the triangle's own normal errs by a few, if
 //! the normal has all its digits, which [`area_normal`] sees to.
 
-use super::flat::{PlaneHit, PlaneNames, is_in_doubt_along, meet_plane, toward};
+use super::edge::{LEAST_SIZE, OF_EDGE, edge_function};
+use super::flat::{BoxNames, PlaneHit, PlaneNames, is_in_doubt_along, kept_in_box, meet_plane, toward, unaltered};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::{area_normal, unit};
-use crate::geometry::bounds::{Bounds, Slabs};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::{Doubled, Doubled3, exponent, length};
 use crate::geometry::exact::triple_product;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
@@ -42,6 +39,7 @@ pub(in crate::geometry) struct Facet {
 }
 
 const PLANE: PlaneNames = PlaneNames { v_d: Name::TriangleVd, v_o: Name::TriangleVo, t: Name::TriangleT };
+const IN_BOX: BoxNames = BoxNames { near: Name::TriangleTNear, far: Name::TriangleTFar, t: Name::TriangleTInBox };
 
 impl Triangle {
     /// The triangle with these corners; with normals there its shading is smooth.
@@ -101,19 +99,17 @@ impl Facet {
         let plane = if probe.certifies() && is_in_doubt_along(ray, normal, self.a) {
             self.meet_doubled(ray, probe)?
         } else {
-            let plane = meet_plane(ray, normal, self.a, &PLANE, probe)?;
-            let quotient = normal.dot(self.a - ray.origin) / normal.dot(ray.direction);
-            (plane, quotient)
+            meet_plane(ray, normal, self.a, &PLANE, probe)?
         };
-        let (PlaneHit { t, side }, quotient) = plane;
-        let t = self.kept_in_box(ray, t, quotient, probe)?;
-        decide(ray, approach, Crossing { t, side, primitive: number }, probe)
+        let quotient = unaltered(plane.t, ray, normal, self.a, probe);
+        let t = kept_in_box(self.bounds(), ray, plane.t, quotient, &IN_BOX, probe)?;
+        decide(ray, approach, Crossing { t, side: plane.side, primitive: number }, probe)
     }
 
     /// Where the ray meets the triangle's plane, with twice the digits.
     #[cold]
     #[inline(never)]
-    fn meet_doubled<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<(PlaneHit, f64)> {
+    fn meet_doubled<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<PlaneHit> {
         probe.fallback();
         let (v_d, distance) = self.doubled_distance(ray);
         let t = distance.value();
@@ -122,7 +118,7 @@ impl Facet {
             return None;
         }
         let side = if v_d.head < 0.0 { Side::Front } else { Side::Back };
-        Some((PlaneHit { t: probe.note(Name::TriangleTDoubled, t), side }, t))
+        Some(PlaneHit { t: probe.note(Name::TriangleTDoubled, t), side })
     }
 
     /// V_d for the ray's vector, in units that are nobody's, and the distance to the triangle's plane.
@@ -142,24 +138,6 @@ impl Facet {
         let (_, distance) = self.doubled_distance(ray);
         let is_there = (distance.head - crossing.t).abs() <= CLOSE * crossing.t.abs();
         if is_there { distance } else { Doubled::from(crossing.t) }
-    }
-
-    /// The distance, kept within the box around the triangle. Along the triangle's plane V_o/V_d is a quotient of rounding errors,
-    /// which may lie anywhere; kept in the box it can't be at odds with the trees of boxes, whatever the order of the tests.
-    ///
-    /// `quotient` is the distance as it was computed, `t` what an arithmetic of its own has made of it.
-    fn kept_in_box<P: Probe>(&self, ray: &Ray, t: f64, quotient: f64, probe: &mut P) -> Option<f64> {
-        let [near, far] = self.bounds().widened().interval(&Slabs::new(ray));
-        if near > far {
-            probe.mark(Decision::Miss { why: Miss::Beside });
-            return None;
-        }
-        if near <= quotient && quotient <= far {
-            return Some(t);
-        }
-        probe.given(Name::TriangleTNear, near);
-        probe.given(Name::TriangleTFar, far);
-        Some(probe.note(Name::TriangleTInBox, t.max(near).min(far)))
     }
 
     /// The surface at a crossing. Where there are normals at the corners, light is reckoned with their mean.
@@ -253,9 +231,9 @@ impl Facet {
     #[inline]
     fn edges<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<[f64; 3]> {
         let [to_a, to_b, to_c] = [self.a, self.b, self.c].map(|corner| corner - ray.origin);
-        let edge_a = ray.direction.dot(to_c.cross(to_b));
-        let edge_b = ray.direction.dot(to_a.cross(to_c));
-        let edge_c = ray.direction.dot(to_b.cross(to_a));
+        let edge_a = edge_function(ray.direction, to_c, to_b);
+        let edge_b = edge_function(ray.direction, to_a, to_c);
+        let edge_c = edge_function(ray.direction, to_b, to_a);
         if !(edge_a.is_finite() && edge_b.is_finite() && edge_c.is_finite()) {
             return None;
         }
@@ -287,17 +265,8 @@ impl Facet {
     }
 }
 
-/// A bound of the error of an edge function in squares of the greatest coordinate of the corners as seen from the origin. Each
-/// of its six products of three numbers errs by at most seven roundings: two of differences, one of the direction, two of
-/// products, and two of sums; together they are at most 2·(|d_x| + |d_y| + |d_z|) ≤ 2·√3 such squares. 6·3.5·2⁻⁵³·7/6 is
-/// less than 14·2⁻⁵², and the rest is for what the roundings do to each other.
-const OF_EDGE: f64 = 16.0 * f64::EPSILON;
-
 /// The greatest difference of a distance and the same with twice the digits, as a part of it.
 const CLOSE: f64 = 1.0 / (1 << 20) as f64;
-
-/// Below this the products of an edge function lose digits at the lower end of f64.
-const LEAST_SIZE: f64 = 1e-140;
 
 /// Whether the signs of these edge functions decide nothing because some of them may be wrong.
 #[inline]

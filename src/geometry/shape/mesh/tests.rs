@@ -174,7 +174,6 @@ fn no_ray_leaves_through_an_edge() {
 }
 
 #[test]
-#[ignore = "waits for exact signs of the edge functions"]
 fn no_ray_leaves_through_a_vertex() {
     let shape = tree(icosphere(2));
     let mut random = Random(10);
