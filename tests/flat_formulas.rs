@@ -82,10 +82,7 @@ fn every_formula_of_a_flat_shape_gives_the_logged_value() {
         let is_common = |name: &Name| name.formula().is_some() && name.form() != "in_box";
         let with_formula = || Name::all().filter(is_flat).filter(is_common);
         let unchecked: Vec<_> = with_formula().filter(|name| counts.get(name).is_none_or(|count| *count < 5)).collect();
-        assert!(
-            with_formula().count() > 25 && unchecked.is_empty(),
-            "{arithmetic}: not checked: {unchecked:?}"
-        );
+        assert!(with_formula().count() > 25 && unchecked.is_empty(), "{arithmetic}: not checked: {unchecked:?}");
         for what in [Skippable::Shadow, Skippable::Reflected] {
             assert!(leaks.contains_key(what.word()), "{arithmetic}: {what:?} never leaked: {leaks:?}");
         }

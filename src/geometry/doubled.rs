@@ -228,6 +228,15 @@ impl Doubled3 {
     }
 }
 
+impl Sub for Doubled3 {
+    type Output = Doubled3;
+
+    #[inline]
+    fn sub(self, other: Doubled3) -> Doubled3 {
+        Doubled3 { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+}
+
 impl From<DVec3> for Doubled3 {
     #[inline]
     fn from(v: DVec3) -> Doubled3 {

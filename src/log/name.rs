@@ -183,6 +183,7 @@ with_effects! { names! {
     ConeB: "cone.b", "", "b", "o_r · d_r − ρ_o·ρ_d", "1.1.1";
     ConeC: "cone.c", "", "c", "o_r · o_r − ρ_o²", "1.1.1";
     ConeDiscriminant: "cone.discriminant", "", "Δ", "|o_r·ρ_d − d_r·ρ_o|² − |o_r × d_r|²", "1.1.1";
+    ConeDiscriminantDoubled: "cone.discriminant", "doubled", "Δ", "", "1.1.1";
     ConeT1: "cone.t", "1", "t", "t_0 + t_1", "1.1.1";
     ConeT2: "cone.t", "2", "t", "t_0 + t_2", "1.1.1";
     ConeTBase: "cone.t", "base", "t", "t_0 + t_b", "1.1.1";

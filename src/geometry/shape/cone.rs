@@ -10,7 +10,7 @@ use super::axis::{APEX_CAP, AxialRay, Axis, BASE_CAP, End, LATERAL, Span};
 use super::roots::{Quadratic, Roots};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::doubled::Doubled;
+use crate::geometry::doubled::{Doubled, Doubled3, exponent, scaled};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
@@ -40,12 +40,12 @@ impl Cone {
     }
 
     #[inline]
-    fn roots<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Roots> {
-        let from_base = ray.origin - self.axis.base;
-        let t_near = -from_base.dot(ray.direction) / ray.direction.dot(ray.direction);
+    fn roots<P: Probe>(&self, whole: &Ray, probe: &mut P) -> Option<Roots> {
+        let from_base = whole.origin - self.axis.base;
+        let t_near = -from_base.dot(whole.direction) / whole.direction.dot(whole.direction);
         let t_near = probe.note(Name::ConeTNear, t_near);
-        let origin = probe.note(Name::AxisOriginNear, from_base + ray.direction * t_near);
-        let ray = self.axis.see(origin, ray, probe);
+        let origin = probe.note(Name::AxisOriginNear, from_base + whole.direction * t_near);
+        let ray = self.axis.see(origin, whole, probe);
         let origin_radius = probe.note(Name::ConeOriginRadius, self.base_radius + self.slope * ray.origin_along);
         let ray_radius = probe.note(Name::ConeRayRadius, self.slope * ray.along);
         let a = probe.note(Name::ConeA, ray.across.dot(ray.across) - ray_radius * ray_radius);
@@ -54,7 +54,15 @@ impl Cone {
         let c = probe.note(Name::ConeC, across - origin_radius * origin_radius);
         let lean = ray.origin_across * ray_radius - ray.across * origin_radius;
         let distance = ray.origin_across.cross(ray.across);
-        let discriminant = probe.note(Name::ConeDiscriminant, lean.dot(lean) - distance.dot(distance));
+        let mut discriminant = probe.note(Name::ConeDiscriminant, lean.dot(lean) - distance.dot(distance));
+        if probe.certifies() {
+            let reach = from_base.length() * (1.0 + self.slope.abs()) + self.base_radius;
+            let doubt = OF_DISCRIMINANT * reach;
+            if discriminant.abs() <= doubt * (lean.length() + distance.length() + doubt) {
+                probe.fallback();
+                discriminant = probe.note(Name::ConeDiscriminantDoubled, self.doubled_discriminant(whole));
+            }
+        }
         let equation = Quadratic { a, b, c, discriminant };
         let inside = self.inside(equation, origin_radius, ray_radius, probe);
         let roots = inside.and_then(|lateral| {
@@ -65,6 +73,33 @@ impl Cone {
             probe.mark(Decision::Miss { why: Miss::Beside });
         }
         roots
+    }
+
+    /// The discriminant with twice the digits.
+    ///
+    /// With the axis w from base to apex in its own length instead of a unit vector no root is left: o × w, v × w, |w|²·ρ and
+    /// the discriminant times |w|⁶·|v|² are sums of products.
+    #[cold]
+    #[inline(never)]
+    fn doubled_discriminant(&self, ray: &Ray) -> f64 {
+        let axis = Doubled3::difference(self.axis.apex, self.axis.base);
+        let axis_size = exponent(axis.size());
+        let axis = axis.scaled(-axis_size);
+        let origin = Doubled3::difference(ray.origin, self.axis.base);
+        // Powers of two keep the products of lengths in range.
+        let size = exponent(origin.size().max(self.base_radius).max(self.apex_radius));
+        let origin = origin.scaled(-size);
+        let vector = Doubled3::from(ray.vector);
+        let squared = axis.dot(axis);
+        let gain = Doubled::sum(self.apex_radius, -self.base_radius).scaled(-axis_size);
+        let origin_radius = Doubled::from(scaled(self.base_radius, -size)) * squared + gain * origin.dot(axis);
+        let ray_radius = gain * vector.dot(axis);
+        let (origin_across, across) = (origin.cross(axis), vector.cross(axis));
+        let lean = origin_across.times(ray_radius) - across.times(origin_radius);
+        let distance = origin_across.cross(across);
+        let discriminant = lean.dot(lean) - squared * distance.dot(distance);
+        let unit = squared * squared * squared * vector.dot(vector);
+        scaled(discriminant.quotient(unit), 2 * size)
     }
 
     /// The part of the line inside the half of the double cone where the radius isn't negative.
@@ -118,6 +153,11 @@ impl Cone {
         })
     }
 }
+
+/// A bound of the errors of o'·ρ_d − d'·ρ_o and o' × d', whose squares the discriminant is made of, in parts of |o|·(1 + |k|) + r_b, o
+/// the origin from the base. Of 2⁻⁵³, eight of |o| for o', four for d', twelve of |k|·|o| + r_b for ρ_o, six of |k| for ρ_d; in
+/// all 34 and the product's own three. The squares err by twice that.
+const OF_DISCRIMINANT: f64 = 40.0 * f64::EPSILON;
 
 /// The one of two that isn't infinite.
 #[inline]
