@@ -2,7 +2,7 @@
 //!
 //! Adding a key is one row here and one arm in [`super::update`].
 
-use super::model::Pending;
+use super::model::{Model, Pending};
 use Action::*;
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
@@ -35,6 +35,7 @@ pub enum Action {
     NextRay,
     PreviousRay,
     SwitchPane,
+    Search,
     Help,
     Close,
     Quit,
@@ -48,6 +49,8 @@ pub enum Action {
     Unknown,
     /// The terminal has this many columns and rows now.
     Resize(u16, u16),
+    /// A key in the line that is being typed.
+    Typed(KeyEvent),
 }
 
 /// Some keys, what they do, and how the help says it.
@@ -99,12 +102,22 @@ pub const TABLE: &[Row] = &[
     row(FOLD, &["E"], OpenAll, "open everything inside the node"),
     row(FOLD, &["C"], CloseAll, "close everything inside the node"),
     row(VIEWER, &["Tab"], SwitchPane, "between the tree and the computation, where j and k move too"),
+    row(VIEWER, &["/"], Search, "search"),
     row(VIEWER, &["?", "F1"], Help, "this help"),
     row(VIEWER, &["Esc"], Close, "close the help, forget a count, dismiss a message"),
     row(VIEWER, &["q"], Quit, "quit (or close the help)"),
     row(VIEWER, &["^c"], Interrupt, "quit at once"),
     row(VIEWER, &["^z"], Suspend, "to the shell; fg comes back"),
 ];
+
+/// What a key does in the viewer as it is now; `None` for a key that is only let go.
+pub fn meant(model: &Model, key: KeyEvent) -> Option<Action> {
+    match action(&model.pending, key) {
+        Some(known @ (Interrupt | Suspend)) => Some(known),
+        Some(_) if model.prompt.is_some() => Some(Typed(key)),
+        action => action,
+    }
+}
 
 /// What a key does after what was typed before it; `None` for a key that is only let go.
 pub fn action(pending: &Pending, key: KeyEvent) -> Option<Action> {

@@ -9,7 +9,9 @@ mod facts;
 mod fold;
 pub mod keys;
 mod layout;
+mod list;
 mod model;
+mod prompt;
 pub mod screenshot;
 mod steps;
 mod terminal;
@@ -22,7 +24,9 @@ mod update;
 mod view;
 
 pub use keys::Action;
+pub use list::{Entry, Kind, Listing};
 pub use model::{Item, Message, Model, Overlay, Pane, Pending};
+pub use prompt::{Prompt, Purpose};
 pub use theme::{Palette, Theme};
 pub use update::{Effect, Exit, update};
 
@@ -117,7 +121,7 @@ pub fn opened_with_keys(log: Log, options: &Options, keys: &str, width: u16, hei
     let mut model = opened(log, options);
     update(&mut model, Action::Resize(width, height));
     for key in keys::sequence(keys) {
-        if let Some(action) = keys::action(&model.pending, key) {
+        if let Some(action) = keys::meant(&model, key) {
             update(&mut model, action);
         }
     }
@@ -139,7 +143,7 @@ fn react(model: &mut Model, terminal: &mut Terminal, input: Input) -> io::Result
             update(model, Action::Resize(width, height));
         }
         Input::Key(key) => {
-            let effect = keys::action(&model.pending, key).map(|action| update(model, action));
+            let effect = keys::meant(model, key).map(|action| update(model, action));
             match effect {
                 Some(Effect::Leave(exit)) => return Ok(Some(exit)),
                 Some(Effect::Suspend) => suspend(model, terminal, Asker::Key)?,

@@ -3,6 +3,8 @@
 use super::facts::Facts;
 use super::fold::Fold;
 use super::layout::Layout;
+use super::list;
+use super::prompt::Prompt;
 use crate::log::{Log, Tree};
 use crate::report::Style as Numbers;
 
@@ -31,6 +33,8 @@ pub struct Model {
     pub pending: Pending,
     /// What lies over the panes.
     pub overlay: Option<Overlay>,
+    /// The line that is being typed.
+    pub prompt: Option<Prompt>,
     /// What is said at the bottom.
     pub message: Option<Message>,
     /// How numbers are shown.
@@ -63,6 +67,13 @@ pub enum Overlay {
         /// The first line shown.
         top: u16,
     },
+    /// A list of places and figures.
+    List {
+        /// Of what.
+        kind: list::Kind,
+        /// The selected entry.
+        selected: usize,
+    },
 }
 
 /// Something said at the bottom.
@@ -92,6 +103,7 @@ impl Model {
             focus: Pane::Tree,
             pending: Pending::default(),
             overlay: None,
+            prompt: None,
             message: None,
             numbers: Numbers::default(),
         };

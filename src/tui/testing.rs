@@ -82,7 +82,7 @@ fn header() -> Header {
 pub(super) fn typed(model: &mut Model, text: &str) -> Effect {
     let mut effect = Effect::None;
     for key in keys::sequence(text) {
-        if let Some(action) = keys::action(&model.pending, key) {
+        if let Some(action) = keys::meant(model, key) {
             effect = update(model, action);
         }
     }

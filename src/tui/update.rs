@@ -2,7 +2,9 @@
 
 use super::fold::{has_children, next_sibling, previous_sibling};
 use super::keys::Action;
+use super::list;
 use super::model::{Item, Model, Overlay, Pane};
+use super::prompt::{self, Prompt, Purpose};
 use super::steps::{self, Stop};
 use super::view::help;
 
@@ -45,6 +47,11 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
             keep_in_view(model);
             return Effect::None;
         }
+        Action::Typed(key) => {
+            let effect = prompt::typed(model, key);
+            keep_in_view(model);
+            return effect;
+        }
         _ => {}
     }
     let count = std::mem::take(&mut model.pending).count;
@@ -53,6 +60,7 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
     }
     let effect = match model.overlay {
         Some(Overlay::Help { top }) => in_help(model, action, top, count),
+        Some(Overlay::List { kind, selected }) => list::update(model, action, kind, selected, count),
         None => in_panes(model, action, count),
     };
     keep_in_view(model);
@@ -98,13 +106,14 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
                 Pane::Computation => Pane::Tree,
             };
         }
+        Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
         Action::Help => model.overlay = Some(Overlay::Help { top: 0 }),
         Action::Close => model.message = None,
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
         Action::Unknown => model.say("no such key; ? shows the keys"),
-        Action::Digit(_) | Action::Prefix(_) | Action::Resize(..) => {}
+        Action::Digit(_) | Action::Prefix(_) | Action::Resize(..) | Action::Typed(_) => {}
     }
     Effect::None
 }

@@ -4,6 +4,7 @@
 mod computation;
 pub(super) mod help;
 mod label;
+mod list;
 mod pattern;
 mod status;
 mod text;
@@ -35,8 +36,10 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     computation::draw(model, theme, computation, buffer);
     pattern::draw(model, theme, pattern, buffer);
     status::draw(model, theme, &layout, buffer);
-    if let Some(Overlay::Help { top }) = model.overlay {
-        help::draw(top, theme, buffer);
+    match model.overlay {
+        Some(Overlay::Help { top }) => help::draw(top, theme, buffer),
+        Some(Overlay::List { kind, selected }) => list::draw(model, kind, selected, theme, buffer),
+        None => {}
     }
 }
 

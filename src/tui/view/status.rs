@@ -5,9 +5,11 @@ use super::text::{shown, width_of};
 use crate::log::What;
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
+use crate::tui::prompt::Prompt;
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 
 pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut Buffer) {
@@ -17,6 +19,9 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
         put(buffer, layout.message, Line::styled(shown(&format!("{before}{}", message.text), theme), style));
     }
     let area = layout.status;
+    if let Some(prompt) = &model.prompt {
+        return draw_prompt(prompt, theme, area, buffer);
+    }
     let step = format!("step {}/{}", model.step(), model.log.events.len());
     let room = usize::from(area.width).saturating_sub(width_of(&step));
     let places = places(model).map(|place| shown(&place, theme));
@@ -31,6 +36,25 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
         let place = Rect { x: area.right() - width, width, ..area };
         put(buffer, place, Line::styled(hint, theme.style(Role::Faint)));
     }
+}
+
+/// The line that is being typed, with its cursor; of a long one the part around the cursor.
+fn draw_prompt(prompt: &Prompt, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let sign = prompt.purpose.sign();
+    let room = usize::from(area.width).saturating_sub(width_of(sign) + 1);
+    let scrolled = prompt.line.visual_scroll(room);
+    // Blank where the cursor stands at the end.
+    let text: Vec<char> = prompt.line.value().chars().chain([' ']).collect();
+    let cursor = prompt.line.cursor();
+    let part = |range: std::ops::Range<usize>| shown(&text[range].iter().collect::<String>(), theme);
+    let cursor_style = Style::reset().add_modifier(Modifier::REVERSED);
+    let line = Line::from(vec![
+        Span::styled(sign, theme.style(Role::Title)),
+        Span::raw(part(scrolled.min(cursor)..cursor)),
+        Span::styled(part(cursor..cursor + 1), cursor_style),
+        Span::raw(part((cursor + 1).min(text.len())..text.len())),
+    ]);
+    put(buffer, area, line);
 }
 
 /// The path of the ray, and which quantity of the source text the current step computes; from the longest way to say it

@@ -1,0 +1,99 @@
+//! Lists that lie over the panes: places to go to, and figures.
+//!
+//! A kind of list is one function that makes its [`Listing`] from the model. Moving in it, going to the place of an entry and
+//! closing it are the same for all.
+
+use super::keys::Action;
+use super::model::{Model, Overlay};
+use super::theme::Role;
+use super::update::{Effect, Exit};
+
+/// What a list is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The steps inside the selected node's computation.
+    Steps,
+}
+
+/// A list.
+#[derive(Clone, Debug, Default)]
+pub struct Listing {
+    /// What it is of.
+    pub title: String,
+    /// Its entries.
+    pub entries: Vec<Entry>,
+    /// What is said where it has none.
+    pub nothing: &'static str,
+}
+
+/// An entry of a list.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// What it says.
+    pub text: String,
+    /// How it looks.
+    pub role: Role,
+    /// The event that `Enter` goes to.
+    pub target: Option<usize>,
+}
+
+impl Entry {
+    /// An entry in plain text that leads to an event.
+    pub fn to(target: usize, text: String) -> Entry {
+        Entry { text, role: Role::Text, target: Some(target) }
+    }
+
+    /// An entry that leads nowhere.
+    pub fn plain(text: String, role: Role) -> Entry {
+        Entry { text, role, target: None }
+    }
+}
+
+/// The list of this kind.
+pub fn listing(model: &Model, kind: Kind) -> Listing {
+    match kind {
+        Kind::Steps => Listing {
+            title: "Steps".to_owned(),
+            entries: model.tree.own_events(model.cursor).map(|event| Entry::to(event, event.to_string())).collect(),
+            nothing: "no steps",
+        },
+    }
+}
+
+/// Opens a list.
+#[allow(dead_code)]
+pub(super) fn open(model: &mut Model, kind: Kind) {
+    model.overlay = Some(Overlay::List { kind, selected: 0 });
+}
+
+/// Moves in a list, goes to the place of its selected entry, or closes it.
+pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: usize, count: Option<u32>) -> Effect {
+    let listing = listing(model, kind);
+    let times = count.unwrap_or(1) as usize;
+    let page = usize::from(model.size.1 / 2).max(1);
+    let last = listing.entries.len().saturating_sub(1);
+    let selected = match action {
+        Action::Down => selected.saturating_add(times),
+        Action::Up => selected.saturating_sub(times),
+        Action::HalfPageDown | Action::PageDown => selected.saturating_add(page),
+        Action::HalfPageUp | Action::PageUp => selected.saturating_sub(page),
+        Action::First => 0,
+        Action::Last => last,
+        Action::In => {
+            if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
+                model.overlay = None;
+                model.go_to_event(target);
+            }
+            return Effect::None;
+        }
+        Action::Close | Action::Quit | Action::Out => {
+            model.overlay = None;
+            return Effect::None;
+        }
+        Action::Interrupt => return Effect::Leave(Exit::Interrupted),
+        Action::Suspend => return Effect::Suspend,
+        _ => selected,
+    };
+    model.overlay = Some(Overlay::List { kind, selected: selected.min(last) });
+    Effect::None
+}

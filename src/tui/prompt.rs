@@ -1,0 +1,88 @@
+//! The line that is typed at the bottom: a search, a filter, a command, a breakpoint, an answer.
+
+use super::model::Model;
+use super::update::Effect;
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use tui_input::{Input, InputRequest};
+
+/// A line that is being typed.
+#[derive(Clone, Debug)]
+pub struct Prompt {
+    /// What for.
+    pub purpose: Purpose,
+    /// What has been typed.
+    pub line: Input,
+}
+
+/// What a line is typed for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// What to look for.
+    Search,
+}
+
+impl Purpose {
+    /// What stands before the line.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Purpose::Search => "/",
+        }
+    }
+}
+
+impl Prompt {
+    /// An empty line.
+    pub fn new(purpose: Purpose) -> Prompt {
+        Prompt { purpose, line: Input::default() }
+    }
+}
+
+/// Does what a key does to the line; `Enter` ends it and `Esc` forgets it.
+pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
+    let Some(prompt) = &mut model.prompt else { return Effect::None };
+    match key.code {
+        KeyCode::Esc => model.prompt = None,
+        KeyCode::Backspace if prompt.line.value().is_empty() => model.prompt = None,
+        KeyCode::Enter => {
+            let text = prompt.line.value().to_owned();
+            let purpose = prompt.purpose;
+            model.prompt = None;
+            return done(model, purpose, &text);
+        }
+        _ => {
+            if let Some(request) = request(key) {
+                prompt.line.handle(request);
+            }
+        }
+    }
+    Effect::None
+}
+
+/// What a key changes in a line: as in a shell.
+fn request(key: KeyEvent) -> Option<InputRequest> {
+    let is_control = key.modifiers.contains(KeyModifiers::CONTROL);
+    Some(match key.code {
+        KeyCode::Char('a') if is_control => InputRequest::GoToStart,
+        KeyCode::Char('e') if is_control => InputRequest::GoToEnd,
+        KeyCode::Char('u') if is_control => InputRequest::DeleteLine,
+        KeyCode::Char('w') if is_control => InputRequest::DeletePrevWord,
+        KeyCode::Char('k') if is_control => InputRequest::DeleteTillEnd,
+        KeyCode::Char(_) if is_control => return None,
+        KeyCode::Char(character) => InputRequest::InsertChar(character),
+        KeyCode::Backspace => InputRequest::DeletePrevChar,
+        KeyCode::Delete => InputRequest::DeleteNextChar,
+        KeyCode::Left => InputRequest::GoToPrevChar,
+        KeyCode::Right => InputRequest::GoToNextChar,
+        KeyCode::Home => InputRequest::GoToStart,
+        KeyCode::End => InputRequest::GoToEnd,
+        _ => return None,
+    })
+}
+
+/// Does what a finished line asks for.
+fn done(model: &mut Model, purpose: Purpose, _text: &str) -> Effect {
+    match purpose {
+        Purpose::Search => model.say("nothing found"),
+    }
+    Effect::None
+}
