@@ -17,7 +17,7 @@ fn options(palette: Palette, ascii: bool) -> Options {
 
 /// Text and styles of the frame after these keys.
 fn frame_after(keys: &str, width: u16, height: u16, options: &Options) -> String {
-    let model = tui::opened_with_keys(by_hand(), options, keys, width, height);
+    let model = tui::opened_with_keys(by_hand(), options, None, keys, (width, height));
     dump(&tui::frame(&model, width, height, &options.theme))
 }
 
@@ -49,7 +49,7 @@ fn the_samples_of_a_pixel_are_a_picture() {
     let log = || record::pixel(&scene("figure-19"), [20, 8], Arithmetic::F64);
     let frame = |keys: &str, width, height, ascii| {
         let options = options(Palette::None, ascii);
-        let model = tui::opened_with_keys(log(), &options, keys, width, height);
+        let model = tui::opened_with_keys(log(), &options, None, keys, (width, height));
         dump(&tui::frame(&model, width, height, &options.theme))
     };
     snapshots().bind(|| insta::assert_snapshot!("viewer_samples", frame("g", 80, 30, false)));
@@ -67,7 +67,7 @@ fn no_size_is_too_small_to_be_drawn() {
         for height in 0..16 {
             let options = options(Palette::True, false);
             for keys in ["", "5n", "?", "Tab 5n"] {
-                let model = tui::opened_with_keys(by_hand(), &options, keys, width, height);
+                let model = tui::opened_with_keys(by_hand(), &options, None, keys, (width, height));
                 tui::frame(&model, width, height, &options.theme);
             }
         }

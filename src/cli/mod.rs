@@ -4,6 +4,7 @@ mod bench;
 mod causes;
 mod failure;
 mod frames;
+mod live;
 mod options;
 mod output;
 mod progress;

@@ -1,6 +1,7 @@
 //! `raywalk walk`: the viewer; without a terminal the same walk as text.
 
 use super::failure::{Failure, INTERRUPTED, TERMINATED};
+use super::live::Session;
 use super::options::{ColorChoice, TracingOptions, numbers};
 use super::output::{self, Output};
 use super::scene_argument::{self, Input};
@@ -49,6 +50,15 @@ pub struct Walk {
     tracing: TracingOptions,
 }
 
+/// What is walked through.
+struct Walked {
+    log: Log,
+    /// What to warn of.
+    warning: Option<String>,
+    /// Who traces the scene, unless it is a saved log.
+    session: Option<Session>,
+}
+
 /// The most columns or rows of a screenshot.
 const MAX_SCREEN: u16 = 1000;
 
@@ -68,12 +78,13 @@ impl Walk {
             Some(path) => scene_argument::read(path, colors)?,
             None => scene_argument::built_in("textbook")?,
         };
-        let (log, warning) = self.log(&input, colors)?;
+        let Walked { log, warning, mut session } = self.log(&input, colors)?;
+        let live = session.as_mut().map(|session| session as &mut dyn tui::Live);
         if let Some(path) = &self.screenshot {
             self.check_screenshot(path)?;
             let [width, height] = self.screen.unwrap_or(SCREEN);
             let options = self.options(Palette::True, warning);
-            let picture = tui::picture(log, &options, &self.keys, width, height);
+            let picture = tui::picture(log, &options, live, &self.keys, (width, height));
             return Output::create(Some(path), &[walked])?.commit(picture.as_bytes());
         }
         if self.plain || !has_terminal() {
@@ -86,13 +97,13 @@ impl Walk {
         if let Some(signals) = signals {
             signals.close();
         }
-        let outcome = tui::run(log, self.options(palette(colors), warning))
+        let outcome = tui::run(log, self.options(palette(colors), warning), live)
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
         self.leave(walked, is_log(&input.bytes), &outcome)
     }
 
     /// The log to walk through, and what to warn of.
-    fn log(&self, input: &Input, colors: ColorChoice) -> Result<(Log, Option<String>), Failure> {
+    fn log(&self, input: &Input, colors: ColorChoice) -> Result<Walked, Failure> {
         if is_log(&input.bytes) {
             if self.tracing != TracingOptions::default() || self.subject != Subject::default() {
                 let name = visible(&input.name);
@@ -104,11 +115,12 @@ impl Walk {
                 LogError::Io(error) => Failure::machine(format!("{name}: cannot read: {error}")),
                 _ => Failure::caller(format!("{name}:{error}")),
             })?;
-            return Ok((read.log, read.ending.warning()));
+            return Ok(Walked { log: read.log, warning: read.ending.warning(), session: None });
         }
         let scene = self.tracing.apply(scene_argument::scene(input, &self.tracing.import(), colors)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;
-        Ok((short_log(&scene, part, self.tracing.arithmetic)?, None))
+        let log = short_log(&scene, part, self.tracing.arithmetic)?;
+        Ok(Walked { log, warning: None, session: Some(Session::new(scene, self.tracing.arithmetic)) })
     }
 
     fn options(&self, palette: Palette, warning: Option<String>) -> tui::Options {

@@ -10,6 +10,7 @@ mod fold;
 pub mod keys;
 mod layout;
 mod list;
+mod live;
 mod model;
 mod prompt;
 pub mod screenshot;
@@ -25,6 +26,7 @@ mod view;
 
 pub use keys::Action;
 pub use list::{Entry, Kind, Listing};
+pub use live::Live;
 pub use model::{Item, Message, Model, Overlay, Pane, Pending};
 pub use prompt::{Prompt, Purpose};
 pub use theme::{Palette, Theme};
@@ -70,8 +72,8 @@ pub struct Position {
     pub at: u32,
 }
 
-/// Shows a log until the viewer is left. The terminal is restored whatever happens.
-pub fn run(log: Log, options: Options) -> io::Result<Outcome> {
+/// Shows a log until the viewer is left; `live` traces the scene, if there is one. The terminal is restored whatever happens.
+pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::Result<Outcome> {
     let theme = options.theme;
     let mut model = opened(log, &options);
     let mut terminal = Terminal::enter()?;
@@ -81,7 +83,7 @@ pub fn run(log: Log, options: Options) -> io::Result<Outcome> {
         terminal.draw(|buffer| view::draw(&model, &theme, buffer))?;
         let mut input = Some(terminal.next()?);
         while let Some(now) = input {
-            if let Some(exit) = react(&mut model, &mut terminal, now)? {
+            if let Some(exit) = react(&mut model, &mut terminal, &mut live, now)? {
                 return Ok(Outcome { exit, position: position(&model) });
             }
             input = terminal.next_at_once()?;
@@ -117,24 +119,42 @@ pub fn frame(model: &Model, width: u16, height: u16, theme: &Theme) -> Buffer {
 }
 
 /// The model of a log in a terminal of this size, after these keys (see [`keys::sequence`]).
-pub fn opened_with_keys(log: Log, options: &Options, keys: &str, width: u16, height: u16) -> Model {
+pub fn opened_with_keys(
+    log: Log,
+    options: &Options,
+    mut live: Option<&mut dyn Live>,
+    keys: &str,
+    (width, height): (u16, u16),
+) -> Model {
     let mut model = opened(log, options);
     update(&mut model, Action::Resize(width, height));
     for key in keys::sequence(keys) {
         if let Some(action) = keys::meant(&model, key) {
-            update(&mut model, action);
+            let effect = update(&mut model, action);
+            model.answer(effect, &mut live);
         }
     }
     model
 }
 
 /// The viewer as an SVG picture, after these keys.
-pub fn picture(log: Log, options: &Options, keys: &str, width: u16, height: u16) -> String {
-    let model = opened_with_keys(log, options, keys, width, height);
+pub fn picture(
+    log: Log,
+    options: &Options,
+    live: Option<&mut dyn Live>,
+    keys: &str,
+    (width, height): (u16, u16),
+) -> String {
+    let model = opened_with_keys(log, options, live, keys, (width, height));
     screenshot::svg(&frame(&model, width, height, &options.theme))
 }
 
-fn react(model: &mut Model, terminal: &mut Terminal, input: Input) -> io::Result<Option<Exit>> {
+fn react(
+    model: &mut Model,
+    terminal: &mut Terminal,
+    live: &mut Option<&mut dyn Live>,
+    input: Input,
+) -> io::Result<Option<Exit>> {
     match input {
         Input::Leave(exit) => return Ok(Some(exit)),
         Input::Suspend => suspend(model, terminal, Asker::Signal)?,
@@ -147,7 +167,8 @@ fn react(model: &mut Model, terminal: &mut Terminal, input: Input) -> io::Result
             match effect {
                 Some(Effect::Leave(exit)) => return Ok(Some(exit)),
                 Some(Effect::Suspend) => suspend(model, terminal, Asker::Key)?,
-                Some(Effect::None) | None => {}
+                Some(asked) => model.answer(asked, live),
+                None => {}
             }
         }
     }

@@ -4,7 +4,9 @@ use super::facts::Facts;
 use super::fold::Fold;
 use super::layout::Layout;
 use super::list;
+use super::live::Live;
 use super::prompt::Prompt;
+use super::update::Effect;
 use crate::log::{Log, Tree};
 use crate::report::Style as Numbers;
 
@@ -39,6 +41,8 @@ pub struct Model {
     pub message: Option<Message>,
     /// How numbers are shown.
     pub numbers: Numbers,
+    /// What is shown, in other arithmetics, once somebody asked for it.
+    pub others: Vec<Log>,
 }
 
 /// A pane.
@@ -106,6 +110,7 @@ impl Model {
             prompt: None,
             message: None,
             numbers: Numbers::default(),
+            others: Vec::new(),
         };
         model.go_to_event(0);
         model
@@ -122,6 +127,29 @@ impl Model {
     pub fn go_to_node(&mut self, node: usize) {
         self.cursor = node;
         self.event = self.tree.nodes()[node].events.start.min(self.log.events.len().saturating_sub(1));
+    }
+
+    /// Has somebody do what is left to do outside the model, as far as it concerns the scene.
+    pub fn answer(&mut self, effect: Effect, live: &mut Option<&mut dyn Live>) {
+        let asked = match (effect, live) {
+            (Effect::None | Effect::Leave(_) | Effect::Suspend, _) => return,
+            (_, None) => Err("a saved log has no scene to trace".to_owned()),
+            (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| self.show(log)),
+            (Effect::Compare, Some(live)) => live.compare(self.log.header.subject).map(|logs| self.others = logs),
+        };
+        if let Err(why) = asked {
+            self.say(&why);
+        }
+    }
+
+    /// Shows another log of the same scene.
+    pub fn show(&mut self, log: Log) {
+        self.tree = Tree::of(&log.events);
+        self.facts = Facts::of(&log, &self.tree);
+        self.fold = Fold::of(&self.tree);
+        self.log = log;
+        self.others.clear();
+        self.go_to_event(0);
     }
 
     /// The number of the current step, from 1; 0 in a log without events.

@@ -241,7 +241,7 @@ fn pictures_show_the_viewer_after_some_keys() {
         note: None,
         numbers: Default::default(),
     };
-    let svg = picture(textbook(), &options, "3n", 80, 24);
+    let svg = picture(textbook(), &options, None, "3n", (80, 24));
     assert!(svg.contains("step 5/96"), "{svg}");
     assert!(svg.contains("V_d"), "{svg}");
 }

@@ -17,6 +17,10 @@ pub enum Effect {
     Leave(Exit),
     /// Stop, until the shell lets the viewer go on.
     Suspend,
+    /// Trace this pixel and show its log.
+    Trace([u32; 2]),
+    /// Trace what is shown in the other arithmetics.
+    Compare,
 }
 
 /// Why the viewer was left.

@@ -1,0 +1,46 @@
+//! The scene behind the viewer, which is traced while one looks.
+
+use glam::DVec3;
+use raywalk::log::{Log, Subject};
+use raywalk::record::{self, Arithmetic, Part};
+use raywalk::scene::Scene;
+use raywalk::tui::Live;
+
+/// A scene and the arithmetic that it is shown in.
+pub struct Session {
+    scene: Scene,
+    arithmetic: Arithmetic,
+}
+
+impl Session {
+    /// The session of a scene.
+    pub fn new(scene: Scene, arithmetic: Arithmetic) -> Session {
+        Session { scene, arithmetic }
+    }
+
+    fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, String> {
+        record::bounded(&self.scene, part, arithmetic).map_err(|cut_off| cut_off.to_string())
+    }
+}
+
+impl Live for Session {
+    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, String> {
+        if self.arithmetic == Arithmetic::Printed {
+            return Err("the book prints one pixel only".to_owned());
+        }
+        self.log(Part::Pixel(pixel), self.arithmetic)
+    }
+
+    fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, String> {
+        let part = match subject {
+            Subject::Pixel(pixel) => Part::Pixel(pixel),
+            Subject::Ray([ox, oy, oz, dx, dy, dz]) => {
+                Part::Ray { origin: DVec3::new(ox, oy, oz), direction: DVec3::new(dx, dy, dz) }
+            }
+            Subject::Region(_) => return Err("only pixels and rays are compared".to_owned()),
+        };
+        // The perturbed runs are those of f64, with the digits that they have in common.
+        let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::Perturbed(0)];
+        arithmetics.into_iter().map(|arithmetic| self.log(part, arithmetic)).collect()
+    }
+}
