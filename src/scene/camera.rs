@@ -110,9 +110,10 @@ impl Camera {
     }
 
     /// The eye, or the lens's centre.
-    pub(super) fn position(&self) -> DVec3 {
+    pub(crate) fn position(&self) -> DVec3 {
         self.position
     }
+
     /// |G|, e_x and e_y, and D = G + |G|·(x·e_x + y·e_y). What doesn't depend on the pixel was computed with the camera, by the same
     /// formulas.
     #[inline(always)]

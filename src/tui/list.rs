@@ -79,7 +79,7 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
         Action::HalfPageUp | Action::PageUp => selected.saturating_sub(page),
         Action::First => 0,
         Action::Last => last,
-        Action::In => {
+        Action::In | Action::Enter => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;
                 model.go_to_event(target);

@@ -12,6 +12,9 @@ mod layout;
 mod list;
 mod live;
 mod model;
+mod panes;
+mod picture;
+mod place;
 mod prompt;
 pub mod screenshot;
 mod steps;
@@ -28,6 +31,7 @@ pub use keys::Action;
 pub use list::{Entry, Kind, Listing};
 pub use live::Live;
 pub use model::{Item, Message, Model, Overlay, Pane, Pending};
+pub use picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
 pub use prompt::{Prompt, Purpose};
 pub use theme::{Palette, Theme};
 pub use update::{Effect, Exit, update};
@@ -76,12 +80,14 @@ pub struct Position {
 pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::Result<Outcome> {
     let theme = options.theme;
     let mut model = opened(log, &options);
+    model.look(&mut live, false);
     let mut terminal = Terminal::enter()?;
     let (width, height) = terminal.size()?;
     update(&mut model, Action::Resize(width, height));
     loop {
         terminal.draw(|buffer| view::draw(&model, &theme, buffer))?;
-        let mut input = Some(terminal.next()?);
+        let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished);
+        let mut input = Some(terminal.next(waits)?);
         while let Some(now) = input {
             if let Some(exit) = react(&mut model, &mut terminal, &mut live, now)? {
                 return Ok(Outcome { exit, position: position(&model) });
@@ -127,12 +133,16 @@ pub fn opened_with_keys(
     (width, height): (u16, u16),
 ) -> Model {
     let mut model = opened(log, options);
+    model.look(&mut live, false);
     update(&mut model, Action::Resize(width, height));
     for key in keys::sequence(keys) {
         if let Some(action) = keys::meant(&model, key) {
             let effect = update(&mut model, action);
             model.answer(effect, &mut live);
         }
+    }
+    if !model.layout(model.size).area(Pane::Picture).is_empty() {
+        model.look(&mut live, true);
     }
     model
 }
@@ -157,6 +167,7 @@ fn react(
 ) -> io::Result<Option<Exit>> {
     match input {
         Input::Leave(exit) => return Ok(Some(exit)),
+        Input::Tick => model.look(live, false),
         Input::Suspend => suspend(model, terminal, Asker::Signal)?,
         Input::Resume => come_back(model, terminal)?,
         Input::Size(width, height) => {

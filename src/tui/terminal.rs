@@ -43,6 +43,8 @@ pub(super) enum Input {
     Leave(Exit),
     /// Somebody asks to stop for a while.
     Suspend,
+    /// Nothing has come for a moment.
+    Tick,
     /// The terminal may have changed: the viewer was stopped and goes on, or something else has written.
     Resume,
 }
@@ -69,14 +71,15 @@ impl Terminal {
         execute!(io::stdout(), EndSynchronizedUpdate)
     }
 
-    /// Waits for what comes next.
-    pub(super) fn next(&mut self) -> io::Result<Input> {
+    /// Waits for what comes next; with `ticks` no longer than for a moment.
+    pub(super) fn next(&mut self, ticks: bool) -> io::Result<Input> {
         loop {
             if let Some(input) = self.signals.take() {
                 return Ok(input);
             }
             match read(TICK) {
                 Ok(Some(input)) => return Ok(input),
+                Ok(None) if ticks => return Ok(Input::Tick),
                 Ok(None) => {}
                 // A terminal that is gone can't be read, and its signal may be a moment late.
                 Err(error) => {

@@ -4,6 +4,8 @@ use super::fold::{has_children, next_sibling, previous_sibling};
 use super::keys::Action;
 use super::list;
 use super::model::{Item, Model, Overlay, Pane};
+use super::panes;
+use super::picture;
 use super::prompt::{self, Prompt, Purpose};
 use super::steps::{self, Stop};
 use super::view::help;
@@ -75,6 +77,9 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
 const MOST: u32 = 1_000_000_000;
 
 fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
+    if let Some(effect) = picture::update(model, action, count) {
+        return effect;
+    }
     let times = count.unwrap_or(1) as usize;
     match action {
         Action::Down => move_by(model, times as isize),
@@ -89,10 +94,10 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
             Some(step) => model.go_to_event((step as usize).saturating_sub(1)),
         },
         Action::Out => (0..times.min(model.tree.nodes().len())).for_each(|_| go_out(model)),
-        Action::In => (0..times.min(model.tree.nodes().len())).for_each(|_| go_in(model)),
+        Action::In | Action::Enter => (0..times.min(model.tree.nodes().len())).for_each(|_| go_in(model)),
         Action::NextSibling => go_along(model, times, |model, node| next_sibling(&model.tree, node)),
         Action::PreviousSibling => go_along(model, times, |model, node| previous_sibling(&model.tree, node)),
-        Action::Center => model.top = model.fold.up(&model.tree, model.cursor, model.layout().page() / 2).0,
+        Action::Center => model.top = model.fold.up(&model.tree, model.cursor, model.page() / 2).0,
         Action::Toggle => toggle(model),
         Action::OpenSiblings => set_siblings(model, true),
         Action::CloseSiblings => set_siblings(model, false),
@@ -104,18 +109,20 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::PreviousEvent => step(model, Stop::Event, times, steps::before),
         Action::NextRay => step(model, Stop::Ray, times, steps::after),
         Action::PreviousRay => step(model, Stop::Ray, times, steps::before),
-        Action::SwitchPane => {
-            model.focus = match model.focus {
-                Pane::Tree => Pane::Computation,
-                Pane::Computation => Pane::Tree,
-            };
-        }
+        Action::SwitchPane => panes::switch(model, 1),
+        Action::PreviousPane => panes::switch(model, -1),
+        Action::OnlyPane => model.is_alone = !model.is_alone,
+        Action::Wider => model.shift = panes::shifted(model, times as i64),
+        Action::Narrower => model.shift = panes::shifted(model, -(times as i64)),
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
         Action::Help => model.overlay = Some(Overlay::Help { top: 0 }),
         Action::Close => model.message = None,
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
+        Action::ZoomIn | Action::ZoomOut | Action::Brighter | Action::Darker | Action::NextView => {
+            model.say("that is for the picture and the schematic; Tab goes there");
+        }
         Action::Unknown => model.say("no such key; ? shows the keys"),
         Action::Digit(_) | Action::Prefix(_) | Action::Resize(..) | Action::Typed(_) => {}
     }
@@ -147,14 +154,14 @@ fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> E
 
 /// As many rows as these pages have.
 fn pages(model: &Model, count: usize) -> isize {
-    (count.saturating_mul(model.layout().page().max(2))).min(isize::MAX as usize / 2) as isize
+    (count.saturating_mul(model.page().max(2))).min(isize::MAX as usize / 2) as isize
 }
 
 /// Moves by rows: of the tree, or of the computation when that has the focus.
 fn move_by(model: &mut Model, rows: isize) {
     let count = rows.unsigned_abs();
     match model.focus {
-        Pane::Tree => {
+        Pane::Picture | Pane::Tree | Pane::Code | Pane::Schematic => {
             let node = match rows {
                 isize::MAX => model.fold.last(&model.tree),
                 isize::MIN => 0,
@@ -185,18 +192,18 @@ fn move_by(model: &mut Model, rows: isize) {
 fn go_out(model: &mut Model) {
     match model.focus {
         Pane::Computation => model.focus = Pane::Tree,
-        Pane::Tree if model.fold.is_open(&model.tree, model.cursor) => model.fold.set(model.cursor, false),
-        Pane::Tree if model.cursor != 0 => model.go_to_node(model.tree.nodes()[model.cursor].parent),
-        Pane::Tree => {}
+        _ if model.fold.is_open(&model.tree, model.cursor) => model.fold.set(model.cursor, false),
+        _ if model.cursor != 0 => model.go_to_node(model.tree.nodes()[model.cursor].parent),
+        _ => {}
     }
 }
 
 fn go_in(model: &mut Model) {
     match model.focus {
         Pane::Computation => {}
-        Pane::Tree if !has_children(&model.tree, model.cursor) => model.focus = Pane::Computation,
-        Pane::Tree if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(model.cursor + 1),
-        Pane::Tree => model.fold.set(model.cursor, true),
+        _ if !has_children(&model.tree, model.cursor) => model.focus_on(Pane::Computation),
+        _ if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(model.cursor + 1),
+        _ => model.fold.set(model.cursor, true),
     }
 }
 
@@ -242,5 +249,5 @@ fn keep_in_view(model: &mut Model) {
     if row != model.cursor {
         model.go_to_node(row);
     }
-    model.top = model.fold.scrolled(&model.tree, model.top, model.cursor, model.layout().page());
+    model.top = model.fold.scrolled(&model.tree, model.top, model.cursor, model.page());
 }

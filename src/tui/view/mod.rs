@@ -6,11 +6,11 @@ pub(super) mod help;
 mod label;
 mod list;
 mod pattern;
+mod picture;
 mod status;
 mod text;
 mod tree;
 
-use super::layout::Layout;
 use super::model::{Model, Overlay, Pane};
 use super::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
@@ -21,25 +21,28 @@ use ratatui::text::{Line, Span};
 /// Draws the whole screen.
 pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     let screen = buffer.area;
-    let layout = Layout::of((screen.width, screen.height), model.focus, model.message.is_some());
+    let layout = model.layout((screen.width, screen.height));
     if layout.is_too_small {
         return too_small(screen, buffer);
     }
-    tree::draw(model, theme, layout.tree, buffer);
-    if let Some(divider) = layout.divider {
-        for y in divider.top()..divider.bottom() {
-            let glyph = if y == divider.y { theme.glyphs.tee } else { theme.glyphs.vertical };
-            put(buffer, Rect { y, height: 1, ..divider }, Span::styled(glyph, theme.style(Role::Faint)).into());
-        }
-    }
-    let (computation, pattern) = pattern::split(model, layout.computation);
+    tree::draw(model, theme, layout.area(Pane::Tree), buffer);
+    layout.dividers.iter().for_each(|divider| draw_divider(*divider, theme, buffer));
+    let (computation, pattern) = pattern::split(model, layout.area(Pane::Computation));
     computation::draw(model, theme, computation, buffer);
     pattern::draw(model, theme, pattern, buffer);
+    picture::draw(model, theme, layout.area(Pane::Picture), buffer);
     status::draw(model, theme, &layout, buffer);
     match model.overlay {
         Some(Overlay::Help { top }) => help::draw(top, theme, buffer),
         Some(Overlay::List { kind, selected }) => list::draw(model, kind, selected, theme, buffer),
         None => {}
+    }
+}
+
+fn draw_divider(divider: Rect, theme: &Theme, buffer: &mut Buffer) {
+    for y in divider.top()..divider.bottom() {
+        let glyph = if y == divider.y { theme.glyphs.tee } else { theme.glyphs.vertical };
+        put(buffer, Rect { y, height: 1, ..divider }, Span::styled(glyph, theme.style(Role::Faint)).into());
     }
 }
 
