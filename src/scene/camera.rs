@@ -110,7 +110,7 @@ impl Camera {
     }
 
     /// The eye, or the lens's centre.
-    pub(crate) fn position(&self) -> DVec3 {
+    pub fn position(&self) -> DVec3 {
         self.position
     }
 

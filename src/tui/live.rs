@@ -1,5 +1,6 @@
 //! What the viewer can ask of a scene that is traced while one looks. A saved log has nobody to ask.
 
+use super::drawing::Drawing;
 use super::picture::Image;
 use crate::log::{Log, Subject};
 use std::sync::Arc;
@@ -11,6 +12,9 @@ pub trait Live {
 
     /// The picture as far as it is there, if there is more of it than when it was asked for last; `whole` waits for all of it.
     fn picture(&mut self, whole: bool) -> Option<Arc<Image>>;
+
+    /// The scene as lines.
+    fn drawing(&mut self) -> Option<Arc<Drawing>>;
 
     /// The logs of the same pixel or ray in other arithmetics: by hand, in single precision, in f64 with the digits that can
     /// be trusted.

@@ -4,6 +4,7 @@
 //! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
 //! tested without one. The room knows logs and reports; it computes no geometry and needs no scene.
 
+mod drawing;
 pub mod dump;
 mod facts;
 mod fold;
@@ -27,6 +28,7 @@ pub mod theme;
 mod update;
 mod view;
 
+pub use drawing::{Drawing, PlaceOf, Projection, Thing};
 pub use keys::Action;
 pub use list::{Entry, Kind, Listing};
 pub use live::Live;

@@ -1,5 +1,6 @@
 //! The state of the viewer: the log, the place in it, and what of it is shown. It draws nothing and reads no keys.
 
+use super::drawing::{Drawing, Projection};
 use super::facts::Facts;
 use super::fold::Fold;
 use super::layout::{Arrangement, Layout};
@@ -11,6 +12,7 @@ use super::prompt::Prompt;
 use super::update::Effect;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
+use std::sync::Arc;
 
 /// Everything that the viewer knows.
 #[derive(Clone, Debug)]
@@ -41,6 +43,12 @@ pub struct Model {
     pub shift: i16,
     /// The picture and how it is looked at, if there is a scene.
     pub picture: Option<PictureView>,
+    /// The scene as lines, if there is one.
+    pub drawing: Option<Arc<Drawing>>,
+    /// From where the schematic is seen.
+    pub projection: Projection,
+    /// How often the schematic is enlarged twofold.
+    pub magnification: u32,
     /// What was typed and isn't a key yet.
     pub pending: Pending,
     /// What lies over the panes.
@@ -130,6 +138,9 @@ impl Model {
             is_alone: false,
             shift: 0,
             picture: None,
+            drawing: None,
+            projection: Projection::Top,
+            magnification: 0,
             pending: Pending::default(),
             overlay: None,
             prompt: None,
@@ -170,6 +181,9 @@ impl Model {
     /// Looks whether there is more of the picture; `whole` waits for all of it.
     pub fn look(&mut self, live: &mut Option<&mut dyn Live>, whole: bool) {
         let Some(image) = live.as_mut().and_then(|live| live.picture(whole)) else { return };
+        if let (None, Some(live)) = (&self.drawing, live) {
+            self.drawing = live.drawing();
+        }
         match &mut self.picture {
             Some(view) => view.show(image),
             None => {

@@ -1,5 +1,6 @@
 //! What each action does to the model. Nothing is drawn here, and nothing read: `update(model, action)` is all.
 
+use super::drawing;
 use super::fold::{has_children, next_sibling, previous_sibling};
 use super::keys::Action;
 use super::list;
@@ -77,7 +78,8 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
 const MOST: u32 = 1_000_000_000;
 
 fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
-    if let Some(effect) = picture::update(model, action, count) {
+    let special = picture::update(model, action, count).or_else(|| drawing::update(model, action));
+    if let Some(effect) = special {
         return effect;
     }
     let times = count.unwrap_or(1) as usize;

@@ -1,5 +1,6 @@
 //! The scene behind the viewer, which is traced while one looks.
 
+mod drawing;
 mod picture;
 
 use glam::DVec3;
@@ -7,7 +8,7 @@ use picture::Rendering;
 use raywalk::log::{Log, Subject};
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::scene::Scene;
-use raywalk::tui::{Image, Live};
+use raywalk::tui::{Drawing, Image, Live};
 use std::sync::Arc;
 
 /// A scene and the arithmetic that it is shown in.
@@ -46,6 +47,10 @@ impl Live for Session {
             rendering.finish();
         }
         rendering.latest()
+    }
+
+    fn drawing(&mut self) -> Option<Arc<Drawing>> {
+        Some(Arc::new(drawing::of(&self.scene)))
     }
 
     fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, String> {

@@ -7,6 +7,7 @@ mod label;
 mod list;
 mod pattern;
 mod picture;
+mod schematic;
 mod status;
 mod text;
 mod tree;
@@ -31,6 +32,7 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     computation::draw(model, theme, computation, buffer);
     pattern::draw(model, theme, pattern, buffer);
     picture::draw(model, theme, layout.area(Pane::Picture), buffer);
+    schematic::draw(model, theme, layout.area(Pane::Schematic), buffer);
     status::draw(model, theme, &layout, buffer);
     match model.overlay {
         Some(Overlay::Help { top }) => help::draw(top, theme, buffer),
