@@ -268,9 +268,9 @@ mod tests {
     fn every_key_of_the_table_does_what_its_row_says() {
         for row in TABLE {
             for key in row.keys {
-                match *key {
-                    "zz" => does("z", "z", row.action),
-                    key => does("", key, row.action),
+                match key.strip_prefix('z') {
+                    Some(second) if !second.is_empty() => does("z", second, row.action),
+                    _ => does("", key, row.action),
                 }
             }
         }

@@ -24,6 +24,8 @@ mod terminal;
 mod testing;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_picture;
 pub mod theme;
 mod update;
 mod view;

@@ -245,6 +245,6 @@ pub(super) fn update(model: &mut Model, action: Action, count: Option<u32>) -> O
         model.say("the picture ends here");
         return Some(Effect::None);
     }
-    view.cursor = target;
+    // The cursor goes there with the log, if there is one.
     Some(Effect::Trace(target))
 }

@@ -9,7 +9,7 @@ use crate::report::segments::{Segment, segment, segments};
 use crate::tui::drawing::{Drawing, Projection, Thing};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
-use crate::tui::theme::{Role, Theme};
+use crate::tui::theme::{Palette, Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
@@ -39,13 +39,15 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         return put(buffer, body, Span::styled("no rays here", theme.style(Role::Faint)).into());
     };
     let color = |role: Role| theme.style(role).fg.unwrap_or(Color::Reset);
+    // Things stand back without being dim, which a canvas can't.
+    let grey = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };
     Canvas::default()
         .marker(if theme.is_ascii() { Marker::Dot } else { Marker::Braille })
         .x_bounds(stage.x)
         .y_bounds(stage.y)
         .paint(|canvas| {
             if let Some(drawing) = &model.drawing {
-                drawing.objects.iter().for_each(|thing| stage.draw_thing(canvas, thing, color(Role::Faint)));
+                drawing.objects.iter().for_each(|thing| stage.draw_thing(canvas, thing, grey));
                 canvas.layer();
                 drawing.lights.iter().for_each(|thing| stage.draw_thing(canvas, thing, color(Role::Light)));
             }
@@ -54,7 +56,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
             others.for_each(|ray| stage.draw_ray(canvas, ray, color(role_of(ray.kind))));
             if let Some(ray) = &current {
                 canvas.layer();
-                stage.draw_ray(canvas, ray, color(Role::Current));
+                stage.draw_ray(canvas, ray, Color::Reset);
             }
         })
         .render(body, buffer);
