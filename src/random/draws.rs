@@ -55,10 +55,27 @@ impl Draws {
         Draws { key, number, arrangement }
     }
 
-    /// The numbers of a sample that pixels share: they belong to its place in the picture, in steps of 1/n of a pixel.
-    pub fn of_corner(seed: u64, [column, row]: [u32; 2], n: u32) -> Draws {
-        let key = hash(hash(hash(seed, 1), n.into()), u64::from(column) << 32 | u64::from(row));
-        Draws { key, number: 0, arrangement: Arrangement::Independent }
+    /// The numbers of a sample that pixels share: they belong to its place in the picture, in steps of 1/n of a pixel. The n² corners
+    /// of a pixel that lie to its left and top, and within it, are stratified together.
+    pub fn of_corner(seed: u64, corner: [u32; 2], n: u32) -> Draws {
+        let [across, down] = corner.map(|step| step % n);
+        Draws {
+            key: key_of_block(hash(seed, 1), corner, n),
+            number: down * n + across,
+            arrangement: Arrangement::Stratified { count: n * n },
+        }
+    }
+
+    /// The same for a grid of 2^depth steps a pixel of which the coarse corners are used first: those of each coarser grid are
+    /// a beginning of the pixel's Sobol points.
+    pub fn of_nested_corner(seed: u64, corner: [u32; 2], depth: u32) -> Draws {
+        let n = 1 << depth;
+        // The first two digits of the number say which half across and down, the next two which quarter, and so on.
+        let digit = |step: u32, level: u32| step >> (depth - 1 - level) & 1;
+        let [across, down] = corner.map(|step| step % n);
+        let digits = |level: u32| (digit(across, level) | digit(down, level) << 1) << (2 * level);
+        let number = (0..depth).fold(0, |number, level| number | digits(level));
+        Draws { key: key_of_block(hash(seed, 2), corner, n), number, arrangement: Arrangement::Sobol }
     }
 
     /// A number in [0, 1).
@@ -127,6 +144,12 @@ impl Draws {
         let key = hash(key, u64::from(self.number) + 8);
         [unit(hash(key, 0)), unit(hash(key, 1))]
     }
+}
+
+/// The key of the pixel to which a corner belongs, n steps a pixel.
+fn key_of_block(key: u64, corner: [u32; 2], n: u32) -> u64 {
+    let [column, row] = corner.map(|step| u64::from(step / n));
+    hash(hash(key, n.into()), column << 32 | row)
 }
 
 #[cfg(test)]
