@@ -1,6 +1,7 @@
 //! What each action does to the model. Nothing is drawn here, and nothing read: `update(model, action)` is all.
 
-use super::fold::{has_children, next_sibling, previous_sibling};
+use super::fold::previous_sibling;
+use super::guide::{self, Walk};
 use super::keys::Action;
 use super::list;
 use super::model::{Item, Model, Overlay, Pane};
@@ -9,7 +10,7 @@ use super::steps::{self, Stop};
 use super::view::help;
 
 /// What is left to do outside the model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Effect {
     /// Nothing.
     None,
@@ -21,6 +22,8 @@ pub enum Effect {
     Trace([u32; 2]),
     /// Trace what is shown in the other arithmetics.
     Compare,
+    /// Put this text on the clipboard.
+    Copy(String),
 }
 
 /// Why the viewer was left.
@@ -48,6 +51,11 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
         }
         Action::Resize(width, height) => {
             model.size = (width, height);
+            keep_in_view(model);
+            return Effect::None;
+        }
+        Action::Walk(Walk::Tick) => {
+            guide::tick(model);
             keep_in_view(model);
             return Effect::None;
         }
@@ -86,11 +94,11 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::First => move_by(model, isize::MIN),
         Action::Last => match count {
             None => move_by(model, isize::MAX),
-            Some(step) => model.go_to_event((step as usize).saturating_sub(1)),
+            Some(step) => guide::jump(model, (step as usize).saturating_sub(1)),
         },
         Action::Out => (0..times.min(model.tree.nodes().len())).for_each(|_| go_out(model)),
         Action::In => (0..times.min(model.tree.nodes().len())).for_each(|_| go_in(model)),
-        Action::NextSibling => go_along(model, times, |model, node| next_sibling(&model.tree, node)),
+        Action::NextSibling => go_along(model, times, |model, node| model.fold.next_sibling(&model.tree, node)),
         Action::PreviousSibling => go_along(model, times, |model, node| previous_sibling(&model.tree, node)),
         Action::Center => model.top = model.fold.up(&model.tree, model.cursor, model.layout().page() / 2).0,
         Action::Toggle => toggle(model),
@@ -111,8 +119,9 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
             };
         }
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
-        Action::Help => model.overlay = Some(Overlay::Help { top: 0 }),
-        Action::Close => model.message = None,
+        Action::Help => guide::open_help(model),
+        Action::Close => guide::close(model),
+        Action::Walk(walk) => return guide::update(model, walk, count),
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
@@ -125,7 +134,7 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
 fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> Effect {
     let times = count.unwrap_or(1).min(1000) as u16;
     let page = model.size.1 / 2;
-    let last = help::last_top(model.size);
+    let last = help::last_top(model);
     let top = match action {
         Action::Down => top.saturating_add(times),
         Action::Up => top.saturating_sub(times),
@@ -133,6 +142,10 @@ fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> E
         Action::HalfPageUp | Action::PageUp => top.saturating_sub(page),
         Action::First => 0,
         Action::Last => last,
+        Action::Search => {
+            model.prompt = Some(Prompt::new(Purpose::Help));
+            0
+        }
         Action::Close | Action::Help | Action::Quit => {
             model.overlay = None;
             return Effect::None;
@@ -194,15 +207,17 @@ fn go_out(model: &mut Model) {
 fn go_in(model: &mut Model) {
     match model.focus {
         Pane::Computation => {}
-        Pane::Tree if !has_children(&model.tree, model.cursor) => model.focus = Pane::Computation,
-        Pane::Tree if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(model.cursor + 1),
-        Pane::Tree => model.fold.set(model.cursor, true),
+        Pane::Tree => match model.fold.first_inside(&model.tree, model.cursor) {
+            None => model.focus = Pane::Computation,
+            Some(first) if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(first),
+            Some(_) => model.fold.set(model.cursor, true),
+        },
     }
 }
 
 fn go_along(model: &mut Model, times: usize, next: impl Fn(&Model, usize) -> Option<usize>) {
     let siblings = std::iter::successors(Some(model.cursor), |node| next(model, *node));
-    match siblings.skip(1).take(times).last() {
+    match siblings.skip(1).filter(|node| model.fold.visible.is(*node)).take(times).last() {
         Some(node) => model.go_to_node(node),
         None => model.say("no more nodes in this one's parent"),
     }
@@ -229,7 +244,7 @@ fn inside(model: &Model) -> std::ops::Range<usize> {
 
 type Find = fn(&[crate::log::Event], usize, Stop, usize) -> Option<usize>;
 
-fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
+pub(super) fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
     match find(&model.log.events, model.event, stop, times) {
         Some(event) => model.go_to_event(event),
         None => model.say(&format!("no more {}s in this direction", stop.word())),

@@ -3,12 +3,15 @@
 
 mod computation;
 pub(super) mod help;
+mod highlight;
 mod label;
 mod list;
 mod pattern;
 mod status;
 mod text;
 mod tree;
+
+pub(super) use text::ascii;
 
 use super::layout::Layout;
 use super::model::{Model, Overlay, Pane};
@@ -37,10 +40,12 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     pattern::draw(model, theme, pattern, buffer);
     status::draw(model, theme, &layout, buffer);
     match model.overlay {
-        Some(Overlay::Help { top }) => help::draw(top, theme, buffer),
+        Some(Overlay::Help { top }) => help::draw(model, top, theme, buffer),
         Some(Overlay::List { kind, selected }) => list::draw(model, kind, selected, theme, buffer),
         None => {}
     }
+    // What lies over the panes may reach down to the line that is being typed.
+    status::draw_prompt(model, theme, layout.status, buffer);
 }
 
 /// Writes a line into the first row of an area, as far as it fits.
