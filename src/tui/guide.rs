@@ -175,6 +175,7 @@ pub(super) fn grow(model: &mut Model) {
 
 /// Finds in another log what was set in the one before.
 pub(super) fn renew(model: &mut Model) {
+    model.guide.pace.is_playing = false;
     model.guide.stops.clear();
     model.guide.back = None;
     address::renew(model);

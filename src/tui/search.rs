@@ -205,6 +205,8 @@ pub(super) fn filter(model: &mut Model, text: &str) {
         model.fold.open_around(&model.tree, *node);
     }
     model.fold.visible.keep(&model.tree, Some(nodes));
+    // One's own place isn't lost.
+    model.fold.visible.show(&model.tree, model.cursor);
     model.guide.filter = Some(text.to_owned());
 }
 
