@@ -84,8 +84,9 @@ impl Session {
     }
 
     fn resize(&self, columns: u16, rows: u16) {
-        // The emulator can't put a wide character, of a frame that was on its way, into a single column.
-        self.screen.lock().expect("the screen").screen_mut().set_size(rows, columns.max(2));
+        // The emulator can't put a wide character, of a frame that was on its way, into a single column, nor break a long
+        // line of one in a single row.
+        self.screen.lock().expect("the screen").screen_mut().set_size(rows.max(2), columns.max(2));
         let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
         self.master.resize(size).expect("a resize");
     }

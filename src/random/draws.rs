@@ -24,11 +24,21 @@ pub enum Arrangement {
 /// says nothing of where on the lens it lies. See `docs/sampling.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Draws {
-    /// The hash of the seed and the pixel.
-    key: u64,
+    seed: u64,
+    /// Column and row.
+    place: [u32; 2],
+    grid: Grid,
     /// The sample's number, from 0.
     number: u32,
     arrangement: Arrangement,
+}
+
+/// What a place is counted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Grid {
+    Pixels,
+    /// Corners, so many to a pixel's side.
+    Corners(u32),
 }
 
 /// A random point with the way it came to be.
@@ -50,15 +60,15 @@ impl Pick {
 
 impl Draws {
     /// The numbers of a sample of a pixel: its number from 0, and how the pixel's samples are arranged.
-    pub fn of_pixel(seed: u64, [column, row]: [u32; 2], number: u32, arrangement: Arrangement) -> Draws {
-        let key = hash(hash(seed, 0), u64::from(column) << 32 | u64::from(row));
-        Draws { key, number, arrangement }
+    #[inline]
+    pub fn of_pixel(seed: u64, place: [u32; 2], number: u32, arrangement: Arrangement) -> Draws {
+        Draws { seed, place, grid: Grid::Pixels, number, arrangement }
     }
 
     /// The numbers of a sample that pixels share: they belong to its place in the picture, in steps of 1/n of a pixel.
-    pub fn of_corner(seed: u64, [column, row]: [u32; 2], n: u32) -> Draws {
-        let key = hash(hash(hash(seed, 1), n.into()), u64::from(column) << 32 | u64::from(row));
-        Draws { key, number: 0, arrangement: Arrangement::Independent }
+    #[inline]
+    pub fn of_corner(seed: u64, place: [u32; 2], n: u32) -> Draws {
+        Draws { seed, place, grid: Grid::Corners(n), number: 0, arrangement: Arrangement::Independent }
     }
 
     /// A number in [0, 1).
@@ -93,8 +103,14 @@ impl Draws {
         Pick { stratum: Stratum::of(part, parts), jitter: within.point() }
     }
 
+    /// The hash of seed, place and dimension. Reckoned where a number is asked for, so that samples which draw none don't pay for it.
     fn key_of(&self, dimension: Dimension) -> u64 {
-        hash(self.key, dimension.word())
+        let grid = match self.grid {
+            Grid::Pixels => hash(self.seed, 0),
+            Grid::Corners(n) => hash(hash(self.seed, 1), n.into()),
+        };
+        let [column, row] = self.place.map(u64::from);
+        hash(hash(grid, column << 32 | row), dimension.word())
     }
 
     fn number_under(&self, key: u64) -> f64 {

@@ -6,6 +6,7 @@ pub mod computation;
 pub mod digits;
 pub mod number;
 pub mod outline;
+pub mod segments;
 pub mod text;
 pub mod words;
 

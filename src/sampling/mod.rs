@@ -21,6 +21,16 @@ use place::ray_through;
 pub fn pixel<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
     match scene.sampling {
         Sampling::Center => through_center(scene, pixel, probe),
+        _ => mean_of_samples(scene, pixel, probe),
+    }
+}
+
+/// The mean of the samples that the scene's method takes.
+// Kept out of the way of one ray a pixel.
+#[inline(never)]
+fn mean_of_samples<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
+    match scene.sampling {
+        Sampling::Center => through_center(scene, pixel, probe),
         Sampling::Regular { n } => regular::pixel(scene, n, pixel, probe),
         Sampling::Shared { n } => shared::pixel(scene, n, pixel, probe),
         Sampling::Adaptive { threshold, depth } => adaptive::pixel(scene, threshold, depth, pixel, probe),
@@ -32,6 +42,7 @@ pub fn pixel<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
 }
 
 /// One ray through the pixel's centre. What else a sample decides is random all the same.
+#[inline(always)]
 fn through_center<P: Probe>(scene: &Scene, [column, row]: [u32; 2], probe: &mut P) -> Color {
     let center = [f64::from(column) + 0.5, f64::from(row) + 0.5];
     let draws = Draws::of_pixel(scene.seed, [column, row], 0, Arrangement::Independent);

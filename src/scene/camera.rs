@@ -97,6 +97,8 @@ impl Camera {
     ///
     /// Through the centre it has the direction of view as given, normalised; others normalise
     /// G + |G|·(x·e_x + y·e_y), x and y measured in the plane at distance 1.
+    // Like what it calls a part of its callers, so that the ray is made where it is used and not copied.
+    #[inline(always)]
     pub fn ray<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> Option<Ray> {
         let middle = self.resolution.map(|side| f64::from(side) / 2.0);
         probe.given(Name::RayOrigin, self.position);
@@ -110,9 +112,10 @@ impl Camera {
     }
 
     /// The eye, or the lens's centre.
-    pub(super) fn position(&self) -> DVec3 {
+    pub fn position(&self) -> DVec3 {
         self.position
     }
+
     /// |G|, e_x and e_y, and D = G + |G|·(x·e_x + y·e_y). What doesn't depend on the pixel was computed with the camera, by the same
     /// formulas.
     #[inline(always)]
@@ -144,6 +147,7 @@ pub fn ray_along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Optio
 
 /// The ray from `origin` along `vector`, which is normalised (Ramos, section 1.3, step 1); `None` where an arithmetic of few
 /// digits makes nothing of its length.
+#[inline(always)]
 pub(super) fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
     let length = probe.note(Name::RayLength, vector.dot(vector).sqrt());
     if length == 0.0 {

@@ -185,6 +185,7 @@ impl Bounce<'_> {
         let ray =
             Ray { leaving: Some(self.leaving), time: meeting.ray.time, ..Ray::new(meeting.surface.point, direction) };
         give_ray(&ray, probe);
-        probe.within(Step::Ray { kind: self.kind, depth: level, split }, |probe| radiance(scene, &ray, &path, probe))
+        let step = Step::Ray { kind: self.kind, depth: level, split };
+        probe.within(step, |probe| radiance(scene, &ray, &path, probe)).color
     }
 }

@@ -77,7 +77,7 @@ pub(crate) struct Meeting<'a> {
     pub path: &'a Path<'a>,
 }
 
-/// What a camera ray saw.
+/// What a ray saw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// The colour that it brings.
@@ -95,27 +95,27 @@ pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ra
 }
 
 /// What a camera ray of a sample with these random numbers sees; the background if it has no direction.
+// Its body, too, is a part of the caller, so that the ray is made where it is traced from.
+#[inline(always)]
 pub fn see<P: Probe>(scene: &Scene, draws: &Draws, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Seen {
-    probe.within(Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 }, |probe| {
-        let Some(ray) = aim(probe) else { return Seen { color: scene.background, object: None } };
-        let hit = closest_hit(scene, &ray, probe);
-        let outside = Media::default();
-        let path = Path::of_camera(&outside, draws);
-        Seen { color: incoming(scene, &ray, hit, &path, probe), object: hit.map(|hit| hit.object) }
-    })
+    let step = Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 };
+    probe.within(
+        step,
+        #[inline(always)]
+        |probe| {
+            let Some(ray) = aim(probe) else { return Seen { color: scene.background, object: None } };
+            let outside = Media::default();
+            radiance(scene, &ray, &Path::of_camera(&outside, draws), probe)
+        },
+    )
 }
 
-/// The colour that a ray brings: the recursion of the source text.
-fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> Color {
-    let hit = closest_hit(scene, ray, probe);
-    incoming(scene, ray, hit, path, probe)
-}
-
-/// The colour that a ray brings from its nearest hit.
-fn incoming<P: Probe>(scene: &Scene, ray: &Ray, hit: Option<Hit>, path: &Path, probe: &mut P) -> Color {
-    let Some(hit) = hit else {
+/// What a ray sees: the recursion of the source text.
+// One function with the search for the nearest hit in it: a hit handed over, here or to the camera, would be a copy a ray.
+fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> Seen {
+    let Some(hit) = closest_hit(scene, ray, probe) else {
         probe.mark(Decision::Background);
-        return scene.background;
+        return Seen { color: scene.background, object: None };
     };
     let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);
     let material = scene.material_of(hit.object);
@@ -123,7 +123,8 @@ fn incoming<P: Probe>(scene: &Scene, ray: &Ray, hit: Option<Hit>, path: &Path, p
     let local = shade::local_intensity(scene, &meeting, probe);
     let reflected = bounce::reflected(scene, &meeting, probe);
     let transmitted = bounce::transmitted(scene, &meeting, probe);
-    combine(&material.weights, local, reflected, transmitted, probe)
+    let color = combine(&material.weights, local, reflected, transmitted, probe);
+    Seen { color, object: Some(hit.object) }
 }
 
 /// I = W_l·I_local + W_r·I_reflected + W_t·I_transmitted (Ramos, section 1.2.3).

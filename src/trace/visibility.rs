@@ -52,6 +52,8 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
 }
 
 /// The nearest hit. Of several at the same distance the object that comes first in the scene wins.
+// A part of the recursion, which would have to take the hit out of memory.
+#[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
     scene.index.visit(ray, probe, |object, probe| {

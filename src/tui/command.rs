@@ -125,7 +125,13 @@ fn pixel(model: &mut Model, text: &str) -> Effect {
             guide::jump(model, model.tree.nodes()[node].events.start);
             Effect::None
         }
-        None => Effect::Trace([x, y]),
+        None => match model.picture.as_ref().map(|view| view.image.size) {
+            Some([width, height]) if x >= width || y >= height => {
+                model.say(&format!("the picture has columns 0 to {} and rows 0 to {}", width - 1, height - 1));
+                Effect::None
+            }
+            _ => Effect::Trace([x, y]),
+        },
     }
 }
 

@@ -117,7 +117,7 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
         Walk::CopyPath => return copy::path(model),
         Walk::Command => model.prompt = Some(Prompt::new(Purpose::Command)),
         Walk::Mouse => mouse::toggle(model),
-        Walk::Click(x, y) => mouse::click(model, x, y),
+        Walk::Click(x, y) => return mouse::click(model, x, y),
         Walk::Wheel(rows, x, y) => return mouse::wheel(model, rows, x, y),
         Walk::Tick | Walk::Delete => {}
     }

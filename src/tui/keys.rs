@@ -24,6 +24,7 @@ pub enum Action {
     Last,
     Out,
     In,
+    Enter,
     NextSibling,
     PreviousSibling,
     Center,
@@ -39,6 +40,15 @@ pub enum Action {
     NextRay,
     PreviousRay,
     SwitchPane,
+    PreviousPane,
+    OnlyPane,
+    Wider,
+    Narrower,
+    ZoomIn,
+    ZoomOut,
+    Brighter,
+    Darker,
+    NextView,
     Search,
     Help,
     Close,
@@ -79,6 +89,7 @@ const fn row(group: &'static str, keys: &'static [&'static str], action: Action,
 const STEP: &str = "Step through the computation";
 const MOVE: &str = "Move in the tree";
 const FOLD: &str = "Fold";
+const PICTURE: &str = "In the picture and the schematic";
 const VIEWER: &str = "The viewer";
 
 /// The keys that move in the panes, and those of the viewer itself.
@@ -92,7 +103,8 @@ const TABLE: &[Row] = &[
     row(MOVE, &["j", "Down"], Down, "down"),
     row(MOVE, &["k", "Up"], Up, "up"),
     row(MOVE, &["h", "Left"], Out, "close the node, or go to the one around it"),
-    row(MOVE, &["l", "Right", "Enter"], In, "open the node, go into it, then to its computation"),
+    row(MOVE, &["l", "Right"], In, "open the node, go into it, then to its computation"),
+    row(MOVE, &["Enter"], Enter, "the same; in the picture: to the tree of the pixel"),
     row(MOVE, &["J"], NextSibling, "to the next node of the same parent"),
     row(MOVE, &["K"], PreviousSibling, "to the previous node of the same parent"),
     row(MOVE, &["g", "Home"], First, "to the first row"),
@@ -107,7 +119,16 @@ const TABLE: &[Row] = &[
     row(FOLD, &["c"], CloseSiblings, "close the node and its siblings"),
     row(FOLD, &["E"], OpenAll, "open everything inside the node"),
     row(FOLD, &["C"], CloseAll, "close everything inside the node"),
-    row(VIEWER, &["Tab"], SwitchPane, "between the tree and the computation, where j and k move too"),
+    row(PICTURE, &["i"], ZoomIn, "larger"),
+    row(PICTURE, &["I"], ZoomOut, "smaller"),
+    row(PICTURE, &[")"], Brighter, "brighter by half a stop"),
+    row(PICTURE, &["("], Darker, "darker by half a stop"),
+    row(PICTURE, &["v"], NextView, "another view: colours, depth, rays, samples; top, front, camera"),
+    row(VIEWER, &["Tab"], SwitchPane, "to the next pane; in the computation j and k move too"),
+    row(VIEWER, &["BackTab"], PreviousPane, "to the pane before"),
+    row(VIEWER, &["zo"], OnlyPane, "only this pane, or all again"),
+    row(VIEWER, &[">"], Wider, "a wider tree"),
+    row(VIEWER, &["<"], Narrower, "a narrower tree"),
     row(VIEWER, &["?", "F1"], Help, "this help"),
     row(
         VIEWER,
@@ -184,7 +205,8 @@ fn name(key: KeyEvent) -> Option<String> {
         KeyCode::Home => "Home",
         KeyCode::End => "End",
         KeyCode::Enter => "Enter",
-        KeyCode::Tab | KeyCode::BackTab => "Tab",
+        KeyCode::Tab => "Tab",
+        KeyCode::BackTab => "BackTab",
         KeyCode::Esc => "Esc",
         _ => return None,
     };
@@ -222,6 +244,7 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
         "End" => KeyCode::End,
         "Enter" => KeyCode::Enter,
         "Tab" => KeyCode::Tab,
+        "BackTab" => KeyCode::BackTab,
         "Esc" => KeyCode::Esc,
         _ => KeyCode::F(text.strip_prefix('F')?.parse().ok()?),
     })

@@ -115,7 +115,7 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
         Action::HalfPageUp | Action::PageUp => selected.saturating_sub(page),
         Action::First => 0,
         Action::Last => last,
-        Action::In if kind == Kind::Breakpoints => {
+        Action::In | Action::Enter if kind == Kind::Breakpoints => {
             breakpoints::go_to_next(model, selected);
             return Effect::None;
         }
@@ -127,7 +127,7 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
             breakpoints::delete(model, selected);
             return Effect::None;
         }
-        Action::In => {
+        Action::In | Action::Enter => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;
                 guide::jump(model, target);

@@ -9,6 +9,7 @@ mod breakpoints;
 mod command;
 mod copy;
 mod describe;
+mod drawing;
 pub mod dump;
 mod facts;
 mod fold;
@@ -19,6 +20,9 @@ mod list;
 mod live;
 mod model;
 mod mouse;
+mod panes;
+mod picture;
+mod place;
 mod play;
 mod prompt;
 mod run;
@@ -31,16 +35,20 @@ mod terminal;
 mod testing;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_picture;
 pub mod theme;
 mod update;
 mod view;
 mod visible;
 
+pub use drawing::{Drawing, PlaceOf, Projection, Thing};
 pub use guide::{Guide, Walk};
 pub use keys::Action;
 pub use list::{Entry, Kind, Listing};
 pub use live::Live;
 pub use model::{Item, Message, Model, Overlay, Pane, Pending};
+pub use picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
 pub use prompt::{Prompt, Purpose};
 pub use theme::{Palette, Theme};
 pub use update::{Effect, Exit, update};
@@ -89,13 +97,15 @@ pub struct Position {
 pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::Result<Outcome> {
     let theme = options.theme;
     let mut model = opened(log, &options);
+    model.look(&mut live, false);
     let mut terminal = Terminal::enter()?;
     let (width, height) = terminal.size()?;
     update(&mut model, Action::Resize(width, height));
     loop {
         terminal.draw(|buffer| view::draw(&model, &theme, buffer))?;
         terminal.use_mouse(model.guide.has_mouse)?;
-        let mut input = Some(terminal.next(play::interval(&model))?);
+        let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished);
+        let mut input = Some(terminal.next(waits, play::interval(&model))?);
         while let Some(now) = input {
             if let Some(exit) = react(&mut model, &mut terminal, &mut live, now)? {
                 return Ok(Outcome { exit, position: position(&model) });
@@ -141,12 +151,16 @@ pub fn opened_with_keys(
     (width, height): (u16, u16),
 ) -> Model {
     let mut model = opened(log, options);
+    model.look(&mut live, false);
     update(&mut model, Action::Resize(width, height));
     for key in keys::sequence(keys) {
         if let Some(action) = keys::meant(&model, key) {
             let effect = update(&mut model, action);
             model.answer(effect, &mut live);
         }
+    }
+    if !model.layout(model.size).area(Pane::Picture).is_empty() {
+        model.look(&mut live, true);
     }
     model
 }
@@ -171,17 +185,19 @@ fn react(
 ) -> io::Result<Option<Exit>> {
     match input {
         Input::Leave(exit) => return Ok(Some(exit)),
+        Input::Tick => model.look(live, false),
         Input::Suspend => suspend(model, terminal, Asker::Signal)?,
         Input::Resume => come_back(model, terminal)?,
         Input::Size(width, height) => {
             update(model, Action::Resize(width, height));
         }
-        Input::Tick => {
+        Input::Beat => {
             update(model, Action::Walk(Walk::Tick));
         }
         Input::Mouse(event) => {
             if let Some(action) = mouse::meant(model, event) {
-                update(model, action);
+                let asked = update(model, action);
+                model.answer(asked, live);
             }
         }
         Input::Key(key) => {

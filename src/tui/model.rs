@@ -1,15 +1,19 @@
 //! The state of the viewer: the log, the place in it, and what of it is shown. It draws nothing and reads no keys.
 
+use super::drawing::{Drawing, Projection};
 use super::facts::Facts;
 use super::fold::Fold;
 use super::guide::{self, Guide};
-use super::layout::Layout;
+use super::layout::{Arrangement, Layout};
 use super::list;
 use super::live::Live;
+use super::picture::PictureView;
+use super::place::Place;
 use super::prompt::Prompt;
 use super::update::Effect;
-use crate::log::{Log, Tree};
+use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
+use std::sync::Arc;
 
 /// Everything that the viewer knows.
 #[derive(Clone, Debug)]
@@ -32,6 +36,20 @@ pub struct Model {
     pub size: (u16, u16),
     /// The pane that the keys move in.
     pub focus: Pane,
+    /// The pane beside the tree: the last one that had the focus.
+    pub side: Pane,
+    /// Whether only the pane with the focus is shown.
+    pub is_alone: bool,
+    /// How many columns the tree is wider than usual.
+    pub shift: i16,
+    /// The picture and how it is looked at, if there is a scene.
+    pub picture: Option<PictureView>,
+    /// The scene as lines, if there is one.
+    pub drawing: Option<Arc<Drawing>>,
+    /// From where the schematic is seen.
+    pub projection: Projection,
+    /// How often the schematic is enlarged twofold.
+    pub magnification: u32,
     /// What was typed and isn't a key yet.
     pub pending: Pending,
     /// What lies over the panes.
@@ -48,13 +66,24 @@ pub struct Model {
     pub guide: Guide,
 }
 
-/// A pane.
+/// A pane, in the order of `Tab`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pane {
+    /// The picture.
+    Picture,
     /// The ray tree.
     Tree,
     /// The computation of the selected node.
     Computation,
+    /// The algorithm as the source text writes it.
+    Code,
+    /// The scene with the rays in it.
+    Schematic,
+}
+
+impl Pane {
+    /// All panes.
+    pub const ALL: [Pane; 5] = [Pane::Picture, Pane::Tree, Pane::Computation, Pane::Code, Pane::Schematic];
 }
 
 /// The beginning of a command: a count such as the `5` of `5j`, and the first of two keys.
@@ -108,6 +137,13 @@ impl Model {
             top: 0,
             size: (80, 24),
             focus: Pane::Tree,
+            side: Pane::Computation,
+            is_alone: false,
+            shift: 0,
+            picture: None,
+            drawing: None,
+            projection: Projection::Top,
+            magnification: 0,
             pending: Pending::default(),
             overlay: None,
             prompt: None,
@@ -147,14 +183,33 @@ impl Model {
         }
     }
 
-    /// Shows another log of the same scene.
+    /// Looks whether there is more of the picture; `whole` waits for all of it.
+    pub fn look(&mut self, live: &mut Option<&mut dyn Live>, whole: bool) {
+        let Some(image) = live.as_mut().and_then(|live| live.picture(whole)) else { return };
+        if let (None, Some(live)) = (&self.drawing, live) {
+            self.drawing = live.drawing();
+        }
+        match &mut self.picture {
+            Some(view) => view.show(image),
+            None => {
+                let middle = image.size.map(|side| side / 2);
+                self.picture = Some(PictureView::new(image, self.pixel().unwrap_or(middle)));
+            }
+        }
+    }
+
+    /// Shows another log of the same scene, at the same place as far as the trees agree.
     pub fn show(&mut self, log: Log) {
+        let place = Place::of(&self.log, &self.tree, self.event);
         self.tree = Tree::of(&log.events);
         self.facts = Facts::of(&log, &self.tree);
         self.fold = Fold::of(&self.tree);
         self.log = log;
         self.others.clear();
-        self.go_to_event(0);
+        self.go_to_event(place.found_in(&self.log, &self.tree));
+        if let (Some(view), Subject::Pixel(pixel)) = (&mut self.picture, self.log.header.subject) {
+            view.cursor = pixel;
+        }
         guide::renew(self);
     }
 
@@ -175,9 +230,38 @@ impl Model {
         self.message = Some(Message { text: text.to_owned(), is_warning: true });
     }
 
-    /// Where the panes lie.
-    pub fn layout(&self) -> Layout {
-        Layout::of(self.size, self.focus, self.message.is_some())
+    /// Where the panes lie on a screen of this many columns and rows.
+    pub fn layout(&self, size: (u16, u16)) -> Layout {
+        Layout::of(&Arrangement {
+            size,
+            focus: self.focus,
+            side: self.side,
+            is_alone: self.is_alone,
+            shift: self.shift,
+            has_picture: self.picture.is_some(),
+            has_message: self.message.is_some(),
+        })
+    }
+
+    /// Lets the keys move in this pane.
+    pub fn focus_on(&mut self, pane: Pane) {
+        self.focus = pane;
+        if pane != Pane::Tree {
+            self.side = pane;
+        }
+    }
+
+    /// The rows of a page.
+    pub fn page(&self) -> usize {
+        self.layout(self.size).page(self.focus)
+    }
+
+    /// The pixel that is shown.
+    pub fn pixel(&self) -> Option<[u32; 2]> {
+        match self.log.header.subject {
+            Subject::Pixel(pixel) => Some(pixel),
+            Subject::Ray(_) | Subject::Region(_) => None,
+        }
     }
 
     /// The events of the selected node itself, in order, and the nodes inside it, where they stand between them.

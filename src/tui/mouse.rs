@@ -5,6 +5,7 @@ use super::keys::Action;
 use super::layout::Layout;
 use super::model::{Model, Pane};
 use super::update::{Effect, update};
+use super::view::dots_of_picture;
 use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::Position;
 
@@ -40,12 +41,12 @@ pub(super) fn toggle(model: &mut Model) {
     model.say(now);
 }
 
-/// Selects the row of the tree that was clicked, or the pane.
-pub(super) fn click(model: &mut Model, x: u16, y: u16) {
-    let layout = model.layout();
+/// Selects the row of the tree that was clicked, the pixel of the picture, or the pane.
+pub(super) fn click(model: &mut Model, x: u16, y: u16) -> Effect {
+    let layout = model.layout(model.size);
     let at = Position { x, y };
-    focus(model, &layout, at);
-    let body = Layout::body(layout.tree);
+    focus(model, at);
+    let body = Layout::body(layout.area(Pane::Tree));
     if body.contains(at) {
         let below = usize::from(y - body.y);
         let (row, count) = model.fold.down(&model.tree, model.top, below);
@@ -54,20 +55,34 @@ pub(super) fn click(model: &mut Model, x: u16, y: u16) {
             model.go_to_node(row);
         }
     }
+    pixel_at(model, &layout, at).map_or(Effect::None, Effect::Trace)
 }
 
-/// Moves by rows in the pane under the mouse.
+/// The pixel of the picture at a place on the screen.
+fn pixel_at(model: &Model, layout: &Layout, at: Position) -> Option<[u32; 2]> {
+    let view = model.picture.as_ref()?;
+    let dots = dots_of_picture(layout.area(Pane::Picture));
+    if !dots.contains(at) {
+        return None;
+    }
+    let screen = [dots.width.into(), 2 * u32::from(dots.height)];
+    view.pixel_under(screen, [u32::from(at.x - dots.x), 2 * u32::from(at.y - dots.y)])
+}
+
+/// Moves by rows in the pane under the mouse; zooms where it shows a picture.
 pub(super) fn wheel(model: &mut Model, rows: i16, x: u16, y: u16) -> Effect {
-    let layout = model.layout();
-    focus(model, &layout, Position { x, y });
+    focus(model, Position { x, y });
+    if matches!(model.focus, Pane::Picture | Pane::Schematic) {
+        return update(model, if rows > 0 { Action::ZoomOut } else { Action::ZoomIn });
+    }
     model.pending.count = Some(u32::from(rows.unsigned_abs()));
     update(model, if rows > 0 { Action::Down } else { Action::Up })
 }
 
-fn focus(model: &mut Model, layout: &Layout, at: Position) {
-    if layout.tree.contains(at) {
-        model.focus = Pane::Tree;
-    } else if layout.computation.contains(at) {
-        model.focus = Pane::Computation;
+/// Lets the keys move in the pane under the mouse.
+fn focus(model: &mut Model, at: Position) {
+    let layout = model.layout(model.size);
+    if let Some(pane) = Pane::ALL.into_iter().find(|pane| layout.area(*pane).contains(at)) {
+        model.focus_on(pane);
     }
 }

@@ -42,14 +42,16 @@ pub(super) enum Input {
     Key(KeyEvent),
     /// The mouse.
     Mouse(MouseEvent),
-    /// The time that was asked for has passed.
-    Tick,
+    /// It is time for what happens at intervals.
+    Beat,
     /// Columns and rows.
     Size(u16, u16),
     /// Somebody asks to leave.
     Leave(Exit),
     /// Somebody asks to stop for a while.
     Suspend,
+    /// Nothing has come for a moment.
+    Tick,
     /// The terminal may have changed: the viewer was stopped and goes on, or something else has written.
     Resume,
 }
@@ -76,8 +78,9 @@ impl Terminal {
         execute!(io::stdout(), EndSynchronizedUpdate)
     }
 
-    /// Waits for what comes next; with an interval no longer than that after the last tick.
-    pub(super) fn next(&mut self, interval: Option<Duration>) -> io::Result<Input> {
+    /// Waits for what comes next: with `ticks` no longer than for a moment, with an interval no longer than that after the
+    /// last beat.
+    pub(super) fn next(&mut self, ticks: bool, interval: Option<Duration>) -> io::Result<Input> {
         let latest = interval.map(|interval| Instant::now() + interval);
         self.due = latest.map(|latest| self.due.map_or(latest, |due| due.min(latest)));
         loop {
@@ -87,10 +90,11 @@ impl Terminal {
             let left = self.due.map(|due| due.saturating_duration_since(Instant::now()));
             if left == Some(Duration::ZERO) {
                 self.due = None;
-                return Ok(Input::Tick);
+                return Ok(Input::Beat);
             }
             match read(left.map_or(TICK, |left| left.min(TICK))) {
                 Ok(Some(input)) => return Ok(input),
+                Ok(None) if ticks => return Ok(Input::Tick),
                 Ok(None) => {}
                 // A terminal that is gone can't be read, and its signal may be a moment late.
                 Err(error) => {

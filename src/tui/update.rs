@@ -1,10 +1,13 @@
 //! What each action does to the model. Nothing is drawn here, and nothing read: `update(model, action)` is all.
 
+use super::drawing;
 use super::fold::previous_sibling;
 use super::guide::{self, Walk};
 use super::keys::Action;
 use super::list;
 use super::model::{Item, Model, Overlay, Pane};
+use super::panes;
+use super::picture;
 use super::prompt::{self, Prompt, Purpose};
 use super::steps::{self, Stop};
 use super::view::help;
@@ -83,6 +86,10 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
 const MOST: u32 = 1_000_000_000;
 
 fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
+    let special = picture::update(model, action, count).or_else(|| drawing::update(model, action));
+    if let Some(effect) = special {
+        return effect;
+    }
     let times = count.unwrap_or(1) as usize;
     match action {
         Action::Down => move_by(model, times as isize),
@@ -97,10 +104,10 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
             Some(step) => guide::jump(model, (step as usize).saturating_sub(1)),
         },
         Action::Out => (0..times.min(model.tree.nodes().len())).for_each(|_| go_out(model)),
-        Action::In => (0..times.min(model.tree.nodes().len())).for_each(|_| go_in(model)),
+        Action::In | Action::Enter => (0..times.min(model.tree.nodes().len())).for_each(|_| go_in(model)),
         Action::NextSibling => go_along(model, times, |model, node| model.fold.next_sibling(&model.tree, node)),
         Action::PreviousSibling => go_along(model, times, |model, node| previous_sibling(&model.tree, node)),
-        Action::Center => model.top = model.fold.up(&model.tree, model.cursor, model.layout().page() / 2).0,
+        Action::Center => model.top = model.fold.up(&model.tree, model.cursor, model.page() / 2).0,
         Action::Toggle => toggle(model),
         Action::OpenSiblings => set_siblings(model, true),
         Action::CloseSiblings => set_siblings(model, false),
@@ -112,12 +119,11 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::PreviousEvent => step(model, Stop::Event, times, steps::before),
         Action::NextRay => step(model, Stop::Ray, times, steps::after),
         Action::PreviousRay => step(model, Stop::Ray, times, steps::before),
-        Action::SwitchPane => {
-            model.focus = match model.focus {
-                Pane::Tree => Pane::Computation,
-                Pane::Computation => Pane::Tree,
-            };
-        }
+        Action::SwitchPane => panes::switch(model, 1),
+        Action::PreviousPane => panes::switch(model, -1),
+        Action::OnlyPane => model.is_alone = !model.is_alone,
+        Action::Wider => model.shift = panes::shifted(model, times as i64),
+        Action::Narrower => model.shift = panes::shifted(model, -(times as i64)),
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
         Action::Help => guide::open_help(model),
         Action::Close => guide::close(model),
@@ -125,6 +131,9 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
+        Action::ZoomIn | Action::ZoomOut | Action::Brighter | Action::Darker | Action::NextView => {
+            model.say("that is for the picture and the schematic; Tab goes there");
+        }
         Action::Unknown => model.say("no such key; ? shows the keys"),
         Action::Digit(_) | Action::Prefix(_) | Action::Resize(..) | Action::Typed(_) => {}
     }
@@ -160,14 +169,14 @@ fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> E
 
 /// As many rows as these pages have.
 fn pages(model: &Model, count: usize) -> isize {
-    (count.saturating_mul(model.layout().page().max(2))).min(isize::MAX as usize / 2) as isize
+    (count.saturating_mul(model.page().max(2))).min(isize::MAX as usize / 2) as isize
 }
 
 /// Moves by rows: of the tree, or of the computation when that has the focus.
 fn move_by(model: &mut Model, rows: isize) {
     let count = rows.unsigned_abs();
     match model.focus {
-        Pane::Tree => {
+        Pane::Picture | Pane::Tree | Pane::Code | Pane::Schematic => {
             let node = match rows {
                 isize::MAX => model.fold.last(&model.tree),
                 isize::MIN => 0,
@@ -198,17 +207,17 @@ fn move_by(model: &mut Model, rows: isize) {
 fn go_out(model: &mut Model) {
     match model.focus {
         Pane::Computation => model.focus = Pane::Tree,
-        Pane::Tree if model.fold.is_open(&model.tree, model.cursor) => model.fold.set(model.cursor, false),
-        Pane::Tree if model.cursor != 0 => model.go_to_node(model.tree.nodes()[model.cursor].parent),
-        Pane::Tree => {}
+        _ if model.fold.is_open(&model.tree, model.cursor) => model.fold.set(model.cursor, false),
+        _ if model.cursor != 0 => model.go_to_node(model.tree.nodes()[model.cursor].parent),
+        _ => {}
     }
 }
 
 fn go_in(model: &mut Model) {
     match model.focus {
         Pane::Computation => {}
-        Pane::Tree => match model.fold.first_inside(&model.tree, model.cursor) {
-            None => model.focus = Pane::Computation,
+        _ => match model.fold.first_inside(&model.tree, model.cursor) {
+            None => model.focus_on(Pane::Computation),
             Some(first) if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(first),
             Some(_) => model.fold.set(model.cursor, true),
         },
@@ -257,5 +266,5 @@ fn keep_in_view(model: &mut Model) {
     if row != model.cursor {
         model.go_to_node(row);
     }
-    model.top = model.fold.scrolled(&model.tree, model.top, model.cursor, model.layout().page());
+    model.top = model.fold.scrolled(&model.tree, model.top, model.cursor, model.page());
 }

@@ -19,9 +19,9 @@ use glam::DVec3;
 /// A cone or frustum, open or with caps. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cone {
-    axis: Axis,
-    base_radius: f64,
-    apex_radius: f64,
+    pub(super) axis: Axis,
+    pub(super) base_radius: f64,
+    pub(super) apex_radius: f64,
     /// What the radius gains per unit along the axis.
     slope: f64,
     has_caps: bool,

@@ -17,8 +17,8 @@ use glam::DVec3;
 /// A cylinder, open or with caps. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cylinder {
-    axis: Axis,
-    radius: f64,
+    pub(super) axis: Axis,
+    pub(super) radius: f64,
     radius_squared: f64,
     has_caps: bool,
     /// The side that faces outward.

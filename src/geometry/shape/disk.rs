@@ -13,10 +13,10 @@ use glam::DVec3;
 /// A disk. Its front is the side its normal points to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Disk {
-    center: DVec3,
+    pub(super) center: DVec3,
     normal: DVec3,
-    unit_normal: DVec3,
-    radius: f64,
+    pub(super) unit_normal: DVec3,
+    pub(super) radius: f64,
     radius_squared: f64,
 }
 

@@ -17,7 +17,7 @@ use glam::DVec3;
 /// An ellipsoid. Its front is the outside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ellipsoid {
-    center: DVec3,
+    pub(super) center: DVec3,
     /// The rows of the map to the sphere, E_1, E_2, E_3.
     rows: [DVec3; 3],
     /// The rows with twice the digits.
@@ -62,6 +62,13 @@ impl Ellipsoid {
         let extent_squared: DVec3 = (0..3).map(|i| columns[i] * radii[i]).map(|axis| axis * axis).sum();
         let extent = DVec3::new(extent_squared.x.sqrt(), extent_squared.y.sqrt(), extent_squared.z.sqrt());
         Ellipsoid { center, rows, doubled_rows, is_elongated, radius_squared: largest * largest, extent }
+    }
+
+    /// Its half axes: the columns of the map's inverse times the sphere's radius.
+    pub(super) fn half_axes(&self) -> [DVec3; 3] {
+        let [x, y, z] = self.rows;
+        let factor = self.radius_squared.sqrt() / x.dot(y.cross(z));
+        [y.cross(z), z.cross(x), x.cross(y)].map(|column| column * factor)
     }
 
     /// A vector of the scene in the sphere's space, each component under its own name.

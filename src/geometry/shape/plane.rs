@@ -13,8 +13,8 @@ use glam::DVec3;
 /// An infinite plane. Its front is the side its normal points to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    normal: DVec3,
-    offset: f64,
+    pub(super) normal: DVec3,
+    pub(super) offset: f64,
     unit_normal: DVec3,
     /// The sum of the normal's components' magnitudes.
     size: f64,

@@ -21,7 +21,7 @@ use glam::{DVec2, DVec3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
     /// The first is the plane's point.
-    corners: Vec<DVec3>,
+    pub(super) corners: Vec<DVec3>,
     /// Of twice the polygon's area.
     normal: DVec3,
     unit_normal: DVec3,

@@ -29,8 +29,8 @@ const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
 /// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sphere {
-    center: DVec3,
-    radius: f64,
+    pub(super) center: DVec3,
+    pub(super) radius: f64,
     radius_squared: f64,
     /// 1/r²
     per_radius_squared: f64,

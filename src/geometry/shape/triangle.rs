@@ -22,7 +22,7 @@ use glam::DVec3;
 /// A triangle. Its front is the side from which its corners run counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
-    facet: Facet,
+    pub(super) facet: Facet,
     /// Normals at the corners, of any length.
     normals: Option<[DVec3; 3]>,
 }

@@ -5,6 +5,8 @@ mod png;
 mod ppm;
 mod quantize;
 
+pub use quantize::levels_of as levels;
+
 use super::Film;
 use crate::scene::Output;
 

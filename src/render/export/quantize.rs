@@ -16,6 +16,12 @@ pub(super) fn levels(film: &Film, output: &Output, highest: u16) -> (Vec<u16>, u
     (levels, clipped_pixels)
 }
 
+/// The levels 0 to 255 of one colour, brighter by so many stops than the output has it.
+pub fn levels_of(color: [f64; 3], output: &Output, stops: f64) -> [u8; 3] {
+    let scale = libm::exp2(output.exposure + stops) / output.white;
+    color.map(|x| level(x * scale, output.transfer, 255) as u8)
+}
+
 fn level(x: f64, transfer: Transfer, highest: u16) -> u16 {
     let clipped = x.clamp(0.0, 1.0);
     let curved = match transfer {

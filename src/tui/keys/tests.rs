@@ -22,6 +22,7 @@ fn every_key_of_the_table_does_what_its_row_says() {
         for key in row.keys {
             match *key {
                 "zz" => does("z", "z", row.action),
+                "zo" => does("z", "o", row.action),
                 "''" => does("'", "'", row.action),
                 // A letter of one's choice stands behind it.
                 "m+letter" => does("m", "q", Walk(Walk::Mark('q'))),

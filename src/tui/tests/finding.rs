@@ -268,7 +268,7 @@ fn the_mouse_selects_and_scrolls() {
         }
     };
     let press = MouseEventKind::Down(MouseButton::Left);
-    let body = crate::tui::layout::Layout::body(model.layout().tree);
+    let body = crate::tui::layout::Layout::body(model.layout(model.size).area(Pane::Tree));
     at(&mut model, press, body.x + 5, body.y + 2);
     assert_eq!(model.cursor, 2);
     at(&mut model, press, body.x + 5, body.bottom() - 1);
@@ -277,7 +277,7 @@ fn the_mouse_selects_and_scrolls() {
     assert_eq!(model.cursor, 5);
     at(&mut model, MouseEventKind::ScrollUp, body.x, body.y);
     assert_eq!(model.cursor, 2);
-    let other = model.layout().computation;
+    let other = model.layout(model.size).area(Pane::Computation);
     at(&mut model, press, other.x + 1, other.y + 1);
     assert_eq!(model.focus, Pane::Computation);
     let step = model.step();

@@ -7,13 +7,15 @@ mod highlight;
 mod label;
 mod list;
 mod pattern;
+mod picture;
+mod schematic;
 mod status;
 mod text;
 mod tree;
 
+pub(super) use picture::dots_of_picture;
 pub(super) use text::ascii;
 
-use super::layout::Layout;
 use super::model::{Model, Overlay, Pane};
 use super::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
@@ -24,20 +26,17 @@ use ratatui::text::{Line, Span};
 /// Draws the whole screen.
 pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     let screen = buffer.area;
-    let layout = Layout::of((screen.width, screen.height), model.focus, model.message.is_some());
+    let layout = model.layout((screen.width, screen.height));
     if layout.is_too_small {
         return too_small(screen, buffer);
     }
-    tree::draw(model, theme, layout.tree, buffer);
-    if let Some(divider) = layout.divider {
-        for y in divider.top()..divider.bottom() {
-            let glyph = if y == divider.y { theme.glyphs.tee } else { theme.glyphs.vertical };
-            put(buffer, Rect { y, height: 1, ..divider }, Span::styled(glyph, theme.style(Role::Faint)).into());
-        }
-    }
-    let (computation, pattern) = pattern::split(model, layout.computation);
+    tree::draw(model, theme, layout.area(Pane::Tree), buffer);
+    layout.dividers.iter().for_each(|divider| draw_divider(*divider, theme, buffer));
+    let (computation, pattern) = pattern::split(model, layout.area(Pane::Computation));
     computation::draw(model, theme, computation, buffer);
     pattern::draw(model, theme, pattern, buffer);
+    picture::draw(model, theme, layout.area(Pane::Picture), buffer);
+    schematic::draw(model, theme, layout.area(Pane::Schematic), buffer);
     status::draw(model, theme, &layout, buffer);
     match model.overlay {
         Some(Overlay::Help { top }) => help::draw(model, top, theme, buffer),
@@ -46,6 +45,13 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     }
     // What lies over the panes may reach down to the line that is being typed.
     status::draw_prompt(model, theme, layout.status, buffer);
+}
+
+fn draw_divider(divider: Rect, theme: &Theme, buffer: &mut Buffer) {
+    for y in divider.top()..divider.bottom() {
+        let glyph = if y == divider.y { theme.glyphs.tee } else { theme.glyphs.vertical };
+        put(buffer, Rect { y, height: 1, ..divider }, Span::styled(glyph, theme.style(Role::Faint)).into());
+    }
 }
 
 /// Writes a line into the first row of an area, as far as it fits.

@@ -1,21 +1,28 @@
 //! The scene behind the viewer, which is traced while one looks.
 
+mod drawing;
+mod picture;
+
 use glam::DVec3;
+use picture::Rendering;
 use raywalk::log::{Log, Subject};
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::scene::Scene;
-use raywalk::tui::Live;
+use raywalk::tui::{Drawing, Image, Live};
+use std::sync::Arc;
 
 /// A scene and the arithmetic that it is shown in.
 pub struct Session {
-    scene: Scene,
+    scene: Arc<Scene>,
     arithmetic: Arithmetic,
+    /// The picture; begun when somebody wants to see it.
+    rendering: Option<Rendering>,
 }
 
 impl Session {
     /// The session of a scene.
     pub fn new(scene: Scene, arithmetic: Arithmetic) -> Session {
-        Session { scene, arithmetic }
+        Session { scene: Arc::new(scene), arithmetic, rendering: None }
     }
 
     fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, String> {
@@ -29,6 +36,21 @@ impl Live for Session {
             return Err("the book prints one pixel only".to_owned());
         }
         self.log(Part::Pixel(pixel), self.arithmetic)
+    }
+
+    fn picture(&mut self, whole: bool) -> Option<Arc<Image>> {
+        let (scene, arithmetic) = (&self.scene, self.arithmetic);
+        // The printed values are those of one pixel; the others are as by hand.
+        let arithmetic = if arithmetic == Arithmetic::Printed { Arithmetic::Decimal(3) } else { arithmetic };
+        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic));
+        if whole {
+            rendering.finish();
+        }
+        rendering.latest()
+    }
+
+    fn drawing(&mut self) -> Option<Arc<Drawing>> {
+        Some(Arc::new(drawing::of(&self.scene)))
     }
 
     fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, String> {

@@ -1,0 +1,64 @@
+//! The scene as lines, for the viewer's schematic.
+
+use glam::DVec3;
+use raywalk::geometry::Bounds;
+use raywalk::geometry::shape::circle;
+use raywalk::scene::{LightKind, LightSurface, Scene};
+use raywalk::tui::{Drawing, Thing};
+use std::sync::Arc;
+
+/// The most objects that are drawn.
+const MOST_OBJECTS: usize = 400;
+
+/// The drawing of a scene.
+pub fn of(scene: &Arc<Scene>) -> Drawing {
+    let eye = scene.camera.position();
+    let lights: Vec<Thing> =
+        scene.lights.iter().map(|light| Thing { name: light.name.clone(), lines: light_lines(&light.kind) }).collect();
+    let around = around(scene, eye);
+    let objects = scene.objects.iter().take(MOST_OBJECTS).map(|object| {
+        let lines = object.shape.outline(&around);
+        Thing { name: object.name.clone(), lines: lines.into_iter().map(arrays).collect() }
+    });
+    let seen_by = Arc::clone(scene);
+    Drawing {
+        objects: objects.collect(),
+        lights,
+        eye: eye.to_array(),
+        place_of: Arc::new(move |point| seen_by.camera.place_of(point.into())),
+        size: scene.camera.resolution,
+    }
+}
+
+/// A box around all that has an end, with the eye and the lights at places.
+fn around(scene: &Scene, eye: DVec3) -> Bounds {
+    let shapes = scene.objects.iter().filter_map(|object| object.shape.bounds());
+    let lights = scene.lights.iter().filter_map(|light| match &light.kind {
+        LightKind::Point { position } => Some(*position),
+        LightKind::Area(area) => Some(area.surface.center()),
+        LightKind::Directional { .. } => None,
+    });
+    shapes.fold(Bounds::around(lights.chain([eye])), Bounds::union)
+}
+
+fn light_lines(kind: &LightKind) -> Vec<Vec<[f64; 3]>> {
+    match kind {
+        LightKind::Point { position } => vec![vec![position.to_array()]],
+        LightKind::Directional { .. } => Vec::new(),
+        LightKind::Area(area) => vec![arrays(rim(&area.surface))],
+    }
+}
+
+fn rim(surface: &LightSurface) -> Vec<DVec3> {
+    match *surface {
+        LightSurface::Rectangle { center, edges: [u, v] } => {
+            [u + v, u - v, -u - v, v - u, u + v].map(|corner| center + corner).to_vec()
+        }
+        LightSurface::Disk { center, edges: [u, v] } => circle(center, u, v),
+        LightSurface::Sphere { center, radius } => circle(center, DVec3::X * radius, DVec3::Y * radius),
+    }
+}
+
+fn arrays(line: Vec<DVec3>) -> Vec<[f64; 3]> {
+    line.into_iter().map(|point| point.to_array()).collect()
+}

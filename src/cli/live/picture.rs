@@ -1,0 +1,113 @@
+//! The picture that is rendered in the background while the viewer shows it.
+
+use raywalk::record::Arithmetic;
+use raywalk::render::{export, preview};
+use raywalk::scene::Scene;
+use raywalk::tui::{COARSEST, Dot, Image};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+/// How long a picture in the making is kept back between two that are shown.
+const PAUSE: Duration = Duration::from_millis(100);
+
+/// The thread that renders, and what it has. Dropping it ends the work.
+pub struct Rendering {
+    shared: Arc<Shared>,
+    thread: Option<JoinHandle<()>>,
+}
+
+struct Shared {
+    /// The latest picture, until somebody takes it.
+    latest: Mutex<Option<Arc<Image>>>,
+    stop: AtomicBool,
+}
+
+impl Rendering {
+    /// Begins to render.
+    pub fn start(scene: Arc<Scene>, arithmetic: Arithmetic) -> Rendering {
+        let output = scene.output;
+        let levels = move |color: [f64; 3], stops: f64| export::levels(color, &output, stops);
+        let empty = Image::empty(scene.camera.resolution, Arc::new(levels));
+        let shared =
+            Arc::new(Shared { latest: Mutex::new(Some(Arc::new(empty.clone()))), stop: AtomicBool::new(false) });
+        let of_thread = Arc::clone(&shared);
+        let thread = thread::Builder::new()
+            .name("picture".to_owned())
+            .spawn(move || of_thread.render(&scene, arithmetic, empty))
+            .ok();
+        Rendering { shared, thread }
+    }
+
+    /// The latest picture, if there is one that wasn't taken yet.
+    pub fn latest(&self) -> Option<Arc<Image>> {
+        self.shared.latest.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    /// Waits for the whole picture.
+    pub fn finish(&mut self) {
+        if let Some(thread) = self.thread.take() {
+            // A panic there is no reason to end the viewer: it keeps the picture that it has.
+            let _ = thread.join();
+        }
+    }
+}
+
+impl Drop for Rendering {
+    fn drop(&mut self) {
+        self.shared.stop.store(true, Ordering::Relaxed);
+        self.finish();
+    }
+}
+
+impl Shared {
+    fn render(&self, scene: &Scene, arithmetic: Arithmetic, mut image: Image) {
+        let grid = [image.columns(), image.rows()];
+        let (step, columns) = (image.step, image.columns() as usize);
+        let pixel = |place: [u32; 2]| place.map(|number| number * step);
+        let index = move |[column, row]: [u32; 2]| row as usize * columns + column as usize;
+        let mut clock = Clock(Instant::now());
+        let dot = |place| preview::dot(scene, pixel(place), arithmetic);
+        let publish = |dots: Vec<([u32; 2], preview::Dot)>| {
+            for (place, dot) in dots {
+                let preview::Dot { color, depth, rays, samples } = dot;
+                image.dots[index(place)] = Some(Dot { color: color.to_array(), depth, rays, samples, error: None });
+            }
+            clock.publish(self, &image);
+        };
+        preview::in_passes(grid, COARSEST, dot, publish, &self.stop);
+        self.put(&image);
+        let colors: Vec<_> = image.dots.iter().map(|dot| dot.map(|dot| dot.color)).collect();
+        let error = |place| {
+            let color = colors[index(place)]?;
+            Some(preview::error_of_single(scene, pixel(place), color.into()))
+        };
+        let publish = |errors: Vec<([u32; 2], Option<f64>)>| {
+            for (place, error) in errors {
+                if let Some(dot) = &mut image.dots[index(place)] {
+                    dot.error = error;
+                }
+            }
+            clock.publish(self, &image);
+        };
+        preview::in_passes(grid, COARSEST, error, publish, &self.stop);
+        self.put(&image);
+    }
+
+    fn put(&self, image: &Image) {
+        *self.latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::new(image.clone()));
+    }
+}
+
+/// When a picture was shown last.
+struct Clock(Instant);
+
+impl Clock {
+    fn publish(&mut self, shared: &Shared, image: &Image) {
+        if self.0.elapsed() >= PAUSE {
+            shared.put(image);
+            self.0 = Instant::now();
+        }
+    }
+}

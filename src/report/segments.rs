@@ -1,0 +1,98 @@
+//! The rays of a log as lines in space.
+
+use crate::log::{Decision, Log, Name, RayKind, Step, Tree, Value, What};
+
+/// A ray as a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// Its node.
+    pub node: usize,
+    /// What kind of ray.
+    pub kind: RayKind,
+    /// Where it begins.
+    pub from: [f64; 3],
+    /// Its unit direction.
+    pub direction: [f64; 3],
+    /// How far it goes; `None` to infinity.
+    pub length: Option<f64>,
+    /// Whether it was stopped on its way: a shadow ray that doesn't reach its light.
+    pub is_blocked: bool,
+}
+
+impl Segment {
+    /// Where it ends; a ray to infinity after this distance.
+    pub fn end(&self, far: f64) -> [f64; 3] {
+        let length = self.length.unwrap_or(far);
+        std::array::from_fn(|axis| self.from[axis] + self.direction[axis] * length)
+    }
+}
+
+/// The rays of a node and of all nodes inside it, at most so many. Rays without a direction or an origin in the log are left out,
+/// and what lies beyond the first 2^16 nodes, so that it is quick for any log.
+pub fn segments(log: &Log, tree: &Tree, node: usize, most: usize) -> Vec<Segment> {
+    const MOST_NODES: usize = 1 << 16;
+    let nodes = node..tree.nodes()[node].subtree_end.min(node + MOST_NODES);
+    nodes.filter_map(|node| segment(log, tree, node)).take(most).collect()
+}
+
+/// The ray of a node; `None` for another node, and for a ray whose origin or direction isn't in the log.
+pub fn segment(log: &Log, tree: &Tree, node: usize) -> Option<Segment> {
+    let Some(Step::Ray { kind, .. }) = tree.nodes()[node].step else { return None };
+    let mut ray =
+        Segment { node, kind, from: [f64::NAN; 3], direction: [f64::NAN; 3], length: None, is_blocked: false };
+    for event in tree.own_events(node) {
+        let event = &log.events[event];
+        let noted = match event.what {
+            What::Note { name, value } => Some((name, value)),
+            _ => None,
+        };
+        for (name, value) in event.given.iter().copied().chain(noted) {
+            match value {
+                Value::Triple(origin) if name.key() == Name::RayOrigin.key() => ray.from = origin,
+                Value::Triple(direction) if name.key() == Name::RayDirection.key() => ray.direction = direction,
+                Value::Triple(point) if name.key() == Name::HitPoint.key() && ray.length.is_none() => {
+                    ray.length = Some(distance(ray.from, point));
+                }
+                _ => {}
+            }
+        }
+        ray.is_blocked |= matches!(event.what, What::Mark(Decision::Occluded { .. }));
+    }
+    if matches!(kind, RayKind::Shadow { .. }) {
+        ray.length =
+            if ray.is_blocked { blocked_at(log, tree, node) } else { None }.or_else(|| to_light(log, tree, node));
+    }
+    (ray.from.iter().chain(&ray.direction).all(|x| x.is_finite())).then_some(ray)
+}
+
+fn distance(from: [f64; 3], to: [f64; 3]) -> f64 {
+    let squares = (0..3).map(|axis| (to[axis] - from[axis]) * (to[axis] - from[axis]));
+    squares.sum::<f64>().sqrt()
+}
+
+/// The distance of the first hit of a shadow ray's tests.
+fn blocked_at(log: &Log, tree: &Tree, node: usize) -> Option<f64> {
+    let tests = node + 1..tree.nodes()[node].subtree_end;
+    let distances = tests.filter_map(|test| {
+        let mut distance = None;
+        for event in tree.own_events(test) {
+            match log.events[event].what {
+                What::Note { name, value: Value::Number(t) } if name.key().ends_with(".t") => distance = Some(t),
+                What::Mark(Decision::Hit) => return distance,
+                _ => {}
+            }
+        }
+        None
+    });
+    distances.reduce(f64::min)
+}
+
+/// The distance to the light, which the node around a shadow ray has; `None` for a light infinitely far away.
+fn to_light(log: &Log, tree: &Tree, node: usize) -> Option<f64> {
+    let parent = tree.nodes()[node].parent;
+    let distance = |event: usize| match log.events[event].what {
+        What::Note { name: Name::LightDistance, value: Value::Number(distance) } => Some(distance),
+        _ => None,
+    };
+    tree.own_events_before(parent, tree.nodes()[node].events.start).filter_map(distance).last()
+}

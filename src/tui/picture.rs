@@ -1,0 +1,250 @@
+//! The picture: its dots as far as they are there, the cursor pixel in it, and how it is looked at.
+
+use super::keys::Action;
+use super::model::{Model, Pane};
+use super::update::Effect;
+use std::fmt;
+use std::sync::Arc;
+
+/// A picture that may still be in the making. Of a very large one only every `step`-th pixel of a row and column is there.
+#[derive(Clone)]
+pub struct Image {
+    /// Columns and rows of the picture.
+    pub size: [u32; 2],
+    /// How many pixels lie between neighbouring dots.
+    pub step: u32,
+    /// The dots row by row.
+    pub dots: Vec<Option<Dot>>,
+    /// What a file would hold of a colour that is brighter by so many stops.
+    pub levels: Levels,
+}
+
+/// From a colour and stops of exposure to three bytes.
+pub type Levels = Arc<dyn Fn([f64; 3], f64) -> [u8; 3] + Send + Sync>;
+
+/// A pixel of the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dot {
+    /// The colour, in linear light.
+    pub color: [f64; 3],
+    /// The distance to what its first sample sees; `None` where that is the background.
+    pub depth: Option<f64>,
+    /// How many rays it took.
+    pub rays: u32,
+    /// How many samples.
+    pub samples: u32,
+    /// By how much single precision misses the colour, in the worst channel; `None` until that is known.
+    pub error: Option<f64>,
+}
+
+/// What of the pixels is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// The colours.
+    Colors,
+    /// How far away.
+    Depth,
+    /// How many rays.
+    Rays,
+    /// How many samples.
+    Samples,
+    /// How wrong single precision is.
+    Error,
+}
+
+/// How the picture is looked at.
+#[derive(Clone, Debug)]
+pub struct PictureView {
+    /// The picture.
+    pub image: Arc<Image>,
+    /// The pixel that is walked through.
+    pub cursor: [u32; 2],
+    /// What is shown.
+    pub layer: Layer,
+    /// Half stops of exposure.
+    pub exposure: i32,
+    /// How often it is enlarged twofold, from the whole picture on.
+    pub zoom: u32,
+    /// Whether nothing more of it is to come.
+    pub is_finished: bool,
+}
+
+impl fmt::Debug for Image {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Image {:?}, {} of {} dots", self.size, self.done(), self.dots.len())
+    }
+}
+
+impl Image {
+    /// The picture of this size without any dots; the step is the least with which it has no more than [`MOST_DOTS`].
+    pub fn empty(size: [u32; 2], levels: Levels) -> Image {
+        let step = (1..).find(|step| dots_of(size, *step) <= MOST_DOTS).unwrap_or(1);
+        Image { size, step, dots: vec![None; dots_of(size, step)], levels }
+    }
+
+    /// Columns of dots.
+    pub fn columns(&self) -> u32 {
+        self.size[0].div_ceil(self.step)
+    }
+
+    /// Rows of dots.
+    pub fn rows(&self) -> u32 {
+        self.size[1].div_ceil(self.step)
+    }
+
+    /// How many dots are there.
+    pub fn done(&self) -> usize {
+        self.dots.iter().filter(|dot| dot.is_some()).count()
+    }
+
+    /// The dot of a pixel, or the nearest one up and to the left of a coarser grid while it isn't there.
+    pub fn at(&self, [x, y]: [u32; 2]) -> Option<&Dot> {
+        let (column, row) = ((x / self.step).min(self.columns() - 1), (y / self.step).min(self.rows() - 1));
+        (0..=COARSEST).find_map(|coarse| {
+            let [column, row] = [column, row].map(|number| number >> coarse << coarse);
+            self.dots[row as usize * self.columns() as usize + column as usize].as_ref()
+        })
+    }
+
+    /// The least and the greatest value of a layer.
+    pub fn range(&self, layer: Layer) -> Option<[f64; 2]> {
+        let values = self.dots.iter().flatten().filter_map(|dot| layer.of(dot));
+        values.fold(None, |range, value| {
+            let [least, greatest] = range.unwrap_or([value; 2]);
+            Some([least.min(value), greatest.max(value)])
+        })
+    }
+}
+
+/// The first dots are those of every 2^5-th column and row.
+pub const COARSEST: u32 = 5;
+
+/// The most dots of a picture.
+const MOST_DOTS: usize = 1 << 20;
+
+fn dots_of([width, height]: [u32; 2], step: u32) -> usize {
+    width.div_ceil(step) as usize * height.div_ceil(step) as usize
+}
+
+impl Layer {
+    /// All layers in the order in which they are shown.
+    pub const ALL: [Layer; 5] = [Layer::Colors, Layer::Depth, Layer::Rays, Layer::Samples, Layer::Error];
+
+    /// What it is called.
+    pub fn word(self) -> &'static str {
+        match self {
+            Layer::Colors => "picture",
+            Layer::Depth => "depth",
+            Layer::Rays => "rays per pixel",
+            Layer::Samples => "samples per pixel",
+            Layer::Error => "error of f32",
+        }
+    }
+
+    /// The value of a dot; `None` for a colour and for what isn't known.
+    pub fn of(self, dot: &Dot) -> Option<f64> {
+        match self {
+            Layer::Colors => None,
+            Layer::Depth => dot.depth,
+            Layer::Rays => Some(dot.rays.into()),
+            Layer::Samples => Some(dot.samples.into()),
+            Layer::Error => dot.error,
+        }
+    }
+}
+
+impl PictureView {
+    /// The whole picture, with the cursor at this pixel.
+    pub fn new(image: Arc<Image>, cursor: [u32; 2]) -> PictureView {
+        PictureView { image, cursor, layer: Layer::Colors, exposure: 0, zoom: 0, is_finished: false }
+    }
+
+    /// Shows a picture with more dots.
+    pub(super) fn show(&mut self, image: Arc<Image>) {
+        self.is_finished = image.dots.iter().all(|dot| dot.is_some_and(|dot| dot.error.is_some()));
+        self.image = image;
+    }
+
+    /// How many pixels a dot of the screen stands for, on a screen of this many dots, and where the first one lies.
+    pub fn window(&self, [columns, rows]: [u32; 2]) -> (f64, [f64; 2]) {
+        let [width, height] = self.image.size.map(f64::from);
+        let whole = (width / f64::from(columns.max(1))).max(height / f64::from(rows.max(1)));
+        let scale = whole / f64::from(1_u32 << self.zoom.min(MOST_ZOOM));
+        let start = |cursor: u32, size: f64, dots: u32| {
+            let shown = scale * f64::from(dots);
+            let middle = f64::from(cursor) + 0.5 - shown / 2.0;
+            if shown >= size { (size - shown) / 2.0 } else { middle.clamp(0.0, size - shown) }
+        };
+        let [x, y] = self.cursor;
+        (scale, [start(x, width, columns), start(y, height, rows)])
+    }
+
+    /// The pixel under a dot of such a screen.
+    pub fn pixel_under(&self, screen: [u32; 2], [column, row]: [u32; 2]) -> Option<[u32; 2]> {
+        let (scale, [left, top]) = self.window(screen);
+        let x = left + scale * (f64::from(column) + 0.5);
+        let y = top + scale * (f64::from(row) + 0.5);
+        let is_inside = x >= 0.0 && y >= 0.0 && x < self.image.size[0].into() && y < self.image.size[1].into();
+        is_inside.then_some([x as u32, y as u32])
+    }
+
+    /// Another layer.
+    fn next_layer(&mut self) {
+        let at = Layer::ALL.iter().position(|layer| *layer == self.layer).unwrap_or(0);
+        self.layer = Layer::ALL[(at + 1) % Layer::ALL.len()];
+    }
+}
+
+/// The most that the picture is enlarged, in powers of two.
+const MOST_ZOOM: u32 = 12;
+
+/// Does in the picture what an action means there; `None` if it means the same as elsewhere.
+pub(super) fn update(model: &mut Model, action: Action, count: Option<u32>) -> Option<Effect> {
+    if model.focus != Pane::Picture {
+        return None;
+    }
+    let page = model.page() as i64;
+    let view = model.picture.as_mut()?;
+    let times = i64::from(count.unwrap_or(1));
+    let by = match action {
+        Action::Down => [0, times],
+        Action::Up => [0, -times],
+        Action::Out => [-times, 0],
+        Action::In if count.is_none() => [1, 0],
+        Action::In => [times, 0],
+        Action::HalfPageDown | Action::PageDown => [0, page * times],
+        Action::HalfPageUp | Action::PageUp => [0, -page * times],
+        Action::First => [i64::MIN / 2, 0],
+        Action::Last => [i64::MAX / 2, 0],
+        Action::Enter => {
+            model.focus_on(Pane::Tree);
+            return Some(Effect::None);
+        }
+        Action::ZoomIn => {
+            view.zoom = (view.zoom + 1).min(MOST_ZOOM);
+            return Some(Effect::None);
+        }
+        Action::ZoomOut => {
+            view.zoom = view.zoom.saturating_sub(1);
+            return Some(Effect::None);
+        }
+        Action::Brighter | Action::Darker => {
+            let half_stops = if action == Action::Brighter { times } else { -times };
+            view.exposure = (i64::from(view.exposure) + half_stops).clamp(-60, 60) as i32;
+            return Some(Effect::None);
+        }
+        Action::NextView => {
+            view.next_layer();
+            return Some(Effect::None);
+        }
+        _ => return None,
+    };
+    let moved = |at: u32, by: i64, size: u32| (i64::from(at) + by).clamp(0, i64::from(size) - 1) as u32;
+    let target = [0, 1].map(|axis| moved(view.cursor[axis], by[axis], view.image.size[axis]));
+    if target == view.cursor && model.log.header.subject == crate::log::Subject::Pixel(target) {
+        model.say("the picture ends here");
+        return Some(Effect::None);
+    }
+    // The cursor goes there with the log, if there is one.
+    Some(Effect::Trace(target))
+}

@@ -1,0 +1,184 @@
+//! The picture and the schematic without a terminal: a scene that somebody else traces.
+
+use super::testing::{glass, sized, textbook};
+use super::*;
+use crate::log::{Log, Subject};
+use crate::tui::keys::sequence;
+use ratatui::style::Color;
+use std::sync::Arc;
+
+/// A scene of 8 × 6 pixels whose colour, depth and counts are its column and row. Each pixel has the log of the glass ball.
+#[derive(Default)]
+struct Fake {
+    traced: Vec<[u32; 2]>,
+}
+
+impl Live for Fake {
+    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, String> {
+        if pixel == [7, 5] {
+            return Err("too long".to_owned());
+        }
+        self.traced.push(pixel);
+        Ok(of_pixel(glass(), pixel))
+    }
+
+    fn picture(&mut self, _whole: bool) -> Option<Arc<Image>> {
+        let levels = |color: [f64; 3], stops: f64| color.map(|x| (x * libm::exp2(stops)).min(255.0) as u8);
+        let mut image = Image::empty([8, 6], Arc::new(levels));
+        for (number, dot) in image.dots.iter_mut().enumerate() {
+            let (x, y) = ((number % 8) as f64, (number / 8) as f64);
+            let color = [20.0 * x, 30.0 * y, 100.0];
+            *dot = Some(Dot { color, depth: Some(x), rays: number as u32, samples: 1, error: Some(0.0) });
+        }
+        Some(Arc::new(image))
+    }
+
+    fn drawing(&mut self) -> Option<Arc<Drawing>> {
+        let ball = Thing { name: "ball".to_owned(), lines: vec![vec![[-2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]] };
+        let lamp = Thing { name: "lamp".to_owned(), lines: vec![vec![[5.0, 5.0, 10.0]]] };
+        let place_of = |[x, y, z]: [f64; 3]| (z < 10.0).then(|| [4.0 + x / (10.0 - z), 3.0 - y / (10.0 - z)]);
+        Some(Arc::new(Drawing {
+            objects: vec![ball],
+            lights: vec![lamp],
+            eye: [0.0, 0.0, 10.0],
+            place_of: Arc::new(place_of),
+            size: [8, 6],
+        }))
+    }
+
+    fn compare(&mut self, _subject: Subject) -> Result<Vec<Log>, String> {
+        Ok(vec![textbook()])
+    }
+}
+
+fn of_pixel(mut log: Log, pixel: [u32; 2]) -> Log {
+    log.header.subject = Subject::Pixel(pixel);
+    log
+}
+
+/// The model with the focus on the picture, at pixel 3,2, after these keys; and the pixels that were traced.
+fn after(keys: &str, size: (u16, u16)) -> (Model, Vec<[u32; 2]>) {
+    let mut fake = Fake::default();
+    let mut model = sized(of_pixel(glass(), [3, 2]), size.0, size.1);
+    {
+        let mut live: Option<&mut dyn Live> = Some(&mut fake);
+        model.look(&mut live, false);
+        model.focus_on(Pane::Picture);
+        for key in sequence(keys) {
+            if let Some(action) = super::keys::meant(&model, key) {
+                let effect = update(&mut model, action);
+                model.answer(effect, &mut live);
+            }
+        }
+    }
+    (model, fake.traced)
+}
+
+#[track_caller]
+fn goes_to(keys: &str, pixel: [u32; 2]) {
+    let (model, traced) = after(keys, (100, 30));
+    assert_eq!(model.pixel(), Some(pixel), "after {keys}");
+    assert_eq!(model.picture.as_ref().map(|view| view.cursor), Some(pixel), "after {keys}");
+    assert_eq!(traced.last().copied().unwrap_or([3, 2]), pixel, "after {keys}");
+}
+
+#[test]
+fn the_cursor_walks_and_each_pixel_is_traced() {
+    goes_to("", [3, 2]);
+    goes_to("l", [4, 2]);
+    goes_to("h", [2, 2]);
+    goes_to("j", [3, 3]);
+    goes_to("k", [3, 1]);
+    goes_to("2l2j", [5, 4]);
+    goes_to("99h99k", [0, 0]);
+    goes_to("g", [0, 2]);
+    goes_to("kG", [7, 1]);
+}
+
+#[test]
+fn a_pixel_that_cannot_be_traced_is_said_and_the_old_one_stays() {
+    let (model, _) = after("99l99j", (100, 30));
+    assert_eq!(model.pixel(), Some([7, 2]));
+    assert!(model.message.is_some_and(|message| message.text == "too long"));
+    assert_eq!(model.picture.map(|view| view.cursor), Some([7, 2]));
+}
+
+#[test]
+fn the_picture_ends() {
+    let (model, traced) = after("9h h", (100, 30));
+    assert_eq!(traced, [[0, 2]]);
+    assert!(model.message.is_some_and(|message| message.text.contains("ends here")));
+}
+
+#[test]
+fn the_selection_stays_where_the_trees_agree() {
+    let (mut model, _) = after("", (100, 30));
+    model.go_to_event(40);
+    let (event, cursor) = (model.event, model.cursor);
+    model.show(of_pixel(glass(), [1, 1]));
+    assert_eq!((model.event, model.cursor), (event, cursor));
+    model.show(textbook());
+    assert!(model.event < model.log.events.len());
+}
+
+#[test]
+fn layers_exposure_and_zoom() {
+    let view = |keys: &str| after(keys, (100, 30)).0.picture.expect("a picture");
+    assert_eq!(view("v").layer, Layer::Depth);
+    assert_eq!(view("vvvvv").layer, Layer::Colors);
+    assert_eq!(view("3)").exposure, 3);
+    assert_eq!(view(")((").exposure, -1);
+    assert_eq!(view("iiI").zoom, 1);
+    assert_eq!(view("I").zoom, 0);
+    assert_eq!(view("").image.range(Layer::Rays), Some([0.0, 47.0]));
+}
+
+#[test]
+fn enter_goes_to_the_tree() {
+    assert_eq!(after("<Enter>", (100, 30)).0.focus, Pane::Tree);
+}
+
+#[test]
+fn every_dot_of_the_screen_is_the_pixel_under_it() {
+    let (model, _) = after("", (100, 30));
+    let mut view = model.picture.expect("a picture");
+    // Two dots to a pixel.
+    for (column, row) in (0..16).flat_map(|column| (0..12).map(move |row| (column, row))) {
+        assert_eq!(view.pixel_under([16, 12], [column, row]), Some([column / 2, row / 2]));
+    }
+    assert_eq!(view.pixel_under([20, 12], [1, 0]), None);
+    assert_eq!(view.pixel_under([20, 12], [2, 0]), Some([0, 0]));
+    view.zoom = 1;
+    assert_eq!(view.pixel_under([16, 12], [8, 6]), Some([3, 2]));
+    view.cursor = [0, 0];
+    assert_eq!(view.pixel_under([16, 12], [0, 0]), Some([0, 0]));
+}
+
+#[test]
+fn half_blocks_have_the_colours_of_their_pixels() {
+    let (model, _) = after("zo", (8, 6));
+    let frame = frame(&Model { size: (20, 8), ..model }, 20, 8, &Theme::new(Palette::True, false));
+    // 20 columns and 10 rows of dots for 8 x 6 pixels: 10/6 dots a pixel, centred.
+    let colors: Vec<Color> = frame.content().iter().map(|cell| cell.fg).collect();
+    assert!(colors.contains(&Color::Rgb(0, 0, 100)) && colors.contains(&Color::Rgb(140, 0, 100)), "{colors:?}");
+}
+
+#[test]
+fn any_size_in_any_look_can_be_drawn() {
+    for keys in ["", "v", "iii", "Tab Tab Tab Tab v", "BTab v v iii"] {
+        let (mut model, _) = after(keys, (100, 30));
+        for pane in Pane::ALL {
+            model.focus_on(pane);
+            for (width, height) in
+                (1..240).step_by(13).flat_map(|width| (1..70).step_by(7).map(move |height| (width, height)))
+            {
+                for (palette, ascii) in [(Palette::True, false), (Palette::Indexed, true), (Palette::None, false)] {
+                    model.size = (width, height);
+                    let shown = frame(&model, width, height, &Theme::new(palette, ascii));
+                    let is_ascii = shown.content().iter().all(|cell| cell.symbol().is_ascii());
+                    assert!(is_ascii || !ascii, "{width}x{height} {pane:?}");
+                }
+            }
+        }
+    }
+}

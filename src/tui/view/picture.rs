@@ -1,0 +1,220 @@
+//! The picture, two dots to a character: half blocks, or shades where there are no colours.
+
+use super::text::{shown, width_of};
+use super::{put, title};
+use crate::log::Value;
+use crate::report::number;
+use crate::tui::layout::Layout;
+use crate::tui::model::{Model, Pane};
+use crate::tui::picture::{Dot, Layer, PictureView};
+use crate::tui::theme::{Palette, Theme};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::{Color, Modifier, Style};
+use ratatui::text::Line;
+
+pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let Some(view) = model.picture.as_ref().filter(|_| !area.is_empty()) else { return };
+    let range = view.image.range(view.layer);
+    title(model, Pane::Picture, name(view, range, theme), &remark(view), theme, area, buffer);
+    let body = Layout::body(area);
+    let dots = dots_of_picture(area);
+    let brush = Brush { view, range, theme, screen: [dots.width.into(), 2 * u32::from(dots.height)] };
+    for place in dots.intersection(buffer.area).positions() {
+        let cell = brush.cell([u32::from(place.x - dots.x), 2 * u32::from(place.y - dots.y)]);
+        if let (Some((symbol, style)), Some(target)) = (cell, buffer.cell_mut(place)) {
+            target.set_symbol(symbol).set_style(style);
+        }
+    }
+    let below = Rect { y: dots.bottom(), height: body.height - dots.height, ..body };
+    put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
+}
+
+/// Where in the pane the picture itself lies: below the title, and above the row that says what the cursor stands on.
+pub(in crate::tui) fn dots_of_picture(area: Rect) -> Rect {
+    let body = Layout::body(area);
+    Rect { height: body.height.saturating_sub(u16::from(body.height > 3)), ..body }
+}
+
+fn name(view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {
+    let mut name = view.layer.word().to_owned();
+    if let Some([least, greatest]) = range {
+        name += &format!(" {} … {}", figure(least), figure(greatest));
+    }
+    if view.exposure != 0 && view.layer == Layer::Colors {
+        name += &format!(" {:+.1} stops", f64::from(view.exposure) / 2.0);
+    }
+    shown(&name, theme)
+}
+
+/// A figure of a layer: a count, or a number with three digits.
+fn figure(value: f64) -> String {
+    if value.fract() == 0.0 && value.abs() < 1e9 { format!("{value}") } else { format!("{value:.3e}") }
+}
+
+fn remark(view: &PictureView) -> String {
+    let (done, all) = (view.image.done(), view.image.dots.len());
+    let zoom = if view.zoom == 0 { String::new() } else { format!("x{}", 1_u32 << view.zoom) };
+    if done == all { zoom } else { format!("{} %", 100 * done / all.max(1)) }
+}
+
+/// What is known of the cursor's pixel, as much as fits.
+fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
+    let [x, y] = view.cursor;
+    let place = format!("{x},{y}");
+    let Some(dot) = view.image.at(view.cursor) else { return place };
+    let linear = number::value(&Value::Triple(dot.color), model.numbers);
+    let [r, g, b] = (view.image.levels)(dot.color, 0.0);
+    let levels = format!("8-bit {r} {g} {b}");
+    let depth = dot.depth.map(|depth| format!("  depth {}", number::value(&Value::Number(depth), model.numbers)));
+    let counts = format!("{}  rays {}", depth.unwrap_or_default(), dot.rays);
+    let texts = [
+        format!("{place}  {linear}  {levels}{counts}"),
+        format!("{place}  {linear}  {levels}"),
+        format!("{place}  {linear}"),
+    ];
+    texts.into_iter().find(|text| width_of(text) <= room).unwrap_or(place)
+}
+
+/// What draws the cells.
+struct Brush<'v> {
+    view: &'v PictureView,
+    range: Option<[f64; 2]>,
+    theme: &'v Theme,
+    /// Dots on the screen.
+    screen: [u32; 2],
+}
+
+impl Brush<'_> {
+    /// The character with this dot of the screen above and the next one below; `None` outside the picture.
+    fn cell(&self, [column, row]: [u32; 2]) -> Option<(&'static str, Style)> {
+        let pixels = [row, row + 1].map(|row| self.view.pixel_under(self.screen, [column, row]));
+        if pixels == [None, None] {
+            return None;
+        }
+        let [above, below] = pixels.map(|pixel| pixel.and_then(|pixel| self.color(self.view.image.at(pixel)?)));
+        if self.has_cursor([column, row]) {
+            return Some(self.cursor(above.or(below)));
+        }
+        let has_shades = self.theme.palette == Palette::None || self.theme.is_ascii();
+        if has_shades {
+            let light = luminance(above.or(below).unwrap_or_default()) * 0.5
+                + luminance(below.or(above).unwrap_or_default()) * 0.5;
+            return Some((self.shade(light), Style::reset()));
+        }
+        let colored = |color: Option<[u8; 3]>| color.map_or(Color::Reset, |color| self.terminal_color(color));
+        Some(match (above, below) {
+            (None, None) => (" ", Style::reset()),
+            (None, below) => ("▄", Style::reset().fg(colored(below))),
+            (above, below) => ("▀", Style::reset().fg(colored(above)).bg(colored(below))),
+        })
+    }
+
+    /// Whether the cursor's pixel is seen here: its middle lies in the cell.
+    fn has_cursor(&self, [column, row]: [u32; 2]) -> bool {
+        let (scale, start) = self.view.window(self.screen);
+        let at = [0, 1].map(|axis| ((f64::from(self.view.cursor[axis]) + 0.5 - start[axis]) / scale) as u32);
+        at[0] == column && (at[1] == row || at[1] == row + 1)
+    }
+
+    fn cursor(&self, color: Option<[u8; 3]>) -> (&'static str, Style) {
+        let symbol = if self.theme.is_ascii() { "X" } else { "╳" };
+        if self.theme.palette == Palette::None {
+            return (symbol, Style::reset().add_modifier(Modifier::REVERSED | Modifier::BOLD));
+        }
+        let ground = color.unwrap_or_default();
+        let ink = if luminance(ground) > 0.5 { [0; 3] } else { [255; 3] };
+        let style = Style::reset().fg(self.terminal_color(ink)).bg(self.terminal_color(ground));
+        (symbol, style.add_modifier(Modifier::BOLD))
+    }
+
+    /// What a dot looks like in this layer.
+    fn color(&self, dot: &Dot) -> Option<[u8; 3]> {
+        if self.view.layer == Layer::Colors {
+            return Some((self.view.image.levels)(dot.color, f64::from(self.view.exposure) / 2.0));
+        }
+        let ([least, greatest], value) = (self.range?, self.view.layer.of(dot)?);
+        let part = if greatest > least { (value - least) / (greatest - least) } else { 0.0 };
+        // The root tells small values apart, as most pixels have.
+        Some(false_color(part.sqrt()))
+    }
+
+    fn shade(&self, light: f64) -> &'static str {
+        const ASCII: [&str; 10] = [" ", ".", ":", "-", "=", "+", "*", "#", "%", "@"];
+        const BLOCKS: [&str; 5] = [" ", "░", "▒", "▓", "█"];
+        let of =
+            |shades: &'static [&'static str]| shades[((light * shades.len() as f64) as usize).min(shades.len() - 1)];
+        if self.theme.is_ascii() { of(&ASCII) } else { of(&BLOCKS) }
+    }
+
+    fn terminal_color(&self, [r, g, b]: [u8; 3]) -> Color {
+        match self.theme.palette {
+            Palette::True => Color::Rgb(r, g, b),
+            Palette::Indexed => Color::Indexed(indexed([r, g, b])),
+            Palette::None => Color::Reset,
+        }
+    }
+}
+
+/// Lightness from 0 to 1 as eyes have it (Rec. 709, on the values as they are shown).
+fn luminance([r, g, b]: [u8; 3]) -> f64 {
+    (0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b)) / 255.0
+}
+
+/// The nearest of the 256 colours that terminals have: of the cube of 6 × 6 × 6, or of the greys.
+fn indexed(color: [u8; 3]) -> u8 {
+    const LEVELS: [u8; 6] = [0, 95, 135, 175, 215, 255];
+    let nearest = |value: u8| (0..6_u8).min_by_key(|at| LEVELS[usize::from(*at)].abs_diff(value)).unwrap_or(0);
+    let cube = color.map(nearest);
+    let grey = ((color.iter().map(|value| u32::from(*value)).sum::<u32>() / 3).saturating_sub(3) / 10).min(23) as u8;
+    let distance = |other: [u8; 3]| -> u32 { (0..3).map(|at| u32::from(color[at].abs_diff(other[at])).pow(2)).sum() };
+    let in_cube = cube.map(|at| LEVELS[usize::from(at)]);
+    if distance([8 + 10 * grey; 3]) < distance(in_cube) {
+        232 + grey
+    } else {
+        16 + 36 * cube[0] + 6 * cube[1] + cube[2]
+    }
+}
+
+/// A colour for a number from 0 to 1 whose lightness grows evenly, so that it reads in grey and for colour-blind eyes too: the
+/// colour map *cividis* (Nuñez, Anderton and Renslow, 2018), at eight places.
+fn false_color(part: f64) -> [u8; 3] {
+    const SCALE: [[u8; 3]; 8] = [
+        [0, 32, 76],
+        [0, 48, 111],
+        [60, 77, 110],
+        [91, 107, 114],
+        [122, 132, 120],
+        [158, 157, 115],
+        [202, 186, 93],
+        [255, 234, 70],
+    ];
+    let place = part.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;
+    let below = (place as usize).min(SCALE.len() - 2);
+    let rest = place - below as f64;
+    std::array::from_fn(|channel| {
+        let [from, to] = [SCALE[below][channel], SCALE[below + 1][channel]].map(f64::from);
+        (from + (to - from) * rest + 0.5) as u8
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_of_the_cube_and_greys_are_their_own() {
+        assert_eq!(indexed([0, 0, 0]), 16);
+        assert_eq!(indexed([255, 255, 255]), 231);
+        assert_eq!(indexed([95, 175, 255]), 16 + 36 + 6 * 3 + 5);
+        assert_eq!(indexed([128, 128, 128]), 244);
+        assert_eq!(indexed([8, 8, 8]), 232);
+    }
+
+    #[test]
+    fn false_colours_grow_lighter() {
+        let lights: Vec<f64> = (0..=100).map(|part| luminance(false_color(f64::from(part) / 100.0))).collect();
+        assert!(lights.windows(2).all(|pair| pair[0] <= pair[1] + 0.004), "{lights:?}");
+        assert_eq!(false_color(1.0), [255, 234, 70]);
+    }
+}

@@ -1,0 +1,241 @@
+//! The scene with the rays of the pixel in it, as in figures 4 to 8 of the source text.
+//!
+//! The current ray is drawn over the others and has its letter at its end; each kind has its colour and its letter: C from the
+//! eye, R reflected, T transmitted, S to a light.
+
+use super::{put, title};
+use crate::log::{RayKind, Step};
+use crate::report::segments::{Segment, segment, segments};
+use crate::tui::drawing::{Drawing, Projection, Thing};
+use crate::tui::layout::Layout;
+use crate::tui::model::{Model, Pane};
+use crate::tui::theme::{Palette, Role, Theme};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::{Color, Modifier, Style};
+use ratatui::symbols::Marker;
+use ratatui::text::Span;
+use ratatui::widgets::Widget;
+use ratatui::widgets::canvas::{Canvas, Context, Line};
+
+/// The most rays that are drawn: more nobody tells apart.
+const MOST_RAYS: usize = 400;
+
+/// The parts of a line that are projected by themselves, so that one which passes the eye is drawn as far as it is seen.
+const PARTS: u32 = 8;
+
+pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    if area.is_empty() {
+        return;
+    }
+    title(model, Pane::Schematic, format!("schematic {}", model.projection.word()), "v turns", theme, area, buffer);
+    let body = Layout::body(area);
+    if body.height < 2 || body.width < 4 {
+        return;
+    }
+    let current = around(model).find_map(|node| segment(&model.log, &model.tree, node));
+    let rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
+    let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
+        return put(buffer, body, Span::styled("no rays here", theme.style(Role::Faint)).into());
+    };
+    let color = |role: Role| theme.style(role).fg.unwrap_or(Color::Reset);
+    // Things stand back without being dim, which a canvas can't.
+    let grey = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };
+    Canvas::default()
+        .marker(if theme.is_ascii() { Marker::Dot } else { Marker::Braille })
+        .x_bounds(stage.x)
+        .y_bounds(stage.y)
+        .paint(|canvas| {
+            if let Some(drawing) = &model.drawing {
+                drawing.objects.iter().for_each(|thing| stage.draw_thing(canvas, thing, grey));
+                canvas.layer();
+                drawing.lights.iter().for_each(|thing| stage.draw_thing(canvas, thing, color(Role::Light)));
+            }
+            canvas.layer();
+            let others = rays.iter().filter(|ray| current.is_none_or(|current| current.node != ray.node));
+            others.for_each(|ray| stage.draw_ray(canvas, ray, color(role_of(ray.kind))));
+            if let Some(ray) = &current {
+                canvas.layer();
+                stage.draw_ray(canvas, ray, Color::Reset);
+            }
+        })
+        .render(body, buffer);
+    if theme.is_ascii() {
+        plain_dots(body, buffer);
+    }
+    label(model, theme, &stage, &rays, current.as_ref(), body, buffer);
+}
+
+/// The node whose rays are drawn: the sample that the selected node is in, or else the whole pixel.
+fn first_node(model: &Model) -> usize {
+    let is_whole =
+        |node: &usize| matches!(model.tree.nodes()[*node].step, None | Some(Step::Sample { .. } | Step::Pixel(_)));
+    around(model).find(is_whole).unwrap_or(0)
+}
+
+/// The selected node and those around it, outward.
+fn around(model: &Model) -> impl Iterator<Item = usize> + '_ {
+    std::iter::successors(Some(model.cursor), |node| {
+        Some(model.tree.nodes()[*node].parent).filter(|parent| parent != node)
+    })
+}
+
+fn role_of(kind: RayKind) -> Role {
+    match kind {
+        RayKind::Camera => Role::Camera,
+        RayKind::Reflected => Role::Reflected,
+        RayKind::Transmitted => Role::Transmitted,
+        RayKind::Shadow { .. } => Role::Shadow,
+    }
+}
+
+fn letter(kind: RayKind) -> &'static str {
+    match kind {
+        RayKind::Camera => "C",
+        RayKind::Reflected => "R",
+        RayKind::Transmitted => "T",
+        RayKind::Shadow { .. } => "S",
+    }
+}
+
+/// Names and letters, as far as they have room: the current ray last, over everything else.
+fn label(
+    model: &Model,
+    theme: &Theme,
+    stage: &Stage,
+    rays: &[Segment],
+    current: Option<&Segment>,
+    body: Rect,
+    buffer: &mut Buffer,
+) {
+    let mut write = |place: Option<[f64; 2]>, text: &str, style: Style| {
+        if let Some((x, y)) = place.and_then(|place| stage.cell(place, body)) {
+            let area = Rect { x, y, width: body.right() - x, height: 1 };
+            put(buffer, area, Span::styled(super::text::shown(text, theme), style).into());
+        }
+    };
+    if let Some(drawing) = &model.drawing {
+        for thing in &drawing.lights {
+            let middle = thing.lines.first().and_then(|line| stage.project(*line.first()?));
+            write(middle, &format!("{}{}", theme.glyphs.light, thing.name), theme.style(Role::Light));
+        }
+        write(stage.project(drawing.eye), theme.glyphs.camera, theme.style(Role::Camera));
+    }
+    let mut mark = |ray: &Segment, style: Style| {
+        let text = if ray.is_blocked { theme.glyphs.blocked } else { letter(ray.kind) };
+        // Three quarters of the way, where rays of one point have parted.
+        let place: [f64; 3] = std::array::from_fn(|axis| ray.from[axis] * 0.25 + ray.end(stage.far)[axis] * 0.75);
+        write(stage.project(place), text, style);
+    };
+    rays.iter().for_each(|ray| mark(ray, theme.style(role_of(ray.kind))));
+    if let Some(ray) = current {
+        mark(ray, theme.style(role_of(ray.kind)).add_modifier(Modifier::REVERSED | Modifier::BOLD));
+    }
+}
+
+/// The library's plainest dot isn't plain enough.
+fn plain_dots(area: Rect, buffer: &mut Buffer) {
+    for place in area.positions() {
+        if let Some(cell) = buffer.cell_mut(place).filter(|cell| cell.symbol() != " ") {
+            cell.set_symbol(".");
+        }
+    }
+}
+
+/// What of the plane is on the screen.
+struct Stage<'m> {
+    projection: Projection,
+    drawing: Option<&'m Drawing>,
+    x: [f64; 2],
+    y: [f64; 2],
+    /// How long a ray to infinity is drawn.
+    far: f64,
+}
+
+impl<'m> Stage<'m> {
+    /// The smallest rectangle around all rays that end, in the proportions of the screen; around the current ray's end when enlarged.
+    fn of(model: &'m Model, rays: &[Segment], current: Option<&Segment>, body: Rect) -> Option<Stage<'m>> {
+        let drawing = model.drawing.as_deref();
+        let (projection, mut points) = (model.projection, Vec::new());
+        for ray in rays {
+            points.push(ray.from);
+            points.extend(ray.length.map(|_| ray.end(0.0)));
+        }
+        let far = spread(&points).max(1e-300);
+        let (mut x, mut y) = match (projection, drawing) {
+            (Projection::Camera, Some(drawing)) => {
+                let [width, height] = drawing.size.map(f64::from);
+                ([0.0, width], [-height, 0.0])
+            }
+            _ => around_all(points.iter().filter_map(|point| projection.of(drawing, *point)))?,
+        };
+        if model.magnification > 0
+            && let Some(middle) = current.and_then(|ray| projection.of(drawing, ray.end(far)))
+        {
+            let part = 1.0 / f64::from(1_u32 << model.magnification);
+            let half = [x, y].map(|[from, to]| (to - from) * part / 2.0);
+            x = [middle[0] - half[0], middle[0] + half[0]];
+            y = [middle[1] - half[1], middle[1] + half[1]];
+        }
+        // A character is twice as high as it is wide.
+        let proportion = f64::from(body.width) / (2.0 * f64::from(body.height));
+        let (width, height) = ((x[1] - x[0]).max(1e-300) * 1.1, (y[1] - y[0]).max(1e-300) * 1.1);
+        let (width, height) = (width.max(height * proportion), height.max(width / proportion));
+        let wide = |[from, to]: [f64; 2], size: f64| [(from + to - size) / 2.0, (from + to + size) / 2.0];
+        let stage = Stage { projection, drawing, x: wide(x, width), y: wide(y, height), far };
+        let is_drawable = |[from, to]: [f64; 2]| from.is_finite() && to.is_finite() && from < to;
+        (is_drawable(stage.x) && is_drawable(stage.y)).then_some(stage)
+    }
+
+    fn project(&self, point: [f64; 3]) -> Option<[f64; 2]> {
+        self.projection.of(self.drawing, point)
+    }
+
+    /// The character of a place.
+    fn cell(&self, [x, y]: [f64; 2], body: Rect) -> Option<(u16, u16)> {
+        let column = (x - self.x[0]) / (self.x[1] - self.x[0]) * f64::from(body.width);
+        let row = (self.y[1] - y) / (self.y[1] - self.y[0]) * f64::from(body.height);
+        let is_inside = (0.0..f64::from(body.width)).contains(&column) && (0.0..f64::from(body.height)).contains(&row);
+        is_inside.then(|| (body.x + column as u16, body.y + row as u16))
+    }
+
+    fn draw_thing(&self, canvas: &mut Context, thing: &Thing, color: Color) {
+        for line in &thing.lines {
+            line.windows(2).for_each(|ends| self.draw_line(canvas, ends[0], ends[1], color));
+        }
+    }
+
+    fn draw_ray(&self, canvas: &mut Context, ray: &Segment, color: Color) {
+        self.draw_line(canvas, ray.from, ray.end(self.far), color);
+    }
+
+    fn draw_line(&self, canvas: &mut Context, from: [f64; 3], to: [f64; 3], color: Color) {
+        let parts = if self.projection == Projection::Camera { PARTS } else { 1 };
+        let at = |part: u32| {
+            let part = f64::from(part) / f64::from(parts);
+            self.project(std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * part))
+        };
+        for part in 0..parts {
+            if let (Some([x1, y1]), Some([x2, y2])) = (at(part), at(part + 1)) {
+                canvas.draw(&Line { x1, y1, x2, y2, color });
+            }
+        }
+    }
+}
+
+/// The rectangle around these places.
+fn around_all(places: impl Iterator<Item = [f64; 2]>) -> Option<([f64; 2], [f64; 2])> {
+    places.fold(None, |around: Option<([f64; 2], [f64; 2])>, [x, y]| {
+        let ([left, right], [low, high]) = around.unwrap_or(([x; 2], [y; 2]));
+        Some(([left.min(x), right.max(x)], [low.min(y), high.max(y)]))
+    })
+}
+
+/// The greatest extent of these points along an axis.
+fn spread(points: &[[f64; 3]]) -> f64 {
+    let along = |axis: usize| {
+        let values = points.iter().map(|point| point[axis]);
+        values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
+    };
+    (0..3).map(along).fold(0.0, f64::max)
+}
