@@ -211,6 +211,9 @@ impl Model {
             view.cursor = pixel;
         }
         guide::renew(self);
+        // The other tree may be smaller than what was scrolled past.
+        let top = self.top.min(self.tree.nodes().len() - 1);
+        self.top = self.fold.scrolled(&self.tree, top, self.cursor, self.page());
     }
 
     /// The number of the current step, from 1; 0 in a log without events.

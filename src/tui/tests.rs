@@ -1,5 +1,6 @@
 //! The viewer without a terminal: what keys do, and that every size of screen can be drawn.
 
+mod any_keys;
 mod finding;
 mod stepping;
 
