@@ -138,7 +138,7 @@ fn digits_read_back() {
 }
 
 fn settings(crop: [u32; 4], threads: usize) -> Settings {
-    Settings { crop, arithmetic: Arithmetic::F64, threads, counts_rays: false }
+    Settings { crop, arithmetic: Arithmetic::F64, threads, counts_rays: false, order: Default::default() }
 }
 
 /// A built-in scene in 40 × 30 pixels.

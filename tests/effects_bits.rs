@@ -4,17 +4,20 @@
 mod edges;
 mod support;
 
-use edges::picture_with;
+use edges::{picture_in_order, picture_with};
 use raywalk::log::{RayKind, Step, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
+use raywalk::render::TileOrder;
 use raywalk::scene::{Sampling, Scene, Statistical};
 use std::collections::BTreeSet;
 
-const METHODS: [Sampling; 6] = [
+const METHODS: [Sampling; 8] = [
     Sampling::Center,
+    Sampling::Regular { n: 2 },
     Sampling::Shared { n: 1 },
     Sampling::Adaptive { threshold: 0.3, depth: 1 },
     Sampling::Stochastic { n: 3 },
+    Sampling::Random { n: 3 },
     Sampling::Sobol { n: 2 },
     Sampling::Statistical(Statistical { confidence: 0.9, tolerance: 0.3, min: 4, max: 8 }),
 ];
@@ -33,6 +36,8 @@ fn threads_crops_and_logs_agree() {
             let other = picture_with(&scene, [0, 0, 41, 31], threads);
             assert!(whole.film == other.film && whole.counts == other.counts, "{sampling:?} on {threads} threads");
         }
+        let shuffled = picture_in_order(&scene, [0, 0, 41, 31], 16, TileOrder::Shuffled(6));
+        assert!(whole.film == shuffled.film && whole.counts == shuffled.counts, "{sampling:?} in another order");
         let bits = |color: glam::DVec3| color.to_array().map(f64::to_bits);
         let [left, top, right, bottom] = [5, 7, 33, 22];
         let part = picture_with(&scene, [left, top, right, bottom], 2);

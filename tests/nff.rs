@@ -108,7 +108,13 @@ fn eye_rays(mut file: SceneFile) -> (u64, u64) {
     file.sampling = Sampling::Shared { n: 1 };
     let scene = build(&file, &Default::default()).expect("a supported scene");
     let [width, height] = file.camera.resolution;
-    let settings = Settings { crop: [0, 0, width, height], arithmetic: Arithmetic::F64, threads: 2, counts_rays: true };
+    let settings = Settings {
+        crop: [0, 0, width, height],
+        arithmetic: Arithmetic::F64,
+        threads: 2,
+        counts_rays: true,
+        order: Default::default(),
+    };
     let rendered = render(&scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture");
     let counts = rendered.counts.expect("counts").statistics(0, Default::default(), 0);
     let json = serde_json::to_value(counts).expect("JSON");

@@ -50,8 +50,13 @@ fn rendered(path: &Path) -> Picture {
     let mut scene = file::read(path).unwrap_or_else(|error| panic!("{}", error.report(false))).scene;
     scene.sampling = Sampling::Shared { n: 1 };
     let [width, height] = scene.camera.resolution;
-    let settings =
-        Settings { crop: [0, 0, width, height], arithmetic: Arithmetic::F64, threads: 2, counts_rays: false };
+    let settings = Settings {
+        crop: [0, 0, width, height],
+        arithmetic: Arithmetic::F64,
+        threads: 2,
+        counts_rays: false,
+        order: Default::default(),
+    };
     let scene = build(&scene, &Default::default()).expect("a supported scene");
     Picture::of_film(&render(&scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture").film)
 }

@@ -4,9 +4,10 @@
 mod edges;
 mod support;
 
-use edges::{camera_rays, picture_with, scene as edge_scene};
-use raywalk::log::{Log, Name, RayKind, Step, Tree, Value, What};
+use edges::{camera_rays, picture_in_order, picture_with, scene as edge_scene};
+use raywalk::log::{Header, Log, Name, RayKind, Step, Subject, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
+use raywalk::render::TileOrder;
 use raywalk::scene::{Sampling, Scene, Statistical};
 use std::collections::BTreeSet;
 
@@ -57,6 +58,24 @@ fn any_number_of_threads_and_any_crop_give_the_same_bits() {
                 }
             }
         }
+    }
+}
+
+/// Whichever tile is taken up first, and by whom: the same bits, and no corner is traced twice.
+#[test]
+fn any_order_of_the_tiles_gives_the_same_bits() {
+    for sampling in METHODS {
+        let mut scene = scenes(sampling).next().expect("a scene");
+        scene.camera.resolution = [75, 70];
+        let crop = [0, 0, 75, 70];
+        let whole = picture_with(&scene, crop, 1);
+        for (key, threads) in [(1, 1), (2, 16), (3, 16), (4, 5)] {
+            // 25 tiles of 16 pixels.
+            let other = picture_in_order(&scene, crop, threads, TileOrder::Shuffled(key));
+            assert!(whole.film == other.film, "{sampling:?}, order {key} on {threads} threads");
+            assert_eq!(whole.counts, other.counts, "{sampling:?}, order {key} on {threads} threads");
+        }
+        assert!(whole.film == picture_with(&scene, crop, 16).film, "{sampling:?}, in order on 16 threads");
     }
 }
 
@@ -128,5 +147,20 @@ fn another_seed_gives_another_picture_only_where_numbers_are_random() {
             Sampling::Center | Sampling::Regular { .. } | Sampling::Shared { .. } | Sampling::Adaptive { .. }
         );
         assert_eq!(first != other, is_random, "{sampling:?}");
+    }
+}
+
+/// What the header of a log says of the sampling is what a scene file says.
+#[test]
+fn the_header_of_a_log_can_be_read_as_a_scene() {
+    let text = raywalk::scene::builtin::text("figure-19").expect("a built-in scene");
+    for sampling in METHODS {
+        let scene = Scene { sampling, ..support::scene("figure-19") };
+        let header = record::header(&scene, Subject::Pixel([0, 0]), Arithmetic::F64);
+        let mut file: serde_json::Value = serde_json::from_str(text).expect("JSON");
+        file["sampling"] = serde_json::to_value(&header.sampling).expect("JSON");
+        assert_eq!(support::scene_of(file.to_string().as_bytes(), "again").sampling, sampling);
+        let written = serde_json::to_string(&header).expect("JSON");
+        assert_eq!(serde_json::from_str::<Header>(&written).expect("a header"), header, "{written}");
     }
 }

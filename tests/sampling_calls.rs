@@ -159,3 +159,116 @@ fn frames_that_are_not_there_are_refused() {
         "expected the first and the last frame, such as 1-24, found `0-1`",
     );
 }
+
+/// What a frame shows, and what its log says: the same numbers, for some pixels of a turning wheel.
+#[test]
+fn a_frame_is_traced_as_it_is_rendered() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    for (scene, frame, time) in
+        [("spoked-wheel", "7", 6.0), ("spoked-wheel", "4", 3.0), ("spoked-wheel-open-shutter", "7", 6.0)]
+    {
+        let frames = format!("{frame}-{frame}");
+        prints(folder, &["render", scene, "-o", "wheel.pfm", "--frames", &frames, "-q", "--size", "60x20"]);
+        let picture = fs::read(folder.join("wheel.pfm")).expect("a picture");
+        let mut differs_from_first = false;
+        for (x, y) in (0..10).flat_map(|row| (0..15).map(move |column| (4 * column + 1, 2 * row))) {
+            let pixel = format!("{x},{y}");
+            let call = ["trace", scene, "--pixel", &pixel, "--size", "60x20"];
+            let log = prints(folder, &[&call[..], &["--frames", frame]].concat());
+            // Rows stand from the bottom up, each of three floats a pixel, at the end of the file.
+            let place = picture.len() - 4 * 3 * 60 * 20 + 4 * 3 * (60 * (19 - y) + x);
+            let rendered = [0, 4, 8].map(|k| {
+                let bytes = picture[place + k..place + k + 4].try_into().expect("four bytes");
+                f32::from_le_bytes(bytes)
+            });
+            assert_eq!(result(&log).map(|channel| channel as f32), rendered, "{scene}: {x},{y}");
+            assert_eq!(header(&log)["frame"]["number"].to_string(), frame);
+            assert_eq!(header(&log)["frame"]["time"], time);
+            differs_from_first |= result(&log) != result(&prints(folder, &call));
+        }
+        // By the seventh frame every wheel has turned by a multiple of the angle between its spokes.
+        assert_eq!(differs_from_first, (scene, frame) != ("spoked-wheel", "7"));
+    }
+    let log = prints(folder, &["trace", "spoked-wheel", "--pixel", "1,1"]);
+    assert_eq!(header(&log)["frame"], serde_json::json!({"number": 1, "time": 0.0}));
+    assert!(header(&prints(folder, &["trace", "figure-19", "--pixel", "1,1"])).get("frame").is_none());
+    let walk = prints(folder, &["walk", "spoked-wheel", "--plain", "--pixel", "1,1", "--frames", "3"]);
+    assert!(walk.starts_with("spoked-wheel · frame 3, pixel 1,1 · "), "{walk}");
+    for command in ["trace", "walk"] {
+        let says = |scene: &str, frame: &str, expected: &str| {
+            says(folder, &[command, scene, "--pixel", "1,1", "--frames", frame], expected);
+        };
+        says("figure-19", "1", "--frames 1: the scene is no animation, expected `frames` in it");
+        says("spoked-wheel", "13", "--frames 13: the scene has 12 frames");
+        says("spoked-wheel", "1-2", "expected the number of one frame, from 1, found `1-2`");
+    }
+    fs::write(folder.join("wheel.ndjson"), log).expect("a file");
+    says(folder, &["walk", "wheel.ndjson", "--frames", "2"], "is a log, which is traced already");
+}
+
+fn header(log: &str) -> serde_json::Value {
+    serde_json::from_str(log.lines().next().expect("a header")).expect("JSON")
+}
+
+/// The colour of the pixel that a log is about.
+fn result(log: &str) -> [f64; 3] {
+    let line = log.lines().rev().nth(1).expect("a result");
+    let line: serde_json::Value = serde_json::from_str(line).expect("JSON");
+    serde_json::from_value(line["result"]["color"].clone()).expect("a colour")
+}
+
+/// Adaptive sampling says that it is biased where corners draw more than their place, and only there.
+#[test]
+fn adaptive_sampling_warns_where_it_is_biased() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let adaptive = "adaptive:threshold=0.1,depth=1";
+    let warning = |arguments: &[&str]| {
+        let output = raywalk(folder, arguments).output().expect("it runs");
+        assert!(output.status.success(), "{arguments:?}");
+        String::from_utf8(output.stderr).expect("UTF-8")
+    };
+    let expected = |scene: &str, effects: &str| {
+        format!(
+            "warning: {scene}: adaptive sampling is biased with {effects}: cells whose corners agree by chance are not \
+             cut; expected another sampling, such as sobol:64\n"
+        )
+    };
+    for (scene, effects) in [
+        ("depth-of-field", "a lens"),
+        ("motion-blur", "motion"),
+        ("penumbra", "area lights"),
+        ("polished-surface", "blurred bounces"),
+        ("frosted-glass", "blurred bounces"),
+    ] {
+        let trace = ["trace", scene, "--pixel", "1,1", "--size", "4x3", "--sampling"];
+        assert_eq!(warning(&[&trace[..], &[adaptive]].concat()), expected(scene, effects));
+        assert_eq!(warning(&[&trace[..], &[adaptive, "--quiet"]].concat()), "");
+        assert_eq!(warning(&[&trace[..], &["sobol:2"]].concat()), "");
+    }
+    let render = ["render", "-o", "a-#.pfm", "--size", "4x3", "--progress", "never", "--sampling", adaptive];
+    let wheel = "spoked-wheel-open-shutter";
+    let frames = [&render[..], &[wheel, "--frames", "1-3"]].concat();
+    assert_eq!(warning(&frames), expected(wheel, "motion"), "once, not once a frame");
+    assert_eq!(warning(&[&render[..], &["spoked-wheel"]].concat()), "", "the shutter is closed");
+    assert_eq!(warning(&[&render[..], &["figure-17"]].concat()), "");
+    let walk = ["walk", "penumbra", "--plain", "--pixel", "1,1", "--size", "4x3", "--sampling", adaptive];
+    assert_eq!(warning(&walk), expected("penumbra.json", "area lights"));
+}
+
+#[test]
+fn seeds_and_grids_that_cannot_be_are_refused_with_what_was_expected() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    for seed in ["1e3", "-1", "18446744073709551616", "1.5", "x"] {
+        let expected = format!("expected a whole number from 0 to 18446744073709551615, found `{seed}`");
+        says(folder, &["render", "figure-19", "-o", "out.pfm", "--seed", seed], &expected);
+    }
+    prints(folder, &["render", "figure-19", "-o", "out.pfm", "--size", "4x4", "--seed", "18446744073709551615"]);
+    says(
+        folder,
+        &["render", "figure-19", "-o", "out.pfm", "--sampling", "shared:1", "--pixel-grid", "corners"],
+        "--pixel-grid corners: only with the sampling `none`, found `shared`",
+    );
+}

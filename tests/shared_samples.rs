@@ -1,6 +1,6 @@
 //! Samples that pixels share: each corner is traced once, and a pixel has the same bits however it is reached.
 
-use raywalk::log::{Event, Log, Step, Tree, What, file as log_file};
+use raywalk::log::{Event, Log, Parameter, Step, Tree, What, file as log_file};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::{Rendered, Settings, render};
 use raywalk::scene::file::schema::{Sampling, SceneFile};
@@ -22,7 +22,13 @@ fn built(file: &SceneFile) -> Scene {
 
 fn whole(scene: &Scene) -> Settings {
     let [width, height] = scene.camera.resolution;
-    Settings { crop: [0, 0, width, height], arithmetic: Arithmetic::F64, threads: 2, counts_rays: true }
+    Settings {
+        crop: [0, 0, width, height],
+        arithmetic: Arithmetic::F64,
+        threads: 2,
+        counts_rays: true,
+        order: Default::default(),
+    }
 }
 
 fn rendered(scene: &Scene, settings: &Settings) -> Rendered {
@@ -76,7 +82,7 @@ fn a_log_shows_the_corners_as_samples() {
     assert_eq!(samples, [1, 2, 3, 4].map(|number| Some(Step::Sample { number })));
     let rays: Vec<_> = tree.children(0).flat_map(|sample| tree.children(sample)).map(|ray| tree.path(ray)).collect();
     assert_eq!(rays, ["1 C", "2 C", "3 C", "4 C"]);
-    assert_eq!(log.header.sampling["shared"]["n"], 1.0);
+    assert_eq!(log.header.sampling["shared"]["n"], Parameter::Count(1));
     let results = |log: &Log| log.events.iter().filter(|event| is_result(event)).count();
     assert_eq!(results(&log), 1, "samples have none");
 

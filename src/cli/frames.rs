@@ -18,6 +18,8 @@ pub struct FrameRange {
 pub struct Frame {
     /// Its number, from 1.
     pub number: u32,
+    /// Whether it is the first one that is wanted.
+    pub is_first: bool,
     /// Where its picture goes.
     pub path: PathBuf,
 }
@@ -39,20 +41,44 @@ impl FromStr for FrameRange {
 
 /// The frames of a scene that are wanted, with their files; without a wish the first, in the file as it is named.
 pub fn frames(scene: &SceneFile, wanted: Option<FrameRange>, path: &Path) -> Result<Vec<Frame>, Failure> {
-    let Some(FrameRange { first, last }) = wanted else { return Ok(vec![Frame { number: 1, path: path.to_owned() }]) };
-    let refused = |why: String| Failure::caller(format!("--frames {first}-{last}: {why}"));
-    let Some(frames) = scene.frames else {
-        return Err(refused("the scene is no animation, expected `frames` in it".to_owned()));
+    let Some(FrameRange { first, last }) = wanted else {
+        return Ok(vec![Frame { number: 1, is_first: true, path: path.to_owned() }]);
     };
-    if last > frames.count {
-        return Err(refused(format!("the scene has {} frames", frames.count)));
-    }
+    let option = format!("--frames {first}-{last}");
+    check(scene, last, &option)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if first < last && !name.contains('#') {
-        return Err(refused(format!("expected #### in the name of the picture for the frame's number, found {name}")));
+        let expected = "expected #### in the name of the picture for the frame's number";
+        return Err(Failure::caller(format!("{option}: {expected}, found {name}")));
     }
-    let frame = |number: u32| Frame { number, path: path.with_file_name(numbered(&name, number)) };
+    let path = |number: u32| path.with_file_name(numbered(&name, number));
+    let frame = |number: u32| Frame { number, is_first: number == first, path: path(number) };
     Ok((first..=last).map(frame).collect())
+}
+
+/// The scene as it is in the one frame that is wanted; without a wish in the first.
+pub fn at_one(loaded: Loaded, wanted: Option<u32>) -> Result<Loaded, Failure> {
+    if let Some(frame) = wanted {
+        check(&loaded.scene, frame, &format!("--frames {frame}"))?;
+    }
+    Ok(at(loaded, wanted.unwrap_or(1)))
+}
+
+/// Refuses a frame that the scene doesn't have.
+fn check(scene: &SceneFile, frame: u32, option: &str) -> Result<(), Failure> {
+    match scene.frames {
+        None => Err(Failure::caller(format!("{option}: the scene is no animation, expected `frames` in it"))),
+        Some(frames) if frame > frames.count => {
+            Err(Failure::caller(format!("{option}: the scene has {} frames", frames.count)))
+        }
+        Some(_) => Ok(()),
+    }
+}
+
+/// Reads the number of a frame.
+pub fn number(text: &str) -> Result<u32, String> {
+    let number = text.parse().ok().filter(|number| *number > 0);
+    number.ok_or_else(|| format!("expected the number of one frame, from 1, found `{text}`"))
 }
 
 /// The scene as it is in a frame.
@@ -61,6 +87,7 @@ pub fn at(mut loaded: Loaded, frame: u32) -> Loaded {
         let shutter = &mut loaded.scene.camera.shutter;
         *shutter = shutter.map(|time| time + frames.time_of(frame));
     }
+    loaded.frame = frame;
     loaded
 }
 

@@ -4,14 +4,14 @@ use super::failure::Failure;
 use super::sampling_spec::sampling;
 use super::scene_argument::Loaded;
 use clap::{Args, ValueEnum};
-use raywalk::log::SkipReason;
+use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;
 use raywalk::scene::builtin;
 use raywalk::scene::file::nff::{Angle, Import};
 use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
 use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_PIXELS, MAX_SIDE};
 use raywalk::scene::file::{self, suggest};
-use raywalk::scene::{Index, Scene, Skip, build};
+use raywalk::scene::{self, Index, Scene, Skip, build};
 use std::io::IsTerminal;
 
 /// The most threads.
@@ -63,7 +63,7 @@ pub struct TracingOptions {
     #[arg(long, value_name = "SPEC", value_parser = sampling)]
     pub sampling: Option<Sampling>,
     /// Which random numbers samples draw; another seed gives other noise
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = seed, allow_hyphen_values = true)]
     pub seed: Option<u64>,
     /// Where a pixel's rays go: through its centre, or through its corners, which it shares with its neighbours
     #[arg(long, value_enum, value_name = "PLACE", default_value = "centers")]
@@ -141,7 +141,7 @@ impl TracingOptions {
 
     /// The scene with these options, ready to be traced.
     pub fn apply(&self, loaded: Loaded) -> Result<Scene, Failure> {
-        let Loaded { scene: mut file, meshes } = loaded;
+        let Loaded { scene: mut file, meshes, frame: frame_number } = loaded;
         if let Some(size) = self.size {
             file.camera.resolution = size;
         }
@@ -154,6 +154,8 @@ impl TracingOptions {
         if let Some(sampling) = self.sampling {
             file.sampling = sampling;
         }
+        let frame = file.frames.filter(|frames| frames.count > 1);
+        let frame = frame.map(|frames| FrameId { number: frame_number, time: frames.time_of(frame_number) });
         if let Some(seed) = self.seed {
             file.seed = seed;
         }
@@ -165,6 +167,7 @@ impl TracingOptions {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }
         let mut scene = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+        scene.frame = frame;
         scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);
         if self.tests == TestsChoice::All {
             scene.index = Index::of_all(&scene.objects);
@@ -173,10 +176,23 @@ impl TracingOptions {
     }
 }
 
+/// What to warn of before a scene is sampled.
+pub fn warning_of_sampling(scene: &Scene) -> Option<String> {
+    let effects = scene.effects.names();
+    let is_biased = matches!(scene.sampling, scene::Sampling::Adaptive { .. }) && !effects.is_empty();
+    is_biased.then(|| {
+        format!(
+            "adaptive sampling is biased with {}: cells whose corners agree by chance are not cut; expected another \
+             sampling, such as sobol:64",
+            effects.join(", ")
+        )
+    })
+}
+
 /// `none` becomes `shared:1`; other samplings have their own places.
 fn through_corners(sampling: Sampling) -> Result<Sampling, Failure> {
     match sampling {
-        Sampling::None {} | Sampling::Shared { n: 1 } => Ok(Sampling::Shared { n: 1 }),
+        Sampling::None {} => Ok(Sampling::Shared { n: 1 }),
         _ => {
             let found = sampling.key();
             Err(Failure::caller(format!("--pixel-grid corners: only with the sampling `none`, found `{found}`")))
@@ -224,6 +240,10 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
         return Err(format!("at most {MAX_PIXELS} pixels in all"));
     }
     Ok([width, height])
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("expected a whole number from 0 to {}, found `{text}`", u64::MAX))
 }
 
 fn algorithm(text: &str) -> Result<Algorithm, String> {

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
-use super::options::{ColorChoice, TracingOptions, numbers};
+use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
 use super::scene_argument::{self, Loaded};
@@ -12,7 +12,8 @@ use raywalk::record::Arithmetic;
 use raywalk::render::digits::{Summary, false_colors, render_digits};
 use raywalk::render::export::{self, Encoded, Format};
 use raywalk::render::statistics::{Seconds, Statistics};
-use raywalk::render::{Film, Rendered, Settings, render};
+use raywalk::render::{Film, Rendered, Settings, TileOrder, render};
+use raywalk::scene::file::visible;
 use raywalk::scene::{self, Scene};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -85,11 +86,15 @@ impl Render {
         let build = Instant::now();
         let scene = self.tracing.apply(frames::at(loaded, frame.number))?;
         seconds.build = build.elapsed().as_secs_f64();
+        if let (true, false, Some(warning)) = (frame.is_first, self.progress.quiet, warning_of_sampling(&scene)) {
+            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+        }
         let settings = Settings {
             crop: self.crop_in(&scene)?,
             arithmetic: self.tracing.arithmetic,
             threads: self.tracing.threads.into(),
             counts_rays: self.stats.is_some(),
+            order: TileOrder::Rows,
         };
         let output = Output::create(Some(&frame.path), &inputs)?;
         let start = Instant::now();

@@ -80,7 +80,7 @@ impl SceneCommand {
                 let input = scene_argument::read(&scene.scene, colors)?;
                 let import = scene.nff.import();
                 let loaded = scene_argument::scene(&input, &import, colors)?;
-                let Loaded { scene: file, meshes } = loaded;
+                let Loaded { scene: file, meshes, .. } = loaded;
                 let built = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
                 lights::tell(&input, built, colors);
                 let (objects, lights, materials) = (file.objects.len(), file.lights.len(), file.materials.len());

@@ -29,6 +29,8 @@ pub struct Loaded {
     pub scene: SceneFile,
     /// The meshes that it names.
     pub meshes: Meshes,
+    /// Which frame of an animation it is, from 1.
+    pub frame: u32,
 }
 
 impl Loaded {
@@ -81,7 +83,7 @@ pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Load
     let loaded = mesh::load(&scene, &source, folder);
     let (meshes, warnings) = loaded.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     warn(&warnings, colors);
-    Ok(Loaded { scene, meshes })
+    Ok(Loaded { scene, meshes, frame: 1 })
 }
 
 /// Checks a scene that was read, but doesn't look for its meshes; prints its warnings.

@@ -2,8 +2,9 @@
 
 use super::causes;
 use super::failure::Failure;
-use super::options::{ColorChoice, TracingOptions, numbers, pixel_in};
-use super::output::{Output, Sink};
+use super::frames;
+use super::options::{ColorChoice, TracingOptions, numbers, pixel_in, warning_of_sampling};
+use super::output::{self, Output, Sink};
 use super::scene_argument;
 use clap::{Args, ValueEnum};
 use glam::DVec3;
@@ -13,6 +14,7 @@ use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::{self, Style};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
+use raywalk::scene::file::visible;
 use raywalk::study::rounding::Rounding;
 use std::io;
 use std::path::PathBuf;
@@ -37,6 +39,9 @@ pub struct Trace {
     /// Say nothing but errors
     #[arg(long, short)]
     quiet: bool,
+    /// Which frame of an animation, from 1; without it the first
+    #[arg(long, value_name = "K", value_parser = frames::number)]
+    frames: Option<u32>,
     /// Where to write; standard output without it
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -75,8 +80,11 @@ impl Trace {
         let rounding = self.rounding()?;
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let inputs = loaded.inputs(&self.scene);
-        let scene = self.tracing.apply(loaded)?;
+        let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        if let (Part::Pixel(_), false, Some(warning)) = (part, self.quiet, warning_of_sampling(&scene)) {
+            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+        }
         let output = Output::create(self.output.as_deref(), &inputs)?;
         let in_memory = |error: io::Error| Failure::machine(format!("cannot write the log: {error}"));
         let style = Style { digits: self.digits };

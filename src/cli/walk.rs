@@ -1,8 +1,9 @@
 //! `raywalk walk`: the viewer; without a terminal the same walk as text.
 
 use super::failure::{Failure, INTERRUPTED, TERMINATED};
+use super::frames;
 use super::live::Session;
-use super::options::{ColorChoice, TracingOptions, numbers};
+use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
 use super::output::{self, Output};
 use super::scene_argument::{self, Input};
 use super::trace::{Subject, short_log};
@@ -25,6 +26,9 @@ pub struct Walk {
     walked: Option<PathBuf>,
     #[command(flatten)]
     subject: Subject,
+    /// Which frame of an animation, from 1; without it the first
+    #[arg(long, value_name = "K", value_parser = frames::number)]
+    frames: Option<u32>,
     /// The step to begin at
     #[arg(long, value_name = "STEP")]
     at: Option<usize>,
@@ -105,7 +109,8 @@ impl Walk {
     /// The log to walk through, and what to warn of.
     fn log(&self, input: &Input, colors: ColorChoice) -> Result<Walked, Failure> {
         if is_log(&input.bytes) {
-            if self.tracing != TracingOptions::default() || self.subject != Subject::default() {
+            let has_options = self.tracing != TracingOptions::default() || self.subject != Subject::default();
+            if has_options || self.frames.is_some() {
                 let name = visible(&input.name);
                 let message = format!("{name}: is a log, which is traced already; expected no options of tracing");
                 return Err(Failure::caller(message));
@@ -117,10 +122,12 @@ impl Walk {
             })?;
             return Ok(Walked { log: read.log, warning: read.ending.warning(), session: None });
         }
-        let scene = self.tracing.apply(scene_argument::scene(input, &self.tracing.import(), colors)?)?;
+        let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
+        let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        let warning = warning_of_sampling(&scene).filter(|_| self.subject.ray.is_none());
         let log = short_log(&scene, part, self.tracing.arithmetic)?;
-        Ok(Walked { log, warning: None, session: Some(Session::new(scene, self.tracing.arithmetic)) })
+        Ok(Walked { log, warning, session: Some(Session::new(scene, self.tracing.arithmetic)) })
     }
 
     fn options(&self, palette: Palette, warning: Option<String>) -> tui::Options {

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// The name and version of the format.
 pub const FORMAT: &str = "raywalk-log/1";
@@ -23,10 +24,13 @@ pub struct Header {
     /// How rays were traced.
     pub tracing: TracingId,
     /// How pixels were sampled: the method and its parameters.
-    pub sampling: BTreeMap<String, BTreeMap<String, f64>>,
+    pub sampling: BTreeMap<String, BTreeMap<String, Parameter>>,
     /// Which random numbers samples drew; 0 isn't written.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub seed: u64,
+    /// Which frame of an animation was traced; not written where there is one only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frame: Option<FrameId>,
     /// The names of the objects, by number.
     pub objects: Vec<String>,
     /// The names of the lights, by number.
@@ -37,6 +41,34 @@ pub struct Header {
 #[allow(clippy::trivially_copy_pass_by_ref)]
 fn is_zero(seed: &u64) -> bool {
     *seed == 0
+}
+
+/// A parameter of a method of sampling, written as a scene file has it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Parameter {
+    /// A whole number.
+    Count(u64),
+    /// A number.
+    Number(f64),
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Parameter::Count(count) => count.fmt(f),
+            Parameter::Number(number) => number.fmt(f),
+        }
+    }
+}
+
+/// A frame of an animation.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FrameId {
+    /// Its number, from 1.
+    pub number: u32,
+    /// What it adds to the times of the shutter, in the unit of the objects' motions.
+    pub time: f64,
 }
 
 /// Which scene a log tells of.

@@ -13,7 +13,7 @@ pub mod scope;
 pub mod tree;
 
 pub use event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, Value, What};
-pub use header::{Header, Subject};
+pub use header::{FrameId, Header, Parameter, Subject};
 pub use name::Name;
 pub use tree::{Node, Tree};
 

@@ -366,6 +366,7 @@ with_effects! { names! {
     StatisticalHalfWidth: "statistical.half_width", "", "h_m", "t_m∘σ_m", "1.4.2";
     StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
     StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";
+    StatisticalAlike: "statistical.alike_needed", "", "n_m", "", "1.4.2";
     StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
 } }
 

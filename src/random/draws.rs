@@ -25,7 +25,7 @@ pub enum Arrangement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Draws {
     seed: u64,
-    /// Column and row.
+    /// Column and row of the pixel that the sample belongs to.
     place: [u32; 2],
     grid: Grid,
     /// The sample's number, from 0.
@@ -37,8 +37,10 @@ pub struct Draws {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Grid {
     Pixels,
-    /// Corners, so many to a pixel's side.
+    /// Pixels with so many corners to a side.
     Corners(u32),
+    /// The same, where coarse corners come first.
+    NestedCorners(u32),
 }
 
 /// A random point with the way it came to be.
@@ -65,10 +67,28 @@ impl Draws {
         Draws { seed, place, grid: Grid::Pixels, number, arrangement }
     }
 
-    /// The numbers of a sample that pixels share: they belong to its place in the picture, in steps of 1/n of a pixel.
+    /// The numbers of a sample that pixels share: they belong to its place in the picture, in steps of 1/n of a pixel. The n² corners
+    /// of a pixel that lie to its left and top, and within it, are stratified together.
     #[inline]
-    pub fn of_corner(seed: u64, place: [u32; 2], n: u32) -> Draws {
-        Draws { seed, place, grid: Grid::Corners(n), number: 0, arrangement: Arrangement::Independent }
+    pub fn of_corner(seed: u64, corner: [u32; 2], n: u32) -> Draws {
+        let [across, down] = corner.map(|step| step % n);
+        let place = corner.map(|step| step / n);
+        let arrangement = Arrangement::Stratified { count: n * n };
+        Draws { seed, place, grid: Grid::Corners(n), number: down * n + across, arrangement }
+    }
+
+    /// The same for a grid of 2^depth steps a pixel of which the coarse corners are used first: those of each coarser grid are
+    /// a beginning of the pixel's Sobol points.
+    #[inline]
+    pub fn of_nested_corner(seed: u64, corner: [u32; 2], depth: u32) -> Draws {
+        let n = 1 << depth;
+        // The first two digits of the number say which half across and down, the next two which quarter, and so on.
+        let digit = |step: u32, level: u32| step >> (depth - 1 - level) & 1;
+        let [across, down] = corner.map(|step| step % n);
+        let digits = |level: u32| (digit(across, level) | digit(down, level) << 1) << (2 * level);
+        let number = (0..depth).fold(0, |number, level| number | digits(level));
+        let place = corner.map(|step| step / n);
+        Draws { seed, place, grid: Grid::NestedCorners(n), number, arrangement: Arrangement::Sobol }
     }
 
     /// A number in [0, 1).
@@ -108,6 +128,7 @@ impl Draws {
         let grid = match self.grid {
             Grid::Pixels => hash(self.seed, 0),
             Grid::Corners(n) => hash(hash(self.seed, 1), n.into()),
+            Grid::NestedCorners(n) => hash(hash(self.seed, 2), n.into()),
         };
         let [column, row] = self.place.map(u64::from);
         hash(hash(grid, column << 32 | row), dimension.word())

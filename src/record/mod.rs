@@ -7,7 +7,7 @@ pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 
 use crate::geometry::Ray;
 use crate::log::header::{FORMAT, SceneId, TracingId};
-use crate::log::{Event, Header, Log, Subject};
+use crate::log::{Event, Header, Log, Parameter, Subject};
 use crate::probe::{CutOff, Outlet, Probe, Recorder, Silent, until_cut_off};
 use crate::sampling;
 use crate::scene::{Algorithm, Color, Sampling, Scene, Specular, camera};
@@ -113,12 +113,13 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
         },
         sampling: sampling_id(scene.sampling),
         seed: scene.seed,
+        frame: scene.frame,
         objects: scene.objects.iter().map(|object| object.name.clone()).collect(),
         lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
     }
 }
 
-fn sampling_id(sampling: Sampling) -> BTreeMap<String, BTreeMap<String, f64>> {
+fn sampling_id(sampling: Sampling) -> BTreeMap<String, BTreeMap<String, Parameter>> {
     let parameters = sampling.parameters().into_iter().map(|(name, value)| (name.to_owned(), value));
     BTreeMap::from([(sampling.word().to_owned(), parameters.collect())])
 }
@@ -154,7 +155,7 @@ pub struct Corner<'s> {
 
 impl Computation for Corner<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
-        sampling::shared::corner(self.scene, self.n, self.corner, probe).color
+        sampling::shared::Corners::All { n: self.n }.seen(self.scene, self.corner, probe).color
     }
 }
 

@@ -4,12 +4,12 @@
 //! whoever needs it first traces it, and others wait for that. What a corner sees depends on its place alone, so that it
 //! doesn't matter who was first, and every corner is counted once.
 
-use super::{Counter, Film, Settings, TILE, color_of, tiles};
+use super::{Counter, Film, Settings, TILE, color_of, tiles_of};
 use crate::probe::Probe;
 use crate::random::hash;
 use crate::record::Computation;
 use crate::sampling::adaptive::{Cutting, rectangle};
-use crate::sampling::shared::corner;
+use crate::sampling::shared::Corners;
 use crate::sampling::small_objects::{self, Rectangle, SmallObject};
 use crate::scene::{Color, Scene};
 use crate::trace::Seen;
@@ -37,7 +37,7 @@ pub(super) fn by_cells(
     for strip_top in (top..bottom).step_by((TILE * TILES_IN_STRIP) as usize) {
         let strip = [left, strip_top, right, bottom.min(strip_top + TILE * TILES_IN_STRIP)];
         let small = small_objects::within(&small, in_picture(strip));
-        let tiles = tiles(strip);
+        let tiles = tiles_of(strip, settings.order);
         let of_tile = |area: &[u32; 4]| {
             let small = small_objects::within(&small, in_picture(*area));
             let tile = Tile { scene, settings, threshold, depth, area: *area, small, between_tiles: &between_tiles };
@@ -114,7 +114,7 @@ impl Computation for Pixel<'_> {
         let n = 1 << depth;
         cutting.color(probe, |within, probe| {
             let place = [0, 1].map(|axis| self.pixel[axis] * n + within[axis]);
-            let trace = || corner(scene, n, place, probe);
+            let trace = || Corners::Nested { depth }.seen(scene, place, probe);
             if within.iter().all(|step| step % n != 0) {
                 *inside.entry(place).or_insert_with(trace)
             } else if self.tile.has_on_edge(place) {
@@ -131,11 +131,11 @@ impl Computation for Pixel<'_> {
 }
 
 /// What corners see, or will see when whoever traces them is done.
-type Corners = HashMap<[u32; 2], Arc<OnceLock<Seen>>>;
+type Kept = HashMap<[u32; 2], Arc<OnceLock<Seen>>>;
 
 /// What the corners between tiles see.
 struct Shared {
-    shards: Vec<Mutex<Corners>>,
+    shards: Vec<Mutex<Kept>>,
 }
 
 /// So many that threads seldom want the same.

@@ -1,6 +1,6 @@
 //! Pixels from corners that they share: each corner of the grid is traced once.
 
-use super::{Settings, TILE, color_of, tiles};
+use super::{Settings, TILE, color_of, tiles_of};
 use crate::record::Corner;
 use crate::render::{Counter, Film};
 use crate::sampling::mean::Sum;
@@ -67,7 +67,7 @@ impl Grid<'_> {
         progress: &(impl Fn(u64) + Sync),
         stop: &AtomicBool,
     ) -> Option<Vec<Color>> {
-        let tiles = tiles(strip);
+        let tiles = tiles_of(strip, self.settings.order);
         let of_tile = |tile: &[u32; 4]| self.tile(*tile, progress, stop);
         let traced = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
         let mut film = Film::new(strip);

@@ -13,10 +13,21 @@ pub use film::Film;
 pub use statistics::{Counter, Statistics};
 
 use crate::probe::Silent;
+use crate::random::permutation::permuted;
 use crate::record::{Arithmetic, Computation, Pixel};
 use crate::scene::{Color, Sampling, Scene};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+/// In which order threads take up the tiles. Nothing depends on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TileOrder {
+    /// Row by row from the top left.
+    #[default]
+    Rows,
+    /// In one of the other orders, by its number.
+    Shuffled(u64),
+}
 
 /// What to render and how.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +40,8 @@ pub struct Settings {
     pub threads: usize,
     /// Whether rays are counted.
     pub counts_rays: bool,
+    /// In which order the tiles are taken up.
+    pub order: TileOrder,
 }
 
 /// A rendered picture.
@@ -108,9 +121,9 @@ fn by_pixels(
     progress: &(impl Fn(u64) + Sync),
     stop: &AtomicBool,
 ) -> Option<(Film, Counter)> {
-    let tiles = tiles(settings.crop);
+    let tiles = tiles_of(settings.crop, settings.order);
     let of_tile = |tile: &[u32; 4]| tile_of(&of_pixel, *tile, progress, stop);
-    // Collected by the tiles' order, so that nothing depends on which thread was first.
+    // Collected by the order of the list, so that nothing depends on which thread was first.
     let rendered = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
     let mut film = Film::new(settings.crop);
     let mut counter = Counter::default();
@@ -126,6 +139,14 @@ fn tiles([left, top, right, bottom]: [u32; 4]) -> Vec<[u32; 4]> {
     let starts = |from: u32, to: u32| (from..to).step_by(TILE as usize);
     let row = |y: u32| starts(left, right).map(move |x| [x, y, right.min(x + TILE), bottom.min(y + TILE)]);
     starts(top, bottom).flat_map(row).collect()
+}
+
+/// The same in the order in which they are taken up.
+fn tiles_of(area: [u32; 4], order: TileOrder) -> Vec<[u32; 4]> {
+    let tiles = tiles(area);
+    let TileOrder::Shuffled(key) = order else { return tiles };
+    let count = tiles.len() as u32;
+    (0..count).map(|index| tiles[permuted(index, count, key) as usize]).collect()
 }
 
 /// The pixels of a tile row by row; `None` when the work is to stop.

@@ -8,7 +8,8 @@ use std::fmt::Write;
 pub fn text(log: &Log, style: Style) -> String {
     let header = &log.header;
     let mut out = String::new();
-    let subject = words::subject(header);
+    let subject: Vec<_> = words::frame(header).into_iter().chain([words::subject(header)]).collect();
+    let subject = subject.join(", ");
     let algorithm = format!("{}, depth {}", header.tracing.algorithm, header.tracing.max_depth);
     let sampling = words::sampling(header).map_or(String::new(), |sampling| format!(" · {sampling}"));
     let scene = words::plain(&header.scene.name);

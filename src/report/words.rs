@@ -46,6 +46,11 @@ pub fn sampling(header: &Header) -> Option<String> {
     Some(format!("{}: {}", plain(method), plain(&parameters.join(", "))))
 }
 
+/// Which frame of an animation a log is about, such as `frame 7`; nothing where there is one only.
+pub fn frame(header: &Header) -> Option<String> {
+    header.frame.map(|frame| format!("frame {}", frame.number))
+}
+
 /// What a ray is for.
 pub fn ray_kind(header: &Header, kind: RayKind) -> String {
     match kind {

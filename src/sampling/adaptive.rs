@@ -7,7 +7,7 @@
 //! neighbours have the same, and a picture traces each once (`render`).
 
 use super::mean::Sum;
-use super::shared;
+use super::shared::Corners;
 use super::small_objects::{self, Rectangle, SmallObject};
 use crate::log::{Acceptance, Decision, Name, Split};
 use crate::probe::Probe;
@@ -37,7 +37,8 @@ pub fn pixel<P: Probe>(scene: &Scene, threshold: f64, depth: u32, pixel: [u32; 2
     let mut known: HashMap<[u32; 2], Seen> = HashMap::new();
     cutting.color(probe, |within, probe| {
         let number = known.len() as u32 + 1;
-        *known.entry(within).or_insert_with(|| shared::sample(scene, 1 << depth, pixel, within, number, probe))
+        let corners = Corners::Nested { depth };
+        *known.entry(within).or_insert_with(|| corners.sample(scene, pixel, within, number, probe))
     })
 }
 

@@ -2,6 +2,7 @@
 
 pub mod adaptive;
 pub mod mean;
+pub mod outline;
 pub mod place;
 pub mod random;
 pub mod regular;

@@ -22,7 +22,7 @@ pub fn ray_through<P: Probe>(scene: &Scene, place: [f64; 2], draws: &Draws, prob
 
 /// A sample at a random point of a pixel's stratum, as a node of its own; the number counts from 1.
 pub fn sample<P: Probe>(scene: &Scene, pixel: [u32; 2], number: u32, draws: &Draws, probe: &mut P) -> Color {
-    sample_at(scene, pixel, number, draws.pick(Dimension::Pixel), draws, probe)
+    sample_at(scene, pixel, number, draws.pick(Dimension::Pixel), draws, probe).color
 }
 
 /// A sample at a point of a pixel, as a node of its own; the number counts from 1.
@@ -33,13 +33,13 @@ pub fn sample_at<P: Probe>(
     pick: Pick,
     draws: &Draws,
     probe: &mut P,
-) -> Color {
+) -> Seen {
     probe.within(Step::Sample { number }, |probe| {
         let [x, y] = place_in_square(pick, probe);
         probe.given(Name::PixelLeft, f64::from(column));
         let across = probe.note(Name::PixelColumnSampled, f64::from(column) + x);
         probe.given(Name::PixelTop, f64::from(row));
         let down = probe.note(Name::PixelRowSampled, f64::from(row) + y);
-        ray_through(scene, [across, down], draws, probe).color
+        ray_through(scene, [across, down], draws, probe)
     })
 }

@@ -15,7 +15,7 @@ pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) ->
         let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Stratified { count });
         let cell = Stratum { column: number % n, across: n, above: number / n * n, count };
         let pick = Pick { stratum: cell, jitter: [0.5; 2] };
-        sum.add(sample_at(scene, pixel, number + 1, pick, &draws, probe));
+        sum.add(sample_at(scene, pixel, number + 1, pick, &draws, probe).color);
     }
     sum.over(f64::from(count))
 }

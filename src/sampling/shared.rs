@@ -2,7 +2,7 @@
 //!
 //! A corner is numbered by its column and row in the grid of the whole picture, n steps a pixel. A picture traces each
 //! corner once (`render`); a single pixel traces its own, and gets the same bits, because both add in the same order and the
-//! corner's random numbers belong to its place.
+//! corner's random numbers belong to its place. What else a corner decides is spread over the corners of a pixel.
 
 use super::mean::Sum;
 use super::place::ray_through;
@@ -12,19 +12,55 @@ use crate::random::Draws;
 use crate::scene::{Color, Scene};
 use crate::trace::Seen;
 
-/// What the ray through a corner sees.
-pub fn corner<P: Probe>(scene: &Scene, n: u32, corner: [u32; 2], probe: &mut P) -> Seen {
-    let place = corner.map(|step| f64::from(step) / f64::from(n));
-    ray_through(scene, place, &Draws::of_corner(scene.seed, corner, n), probe)
+/// The corners of a picture.
+#[derive(Clone, Copy, Debug)]
+pub enum Corners {
+    /// All of a grid of so many steps a pixel.
+    All {
+        /// Steps a pixel.
+        n: u32,
+    },
+    /// Those that are needed of a grid that halves a pixel so often, the coarse ones first.
+    Nested {
+        /// Halvings.
+        depth: u32,
+    },
 }
 
-/// The same as a node of its own, a sample of a pixel; the corner is numbered from the pixel's, the sample from 1.
-pub fn sample<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], within: [u32; 2], number: u32, probe: &mut P) -> Seen {
-    let [x, y] = within.map(|step| f64::from(step) / f64::from(n));
-    probe.given(Name::SampleX, x);
-    probe.given(Name::SampleY, y);
-    let place = [0, 1].map(|axis| pixel[axis] * n + within[axis]);
-    probe.within(Step::Sample { number }, |probe| corner(scene, n, place, probe))
+impl Corners {
+    /// Steps a pixel.
+    pub fn steps(self) -> u32 {
+        match self {
+            Corners::All { n } => n,
+            Corners::Nested { depth } => 1 << depth,
+        }
+    }
+
+    /// What the ray through a corner sees.
+    pub fn seen<P: Probe>(self, scene: &Scene, corner: [u32; 2], probe: &mut P) -> Seen {
+        let place = corner.map(|step| f64::from(step) / f64::from(self.steps()));
+        let draws = match self {
+            Corners::All { n } => Draws::of_corner(scene.seed, corner, n),
+            Corners::Nested { depth } => Draws::of_nested_corner(scene.seed, corner, depth),
+        };
+        ray_through(scene, place, &draws, probe)
+    }
+
+    /// The same as a node of its own, a sample of a pixel; the corner is numbered from the pixel's, the sample from 1.
+    pub fn sample<P: Probe>(
+        self,
+        scene: &Scene,
+        pixel: [u32; 2],
+        within: [u32; 2],
+        number: u32,
+        probe: &mut P,
+    ) -> Seen {
+        let [x, y] = within.map(|step| f64::from(step) / f64::from(self.steps()));
+        probe.given(Name::SampleX, x);
+        probe.given(Name::SampleY, y);
+        let corner = [0, 1].map(|axis| pixel[axis] * self.steps() + within[axis]);
+        probe.within(Step::Sample { number }, |probe| self.seen(scene, corner, probe))
+    }
 }
 
 /// The colour of a pixel: the mean over its cells of the mean of their corners. Its samples are the corners, row by row.
@@ -33,7 +69,7 @@ pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) ->
     let mut corner_row = |down: u32, probe: &mut P| -> Vec<Color> {
         let sample = |across: u32| {
             number += 1;
-            sample(scene, n, pixel, [across, down], number, probe).color
+            Corners::All { n }.sample(scene, pixel, [across, down], number, probe).color
         };
         (0..=n).map(sample).collect()
     };

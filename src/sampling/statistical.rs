@@ -9,7 +9,8 @@
 //! all of these err on the side of too large a variance.
 //!
 //! Whoever stops when the samples look good is biased: a pixel whose first samples agree by chance keeps their value.
-//! `docs/sampling.md` has how often that happens.
+//! `docs/sampling.md` has how often that happens. Where samples draw a lens, a time, lights or lobes, chance has so many more ways that
+//! a few that agree aren't enough.
 
 use super::mean::Sum;
 use super::place::sample_at;
@@ -19,6 +20,7 @@ use crate::probe::Probe;
 use crate::random::{Arrangement, Dimension, Draws};
 use crate::scene::file::validate::limits::MIN_STATISTICAL;
 use crate::scene::{Color, Scene, Statistical};
+use crate::trace::Seen;
 
 /// The fewest samples of which a variance is estimated.
 const FEWEST: u32 = MIN_STATISTICAL as u32;
@@ -34,18 +36,23 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], prob
     let mut taken = Vec::new();
     let mut sum = Sum::ZERO;
     let mut until = wanted.min.max(FEWEST).next_power_of_two();
+    let mut draws_more = scene.effects.of_the_eye();
     loop {
         for number in taken.len() as u32..until.min(wanted.max) {
             let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Sobol);
             let pick = draws.pick(Dimension::Pixel);
-            let color = sample_at(scene, pixel, number + 1, pick, &draws, probe);
+            let Seen { color, object } = sample_at(scene, pixel, number + 1, pick, &draws, probe);
+            draws_more |= object.is_some() && scene.effects.of_surfaces();
             sum.add(color);
             taken.push(Taken { place: pick.point(), color });
         }
         let count = taken.len() as u32;
         let mean = probe.note(Name::StatisticalMean, sum.over(f64::from(count)));
-        // The last samples may be no power of two, and then have no pairs.
-        let verdict = if count < until { None } else { verdict(scene, wanted, &taken, probe) };
+        let verdict = match taken.iter().all(|sample| sample.color == taken[0].color) {
+            true if draws_more => enough_alike(wanted, count, probe),
+            true => Some(Acceptance::Alike),
+            false => verdict(scene, wanted, &taken, probe),
+        };
         if let Some(why) = verdict.or((count >= wanted.max).then_some(Acceptance::Max)) {
             probe.mark(Decision::Accepted { cell: None, why });
             return mean;
@@ -55,12 +62,21 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], prob
     }
 }
 
-/// Why the samples, a power of two, are enough; `None` if they aren't.
+/// Whether so many samples that are alike are enough where they draw more than their place: what a lens, a shutter, a light or a lobe
+/// shows with a probability of the tolerance or more is then seen by one of them with the confidence, as (1 − ε_m)ⁿ ≤ 1 − γ_m.
+fn enough_alike<P: Probe>(wanted: Statistical, count: u32, probe: &mut P) -> Option<Acceptance> {
+    probe.given(Name::StatisticalConfidence, wanted.confidence);
+    probe.given(Name::StatisticalTolerance, wanted.tolerance);
+    let needed = libm::log1p(-wanted.confidence) / libm::log1p(-wanted.tolerance.min(1.0));
+    // No finite number of samples is enough for a tolerance of 0.
+    let needed = probe.note(Name::StatisticalAlike, libm::ceil(needed).min(f64::MAX));
+    (f64::from(count) >= needed).then_some(Acceptance::Alike)
+}
+
+/// Why samples that differ are enough; `None` if they aren't.
 fn verdict<P: Probe>(scene: &Scene, wanted: Statistical, taken: &[Taken], probe: &mut P) -> Option<Acceptance> {
-    if taken.iter().all(|sample| sample.color == taken[0].color) {
-        return Some(Acceptance::Alike);
-    }
-    let spread = Spread::of_samples(taken);
+    // The last samples may be no power of two, and then have no pairs.
+    let spread = if taken.len().is_power_of_two() { Spread::of_samples(taken) } else { Spread::of_one_stratum(taken) };
     let standard_error = probe.note(Name::StatisticalError, spread.standard_error);
     let freedom = probe.note(Name::StatisticalFreedom, spread.degrees_of_freedom);
     probe.given(Name::StatisticalConfidence, wanted.confidence);

@@ -5,8 +5,8 @@ use super::file::schema as file;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, AreaLight, Camera, Checker, Index, Lens, Light, LightKind, LightSurface, Material, Object, Output,
-    Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer, Weights,
+    Algorithm, AreaLight, Camera, Checker, Effects, Index, Lens, Light, LightKind, LightSurface, Material, Object,
+    Output, Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::motion::{Motion, Turn};
@@ -38,19 +38,23 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         })
     };
     let objects: Vec<_> = scene.objects.iter().enumerate().map(object).collect::<Result<_, Unsupported>>()?;
+    let camera = camera(&scene.camera, scene.objects.iter().any(|object| object.motion.is_some()));
+    let lights: Vec<_> = scene.lights.iter().map(light).collect();
     Ok(Scene {
         name: scene.name.clone(),
         digest: digest(scene, meshes),
-        camera: camera(&scene.camera, scene.objects.iter().any(|object| object.motion.is_some())),
+        effects: Effects::of(&camera, &lights, &materials),
+        camera,
         ambient: scene.ambient.into(),
         background: scene.background.into(),
-        lights: scene.lights.iter().map(light).collect(),
+        lights,
         index: Index::new(&objects),
         objects,
         materials,
         tracing: tracing(&scene.tracing, sphere_method),
         sampling: sampling(scene.sampling),
         seed: scene.seed,
+        frame: None,
         output: output(&scene.output),
     })
 }

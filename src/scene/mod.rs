@@ -7,6 +7,7 @@ pub mod area_light;
 mod build;
 pub mod builtin;
 pub mod camera;
+mod effects;
 pub mod file;
 pub mod generate;
 mod index;
@@ -22,6 +23,7 @@ pub mod unsupported;
 pub use area_light::{AreaLight, LightSurface};
 pub use build::build;
 pub use camera::Camera;
+pub use effects::Effects;
 pub use index::Index;
 pub use lens::Lens;
 pub use light::{Arrival, Light, LightKind};
@@ -32,6 +34,7 @@ pub use tracing::{Algorithm, Shadows, Skip, Specular, Tracing};
 pub use unsupported::Unsupported;
 
 use crate::geometry::Shape;
+use crate::log::FrameId;
 use glam::DVec3;
 
 /// A colour: red, green and blue, linear and unbounded.
@@ -54,6 +57,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// The materials.
     pub materials: Vec<Material>,
+    /// What samples decide at random beside their place in the pixel.
+    pub effects: Effects,
     /// The objects, in the order that decides ties.
     pub objects: Vec<Object>,
     /// Which objects a ray can meet.
@@ -64,6 +69,8 @@ pub struct Scene {
     pub sampling: Sampling,
     /// Which random numbers samples draw.
     pub seed: u64,
+    /// Which frame of an animation it is; `None` where there is one only.
+    pub frame: Option<FrameId>,
     /// How the picture is shown.
     pub output: Output,
 }

@@ -1,5 +1,7 @@
 //! Which rays make a pixel: the choice. What each method does stands in `sampling`.
 
+use crate::log::Parameter;
+
 /// The methods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
@@ -70,18 +72,24 @@ impl Sampling {
     }
 
     /// Its parameters by name.
-    pub fn parameters(self) -> Vec<(&'static str, f64)> {
+    pub fn parameters(self) -> Vec<(&'static str, Parameter)> {
+        let count = |n: u32| Parameter::Count(n.into());
         match self {
             Sampling::Center => Vec::new(),
             Sampling::Regular { n }
             | Sampling::Shared { n }
             | Sampling::Stochastic { n }
             | Sampling::Random { n }
-            | Sampling::Sobol { n } => vec![("n", n.into())],
-            Sampling::Adaptive { threshold, depth } => vec![("threshold", threshold), ("depth", depth.into())],
-            Sampling::Statistical(Statistical { confidence, tolerance, min, max }) => {
-                vec![("confidence", confidence), ("tolerance", tolerance), ("min", min.into()), ("max", max.into())]
+            | Sampling::Sobol { n } => vec![("n", count(n))],
+            Sampling::Adaptive { threshold, depth } => {
+                vec![("threshold", Parameter::Number(threshold)), ("depth", count(depth))]
             }
+            Sampling::Statistical(Statistical { confidence, tolerance, min, max }) => vec![
+                ("confidence", Parameter::Number(confidence)),
+                ("tolerance", Parameter::Number(tolerance)),
+                ("min", count(min)),
+                ("max", count(max)),
+            ],
         }
     }
 }

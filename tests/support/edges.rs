@@ -4,7 +4,7 @@
 #![allow(dead_code)]
 
 use raywalk::record::Arithmetic;
-use raywalk::render::{Rendered, Settings, render};
+use raywalk::render::{Rendered, Settings, TileOrder, render};
 use raywalk::scene::{Sampling, Scene, build, file};
 use std::sync::atomic::AtomicBool;
 
@@ -54,7 +54,12 @@ pub fn picture(scene: &Scene) -> Rendered {
 
 /// A part of the picture of a scene, on so many threads.
 pub fn picture_with(scene: &Scene, crop: [u32; 4], threads: usize) -> Rendered {
-    let settings = Settings { crop, arithmetic: Arithmetic::F64, threads, counts_rays: true };
+    picture_in_order(scene, crop, threads, TileOrder::Rows)
+}
+
+/// The same, the tiles taken up in some order.
+pub fn picture_in_order(scene: &Scene, crop: [u32; 4], threads: usize, order: TileOrder) -> Rendered {
+    let settings = Settings { crop, arithmetic: Arithmetic::F64, threads, counts_rays: true, order };
     render(scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture")
 }
 

@@ -157,6 +157,17 @@ impl Axis {
         let disk = |center: DVec3, radius: f64| Bounds { min: center - reach * radius, max: center + reach * radius };
         disk(self.base, base_radius).union(disk(self.apex, apex_radius))
     }
+
+    /// The corners of the squares around the circles at both ends.
+    pub fn corners(&self, base_radius: f64, apex_radius: f64) -> [DVec3; 8] {
+        let across = self.direction.any_orthonormal_vector();
+        let other = self.direction.cross(across);
+        let square = |center: DVec3, radius: f64| {
+            [across + other, across - other, other - across, -across - other].map(|corner| center + corner * radius)
+        };
+        let ([a, b, c, d], [e, f, g, h]) = (square(self.base, base_radius), square(self.apex, apex_radius));
+        [a, b, c, d, e, f, g, h]
+    }
 }
 
 impl Span {

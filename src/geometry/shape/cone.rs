@@ -39,6 +39,11 @@ impl Cone {
         Cone { axis, base_radius: base.1, apex_radius: apex.1, slope, has_caps: caps, outer }
     }
 
+    /// Points whose convex hull holds it.
+    pub fn corners(&self) -> [DVec3; 8] {
+        self.axis.corners(self.base_radius, self.apex_radius)
+    }
+
     #[inline]
     fn roots<P: Probe>(&self, whole: &Ray, probe: &mut P) -> Option<Roots> {
         let from_base = whole.origin - self.axis.base;

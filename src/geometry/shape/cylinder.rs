@@ -32,6 +32,11 @@ impl Cylinder {
         Cylinder { axis: Axis::new(base, apex), radius, radius_squared: radius * radius, has_caps: caps, outer }
     }
 
+    /// Points whose convex hull holds it.
+    pub fn corners(&self) -> [DVec3; 8] {
+        self.axis.corners(self.radius, self.radius)
+    }
+
     #[inline]
     fn roots<P: Probe>(&self, whole: &Ray, probe: &mut P) -> Option<Roots> {
         let origin = probe.note(Name::AxisOrigin, whole.origin - self.axis.base);

@@ -37,6 +37,7 @@ use super::doubled::Doubled;
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Step};
 use crate::probe::Probe;
+use glam::DVec3;
 use std::sync::Arc;
 
 /// A surface that rays meet.
@@ -254,6 +255,17 @@ impl Shape {
     /// A box around the shape; `None` for one without end.
     pub fn bounds(&self) -> Option<Bounds> {
         kernel!(self, kernel => kernel.bounds(), mesh => mesh.bounds())
+    }
+
+    /// Points whose convex hull holds the shape, no larger than the shape is narrow; `None` for a shape without end.
+    pub fn corners(&self) -> Option<Vec<DVec3>> {
+        Some(match self {
+            Shape::Triangle(triangle) => triangle.corners().to_vec(),
+            Shape::Polygon(polygon) => polygon.corners().to_vec(),
+            Shape::Cylinder(cylinder) => cylinder.corners().to_vec(),
+            Shape::Cone(cone) => cone.corners().to_vec(),
+            _ => self.bounds()?.corners().collect(),
+        })
     }
 
     /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that

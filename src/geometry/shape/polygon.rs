@@ -53,6 +53,11 @@ fn outline(corners: &[DVec3], normal: DVec3) -> Vec<DVec2> {
 }
 
 impl Polygon {
+    /// Its corners.
+    pub fn corners(&self) -> &[DVec3] {
+        &self.corners
+    }
+
     /// The polygon with these corners, three or more; with a normal for each its shading is smooth.
     pub fn new(vertices: &[[f64; 3]], normals: Option<&[[f64; 3]]>) -> Polygon {
         let corners: Vec<DVec3> = vertices.iter().copied().map(DVec3::from).collect();

@@ -42,6 +42,11 @@ const PLANE: PlaneNames = PlaneNames { v_d: Name::TriangleVd, v_o: Name::Triangl
 const IN_BOX: BoxNames = BoxNames { near: Name::TriangleTNear, far: Name::TriangleTFar, t: Name::TriangleTInBox };
 
 impl Triangle {
+    /// Its corners.
+    pub fn corners(&self) -> [DVec3; 3] {
+        [self.facet.a, self.facet.b, self.facet.c]
+    }
+
     /// The triangle with these corners; with normals there its shading is smooth.
     pub fn new(vertices: [[f64; 3]; 3], normals: Option<[[f64; 3]; 3]>) -> Triangle {
         let [a, b, c] = vertices.map(DVec3::from);

@@ -8,8 +8,8 @@ use crate::geometry::{Leaving, Ray, Shape, Surface};
 use crate::log::{Name, RayKind, Step, Value};
 use crate::probe::{Probe, Quantity, Silent};
 use crate::scene::{
-    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular,
-    Tracing, Transfer, Weights,
+    Algorithm, Camera, Effects, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip,
+    Specular, Tracing, Transfer, Weights,
 };
 use crate::trace::query::Query;
 use crate::trace::{Hit, closest_hit};
@@ -31,6 +31,7 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
         camera: Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 45.0, [1, 1]),
         ambient: DVec3::ZERO,
         background: DVec3::ZERO,
+        effects: Effects::default(),
         lights: Vec::new(),
         materials: vec![plain],
         index: Index::new(&objects),
@@ -47,6 +48,7 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
         },
         sampling: Sampling::Center,
         seed: 0,
+        frame: None,
         output: Output { white: 1.0, transfer: Transfer::Linear, exposure: 0.0 },
     }
 }

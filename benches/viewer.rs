@@ -1,0 +1,137 @@
+//! How long the viewer takes to open a log and to show a frame, by the size of the log; and to trace another pixel.
+//!
+//! ```text
+//! cargo bench --bench viewer
+//! ```
+
+use raywalk::log::Log;
+use raywalk::log::file::{read, to_ndjson};
+use raywalk::record::{self, Arithmetic};
+use raywalk::report::Style;
+use raywalk::scene::{Sampling, Scene, build, builtin, file};
+use raywalk::tui::{Model, Options, Palette, Theme, frame, keys, opened, update};
+use std::time::{Duration, Instant};
+
+const SCREEN: (u16, u16) = (200, 60);
+
+/// What is typed before the frames of a row.
+const WALKS: [(&str, &str); 6] = [
+    ("step by value", "n"),
+    ("step by ray", "}"),
+    ("scroll by row", "j"),
+    ("scroll by page", "PgDn"),
+    ("go to the end", "G"),
+    ("go to the beginning", "g"),
+];
+
+fn main() {
+    // Among the tests cargo only asks whether the bench works.
+    let is_measured = std::env::args().any(|argument| argument == "--bench");
+    let (sizes, frames): (&[usize], usize) =
+        if is_measured { (&[1_000, 100_000, 1_000_000], 60) } else { (&[1_000], 2) };
+    for size in sizes {
+        measure(*size, frames);
+    }
+    println!("another pixel: traced, opened and shown, ms");
+    for name in builtin::names() {
+        let Some(scene) = scene(name) else { continue };
+        let mut model = opened(record::pixel(&scene, [1, 1], Arithmetic::F64), &options());
+        let [width, height] = scene.camera.resolution;
+        let pixels = (1..8).flat_map(|row| (1..8).map(move |column| [column * width / 8, row * height / 8]));
+        let times = pixels.map(|pixel| {
+            let start = Instant::now();
+            model.show(record::pixel(&scene, pixel, Arithmetic::F64));
+            let shown = frame(&model, SCREEN.0, SCREEN.1, &options().theme);
+            assert_eq!(shown.area.width, SCREEN.0);
+            start.elapsed()
+        });
+        println!("  {name:<28} {}", Times::of(times.collect()));
+    }
+}
+
+fn measure(size: usize, frames: usize) {
+    let bytes = log_of(size);
+    let before = memory();
+    let start = Instant::now();
+    let log = read(&bytes).map(|read| read.log);
+    let Ok(log) = log else { return println!("{size} events: the log can't be read") };
+    let read_in = start.elapsed();
+    let mut model = opened(log, &options());
+    let opened_in = start.elapsed();
+    println!(
+        "{size} events: opened in {:.1} ms (read {:.1} ms), {:.0} bytes an event",
+        milliseconds(opened_in),
+        milliseconds(read_in),
+        (memory() - before) / size as f64
+    );
+    update(&mut model, raywalk::tui::Action::Resize(SCREEN.0, SCREEN.1));
+    for (words, keys) in WALKS {
+        let times = (0..frames).map(|_| timed(&mut model, keys)).collect();
+        println!("  {words:<28} {}", Times::of(times));
+    }
+}
+
+/// How long it takes until the screen shows what these keys do.
+fn timed(model: &mut Model, typed: &str) -> Duration {
+    let start = Instant::now();
+    for key in keys::sequence(typed) {
+        if let Some(action) = keys::meant(model, key) {
+            update(model, action);
+        }
+    }
+    let shown = frame(model, SCREEN.0, SCREEN.1, &options().theme);
+    assert_eq!(shown.area.width, SCREEN.0);
+    start.elapsed()
+}
+
+/// A log of at least so many events: samples of one pixel, cut off where it is long enough, as a log that breaks off is.
+fn log_of(size: usize) -> Vec<u8> {
+    let Some(mut scene) = scene("glass-and-mirror") else { return Vec::new() };
+    let pixel = [200, 150];
+    let of_one = record::pixel(&scene, pixel, Arithmetic::F64).events.len();
+    let across = (1..).find(|n| n * n * of_one > size + of_one).unwrap_or(1);
+    scene.sampling = Sampling::Regular { n: across as u32 };
+    let Log { header, mut events } = record::pixel(&scene, pixel, Arithmetic::F64);
+    events.truncate(size);
+    to_ndjson(&Log { header, events }).unwrap_or_default()
+}
+
+fn scene(name: &str) -> Option<Scene> {
+    let loaded = file::check(builtin::text(name)?.as_bytes(), name).ok()?;
+    build(&loaded.scene, &Default::default()).ok()
+}
+
+fn options() -> Options {
+    let theme = Theme::new(Palette::True, false);
+    Options { theme, start: None, warning: None, note: None, numbers: Style::default() }
+}
+
+/// The bytes that the process holds; 0 where the system doesn't say.
+fn memory() -> f64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
+    let kilobytes = line.and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
+    kilobytes.unwrap_or(0.0) * 1024.0
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
+}
+
+/// The median and the longest.
+struct Times([f64; 2]);
+
+impl Times {
+    fn of(mut times: Vec<Duration>) -> Times {
+        times.sort();
+        let at = |index: usize| times.get(index).map_or(0.0, |time| milliseconds(*time));
+        Times([at(times.len() / 2), at(times.len().saturating_sub(1))])
+    }
+}
+
+impl std::fmt::Display for Times {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Times([median, longest]) = self;
+        write!(f, "median {median:8.3} ms   longest {longest:8.3} ms")
+    }
+}
