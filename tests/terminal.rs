@@ -68,6 +68,11 @@ impl Session {
         }
     }
 
+    /// Whether the program has written this.
+    fn has_written(&self, text: &str) -> bool {
+        String::from_utf8_lossy(&self.written.lock().expect("the output")).contains(text)
+    }
+
     /// Waits until the screen no longer shows a text.
     #[track_caller]
     fn hides(&self, unexpected: &str) {
@@ -79,8 +84,9 @@ impl Session {
     }
 
     fn resize(&self, columns: u16, rows: u16) {
-        // The emulator can't put a wide character, of a frame that was on its way, into a single column.
-        self.screen.lock().expect("the screen").screen_mut().set_size(rows, columns.max(2));
+        // The emulator can't put a wide character, of a frame that was on its way, into a single column, nor break a long
+        // line of one in a single row.
+        self.screen.lock().expect("the screen").screen_mut().set_size(rows.max(2), columns.max(2));
         let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
         self.master.resize(size).expect("a resize");
     }
@@ -143,6 +149,80 @@ fn the_main_job_opens_the_numeric_example_and_steps() {
     session.ends_with(0);
     let written = String::from_utf8_lossy(&session.written.lock().expect("the output")).into_owned();
     assert!(written.contains("raywalk walk textbook --pixel 160,120 --at 3"), "{written}");
+}
+
+#[test]
+fn it_breaks_searches_shrinks_and_comes_back() {
+    let mut session = Session::start(&["walk", "textbook", "--pixel", "160,120"], 100, 30);
+    session.shows("step 1/96");
+    session.press("s");
+    session.shows("step 2/96");
+    session.press("bobject sphere\r");
+    session.shows("breakpoint: object sphere");
+    session.press("r");
+    session.shows("stopped by object sphere: test sphere");
+    session.press("L");
+    session.shows("Where runs stopped");
+    session.press("q/n_dot_l\r");
+    session.shows("match 1/");
+    session.resize(1, 1);
+    session.press(";");
+    thread::sleep(Duration::from_millis(100));
+    session.resize(100, 30);
+    session.shows("match 2/");
+    session.press(":quit\r");
+    session.ends_with(0);
+}
+
+#[test]
+fn it_plays_by_itself() {
+    let mut session = Session::start(&["walk", "textbook"], 100, 30);
+    session.shows("step 1/96");
+    session.press("++++++P");
+    session.shows("played to the last computed value");
+    session.press("q");
+    session.ends_with(0);
+}
+
+/// The sequences that ask a terminal to tell of the mouse, and to stop that.
+const MOUSE: [&str; 2] = ["\x1b[?1000h", "\x1b[?1000l"];
+
+#[test]
+fn the_mouse_is_given_back() {
+    for (ending, code) in [("key", 0), ("signal", 143), ("toggle", 0)] {
+        let mut session = Session::start(&["walk", "textbook"], 100, 30);
+        session.shows("step 1/96");
+        assert!(!session.has_written(MOUSE[0]), "nobody asked for the mouse");
+        session.press(":mouse\r");
+        session.shows("the mouse selects and scrolls");
+        // A click into the third row of the tree: button 0 at column 6, row 4.
+        session.press("\x1b[<0;6;4M\x1b[<0;6;4m");
+        session.shows("3/");
+        assert!(session.has_written(MOUSE[0]) && !session.has_written(MOUSE[1]));
+        match ending {
+            "signal" => session.signal("TERM"),
+            "toggle" => {
+                session.press("\x14");
+                session.shows("the mouse is the terminal's");
+                session.press("q");
+            }
+            _ => session.press("q"),
+        }
+        session.ends_with(code);
+        assert!(session.has_written(MOUSE[1]), "the mouse was kept after a {ending}");
+    }
+}
+
+#[test]
+fn values_reach_the_clipboard() {
+    let mut session = Session::start(&["walk", "textbook"], 100, 30);
+    session.shows("step 1/96");
+    session.press("0Y");
+    session.shows("copied: C camera");
+    session.press("q");
+    session.ends_with(0);
+    // Base64 of `C camera`.
+    assert!(session.has_written("\x1b]52;c;QyBjYW1lcmE=\x1b\\"));
 }
 
 #[test]

@@ -43,6 +43,24 @@ fn frames_without_colour_and_in_ascii() {
     });
 }
 
+/// What lies over the panes, at the same sizes.
+#[test]
+fn overlays_at_three_sizes() {
+    const OVERLAYS: [(&str, &str); 3] = [
+        ("breakpoints", "bhit Enter bT2_A<0 Enter bobject Space sphere Enter B j Space"),
+        ("search", "/sphere Enter 4;"),
+        ("help_search", "? /breakpoint"),
+    ];
+    snapshots().bind(|| {
+        for (name, keys) in OVERLAYS {
+            for (size, width, height) in [("40x12", 40, 12), ("80x24", 80, 24), ("200x60", 200, 60)] {
+                let frame = frame_after(keys, width, height, &options(Palette::Indexed, false));
+                insta::assert_snapshot!(format!("viewer_{name}_{size}"), frame);
+            }
+        }
+    });
+}
+
 /// The pixel of figure 19 that holds a lost object: its samples are drawn when the pixel or a sample is selected.
 #[test]
 fn the_samples_of_a_pixel_are_a_picture() {
@@ -66,7 +84,7 @@ fn no_size_is_too_small_to_be_drawn() {
     for width in 0..45 {
         for height in 0..16 {
             let options = options(Palette::True, false);
-            for keys in ["", "5n", "?", "Tab 5n"] {
+            for keys in ["", "5n", "?", "Tab 5n", "/sphere", "bhit Enter B", "? /key", "r r L", "t 5n"] {
                 let model = tui::opened_with_keys(by_hand(), &options, None, keys, (width, height));
                 tui::frame(&model, width, height, &options.theme);
             }

@@ -94,5 +94,5 @@ fn to_light(log: &Log, tree: &Tree, node: usize) -> Option<f64> {
         What::Note { name: Name::LightDistance, value: Value::Number(distance) } => Some(distance),
         _ => None,
     };
-    tree.own_events_before(parent, tree.nodes()[node].events.start).filter_map(distance).last()
+    tree.own_events_before(parent, tree.nodes()[node].events.start).filter_map(distance).next_back()
 }

@@ -3,13 +3,16 @@
 //! Rows are never listed: the nodes stand in pre-order in one flat array, and from any visible row the next and the
 //! previous one are found in a few steps. So a frame touches only what it shows, however large the log.
 
+use super::visible::Visible;
 use crate::log::{Node, Step, Tree};
 use std::ops::Range;
 
-/// The nodes whose inside is shown.
+/// The nodes whose inside is shown, and which nodes there are to be seen at all.
 #[derive(Clone, Debug)]
 pub struct Fold {
     open: Vec<bool>,
+    /// The nodes to be seen.
+    pub visible: Visible,
 }
 
 impl Fold {
@@ -18,7 +21,7 @@ impl Fold {
         const SMALL: usize = 120;
         let is_small = tree.nodes().len() <= SMALL;
         let opens = |node: &Node| is_small || matches!(node.step, None | Some(Step::Ray { .. }));
-        Fold { open: tree.nodes().iter().map(opens).collect() }
+        Fold { open: tree.nodes().iter().map(opens).collect(), visible: Visible::default() }
     }
 
     /// Whether a node has something inside, and shows it.
@@ -36,16 +39,26 @@ impl Fold {
         self.open[nodes].fill(open);
     }
 
+    /// Opens every node around this one, which is seen whatever is filtered.
+    pub fn reveal(&mut self, tree: &Tree, node: usize) {
+        self.visible.show(tree, node);
+        self.open_around(tree, node);
+    }
+
     /// Opens every node around this one.
-    pub fn reveal(&mut self, tree: &Tree, mut node: usize) {
+    pub fn open_around(&mut self, tree: &Tree, mut node: usize) {
         while node != 0 {
             node = tree.nodes()[node].parent;
             self.open[node] = true;
         }
     }
 
-    /// The row that stands for a node: itself, or the outermost closed node around it.
-    pub fn row_of(&self, tree: &Tree, node: usize) -> usize {
+    /// The row that stands for a node: itself, or the outermost closed node around it; of one that isn't to be seen, the
+    /// node around it that is.
+    pub fn row_of(&self, tree: &Tree, mut node: usize) -> usize {
+        while node != 0 && !self.visible.is(node) {
+            node = tree.nodes()[node].parent;
+        }
         let mut row = node;
         let mut at = node;
         while at != 0 {
@@ -60,12 +73,24 @@ impl Fold {
     /// The row below a visible row.
     pub fn below(&self, tree: &Tree, row: usize) -> Option<usize> {
         let next = if self.open[row] { row + 1 } else { tree.nodes()[row].subtree_end };
-        Some(next).filter(|next| *next < tree.nodes().len())
+        self.visible.first_from(next).filter(|next| *next < tree.nodes().len())
     }
 
     /// The row above a visible row.
     pub fn above(&self, tree: &Tree, row: usize) -> Option<usize> {
-        row.checked_sub(1).map(|previous| self.row_of(tree, previous))
+        row.checked_sub(1).map(|previous| self.row_of(tree, self.visible.last_to(previous)))
+    }
+
+    /// The first node inside a node that is to be seen.
+    pub fn first_inside(&self, tree: &Tree, node: usize) -> Option<usize> {
+        self.visible.first_from(node + 1).filter(|first| *first < tree.nodes()[node].subtree_end)
+    }
+
+    /// The next node inside the same parent that is to be seen.
+    pub fn next_sibling(&self, tree: &Tree, node: usize) -> Option<usize> {
+        let end = tree.nodes()[tree.nodes()[node].parent].subtree_end;
+        // What is inside a sibling is seen only if that one is, which comes before it.
+        self.visible.first_from(tree.nodes()[node].subtree_end).filter(|next| node != 0 && *next < end)
     }
 
     /// The row `count` below a visible row, or the last there is; and how many rows lie between.
@@ -80,7 +105,7 @@ impl Fold {
 
     /// The last row.
     pub fn last(&self, tree: &Tree) -> usize {
-        self.row_of(tree, tree.nodes().len() - 1)
+        self.row_of(tree, self.visible.last_to(tree.nodes().len() - 1))
     }
 
     /// The first row of a view of `height` rows that shows the row `cursor`, moved from `top` no more than it must be.
@@ -102,12 +127,6 @@ impl Fold {
 /// Whether a node has nodes inside.
 pub fn has_children(tree: &Tree, node: usize) -> bool {
     tree.nodes()[node].subtree_end > node + 1
-}
-
-/// The next node inside the same parent.
-pub fn next_sibling(tree: &Tree, node: usize) -> Option<usize> {
-    let end = tree.nodes()[tree.nodes()[node].parent].subtree_end;
-    Some(tree.nodes()[node].subtree_end).filter(|next| node != 0 && *next < end)
 }
 
 /// The previous node inside the same parent.
@@ -151,12 +170,20 @@ mod tests {
         let tree = tree();
         let count = tree.nodes().len();
         for closed in 0..1_usize << count {
-            let fold = Fold { open: (0..count).map(|node| closed >> node & 1 == 0).collect() };
-            let rows = rows(&fold, &tree);
-            for pair in rows.windows(2) {
-                assert_eq!(fold.above(&tree, pair[1]), Some(pair[0]), "closed {closed:b}, rows {rows:?}");
+            let open = (0..count).map(|node| closed >> node & 1 == 0).collect();
+            let mut fold = Fold { open, visible: Visible::default() };
+            for (kept, end) in [(None, count), (Some(vec![3, 7]), count), (Some(vec![4]), 4), (None, 5)] {
+                fold.visible.keep(&tree, kept);
+                fold.visible.end_before(end);
+                let rows = rows(&fold, &tree);
+                for pair in rows.windows(2) {
+                    assert_eq!(fold.above(&tree, pair[1]), Some(pair[0]), "closed {closed:b}, rows {rows:?}");
+                }
+                assert_eq!(fold.last(&tree), *rows.last().unwrap());
+                for node in 0..count {
+                    assert!(rows.contains(&fold.row_of(&tree, node)), "closed {closed:b}, rows {rows:?}, {node}");
+                }
             }
-            assert_eq!(fold.last(&tree), *rows.last().unwrap());
         }
     }
 
@@ -178,12 +205,12 @@ mod tests {
         for node in 0..tree.nodes().len() {
             let siblings: Vec<_> = tree.children(node).collect();
             for pair in siblings.windows(2) {
-                assert_eq!(next_sibling(&tree, pair[0]), Some(pair[1]));
+                assert_eq!(Fold::of(&tree).next_sibling(&tree, pair[0]), Some(pair[1]));
                 assert_eq!(previous_sibling(&tree, pair[1]), Some(pair[0]));
             }
             if let (Some(first), Some(last)) = (siblings.first(), siblings.last()) {
                 assert_eq!(previous_sibling(&tree, *first), None);
-                assert_eq!(next_sibling(&tree, *last), None);
+                assert_eq!(Fold::of(&tree).next_sibling(&tree, *last), None);
             }
         }
     }

@@ -1,8 +1,12 @@
 //! The keys: one row each, from which the keyboard is read and the help is made.
 //!
-//! Adding a key is one row here and one arm in [`super::update`].
+//! Adding a key is one row here and one arm in [`super::update`]. The rows of [`Walk`] have a file of their own.
 
-use super::model::{Model, Pending};
+mod walk;
+
+use super::guide::Walk;
+use super::list;
+use super::model::{Model, Overlay, Pending};
 use Action::*;
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
@@ -51,6 +55,8 @@ pub enum Action {
     Quit,
     Interrupt,
     Suspend,
+    /// Getting about by steps, breakpoints, searches, bookmarks and commands.
+    Walk(Walk),
     /// A digit of a count.
     Digit(u8),
     /// The first of two keys.
@@ -86,8 +92,8 @@ const FOLD: &str = "Fold";
 const PICTURE: &str = "In the picture and the schematic";
 const VIEWER: &str = "The viewer";
 
-/// Every key of the viewer.
-pub const TABLE: &[Row] = &[
+/// The keys that move in the panes, and those of the viewer itself.
+const TABLE: &[Row] = &[
     row(STEP, &["n"], NextValue, "to the next computed value"),
     row(STEP, &["N", "p"], PreviousValue, "to the previous computed value"),
     row(STEP, &["]"], NextEvent, "to the next event"),
@@ -123,21 +129,37 @@ pub const TABLE: &[Row] = &[
     row(VIEWER, &["zo"], OnlyPane, "only this pane, or all again"),
     row(VIEWER, &[">"], Wider, "a wider tree"),
     row(VIEWER, &["<"], Narrower, "a narrower tree"),
-    row(VIEWER, &["/"], Search, "search"),
     row(VIEWER, &["?", "F1"], Help, "this help"),
-    row(VIEWER, &["Esc"], Close, "close the help, forget a count, dismiss a message"),
+    row(
+        VIEWER,
+        &["Esc"],
+        Close,
+        "close what lies over the panes; else dismiss the message, stop playing, end the search, then the filter",
+    ),
     row(VIEWER, &["q"], Quit, "quit (or close the help)"),
     row(VIEWER, &["^c"], Interrupt, "quit at once"),
     row(VIEWER, &["^z"], Suspend, "to the shell; fg comes back"),
 ];
+
+/// Every key of the viewer, in the order of the help.
+pub fn rows() -> impl Iterator<Item = &'static Row> {
+    TABLE.iter().chain(walk::TABLE)
+}
 
 /// What a key does in the viewer as it is now; `None` for a key that is only let go.
 pub fn meant(model: &Model, key: KeyEvent) -> Option<Action> {
     match action(&model.pending, key) {
         Some(known @ (Interrupt | Suspend)) => Some(known),
         Some(_) if model.prompt.is_some() => Some(Typed(key)),
-        action => action,
+        action => in_list(model, key).or(action),
     }
+}
+
+/// What a key does only in a list.
+fn in_list(model: &Model, key: KeyEvent) -> Option<Action> {
+    let is_list = matches!(model.overlay, Some(Overlay::List { kind: list::Kind::Breakpoints, .. }));
+    let is_delete = key.code == KeyCode::Char('d') && key.modifiers.is_empty() && key.kind != KeyEventKind::Release;
+    (is_list && is_delete).then_some(Walk(Walk::Delete))
 }
 
 /// What a key does after what was typed before it; `None` for a key that is only let go.
@@ -146,11 +168,14 @@ pub fn action(pending: &Pending, key: KeyEvent) -> Option<Action> {
         return None;
     }
     let Some(name) = name(key) else { return Some(Unknown) };
+    if let Some(marked) = pending.prefix.and_then(|prefix| walk::marked(prefix, &name)) {
+        return Some(marked);
+    }
     if let Some(digit) = digit(&name).filter(|digit| *digit != 0 || pending.count.is_some()) {
         return Some(Digit(digit));
     }
     let typed = pending.prefix.map_or_else(|| name.clone(), |prefix| format!("{prefix}{name}"));
-    if let Some(row) = TABLE.iter().find(|row| row.keys.contains(&typed.as_str())) {
+    if let Some(row) = rows().find(|row| row.keys.contains(&typed.as_str())) {
         return Some(row.action);
     }
     let mut characters = typed.chars();
@@ -195,7 +220,7 @@ fn digit(name: &str) -> Option<u8> {
 /// Whether a character is the first of a row with two, such as the `z` of `zz`.
 fn begins_a_pair(first: char) -> bool {
     let is_pair = |key: &&str| key.chars().count() == 2 && key.chars().all(|c| c.is_ascii_lowercase());
-    TABLE.iter().flat_map(|row| row.keys).any(|key| is_pair(key) && key.starts_with(first))
+    walk::begins_a_mark(first) || rows().flat_map(|row| row.keys).any(|key| is_pair(key) && key.starts_with(first))
 }
 
 /// The key that a text such as `j`, `^d` or `PgUp` names.
@@ -248,66 +273,4 @@ pub fn sequence(text: &str) -> Vec<KeyEvent> {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn does(typed: &str, key: &str, expected: Action) {
-        let mut pending = Pending::default();
-        for character in typed.chars() {
-            match character.to_digit(10) {
-                Some(digit) => pending.count = Some(digit),
-                None => pending.prefix = Some(character),
-            }
-        }
-        assert_eq!(action(&pending, parse(key).unwrap()), Some(expected), "{typed}{key}");
-    }
-
-    #[test]
-    fn every_key_of_the_table_does_what_its_row_says() {
-        for row in TABLE {
-            for key in row.keys {
-                match key.strip_prefix('z') {
-                    Some(second) if !second.is_empty() => does("z", second, row.action),
-                    _ => does("", key, row.action),
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn no_key_stands_in_two_rows() {
-        let mut keys: Vec<_> = TABLE.iter().flat_map(|row| row.keys).collect();
-        let count = keys.len();
-        keys.sort();
-        keys.dedup();
-        assert_eq!(keys.len(), count);
-    }
-
-    #[test]
-    fn sequences_of_keys() {
-        let codes: Vec<_> = sequence("n5j Tab ^d?^uz").into_iter().map(|key| name(key).unwrap()).collect();
-        assert_eq!(codes, ["n", "5", "j", "Tab", "^d", "?", "^u", "z"]);
-        let codes: Vec<_> = sequence("l<Down><Space>n<^u><x").into_iter().map(|key| name(key).unwrap()).collect();
-        assert_eq!(codes, ["l", "Down", "Space", "n", "^u", "<", "x"]);
-    }
-
-    #[test]
-    fn digits_make_counts() {
-        does("", "5", Digit(5));
-        does("", "0", Unknown);
-        does("1", "0", Digit(0));
-        does("7", "j", Down);
-    }
-
-    #[test]
-    fn pairs_and_what_only_looks_like_one() {
-        does("", "z", Prefix('z'));
-        does("z", "z", Center);
-        does("z", "j", Unknown);
-        does("", "x", Unknown);
-        does("", "^", Unknown);
-        does("", "P", Unknown);
-    }
-}
+mod tests;

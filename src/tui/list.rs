@@ -3,16 +3,38 @@
 //! A kind of list is one function that makes its [`Listing`] from the model. Moving in it, going to the place of an entry and
 //! closing it are the same for all.
 
+use super::guide::{self, Walk};
 use super::keys::Action;
 use super::model::{Model, Overlay};
 use super::theme::Role;
 use super::update::{Effect, Exit};
+use super::{address, breakpoints, run};
 
 /// What a list is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// The steps inside the selected node's computation.
     Steps,
+    /// Where runs stop.
+    Breakpoints,
+    /// Where they have stopped.
+    Stops,
+    /// The bookmarks.
+    Bookmarks,
+}
+
+impl Kind {
+    /// What the keys do in it, if that is more than in every list; from the longest way to say it to the shortest.
+    pub fn hints(self) -> &'static [&'static str] {
+        match self {
+            Kind::Breakpoints => &[
+                "Space on/off, d deletes, Enter next place, Esc closes",
+                "Space on/off, d deletes, Enter next",
+                "Space on/off, d deletes",
+            ],
+            _ => &[],
+        }
+    }
 }
 
 /// A list.
@@ -57,11 +79,25 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
             entries: model.tree.own_events(model.cursor).map(|event| Entry::to(event, event.to_string())).collect(),
             nothing: "no steps",
         },
+        Kind::Breakpoints => Listing {
+            title: "Breakpoints".to_owned(),
+            entries: breakpoints::entries(model),
+            nothing: "none: b types one, x sets one here",
+        },
+        Kind::Stops => Listing {
+            title: "Where runs stopped".to_owned(),
+            entries: run::entries(model),
+            nothing: "nowhere yet: r runs to a breakpoint",
+        },
+        Kind::Bookmarks => Listing {
+            title: "Bookmarks".to_owned(),
+            entries: address::entries(model),
+            nothing: "none: m and a letter set one",
+        },
     }
 }
 
 /// Opens a list.
-#[allow(dead_code)]
 pub(super) fn open(model: &mut Model, kind: Kind) {
     model.overlay = Some(Overlay::List { kind, selected: 0 });
 }
@@ -79,10 +115,22 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
         Action::HalfPageUp | Action::PageUp => selected.saturating_sub(page),
         Action::First => 0,
         Action::Last => last,
+        Action::In | Action::Enter if kind == Kind::Breakpoints => {
+            breakpoints::go_to_next(model, selected);
+            return Effect::None;
+        }
+        Action::Toggle if kind == Kind::Breakpoints => {
+            breakpoints::turn(model, selected);
+            return Effect::None;
+        }
+        Action::Walk(Walk::Delete) if kind == Kind::Breakpoints => {
+            breakpoints::delete(model, selected);
+            return Effect::None;
+        }
         Action::In | Action::Enter => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;
-                model.go_to_event(target);
+                guide::jump(model, target);
             }
             return Effect::None;
         }

@@ -4,21 +4,32 @@
 //! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
 //! tested without one. The room knows logs and reports; it computes no geometry and needs no scene.
 
+mod address;
+mod breakpoints;
+mod command;
+mod copy;
+mod describe;
 mod drawing;
 pub mod dump;
 mod facts;
 mod fold;
+mod guide;
 pub mod keys;
 mod layout;
 mod list;
 mod live;
 mod model;
+mod mouse;
 mod panes;
 mod picture;
 mod place;
+mod play;
 mod prompt;
+mod run;
 pub mod screenshot;
+mod search;
 mod steps;
+mod suggest;
 mod terminal;
 #[cfg(test)]
 mod testing;
@@ -29,8 +40,10 @@ mod tests_picture;
 pub mod theme;
 mod update;
 mod view;
+mod visible;
 
 pub use drawing::{Drawing, PlaceOf, Projection, Thing};
+pub use guide::{Guide, Walk};
 pub use keys::Action;
 pub use list::{Entry, Kind, Listing};
 pub use live::Live;
@@ -90,8 +103,9 @@ pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::R
     update(&mut model, Action::Resize(width, height));
     loop {
         terminal.draw(|buffer| view::draw(&model, &theme, buffer))?;
+        terminal.use_mouse(model.guide.has_mouse)?;
         let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished);
-        let mut input = Some(terminal.next(waits)?);
+        let mut input = Some(terminal.next(waits, play::interval(&model))?);
         while let Some(now) = input {
             if let Some(exit) = react(&mut model, &mut terminal, &mut live, now)? {
                 return Ok(Outcome { exit, position: position(&model) });
@@ -177,11 +191,21 @@ fn react(
         Input::Size(width, height) => {
             update(model, Action::Resize(width, height));
         }
+        Input::Beat => {
+            update(model, Action::Walk(Walk::Tick));
+        }
+        Input::Mouse(event) => {
+            if let Some(action) = mouse::meant(model, event) {
+                let asked = update(model, action);
+                model.answer(asked, live);
+            }
+        }
         Input::Key(key) => {
             let effect = keys::meant(model, key).map(|action| update(model, action));
             match effect {
                 Some(Effect::Leave(exit)) => return Ok(Some(exit)),
                 Some(Effect::Suspend) => suspend(model, terminal, Asker::Key)?,
+                Some(Effect::Copy(text)) => terminal.copy(&text)?,
                 Some(asked) => model.answer(asked, live),
                 None => {}
             }

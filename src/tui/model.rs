@@ -3,6 +3,7 @@
 use super::drawing::{Drawing, Projection};
 use super::facts::Facts;
 use super::fold::Fold;
+use super::guide::{self, Guide};
 use super::layout::{Arrangement, Layout};
 use super::list;
 use super::live::Live;
@@ -61,6 +62,8 @@ pub struct Model {
     pub numbers: Numbers,
     /// What is shown, in other arithmetics, once somebody asked for it.
     pub others: Vec<Log>,
+    /// Breakpoints, the search, bookmarks and what else helps to find one's way.
+    pub guide: Guide,
 }
 
 /// A pane, in the order of `Tab`.
@@ -147,6 +150,7 @@ impl Model {
             message: None,
             numbers: Numbers::default(),
             others: Vec::new(),
+            guide: Guide::default(),
         };
         model.go_to_event(0);
         model
@@ -156,6 +160,7 @@ impl Model {
     pub fn go_to_event(&mut self, event: usize) {
         self.event = event.min(self.log.events.len().saturating_sub(1));
         self.cursor = self.tree.owner(self.event);
+        guide::grow(self);
         self.fold.reveal(&self.tree, self.cursor);
     }
 
@@ -168,7 +173,7 @@ impl Model {
     /// Has somebody do what is left to do outside the model, as far as it concerns the scene.
     pub fn answer(&mut self, effect: Effect, live: &mut Option<&mut dyn Live>) {
         let asked = match (effect, live) {
-            (Effect::None | Effect::Leave(_) | Effect::Suspend, _) => return,
+            (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_), _) => return,
             (_, None) => Err("a saved log has no scene to trace".to_owned()),
             (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| self.show(log)),
             (Effect::Compare, Some(live)) => live.compare(self.log.header.subject).map(|logs| self.others = logs),
@@ -205,6 +210,10 @@ impl Model {
         if let (Some(view), Subject::Pixel(pixel)) = (&mut self.picture, self.log.header.subject) {
             view.cursor = pixel;
         }
+        guide::renew(self);
+        // The other tree may be smaller than what was scrolled past.
+        let top = self.top.min(self.tree.nodes().len() - 1);
+        self.top = self.fold.scrolled(&self.tree, top, self.cursor, self.page());
     }
 
     /// The number of the current step, from 1; 0 in a log without events.
@@ -263,7 +272,7 @@ impl Model {
         let range = self.tree.nodes()[self.cursor].events.clone();
         let mut items = Vec::new();
         let mut event = range.start;
-        while event < range.end {
+        while event < range.end && self.guide.is_known(event) {
             let owner = self.tree.owner(event);
             if owner == self.cursor {
                 items.push(Item::Event(event));

@@ -2,6 +2,8 @@
 
 use super::model::Model;
 use super::update::Effect;
+use super::{breakpoints, command, search};
+use crate::report::words::plain;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
@@ -19,6 +21,14 @@ pub struct Prompt {
 pub enum Purpose {
     /// What to look for.
     Search,
+    /// What the rows of the tree must match.
+    Filter,
+    /// Where to stop.
+    Break,
+    /// A command.
+    Command,
+    /// What the rows of the help must contain.
+    Help,
 }
 
 impl Purpose {
@@ -26,6 +36,10 @@ impl Purpose {
     pub fn sign(self) -> &'static str {
         match self {
             Purpose::Search => "/",
+            Purpose::Filter => "filter: ",
+            Purpose::Break => "break at: ",
+            Purpose::Command => ":",
+            Purpose::Help => "keys with: ",
         }
     }
 }
@@ -39,10 +53,12 @@ impl Prompt {
 
 /// Does what a key does to the line; `Enter` ends it and `Esc` forgets it.
 pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
+    model.message.take_if(|message| !message.is_warning);
     let Some(prompt) = &mut model.prompt else { return Effect::None };
     match key.code {
         KeyCode::Esc => model.prompt = None,
         KeyCode::Backspace if prompt.line.value().is_empty() => model.prompt = None,
+        KeyCode::Tab => complete(model),
         KeyCode::Enter => {
             let text = prompt.line.value().to_owned();
             let purpose = prompt.purpose;
@@ -56,6 +72,25 @@ pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
         }
     }
     Effect::None
+}
+
+/// Completes the line as far as there is no choice, and says what there is where there is one.
+fn complete(model: &mut Model) {
+    let Some(prompt) = &model.prompt else { return };
+    let typed = prompt.line.value().to_owned();
+    let ways = command::completions(model, prompt.purpose, &typed);
+    let Some(first) = ways.first() else { return };
+    let common = ways.iter().skip(1).fold(first.as_str(), |common, way| {
+        let same = common.char_indices().zip(way.chars()).find(|((_, ours), theirs)| ours != theirs);
+        &common[..same.map_or(common.len().min(way.len()), |((at, _), _)| at)]
+    });
+    if common.len() > typed.len() {
+        let line = Input::new(common.to_owned());
+        model.prompt = Some(Prompt { purpose: prompt.purpose, line });
+    } else if ways.len() > 1 {
+        let some: Vec<_> = ways.iter().take(12).map(|way| plain(way.trim_end())).collect();
+        model.say(&some.join("  "));
+    }
 }
 
 /// What a key changes in a line: as in a shell.
@@ -80,9 +115,14 @@ fn request(key: KeyEvent) -> Option<InputRequest> {
 }
 
 /// Does what a finished line asks for.
-fn done(model: &mut Model, purpose: Purpose, _text: &str) -> Effect {
+fn done(model: &mut Model, purpose: Purpose, text: &str) -> Effect {
     match purpose {
-        Purpose::Search => model.say("nothing found"),
+        Purpose::Search => search::begin(model, text),
+        Purpose::Filter => search::filter(model, text),
+        Purpose::Break if text.trim().is_empty() => {}
+        Purpose::Break => breakpoints::add(model, text),
+        Purpose::Command => return command::run(model, text),
+        Purpose::Help => text.clone_into(&mut model.guide.help),
     }
     Effect::None
 }

@@ -1,6 +1,8 @@
-//! Where stepping goes: the next and the previous event of a kind.
+//! Where stepping goes: the next and the previous event of a kind; into, over and out of nodes.
 
-use crate::log::{Event, Step, What};
+use super::model::Model;
+use crate::log::{self, Event, Tree, What};
+use std::ops::Range;
 
 /// What one steps to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +21,7 @@ impl Stop {
         match self {
             Stop::Event => true,
             Stop::Value => matches!(event.what, What::Note { .. } | What::Result { .. }),
-            Stop::Ray => matches!(event.what, What::Enter { step: Step::Ray { .. }, .. }),
+            Stop::Ray => matches!(event.what, What::Enter { step: log::Step::Ray { .. }, .. }),
         }
     }
 
@@ -44,3 +46,85 @@ pub fn before(events: &[Event], event: usize, stop: Stop, count: usize) -> Optio
     let earlier = (0..event).rev().filter(|index| stop.is_at(&events[*index]));
     earlier.take(count).last()
 }
+
+/// A way to step by the nesting of the nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Step {
+    Into,
+    IntoBack,
+    Over,
+    OverBack,
+    Out,
+    OutBack,
+}
+
+impl Step {
+    /// Where it leads from an event.
+    pub fn from(self, tree: &Tree, event: usize) -> Option<usize> {
+        let node = tree.owner(event);
+        let around = tree.nodes()[node].parent;
+        let Range { start, end } = tree.nodes()[node].events;
+        match self {
+            Step::Into => Some(event + 1).filter(|next| *next < tree.nodes()[0].events.end),
+            Step::IntoBack => event.checked_sub(1),
+            Step::Over => own_from(tree, node, event + 1),
+            Step::OverBack => own_before(tree, node, event),
+            Step::Out if node != 0 => own_from(tree, around, end),
+            Step::OutBack if node != 0 => own_before(tree, around, start),
+            Step::Out | Step::OutBack => None,
+        }
+    }
+
+    /// What is said where it leads nowhere.
+    fn end(self) -> &'static str {
+        match self {
+            Step::Into | Step::IntoBack => "no more steps in this direction",
+            Step::Over | Step::OverBack => "no more steps here or around it in this direction",
+            Step::Out | Step::OutBack => "nothing around it to step out to in this direction",
+        }
+    }
+}
+
+/// The first event from this one on that belongs to a node itself, or else to one around it. `from` lies directly in the
+/// node: it is an event of its own, or begins a node inside.
+fn own_from(tree: &Tree, mut node: usize, mut from: usize) -> Option<usize> {
+    loop {
+        let end = tree.nodes()[node].events.end;
+        while from < end {
+            let owner = tree.owner(from);
+            if owner == node {
+                return Some(from);
+            }
+            from = tree.nodes()[owner].events.end;
+        }
+        if node == 0 {
+            return None;
+        }
+        node = tree.nodes()[node].parent;
+    }
+}
+
+/// The last event before this one that belongs to a node itself, or else to one around it.
+fn own_before(tree: &Tree, mut node: usize, mut before: usize) -> Option<usize> {
+    loop {
+        let own = tree.own_events_before(node, before).next_back();
+        if own.is_some() || node == 0 {
+            return own;
+        }
+        before = tree.nodes()[node].events.start;
+        node = tree.nodes()[node].parent;
+    }
+}
+
+/// Steps so often, or as far as that goes.
+pub(super) fn go(model: &mut Model, step: Step, times: usize) {
+    let way = std::iter::successors(Some(model.event), |event| step.from(&model.tree, *event));
+    match way.skip(1).take(times).last() {
+        Some(event) => model.go_to_event(event),
+        None => model.say(step.end()),
+    }
+}
+
+#[cfg(test)]
+mod tests;

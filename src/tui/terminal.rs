@@ -3,9 +3,10 @@
 //! Only this file of the room does input and output. Whatever ends the viewer (a key, an error, a panic, a signal, a
 //! terminal that is gone), the terminal gets back its screen, its cursor and its modes.
 
+use super::copy;
 use super::update::Exit;
 use crossterm::cursor::{Hide, Show};
-use crossterm::event::{self, Event, KeyEvent};
+use crossterm::event::{self, DisableMouseCapture, EnableMouseCapture, Event, KeyEvent, MouseEvent};
 use crossterm::terminal::{
     BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
     enable_raw_mode,
@@ -21,7 +22,7 @@ use std::cell::Cell;
 use std::io::{self, Stdout, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Once};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How long to wait for a key before looking for signals again.
 const TICK: Duration = Duration::from_millis(50);
@@ -30,6 +31,8 @@ const TICK: Duration = Duration::from_millis(50);
 pub(super) struct Terminal {
     screen: ratatui::Terminal<CrosstermBackend<Stdout>>,
     signals: Signals,
+    /// When the next tick is due, while somebody waits for one.
+    due: Option<Instant>,
 }
 
 /// What comes from outside.
@@ -37,6 +40,10 @@ pub(super) struct Terminal {
 pub(super) enum Input {
     /// A key.
     Key(KeyEvent),
+    /// The mouse.
+    Mouse(MouseEvent),
+    /// It is time for what happens at intervals.
+    Beat,
     /// Columns and rows.
     Size(u16, u16),
     /// Somebody asks to leave.
@@ -56,7 +63,7 @@ impl Terminal {
         let signals = Signals::watch()?;
         take_over()?;
         let screen = ratatui::Terminal::new(CrosstermBackend::new(io::stdout())).inspect_err(|_| restore())?;
-        Ok(Terminal { screen, signals })
+        Ok(Terminal { screen, signals, due: None })
     }
 
     /// Columns and rows.
@@ -71,13 +78,21 @@ impl Terminal {
         execute!(io::stdout(), EndSynchronizedUpdate)
     }
 
-    /// Waits for what comes next; with `ticks` no longer than for a moment.
-    pub(super) fn next(&mut self, ticks: bool) -> io::Result<Input> {
+    /// Waits for what comes next: with `ticks` no longer than for a moment, with an interval no longer than that after the
+    /// last beat.
+    pub(super) fn next(&mut self, ticks: bool, interval: Option<Duration>) -> io::Result<Input> {
+        let latest = interval.map(|interval| Instant::now() + interval);
+        self.due = latest.map(|latest| self.due.map_or(latest, |due| due.min(latest)));
         loop {
             if let Some(input) = self.signals.take() {
                 return Ok(input);
             }
-            match read(TICK) {
+            let left = self.due.map(|due| due.saturating_duration_since(Instant::now()));
+            if left == Some(Duration::ZERO) {
+                self.due = None;
+                return Ok(Input::Beat);
+            }
+            match read(left.map_or(TICK, |left| left.min(TICK))) {
                 Ok(Some(input)) => return Ok(input),
                 Ok(None) if ticks => return Ok(Input::Tick),
                 Ok(None) => {}
@@ -96,6 +111,22 @@ impl Terminal {
             Some(input) => Ok(Some(input)),
             None => read(Duration::from_millis(1)),
         }
+    }
+
+    /// Asks for the mouse, or gives it back.
+    pub(super) fn use_mouse(&mut self, wanted: bool) -> io::Result<()> {
+        match (wanted, HAS_MOUSE.swap(wanted, Ordering::SeqCst)) {
+            (true, false) => execute!(io::stdout(), EnableMouseCapture),
+            (false, true) => execute!(io::stdout(), DisableMouseCapture),
+            _ => Ok(()),
+        }
+    }
+
+    /// Puts a text on the clipboard, where the terminal lets us.
+    pub(super) fn copy(&mut self, text: &str) -> io::Result<()> {
+        let mut out = io::stdout();
+        out.write_all(copy::osc_52(text).as_bytes())?;
+        out.flush()
     }
 
     /// Gives the terminal to the shell and stops; says whether there is a shell to come back from.
@@ -147,6 +178,7 @@ fn read(timeout: Duration) -> io::Result<Option<Input>> {
     }
     Ok(match event::read()? {
         Event::Key(key) => Some(Input::Key(key)),
+        Event::Mouse(mouse) => Some(Input::Mouse(mouse)),
         Event::Resize(width, height) => Some(Input::Size(width, height)),
         _ => None,
     })
@@ -154,6 +186,9 @@ fn read(timeout: Duration) -> io::Result<Option<Input>> {
 
 /// Whether the terminal is in the viewer's modes.
 static IS_TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// Whether it tells of the mouse.
+static HAS_MOUSE: AtomicBool = AtomicBool::new(false);
 
 fn take_over() -> io::Result<()> {
     IS_TAKEN.store(true, Ordering::SeqCst);
@@ -164,6 +199,9 @@ fn take_over() -> io::Result<()> {
 fn restore() {
     if IS_TAKEN.swap(false, Ordering::SeqCst) {
         let mut out = io::stdout();
+        if HAS_MOUSE.swap(false, Ordering::SeqCst) {
+            let _ = execute!(out, DisableMouseCapture);
+        }
         let _ = execute!(out, EndSynchronizedUpdate, LeaveAlternateScreen, Show);
         let _ = out.flush();
         let _ = disable_raw_mode();

@@ -1,5 +1,9 @@
 //! The viewer without a terminal: what keys do, and that every size of screen can be drawn.
 
+mod any_keys;
+mod finding;
+mod stepping;
+
 use super::dump::dump;
 use super::testing::{flat, glass, nested, sized, textbook, typed};
 use super::*;
@@ -167,8 +171,8 @@ fn every_step_can_be_drawn_at_every_size() {
         for (width, height) in SIZES {
             let mut model = sized(log.clone(), width, height);
             let stride = model.log.events.len() / 50 + 1;
-            for (number, keys) in
-                (0..model.log.events.len() / stride + 10).zip([",", "?", "Esc Tab", "h"].iter().cycle())
+            for (number, keys) in (0..model.log.events.len() / stride + 10)
+                .zip([",", "?", "Esc Tab", "h", "/", "Esc t", "Esc B", "Esc :"].iter().cycle())
             {
                 typed(&mut model, keys);
                 let theme = Theme::new([Palette::None, Palette::Indexed, Palette::True][number % 3], number % 2 == 0);
@@ -272,7 +276,9 @@ fn large_logs_stay_usable() {
     let mut model = sized(log, 120, 40);
     let theme = Theme::new(Palette::None, false);
     // How long a frame takes is measured in `benches/viewer`.
-    for keys in ["G", "g", "E", "G", "g", "1000j", "1000000G", "{", "PgUp"] {
+    for keys in
+        ["G", "g", "E", "G", "g", "1000j", "1000000G", "{", "PgUp", "/V_d Enter", ";", "f1700 Enter", "G", "gu", "999o"]
+    {
         typed(&mut model, keys);
         for _ in 0..10 {
             frame(&model, 120, 40, &theme);

@@ -1,7 +1,8 @@
 //! What each action does to the model. Nothing is drawn here, and nothing read: `update(model, action)` is all.
 
 use super::drawing;
-use super::fold::{has_children, next_sibling, previous_sibling};
+use super::fold::previous_sibling;
+use super::guide::{self, Walk};
 use super::keys::Action;
 use super::list;
 use super::model::{Item, Model, Overlay, Pane};
@@ -12,7 +13,7 @@ use super::steps::{self, Stop};
 use super::view::help;
 
 /// What is left to do outside the model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Effect {
     /// Nothing.
     None,
@@ -24,6 +25,8 @@ pub enum Effect {
     Trace([u32; 2]),
     /// Trace what is shown in the other arithmetics.
     Compare,
+    /// Put this text on the clipboard.
+    Copy(String),
 }
 
 /// Why the viewer was left.
@@ -51,6 +54,11 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
         }
         Action::Resize(width, height) => {
             model.size = (width, height);
+            keep_in_view(model);
+            return Effect::None;
+        }
+        Action::Walk(Walk::Tick) => {
+            guide::tick(model);
             keep_in_view(model);
             return Effect::None;
         }
@@ -93,11 +101,11 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::First => move_by(model, isize::MIN),
         Action::Last => match count {
             None => move_by(model, isize::MAX),
-            Some(step) => model.go_to_event((step as usize).saturating_sub(1)),
+            Some(step) => guide::jump(model, (step as usize).saturating_sub(1)),
         },
         Action::Out => (0..times.min(model.tree.nodes().len())).for_each(|_| go_out(model)),
         Action::In | Action::Enter => (0..times.min(model.tree.nodes().len())).for_each(|_| go_in(model)),
-        Action::NextSibling => go_along(model, times, |model, node| next_sibling(&model.tree, node)),
+        Action::NextSibling => go_along(model, times, |model, node| model.fold.next_sibling(&model.tree, node)),
         Action::PreviousSibling => go_along(model, times, |model, node| previous_sibling(&model.tree, node)),
         Action::Center => model.top = model.fold.up(&model.tree, model.cursor, model.page() / 2).0,
         Action::Toggle => toggle(model),
@@ -117,8 +125,9 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Wider => model.shift = panes::shifted(model, times as i64),
         Action::Narrower => model.shift = panes::shifted(model, -(times as i64)),
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
-        Action::Help => model.overlay = Some(Overlay::Help { top: 0 }),
-        Action::Close => model.message = None,
+        Action::Help => guide::open_help(model),
+        Action::Close => guide::close(model),
+        Action::Walk(walk) => return guide::update(model, walk, count),
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
@@ -134,7 +143,7 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
 fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> Effect {
     let times = count.unwrap_or(1).min(1000) as u16;
     let page = model.size.1 / 2;
-    let last = help::last_top(model.size);
+    let last = help::last_top(model);
     let top = match action {
         Action::Down => top.saturating_add(times),
         Action::Up => top.saturating_sub(times),
@@ -142,6 +151,10 @@ fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> E
         Action::HalfPageUp | Action::PageUp => top.saturating_sub(page),
         Action::First => 0,
         Action::Last => last,
+        Action::Search => {
+            model.prompt = Some(Prompt::new(Purpose::Help));
+            0
+        }
         Action::Close | Action::Help | Action::Quit => {
             model.overlay = None;
             return Effect::None;
@@ -203,15 +216,17 @@ fn go_out(model: &mut Model) {
 fn go_in(model: &mut Model) {
     match model.focus {
         Pane::Computation => {}
-        _ if !has_children(&model.tree, model.cursor) => model.focus_on(Pane::Computation),
-        _ if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(model.cursor + 1),
-        _ => model.fold.set(model.cursor, true),
+        _ => match model.fold.first_inside(&model.tree, model.cursor) {
+            None => model.focus_on(Pane::Computation),
+            Some(first) if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(first),
+            Some(_) => model.fold.set(model.cursor, true),
+        },
     }
 }
 
 fn go_along(model: &mut Model, times: usize, next: impl Fn(&Model, usize) -> Option<usize>) {
     let siblings = std::iter::successors(Some(model.cursor), |node| next(model, *node));
-    match siblings.skip(1).take(times).last() {
+    match siblings.skip(1).filter(|node| model.fold.visible.is(*node)).take(times).last() {
         Some(node) => model.go_to_node(node),
         None => model.say("no more nodes in this one's parent"),
     }
@@ -238,7 +253,7 @@ fn inside(model: &Model) -> std::ops::Range<usize> {
 
 type Find = fn(&[crate::log::Event], usize, Stop, usize) -> Option<usize>;
 
-fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
+pub(super) fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
     match find(&model.log.events, model.event, stop, times) {
         Some(event) => model.go_to_event(event),
         None => model.say(&format!("no more {}s in this direction", stop.word())),

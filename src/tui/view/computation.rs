@@ -1,5 +1,6 @@
 //! The computation of the selected node: its values with formulas and numbers put in, its decisions, its inputs.
 
+use super::highlight;
 use super::label::label;
 use super::text::{Piece, shown, width_of, wrap};
 use super::{put_all, title};
@@ -17,6 +18,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     title(model, Pane::Computation, name, "", theme, area, buffer);
     let body = Layout::body(area);
     put_all(buffer, body, lines(model, theme, usize::from(body.width), usize::from(body.height)));
+    highlight::draw(model, body, buffer);
 }
 
 /// The lines to show, so that the current step is among them.

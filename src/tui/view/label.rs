@@ -63,14 +63,16 @@ fn hidden_rays(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
 fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let step = model.tree.nodes()[node].step;
-    let decision = model.facts.outcome(node).and_then(|event| match model.log.events[event].what {
+    let is_known = |event: &usize| model.guide.is_known(*event);
+    let decision = model.facts.outcome(node).filter(is_known).and_then(|event| match model.log.events[event].what {
         What::Mark(decision) => Some(decision),
         _ => None,
     });
     let has_ended = model.log.events[model.tree.nodes()[node].events.clone()].last().map(|event| &event.what);
     let is_free_shadow = matches!(step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }))
         && decision.is_none()
-        && has_ended == Some(&What::Leave);
+        && has_ended == Some(&What::Leave)
+        && model.guide.is_known(model.tree.nodes()[node].events.end - 1);
     pieces.extend(if is_free_shadow { Some(lit(theme)) } else { decided(model, decision, theme) });
     pieces.extend(limited(model, node, theme));
     if !matches!(decision, Some(Decision::Miss { .. })) && !matches!(step, Some(Step::Light { .. })) {
@@ -106,7 +108,7 @@ fn decided(model: &Model, decision: Option<Decision>, theme: &Theme) -> Option<P
 }
 
 fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Option<Piece> {
-    let event = model.facts.value(node)?;
+    let event = model.facts.value(node).filter(|event| model.guide.is_known(*event))?;
     let text = match model.log.events[event].what {
         What::Note { name, value } => {
             let number = number::value(&value, model.numbers);
@@ -120,7 +122,7 @@ fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Optio
 }
 
 fn limited(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
-    let event = model.facts.limit(node)?;
+    let event = model.facts.limit(node).filter(|event| model.guide.is_known(*event))?;
     let What::Mark(decision) = model.log.events[event].what else { return None };
     let words = match decision {
         Decision::DepthLimit { .. } => "depth limit",

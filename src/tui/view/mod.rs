@@ -3,6 +3,7 @@
 
 mod computation;
 pub(super) mod help;
+mod highlight;
 mod label;
 mod list;
 mod pattern;
@@ -11,6 +12,9 @@ mod schematic;
 mod status;
 mod text;
 mod tree;
+
+pub(super) use picture::dots_of_picture;
+pub(super) use text::ascii;
 
 use super::model::{Model, Overlay, Pane};
 use super::theme::{Role, Theme};
@@ -35,10 +39,12 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     schematic::draw(model, theme, layout.area(Pane::Schematic), buffer);
     status::draw(model, theme, &layout, buffer);
     match model.overlay {
-        Some(Overlay::Help { top }) => help::draw(top, theme, buffer),
+        Some(Overlay::Help { top }) => help::draw(model, top, theme, buffer),
         Some(Overlay::List { kind, selected }) => list::draw(model, kind, selected, theme, buffer),
         None => {}
     }
+    // What lies over the panes may reach down to the line that is being typed.
+    status::draw_prompt(model, theme, layout.status, buffer);
 }
 
 fn draw_divider(divider: Rect, theme: &Theme, buffer: &mut Buffer) {

@@ -18,8 +18,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let range = view.image.range(view.layer);
     title(model, Pane::Picture, name(view, range, theme), &remark(view), theme, area, buffer);
     let body = Layout::body(area);
-    // The last row says what the cursor stands on.
-    let dots = Rect { height: body.height.saturating_sub(u16::from(body.height > 3)), ..body };
+    let dots = dots_of_picture(area);
     let brush = Brush { view, range, theme, screen: [dots.width.into(), 2 * u32::from(dots.height)] };
     for place in dots.intersection(buffer.area).positions() {
         let cell = brush.cell([u32::from(place.x - dots.x), 2 * u32::from(place.y - dots.y)]);
@@ -29,6 +28,12 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
     let below = Rect { y: dots.bottom(), height: body.height - dots.height, ..body };
     put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
+}
+
+/// Where in the pane the picture itself lies: below the title, and above the row that says what the cursor stands on.
+pub(in crate::tui) fn dots_of_picture(area: Rect) -> Rect {
+    let body = Layout::body(area);
+    Rect { height: body.height.saturating_sub(u16::from(body.height > 3)), ..body }
 }
 
 fn name(view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {

@@ -34,10 +34,12 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         return;
     }
     let current = around(model).find_map(|node| segment(&model.log, &model.tree, node));
-    let rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
+    let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
         return put(buffer, body, Span::styled("no rays here", theme.style(Role::Faint)).into());
     };
+    // While the tree grows, rays that are to come have their room already, so that nothing jumps.
+    rays.retain(|ray| model.guide.is_known(model.tree.nodes()[ray.node].events.start));
     let color = |role: Role| theme.style(role).fg.unwrap_or(Color::Reset);
     // Things stand back without being dim, which a canvas can't.
     let grey = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };

@@ -3,9 +3,9 @@
 use super::put;
 use super::text::{shown, width_of};
 use crate::log::What;
+use crate::tui::guide;
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
-use crate::tui::prompt::Prompt;
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -19,10 +19,8 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
         put(buffer, layout.message, Line::styled(shown(&format!("{before}{}", message.text), theme), style));
     }
     let area = layout.status;
-    if let Some(prompt) = &model.prompt {
-        return draw_prompt(prompt, theme, area, buffer);
-    }
-    let step = format!("step {}/{}", model.step(), model.log.events.len());
+    let modes: String = guide::modes(model).iter().map(|mode| format!("  {mode}")).collect();
+    let step = format!("step {}/{}{modes}", model.step(), model.log.events.len());
     let room = usize::from(area.width).saturating_sub(width_of(&step));
     let places = places(model).map(|place| shown(&place, theme));
     let place = places.into_iter().find(|place| width_of(place) <= room).unwrap_or_default();
@@ -39,7 +37,10 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
 }
 
 /// The line that is being typed, with its cursor; of a long one the part around the cursor.
-fn draw_prompt(prompt: &Prompt, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw_prompt(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let Some(prompt) = &model.prompt else { return };
+    let blank = " ".repeat(usize::from(area.width));
+    put(buffer, area, Line::raw(blank));
     let sign = prompt.purpose.sign();
     let room = usize::from(area.width).saturating_sub(width_of(sign) + 1);
     let scrolled = prompt.line.visual_scroll(room);

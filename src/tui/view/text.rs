@@ -110,7 +110,7 @@ fn split(text: &str, may_break: impl Fn(char, char) -> bool) -> impl Iterator<It
 }
 
 /// A text in ASCII: symbols by their usual names.
-fn ascii(text: &str) -> String {
+pub(in crate::tui) fn ascii(text: &str) -> String {
     let mut out = String::new();
     let mut is_raised = false;
     for character in text.chars() {

@@ -1,9 +1,9 @@
 //! The ray tree: one row a node, as far as nodes are open.
 
-use super::label;
+use super::{highlight, label};
 use super::{put, title};
 use crate::report::words;
-use crate::tui::fold::{has_children, next_sibling};
+use crate::tui::fold::has_children;
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
 use crate::tui::theme::{Role, Theme};
@@ -26,6 +26,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     for (y, node) in (body.top()..body.bottom()).zip(rows) {
         let place = Rect { y, height: 1, ..body };
         put(buffer, place, row(model, node, theme, usize::from(body.width)));
+        highlight::draw(model, place, buffer);
         if node == model.cursor {
             let mark = if model.focus == Pane::Tree { Modifier::REVERSED } else { Modifier::UNDERLINED };
             buffer.set_style(place.intersection(buffer.area), Style::reset().add_modifier(mark));
@@ -55,7 +56,7 @@ fn guides(model: &Model, node: usize, theme: &Theme, room: usize) -> String {
     let mut guides = Vec::new();
     let mut at = node;
     while at != 0 && guides.len() < room {
-        let goes_on = next_sibling(&model.tree, at).is_some();
+        let goes_on = model.fold.next_sibling(&model.tree, at).is_some();
         guides.push(match (at == node, goes_on) {
             (true, true) => glyphs.branch,
             (true, false) => glyphs.last_branch,

@@ -1,0 +1,112 @@
+//! Where to stop: a kind of event, an object, a light, a depth, or a condition on a quantity.
+
+mod condition;
+pub mod kind;
+mod parse;
+#[cfg(test)]
+mod tests;
+
+pub use condition::Condition;
+pub use parse::{parse, words};
+
+use super::list::Entry;
+use super::model::{Model, Overlay};
+use super::run;
+use super::theme::Role;
+use crate::log::What;
+
+/// A place to stop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Breakpoint {
+    /// What must be so.
+    pub condition: Condition,
+    /// How it was typed.
+    pub text: String,
+    /// Whether one stops there.
+    pub is_on: bool,
+}
+
+/// Sets the breakpoint that a text asks for, or says what is wrong with it.
+pub(super) fn add(model: &mut Model, text: &str) {
+    match parse(text, &model.log) {
+        Ok(condition) => set(model, condition, text.trim()),
+        Err(why) => model.say(&why),
+    }
+}
+
+fn set(model: &mut Model, condition: Condition, text: &str) {
+    let known = model.guide.breakpoints.iter_mut().find(|known| known.condition == condition);
+    match known {
+        Some(known) => known.is_on = true,
+        None => model.guide.breakpoints.push(Breakpoint { condition, text: text.to_owned(), is_on: true }),
+    }
+    model.say(&format!("breakpoint: {text}; r runs to it, B lists all"));
+}
+
+/// Sets a breakpoint on every event of the kind of the current one (a value of that quantity, that decision, such a
+/// node), or deletes it if there is one.
+pub(super) fn toggle_here(model: &mut Model) {
+    let Some(event) = model.log.events.get(model.event) else { return };
+    // The end of a node stands for the node.
+    let begins = model.tree.nodes()[model.tree.owner(model.event)].events.start;
+    let event = if event.what == What::Leave { &model.log.events[begins] } else { event };
+    let (condition, text) = match &event.what {
+        What::Note { name, .. } => (Condition::of_quantity(name.key()), name.key()),
+        what => match kind::of(what).last() {
+            Some(kind) => (Condition::Kind(kind), *kind),
+            None => return model.say("nothing here that a run could stop at"),
+        },
+    };
+    let breakpoints = &mut model.guide.breakpoints;
+    match breakpoints.iter().position(|known| known.condition == condition) {
+        Some(known) => {
+            breakpoints.remove(known);
+            model.say(&format!("no breakpoint any more: {text}"));
+        }
+        None => set(model, condition, text),
+    }
+}
+
+/// The list of all.
+pub(super) fn entries(model: &Model) -> Vec<Entry> {
+    let entry = |breakpoint: &Breakpoint| {
+        let (state, role) = if breakpoint.is_on { ("on ", Role::Text) } else { ("off", Role::Faint) };
+        Entry::plain(format!("{state}  {}", crate::report::words::plain(&breakpoint.text)), role)
+    };
+    model.guide.breakpoints.iter().map(entry).collect()
+}
+
+/// Turns the breakpoint in this row of the list on or off.
+pub(super) fn turn(model: &mut Model, selected: usize) {
+    if let Some(breakpoint) = model.guide.breakpoints.get_mut(selected) {
+        breakpoint.is_on = !breakpoint.is_on;
+    }
+}
+
+/// Deletes the breakpoint in this row of the list.
+pub(super) fn delete(model: &mut Model, selected: usize) {
+    let breakpoints = &mut model.guide.breakpoints;
+    if selected < breakpoints.len() {
+        breakpoints.remove(selected);
+    }
+    let last = breakpoints.len().saturating_sub(1);
+    if let Some(Overlay::List { selected, .. }) = &mut model.overlay {
+        *selected = (*selected).min(last);
+    }
+}
+
+/// Goes to the next place of the breakpoint in this row of the list, whether it is on or off.
+pub(super) fn go_to_next(model: &mut Model, selected: usize) {
+    let Some(breakpoint) = model.guide.breakpoints.get(selected) else { return };
+    let holds = |event: &usize| breakpoint.condition.holds(&model.log.events[*event], model.numbers);
+    let text = breakpoint.text.clone();
+    // Beyond the end it goes on at the beginning.
+    let (count, here) = (model.log.events.len(), model.event);
+    match (here + 1..count).chain(0..count.min(here + 1)).find(holds) {
+        Some(event) => {
+            model.overlay = None;
+            run::stop(model, event, text);
+        }
+        None => model.say(&format!("nowhere in this log: {text}")),
+    }
+}

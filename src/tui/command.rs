@@ -1,0 +1,154 @@
+//! The command line: what is typed behind `:`.
+
+use super::guide::{self, Walk};
+use super::keys::Action;
+use super::model::Model;
+use super::prompt::Purpose;
+use super::suggest::nearest;
+use super::update::{Effect, Exit, update};
+use super::{address, breakpoints, search};
+use crate::log::Step;
+use crate::report::words::plain;
+
+/// A command.
+struct Command {
+    name: &'static str,
+    /// What follows it.
+    argument: &'static str,
+    run: fn(&mut Model, &str) -> Effect,
+}
+
+/// Every command; a beginning that only one of them has stands for it.
+const COMMANDS: &[Command] = &[
+    Command { name: "bookmark", argument: "LETTER", run: bookmark },
+    Command { name: "bookmarks", argument: "", run: |model, _| walk(model, Walk::Marks) },
+    Command { name: "break", argument: "CONDITION", run: |model, text| plainly(model, text, breakpoints::add) },
+    Command { name: "breakpoints", argument: "", run: |model, _| walk(model, Walk::Breakpoints) },
+    Command { name: "filter", argument: "TEXT", run: |model, text| plainly(model, text, search::filter) },
+    Command { name: "grow", argument: "", run: |model, _| walk(model, Walk::Grow) },
+    Command { name: "help", argument: "", run: |model, _| plainly(model, "", |model, _| guide::open_help(model)) },
+    Command { name: "mouse", argument: "", run: |model, _| walk(model, Walk::Mouse) },
+    Command { name: "pixel", argument: "X,Y", run: pixel },
+    Command { name: "play", argument: "", run: |model, _| walk(model, Walk::Play) },
+    Command { name: "quit", argument: "", run: |_, _| Effect::Leave(Exit::Quit) },
+    Command { name: "search", argument: "TEXT", run: |model, text| plainly(model, text, search::begin) },
+    Command { name: "stops", argument: "", run: |model, _| walk(model, Walk::Stops) },
+];
+
+/// Does what was typed.
+pub(super) fn run(model: &mut Model, text: &str) -> Effect {
+    let text = text.trim();
+    if text.is_empty() {
+        return Effect::None;
+    }
+    if let Ok(step) = text.parse::<usize>() {
+        go_to_step(model, step);
+        return Effect::None;
+    }
+    let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+    match find(word) {
+        Ok(command) if command.argument.is_empty() && !rest.is_empty() => {
+            model.say(&format!("nothing stands behind :{}", command.name));
+            Effect::None
+        }
+        Ok(command) => (command.run)(model, rest.trim()),
+        Err(why) => {
+            model.say(&why);
+            Effect::None
+        }
+    }
+}
+
+/// The command that a word or the beginning of one stands for.
+fn find(word: &str) -> Result<&'static Command, String> {
+    let begun: Vec<_> = COMMANDS.iter().filter(|command| command.name.starts_with(word)).collect();
+    if let Some(exact) = begun.iter().find(|command| command.name == word) {
+        return Ok(exact);
+    }
+    match begun[..] {
+        [command] => Ok(command),
+        [] => Err(match nearest(word, COMMANDS.iter().map(|command| command.name)) {
+            Some(near) => format!("no command :{}; did you mean :{near}?", plain(word)),
+            None => format!("expected a step or a command: {}", usages(COMMANDS.iter())),
+        }),
+        _ => Err(format!(":{} may be {}", plain(word), usages(begun.into_iter()))),
+    }
+}
+
+/// Every command with what follows it: for the help.
+pub(super) fn usage() -> String {
+    format!(":42 (a step), {}", usages(COMMANDS.iter()))
+}
+
+fn usages(commands: impl Iterator<Item = &'static Command>) -> String {
+    let usage = |command: &Command| format!(":{} {}", command.name, command.argument).trim_end().to_owned();
+    commands.map(usage).collect::<Vec<_>>().join(", ")
+}
+
+fn plainly(model: &mut Model, text: &str, run: fn(&mut Model, &str)) -> Effect {
+    run(model, text);
+    Effect::None
+}
+
+fn walk(model: &mut Model, walk: Walk) -> Effect {
+    update(model, Action::Walk(walk))
+}
+
+fn go_to_step(model: &mut Model, step: usize) {
+    let count = model.log.events.len();
+    guide::jump(model, step.saturating_sub(1));
+    if step == 0 || step > count {
+        model.say(&format!("there are steps 1 to {count}"));
+    }
+}
+
+fn bookmark(model: &mut Model, text: &str) -> Effect {
+    let mut characters = text.chars();
+    match (characters.next(), characters.next()) {
+        (Some(letter), None) if letter.is_alphanumeric() => address::set(model, letter),
+        _ => model.say("expected one letter, such as :bookmark a"),
+    }
+    Effect::None
+}
+
+/// Goes to a pixel of the log, or has it traced.
+fn pixel(model: &mut Model, text: &str) -> Effect {
+    let numbers: Vec<_> = text.split([',', ' ']).filter(|part| !part.is_empty()).map(str::parse).collect();
+    let [Ok(x), Ok(y)] = numbers[..] else {
+        model.say("expected a column and a row, such as :pixel 160,120");
+        return Effect::None;
+    };
+    let is_it = |step: Option<Step>| step == Some(Step::Pixel([x, y]));
+    let found = model.tree.children(0).find(|node| is_it(model.tree.nodes()[*node].step));
+    match found {
+        Some(node) => {
+            guide::jump(model, model.tree.nodes()[node].events.start);
+            Effect::None
+        }
+        None => match model.picture.as_ref().map(|view| view.image.size) {
+            Some([width, height]) if x >= width || y >= height => {
+                model.say(&format!("the picture has columns 0 to {} and rows 0 to {}", width - 1, height - 1));
+                Effect::None
+            }
+            _ => Effect::Trace([x, y]),
+        },
+    }
+}
+
+/// How the typed text may go on, if something can go on there.
+pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<String> {
+    let of_break = |before: &str, text: &str| -> Vec<String> {
+        let words = breakpoints::words(&model.log).into_iter().filter(|word| word.starts_with(text));
+        words.map(|word| format!("{before}{word}")).collect()
+    };
+    match (purpose, text.strip_prefix("break ")) {
+        (Purpose::Break, _) => of_break("", text),
+        (Purpose::Command, Some(condition)) => of_break("break ", condition),
+        (Purpose::Command, None) => {
+            let begun = COMMANDS.iter().filter(|command| command.name.starts_with(text));
+            let gap = |command: &Command| if command.argument.is_empty() { "" } else { " " };
+            begun.map(|command| format!("{}{}", command.name, gap(command))).collect()
+        }
+        _ => Vec::new(),
+    }
+}

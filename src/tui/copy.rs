@@ -1,0 +1,91 @@
+//! What is copied: a value with all its digits, or an address.
+
+use super::address::Address;
+use super::describe;
+use super::model::Model;
+use super::update::Effect;
+use crate::log::{Value, What};
+use crate::report::words::plain;
+
+/// Copies the value of the current step; of a node what it came to.
+pub(super) fn value(model: &mut Model) -> Effect {
+    let Some(event) = model.log.events.get(model.event) else { return Effect::None };
+    let of_node = || model.facts.value(model.tree.owner(model.event)).filter(|event| model.guide.is_known(*event));
+    let what = match &event.what {
+        What::Enter { .. } | What::Leave => of_node().map_or(&event.what, |event| &model.log.events[event].what),
+        what => what,
+    };
+    let text = match what {
+        What::Note { value, .. } => in_full(value),
+        What::Result { color } => in_full(&Value::Triple(*color)),
+        _ => describe::event(model, model.event),
+    };
+    copied(model, text)
+}
+
+/// Copies the address of the current step.
+pub(super) fn path(model: &mut Model) -> Effect {
+    if model.log.events.is_empty() {
+        return Effect::None;
+    }
+    let text = Address::of(&model.log, &model.tree, model.event).text();
+    copied(model, text)
+}
+
+fn copied(model: &mut Model, text: String) -> Effect {
+    model.say(&format!("copied: {}", plain(&text)));
+    Effect::Copy(text)
+}
+
+/// A value so that it can be read back to the last bit.
+fn in_full(value: &Value) -> String {
+    let numbers: Vec<_> = value.components().iter().map(|number| number_in_full(*number)).collect();
+    if numbers.len() == 1 { numbers.concat() } else { format!("({})", numbers.join(", ")) }
+}
+
+/// The shortest text that gives the number again.
+fn number_in_full(number: f64) -> String {
+    let text = format!("{number:?}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
+
+/// The sequence by which a terminal is asked to put a text on the clipboard (OSC 52).
+pub(super) fn osc_52(text: &str) -> String {
+    format!("\x1b]52;c;{}\x1b\\", base64(text.as_bytes()))
+}
+
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::new();
+    for chunk in bytes.chunks(3) {
+        let byte = |index: usize| u32::from(chunk.get(index).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for index in 0..4 {
+            let digit = DIGITS[(bits >> (18 - 6 * index) & 63) as usize];
+            text.push(if index > chunk.len() { '=' } else { digit.into() });
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base64_of_every_length() {
+        // The test vectors of RFC 4648.
+        let encoded = ["", "f", "fo", "foo", "foob", "fooba", "foobar"].map(|text| base64(text.as_bytes()));
+        assert_eq!(encoded, ["", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"]);
+        assert_eq!(osc_52("·"), "\x1b]52;c;wrc=\x1b\\");
+    }
+
+    #[test]
+    fn numbers_in_full_can_be_read_back() {
+        for number in [0.0, -0.0, 1.0, 0.1, 1.0 / 3.0, -1e-300, f64::MAX, f64::EPSILON] {
+            let read: f64 = number_in_full(number).parse().expect("it was written as a number");
+            assert_eq!(read.to_bits(), number.to_bits());
+        }
+        assert_eq!(in_full(&Value::Triple([1.0, -0.5, 1e-12])), "(1, -0.5, 1e-12)");
+    }
+}

@@ -1,0 +1,70 @@
+//! What keys mean.
+
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+
+#[track_caller]
+fn does(typed: &str, key: &str, expected: Action) {
+    let mut pending = Pending::default();
+    for character in typed.chars() {
+        match character.to_digit(10) {
+            Some(digit) => pending.count = Some(digit),
+            None => pending.prefix = Some(character),
+        }
+    }
+    assert_eq!(action(&pending, parse(key).unwrap()), Some(expected), "{typed}{key}");
+}
+
+#[test]
+fn every_key_of_the_table_does_what_its_row_says() {
+    for row in rows() {
+        for key in row.keys {
+            match *key {
+                "zz" => does("z", "z", row.action),
+                "zo" => does("z", "o", row.action),
+                "''" => does("'", "'", row.action),
+                // A letter of one's choice stands behind it.
+                "m+letter" => does("m", "q", Walk(Walk::Mark('q'))),
+                "'+letter" => does("'", "q", Walk(Walk::GoTo('q'))),
+                key if row.group == walk::IN_LISTS => assert_eq!(key, "d"),
+                key => does("", key, row.action),
+            }
+        }
+    }
+}
+
+#[test]
+fn no_key_stands_in_two_rows() {
+    let mut keys: Vec<_> = rows().flat_map(|row| row.keys).collect();
+    let count = keys.len();
+    keys.sort();
+    keys.dedup();
+    assert_eq!(keys.len(), count);
+}
+
+#[test]
+fn sequences_of_keys() {
+    let codes: Vec<_> = sequence("n5j Tab ^d?^uz").into_iter().map(|key| name(key).unwrap()).collect();
+    assert_eq!(codes, ["n", "5", "j", "Tab", "^d", "?", "^u", "z"]);
+    let codes: Vec<_> = sequence("l<Down><Space>n<^u><x").into_iter().map(|key| name(key).unwrap()).collect();
+    assert_eq!(codes, ["l", "Down", "Space", "n", "^u", "<", "x"]);
+}
+
+#[test]
+fn digits_make_counts() {
+    does("", "5", Digit(5));
+    does("", "0", Walk(Walk::FirstStep));
+    does("1", "0", Digit(0));
+    does("7", "j", Down);
+}
+
+#[test]
+fn pairs_and_what_only_looks_like_one() {
+    does("", "z", Prefix('z'));
+    does("z", "z", Center);
+    does("z", "j", Unknown);
+    does("", "W", Unknown);
+    does("", "^", Unknown);
+    does("", "X", Unknown);
+}

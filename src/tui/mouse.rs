@@ -1,0 +1,88 @@
+//! The mouse: off until it is asked for, because a terminal can't select text while the viewer has it.
+
+use super::guide::Walk;
+use super::keys::Action;
+use super::layout::Layout;
+use super::model::{Model, Pane};
+use super::update::{Effect, update};
+use super::view::dots_of_picture;
+use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
+use ratatui::layout::Position;
+
+/// How many rows a notch of the wheel moves.
+const NOTCH: i16 = 3;
+
+/// What the mouse means in the viewer as it is now.
+pub(super) fn meant(model: &Model, event: MouseEvent) -> Option<Action> {
+    if model.prompt.is_some() {
+        return None;
+    }
+    let is_covered = model.overlay.is_some();
+    match event.kind {
+        MouseEventKind::ScrollDown if is_covered => Some(Action::Down),
+        MouseEventKind::ScrollUp if is_covered => Some(Action::Up),
+        MouseEventKind::ScrollDown => Some(Action::Walk(Walk::Wheel(NOTCH, event.column, event.row))),
+        MouseEventKind::ScrollUp => Some(Action::Walk(Walk::Wheel(-NOTCH, event.column, event.row))),
+        MouseEventKind::Down(MouseButton::Left) if !is_covered => {
+            Some(Action::Walk(Walk::Click(event.column, event.row)))
+        }
+        _ => None,
+    }
+}
+
+/// Takes the mouse, or gives it back.
+pub(super) fn toggle(model: &mut Model) {
+    model.guide.has_mouse = !model.guide.has_mouse;
+    let now = if model.guide.has_mouse {
+        "the mouse selects and scrolls; ^t gives it back"
+    } else {
+        "the mouse is the terminal's"
+    };
+    model.say(now);
+}
+
+/// Selects the row of the tree that was clicked, the pixel of the picture, or the pane.
+pub(super) fn click(model: &mut Model, x: u16, y: u16) -> Effect {
+    let layout = model.layout(model.size);
+    let at = Position { x, y };
+    focus(model, at);
+    let body = Layout::body(layout.area(Pane::Tree));
+    if body.contains(at) {
+        let below = usize::from(y - body.y);
+        let (row, count) = model.fold.down(&model.tree, model.top, below);
+        // Below the last row there is nothing to select.
+        if count == below {
+            model.go_to_node(row);
+        }
+    }
+    pixel_at(model, &layout, at).map_or(Effect::None, Effect::Trace)
+}
+
+/// The pixel of the picture at a place on the screen.
+fn pixel_at(model: &Model, layout: &Layout, at: Position) -> Option<[u32; 2]> {
+    let view = model.picture.as_ref()?;
+    let dots = dots_of_picture(layout.area(Pane::Picture));
+    if !dots.contains(at) {
+        return None;
+    }
+    let screen = [dots.width.into(), 2 * u32::from(dots.height)];
+    view.pixel_under(screen, [u32::from(at.x - dots.x), 2 * u32::from(at.y - dots.y)])
+}
+
+/// Moves by rows in the pane under the mouse; zooms where it shows a picture.
+pub(super) fn wheel(model: &mut Model, rows: i16, x: u16, y: u16) -> Effect {
+    focus(model, Position { x, y });
+    if matches!(model.focus, Pane::Picture | Pane::Schematic) {
+        return update(model, if rows > 0 { Action::ZoomOut } else { Action::ZoomIn });
+    }
+    model.pending.count = Some(u32::from(rows.unsigned_abs()));
+    update(model, if rows > 0 { Action::Down } else { Action::Up })
+}
+
+/// Lets the keys move in the pane under the mouse.
+fn focus(model: &mut Model, at: Position) {
+    let layout = model.layout(model.size);
+    if let Some(pane) = Pane::ALL.into_iter().find(|pane| layout.area(*pane).contains(at)) {
+        model.focus_on(pane);
+    }
+}

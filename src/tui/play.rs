@@ -1,0 +1,72 @@
+//! Playing: stepping from value to value by itself, at a pace that can be changed.
+
+use super::model::Model;
+use super::run;
+use super::steps::{self, Stop};
+use std::time::Duration;
+
+/// Whether it plays, and how fast.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pace {
+    /// Whether it plays.
+    pub is_playing: bool,
+    /// How often one step a second is doubled.
+    doublings: u32,
+}
+
+impl Pace {
+    /// Steps a second: 1, 2, 4, up to 32.
+    pub fn rate(self) -> u32 {
+        1 << self.doublings
+    }
+}
+
+/// The time between two steps while it plays. It waits for what lies over the panes, and for what is being typed.
+pub(super) fn interval(model: &Model) -> Option<Duration> {
+    let plays = model.guide.pace.is_playing && model.prompt.is_none() && model.overlay.is_none();
+    plays.then(|| Duration::from_secs(1) / model.guide.pace.rate())
+}
+
+/// Starts and stops playing.
+pub(super) fn toggle(model: &mut Model) {
+    let is_end = steps::after(&model.log.events, model.event, Stop::Value, 1).is_none();
+    if !model.guide.pace.is_playing && is_end {
+        return model.say("no more computed values to play; 0 goes to the first step");
+    }
+    model.guide.pace.is_playing = !model.guide.pace.is_playing;
+}
+
+/// Changes the pace, within what the eye can follow.
+pub(super) fn change(model: &mut Model, to: fn(u32) -> u32) {
+    let rate = to(model.guide.pace.rate()).clamp(1, 32);
+    model.guide.pace.doublings = rate.ilog2();
+    let hint = if model.guide.pace.is_playing { "" } else { "; P plays" };
+    model.say(&format!("{rate} steps a second{hint}"));
+}
+
+/// The next step. A breakpoint on the way stops the play.
+pub(super) fn tick(model: &mut Model) {
+    // What stopped in the meantime, such as for a list, isn't played.
+    if interval(model).is_none() {
+        return;
+    }
+    let here = model.event;
+    let next = steps::after(&model.log.events, here, Stop::Value, 1);
+    let until = next.map_or(model.log.events.len(), |next| next + 1);
+    if let Some((event, breakpoint)) = run::first_stop(model, here + 1..until) {
+        model.guide.pace.is_playing = false;
+        return run::stop(model, event, breakpoint);
+    }
+    match next {
+        Some(next) => model.go_to_event(next),
+        None => {
+            model.guide.pace.is_playing = false;
+            model.say("played to the last computed value");
+        }
+    }
+}
+
+/// Said on the bottom line while it plays.
+pub(super) fn words(pace: Pace) -> Option<String> {
+    pace.is_playing.then(|| format!("playing {}/s", pace.rate()))
+}

@@ -1,0 +1,82 @@
+//! Running to the next breakpoint, and the log of where that stopped.
+
+use super::describe;
+use super::guide;
+use super::list::{Entry, Kind};
+use super::model::{Model, Overlay};
+use crate::report::words::plain;
+
+/// A place where a run stopped.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stopped {
+    /// The event.
+    pub event: usize,
+    /// The breakpoint that stopped it, as it was typed.
+    pub breakpoint: String,
+}
+
+/// So many stops are remembered.
+const MOST: usize = 1000;
+
+/// Runs on, or back, to the next event that a breakpoint stops at, so many times.
+pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
+    if model.guide.breakpoints.iter().all(|breakpoint| !breakpoint.is_on) {
+        let has_some = !model.guide.breakpoints.is_empty();
+        return model.say(if has_some {
+            "all breakpoints are off; B lists them"
+        } else {
+            "no breakpoints; b sets one"
+        });
+    }
+    for done in 0..times {
+        let (here, count) = (model.event, model.log.events.len());
+        let found = match is_forward {
+            true => first_stop(model, here + 1..count),
+            false => first_stop(model, (0..here).rev()),
+        };
+        match found {
+            Some((event, text)) => stop(model, event, text),
+            None if done > 0 => return,
+            None => {
+                let side = if is_forward { "after" } else { "before" };
+                return model.say(&format!("no breakpoint stops {side} this step"));
+            }
+        }
+    }
+}
+
+/// The first of these events that a breakpoint stops at, and that breakpoint.
+pub(super) fn first_stop(model: &Model, mut events: impl Iterator<Item = usize>) -> Option<(usize, String)> {
+    let on: Vec<_> = model.guide.breakpoints.iter().filter(|breakpoint| breakpoint.is_on).collect();
+    if on.is_empty() {
+        return None;
+    }
+    events.find_map(|event| {
+        let stops = on.iter().find(|one| one.condition.holds(&model.log.events[event], model.numbers))?;
+        Some((event, stops.text.clone()))
+    })
+}
+
+/// Stops at an event, and remembers it.
+pub(super) fn stop(model: &mut Model, event: usize, breakpoint: String) {
+    guide::jump(model, event);
+    model.say(&format!("stopped by {}: {}", plain(&breakpoint), describe::event(model, event)));
+    model.guide.stops.push(Stopped { event, breakpoint });
+    let excess = model.guide.stops.len().saturating_sub(MOST);
+    model.guide.stops.drain(..excess);
+}
+
+/// Opens the list of the stops at the latest one.
+pub(super) fn open(model: &mut Model) {
+    let selected = model.guide.stops.len().saturating_sub(1);
+    model.overlay = Some(Overlay::List { kind: Kind::Stops, selected });
+}
+
+/// The list of the stops.
+pub(super) fn entries(model: &Model) -> Vec<Entry> {
+    let entry = |stop: &Stopped| {
+        let what = describe::event(model, stop.event);
+        Entry::to(stop.event, format!("step {}  {}  {what}", stop.event + 1, plain(&stop.breakpoint)))
+    };
+    model.guide.stops.iter().map(entry).collect()
+}

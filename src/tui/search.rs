@@ -1,0 +1,223 @@
+//! Searching: in names, symbols, titles, the words of decisions and the values as they are shown; and the filter of the tree.
+//!
+//! All matches of a text are found once, when it has been typed: in one pass that makes a text only where one is looked
+//! into, and remembers what it has found out about each name and node. After that every question is one of a sorted list.
+
+use super::guide;
+use super::model::Model;
+use super::view::ascii;
+use crate::log::{Log, Name, RayKind, Step, Tree, Value, What};
+use crate::report::{Style, number, words};
+use std::collections::HashMap;
+
+/// A text to look for. Capitals count if it has any.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pattern {
+    text: String,
+    is_exact: bool,
+}
+
+impl Pattern {
+    /// The pattern of a typed text.
+    pub fn of(text: &str) -> Pattern {
+        Pattern { text: text.to_owned(), is_exact: text.chars().any(char::is_uppercase) }
+    }
+
+    /// Whether a text contains it.
+    pub fn is_in(&self, text: &str) -> bool {
+        if self.is_exact { text.contains(&self.text) } else { text.to_lowercase().contains(&self.text) }
+    }
+
+    /// Where it begins and ends among the letters of a text, which are given one by one.
+    pub fn places(&self, letters: &[&str]) -> Vec<std::ops::Range<usize>> {
+        let mut text = String::new();
+        let mut begins = Vec::with_capacity(letters.len());
+        for letter in letters {
+            begins.push(text.len());
+            text += &if self.is_exact { (*letter).to_owned() } else { letter.to_lowercase() };
+        }
+        let letter = |at: usize| begins.partition_point(|begin| *begin < at);
+        let found = text.match_indices(&self.text).filter(|(_, part)| !part.is_empty());
+        found.map(|(at, part)| letter(at)..letter(at + part.len())).collect()
+    }
+
+    /// Whether it has only such characters.
+    fn is_made_of(&self, characters: &str) -> bool {
+        self.text.chars().all(|c| characters.contains(c))
+    }
+}
+
+/// A search and what it has found.
+#[derive(Clone, Debug)]
+pub struct Search {
+    /// What is looked for.
+    pub pattern: Pattern,
+    /// The events that match, in order.
+    found: Vec<u32>,
+}
+
+impl Search {
+    /// Searches a whole log.
+    pub fn of(log: &Log, tree: &Tree, numbers: Style, text: &str) -> Search {
+        let pattern = Pattern::of(text);
+        let mut matcher = Matcher::new(log, tree, numbers, &pattern);
+        let found = (0..log.events.len()).filter(|event| matcher.matches(*event)).map(|event| event as u32).collect();
+        Search { pattern, found }
+    }
+
+    /// Which of how many matches an event is, such as `match 3/17`.
+    pub fn place(&self, event: usize) -> String {
+        let count = self.found.len();
+        match self.found.binary_search(&(event as u32)) {
+            Ok(index) => format!("match {}/{count}", index + 1),
+            Err(_) => format!("match -/{count}"),
+        }
+    }
+
+    /// The match so many after an event, or before it; and whether that went around the end.
+    pub fn next(&self, event: usize, is_forward: bool, times: usize) -> Option<(usize, bool)> {
+        let count = self.found.len();
+        let event = event as u32;
+        let times = times.max(1) - 1;
+        let index = if is_forward {
+            self.found.partition_point(|found| *found <= event).saturating_add(times)
+        } else {
+            let before = self.found.partition_point(|found| *found < event);
+            // Counted from the end, so that it can't run below zero.
+            let from_end = (count - before).saturating_add(times);
+            let found = *self.found.get(count.checked_sub(1)? - from_end % count)?;
+            return Some((found as usize, from_end >= count));
+        };
+        let found = *self.found.get(index.checked_rem(count)?)?;
+        Some((found as usize, index >= count))
+    }
+}
+
+/// Tells which events match, and remembers what it was asked before.
+struct Matcher<'a> {
+    log: &'a Log,
+    tree: &'a Tree,
+    numbers: Style,
+    pattern: &'a Pattern,
+    names: HashMap<Name, bool>,
+    steps: HashMap<Step, bool>,
+    could_be_number: bool,
+    could_be_path: bool,
+}
+
+impl Matcher<'_> {
+    fn new<'a>(log: &'a Log, tree: &'a Tree, numbers: Style, pattern: &'a Pattern) -> Matcher<'a> {
+        Matcher {
+            log,
+            tree,
+            numbers,
+            pattern,
+            names: HashMap::new(),
+            steps: HashMap::new(),
+            could_be_number: pattern.is_made_of("0123456789.-·⁰¹²³⁴⁵⁶⁷⁸⁹⁻(), naNif"),
+            could_be_path: pattern.is_made_of("CRTScrts0123456789. ay"),
+        }
+    }
+
+    fn matches(&mut self, event: usize) -> bool {
+        match &self.log.events[event].what {
+            What::Note { name, value } => self.has_name(*name) || self.has_value(value),
+            What::Result { color } => self.pattern.is_in("result") || self.has_value(&Value::Triple(*color)),
+            What::Mark(decision) => self.pattern.is_in(&words::decision(&self.log.header, decision, self.numbers)),
+            What::Enter { step, .. } => self.has_step(self.tree.owner(event), *step),
+            What::Leave => false,
+        }
+    }
+
+    fn has_name(&mut self, name: Name) -> bool {
+        let pattern = self.pattern;
+        let symbol = name.symbol();
+        *self
+            .names
+            .entry(name)
+            .or_insert_with(|| pattern.is_in(name.key()) || pattern.is_in(symbol) || pattern.is_in(&ascii(symbol)))
+    }
+
+    fn has_value(&self, value: &Value) -> bool {
+        self.could_be_number && self.pattern.is_in(&number::value(value, self.numbers))
+    }
+
+    fn has_step(&mut self, node: usize, step: Step) -> bool {
+        let (log, tree, pattern) = (self.log, self.tree, self.pattern);
+        let title = || words::title(log, tree, node);
+        match step {
+            // The title of a ray has its path, which no other ray has.
+            Step::Ray { .. } if self.could_be_path && pattern.is_in(&title()) => true,
+            Step::Ray { kind, .. } => {
+                let alike = Step::Ray { kind, depth: 0, split: 0 };
+                let is_in = || pattern.is_in(&format!("ray {}", ray_words(log, kind)));
+                *self.steps.entry(alike).or_insert_with(is_in)
+            }
+            step => *self.steps.entry(step).or_insert_with(|| pattern.is_in(&title())),
+        }
+    }
+}
+
+fn ray_words(log: &Log, kind: RayKind) -> String {
+    words::ray_kind(&log.header, kind)
+}
+
+/// Searches for a text and goes to the first match after the current step; no text ends the search.
+pub(super) fn begin(model: &mut Model, text: &str) {
+    if text.is_empty() {
+        model.guide.search = None;
+        return;
+    }
+    model.guide.search = Some(Search::of(&model.log, &model.tree, model.numbers, text));
+    go(model, true, 1);
+}
+
+/// Goes to the next match, or to the previous one; beyond the last comes the first.
+pub(super) fn go(model: &mut Model, is_forward: bool, times: usize) {
+    let Some(search) = &model.guide.search else { return model.say("nothing is searched for; / searches") };
+    match search.next(model.event, is_forward, times) {
+        None => {
+            let text = format!("not found: {}", words::plain(&search.pattern.text));
+            model.guide.search = None;
+            model.say(&text);
+        }
+        Some((event, goes_around)) => {
+            guide::jump(model, event);
+            if goes_around {
+                model.say(if is_forward { "from the beginning again" } else { "from the end again" });
+            }
+        }
+    }
+}
+
+/// Leaves only the rows of the tree in which something matches, and those around them; no text shows all.
+pub(super) fn filter(model: &mut Model, text: &str) {
+    if text.is_empty() {
+        model.guide.filter = None;
+        return model.fold.visible.keep(&model.tree, None::<[usize; 0]>);
+    }
+    let search = Search::of(&model.log, &model.tree, model.numbers, text);
+    if search.found.is_empty() {
+        return model.say(&format!("no row matches: {}", words::plain(text)));
+    }
+    let nodes: Vec<_> = search.found.iter().map(|event| model.tree.owner(*event as usize)).collect();
+    for node in &nodes {
+        model.fold.open_around(&model.tree, *node);
+    }
+    model.fold.visible.keep(&model.tree, Some(nodes));
+    // One's own place isn't lost.
+    model.fold.visible.show(&model.tree, model.cursor);
+    model.guide.filter = Some(text.to_owned());
+}
+
+/// Searches and filters another log in the same way.
+pub(super) fn renew(model: &mut Model) {
+    let search = model.guide.search.take();
+    model.guide.search = search.map(|search| Search::of(&model.log, &model.tree, model.numbers, &search.pattern.text));
+    if let Some(text) = model.guide.filter.take() {
+        filter(model, &text);
+    }
+}
+
+#[cfg(test)]
+mod tests;
