@@ -35,6 +35,13 @@ pub enum Action {
     NextRay,
     PreviousRay,
     SwitchPane,
+    Operands,
+    Uses,
+    Back,
+    Contributions,
+    Arithmetics,
+    Quiz,
+    Answer,
     Search,
     Help,
     Close,
@@ -73,6 +80,7 @@ const fn row(group: &'static str, keys: &'static [&'static str], action: Action,
 const STEP: &str = "Step through the computation";
 const MOVE: &str = "Move in the tree";
 const FOLD: &str = "Fold";
+const UNDERSTAND: &str = "Understand";
 const VIEWER: &str = "The viewer";
 
 /// Every key of the viewer.
@@ -101,6 +109,13 @@ pub const TABLE: &[Row] = &[
     row(FOLD, &["c"], CloseSiblings, "close the node and its siblings"),
     row(FOLD, &["E"], OpenAll, "open everything inside the node"),
     row(FOLD, &["C"], CloseAll, "close everything inside the node"),
+    row(UNDERSTAND, &["d"], Operands, "what this value is made of; Enter goes to an operand"),
+    row(UNDERSTAND, &["D"], Uses, "which steps take this value"),
+    row(UNDERSTAND, &["^o"], Back, "back to where a list was jumped from"),
+    row(UNDERSTAND, &["w"], Contributions, "why the pixel has this colour"),
+    row(UNDERSTAND, &["a"], Arithmetics, "the node's values by hand, in f32 and in f64, with the digits to trust"),
+    row(UNDERSTAND, &["Q"], Quiz, "begin or end a quiz, which hides results"),
+    row(UNDERSTAND, &["="], Answer, "answer in the quiz (Enter in the computation, too)"),
     row(VIEWER, &["Tab"], SwitchPane, "between the tree and the computation, where j and k move too"),
     row(VIEWER, &["/"], Search, "search"),
     row(VIEWER, &["?", "F1"], Help, "this help"),

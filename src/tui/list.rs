@@ -6,6 +6,7 @@
 use super::keys::Action;
 use super::model::{Model, Overlay};
 use super::theme::Role;
+use super::understanding;
 use super::update::{Effect, Exit};
 
 /// What a list is of.
@@ -13,6 +14,14 @@ use super::update::{Effect, Exit};
 pub enum Kind {
     /// The steps inside the selected node's computation.
     Steps,
+    /// What the value at the current step is made of.
+    Operands,
+    /// The steps that take it.
+    Uses,
+    /// Why the pixel has its colour.
+    Contributions,
+    /// The selected node's values in several arithmetics.
+    Arithmetics,
 }
 
 /// A list.
@@ -57,11 +66,11 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
             entries: model.tree.own_events(model.cursor).map(|event| Entry::to(event, event.to_string())).collect(),
             nothing: "no steps",
         },
+        Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => understanding::listing(model, kind),
     }
 }
 
 /// Opens a list.
-#[allow(dead_code)]
 pub(super) fn open(model: &mut Model, kind: Kind) {
     model.overlay = Some(Overlay::List { kind, selected: 0 });
 }
@@ -82,6 +91,7 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
         Action::In => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;
+                understanding::before_jump(model);
                 model.go_to_event(target);
             }
             return Effect::None;

@@ -13,6 +13,7 @@ mod list;
 mod live;
 mod model;
 mod prompt;
+mod quiz;
 pub mod screenshot;
 mod steps;
 mod terminal;
@@ -20,7 +21,10 @@ mod terminal;
 mod testing;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_understanding;
 pub mod theme;
+mod understanding;
 mod update;
 mod view;
 
@@ -29,7 +33,9 @@ pub use list::{Entry, Kind, Listing};
 pub use live::Live;
 pub use model::{Item, Message, Model, Overlay, Pane, Pending};
 pub use prompt::{Prompt, Purpose};
+pub use quiz::Quiz;
 pub use theme::{Palette, Theme};
+pub use understanding::Understanding;
 pub use update::{Effect, Exit, update};
 
 use crate::log::{Log, Step, Subject};

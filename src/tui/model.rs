@@ -6,6 +6,7 @@ use super::layout::Layout;
 use super::list;
 use super::live::Live;
 use super::prompt::Prompt;
+use super::understanding::{self, Understanding};
 use super::update::Effect;
 use crate::log::{Log, Tree};
 use crate::report::Style as Numbers;
@@ -43,6 +44,8 @@ pub struct Model {
     pub numbers: Numbers,
     /// What is shown, in other arithmetics, once somebody asked for it.
     pub others: Vec<Log>,
+    /// Lists that explain, and the quiz.
+    pub understanding: Understanding,
 }
 
 /// A pane.
@@ -111,6 +114,7 @@ impl Model {
             message: None,
             numbers: Numbers::default(),
             others: Vec::new(),
+            understanding: Understanding::default(),
         };
         model.go_to_event(0);
         model
@@ -135,7 +139,10 @@ impl Model {
             (Effect::None | Effect::Leave(_) | Effect::Suspend, _) => return,
             (_, None) => Err("a saved log has no scene to trace".to_owned()),
             (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| self.show(log)),
-            (Effect::Compare, Some(live)) => live.compare(self.log.header.subject).map(|logs| self.others = logs),
+            (Effect::Compare, Some(live)) => live.compare(self.log.header.subject).map(|logs| {
+                self.others = logs;
+                understanding::open(self, list::Kind::Arithmetics);
+            }),
         };
         if let Err(why) = asked {
             self.say(&why);
@@ -149,6 +156,7 @@ impl Model {
         self.fold = Fold::of(&self.tree);
         self.log = log;
         self.others.clear();
+        self.understanding = Understanding::default();
         self.go_to_event(0);
     }
 

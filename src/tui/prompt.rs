@@ -19,6 +19,8 @@ pub struct Prompt {
 pub enum Purpose {
     /// What to look for.
     Search,
+    /// The result of the current step, in a quiz.
+    Answer,
 }
 
 impl Purpose {
@@ -26,6 +28,7 @@ impl Purpose {
     pub fn sign(self) -> &'static str {
         match self {
             Purpose::Search => "/",
+            Purpose::Answer => "your answer: ",
         }
     }
 }
@@ -80,9 +83,10 @@ fn request(key: KeyEvent) -> Option<InputRequest> {
 }
 
 /// Does what a finished line asks for.
-fn done(model: &mut Model, purpose: Purpose, _text: &str) -> Effect {
+fn done(model: &mut Model, purpose: Purpose, text: &str) -> Effect {
     match purpose {
         Purpose::Search => model.say("nothing found"),
+        Purpose::Answer => super::quiz::answer(model, text),
     }
     Effect::None
 }

@@ -5,7 +5,9 @@ use super::keys::Action;
 use super::list;
 use super::model::{Item, Model, Overlay, Pane};
 use super::prompt::{self, Prompt, Purpose};
+use super::quiz;
 use super::steps::{self, Stop};
+use super::understanding;
 use super::view::help;
 
 /// What is left to do outside the model.
@@ -110,6 +112,13 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
                 Pane::Computation => Pane::Tree,
             };
         }
+        Action::Operands => return understanding::open(model, list::Kind::Operands),
+        Action::Uses => return understanding::open(model, list::Kind::Uses),
+        Action::Contributions => return understanding::open(model, list::Kind::Contributions),
+        Action::Arithmetics => return understanding::open(model, list::Kind::Arithmetics),
+        Action::Back => understanding::back(model),
+        Action::Quiz => quiz::toggle(model),
+        Action::Answer => quiz::ask(model),
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
         Action::Help => model.overlay = Some(Overlay::Help { top: 0 }),
         Action::Close => model.message = None,
@@ -193,6 +202,7 @@ fn go_out(model: &mut Model) {
 
 fn go_in(model: &mut Model) {
     match model.focus {
+        Pane::Computation if model.hides(model.event) => quiz::ask(model),
         Pane::Computation => {}
         Pane::Tree if !has_children(&model.tree, model.cursor) => model.focus = Pane::Computation,
         Pane::Tree if model.fold.is_open(&model.tree, model.cursor) => model.go_to_node(model.cursor + 1),

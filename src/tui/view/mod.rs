@@ -1,6 +1,9 @@
 //! What is seen of the model: one file a pane. Drawing touches only what is on the screen, changes nothing, and never
 //! panics, however small the screen is.
 
+// The panes that are laid out take it in.
+#[allow(dead_code)]
+pub(super) mod code;
 mod computation;
 pub(super) mod help;
 mod label;

@@ -23,6 +23,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
         return draw_prompt(prompt, theme, area, buffer);
     }
     let step = format!("step {}/{}", model.step(), model.log.events.len());
+    let step = model.score().map_or(step.clone(), |score| format!("{step}  {score}"));
     let room = usize::from(area.width).saturating_sub(width_of(&step));
     let places = places(model).map(|place| shown(&place, theme));
     let place = places.into_iter().find(|place| width_of(place) <= room).unwrap_or_default();
