@@ -53,6 +53,16 @@ pub enum Parameter {
     Number(f64),
 }
 
+impl Parameter {
+    /// The number, whole or not.
+    pub fn value(self) -> f64 {
+        match self {
+            Parameter::Count(count) => count as f64,
+            Parameter::Number(number) => number,
+        }
+    }
+}
+
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {

@@ -40,6 +40,23 @@ pub fn lights<'t>(tree: &'t Tree, event: usize) -> impl Iterator<Item = usize> +
     tree.children(tree.owner(event)).filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Light { .. })))
 }
 
+/// The latest computed quantity of this symbol that can be seen from where an event stands, before it; inputs don't count.
+pub fn noted_before(events: &[Event], tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
+    let mut before = event;
+    let mut node = tree.owner(event);
+    loop {
+        let found = tree.own_events_before(node, before).rev().find_map(|event| {
+            let value = noted(&events[event], symbol)?;
+            Some(Operand { event, value })
+        });
+        if found.is_some() || node == 0 {
+            return found;
+        }
+        before = tree.nodes()[node].events.start;
+        node = tree.nodes()[node].parent;
+    }
+}
+
 fn seen_from(events: &[Event], tree: &Tree, mut node: usize, mut before: usize, symbol: &str) -> Option<Operand> {
     loop {
         let found = in_node(events, tree, node, before, symbol).or_else(|| {
@@ -62,7 +79,7 @@ fn in_node(events: &[Event], tree: &Tree, node: usize, before: usize, symbol: &s
 
 /// The test, directly inside `node` or in a moving object's frame there, that found the nearest object. A mesh has a test for each triangle; the one at the
 /// least distance found it, of several the one of the first triangle.
-fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -> Option<usize> {
+pub fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -> Option<usize> {
     let nearest = tree.own_events_before(node, before).find_map(|event| match events[event].what {
         What::Mark(Decision::Nearest { object }) => Some(object),
         _ => None,

@@ -2,11 +2,18 @@
 //!
 //! Nothing is computed here that a log doesn't hold; a report needs no scene.
 
+pub mod answer;
 pub mod computation;
+pub mod contributions;
 pub mod digits;
 pub mod number;
 pub mod outline;
+pub mod path_class;
+pub mod provenance;
+pub mod pseudocode;
 pub mod segments;
+pub mod side_by_side;
+mod terms;
 pub mod text;
 pub mod words;
 

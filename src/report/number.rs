@@ -50,7 +50,7 @@ fn scientific(x: f64, style: Style) -> String {
     format!("{}·10{}", fixed(mantissa, style.digits), superscript(exponent))
 }
 
-fn superscript(exponent: i32) -> String {
+pub(super) fn superscript(exponent: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
     exponent.to_string().chars().map(raised).collect()

@@ -49,6 +49,13 @@ pub enum Action {
     Brighter,
     Darker,
     NextView,
+    Operands,
+    Uses,
+    Back,
+    Contributions,
+    Arithmetics,
+    Quiz,
+    Answer,
     Search,
     Help,
     Close,
@@ -90,6 +97,7 @@ const STEP: &str = "Step through the computation";
 const MOVE: &str = "Move in the tree";
 const FOLD: &str = "Fold";
 const PICTURE: &str = "In the picture and the schematic";
+const UNDERSTAND: &str = "Understand";
 const VIEWER: &str = "The viewer";
 
 /// The keys that move in the panes, and those of the viewer itself.
@@ -124,6 +132,13 @@ const TABLE: &[Row] = &[
     row(PICTURE, &[")"], Brighter, "brighter by half a stop"),
     row(PICTURE, &["("], Darker, "darker by half a stop"),
     row(PICTURE, &["v"], NextView, "another view: colours, depth, rays, samples; top, front, camera"),
+    row(UNDERSTAND, &["d"], Operands, "what this value is made of; Enter goes to an operand"),
+    row(UNDERSTAND, &["D"], Uses, "which steps take this value"),
+    row(UNDERSTAND, &["^o"], Back, "back to where a list was jumped from"),
+    row(UNDERSTAND, &["w"], Contributions, "why the pixel has this colour"),
+    row(UNDERSTAND, &["a"], Arithmetics, "the node's values by hand, in f32 and in f64, with the digits to trust"),
+    row(UNDERSTAND, &["Q"], Quiz, "begin or end a quiz, which hides results"),
+    row(UNDERSTAND, &["="], Answer, "answer in the quiz (Enter in the computation, too)"),
     row(VIEWER, &["Tab"], SwitchPane, "to the next pane; in the computation j and k move too"),
     row(VIEWER, &["BackTab"], PreviousPane, "to the pane before"),
     row(VIEWER, &["zo"], OnlyPane, "only this pane, or all again"),

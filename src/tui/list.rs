@@ -7,6 +7,7 @@ use super::guide::{self, Walk};
 use super::keys::Action;
 use super::model::{Model, Overlay};
 use super::theme::Role;
+use super::understanding;
 use super::update::{Effect, Exit};
 use super::{address, breakpoints, run};
 
@@ -21,6 +22,14 @@ pub enum Kind {
     Stops,
     /// The bookmarks.
     Bookmarks,
+    /// What the value at the current step is made of.
+    Operands,
+    /// The steps that take it.
+    Uses,
+    /// Why the pixel has its colour.
+    Contributions,
+    /// The selected node's values in several arithmetics.
+    Arithmetics,
 }
 
 impl Kind {
@@ -94,6 +103,7 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
             entries: address::entries(model),
             nothing: "none: m and a letter set one",
         },
+        Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => understanding::listing(model, kind),
     }
 }
 
@@ -130,6 +140,7 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
         Action::In | Action::Enter => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;
+                understanding::before_jump(model);
                 guide::jump(model, target);
             }
             return Effect::None;

@@ -11,10 +11,14 @@ pub trait Live {
     fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, String>;
 
     /// The picture as far as it is there, if there is more of it than when it was asked for last; `whole` waits for all of it.
-    fn picture(&mut self, whole: bool) -> Option<Arc<Image>>;
+    fn picture(&mut self, _whole: bool) -> Option<Arc<Image>> {
+        None
+    }
 
     /// The scene as lines.
-    fn drawing(&mut self) -> Option<Arc<Drawing>>;
+    fn drawing(&mut self) -> Option<Arc<Drawing>> {
+        None
+    }
 
     /// The logs of the same pixel or ray in other arithmetics: by hand, in single precision, in f64 with the digits that can
     /// be trusted.

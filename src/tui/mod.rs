@@ -25,6 +25,7 @@ mod picture;
 mod place;
 mod play;
 mod prompt;
+mod quiz;
 mod run;
 pub mod screenshot;
 mod search;
@@ -37,7 +38,10 @@ mod testing;
 mod tests;
 #[cfg(test)]
 mod tests_picture;
+#[cfg(test)]
+mod tests_understanding;
 pub mod theme;
+mod understanding;
 mod update;
 mod view;
 mod visible;
@@ -50,7 +54,9 @@ pub use live::Live;
 pub use model::{Item, Message, Model, Overlay, Pane, Pending};
 pub use picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
 pub use prompt::{Prompt, Purpose};
+pub use quiz::Quiz;
 pub use theme::{Palette, Theme};
+pub use understanding::Understanding;
 pub use update::{Effect, Exit, update};
 
 use crate::log::{Log, Step, Subject};

@@ -10,6 +10,7 @@ use super::live::Live;
 use super::picture::PictureView;
 use super::place::Place;
 use super::prompt::Prompt;
+use super::understanding::{self, Understanding};
 use super::update::Effect;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
@@ -64,6 +65,8 @@ pub struct Model {
     pub others: Vec<Log>,
     /// Breakpoints, the search, bookmarks and what else helps to find one's way.
     pub guide: Guide,
+    /// Lists that explain, and the quiz.
+    pub understanding: Understanding,
 }
 
 /// A pane, in the order of `Tab`.
@@ -151,6 +154,7 @@ impl Model {
             numbers: Numbers::default(),
             others: Vec::new(),
             guide: Guide::default(),
+            understanding: Understanding::default(),
         };
         model.go_to_event(0);
         model
@@ -176,7 +180,10 @@ impl Model {
             (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_), _) => return,
             (_, None) => Err("a saved log has no scene to trace".to_owned()),
             (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| self.show(log)),
-            (Effect::Compare, Some(live)) => live.compare(self.log.header.subject).map(|logs| self.others = logs),
+            (Effect::Compare, Some(live)) => live.compare(self.log.header.subject).map(|logs| {
+                self.others = logs;
+                understanding::open(self, list::Kind::Arithmetics);
+            }),
         };
         if let Err(why) = asked {
             self.say(&why);
@@ -206,6 +213,7 @@ impl Model {
         self.fold = Fold::of(&self.tree);
         self.log = log;
         self.others.clear();
+        self.understanding = Understanding::default();
         self.go_to_event(place.found_in(&self.log, &self.tree));
         if let (Some(view), Subject::Pixel(pixel)) = (&mut self.picture, self.log.header.subject) {
             view.cursor = pixel;

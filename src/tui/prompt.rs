@@ -29,6 +29,8 @@ pub enum Purpose {
     Command,
     /// What the rows of the help must contain.
     Help,
+    /// The result of the current step, in a quiz.
+    Answer,
 }
 
 impl Purpose {
@@ -40,6 +42,7 @@ impl Purpose {
             Purpose::Break => "break at: ",
             Purpose::Command => ":",
             Purpose::Help => "keys with: ",
+            Purpose::Answer => "your answer: ",
         }
     }
 }
@@ -123,6 +126,7 @@ fn done(model: &mut Model, purpose: Purpose, text: &str) -> Effect {
         Purpose::Break => breakpoints::add(model, text),
         Purpose::Command => return command::run(model, text),
         Purpose::Help => text.clone_into(&mut model.guide.help),
+        Purpose::Answer => super::quiz::answer(model, text),
     }
     Effect::None
 }

@@ -9,7 +9,9 @@ use super::model::{Item, Model, Overlay, Pane};
 use super::panes;
 use super::picture;
 use super::prompt::{self, Prompt, Purpose};
+use super::quiz;
 use super::steps::{self, Stop};
+use super::understanding;
 use super::view::help;
 
 /// What is left to do outside the model.
@@ -124,6 +126,13 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::OnlyPane => model.is_alone = !model.is_alone,
         Action::Wider => model.shift = panes::shifted(model, times as i64),
         Action::Narrower => model.shift = panes::shifted(model, -(times as i64)),
+        Action::Operands => return understanding::open(model, list::Kind::Operands),
+        Action::Uses => return understanding::open(model, list::Kind::Uses),
+        Action::Contributions => return understanding::open(model, list::Kind::Contributions),
+        Action::Arithmetics => return understanding::open(model, list::Kind::Arithmetics),
+        Action::Back => understanding::back(model),
+        Action::Quiz => quiz::toggle(model),
+        Action::Answer => quiz::ask(model),
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
         Action::Help => guide::open_help(model),
         Action::Close => guide::close(model),
@@ -215,6 +224,7 @@ fn go_out(model: &mut Model) {
 
 fn go_in(model: &mut Model) {
     match model.focus {
+        Pane::Computation if model.hides(model.event) => quiz::ask(model),
         Pane::Computation => {}
         _ => match model.fold.first_inside(&model.tree, model.cursor) {
             None => model.focus_on(Pane::Computation),

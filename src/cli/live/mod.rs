@@ -61,8 +61,8 @@ impl Live for Session {
             }
             Subject::Region(_) => return Err("only pixels and rays are compared".to_owned()),
         };
-        // The perturbed runs are those of f64, with the digits that they have in common.
-        let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::Perturbed(0)];
+        // The perturbed runs say how many digits of f64 can be trusted.
+        let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::F64, Arithmetic::Perturbed(0)];
         arithmetics.into_iter().map(|arithmetic| self.log(part, arithmetic)).collect()
     }
 }

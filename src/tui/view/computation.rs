@@ -5,7 +5,7 @@ use super::label::label;
 use super::text::{Piece, shown, width_of, wrap};
 use super::{put_all, title};
 use crate::log::{Decision, Event, Value, What};
-use crate::report::{self, number, words};
+use crate::report::{self, number, path_class, words};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Item, Model, Pane};
 use crate::tui::theme::{Role, Theme};
@@ -14,7 +14,10 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let name = shown(&words::title(&model.log, &model.tree, model.cursor), theme);
+    let name = words::title(&model.log, &model.tree, model.cursor);
+    let is_ray = matches!(model.tree.nodes()[model.cursor].step, Some(crate::log::Step::Ray { .. }));
+    let class = path_class::of_ray(&model.tree, model.cursor).filter(|_| is_ray);
+    let name = shown(&class.map_or(name.clone(), |class| format!("{name}, {class}")), theme);
     title(model, Pane::Computation, name, "", theme, area, buffer);
     let body = Layout::body(area);
     put_all(buffer, body, lines(model, theme, usize::from(body.width), usize::from(body.height)));
@@ -62,7 +65,8 @@ fn block(model: &Model, item: Item, width: usize, theme: &Theme) -> (Vec<Line<'s
         Item::Event(event) => event,
     };
     let happening = &model.log.events[event];
-    let mut inputs = given(model, happening, theme).map(|pieces| wrap(&pieces, width, 6)).unwrap_or_default();
+    let inputs = (!model.hides_operands(event)).then(|| given(model, happening, theme)).flatten();
+    let mut inputs = inputs.map(|pieces| wrap(&pieces, width, 6)).unwrap_or_default();
     let mut own = event_lines(model, event, theme, width);
     if matches!(happening.what, What::Enter { .. }) {
         own.append(&mut inputs);
@@ -85,6 +89,7 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
             pieces
         }
         What::Leave => vec![("end".to_owned(), theme.style(Role::Faint))],
+        What::Result { .. } if model.hides(event) => vec![("result: ?".to_owned(), theme.style(Role::Text))],
         What::Result { color } => vec![
             ("result: ".to_owned(), theme.style(Role::Text)),
             (shown(&number::value(&Value::Triple(*color), model.numbers), theme), theme.style(Role::Value)),
@@ -101,9 +106,15 @@ fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'s
     };
     let text = theme.style(Role::Text);
     let symbol = shown(&computation.symbol, theme);
-    let middle = [&computation.formula, &computation.substituted];
+    // Of a step that the quiz asks for later the numbers put in would tell the results before it.
+    let substituted = computation.substituted.as_ref().filter(|_| !model.hides_operands(event));
+    let middle = [computation.formula.as_ref(), substituted];
     let parts = middle.into_iter().flatten().map(|part| (shown(part, theme), text));
-    let result = shown(&computation.result, theme) + &report::digits::marker(&model.log.events[event]);
+    let result = if model.hides(event) {
+        "?".to_owned()
+    } else {
+        shown(&computation.result, theme) + &report::digits::marker(&model.log.events[event])
+    };
     let parts: Vec<Piece> = parts.chain([(result, theme.style(Role::Value))]).collect();
 
     let one_line: usize = width_of(&symbol) + parts.iter().map(|(part, _)| 3 + width_of(part)).sum::<usize>();

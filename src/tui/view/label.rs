@@ -109,6 +109,9 @@ fn decided(model: &Model, decision: Option<Decision>, theme: &Theme) -> Option<P
 
 fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Option<Piece> {
     let event = model.facts.value(node).filter(|event| model.guide.is_known(*event))?;
+    if model.hides(event) {
+        return Some(("  = ?".to_owned(), theme.style(Role::Faint)));
+    }
     let text = match model.log.events[event].what {
         What::Note { name, value } => {
             let number = number::value(&value, model.numbers);

@@ -1,6 +1,7 @@
 //! What is seen of the model: one file a pane. Drawing touches only what is on the screen, changes nothing, and never
 //! panics, however small the screen is.
 
+pub(super) mod code;
 mod computation;
 pub(super) mod help;
 mod highlight;
@@ -37,6 +38,7 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     pattern::draw(model, theme, pattern, buffer);
     picture::draw(model, theme, layout.area(Pane::Picture), buffer);
     schematic::draw(model, theme, layout.area(Pane::Schematic), buffer);
+    code::draw(model, theme, layout.area(Pane::Code), buffer);
     status::draw(model, theme, &layout, buffer);
     match model.overlay {
         Some(Overlay::Help { top }) => help::draw(model, top, theme, buffer),

@@ -20,7 +20,8 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
     }
     let area = layout.status;
     let modes: String = guide::modes(model).iter().map(|mode| format!("  {mode}")).collect();
-    let step = format!("step {}/{}{modes}", model.step(), model.log.events.len());
+    let score = model.score().map(|score| format!("  {score}")).unwrap_or_default();
+    let step = format!("step {}/{}{score}{modes}", model.step(), model.log.events.len());
     let room = usize::from(area.width).saturating_sub(width_of(&step));
     let places = places(model).map(|place| shown(&place, theme));
     let place = places.into_iter().find(|place| width_of(place) <= room).unwrap_or_default();

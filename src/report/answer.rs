@@ -1,0 +1,137 @@
+//! Answers that somebody reckoned: read from a line, and judged as exactly as values are shown.
+
+use super::{Style, number};
+use crate::log::Value;
+
+/// How an answer compares with the value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// It is the value, to half a unit of the last decimal shown.
+    Right,
+    /// It is off; by so much in the worst component.
+    Off(f64),
+}
+
+/// The number or triple in a line: `-0.946`, `−0,946`, `(1, 2, 3)`, `1 2 3`, `0,9 0,143 0,412`, `2.147·10⁻¹²`.
+pub fn parse(line: &str, is_triple: bool) -> Result<Value, &'static str> {
+    const NO_NUMBER: &str = "that is no number: type it like -0.946";
+    const NO_TRIPLE: &str = "that is no triple: type three numbers, like (1, 2, 3) or 1 2 3";
+    let line = line.trim().trim_start_matches(['(', '[']).trim_end_matches([')', ']']);
+    let words: Vec<&str> =
+        line.split([' ', ';', '\t']).map(|word| word.trim_matches(',')).filter(|word| !word.is_empty()).collect();
+    if !is_triple {
+        let [word] = words[..] else { return Err(NO_NUMBER) };
+        return number_of(word).map(Value::Number).ok_or(NO_NUMBER);
+    }
+    let words = match words[..] {
+        // Commas without spaces can only part the three.
+        [alone] => alone.split(',').collect(),
+        _ => words,
+    };
+    let numbers: Option<Vec<f64>> = words.iter().map(|word| number_of(word)).collect();
+    match numbers.as_deref() {
+        Some([x, y, z]) => Ok(Value::Triple([*x, *y, *z])),
+        _ => Err(NO_TRIPLE),
+    }
+}
+
+fn number_of(word: &str) -> Option<f64> {
+    let raised = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c);
+    let mut text = String::new();
+    let mut is_in_power = false;
+    for c in word.replace("·10", "e").replace("*10", "e").replace(',', ".").chars() {
+        match (c, raised(c)) {
+            ('−' | '⁻', _) => text.push('-'),
+            ('^', _) => is_in_power = true,
+            (_, Some(digit)) => text.push(char::from(b"0123456789"[digit])),
+            _ => text.push(c),
+        }
+    }
+    let is_written_out = text.chars().all(|c| c.is_ascii_digit() || "+-.eE".contains(c));
+    text.parse().ok().filter(|x: &f64| x.is_finite() && is_written_out && (!is_in_power || text.contains('e')))
+}
+
+/// Judges an answer: each component may be off by half a unit of the last decimal that is shown of the true one.
+pub fn judge(answer: &Value, truth: &Value, style: Style) -> Verdict {
+    let pairs = answer.components().iter().zip(truth.components());
+    let off = |(answer, truth): (&f64, &f64)| (answer - truth).abs();
+    let is_right = |(answer, truth): (&f64, &f64)| {
+        // What is typed as it is shown is right, however its last bits fall.
+        off((answer, truth)) <= tolerance(*truth, style) * (1.0 + 1e-9) + truth.abs() * 1e-15
+    };
+    if answer.components().len() == truth.components().len() && pairs.clone().all(is_right) {
+        return Verdict::Right;
+    }
+    Verdict::Off(pairs.map(off).fold(0.0, f64::max))
+}
+
+/// Half a unit of the last decimal that is shown of a number.
+fn tolerance(x: f64, style: Style) -> f64 {
+    let shown = number::number(x, style);
+    let unit = (0..style.digits).fold(0.5, |unit, _| unit / 10.0);
+    // Very small and large numbers have their decimals before a power of ten.
+    match shown.split_once("·10") {
+        Some((_, power)) => number_of(&format!("1·10{power}")).map_or(unit, |power| unit * power),
+        None => unit,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn reads(line: &str, expected: Value) {
+        let is_triple = matches!(expected, Value::Triple(_));
+        assert_eq!(parse(line, is_triple), Ok(expected), "{line}");
+    }
+
+    #[test]
+    fn numbers_and_triples_as_people_write_them() {
+        for line in ["-0.946", " −0,946 ", "-.946", "(-0.946)", "-9.46e-1", "−9,46·10⁻¹", "-9.46*10^-1"] {
+            reads(line, Value::Number(-0.946));
+        }
+        for line in
+            ["(0.9, 0.143, 0.412)", "0.9 0.143 0.412", "0,9 0,143 0,412", "(0,9, 0,143, 0,412)", "0.9,0.143,0.412"]
+        {
+            reads(line, Value::Triple([0.9, 0.143, 0.412]));
+        }
+        reads("1;2;3", Value::Triple([1.0, 2.0, 3.0]));
+    }
+
+    #[test]
+    fn what_is_no_answer() {
+        for line in ["", "x", "1 2", "nan", "inf", "1e999", "--1"] {
+            assert!(parse(line, false).is_err(), "{line}");
+        }
+        for line in ["", "1", "1 2", "1 2 3 4", "1,2", "a b c"] {
+            assert!(parse(line, true).is_err(), "{line}");
+        }
+    }
+
+    #[track_caller]
+    fn is_right(answer: f64, truth: f64, expected: bool) {
+        let verdict = judge(&Value::Number(answer), &Value::Number(truth), Style::default());
+        assert_eq!(verdict == Verdict::Right, expected, "{answer} for {truth}: {verdict:?}");
+    }
+
+    #[test]
+    fn half_a_unit_of_the_last_decimal_shown() {
+        is_right(6.380, 6.3795, true);
+        is_right(6.379, 6.3795, true);
+        is_right(6.381, 6.3795, false);
+        is_right(-12.0, -12.0, true);
+        is_right(-12.001, -12.0, false);
+        is_right(2.147e-12, 2.147_038_870_254_324e-12, true);
+        is_right(2.149e-12, 2.147_038_870_254_324e-12, false);
+        is_right(0.0, 2.147_038_870_254_324e-12, false);
+        is_right(1.5001e30, 1.5e30, true);
+    }
+
+    #[test]
+    fn the_worst_component_counts() {
+        let truth = Value::Triple([1.0, 2.0, 3.0]);
+        let verdict = judge(&Value::Triple([1.0, 2.25, 3.125]), &truth, Style::default());
+        assert_eq!(verdict, Verdict::Off(0.25));
+    }
+}

@@ -1,0 +1,182 @@
+//! Why a pixel has its colour: what each light brings along each path, and what brings nothing and why.
+//!
+//! The colour is a sum over paths. Each path ends at a light, in the ambient light, or in the background; what it brings there is
+//! multiplied by the weights W_l, W_r and W_t of the surfaces on its way to the eye, the share of its direction in a blurred
+//! bounce, and that of its sample in the pixel. In f64 these products add up to the pixel's colour but for roundings; what the
+//! rounding of named values adds in other arithmetics is a row of its own.
+
+mod rays;
+mod samples;
+
+use super::path_class::{Source, cases, notation};
+use crate::log::{Log, Step, Tree, What};
+
+/// A colour, or a factor for each of its channels.
+pub type Color = [f64; 3];
+
+/// Where the light of a path comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// A light, on a surface.
+    Light {
+        /// Its number.
+        light: u32,
+        /// The object that it shines on.
+        object: u32,
+    },
+    /// Ambient light on a surface.
+    Ambient {
+        /// The object.
+        object: u32,
+    },
+    /// The background.
+    Background,
+    /// The rounding of named values.
+    Rounding,
+}
+
+/// What a path brings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contribution {
+    /// Where its light comes from.
+    pub origin: Origin,
+    /// Its way from the eye, such as `C R S1`; without a shadow ray for what needs none.
+    pub path: String,
+    /// The product of the weights on the way.
+    pub weight: Color,
+    /// What it brings to the way's end.
+    pub own: Color,
+    /// What it adds to the pixel.
+    pub color: Color,
+    /// Its part of the pixel's colour: that of its three channels' sum in the pixel's.
+    pub share: f64,
+    /// How its light is scattered on the way, such as `LDSE`.
+    pub class: String,
+    /// The ways of figure 14 that it goes.
+    pub cases: &'static str,
+    /// The event that says so; none for roundings.
+    pub event: Option<usize>,
+}
+
+impl Contribution {
+    /// Its part of a channel, if the pixel has any of it.
+    pub fn share_of(&self, channel: usize, whole: &Color) -> Option<f64> {
+        (whole[channel] != 0.0).then(|| self.color[channel] / whole[channel])
+    }
+}
+
+/// A path that brings nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ended {
+    /// Its way from the eye.
+    pub path: String,
+    /// Why.
+    pub why: Why,
+    /// The event that says so.
+    pub event: usize,
+}
+
+/// Why a path brings nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// A decision of the computation, in the event.
+    Decided,
+    /// A light stands on the wrong side of the surface.
+    LightBehind {
+        /// The light.
+        light: u32,
+    },
+    /// A thing stands before a light.
+    Blocked {
+        /// The light.
+        light: u32,
+    },
+    /// The log ends before the path does.
+    LogEnds,
+}
+
+/// The colour of a pixel as a sum.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Account {
+    /// The colour; in a log that was cut off, what is known of it.
+    pub color: Color,
+    /// What adds to it, the greatest share first.
+    pub contributions: Vec<Contribution>,
+    /// What doesn't, in the order of the computation.
+    pub ended: Vec<Ended>,
+}
+
+/// The account of the pixel (or ray) around a node.
+pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
+    let pixel = pixel_around(tree, node);
+    let mut walk = rays::Walk::new(log, tree);
+    for (ray, path, weight) in samples::camera_rays(log, tree, pixel) {
+        walk.follow(ray, path, [weight; 3]);
+    }
+    let result = tree.own_events(pixel).rev().find_map(|event| match log.events[event].what {
+        What::Result { color } => Some(color),
+        _ => None,
+    });
+    let (mut contributions, mut ended) = walk.finish(result);
+    contributions.sort_by_key(|contribution| contribution.event);
+    ended.sort_by_key(|ended| ended.event);
+    let brought = sum(&contributions);
+    let color = result.unwrap_or(brought);
+    let rest = [0, 1, 2].map(|channel| color[channel] - brought[channel]);
+    if is_rounding(&rest, &color) {
+        contributions.push(Contribution::new(Origin::Rounding, String::new(), [1.0; 3], rest, None, None));
+    }
+    let whole: f64 = color.iter().sum();
+    for contribution in &mut contributions {
+        let part: f64 = contribution.color.iter().sum();
+        contribution.share = if whole == 0.0 { 0.0 } else { part / whole };
+    }
+    // Stable: equal ones stay in the order of the computation.
+    contributions.sort_by(|a, b| b.share.abs().total_cmp(&a.share.abs()));
+    Account { color, contributions, ended }
+}
+
+impl Contribution {
+    fn new(
+        origin: Origin,
+        path: String,
+        weight: Color,
+        own: Color,
+        source: Option<Source>,
+        event: Option<usize>,
+    ) -> Contribution {
+        let bounces = path.split(' ').filter(|step| step.starts_with(['R', 'T'])).count();
+        let color = times(&weight, &own);
+        let class = source.map(|source| notation(source, bounces)).unwrap_or_default();
+        let cases = source.map_or("", |source| cases(source, bounces));
+        Contribution { origin, path, weight, own, color, share: 0.0, class, cases, event }
+    }
+}
+
+/// The sum of what paths bring.
+pub fn sum(contributions: &[Contribution]) -> Color {
+    let add = |sum: Color, part: &Contribution| [0, 1, 2].map(|channel| sum[channel] + part.color[channel]);
+    contributions.iter().fold([0.0; 3], add)
+}
+
+fn times(a: &Color, b: &Color) -> Color {
+    [0, 1, 2].map(|channel| a[channel] * b[channel])
+}
+
+/// Whether a rest is more than f64 sums leave.
+fn is_rounding(rest: &Color, whole: &Color) -> bool {
+    const NOISE: f64 = 1e-9;
+    let greatest = whole.iter().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
+    rest.iter().any(|rest| rest.is_finite() && rest.abs() > NOISE * greatest)
+}
+
+/// The pixel that a node lies in: the root, but in a region.
+fn pixel_around(tree: &Tree, node: usize) -> usize {
+    let mut at = node;
+    while at != 0 && !matches!(tree.nodes()[at].step, Some(Step::Pixel(_))) {
+        at = tree.nodes()[at].parent;
+    }
+    let only_child = (at == 0).then(|| tree.children(0).next()).flatten();
+    // A region with nothing selected is that of its first pixel.
+    only_child.filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Pixel(_)))).unwrap_or(at)
+}

@@ -1,0 +1,238 @@
+//! What the rays of a log bring, from the eye on.
+
+use super::{Color, Contribution, Ended, Origin, Source, Why, times};
+use crate::log::tree::path_of_child;
+use crate::log::{Decision, Log, Name, RayKind, Skippable, Step, Tree, Value, What, scope};
+use crate::report::terms;
+
+/// A walk over the rays of a pixel.
+pub(super) struct Walk<'a> {
+    log: &'a Log,
+    tree: &'a Tree,
+    found: Vec<Contribution>,
+    ended: Vec<Ended>,
+    /// Rays to be followed yet: the node, its path, and the product of the weights before it.
+    open: Vec<(usize, String, Color)>,
+    /// The background's colour, once some step puts it in.
+    background: Option<Color>,
+}
+
+/// What the weighted sum of a ray puts in.
+struct Sum {
+    local: Color,
+    reflected: Color,
+    transmitted: Color,
+    incoming_reflected: Option<Color>,
+    incoming_transmitted: Option<Color>,
+}
+
+impl<'a> Walk<'a> {
+    pub(super) fn new(log: &'a Log, tree: &'a Tree) -> Walk<'a> {
+        Walk { log, tree, found: Vec::new(), ended: Vec::new(), open: Vec::new(), background: None }
+    }
+
+    /// Follows a camera ray and all that it leads to.
+    pub(super) fn follow(&mut self, ray: usize, path: String, weight: Color) {
+        self.open.push((ray, path, weight));
+        while let Some((ray, path, weight)) = self.open.pop() {
+            self.ray(ray, &path, weight);
+        }
+    }
+
+    /// All that was found. A camera ray doesn't say what colour the background has: it is what the others leave of `result`.
+    pub(super) fn finish(mut self, result: Option<Color>) -> (Vec<Contribution>, Vec<Ended>) {
+        let is_background = |contribution: &Contribution| contribution.origin == Origin::Background;
+        let (mut weight, mut others) = ([0.0; 3], [0.0; 3]);
+        for contribution in &self.found {
+            let (sum, part) = if is_background(contribution) {
+                (&mut weight, &contribution.weight)
+            } else {
+                (&mut others, &contribution.color)
+            };
+            *sum = [0, 1, 2].map(|channel| sum[channel] + part[channel]);
+        }
+        let left = |channel: usize| {
+            let rest = result.map_or(0.0, |result| result[channel]) - others[channel];
+            if weight[channel] == 0.0 { 0.0 } else { rest / weight[channel] }
+        };
+        let background = self.background.unwrap_or_else(|| [0, 1, 2].map(left));
+        for contribution in self.found.iter_mut().filter(|contribution| is_background(contribution)) {
+            contribution.own = background;
+            contribution.color = times(&contribution.weight, &background);
+        }
+        (self.found, self.ended)
+    }
+
+    fn ray(&mut self, ray: usize, path: &str, weight: Color) {
+        let tree = self.tree;
+        let marks: Vec<_> = tree.own_events(ray).filter_map(|event| Some((event, self.decision(event)?))).collect();
+        for (event, decision) in &marks {
+            match decision {
+                Decision::Background | Decision::Undefined { quantity: Name::RayDirection } => {
+                    let (origin, source) = (Origin::Background, Some(Source::Background));
+                    self.found.push(Contribution::new(origin, path.to_owned(), weight, [0.0; 3], source, Some(*event)));
+                    return;
+                }
+                Decision::Nearest { .. } => {}
+                _ => self.ended.push(Ended { path: path.to_owned(), why: Why::Decided, event: *event }),
+            }
+        }
+        let Some(sum) = self.sum(ray) else {
+            let event = tree.nodes()[ray].events.start;
+            return self.ended.push(Ended { path: path.to_owned(), why: Why::LogEnds, event });
+        };
+        let leaks = |what: Skippable| marks.iter().any(|(_, decision)| *decision == Decision::LeakGuard { what });
+        for child in tree.children(ray) {
+            match tree.nodes()[child].step {
+                Some(Step::Shade { object }) => self.surface(child, object, path, times(&weight, &sum.local)),
+                Some(step @ Step::Ray { kind, .. }) => {
+                    let (what, factor, incoming) = match kind {
+                        RayKind::Transmitted => (Skippable::Transmitted, sum.transmitted, sum.incoming_transmitted),
+                        _ => (Skippable::Reflected, sum.reflected, sum.incoming_reflected),
+                    };
+                    if !leaks(what) {
+                        self.learn_background(child, incoming);
+                        self.open.push((child, path_of_child(path, step), times(&weight, &factor)));
+                    }
+                }
+                Some(Step::Zone { what, .. }) => {
+                    let factor = if what == Skippable::Transmitted { sum.transmitted } else { sum.reflected };
+                    self.zone(ray, child, path, times(&weight, &factor));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// A direction of a blurred bounce: of all that were kept, each has the same share.
+    fn zone(&mut self, ray: usize, zone: usize, path: &str, weight: Color) {
+        let tree = self.tree;
+        let end = tree.nodes()[zone].events.end;
+        let after = || tree.own_events(ray).filter(move |event| *event >= end);
+        let kept = after().find_map(|event| match self.given(event, Name::LobeKept)? {
+            Value::Number(kept) => Some(kept),
+            Value::Triple(_) => None,
+        });
+        let color = after().next().and_then(|event| triple(self.given(event, Name::LobeColor)));
+        for event in tree.own_events(zone) {
+            if matches!(self.decision(event), Some(Decision::Rejected { .. })) {
+                self.ended.push(Ended { path: path.to_owned(), why: Why::Decided, event });
+            }
+        }
+        for child in tree.children(zone) {
+            if let (Some(step @ Step::Ray { .. }), Some(kept)) = (tree.nodes()[child].step, kept) {
+                self.learn_background(child, color);
+                self.open.push((child, path_of_child(path, step), weight.map(|weight| weight / kept)));
+            }
+        }
+    }
+
+    /// The local model of a surface: its ambient light, and each of its lights.
+    fn surface(&mut self, shade: usize, object: u32, path: &str, weight: Color) {
+        let (log, tree) = (self.log, self.tree);
+        let local = tree.own_events(shade).rev().find_map(|event| match log.events[event].what {
+            What::Note { name, .. } if name.key() == Name::ShadeLocal.key() => Some((event, name)),
+            _ => None,
+        });
+        let Some((event, name)) = local else { return };
+        let of = |symbol| triple(scope::operand(&log.events, tree, event, symbol).map(|operand| operand.value));
+        if let (Some(light), Some(part)) = (of(Name::AmbientLight.symbol()), of(Name::MaterialAmbient.symbol())) {
+            let own = times(&light, &part);
+            if own != [0.0; 3] {
+                let (origin, source) = (Origin::Ambient { object }, Some(Source::Ambient));
+                self.found.push(Contribution::new(origin, path.to_owned(), weight, own, source, Some(event)));
+            }
+        }
+        for child in tree.children(shade) {
+            if let Some(Step::Light { light, split }) = tree.nodes()[child].step {
+                let shadow = Step::Ray { kind: RayKind::Shadow { light }, depth: 0, split };
+                let path = path_of_child(path, shadow);
+                self.light(child, (light, object), path, weight, name);
+            }
+        }
+    }
+
+    fn light(&mut self, node: usize, (light, object): (u32, u32), path: String, weight: Color, local: Name) {
+        let tree = self.tree;
+        let shadow = tree.children(node).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })));
+        let marks = tree.own_events(node).chain(shadow.into_iter().flat_map(|ray| tree.own_events(ray)));
+        let decided = marks.filter_map(|event| {
+            let why = match self.decision(event)? {
+                Decision::Occluded { .. } => Why::Blocked { light },
+                Decision::LeakGuard { .. } | Decision::Skipped { .. } | Decision::Undefined { .. } => Why::Decided,
+                _ => return None,
+            };
+            Some((event, why))
+        });
+        // That a ray is blocked says more than that the rest of it is skipped.
+        let ended = decided.min_by_key(|(_, why)| *why == Why::Decided);
+        if let Some((event, why)) = ended {
+            return self.ended.push(Ended { path, why, event });
+        }
+        let noted = tree
+            .own_events(node)
+            .find(|event| matches!(self.log.events[*event].what, What::Note { name: Name::ShadeNDotL, .. }));
+        if shadow.is_none() {
+            let event = noted.unwrap_or(tree.nodes()[node].events.start);
+            return self.ended.push(Ended { path, why: Why::LightBehind { light }, event });
+        }
+        let own = terms::of_light(self.log, tree, node, local);
+        let source = Some(self.scattering(node, noted));
+        let event = tree.nodes()[node].events.start;
+        self.found.push(Contribution::new(Origin::Light { light, object }, path, weight, own, source, Some(event)));
+    }
+
+    /// Which terms of the local model the light at this node goes through.
+    fn scattering(&self, light: usize, n_dot_l: Option<usize>) -> Source {
+        let is_behind = n_dot_l.is_some_and(|event| match self.log.events[event].what {
+            What::Note { value: Value::Number(x), .. } => x < 0.0,
+            _ => false,
+        });
+        let is_there = |symbol| {
+            let operand = scope::operand_of_light(&self.log.events, self.tree, light, symbol);
+            triple(operand.map(|operand| operand.value)).is_some_and(|color| color != [0.0; 3])
+        };
+        let diffuse = !is_behind && is_there(Name::MaterialDiffuse.symbol());
+        Source::Light { diffuse, specular: is_behind || is_there(Name::MaterialSpecular.symbol()) }
+    }
+
+    /// The weighted sum at the end of a ray.
+    fn sum(&self, ray: usize) -> Option<Sum> {
+        let tree = self.tree;
+        let combine = tree.children(ray).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last()?;
+        let given = |name| triple(tree.own_events(combine).find_map(|event| self.given(event, name)));
+        Some(Sum {
+            local: given(Name::WeightLocal)?,
+            reflected: given(Name::WeightReflected)?,
+            transmitted: given(Name::WeightTransmitted)?,
+            incoming_reflected: given(Name::IncomingReflected),
+            incoming_transmitted: given(Name::IncomingTransmitted),
+        })
+    }
+
+    /// A bounce that meets nothing brings the background, which the step after it puts in.
+    fn learn_background(&mut self, ray: usize, incoming: Option<Color>) {
+        let is_background = |event| self.decision(event) == Some(Decision::Background);
+        if self.background.is_none() && self.tree.own_events(ray).any(is_background) {
+            self.background = incoming;
+        }
+    }
+
+    fn given(&self, event: usize, wanted: Name) -> Option<Value> {
+        self.log.events[event].given.iter().find(|(name, _)| *name == wanted).map(|(_, value)| *value)
+    }
+
+    fn decision(&self, event: usize) -> Option<Decision> {
+        match self.log.events[event].what {
+            What::Mark(decision) => Some(decision),
+            _ => None,
+        }
+    }
+}
+
+fn triple(value: Option<Value>) -> Option<Color> {
+    match value? {
+        Value::Triple(triple) => Some(triple),
+        Value::Number(x) => Some([x; 3]),
+    }
+}

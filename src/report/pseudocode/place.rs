@@ -1,0 +1,223 @@
+//! Where in the algorithm a step stands, whatever the algorithm's lines are.
+
+use crate::log::{Decision, Event, Log, Name, RayKind, Skippable, Step, Tree, What};
+
+macro_rules! places {
+    ($($(#[$doc:meta])* $place:ident,)*) => {
+        /// A place in the algorithm of ray tracing.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Place { $($(#[$doc])* $place,)* }
+
+        impl Place {
+            /// Every place.
+            pub const ALL: &[Place] = &[$(Place::$place,)*];
+        }
+    };
+}
+
+places! {
+    /// A pixel begins.
+    Pixel,
+    /// A sample of it is chosen.
+    Sample,
+    /// Its ray is set up.
+    Aim,
+    /// The pixel gets its colour, or it is asked whether that is known well enough.
+    Mean,
+    /// A ray begins.
+    Call,
+    /// The depth limit ends a path.
+    TooDeep,
+    /// The nearest hit is looked for.
+    Nearest,
+    /// Nothing is hit.
+    Background,
+    /// The point and the normal of the hit.
+    Surface,
+    /// The ambient part of the local colour, and what is the same for all lights.
+    Ambient,
+    /// A light's direction.
+    Light,
+    /// A shadow ray.
+    Shadow,
+    /// What the light adds.
+    Terms,
+    /// The local colour.
+    LocalSum,
+    /// The direction of the reflected ray.
+    Reflection,
+    /// The reflected ray's colour.
+    Reflected,
+    /// The direction of the transmitted ray.
+    Transmission,
+    /// Whether there is a transmitted ray.
+    TotalReflection,
+    /// The transmitted ray's colour.
+    Transmitted,
+    /// The local part of the sum.
+    CombineLocal,
+    /// The reflected part.
+    CombineReflected,
+    /// The transmitted part, and the sum.
+    CombineTransmitted,
+    /// A ray ends.
+    Return,
+}
+
+/// Where an event stands.
+pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
+    let Some(happening) = log.events.get(event) else { return Place::Pixel };
+    let node = tree.owner(event);
+    match tree.nodes()[node].step {
+        None | Some(Step::Pixel(_)) => in_pixel(&happening.what),
+        Some(Step::Sample { .. }) => {
+            if happening.what == What::Leave {
+                Place::Mean
+            } else {
+                Place::Sample
+            }
+        }
+        Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }) => Place::Shadow,
+        Some(Step::Ray { .. }) => in_ray(log, tree, node, event),
+        Some(Step::Test { .. } | Step::Motion { .. }) => in_test(log, tree, node, event),
+        Some(Step::Shade { .. }) => match &happening.what {
+            What::Note { name, .. } if name.key() == Name::ShadeLocal.key() && *name != Name::ShadeLocalAmbient => {
+                Place::LocalSum
+            }
+            What::Leave => Place::LocalSum,
+            _ => Place::Ambient,
+        },
+        Some(Step::Light { .. }) => in_light(happening),
+        Some(Step::Zone { what, .. }) => match (happening.what == What::Leave, what) {
+            (false, what) => direction(what),
+            (true, what) => colour(what),
+        },
+        Some(Step::Combine) => match happening.what {
+            What::Enter { .. } | What::Note { name: Name::CombineLocal, .. } => Place::CombineLocal,
+            What::Note { name: Name::CombineReflected, .. } => Place::CombineReflected,
+            _ => Place::CombineTransmitted,
+        },
+    }
+}
+
+/// The place that a call inside a ray stands at.
+pub(super) fn of_call(inner: RayKind) -> Place {
+    match inner {
+        RayKind::Camera => Place::Mean,
+        RayKind::Reflected => Place::Reflected,
+        RayKind::Transmitted => Place::Transmitted,
+        RayKind::Shadow { .. } => Place::Shadow,
+    }
+}
+
+fn in_pixel(what: &What) -> Place {
+    match what {
+        What::Enter { .. } => Place::Pixel,
+        _ => Place::Mean,
+    }
+}
+
+fn direction(what: Skippable) -> Place {
+    match what {
+        Skippable::Reflected => Place::Reflection,
+        Skippable::Transmitted => Place::Transmission,
+        Skippable::Shadow => Place::Shadow,
+    }
+}
+
+fn colour(what: Skippable) -> Place {
+    match what {
+        Skippable::Reflected => Place::Reflected,
+        Skippable::Transmitted => Place::Transmitted,
+        Skippable::Shadow => Place::Shadow,
+    }
+}
+
+fn in_ray(log: &Log, tree: &Tree, ray: usize, event: usize) -> Place {
+    match &log.events[event].what {
+        What::Enter { .. } => Place::Call,
+        What::Leave | What::Result { .. } => Place::Return,
+        What::Note { name, .. } => noted_in_ray(log, tree, ray, event, *name),
+        What::Mark(decision) => match decision {
+            Decision::Background => Place::Background,
+            Decision::DepthLimit { .. } => Place::TooDeep,
+            Decision::TotalInternalReflection => Place::TotalReflection,
+            Decision::Skipped { what, .. } | Decision::Rejected { what } => direction(*what),
+            Decision::LeakGuard { what } => colour(*what),
+            Decision::Undefined { quantity: Name::RayDirection } => Place::Aim,
+            Decision::Undefined { quantity: Name::RefractDirection } => Place::Transmission,
+            Decision::Nearest { .. } => Place::Nearest,
+            _ if is_hit_known(log, tree, ray, event) => Place::Surface,
+            _ => Place::Nearest,
+        },
+    }
+}
+
+fn noted_in_ray(log: &Log, tree: &Tree, ray: usize, event: usize, name: Name) -> Place {
+    match name.key().split('.').next().unwrap_or_default() {
+        "reflect" => Place::Reflection,
+        "refract" => Place::Transmission,
+        "lobe" => {
+            let what = latest_bounce(log, tree, ray, event);
+            // The sum is of colours that the rays brought; the axes are of the directions.
+            if matches!(name, Name::LobeSumFirst | Name::LobeSum | Name::LobeMean) {
+                colour(what)
+            } else {
+                direction(what)
+            }
+        }
+        _ if is_hit_known(log, tree, ray, event) => Place::Surface,
+        _ => Place::Aim,
+    }
+}
+
+/// Which bounce a ray has come to: that whose direction it noted last.
+fn latest_bounce(log: &Log, tree: &Tree, ray: usize, event: usize) -> Skippable {
+    let latest = tree.own_events_before(ray, event).rev().find_map(|at| match log.events[at].what {
+        What::Note { name: Name::ReflectDirection, .. } => Some(Skippable::Reflected),
+        What::Note { name: Name::RefractDirection, .. } => Some(Skippable::Transmitted),
+        _ => None,
+    });
+    latest.unwrap_or(Skippable::Reflected)
+}
+
+fn is_hit_known(log: &Log, tree: &Tree, ray: usize, event: usize) -> bool {
+    let is_nearest = |at: usize| matches!(log.events[at].what, What::Mark(Decision::Nearest { .. }));
+    tree.own_events_before(ray, event).rev().any(is_nearest)
+}
+
+/// A test belongs to the search of the ray around it; a moving object carries the hit back later.
+fn in_test(log: &Log, tree: &Tree, node: usize, event: usize) -> Place {
+    let around = std::iter::successors(Some(node), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
+    let found = around.into_iter().find_map(|at| match tree.nodes()[at].step {
+        Some(Step::Ray { kind, .. }) => Some((at, kind)),
+        _ => None,
+    });
+    match found {
+        Some((_, RayKind::Shadow { .. })) => Place::Shadow,
+        Some((ray, _)) if is_moving(tree, node) && is_hit_known(log, tree, ray, event) => Place::Surface,
+        _ => Place::Nearest,
+    }
+}
+
+fn is_moving(tree: &Tree, node: usize) -> bool {
+    matches!(tree.nodes()[node].step, Some(Step::Motion { .. }))
+}
+
+fn in_light(happening: &Event) -> Place {
+    match &happening.what {
+        What::Note { name, .. } => match name.key().split('.').next().unwrap_or_default() {
+            "half" | "mirror" | "transmit" => Place::Terms,
+            "shadow" => Place::Shadow,
+            _ => match name {
+                Name::LightAttenuation => Place::Terms,
+                Name::ShadeNDotL => Place::Light,
+                _ if name.key().starts_with("shade.") => Place::Terms,
+                _ => Place::Light,
+            },
+        },
+        What::Mark(Decision::LeakGuard { .. } | Decision::Skipped { .. }) => Place::Shadow,
+        What::Leave => Place::Terms,
+        _ => Place::Light,
+    }
+}

@@ -1,0 +1,98 @@
+//! The values of one node in several arithmetics, beside each other.
+//!
+//! Two runs are aligned as everywhere: by the way of the nodes from the root (which holds the path of the ray), the key of the
+//! quantity, and which occurrence of it in its node it is. Where a run decides otherwise it may never come to a node, or to a
+//! quantity in it; that is said and not hidden.
+
+use crate::log::{Decision, Digits, Log, Name, Step, Tree, Value, What};
+
+/// A run in one arithmetic.
+#[derive(Clone, Copy, Debug)]
+pub struct Run<'a> {
+    /// Its log.
+    pub log: &'a Log,
+    /// Its nodes.
+    pub tree: &'a Tree,
+}
+
+/// A quantity of the node in every run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Which quantity.
+    pub name: Name,
+    /// The event that notes it in the first run that comes to it, if that is the first of all.
+    pub event: Option<usize>,
+    /// Its value in each run; `None` where the run doesn't come to it.
+    pub values: Vec<Option<Value>>,
+    /// How many digits of it can be trusted, where some run knows.
+    pub digits: Option<Digits>,
+}
+
+/// What the runs say of a node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// A row a quantity, in the order of the first run; those that only others have follow.
+    pub rows: Vec<Row>,
+    /// For each run, whether it comes to the node.
+    pub reaches: Vec<bool>,
+    /// For each run, whether it decides in the node as the first does.
+    pub agrees: Vec<bool>,
+}
+
+/// The values of a node of the first run, and of those in its place in the others.
+pub fn table(runs: &[Run], node: usize) -> Table {
+    let Some(first) = runs.first() else { return Table { rows: Vec::new(), reaches: Vec::new(), agrees: Vec::new() } };
+    let places: Vec<_> = runs.iter().map(|run| in_place_of(first.tree, node, run.tree)).collect();
+    let mut rows: Vec<Row> = Vec::new();
+    for (number, (run, place)) in runs.iter().zip(&places).enumerate() {
+        let Some(place) = *place else { continue };
+        let mut seen: Vec<&str> = Vec::new();
+        for event in run.tree.own_events(place) {
+            let What::Note { name, value } = run.log.events[event].what else { continue };
+            let occurrence = seen.iter().filter(|key| **key == name.key()).count();
+            seen.push(name.key());
+            let same = rows.iter_mut().filter(|row| row.name.key() == name.key()).nth(occurrence);
+            let digits = run.log.events[event].digits.as_deref().copied();
+            match same {
+                Some(row) => {
+                    row.values[number] = Some(value);
+                    row.digits = row.digits.or(digits);
+                }
+                None => {
+                    let mut values = vec![None; runs.len()];
+                    values[number] = Some(value);
+                    rows.push(Row { name, event: (number == 0).then_some(event), values, digits });
+                }
+            }
+        }
+    }
+    let own = decisions(first, node);
+    let agrees = runs.iter().zip(&places).map(|(run, place)| place.is_some_and(|place| decisions(run, place) == own));
+    Table { rows, agrees: agrees.collect(), reaches: places.iter().map(Option::is_some).collect() }
+}
+
+/// The node of another tree that stands in the place of this one.
+pub fn in_place_of(tree: &Tree, node: usize, other: &Tree) -> Option<usize> {
+    let around = std::iter::successors(Some(node), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
+    let mut way: Vec<_> = around.filter(|at| *at != 0).collect();
+    way.reverse();
+    way.into_iter().try_fold(0, |place, at| {
+        let step = tree.nodes()[at].step;
+        // A moving object is met by two nodes that are called the same.
+        let before = tree.children(tree.nodes()[at].parent).take_while(|sibling| *sibling != at);
+        let occurrence = before.filter(|sibling| tree.nodes()[*sibling].step == step).count();
+        other.children(place).filter(|child| other.nodes()[*child].step == step).nth(occurrence)
+    })
+}
+
+/// What a node decides, and which nodes stand in it besides intersection tests, which may come in another order.
+fn decisions(run: &Run, node: usize) -> (Vec<Decision>, Vec<Step>) {
+    let marks = run.tree.own_events(node).filter_map(|event| match run.log.events[event].what {
+        // The factor of a filter is a number, and its object says enough.
+        What::Mark(Decision::Attenuated { object, .. }) => Some(Decision::Attenuated { object, factor: [0.0; 3] }),
+        What::Mark(decision) => Some(decision),
+        _ => None,
+    });
+    let steps = run.tree.children(node).filter_map(|child| run.tree.nodes()[child].step);
+    (marks.collect(), steps.filter(|step| !matches!(step, Step::Test { .. } | Step::Motion { .. })).collect())
+}

@@ -1,0 +1,152 @@
+//! What the keys for understanding do.
+
+use super::dump::dump;
+use super::testing::{glass, nested, sized, textbook, typed};
+use super::*;
+use crate::log::What;
+
+/// The symbol of the quantity at the current step; `-` for other events.
+fn symbol(model: &Model) -> &'static str {
+    match model.log.events[model.event].what {
+        What::Note { name, .. } => name.symbol(),
+        _ => "-",
+    }
+}
+
+/// Types `keys` at the numeric example; the current step is then this quantity, and nothing lies over the panes.
+#[track_caller]
+fn leads_to(keys: &str, expected: &str) {
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, keys);
+    assert_eq!(symbol(&model), expected, "after {keys}");
+    assert_eq!(model.overlay, None, "after {keys}");
+}
+
+#[test]
+fn values_lead_to_their_operands_and_uses_and_back() {
+    // The fifth value is t = V_o/V_d.
+    leads_to("5n", "t");
+    leads_to("5n d Enter", "V_o");
+    leads_to("5n d j Enter", "V_d");
+    leads_to("5n d j Enter ^o", "t");
+    leads_to("5n D Enter", "P");
+    leads_to("5n D Enter D Enter ^o ^o", "t");
+    leads_to("5n d Esc", "t");
+    leads_to("5n ^o", "t");
+}
+
+#[test]
+fn the_colour_is_accounted_for_and_leads_to_its_parts() {
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, "w");
+    let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
+    assert!(text.contains("(394.134, "), "{text}");
+    assert!(text.contains("60.6 %  C R S1  F on sphere"), "{text}");
+    assert!(text.contains("depth limit"), "{text}");
+    typed(&mut model, "Enter");
+    let title = crate::report::words::title(&model.log, &model.tree, model.cursor);
+    assert_eq!((title.as_str(), model.tree.path(model.cursor).as_str()), ("light F", "C R"));
+}
+
+#[test]
+fn arithmetics_are_asked_for_and_then_shown() {
+    let mut model = sized(textbook(), 100, 30);
+    assert_eq!(typed(&mut model, "4n a"), Effect::Compare);
+    model.answer(Effect::Compare, &mut None);
+    assert!(model.message.as_ref().is_some_and(|message| message.text.contains("no scene")));
+    assert_eq!(model.overlay, None);
+    struct Others;
+    impl Live for Others {
+        fn trace(&mut self, _: [u32; 2]) -> Result<Log, String> {
+            Err("no".to_owned())
+        }
+        fn compare(&mut self, _: Subject) -> Result<Vec<Log>, String> {
+            Ok(vec![textbook()])
+        }
+    }
+    let mut others = Others;
+    model.answer(Effect::Compare, &mut Some(&mut others));
+    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Arithmetics, selected: 0 }));
+    let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
+    assert!(text.contains("by hand") && text.contains("-0.946"), "{text}");
+}
+
+#[test]
+fn a_quiz_is_answered() {
+    let said = |model: &Model| model.message.as_ref().map(|message| message.text.clone()).unwrap_or_default();
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, "Q 3n");
+    assert_eq!(symbol(&model), "V_d");
+    let screen = |model: &Model| dump(&frame(model, 100, 30, &Theme::new(Palette::None, false)));
+    assert!(!screen(&model).contains("= -0.946 "), "{}", screen(&model));
+    assert!(screen(&model).contains("= ?"), "{}", screen(&model));
+    typed(&mut model, "= x Enter");
+    assert!(said(&model).contains("no number"), "{}", said(&model));
+    typed(&mut model, "= - 0 , 9 4 6 Enter");
+    assert_eq!(said(&model), "right");
+    assert_eq!(model.score().as_deref(), Some("quiz 1 of 1"));
+    assert!(!model.hides(model.event));
+    typed(&mut model, "n = 1 Enter");
+    assert!(said(&model).starts_with("off by 13; try again"), "{}", said(&model));
+    typed(&mut model, "= 1 Enter");
+    assert_eq!(said(&model), "off by 13; it is -12");
+    assert_eq!(model.score().as_deref(), Some("quiz 1 of 2"));
+    // Where the computation has the focus Enter asks, too.
+    typed(&mut model, "n Tab Enter");
+    assert!(model.prompt.is_some());
+    typed(&mut model, "Esc w");
+    assert_eq!(model.overlay, None);
+    typed(&mut model, "Q");
+    assert!(said(&model).contains("1 of 2"));
+    assert_eq!(model.score(), None);
+}
+
+/// No frame of a quiz shows a result of a later step that stands nowhere before.
+#[test]
+fn a_quiz_tells_no_later_result() {
+    let theme = Theme::new(Palette::None, false);
+    let mut model = sized(textbook(), 200, 60);
+    typed(&mut model, "Q");
+    let is_sum =
+        |event: &crate::log::Event| matches!(event.what, What::Note { name: crate::log::Name::CombineColor, .. });
+    let last = model.log.events.iter().rposition(is_sum).unwrap_or_default();
+    while model.event <= last {
+        let text = dump(&frame(&model, 200, 60, &theme));
+        assert!(!text.contains("394.134"), "step {}:\n{text}", model.step());
+        if model.event < 50 {
+            assert!(!text.contains("289.296"), "step {}:\n{text}", model.step());
+        }
+        typed(&mut model, "]");
+    }
+}
+
+#[test]
+fn understanding_keys_do_no_harm_anywhere() {
+    for log in [textbook(), glass(), nested(""), nested("."), nested("(((")] {
+        for size in [(0, 0), (1, 1), (20, 6), (40, 12), (200, 60)] {
+            let mut model = sized(log.clone(), size.0, size.1);
+            for keys in
+                ["d", "Esc D", "Esc w", "G Enter", "^o", "Q", "=", "1 Enter", "Q w j j k Esc", "7n d Enter D Enter"]
+            {
+                typed(&mut model, keys);
+                frame(&model, size.0, size.1, &Theme::new(Palette::True, true));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_algorithm_is_drawn_with_its_line_and_calls() {
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, "28n");
+    for (width, height) in [(0, 0), (1, 1), (30, 5), (50, 30)] {
+        let area = Rect::new(0, 0, width, height);
+        let mut buffer = Buffer::empty(area);
+        view::code::draw(&model, &Theme::new(Palette::None, false), area, &mut buffer);
+        let text = dump(&buffer);
+        if height == 30 {
+            assert!(text.contains("▶   point = nearest_intersection"), "{text}");
+            assert!(text.contains("TR(C, 0)") && text.contains("TR(C R, 1)"), "{text}");
+        }
+    }
+}

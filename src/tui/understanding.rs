@@ -1,0 +1,281 @@
+//! Lists that explain: where a value comes from and goes, why a pixel has its colour, what a value is in other arithmetics.
+//!
+//! What they say is made in `report`, once, when a list is opened; here it becomes lines.
+
+use super::list::{self, Entry, Kind, Listing};
+use super::model::Model;
+use super::theme::Role;
+use super::update::Effect;
+use crate::log::{Decision, Digits, Log, Tree, Value, What};
+use crate::report::contributions::{self, Account, Contribution, Ended, Origin, Why};
+use crate::report::side_by_side::{self, Row, Run};
+use crate::report::{number, path_class, provenance, words};
+use std::collections::HashSet;
+
+/// The most entries of a list: nobody reads more, and a frame must not wait for them.
+const MOST: usize = 500;
+
+/// What the viewer keeps for understanding.
+#[derive(Clone, Debug, Default)]
+pub struct Understanding {
+    /// The list that was opened last, made once.
+    pub listing: Option<(Kind, Listing)>,
+    /// The events that one jumped from, the last one last.
+    pub back: Vec<usize>,
+    /// The quiz, while it is on.
+    pub quiz: Option<super::quiz::Quiz>,
+    /// The steps whose results somebody answered.
+    pub answered: HashSet<usize>,
+}
+
+/// Opens a list of this kind, made from where the model is now.
+pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
+    let tells_results = matches!(kind, Kind::Contributions | Kind::Arithmetics);
+    if tells_results && model.understanding.quiz.is_some() {
+        model.say("that would tell the results; Q ends the quiz");
+        return Effect::None;
+    }
+    if kind == Kind::Arithmetics && model.others.is_empty() {
+        return Effect::Compare;
+    }
+    model.understanding.listing = Some((kind, make(model, kind)));
+    list::open(model, kind);
+    Effect::None
+}
+
+/// Goes back to where one jumped from.
+pub(super) fn back(model: &mut Model) {
+    match model.understanding.back.pop() {
+        Some(event) => model.go_to_event(event),
+        None => model.say("nowhere to go back to: no value was jumped from"),
+    }
+}
+
+/// Remembers where one is before a jump.
+pub(super) fn before_jump(model: &mut Model) {
+    const MOST_BACK: usize = 1000;
+    if model.understanding.back.len() == MOST_BACK {
+        model.understanding.back.remove(0);
+    }
+    model.understanding.back.push(model.event);
+}
+
+/// The list of this kind that was opened.
+pub(super) fn listing(model: &Model, kind: Kind) -> Listing {
+    match &model.understanding.listing {
+        Some((of, listing)) if *of == kind => listing.clone(),
+        _ => Listing::default(),
+    }
+}
+
+fn make(model: &Model, kind: Kind) -> Listing {
+    match kind {
+        Kind::Operands => operands(model),
+        Kind::Uses => uses(model),
+        Kind::Contributions => account(model),
+        _ => arithmetics(model),
+    }
+}
+
+/// The quantity at the current step, such as `T2_A`; else what the step is.
+fn subject(model: &Model) -> String {
+    match model.log.events.get(model.event).map(|event| &event.what) {
+        Some(What::Note { name, .. }) => name.symbol().to_owned(),
+        _ => format!("step {}", model.step()),
+    }
+}
+
+/// Where an event stands: `step 12, C R, sphere.t2_a`.
+fn whereabouts(model: &Model, event: usize) -> String {
+    let path = model.tree.path(model.tree.owner(event));
+    let path = if path.is_empty() { path } else { format!(", {path}") };
+    let what = match &model.log.events[event].what {
+        What::Note { name, .. } => name.key().to_owned(),
+        _ => words::title(&model.log, &model.tree, model.tree.owner(event)),
+    };
+    format!("step {}{path}, {what}", event + 1)
+}
+
+fn operands(model: &Model) -> Listing {
+    let found = provenance::operands(&model.log, &model.tree, model.event);
+    let entry = |operand: &provenance::Operand| {
+        let value = number::value(&operand.value, model.numbers);
+        let light =
+            operand.light.map_or(String::new(), |light| format!(" ({})", words::title(&model.log, &model.tree, light)));
+        let from = match operand.computed {
+            Some(event) => format!("from {}", whereabouts(model, event)),
+            None => format!("given in {}", whereabouts(model, operand.event)),
+        };
+        Entry::to(operand.computed.unwrap_or(operand.event), format!("{}{light} = {value}   {from}", operand.symbol))
+    };
+    Listing {
+        title: format!("What {} is made of", subject(model)),
+        entries: found.iter().take(MOST).map(entry).collect(),
+        nothing: "this step takes nothing that the log names",
+    }
+}
+
+fn uses(model: &Model) -> Listing {
+    let entry = |event: usize| {
+        let shown = match &model.log.events[event].what {
+            What::Note { name, value } if !model.hides(event) => {
+                format!("{} = {}", name.symbol(), number::value(value, model.numbers))
+            }
+            What::Note { name, .. } => {
+                name.formula().map_or(name.symbol().to_owned(), |formula| format!("{} = {formula}", name.symbol()))
+            }
+            _ => words::title(&model.log, &model.tree, model.tree.owner(event)),
+        };
+        Entry::to(event, format!("{shown}   {}", whereabouts(model, event)))
+    };
+    let found = provenance::uses(&model.log, &model.tree, model.event, MOST);
+    Listing {
+        title: format!("What takes {}", subject(model)),
+        entries: found.into_iter().map(entry).collect(),
+        nothing: "no later step takes it",
+    }
+}
+
+fn account(model: &Model) -> Listing {
+    let account = contributions::account(&model.log, &model.tree, model.cursor);
+    let color = number::value(&Value::Triple(account.color), model.numbers);
+    let mut entries: Vec<_> =
+        account.contributions.iter().take(MOST).map(|part| contribution(model, &account, part)).collect();
+    if let Some(rest) = account.contributions.get(MOST..).filter(|rest| !rest.is_empty()) {
+        let share: f64 = rest.iter().map(|part| part.share).sum();
+        entries.push(Entry::plain(format!("{}  {} smaller ones together", percent(share), rest.len()), Role::Faint));
+    }
+    if !account.ended.is_empty() {
+        entries.push(Entry::plain(format!("What brings nothing ({}):", account.ended.len()), Role::Title));
+    }
+    entries.extend(account.ended.iter().take(MOST).map(|ended| self::ended(model, ended)));
+    let class = path_class::of_ray(&model.tree, model.cursor).map_or(String::new(), |class| format!(" - here {class}"));
+    Listing { title: format!("Why the colour is {color}{class}"), entries, nothing: "no light is accounted for yet" }
+}
+
+/// `12.30 %  C R S1  light F on sphere  (1, 2, 3)  LDSE c`: so much of the colour, and of each channel behind it.
+fn contribution(model: &Model, account: &Account, part: &Contribution) -> Entry {
+    let header = &model.log.header;
+    let origin = match part.origin {
+        Origin::Light { light, object } => {
+            format!("{} on {}", words::plain(header.light(light)), words::plain(header.object(object)))
+        }
+        Origin::Ambient { object } => format!("ambient on {}", words::plain(header.object(object))),
+        Origin::Background => "background".to_owned(),
+        Origin::Rounding => "rounding of the values".to_owned(),
+    };
+    let color = number::value(&Value::Triple(part.color), model.numbers);
+    let class = if part.cases.is_empty() { part.class.clone() } else { format!("{} {}", part.class, part.cases) };
+    let weight = (part.weight != [1.0; 3]).then(|| {
+        format!("= {} * weight {}", number::value(&Value::Triple(part.own), model.numbers), triple(model, &part.weight))
+    });
+    let channel = |channel| {
+        part.share_of(channel, &account.color).map_or("-".to_owned(), |x| format!("{:.0}", (100.0 * x).round() + 0.0))
+    };
+    let channels = format!("[{}]", [0, 1, 2].map(channel).join(" "));
+    let parts = [percent(part.share), part.path.clone(), origin, class, channels, color, weight.unwrap_or_default()];
+    let text = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("  ");
+    Entry { text, role: Role::Text, target: part.event }
+}
+
+/// A weight, as one number where the channels have the same.
+fn triple(model: &Model, weight: &[f64; 3]) -> String {
+    let is_grey = weight[0] == weight[1] && weight[1] == weight[2];
+    let value = if is_grey { Value::Number(weight[0]) } else { Value::Triple(*weight) };
+    number::value(&value, model.numbers)
+}
+
+fn percent(share: f64) -> String {
+    format!("{:5.1} %", 100.0 * share)
+}
+
+fn ended(model: &Model, ended: &Ended) -> Entry {
+    let header = &model.log.header;
+    let light = |light: u32| words::plain(header.light(light));
+    let decision = match model.log.events[ended.event].what {
+        What::Mark(decision) => Some(decision),
+        _ => None,
+    };
+    let why = match (ended.why, decision) {
+        (Why::LightBehind { light: number }, _) => format!("{} stands behind the surface", light(number)),
+        (Why::LogEnds, _) => "the log ends before this ray does".to_owned(),
+        (Why::Blocked { light: number }, Some(Decision::Occluded { object })) => {
+            format!("{} is blocked by {}", light(number), words::plain(header.object(object)))
+        }
+        (_, Some(decision)) => words::decision(header, &decision, model.numbers),
+        (_, None) => "nothing".to_owned(),
+    };
+    Entry { text: format!("  {}  {why}", ended.path), role: Role::Blocked, target: Some(ended.event) }
+}
+
+/// The columns of the comparison, by the arithmetic of their logs.
+const COLUMNS: [(&str, &str); 4] = [("decimal", "by hand"), ("f32", "f32"), ("f64", "f64"), ("perturbed", "digits")];
+
+fn arithmetics(model: &Model) -> Listing {
+    let trees: Vec<Tree> = model.others.iter().map(|log| Tree::of(&log.events)).collect();
+    let own = Run { log: &model.log, tree: &model.tree };
+    let others = model.others.iter().zip(&trees).map(|(log, tree)| Run { log, tree });
+    let runs: Vec<_> = std::iter::once(own).chain(others).collect();
+    let table = side_by_side::table(&runs, model.cursor);
+    // The log that is shown stands in its own column, too; the others are taken where it isn't that.
+    let is_of = |log: &Log, start: &str| log.header.arithmetic.starts_with(start);
+    let column = |start: &str| runs.iter().position(|run| is_of(run.log, start));
+    let [hand, single, double] = [0, 1, 2].map(|number| column(COLUMNS[number].0));
+    let head = format!("{:10}{:>12}{:>14}{:>23}  digits", "", COLUMNS[0].1, COLUMNS[1].1, COLUMNS[2].1);
+    let mut entries = vec![Entry::plain(head, Role::Title)];
+    for row in table.rows.iter().take(MOST) {
+        entries.extend(row_entries(row, [hand, single, double]));
+    }
+    for (number, name) in [(hand, "by hand"), (single, "in f32"), (double, "in f64")] {
+        let Some(number) = number else { continue };
+        if !table.reaches[number] {
+            entries.push(Entry::plain(format!("not reached {name}: it decides otherwise before"), Role::Blocked));
+        } else if !table.agrees[number] {
+            entries.push(Entry::plain(format!("other decisions {name} in this node"), Role::Blocked));
+        }
+    }
+    let title = format!("{} in three arithmetics", words::title(&model.log, &model.tree, model.cursor));
+    Listing { title, entries, nothing: "this node computes nothing itself" }
+}
+
+/// A line a component.
+fn row_entries(row: &Row, columns: [Option<usize>; 3]) -> Vec<Entry> {
+    let values = columns.map(|column| column.and_then(|column| row.values[column]));
+    let count = values.iter().flatten().map(|value| value.components().len()).max().unwrap_or(1);
+    let component = |index: usize| {
+        let number = |value: Option<Value>| value.and_then(|value| value.components().get(index).copied());
+        let [hand, single, double] = values.map(number);
+        let absent = || "not reached".to_owned();
+        let axis = if count == 1 { "" } else { [" 1", " 2", " 3"][index.min(2)] };
+        let text = format!(
+            "{:10}{:>12}{:>14}{:>23}  {}",
+            format!("{}{axis}", row.name.symbol()),
+            hand.map_or_else(absent, |x| shortest(x, |x| x.to_string())),
+            single.map_or_else(absent, |x| shortest(x, |x| (x as f32).to_string())),
+            double.map_or_else(absent, |x| shortest(x, |x| x.to_string())),
+            digits(row.digits, index)
+        );
+        match row.event {
+            Some(event) => Entry::to(event, text),
+            None => Entry::plain(text, Role::Blocked),
+        }
+    };
+    (0..count).map(component).collect()
+}
+
+/// A number with the fewest digits that tell it from its neighbours; very long ones with a power of ten.
+fn shortest(x: f64, plain: impl Fn(f64) -> String) -> String {
+    const ROOM: usize = 20;
+    let text = plain(x);
+    if text.len() <= ROOM { text } else { format!("{x:e}") }
+}
+
+fn digits(digits: Option<Digits>, component: usize) -> String {
+    match digits {
+        Some(Digits::Significant(count)) => {
+            count.components().get(component).map_or(String::new(), |count| format!("{:.0}", count.floor()))
+        }
+        Some(Digits::DecisionDiffers) => "0: decided otherwise".to_owned(),
+        None => String::new(),
+    }
+}
