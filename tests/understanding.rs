@@ -307,3 +307,18 @@ fn arithmetics_side_by_side() {
     assert_eq!(cut.reaches, [true, false]);
     assert!(cut.rows.iter().all(|row| row.values[1].is_none()));
 }
+
+/// A list is opened by a key: also on the longest logs nobody may wait for it.
+#[test]
+fn a_long_log_is_accounted_for_at_once() {
+    let mut scene = scene("penumbra");
+    scene.sampling = raywalk::scene::Sampling::Sobol { n: 512 };
+    let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+    let tree = Tree::of(&log.events);
+    let start = std::time::Instant::now();
+    let account = account_of(&log, &tree);
+    let took = start.elapsed();
+    println!("{} events, {} contributions: {took:?}", log.events.len(), account.contributions.len());
+    assert!(account.contributions.len() >= 512);
+    assert!(took.as_secs_f64() < 20e-6 * log.events.len() as f64 + 1.0, "{took:?}");
+}
