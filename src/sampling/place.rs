@@ -2,9 +2,9 @@
 
 use crate::log::{Name, Step};
 use crate::probe::Probe;
-use crate::random::{Dimension, Draws, Pick};
+use crate::random::{Draws, Pick, Stratum};
+use crate::scene::Scene;
 use crate::scene::square::place_in_square;
-use crate::scene::{Color, Scene};
 use crate::trace::{Seen, see};
 
 /// What the ray through a place of the picture sees, in pixels from the picture's top left corner. `draws` are the random
@@ -20,9 +20,17 @@ pub fn ray_through<P: Probe>(scene: &Scene, place: [f64; 2], draws: &Draws, prob
     seen
 }
 
-/// A sample at a random point of a pixel's stratum, as a node of its own; the number counts from 1.
-pub fn sample<P: Probe>(scene: &Scene, pixel: [u32; 2], number: u32, draws: &Draws, probe: &mut P) -> Color {
-    sample_at(scene, pixel, number, draws.pick(Dimension::Pixel), draws, probe).color
+/// The point of Sobol's sequence with this number, from 0, in the part of the square that it has for itself among those that
+/// double the samples, from 2^k to 2^(k+1): each takes one of 2^k near-square parts. The point stays the same to the last bit, as the
+/// parts are powers of two.
+pub fn in_own_part(pick: Pick, number: u32) -> Pick {
+    let halvings = number.max(1).ilog2();
+    let (across, down) = (1_u32 << (halvings / 2), 1_u32 << halvings.div_ceil(2));
+    let [x, y] = pick.point();
+    let (along, below) = (x * f64::from(across), y * f64::from(down));
+    let (column, row) = (along as u32, below as u32);
+    let stratum = Stratum { column, across, above: row * across, count: across * down };
+    Pick { stratum, jitter: [along - f64::from(column), below - f64::from(row)] }
 }
 
 /// A sample at a point of a pixel, as a node of its own; the number counts from 1.
@@ -42,4 +50,29 @@ pub fn sample_at<P: Probe>(
         let down = probe.note(Name::PixelRowSampled, f64::from(row) + y);
         ray_through(scene, [across, down], draws, probe)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Arrangement, Dimension};
+
+    #[test]
+    fn each_point_of_a_doubling_has_a_part_for_itself() {
+        let pick = |number| Draws::of_pixel(3, [4, 5], number, Arrangement::Sobol).pick(Dimension::Pixel);
+        for count in [1_u32, 2, 4, 8, 128] {
+            let mut taken: Vec<_> = (count..2 * count)
+                .map(|number| {
+                    let own = in_own_part(pick(number), number);
+                    assert_eq!(own.point().map(f64::to_bits), pick(number).point().map(f64::to_bits), "{number}");
+                    assert_eq!(own.stratum.at(own.jitter), pick(number).point());
+                    assert_eq!(own.stratum.count, count);
+                    own.stratum.above + own.stratum.column
+                })
+                .collect();
+            taken.sort_unstable();
+            assert_eq!(taken, (0..count).collect::<Vec<_>>());
+        }
+        assert_eq!(in_own_part(pick(0), 0), pick(0));
+    }
 }

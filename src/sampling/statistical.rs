@@ -13,7 +13,7 @@
 //! a few that agree aren't enough.
 
 use super::mean::Sum;
-use super::place::sample_at;
+use super::place::{in_own_part, sample_at};
 use super::student;
 use crate::log::{Acceptance, Decision, Name};
 use crate::probe::Probe;
@@ -40,7 +40,7 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], prob
     loop {
         for number in taken.len() as u32..until.min(wanted.max) {
             let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Sobol);
-            let pick = draws.pick(Dimension::Pixel);
+            let pick = in_own_part(draws.pick(Dimension::Pixel), number);
             let Seen { color, object } = sample_at(scene, pixel, number + 1, pick, &draws, probe);
             draws_more |= object.is_some() && scene.effects.of_surfaces();
             sum.add(color);

@@ -2,9 +2,9 @@
 //! Cook, "Stochastic sampling in computer graphics", 1986).
 
 use super::mean::Sum;
-use super::place::sample;
+use super::place::{in_own_part, sample_at};
 use crate::probe::Probe;
-use crate::random::{Arrangement, Draws};
+use crate::random::{Arrangement, Dimension, Draws};
 use crate::scene::{Color, Scene};
 
 /// The mean of n rays, one in each of n near-square strata of the same area, row by row.
@@ -23,7 +23,9 @@ pub(super) fn mean_of<P: Probe>(
     let mut sum = Sum::ZERO;
     for number in 0..n {
         let draws = Draws::of_pixel(scene.seed, pixel, number, arrangement);
-        sum.add(sample(scene, pixel, number + 1, &draws, probe));
+        let pick = draws.pick(Dimension::Pixel);
+        let pick = if arrangement == Arrangement::Sobol { in_own_part(pick, number) } else { pick };
+        sum.add(sample_at(scene, pixel, number + 1, pick, &draws, probe).color);
     }
     sum.over(f64::from(n))
 }
