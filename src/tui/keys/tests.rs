@@ -36,7 +36,8 @@ fn every_key_of_the_table_does_what_its_row_says() {
 
 #[test]
 fn no_key_stands_in_two_rows() {
-    let mut keys: Vec<_> = rows().flat_map(|row| row.keys).collect();
+    // In a list a key may mean something of its own.
+    let mut keys: Vec<_> = rows().filter(|row| row.group != walk::IN_LISTS).flat_map(|row| row.keys).collect();
     let count = keys.len();
     keys.sort();
     keys.dedup();
