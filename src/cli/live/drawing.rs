@@ -38,7 +38,10 @@ fn around(scene: &Scene, eye: DVec3) -> Bounds {
         LightKind::Area(area) => Some(area.surface.center()),
         LightKind::Directional { .. } => None,
     });
-    shapes.fold(Bounds::around(lights.chain([eye])), Bounds::union)
+    let tight = shapes.fold(Bounds::around(lights.chain([eye])), Bounds::union);
+    // Planes pass beside what stands on them.
+    let margin = (tight.max - tight.min) * 0.5;
+    Bounds { min: tight.min - margin, max: tight.max + margin }
 }
 
 fn light_lines(kind: &LightKind) -> Vec<Vec<[f64; 3]>> {

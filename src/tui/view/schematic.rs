@@ -164,6 +164,13 @@ impl<'m> Stage<'m> {
             points.extend(ray.length.map(|_| ray.end(0.0)));
         }
         let far = spread(&points).max(1e-300);
+        // What isn't much larger than the rays' region is seen whole.
+        for thing in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
+            let lines = thing.lines.concat();
+            if spread(&lines) <= far {
+                points.extend(lines);
+            }
+        }
         let (mut x, mut y) = match (projection, drawing) {
             (Projection::Camera, Some(drawing)) => {
                 let [width, height] = drawing.size.map(f64::from);
