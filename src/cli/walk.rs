@@ -83,6 +83,9 @@ impl Walk {
             None => scene_argument::built_in("textbook")?,
         };
         let Walked { log, warning, mut session } = self.log(&input, colors)?;
+        let (was_log, name) = (is_log(&input.bytes), visible(&input.name).to_string());
+        // The bytes of a long log need not stay beside it.
+        drop(input);
         let live = session.as_mut().map(|session| session as &mut dyn tui::Live);
         if let Some(path) = &self.screenshot {
             self.check_screenshot(path)?;
@@ -93,7 +96,7 @@ impl Walk {
         }
         if self.plain || !has_terminal() {
             if let Some(warning) = warning {
-                output::tell(&format!("warning: {}: {warning}", visible(&input.name)));
+                output::tell(&format!("warning: {}: {warning}", name));
             }
             return output::print(report::text::text(&log, Style { digits: self.digits }).as_bytes());
         }
@@ -103,7 +106,7 @@ impl Walk {
         }
         let outcome = tui::run(log, self.options(palette(colors), warning), live)
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
-        self.leave(walked, is_log(&input.bytes), &outcome)
+        self.leave(walked, was_log, &outcome)
     }
 
     /// The log to walk through, and what to warn of.
@@ -135,24 +138,14 @@ impl Walk {
         tui::Options { theme: Theme::new(palette, self.ascii), start: self.at, warning, note: None, numbers }
     }
 
-    /// The call that leads back to the place where the viewer was left: this one, with the step.
+    /// The call that leads back to the place where the viewer was left: this one, with the pixel and the step.
     fn call_back(&self, walked: &Path, was_log: bool, outcome: &Outcome) -> String {
-        let mut words: Vec<String> =
-            std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
-        if self.walked.is_none() {
-            words = vec!["walk".to_owned(), walked.to_string_lossy().into_owned()];
-        }
-        if let Some(at) = words.iter().position(|word| word == "--at") {
-            words.drain(at..words.len().min(at + 2));
-        }
-        words.retain(|word| !word.starts_with("--at="));
-        if let (Some([x, y]), None, None, false) =
-            (outcome.position.pixel, self.subject.pixel, self.subject.ray, was_log)
-        {
-            words.extend(["--pixel".to_owned(), format!("{x},{y}")]);
-        }
+        let words: Vec<String> = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+        let walked = self.walked.is_none().then(|| walked.to_string_lossy().into_owned());
+        let pixel = outcome.position.pixel.filter(|_| !was_log);
+        let words = words_back(words, walked, pixel, outcome.position.at);
         let words: Vec<_> = words.iter().map(|word| quoted(word)).collect();
-        format!("raywalk {} --at {}", words.join(" "), outcome.position.at)
+        format!("raywalk {}", words.join(" "))
     }
 
     fn check_screenshot(&self, path: &Path) -> Result<(), Failure> {
@@ -179,6 +172,38 @@ impl Walk {
         }
         output::print(format!("back here: {}\n", self.call_back(walked, was_log, outcome)).as_bytes())
     }
+}
+
+/// The words of a call, so that they lead to a pixel (if it isn't that of a ray or a log) and a step. `walked` is the scene if the
+/// call named none.
+fn words_back(words: Vec<String>, walked: Option<String>, pixel: Option<[u32; 2]>, at: u32) -> Vec<String> {
+    let mut options = words;
+    // What stands behind `--` is no option.
+    let end = options.iter().position(|word| word == "--").unwrap_or(options.len());
+    let rest = options.split_off(end);
+    let mut forget = |option: &str| {
+        if let Some(at) = options.iter().position(|word| word == option) {
+            options.drain(at..options.len().min(at + 2));
+        }
+        options.retain(|word| !word.starts_with(&format!("{option}=")));
+    };
+    forget("--at");
+    if pixel.is_some() {
+        forget("--pixel");
+        forget("--ray");
+    }
+    if let Some(walked) = walked {
+        match options.iter().position(|word| word == "walk") {
+            Some(at) => options.insert(at + 1, walked),
+            None => options.extend(["walk".to_owned(), walked]),
+        }
+    }
+    if let Some([x, y]) = pixel {
+        options.extend(["--pixel".to_owned(), format!("{x},{y}")]);
+    }
+    options.extend(["--at".to_owned(), at.to_string()]);
+    options.extend(rest);
+    options
 }
 
 /// A word as a shell reads it back.
@@ -211,4 +236,29 @@ fn has_terminal() -> bool {
 fn is_log(bytes: &[u8]) -> bool {
     let first_key = bytes.trim_ascii_start().strip_prefix(b"{").map(<[u8]>::trim_ascii_start);
     first_key.is_some_and(|key| key.starts_with(b"\"log\"") || key.starts_with(b"\"header\""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::words_back;
+
+    #[track_caller]
+    fn leads(call: &str, walked: Option<&str>, pixel: Option<[u32; 2]>, expected: &str) {
+        let words = call.split_whitespace().map(str::to_owned).collect();
+        assert_eq!(words_back(words, walked.map(str::to_owned), pixel, 7).join(" "), expected, "after {call}");
+    }
+
+    #[test]
+    fn links_lead_to_the_pixel_where_the_viewer_was_left() {
+        let there = Some([10, 20]);
+        leads("walk a.json", None, there, "walk a.json --pixel 10,20 --at 7");
+        leads("walk --pixel 1,2 a.json --at 3", None, there, "walk a.json --pixel 10,20 --at 7");
+        leads("walk a.json --pixel=1,2 --at=3", None, there, "walk a.json --pixel 10,20 --at 7");
+        leads("walk a.json --ray 1,2,3,-4,5,6", None, there, "walk a.json --pixel 10,20 --at 7");
+        leads("walk a.json --ray -1,2,3,-4,5,6", None, None, "walk a.json --ray -1,2,3,-4,5,6 --at 7");
+        leads("", Some("textbook"), there, "walk textbook --pixel 10,20 --at 7");
+        let options = "--color never walk --arithmetic f32";
+        leads(options, Some("textbook"), there, "--color never walk textbook --arithmetic f32 --pixel 10,20 --at 7");
+        leads("walk -- a.json", None, there, "walk --pixel 10,20 --at 7 -- a.json");
+    }
 }

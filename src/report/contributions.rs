@@ -5,17 +5,20 @@
 //! bounce, and that of its sample in the pixel. In f64 these products add up to the pixel's colour but for roundings; what the
 //! rounding of named values adds in other arithmetics is a row of its own.
 
+mod groups;
 mod rays;
 mod samples;
 
 use super::path_class::{Source, cases, notation};
+pub use groups::{Group, groups};
+
 use crate::log::{Log, Step, Tree, What};
 
 /// A colour, or a factor for each of its channels.
 pub type Color = [f64; 3];
 
 /// Where the light of a path comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Origin {
     /// A light, on a surface.
     Light {

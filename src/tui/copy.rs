@@ -11,6 +11,12 @@ use crate::report::words::plain;
 pub(super) fn value(model: &mut Model) -> Effect {
     let Some(event) = model.log.events.get(model.event) else { return Effect::None };
     let of_node = || model.facts.value(model.tree.owner(model.event)).filter(|event| model.guide.is_known(*event));
+    if model.hides(model.event)
+        || (model.understanding.quiz.is_some() && of_node().is_some_and(|event| model.hides(event)))
+    {
+        model.say("that would tell the result; = answers, Q ends the quiz");
+        return Effect::None;
+    }
     let what = match &event.what {
         What::Enter { .. } | What::Leave => of_node().map_or(&event.what, |event| &model.log.events[event].what),
         what => what,

@@ -6,6 +6,12 @@ use crate::report::{number, words};
 
 /// What an event says, such as `N·L = 0.300`.
 pub(super) fn event(model: &Model, event: usize) -> String {
+    if model.hides(event) {
+        return match model.log.events.get(event).map(|event| &event.what) {
+            Some(What::Note { name, .. }) => format!("{} = ?", name.symbol()),
+            _ => "result ?".to_owned(),
+        };
+    }
     let title = || words::title(&model.log, &model.tree, model.tree.owner(event));
     match model.log.events.get(event).map(|event| &event.what) {
         Some(What::Note { name, value }) => format!("{} = {}", name.symbol(), number::value(value, model.numbers)),

@@ -41,12 +41,14 @@ const WIDE: u16 = 80;
 const TALL: u16 = 20;
 /// From this size on all panes are shown at once.
 const LARGE: (u16, u16) = (140, 34);
+/// From this size on the picture stands below the tree, if there is one.
+const MIDDLING: (u16, u16) = (100, 28);
 /// The fewest columns of a pane that stands beside another.
 const NARROWEST: u16 = 20;
 
 impl Layout {
-    /// All panes when the terminal is large, else the tree and another pane side by side when it is wide, one above the
-    /// other when it is tall, else one at a time.
+    /// All panes when the terminal is large; the tree, the picture and another pane when it is of middling size; else the tree
+    /// and another pane side by side when it is wide, one above the other when it is tall; else one at a time.
     pub fn of(arrangement: &Arrangement) -> Layout {
         let (width, height) = arrangement.size;
         if width < SMALLEST.0 || height < SMALLEST.1 {
@@ -62,6 +64,9 @@ impl Layout {
         match () {
             _ if arrangement.is_alone => layout.put(arrangement.focus, panes),
             _ if width >= LARGE.0 && height >= LARGE.1 => layout.all(arrangement, panes),
+            _ if width >= MIDDLING.0 && height >= MIDDLING.1 && arrangement.has_picture => {
+                layout.with_picture(arrangement, panes);
+            }
             _ if width >= WIDE => layout.side_by_side(arrangement, panes),
             _ if height >= TALL => layout.stacked(arrangement, panes),
             _ => layout.put(arrangement.focus, panes),
@@ -96,6 +101,16 @@ impl Layout {
         self.dividers[0] = divider;
         self.put(Pane::Tree, tree);
         self.put(arrangement.side, side);
+    }
+
+    /// The tree above the picture, and another pane beside them.
+    fn with_picture(&mut self, arrangement: &Arrangement, panes: Rect) {
+        let side = if arrangement.side == Pane::Picture { Pane::Computation } else { arrangement.side };
+        self.side_by_side(&Arrangement { side, ..*arrangement }, panes);
+        let left = self.area(Pane::Tree);
+        let (tree, picture) = rows(left, left.height * 3 / 5);
+        self.put(Pane::Tree, tree);
+        self.put(Pane::Picture, picture);
     }
 
     fn stacked(&mut self, arrangement: &Arrangement, panes: Rect) {
@@ -199,9 +214,10 @@ mod tests {
 
     #[test]
     fn panes_by_size() {
-        use Pane::{Computation, Tree};
+        use Pane::{Computation, Picture, Tree};
         shows((200, 60), &Pane::ALL);
-        shows((140, 33), &[Tree, Computation]);
+        shows((140, 33), &[Picture, Tree, Computation]);
+        shows((140, 27), &[Tree, Computation]);
         shows((80, 24), &[Tree, Computation]);
         shows((80, 6), &[Tree, Computation]);
         shows((40, 24), &[Tree, Computation]);

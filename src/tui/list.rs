@@ -109,7 +109,9 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
 
 /// Opens a list.
 pub(super) fn open(model: &mut Model, kind: Kind) {
-    model.overlay = Some(Overlay::List { kind, selected: 0 });
+    let entries = listing(model, kind).entries;
+    let selected = entries.iter().position(|entry| entry.target.is_some()).unwrap_or(0);
+    model.overlay = Some(Overlay::List { kind, selected });
 }
 
 /// Moves in a list, goes to the place of its selected entry, or closes it.

@@ -95,7 +95,7 @@ pub struct Outcome {
 pub struct Position {
     /// The pixel, unless the log is that of a ray.
     pub pixel: Option<[u32; 2]>,
-    /// The number of the event in its pixel; 0 in a log without events.
+    /// The number of the event in its pixel, of a region in the whole log; 0 in a log without events.
     pub at: u32,
 }
 
@@ -251,5 +251,10 @@ fn position(model: &Model) -> Position {
         Subject::Pixel(pixel) => Some(pixel),
         _ => None,
     });
-    Position { pixel, at: model.log.events.get(model.event).map_or(0, |event| event.at) }
+    let at = match model.log.header.subject {
+        // The numbers of events begin anew at each pixel; a link counts through.
+        Subject::Region(_) => model.step() as u32,
+        _ => model.log.events.get(model.event).map_or(0, |event| event.at),
+    };
+    Position { pixel, at }
 }

@@ -215,7 +215,8 @@ pub(super) fn update(model: &mut Model, action: Action, count: Option<u32>) -> O
         Action::HalfPageDown | Action::PageDown => [0, page * times],
         Action::HalfPageUp | Action::PageUp => [0, -page * times],
         Action::First => [i64::MIN / 2, 0],
-        Action::Last => [i64::MAX / 2, 0],
+        // With a count it is the step of this number, as everywhere.
+        Action::Last if count.is_none() => [i64::MAX / 2, 0],
         Action::Enter => {
             model.focus_on(Pane::Tree);
             return Some(Effect::None);

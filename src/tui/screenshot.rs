@@ -42,9 +42,20 @@ fn draw_run(svg: &mut String, run: &[Cell], column: usize, row: usize) {
         let width = run.len() as f64 * CELL.0;
         let _ = writeln!(
             svg,
-            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{}\" fill=\"{fill}\"/>",
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{}\" fill=\"{fill}\" shape-rendering=\"crispEdges\"/>",
             CELL.1
         );
+    }
+    if let Some(upper) = half_block(run) {
+        let y = if upper { y } else { y + CELL.1 / 2.0 };
+        let (width, height) = (run.len() as f64 * CELL.0, CELL.1 / 2.0);
+        let fill = &look.foreground;
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"{fill}\" \
+             shape-rendering=\"crispEdges\"/>"
+        );
+        return;
     }
     // Text begins and ends at letters: what is blank at its ends only moves it.
     let is_blank = |cell: &Cell| cell.symbol().trim().is_empty();
@@ -60,6 +71,12 @@ fn draw_run(svg: &mut String, run: &[Cell], column: usize, row: usize) {
          fill=\"{}\"{}>{text}</text>",
         look.foreground, look.attributes
     );
+}
+
+/// Whether all cells are upper half blocks, or else lower ones: letters of a font would leave seams between them.
+fn half_block(run: &[Cell]) -> Option<bool> {
+    let all = |symbol: &str| run.iter().all(|cell| cell.symbol() == symbol);
+    if all("▀") { Some(true) } else { all("▄").then_some(false) }
 }
 
 /// How a run of cells is drawn.

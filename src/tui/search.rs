@@ -58,9 +58,12 @@ pub struct Search {
 
 impl Search {
     /// Searches a whole log.
-    pub fn of(log: &Log, tree: &Tree, numbers: Style, text: &str) -> Search {
+    pub fn of(model: &Model, text: &str) -> Search {
         let pattern = Pattern::of(text);
-        let mut matcher = Matcher::new(log, tree, numbers, &pattern);
+        let (log, tree) = (&model.log, &model.tree);
+        let mut matcher = Matcher::new(log, tree, model.numbers, &pattern);
+        // A search for values would find out what a quiz hides.
+        matcher.could_be_number &= model.understanding.quiz.is_none();
         let found = (0..log.events.len()).filter(|event| matcher.matches(*event)).map(|event| event as u32).collect();
         Search { pattern, found }
     }
@@ -168,7 +171,7 @@ pub(super) fn begin(model: &mut Model, text: &str) {
         model.guide.search = None;
         return;
     }
-    model.guide.search = Some(Search::of(&model.log, &model.tree, model.numbers, text));
+    model.guide.search = Some(Search::of(model, text));
     go(model, true, 1);
 }
 
@@ -196,7 +199,7 @@ pub(super) fn filter(model: &mut Model, text: &str) {
         model.guide.filter = None;
         return model.fold.visible.keep(&model.tree, None::<[usize; 0]>);
     }
-    let search = Search::of(&model.log, &model.tree, model.numbers, text);
+    let search = Search::of(model, text);
     if search.found.is_empty() {
         return model.say(&format!("no row matches: {}", words::plain(text)));
     }
@@ -213,7 +216,7 @@ pub(super) fn filter(model: &mut Model, text: &str) {
 /// Searches and filters another log in the same way.
 pub(super) fn renew(model: &mut Model) {
     let search = model.guide.search.take();
-    model.guide.search = search.map(|search| Search::of(&model.log, &model.tree, model.numbers, &search.pattern.text));
+    model.guide.search = search.map(|search| Search::of(model, &search.pattern.text));
     if let Some(text) = model.guide.filter.take() {
         filter(model, &text);
     }

@@ -66,7 +66,7 @@ fn arithmetics_are_asked_for_and_then_shown() {
     }
     let mut others = Others;
     model.answer(Effect::Compare, &mut Some(&mut others));
-    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Arithmetics, selected: 0 }));
+    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Arithmetics, selected: 1 }));
     let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
     assert!(text.contains("by hand") && text.contains("-0.946"), "{text}");
 }
@@ -149,4 +149,47 @@ fn the_algorithm_is_drawn_with_its_line_and_calls() {
             assert!(text.contains("TR(C, 0)") && text.contains("TR(C R, 1)"), "{text}");
         }
     }
+}
+
+/// The distance to the plane and the colour of the numeric example, by hand.
+const HIDDEN: [&str; 2] = ["12.685", "394.134"];
+
+#[test]
+fn a_quiz_tells_nothing() {
+    for keys in [
+        "",
+        "y",
+        "g y",
+        "/ 12.685 <Enter>",
+        "b plane.t <Enter> r",
+        "b plane.t <Enter> r L",
+        "b plane.t <Enter> r y",
+        "b plane.t <Enter> r m a N M",
+        "w",
+        "a",
+        "t E",
+        "Tab",
+        "f plane <Enter>",
+        ":bookmarks <Enter>",
+    ] {
+        let mut model = sized(textbook(), 100, 30);
+        let effect = typed(&mut model, &format!("Q {keys}"));
+        let shown = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
+        for hidden in HIDDEN {
+            let is_typed = keys.contains(hidden);
+            assert!(is_typed || !shown.contains(hidden), "{hidden} after {keys}:\n{shown}");
+            assert!(!matches!(&effect, Effect::Copy(text) if text.contains(hidden)), "{hidden} after {keys}");
+        }
+        if keys.starts_with('/') {
+            assert!(shown.contains("nothing") || !shown.contains("match 1"), "{shown}");
+        }
+    }
+}
+
+#[test]
+fn a_quiz_goes_on_in_another_pixel() {
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, "Q 3n");
+    model.show(glass());
+    assert!(model.understanding.quiz.is_some() && model.hides(model.log.events.len() - 1));
 }

@@ -7,7 +7,7 @@ use super::model::Model;
 use super::theme::Role;
 use super::update::Effect;
 use crate::log::{Decision, Digits, Log, Tree, Value, What};
-use crate::report::contributions::{self, Account, Contribution, Ended, Origin, Why};
+use crate::report::contributions::{self, Account, Ended, Group, Origin, Why};
 use crate::report::side_by_side::{self, Row, Run};
 use crate::report::{number, path_class, provenance, words};
 use std::collections::HashSet;
@@ -139,22 +139,28 @@ fn uses(model: &Model) -> Listing {
 fn account(model: &Model) -> Listing {
     let account = contributions::account(&model.log, &model.tree, model.cursor);
     let color = number::value(&Value::Triple(account.color), model.numbers);
-    let mut entries: Vec<_> =
-        account.contributions.iter().take(MOST).map(|part| contribution(model, &account, part)).collect();
-    if let Some(rest) = account.contributions.get(MOST..).filter(|rest| !rest.is_empty()) {
-        let share: f64 = rest.iter().map(|part| part.share).sum();
+    let groups = contributions::groups(&account.contributions);
+    let mut entries: Vec<_> = groups.iter().take(MOST).map(|group| contribution(model, &account, group)).collect();
+    if let Some(rest) = groups.get(MOST..).filter(|rest| !rest.is_empty()) {
+        let share: f64 = rest.iter().map(|group| group.sum.share).sum();
         entries.push(Entry::plain(format!("{}  {} smaller ones together", percent(share), rest.len()), Role::Faint));
     }
     if !account.ended.is_empty() {
         entries.push(Entry::plain(format!("What brings nothing ({}):", account.ended.len()), Role::Title));
     }
     entries.extend(account.ended.iter().take(MOST).map(|ended| self::ended(model, ended)));
-    let class = path_class::of_ray(&model.tree, model.cursor).map_or(String::new(), |class| format!(" - here {class}"));
-    Listing { title: format!("Why the colour is {color}{class}"), entries, nothing: "no light is accounted for yet" }
+    let class = path_class::of_ray(&model.log, &model.tree, model.cursor);
+    let class = class.map_or(String::new(), |class| format!(" - here {class}"));
+    let is_whole = matches!(model.log.events.last().map(|event| &event.what), Some(What::Result { .. }));
+    let title = match is_whole {
+        true => format!("Why the colour is {color}{class}"),
+        false => format!("The log ends before the colour; so far {color}{class}"),
+    };
+    Listing { title, entries, nothing: "no light is accounted for yet" }
 }
 
 /// `12.30 %  C R S1  light F on sphere  (1, 2, 3)  LDSE c`: so much of the colour, and of each channel behind it.
-fn contribution(model: &Model, account: &Account, part: &Contribution) -> Entry {
+fn contribution(model: &Model, account: &Account, Group { sum: part, count }: &Group) -> Entry {
     let header = &model.log.header;
     let origin = match part.origin {
         Origin::Light { light, object } => {
@@ -166,14 +172,16 @@ fn contribution(model: &Model, account: &Account, part: &Contribution) -> Entry 
     };
     let color = number::value(&Value::Triple(part.color), model.numbers);
     let class = if part.cases.is_empty() { part.class.clone() } else { format!("{} {}", part.class, part.cases) };
-    let weight = (part.weight != [1.0; 3]).then(|| {
+    let times = if *count == 1 { String::new() } else { format!("×{count}") };
+    let weight = (part.weight != [1.0; 3] && *count == 1).then(|| {
         format!("= {} * weight {}", number::value(&Value::Triple(part.own), model.numbers), triple(model, &part.weight))
     });
     let channel = |channel| {
         part.share_of(channel, &account.color).map_or("-".to_owned(), |x| format!("{:.0}", (100.0 * x).round() + 0.0))
     };
     let channels = format!("[{}]", [0, 1, 2].map(channel).join(" "));
-    let parts = [percent(part.share), part.path.clone(), origin, class, channels, color, weight.unwrap_or_default()];
+    let parts =
+        [percent(part.share), part.path.clone(), times, origin, class, channels, color, weight.unwrap_or_default()];
     let text = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("  ");
     Entry { text, role: Role::Text, target: part.event }
 }

@@ -81,8 +81,11 @@ fn named(what: &str, names: &[String], name: &str) -> Result<Vec<u32>, String> {
         Some(near) => format!("there is no {what} `{}`; did you mean `{}`?", plain(name), plain(near)),
         None if names.is_empty() => format!("there is no {what} in this log"),
         None => {
-            let some: Vec<_> = all.take(5).map(plain).collect();
-            format!("there is no {what} `{}`, but {}", plain(name), some.join(", "))
+            const SOME: usize = 5;
+            let some: Vec<_> = all.take(SOME).map(plain).collect();
+            let more = names.len().saturating_sub(SOME);
+            let more = if more == 0 { String::new() } else { format!(" and {more} more") };
+            format!("there is no {what} `{}`, but {}{more}", plain(name), some.join(", "))
         }
     })
 }
@@ -146,6 +149,8 @@ fn operand_of(text: &str) -> Result<(Vec<Name>, Part), String> {
         }
     }
     let known = Name::all().flat_map(|name| [name.key(), name.symbol()]).chain(kind::WORDS.iter().copied());
+    // A kind of event has no value to compare.
+    let known = known.filter(|word| *word != text);
     Err(match nearest(text, known) {
         Some(near) => format!("nothing is called `{}`; did you mean `{near}`?", plain(text)),
         None => format!(

@@ -4,7 +4,7 @@ use super::*;
 use crate::tui::testing::{glass, nested, textbook};
 
 fn search(log: &Log, text: &str) -> Search {
-    Search::of(log, &Tree::of(&log.events), Style::default(), text)
+    Search::of(&Model::new(log.clone()), text)
 }
 
 #[track_caller]

@@ -16,7 +16,7 @@ use ratatui::text::{Line, Span};
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let name = words::title(&model.log, &model.tree, model.cursor);
     let is_ray = matches!(model.tree.nodes()[model.cursor].step, Some(crate::log::Step::Ray { .. }));
-    let class = path_class::of_ray(&model.tree, model.cursor).filter(|_| is_ray);
+    let class = path_class::of_ray(&model.log, &model.tree, model.cursor).filter(|_| is_ray);
     let name = shown(&class.map_or(name.clone(), |class| format!("{name}, {class}")), theme);
     title(model, Pane::Computation, name, "", theme, area, buffer);
     let body = Layout::body(area);

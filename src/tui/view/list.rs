@@ -10,12 +10,15 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 
+/// What the keys do in a list.
+const USUAL: &str = "j k select, Enter goes there, Esc closes";
+
 /// Draws a list with its selected entry in view.
 pub(super) fn draw(model: &Model, kind: Kind, selected: usize, theme: &Theme, buffer: &mut Buffer) {
     let listing = listing(model, kind);
     let texts: Vec<String> = listing.entries.iter().map(|entry| shown(&entry.text, theme)).collect();
     let widest = texts.iter().map(|text| width_of(text)).max().unwrap_or(0).max(width_of(listing.nothing));
-    let widest = widest.max(width_of(&listing.title)).max(kind.hints().first().map_or(0, |hint| width_of(hint))) + 6;
+    let widest = widest.max(width_of(&listing.title)).max(width_of(kind.hints().first().unwrap_or(&USUAL))) + 6;
     let area = middle(buffer.area, widest, texts.len().max(1) + 2);
     clear(area, buffer);
     let faint = theme.style(Role::Faint);
@@ -24,9 +27,9 @@ pub(super) fn draw(model: &Model, kind: Kind, selected: usize, theme: &Theme, bu
     put(buffer, area, Line::styled(rule.clone(), faint));
     put(buffer, inner(area, 0), Line::styled(format!(" {} ", shown(&listing.title, theme)), theme.style(Role::Title)));
     put(buffer, bottom, Line::styled(rule, faint));
-    let has_targets = !kind.hints().is_empty() || listing.entries.iter().any(|entry| entry.target.is_some());
-    let usual = if has_targets { "j k select, Enter goes there, Esc closes" } else { "Esc closes" };
     let room = usize::from(inner(bottom, 0).width).saturating_sub(2);
+    let has_targets = !kind.hints().is_empty() || listing.entries.iter().any(|entry| entry.target.is_some());
+    let usual = if has_targets && room >= width_of(USUAL) { USUAL } else { "Esc closes" };
     let hint = kind.hints().iter().find(|hint| width_of(hint) <= room).unwrap_or(&usual);
     let hint = format!(" {hint} ");
     put(buffer, inner(bottom, 0), Line::styled(hint, faint));

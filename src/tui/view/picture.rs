@@ -62,7 +62,12 @@ fn remark(view: &PictureView) -> String {
 fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
     let [x, y] = view.cursor;
     let place = format!("{x},{y}");
-    let Some(dot) = view.image.at(view.cursor) else { return place };
+    // The colour is what a quiz asks for.
+    let Some(dot) = view.image.at(view.cursor).filter(|_| model.understanding.quiz.is_none()) else { return place };
+    let place = match view.layer.of(dot) {
+        Some(value) => format!("{place}  {} {}", view.layer.word(), figure(value)),
+        None => place,
+    };
     let linear = number::value(&Value::Triple(dot.color), model.numbers);
     let [r, g, b] = (view.image.levels)(dot.color, 0.0);
     let levels = format!("8-bit {r} {g} {b}");
@@ -135,8 +140,12 @@ impl Brush<'_> {
         }
         let ([least, greatest], value) = (self.range?, self.view.layer.of(dot)?);
         let part = if greatest > least { (value - least) / (greatest - least) } else { 0.0 };
-        // The root tells small values apart, as most pixels have.
-        Some(false_color(part.sqrt()))
+        Some(false_color(match self.view.layer {
+            // Errors differ by powers of ten: eight of them are shown.
+            Layer::Error => 1.0 + libm::log10(part) / 8.0,
+            // The root tells small values apart, as most pixels have.
+            _ => part.sqrt(),
+        }))
     }
 
     fn shade(&self, light: f64) -> &'static str {
