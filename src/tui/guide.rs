@@ -10,6 +10,7 @@ use super::prompt::{Prompt, Purpose};
 use super::run::{self, Stopped};
 use super::search::{self, Search};
 use super::steps::{self, Step};
+use super::understanding;
 use super::update::Effect;
 use super::{breakpoints, copy, list, mouse};
 
@@ -124,8 +125,9 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
     Effect::None
 }
 
-/// Goes far, to an event that `''` comes back from.
+/// Goes far, to an event that `''` and `^o` come back from.
 pub(super) fn jump(model: &mut Model, event: usize) {
+    understanding::before_jump(model);
     model.guide.back = Some(model.event);
     model.go_to_event(event);
 }

@@ -134,7 +134,7 @@ const TABLE: &[Row] = &[
     row(PICTURE, &["v"], NextView, "another view: colours, depth, rays, samples; top, front, camera"),
     row(UNDERSTAND, &["d"], Operands, "what this value is made of; Enter goes to an operand"),
     row(UNDERSTAND, &["D"], Uses, "which steps take this value"),
-    row(UNDERSTAND, &["^o"], Back, "back to where a list was jumped from"),
+    row(UNDERSTAND, &["^o"], Back, "back to before the last jump, then to before the one before it"),
     row(UNDERSTAND, &["w"], Contributions, "why the pixel has this colour"),
     row(UNDERSTAND, &["a"], Arithmetics, "the node's values by hand, in f32 and in f64, with the digits to trust"),
     row(UNDERSTAND, &["Q"], Quiz, "begin or end a quiz, which hides results"),

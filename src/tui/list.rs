@@ -14,8 +14,6 @@ use super::{address, breakpoints, run};
 /// What a list is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// The steps inside the selected node's computation.
-    Steps,
     /// Where runs stop.
     Breakpoints,
     /// Where they have stopped.
@@ -83,11 +81,6 @@ impl Entry {
 /// The list of this kind.
 pub fn listing(model: &Model, kind: Kind) -> Listing {
     match kind {
-        Kind::Steps => Listing {
-            title: "Steps".to_owned(),
-            entries: model.tree.own_events(model.cursor).map(|event| Entry::to(event, event.to_string())).collect(),
-            nothing: "no steps",
-        },
         Kind::Breakpoints => Listing {
             title: "Breakpoints".to_owned(),
             entries: breakpoints::entries(model),
@@ -142,7 +135,6 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
         Action::In | Action::Enter => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;
-                understanding::before_jump(model);
                 guide::jump(model, target);
             }
             return Effect::None;

@@ -46,8 +46,11 @@ pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
 /// Goes back to where one jumped from.
 pub(super) fn back(model: &mut Model) {
     match model.understanding.back.pop() {
-        Some(event) => model.go_to_event(event),
-        None => model.say("nowhere to go back to: no value was jumped from"),
+        Some(event) => {
+            model.guide.back = Some(model.event);
+            model.go_to_event(event);
+        }
+        None => model.say("nowhere to go back to: nothing was jumped from"),
     }
 }
 
