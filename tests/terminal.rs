@@ -3,6 +3,7 @@
 #![cfg(unix)]
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+use std::ffi::OsStr;
 use std::io::{Read, Write};
 use std::sync::{Arc, Mutex};
 use std::thread;
@@ -22,9 +23,14 @@ const PATIENCE: Duration = Duration::from_secs(20);
 
 impl Session {
     fn start(arguments: &[&str], columns: u16, rows: u16) -> Session {
+        Session::of(env!("CARGO_BIN_EXE_raywalk").as_ref(), arguments, columns, rows)
+    }
+
+    /// A program in a pseudo-terminal.
+    fn of(program: &OsStr, arguments: &[&str], columns: u16, rows: u16) -> Session {
         let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
         let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
-        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_raywalk"));
+        let mut command = CommandBuilder::new(program);
         command.args(arguments);
         command.cwd(env!("CARGO_MANIFEST_DIR"));
         command.env("TERM", "xterm-256color");
@@ -79,6 +85,20 @@ impl Session {
         let start = Instant::now();
         while self.text().contains(unexpected) {
             assert!(start.elapsed() < PATIENCE, "unexpected `{unexpected}` on:\n{}", self.text());
+            thread::sleep(Duration::from_millis(10));
+        }
+    }
+
+    /// Waits until the screen is the usual one, or the viewer's, with its cursor shown or hidden.
+    #[track_caller]
+    fn is_taken(&self, is_taken: bool) {
+        let start = Instant::now();
+        let state = || {
+            let screen = self.screen.lock().expect("the screen");
+            (screen.screen().alternate_screen(), screen.screen().hide_cursor())
+        };
+        while state() != (is_taken, is_taken) {
+            assert!(start.elapsed() < PATIENCE, "alternate screen, cursor hidden: {:?}\n{}", state(), self.text());
             thread::sleep(Duration::from_millis(10));
         }
     }
@@ -314,4 +334,75 @@ fn e14_no_color() {
         let output = command.args(arguments).env("NO_COLOR", "1").output().expect("it runs");
         assert!(![output.stdout, output.stderr].concat().contains(&0x1b), "{arguments:?}");
     }
+}
+
+#[test]
+fn the_shell_gets_the_terminal_and_gives_it_back() {
+    let mut session = Session::of("bash".as_ref(), &["--norc", "--noprofile", "-i"], 100, 30);
+    session.press(concat!(env!("CARGO_BIN_EXE_raywalk"), " walk textbook\r"));
+    session.shows("step 1/96");
+    session.is_taken(true);
+    session.press("n\x1a");
+    session.shows("Stopped");
+    session.is_taken(false);
+    session.press("fg\r");
+    session.is_taken(true);
+    session.shows("step 2/96");
+    session.press("n");
+    session.shows("step 3/96");
+    session.press("q");
+    session.shows("back here:");
+    session.is_taken(false);
+    session.press("exit 7\r");
+    session.ends_with(7);
+}
+
+#[test]
+fn the_cursor_walks_over_the_picture() {
+    let mut session = Session::start(&["walk", "figure-6"], 160, 48);
+    session.shows("160,120");
+    // Shift-Tab goes from the tree to the picture.
+    session.press("\x1b[Z3l2k");
+    session.shows("pixel 163,118");
+    session.press("\r:pixel 5,7\r");
+    session.shows("pixel 5,7");
+    session.press("q");
+    session.ends_with(0);
+    assert!(session.has_written("--pixel 5,7 --at"), "the way back is to another pixel");
+}
+
+/// A viewer of a scene whose tracer panics: `a_panic_gives_the_terminal_back` runs it in a terminal.
+#[test]
+#[ignore = "only in the terminal of another test"]
+fn panicking_viewer() {
+    struct Panics;
+    impl raywalk::tui::Live for Panics {
+        fn trace(&mut self, _: [u32; 2]) -> Result<raywalk::log::Log, String> {
+            panic!("the tracer gave up")
+        }
+        fn compare(&mut self, _: raywalk::log::Subject) -> Result<Vec<raywalk::log::Log>, String> {
+            panic!("the tracer gave up")
+        }
+    }
+    let text = raywalk::scene::builtin::text("textbook").expect("the numeric example");
+    let loaded = raywalk::scene::file::check(text.as_bytes(), "textbook").expect("a scene");
+    let scene = raywalk::scene::build(&loaded.scene, &Default::default()).expect("a scene");
+    let log = raywalk::record::pixel(&scene, [160, 120], raywalk::record::Arithmetic::F64);
+    let theme = raywalk::tui::Theme::new(raywalk::tui::Palette::None, false);
+    let numbers = raywalk::report::Style::default();
+    let options = raywalk::tui::Options { theme, start: None, warning: None, note: None, numbers };
+    raywalk::tui::run(log, options, Some(&mut Panics)).expect("a terminal");
+}
+
+#[test]
+fn a_panic_gives_the_terminal_back() {
+    let program = std::env::current_exe().expect("this program");
+    let arguments = ["--ignored", "--exact", "panicking_viewer", "--nocapture"];
+    let mut session = Session::of(program.as_os_str(), &arguments, 100, 30);
+    session.shows("step 1/96");
+    session.is_taken(true);
+    // The other arithmetics are asked for.
+    session.press("a");
+    session.shows("the tracer gave up");
+    session.ends_with(101);
 }

@@ -76,7 +76,7 @@ impl fmt::Debug for Image {
 }
 
 impl Image {
-    /// The picture of this size without any dots; the step is the least with which it has no more than [`MOST_DOTS`].
+    /// The picture of this size without any dots; the step is the least with which it has no more than 2²⁰ dots.
     pub fn empty(size: [u32; 2], levels: Levels) -> Image {
         let step = (1..).find(|step| dots_of(size, *step) <= MOST_DOTS).unwrap_or(1);
         Image { size, step, dots: vec![None; dots_of(size, step)], levels }
