@@ -8,7 +8,6 @@ use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, Skip
 use crate::log::header::{FORMAT, Header};
 use crate::log::name::Name;
 use crate::log::{Log, file::line::End};
-use rayon::prelude::*;
 use serde::Deserialize;
 use std::collections::HashMap;
 
@@ -66,46 +65,38 @@ pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
     if is_document(bytes) {
         return document::read(bytes);
     }
-    let mut lines = Lines { bytes, start: 0, number: 0 };
+    let mut lines = Lines { rest: bytes, number: 0 };
     let header = header(lines.next().map(|line| line.text).unwrap_or_default())?;
     let mut reader = Reader::new(&header);
-    let ending = events(bytes, lines, &mut reader)?;
+    let mut hashed = bytes.len() - lines.rest.len();
+    let mut ending = Ending::Missing { incomplete_record: false };
+    while let Some(line) = lines.next() {
+        if line.text.trim_ascii().is_empty() {
+            continue;
+        }
+        let parsed = serde_json::from_slice::<Line>(line.text).map_err(|error| error_at(line.number, &error));
+        let parsed = match parsed {
+            Ok(parsed) => parsed,
+            Err(_) if !line.is_terminated => {
+                ending = Ending::Missing { incomplete_record: true };
+                break;
+            }
+            Err(error) => return Err(error),
+        };
+        if let Some(end) = parsed.end {
+            ending = check_end(&end, reader.events.len(), &bytes[..hashed]);
+            let after = lines.rest.trim_ascii().len();
+            if after > 0 {
+                ending = Ending::Mismatch { what: format!("{after} bytes stand after its end line") };
+            }
+            break;
+        }
+        reader.take(parsed, line.number)?;
+        hashed = bytes.len() - lines.rest.len();
+    }
     let events = reader.events;
     Ok(ReadLog { log: Log { header, events }, ending })
 }
-
-/// Reads the lines after the header; says how the log ends.
-fn events(bytes: &[u8], mut lines: Lines, reader: &mut Reader) -> Result<Ending, LogError> {
-    let mut hashed = lines.start;
-    loop {
-        let batch: Vec<TextLine> = lines.by_ref().take(AT_ONCE).collect();
-        if batch.is_empty() {
-            return Ok(Ending::Missing { incomplete_record: false });
-        }
-        let is_blank = |line: &TextLine| line.text.trim_ascii().is_empty();
-        let parsed = batch.par_iter().map(|line| (!is_blank(line)).then(|| serde_json::from_slice::<Line>(line.text)));
-        let parsed: Vec<_> = parsed.collect();
-        for (line, parsed) in batch.iter().zip(parsed) {
-            let parsed = match parsed {
-                None => continue,
-                Some(Ok(parsed)) => parsed,
-                Some(Err(_)) if !line.is_terminated => return Ok(Ending::Missing { incomplete_record: true }),
-                Some(Err(error)) => return Err(error_at(line.number, &error)),
-            };
-            if let Some(end) = parsed.end {
-                return Ok(match bytes[line.end..].trim_ascii().len() {
-                    0 => check_end(&end, reader.events.len(), &bytes[..hashed]),
-                    after => Ending::Mismatch { what: format!("{after} bytes stand after its end line") },
-                });
-            }
-            reader.take(parsed, line.number)?;
-            hashed = line.end;
-        }
-    }
-}
-
-/// So many lines are parsed at once, on all cores: few beside a long log, and enough to be worth it.
-const AT_ONCE: usize = 1 << 13;
 
 fn header(line: &[u8]) -> Result<Header, LogError> {
     #[derive(Deserialize)]
@@ -160,16 +151,12 @@ pub(super) fn error_at(line: usize, error: &serde_json::Error) -> LogError {
 }
 
 struct Lines<'b> {
-    bytes: &'b [u8],
-    /// Where the next line begins.
-    start: usize,
+    rest: &'b [u8],
     number: usize,
 }
 
 struct TextLine<'b> {
     text: &'b [u8],
-    /// Where the next line begins.
-    end: usize,
     number: usize,
     is_terminated: bool,
 }
@@ -178,15 +165,17 @@ impl<'b> Iterator for Lines<'b> {
     type Item = TextLine<'b>;
 
     fn next(&mut self) -> Option<TextLine<'b>> {
-        let rest = &self.bytes[self.start..];
-        if rest.is_empty() {
+        if self.rest.is_empty() {
             return None;
         }
         self.number += 1;
-        let length = rest.iter().position(|byte| *byte == b'\n');
-        let text = &rest[..length.unwrap_or(rest.len())];
-        self.start = length.map_or(self.bytes.len(), |length| self.start + length + 1);
-        Some(TextLine { text, end: self.start, number: self.number, is_terminated: length.is_some() })
+        let end = self.rest.iter().position(|byte| *byte == b'\n');
+        let (text, rest) = match end {
+            Some(end) => (&self.rest[..end], &self.rest[end + 1..]),
+            None => (self.rest, &self.rest[..0]),
+        };
+        self.rest = rest;
+        Some(TextLine { text, number: self.number, is_terminated: end.is_some() })
     }
 }
 
