@@ -1,7 +1,7 @@
 //! The help: the table of keys, over everything else.
 
 use super::text::{width_of, wrap};
-use super::{put, put_all};
+use super::{clear, inner, put, put_all};
 use crate::tui::model::Model;
 use crate::tui::prompt::{Prompt, Purpose};
 use crate::tui::search::Pattern;
@@ -16,11 +16,7 @@ use ratatui::text::{Line, Span};
 pub(super) fn draw(model: &Model, top: u16, theme: &Theme, buffer: &mut Buffer) {
     let filter = &filter(model);
     let area = area(filter, (buffer.area.width, buffer.area.height)).intersection(buffer.area);
-    for position in area.positions() {
-        if let Some(cell) = buffer.cell_mut(position) {
-            cell.reset();
-        }
-    }
+    clear(area, buffer);
     let faint = theme.style(Role::Faint);
     let rule = theme.glyphs.horizontal;
     put(buffer, area, Line::styled(rule.repeat(usize::from(area.width)), faint));
@@ -60,16 +56,6 @@ fn area(filter: &Pattern, (width, height): (u16, u16)) -> Rect {
     let count = lines(filter, usize::from(wide.saturating_sub(4)), &Theme::new(Palette::None, true)).len() as u16;
     let high = height.min(count.saturating_add(2));
     Rect { x: (width - wide) / 2, y: (height - high) / 2, width: wide, height: high }
-}
-
-/// An area without `rows` rows above and below, and without two columns at each side.
-fn inner(area: Rect, rows: u16) -> Rect {
-    Rect {
-        x: area.x.saturating_add(2),
-        y: area.y.saturating_add(rows),
-        width: area.width.saturating_sub(4),
-        height: area.height.saturating_sub(2 * rows),
-    }
 }
 
 /// The rows in which a key or the words for it match, under their headings.

@@ -1,7 +1,7 @@
 //! A list, over everything else.
 
 use super::text::{shown, width_of};
-use super::{put, put_all};
+use super::{clear, inner, put, put_all};
 use crate::tui::list::{Kind, listing};
 use crate::tui::model::Model;
 use crate::tui::theme::{Role, Theme};
@@ -59,22 +59,4 @@ fn middle(screen: Rect, columns: usize, rows: usize) -> Rect {
     let width = screen.width.min(columns.min(usize::from(u16::MAX)) as u16);
     let height = screen.height.min(rows.min(usize::from(u16::MAX)) as u16);
     Rect { x: (screen.width - width) / 2, y: (screen.height - height) / 2, width, height }
-}
-
-fn clear(area: Rect, buffer: &mut Buffer) {
-    for position in area.intersection(buffer.area).positions() {
-        if let Some(cell) = buffer.cell_mut(position) {
-            cell.reset();
-        }
-    }
-}
-
-/// An area without `rows` rows above and below, and without two columns at each side.
-fn inner(area: Rect, rows: u16) -> Rect {
-    Rect {
-        x: area.x.saturating_add(2),
-        y: area.y.saturating_add(rows),
-        width: area.width.saturating_sub(4),
-        height: area.height.saturating_sub(2 * rows),
-    }
 }

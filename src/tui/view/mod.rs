@@ -74,6 +74,25 @@ fn put_all(buffer: &mut Buffer, area: Rect, lines: impl IntoIterator<Item = Line
     }
 }
 
+/// Makes room for what lies over the panes.
+fn clear(area: Rect, buffer: &mut Buffer) {
+    for position in area.intersection(buffer.area).positions() {
+        if let Some(cell) = buffer.cell_mut(position) {
+            cell.reset();
+        }
+    }
+}
+
+/// An area without `rows` rows above and below, and without two columns at each side.
+fn inner(area: Rect, rows: u16) -> Rect {
+    Rect {
+        x: area.x.saturating_add(2),
+        y: area.y.saturating_add(rows),
+        width: area.width.saturating_sub(4),
+        height: area.height.saturating_sub(2 * rows),
+    }
+}
+
 /// The title above a pane: its name in a rule, with a mark when the keys move in it, and a remark at the right.
 fn title(model: &Model, pane: Pane, name: String, remark: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let faint = theme.style(Role::Faint);
