@@ -43,12 +43,8 @@ pub struct Guide {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Walk {
-    Into,
-    IntoBack,
-    Over,
-    OverBack,
-    Out,
-    OutBack,
+    /// Step by the nesting of the nodes.
+    Step(Step),
     FirstStep,
     LastStep,
     Break,
@@ -87,12 +83,7 @@ pub enum Walk {
 pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effect {
     let times = count.unwrap_or(1) as usize;
     match walk {
-        Walk::Into => steps::go(model, Step::Into, times),
-        Walk::IntoBack => steps::go(model, Step::IntoBack, times),
-        Walk::Over => steps::go(model, Step::Over, times),
-        Walk::OverBack => steps::go(model, Step::OverBack, times),
-        Walk::Out => steps::go(model, Step::Out, times),
-        Walk::OutBack => steps::go(model, Step::OutBack, times),
+        Walk::Step(step) => steps::go(model, step, times),
         Walk::FirstStep => jump(model, 0),
         Walk::LastStep => jump(model, usize::MAX),
         Walk::Break => model.prompt = Some(Prompt::new(Purpose::Break)),

@@ -6,6 +6,7 @@
 use super::Action::{self, Search};
 use super::{Row, row};
 use crate::tui::guide::Walk;
+use crate::tui::steps::Step;
 
 const STEP: &str = "Step into, over and out";
 const RUN: &str = "Run and play";
@@ -16,12 +17,12 @@ pub(super) const IN_LISTS: &str = "In the list of breakpoints";
 
 /// The keys of [`Walk`].
 pub(super) const TABLE: &[Row] = &[
-    row(STEP, &["s"], Action::Walk(Walk::Into), "into: to the next event, wherever it is"),
-    row(STEP, &["S"], Action::Walk(Walk::IntoBack), "into, backward"),
-    row(STEP, &["o"], Action::Walk(Walk::Over), "over: to the next event of this node or one around it"),
-    row(STEP, &["O"], Action::Walk(Walk::OverBack), "over, backward"),
-    row(STEP, &["u"], Action::Walk(Walk::Out), "out: past the end of this node, to one around it"),
-    row(STEP, &["U"], Action::Walk(Walk::OutBack), "out, backward: to before this node"),
+    row(STEP, &["s"], Action::Walk(Walk::Step(Step::Into)), "into: to the next event, wherever it is"),
+    row(STEP, &["S"], Action::Walk(Walk::Step(Step::IntoBack)), "into, backward"),
+    row(STEP, &["o"], Action::Walk(Walk::Step(Step::Over)), "over: to the next event of this node or one around it"),
+    row(STEP, &["O"], Action::Walk(Walk::Step(Step::OverBack)), "over, backward"),
+    row(STEP, &["u"], Action::Walk(Walk::Step(Step::Out)), "out: past the end of this node, to one around it"),
+    row(STEP, &["U"], Action::Walk(Walk::Step(Step::OutBack)), "out, backward: to before this node"),
     row(STEP, &["0"], Action::Walk(Walk::FirstStep), "to the first step (42G goes to step 42)"),
     row(STEP, &["$"], Action::Walk(Walk::LastStep), "to the last step"),
     row(RUN, &["b"], Action::Walk(Walk::Break), "type a breakpoint: hit, object NAME, depth 2, T2_A < 0"),
