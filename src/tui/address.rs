@@ -84,14 +84,8 @@ pub(super) fn set(model: &mut Model, letter: char) {
     bookmarks.sort_by_key(|bookmark| bookmark.letter);
 }
 
-/// Goes to a bookmark, or back to before the last jump.
+/// Goes to a bookmark.
 pub(super) fn go(model: &mut Model, letter: char) {
-    if letter == '\'' {
-        return match model.guide.back {
-            Some(back) => guide::jump(model, back),
-            None => model.say("no jump to come back from"),
-        };
-    }
     match model.guide.bookmarks.iter().find(|bookmark| bookmark.letter == letter) {
         None => model.say(&format!("no bookmark {letter}; m{letter} sets it, M lists all")),
         Some(Bookmark { event: Some(event), .. }) => {

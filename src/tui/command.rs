@@ -1,6 +1,7 @@
 //! The command line: what is typed behind `:`.
 
 use super::guide::{self, Walk};
+use super::jumps;
 use super::keys::Action;
 use super::model::Model;
 use super::prompt::Purpose;
@@ -130,7 +131,10 @@ fn pixel(model: &mut Model, text: &str) -> Effect {
                 model.say(&format!("the picture has columns 0 to {} and rows 0 to {}", width - 1, height - 1));
                 Effect::None
             }
-            _ => Effect::Trace([x, y]),
+            _ => {
+                jumps::remember(model);
+                Effect::Trace([x, y])
+            }
         },
     }
 }

@@ -4,13 +4,13 @@
 
 use super::address::{self, Bookmark};
 use super::breakpoints::Breakpoint;
+use super::jumps::{self, Jumps};
 use super::model::{Model, Overlay};
 use super::play::{self, Pace};
 use super::prompt::{Prompt, Purpose};
 use super::run::{self, Stopped};
 use super::search::{self, Search};
 use super::steps::{self, Step};
-use super::understanding;
 use super::update::Effect;
 use super::{breakpoints, copy, list, mouse};
 
@@ -31,8 +31,8 @@ pub struct Guide {
     pub filter: Option<String>,
     /// The places to come back to.
     pub bookmarks: Vec<Bookmark>,
-    /// Where the last jump began.
-    pub back: Option<usize>,
+    /// Where jumps began.
+    pub jumps: Jumps,
     /// Whether the mouse selects and scrolls.
     pub has_mouse: bool,
     /// What the rows of the help must contain.
@@ -103,6 +103,7 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
             model.prompt = Some(Prompt { purpose: Purpose::Filter, line: filter.into() });
         }
         Walk::Mark(letter) => address::set(model, letter),
+        Walk::GoTo('\'') => return jumps::over(model),
         Walk::GoTo(letter) => address::go(model, letter),
         Walk::Marks => list::open(model, list::Kind::Bookmarks),
         Walk::CopyValue => return copy::value(model),
@@ -118,8 +119,7 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
 
 /// Goes far, to an event that `''` and `^o` come back from.
 pub(super) fn jump(model: &mut Model, event: usize) {
-    understanding::before_jump(model);
-    model.guide.back = Some(model.event);
+    jumps::remember(model);
     model.go_to_event(event);
 }
 
@@ -169,8 +169,6 @@ pub(super) fn grow(model: &mut Model) {
 /// Finds in another log what was set in the one before.
 pub(super) fn renew(model: &mut Model) {
     model.guide.pace.is_playing = false;
-    model.guide.stops.clear();
-    model.guide.back = None;
     address::renew(model);
     search::renew(model);
 }

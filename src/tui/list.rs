@@ -62,7 +62,7 @@ pub struct Entry {
     pub text: String,
     /// How it looks.
     pub role: Role,
-    /// The event that `Enter` goes to.
+    /// The event that `Enter` goes to; that of a stop may be of another pixel.
     pub target: Option<usize>,
 }
 
@@ -132,6 +132,7 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
             breakpoints::delete(model, selected);
             return Effect::None;
         }
+        Action::In | Action::Enter if kind == Kind::Stops => return run::go_to(model, selected),
         Action::In | Action::Enter => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;

@@ -14,6 +14,7 @@ pub mod dump;
 mod facts;
 mod fold;
 mod guide;
+mod jumps;
 pub mod keys;
 mod layout;
 mod list;
@@ -48,6 +49,7 @@ mod visible;
 
 pub use drawing::{Drawing, PlaceOf, Projection, Thing};
 pub use guide::{Guide, Walk};
+pub use jumps::Spot;
 pub use keys::Action;
 pub use list::{Entry, Kind, Listing};
 pub use live::Live;

@@ -4,6 +4,7 @@ use super::drawing::{Drawing, Projection};
 use super::facts::Facts;
 use super::fold::Fold;
 use super::guide::{self, Guide};
+use super::jumps;
 use super::layout::{Arrangement, Layout};
 use super::list;
 use super::live::Live;
@@ -180,6 +181,10 @@ impl Model {
             (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_), _) => return,
             (_, None) => Err("a saved log has no scene to trace".to_owned()),
             (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| self.show(log)),
+            (Effect::Revisit(pixel, spot), Some(live)) => live.trace(pixel).map(|log| {
+                self.show(log);
+                jumps::arrive(self, &spot);
+            }),
             (Effect::Compare, Some(live)) => live.compare(self.log.header.subject).map(|logs| {
                 self.others = logs;
                 understanding::open(self, list::Kind::Arithmetics);

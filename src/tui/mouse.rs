@@ -1,6 +1,7 @@
 //! The mouse: off until it is asked for, because a terminal can't select text while the viewer has it.
 
 use super::guide::Walk;
+use super::jumps;
 use super::keys::Action;
 use super::layout::Layout;
 use super::model::{Model, Pane};
@@ -55,7 +56,9 @@ pub(super) fn click(model: &mut Model, x: u16, y: u16) -> Effect {
             model.go_to_node(row);
         }
     }
-    pixel_at(model, &layout, at).map_or(Effect::None, Effect::Trace)
+    let Some(pixel) = pixel_at(model, &layout, at) else { return Effect::None };
+    jumps::remember(model);
+    Effect::Trace(pixel)
 }
 
 /// The pixel of the picture at a place on the screen.

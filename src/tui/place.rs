@@ -4,7 +4,7 @@ use crate::log::{Log, Name, Step, Tree, What};
 use std::mem::{Discriminant, discriminant};
 
 /// A place, by what it is and not by its number.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
     /// Each node on the way down from the root: what it is, and the how-manieth of these among its parent's.
     way: Vec<(Step, usize)>,
@@ -13,7 +13,7 @@ pub struct Place {
 }
 
 /// Which event of a node.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 struct Mark {
     kind: Discriminant<What>,
     name: Option<Name>,

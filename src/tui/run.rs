@@ -2,15 +2,19 @@
 
 use super::describe;
 use super::guide;
+use super::jumps::{self, Spot};
 use super::list::{Entry, Kind};
 use super::model::{Model, Overlay};
+use super::update::Effect;
 use crate::report::words::plain;
 
 /// A place where a run stopped.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stopped {
-    /// The event.
-    pub event: usize,
+    /// The step.
+    pub spot: Spot,
+    /// What was there.
+    pub what: String,
     /// The breakpoint that stopped it, as it was typed.
     pub breakpoint: String,
 }
@@ -60,8 +64,9 @@ pub(super) fn first_stop(model: &Model, mut events: impl Iterator<Item = usize>)
 /// Stops at an event, and remembers it.
 pub(super) fn stop(model: &mut Model, event: usize, breakpoint: String) {
     guide::jump(model, event);
-    model.say(&format!("stopped by {}: {}", plain(&breakpoint), describe::event(model, event)));
-    model.guide.stops.push(Stopped { event, breakpoint });
+    let what = describe::event(model, event);
+    model.say(&format!("stopped by {}: {what}", plain(&breakpoint)));
+    model.guide.stops.push(Stopped { spot: Spot::of(model, event), what, breakpoint });
     let excess = model.guide.stops.len().saturating_sub(MOST);
     model.guide.stops.drain(..excess);
 }
@@ -72,11 +77,22 @@ pub(super) fn open(model: &mut Model) {
     model.overlay = Some(Overlay::List { kind: Kind::Stops, selected });
 }
 
-/// The list of the stops.
+/// The list of the stops, with the pixels of those in others.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
-    let entry = |stop: &Stopped| {
-        let what = describe::event(model, stop.event);
-        Entry::to(stop.event, format!("step {}  {}  {what}", stop.event + 1, plain(&stop.breakpoint)))
+    let entry = |Stopped { spot, what, breakpoint }: &Stopped| {
+        let is_shown = spot.is_shown(model);
+        let pixel = spot.pixel.filter(|_| !is_shown).map_or(String::new(), |[x, y]| format!("  in {x},{y}"));
+        // What a quiz hid then may be known now.
+        let what = if is_shown { describe::event(model, spot.event) } else { what.clone() };
+        Entry::to(spot.event, format!("step {}{pixel}  {}  {what}", spot.event + 1, plain(breakpoint)))
     };
     model.guide.stops.iter().map(entry).collect()
+}
+
+/// Goes to the stop in this row of the list.
+pub(super) fn go_to(model: &mut Model, selected: usize) -> Effect {
+    let Some(stop) = model.guide.stops.get(selected) else { return Effect::None };
+    let spot = stop.spot.clone();
+    model.overlay = None;
+    jumps::to(model, spot)
 }

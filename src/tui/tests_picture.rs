@@ -1,5 +1,6 @@
 //! The picture and the schematic without a terminal: a scene that somebody else traces.
 
+use super::list::listing;
 use super::testing::{glass, sized, textbook};
 use super::*;
 use crate::log::{Log, Subject};
@@ -119,6 +120,43 @@ fn the_selection_stays_where_the_trees_agree() {
     assert_eq!((model.event, model.cursor), (event, cursor));
     model.show(textbook());
     assert!(model.event < model.log.events.len());
+}
+
+#[test]
+fn jumps_and_stops_outlive_another_pixel() {
+    // At the first value a jump to the last step, then the pixel at the right.
+    let from = after("<Tab> n", (100, 30)).0.event;
+    let there = |keys: &str| {
+        let (model, traced) = after(&format!("<Tab> n $ <BackTab> l {keys}"), (100, 30));
+        (model.pixel(), model.event, traced.len())
+    };
+    let last = glass().events.len() - 1;
+    assert_eq!(there(""), (Some([4, 2]), last, 1));
+    assert_eq!(there("^o"), (Some([3, 2]), from, 2));
+    assert_eq!(there("''"), (Some([3, 2]), from, 2));
+    assert_eq!(there("'' ''"), (Some([4, 2]), last, 3));
+    assert_eq!(there("^o ^o"), (Some([3, 2]), from, 2));
+    // Going to a pixel by its numbers is a jump, going from pixel to pixel isn't.
+    assert_eq!(there(":pixel<Space>1,1<Enter> ^o"), (Some([4, 2]), last, 3));
+    // A pixel that can't be traced leads nowhere, and so isn't come back from.
+    assert_eq!(there(":pixel<Space>7,5<Enter> ^o"), (Some([3, 2]), from, 2));
+
+    let (model, _) = after("<Tab> bhit<Enter> r <BackTab> l", (100, 30));
+    let entry = |model: &Model| listing(model, Kind::Stops).entries[0].text.clone();
+    assert!(entry(&model).contains("  in 3,2  hit  hit"), "{}", entry(&model));
+    let (back, traced) = after("<Tab> bhit<Enter> r <BackTab> l L <Enter>", (100, 30));
+    assert_eq!((back.pixel(), back.event, back.overlay), (Some([3, 2]), model.event, None));
+    assert_eq!(traced.len(), 2);
+    assert!(!entry(&back).contains("in 3,2"), "{}", entry(&back));
+}
+
+#[test]
+fn a_step_that_is_gone_is_come_back_to_nearby() {
+    let (mut model, _) = after("<Tab> $ 0", (100, 30));
+    let spot = Spot::of(&model, glass().events.len() / 2);
+    model.show(of_pixel(textbook(), [3, 2]));
+    assert_eq!(super::jumps::go(&mut model, spot), Effect::None);
+    assert!(model.message.is_some_and(|message| message.text.contains("the nearest")));
 }
 
 #[test]

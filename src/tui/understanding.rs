@@ -20,8 +20,6 @@ const MOST: usize = 500;
 pub struct Understanding {
     /// The list that was opened last, made once.
     pub listing: Option<(Kind, Listing)>,
-    /// The events that one jumped from, the last one last.
-    pub back: Vec<usize>,
     /// The quiz, while it is on.
     pub quiz: Option<super::quiz::Quiz>,
     /// The steps whose results somebody answered.
@@ -41,26 +39,6 @@ pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
     model.understanding.listing = Some((kind, make(model, kind)));
     list::open(model, kind);
     Effect::None
-}
-
-/// Goes back to where one jumped from.
-pub(super) fn back(model: &mut Model) {
-    match model.understanding.back.pop() {
-        Some(event) => {
-            model.guide.back = Some(model.event);
-            model.go_to_event(event);
-        }
-        None => model.say("nowhere to go back to: nothing was jumped from"),
-    }
-}
-
-/// Remembers where one is before a jump.
-pub(super) fn before_jump(model: &mut Model) {
-    const MOST_BACK: usize = 1000;
-    if model.understanding.back.len() == MOST_BACK {
-        model.understanding.back.remove(0);
-    }
-    model.understanding.back.push(model.event);
 }
 
 /// The list of this kind that was opened.

@@ -3,6 +3,7 @@
 use super::drawing;
 use super::fold::previous_sibling;
 use super::guide::{self, Walk};
+use super::jumps::{self, Spot};
 use super::keys::Action;
 use super::list;
 use super::model::{Item, Model, Overlay, Pane};
@@ -25,6 +26,8 @@ pub enum Effect {
     Suspend,
     /// Trace this pixel and show its log.
     Trace([u32; 2]),
+    /// Trace this pixel and go to the step of it.
+    Revisit([u32; 2], Spot),
     /// Trace what is shown in the other arithmetics.
     Compare,
     /// Put this text on the clipboard.
@@ -130,7 +133,7 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Uses => return understanding::open(model, list::Kind::Uses),
         Action::Contributions => return understanding::open(model, list::Kind::Contributions),
         Action::Arithmetics => return understanding::open(model, list::Kind::Arithmetics),
-        Action::Back => understanding::back(model),
+        Action::Back => return jumps::back(model),
         Action::Quiz => quiz::toggle(model),
         Action::Answer => quiz::ask(model),
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
