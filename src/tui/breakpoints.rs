@@ -27,11 +27,10 @@ pub struct Breakpoint {
 }
 
 /// Sets the breakpoint that a text asks for, or says what is wrong with it.
-pub(super) fn add(model: &mut Model, text: &str) {
-    match parse(text, &model.log) {
-        Ok(condition) => set(model, condition, text.trim()),
-        Err(why) => model.say(&why),
-    }
+pub(super) fn add(model: &mut Model, text: &str) -> Result<(), String> {
+    let condition = parse(text, &model.log)?;
+    set(model, condition, text.trim());
+    Ok(())
 }
 
 fn set(model: &mut Model, condition: Condition, text: &str) {

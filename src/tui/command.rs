@@ -4,7 +4,7 @@ use super::guide::{self, Walk};
 use super::jumps;
 use super::keys::Action;
 use super::model::Model;
-use super::prompt::Purpose;
+use super::prompt::{Done, Purpose};
 use super::suggest::nearest;
 use super::update::{Effect, Exit, update};
 use super::{address, breakpoints, search};
@@ -16,48 +16,42 @@ struct Command {
     name: &'static str,
     /// What follows it.
     argument: &'static str,
-    run: fn(&mut Model, &str) -> Effect,
+    run: fn(&mut Model, &str) -> Done,
 }
 
 /// Every command; a beginning that only one of them has stands for it.
 const COMMANDS: &[Command] = &[
     Command { name: "bookmark", argument: "LETTER", run: bookmark },
     Command { name: "bookmarks", argument: "", run: |model, _| walk(model, Walk::Marks) },
-    Command { name: "break", argument: "CONDITION", run: |model, text| plainly(model, text, breakpoints::add) },
+    Command { name: "break", argument: "CONDITION", run: |model, text| plainly(breakpoints::add(model, text)) },
     Command { name: "breakpoints", argument: "", run: |model, _| walk(model, Walk::Breakpoints) },
-    Command { name: "filter", argument: "TEXT", run: |model, text| plainly(model, text, search::filter) },
+    Command { name: "filter", argument: "TEXT", run: |model, text| plainly(search::filter(model, text)) },
     Command { name: "grow", argument: "", run: |model, _| walk(model, Walk::Grow) },
-    Command { name: "help", argument: "", run: |model, _| plainly(model, "", |model, _| guide::open_help(model)) },
+    Command { name: "help", argument: "", run: help },
     Command { name: "mouse", argument: "", run: |model, _| walk(model, Walk::Mouse) },
     Command { name: "pixel", argument: "X,Y", run: pixel },
     Command { name: "play", argument: "", run: |model, _| walk(model, Walk::Play) },
-    Command { name: "quit", argument: "", run: |_, _| Effect::Leave(Exit::Quit) },
-    Command { name: "search", argument: "TEXT", run: |model, text| plainly(model, text, search::begin) },
+    Command { name: "quit", argument: "", run: |_, _| Ok(Effect::Leave(Exit::Quit)) },
+    Command { name: "search", argument: "TEXT", run: |model, text| plainly(search::begin(model, text)) },
     Command { name: "stops", argument: "", run: |model, _| walk(model, Walk::Stops) },
 ];
 
 /// Does what was typed.
-pub(super) fn run(model: &mut Model, text: &str) -> Effect {
+pub(super) fn run(model: &mut Model, text: &str) -> Done {
     let text = text.trim();
     if text.is_empty() {
-        return Effect::None;
+        return Ok(Effect::None);
     }
     if let Ok(step) = text.parse::<usize>() {
         go_to_step(model, step);
-        return Effect::None;
+        return Ok(Effect::None);
     }
     let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-    match find(word) {
-        Ok(command) if command.argument.is_empty() && !rest.is_empty() => {
-            model.say(&format!("nothing stands behind :{}", command.name));
-            Effect::None
-        }
-        Ok(command) => (command.run)(model, rest.trim()),
-        Err(why) => {
-            model.say(&why);
-            Effect::None
-        }
+    let command = find(word)?;
+    if command.argument.is_empty() && !rest.is_empty() {
+        return Err(format!("nothing stands behind :{}", command.name));
     }
+    (command.run)(model, rest.trim())
 }
 
 /// The command that a word or the beginning of one stands for.
@@ -86,13 +80,18 @@ fn usages(commands: impl Iterator<Item = &'static Command>) -> String {
     commands.map(usage).collect::<Vec<_>>().join(", ")
 }
 
-fn plainly(model: &mut Model, text: &str, run: fn(&mut Model, &str)) -> Effect {
-    run(model, text);
-    Effect::None
+/// Nothing is left to do for what was done in the model.
+fn plainly(done: Result<(), String>) -> Done {
+    done.map(|()| Effect::None)
 }
 
-fn walk(model: &mut Model, walk: Walk) -> Effect {
-    update(model, Action::Walk(walk))
+fn walk(model: &mut Model, walk: Walk) -> Done {
+    Ok(update(model, Action::Walk(walk)))
+}
+
+fn help(model: &mut Model, _: &str) -> Done {
+    guide::open_help(model);
+    Ok(Effect::None)
 }
 
 fn go_to_step(model: &mut Model, step: usize) {
@@ -103,39 +102,35 @@ fn go_to_step(model: &mut Model, step: usize) {
     }
 }
 
-fn bookmark(model: &mut Model, text: &str) -> Effect {
+fn bookmark(model: &mut Model, text: &str) -> Done {
     let mut characters = text.chars();
     match (characters.next(), characters.next()) {
         (Some(letter), None) if letter.is_alphanumeric() => address::set(model, letter),
-        _ => model.say("expected one letter, such as :bookmark a"),
+        _ => return Err("expected one letter, such as :bookmark a".to_owned()),
     }
-    Effect::None
+    Ok(Effect::None)
 }
 
 /// Goes to a pixel of the log, or has it traced.
-fn pixel(model: &mut Model, text: &str) -> Effect {
+fn pixel(model: &mut Model, text: &str) -> Done {
     let numbers: Vec<_> = text.split([',', ' ']).filter(|part| !part.is_empty()).map(str::parse).collect();
     let [Ok(x), Ok(y)] = numbers[..] else {
-        model.say("expected a column and a row, such as :pixel 160,120");
-        return Effect::None;
+        return Err("expected a column and a row, such as :pixel 160,120".to_owned());
     };
     let is_it = |step: Option<Step>| step == Some(Step::Pixel([x, y]));
     let found = model.tree.children(0).find(|node| is_it(model.tree.nodes()[*node].step));
-    match found {
-        Some(node) => {
-            guide::jump(model, model.tree.nodes()[node].events.start);
-            Effect::None
+    if let Some(node) = found {
+        guide::jump(model, model.tree.nodes()[node].events.start);
+        return Ok(Effect::None);
+    }
+    match model.picture.as_ref().map(|view| view.image.size) {
+        Some([width, height]) if x >= width || y >= height => {
+            Err(format!("the picture has columns 0 to {} and rows 0 to {}", width - 1, height - 1))
         }
-        None => match model.picture.as_ref().map(|view| view.image.size) {
-            Some([width, height]) if x >= width || y >= height => {
-                model.say(&format!("the picture has columns 0 to {} and rows 0 to {}", width - 1, height - 1));
-                Effect::None
-            }
-            _ => {
-                jumps::remember(model);
-                Effect::Trace([x, y])
-            }
-        },
+        _ => {
+            jumps::remember(model);
+            Ok(Effect::Trace([x, y]))
+        }
     }
 }
 

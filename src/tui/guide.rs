@@ -4,6 +4,7 @@
 
 use super::address::{self, Bookmark};
 use super::breakpoints::Breakpoint;
+use super::history::History;
 use super::jumps::{self, Jumps};
 use super::model::{Model, Overlay};
 use super::play::{self, Pace};
@@ -33,6 +34,8 @@ pub struct Guide {
     pub bookmarks: Vec<Bookmark>,
     /// Where jumps began.
     pub jumps: Jumps,
+    /// The lines that were typed.
+    pub history: History,
     /// Whether the mouse selects and scrolls.
     pub has_mouse: bool,
     /// What the rows of the help must contain.
@@ -99,8 +102,8 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
         Walk::NextMatch => search::go(model, true, times),
         Walk::PreviousMatch => search::go(model, false, times),
         Walk::Filter => {
-            let filter = model.guide.filter.clone().unwrap_or_default();
-            model.prompt = Some(Prompt { purpose: Purpose::Filter, line: filter.into() });
+            let filter = model.guide.filter.as_deref().unwrap_or_default();
+            model.prompt = Some(Prompt::with(Purpose::Filter, filter));
         }
         Walk::Mark(letter) => address::set(model, letter),
         Walk::GoTo('\'') => return jumps::over(model),
@@ -134,7 +137,7 @@ pub(super) fn close(model: &mut Model) {
     } else if model.guide.pace.is_playing {
         model.guide.pace.is_playing = false;
     } else if model.guide.search.take().is_none() {
-        search::filter(model, "");
+        search::show_all(model);
     }
 }
 

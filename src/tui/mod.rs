@@ -14,6 +14,7 @@ pub mod dump;
 mod facts;
 mod fold;
 mod guide;
+mod history;
 mod jumps;
 pub mod keys;
 mod layout;

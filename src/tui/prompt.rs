@@ -2,7 +2,7 @@
 
 use super::model::Model;
 use super::update::Effect;
-use super::{breakpoints, command, search};
+use super::{breakpoints, command, quiz, search};
 use crate::report::words::plain;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
@@ -14,10 +14,17 @@ pub struct Prompt {
     pub purpose: Purpose,
     /// What has been typed.
     pub line: Input,
+    /// How many lines before this one it was brought back from; 0 where it wasn't.
+    recalled: usize,
+    /// What was being typed before a line was brought back.
+    draft: String,
 }
 
+/// What a finished line asks for, or what is wrong with it.
+pub type Done = Result<Effect, String>;
+
 /// What a line is typed for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Purpose {
     /// What to look for.
     Search,
@@ -50,11 +57,16 @@ impl Purpose {
 impl Prompt {
     /// An empty line.
     pub fn new(purpose: Purpose) -> Prompt {
-        Prompt { purpose, line: Input::default() }
+        Prompt::with(purpose, "")
+    }
+
+    /// A line in which this stands already.
+    pub fn with(purpose: Purpose, line: &str) -> Prompt {
+        Prompt { purpose, line: line.into(), recalled: 0, draft: String::new() }
     }
 }
 
-/// Does what a key does to the line; `Enter` ends it and `Esc` forgets it.
+/// Does what a key does to the line: `Enter` ends it, unless something is wrong with it, and `Esc` forgets it.
 pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
     model.message.take_if(|message| !message.is_warning);
     let Some(prompt) = &mut model.prompt else { return Effect::None };
@@ -62,12 +74,9 @@ pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
         KeyCode::Esc => model.prompt = None,
         KeyCode::Backspace if prompt.line.value().is_empty() => model.prompt = None,
         KeyCode::Tab => complete(model),
-        KeyCode::Enter => {
-            let text = prompt.line.value().to_owned();
-            let purpose = prompt.purpose;
-            model.prompt = None;
-            return done(model, purpose, &text);
-        }
+        KeyCode::Up => recall(model, |back| back + 1),
+        KeyCode::Down => recall(model, |back| back.saturating_sub(1)),
+        KeyCode::Enter => return finish(model),
         _ => {
             if let Some(request) = request(key) {
                 prompt.line.handle(request);
@@ -75,6 +84,35 @@ pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
         }
     }
     Effect::None
+}
+
+/// Ends the line; one that is wrong stays to be mended, with what is wrong above it.
+fn finish(model: &mut Model) -> Effect {
+    let Some(prompt) = model.prompt.take() else { return Effect::None };
+    let text = prompt.line.value().to_owned();
+    model.guide.history.remember(prompt.purpose, &text);
+    done(model, prompt.purpose, &text).unwrap_or_else(|why| {
+        // It is the latest of the lines now, so that `Up` leads to the one before.
+        model.prompt = Some(Prompt { recalled: 1, draft: String::new(), ..prompt });
+        model.say(&why);
+        Effect::None
+    })
+}
+
+/// Brings back a line that was typed before, or what was being typed.
+fn recall(model: &mut Model, further: fn(usize) -> usize) {
+    let Some(prompt) = &mut model.prompt else { return };
+    let typed = prompt.line.value();
+    match (model.guide.history.before(prompt.purpose, further(prompt.recalled)), prompt.recalled) {
+        (Some((back, line)), before) => {
+            if before == 0 {
+                typed.clone_into(&mut prompt.draft);
+            }
+            (prompt.recalled, prompt.line) = (back, line.into());
+        }
+        (None, 1) => (prompt.recalled, prompt.line) = (0, std::mem::take(&mut prompt.draft).into()),
+        (None, _) => {}
+    }
 }
 
 /// Completes the line as far as there is no choice, and says what there is where there is one.
@@ -88,8 +126,7 @@ fn complete(model: &mut Model) {
         &common[..same.map_or(common.len().min(way.len()), |((at, _), _)| at)]
     });
     if common.len() > typed.len() {
-        let line = Input::new(common.to_owned());
-        model.prompt = Some(Prompt { purpose: prompt.purpose, line });
+        model.prompt = Some(Prompt { line: common.into(), ..prompt.clone() });
     } else if ways.len() > 1 {
         let some: Vec<_> = ways.iter().take(12).map(|way| plain(way.trim_end())).collect();
         model.say(&some.join("  "));
@@ -118,15 +155,18 @@ fn request(key: KeyEvent) -> Option<InputRequest> {
 }
 
 /// Does what a finished line asks for.
-fn done(model: &mut Model, purpose: Purpose, text: &str) -> Effect {
+fn done(model: &mut Model, purpose: Purpose, text: &str) -> Done {
     match purpose {
         Purpose::Search => search::begin(model, text),
         Purpose::Filter => search::filter(model, text),
-        Purpose::Break if text.trim().is_empty() => {}
+        Purpose::Break if text.trim().is_empty() => Ok(()),
         Purpose::Break => breakpoints::add(model, text),
         Purpose::Command => return command::run(model, text),
-        Purpose::Help => text.clone_into(&mut model.guide.help),
-        Purpose::Answer => super::quiz::answer(model, text),
+        Purpose::Help => {
+            text.clone_into(&mut model.guide.help);
+            Ok(())
+        }
+        Purpose::Answer => quiz::answer(model, text),
     }
-    Effect::None
+    .map(|()| Effect::None)
 }

@@ -68,18 +68,15 @@ pub(super) fn ask(model: &mut Model) {
 }
 
 /// Judges an answer.
-pub(super) fn answer(model: &mut Model, line: &str) {
+pub(super) fn answer(model: &mut Model, line: &str) -> Result<(), String> {
     let event = model.event;
     let truth = match model.log.events.get(event).map(|event| &event.what) {
         Some(What::Note { value, .. }) => *value,
         Some(What::Result { color }) => Value::Triple(*color),
-        _ => return,
+        _ => return Ok(()),
     };
-    let Some(mut quiz) = model.understanding.quiz else { return };
-    let given = match answer::parse(line, matches!(truth, Value::Triple(_))) {
-        Ok(given) => given,
-        Err(why) => return model.say(why),
-    };
+    let Some(mut quiz) = model.understanding.quiz else { return Ok(()) };
+    let given = answer::parse(line, matches!(truth, Value::Triple(_)))?;
     if quiz.missed != event {
         (quiz.missed, quiz.misses) = (event, 0);
     }
@@ -108,4 +105,5 @@ pub(super) fn answer(model: &mut Model, line: &str) {
         model.understanding.answered.insert(event);
     }
     model.understanding.quiz = Some(quiz);
+    Ok(())
 }

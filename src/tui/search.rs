@@ -166,13 +166,22 @@ fn ray_words(log: &Log, kind: RayKind) -> String {
 }
 
 /// Searches for a text and goes to the first match after the current step; no text ends the search.
-pub(super) fn begin(model: &mut Model, text: &str) {
+pub(super) fn begin(model: &mut Model, text: &str) -> Result<(), String> {
     if text.is_empty() {
         model.guide.search = None;
-        return;
+        return Ok(());
     }
-    model.guide.search = Some(Search::of(model, text));
+    let search = Search::of(model, text);
+    if search.found.is_empty() {
+        return Err(not_found(text));
+    }
+    model.guide.search = Some(search);
     go(model, true, 1);
+    Ok(())
+}
+
+fn not_found(text: &str) -> String {
+    format!("not found: {}", words::plain(text))
 }
 
 /// Goes to the next match, or to the previous one; beyond the last comes the first.
@@ -180,7 +189,7 @@ pub(super) fn go(model: &mut Model, is_forward: bool, times: usize) {
     let Some(search) = &model.guide.search else { return model.say("nothing is searched for; / searches") };
     match search.next(model.event, is_forward, times) {
         None => {
-            let text = format!("not found: {}", words::plain(&search.pattern.text));
+            let text = not_found(&search.pattern.text);
             model.guide.search = None;
             model.say(&text);
         }
@@ -194,14 +203,14 @@ pub(super) fn go(model: &mut Model, is_forward: bool, times: usize) {
 }
 
 /// Leaves only the rows of the tree in which something matches, and those around them; no text shows all.
-pub(super) fn filter(model: &mut Model, text: &str) {
+pub(super) fn filter(model: &mut Model, text: &str) -> Result<(), String> {
     if text.is_empty() {
-        model.guide.filter = None;
-        return model.fold.visible.keep(&model.tree, None::<[usize; 0]>);
+        show_all(model);
+        return Ok(());
     }
     let search = Search::of(model, text);
     if search.found.is_empty() {
-        return model.say(&format!("no row matches: {}", words::plain(text)));
+        return Err(format!("no row matches: {}", words::plain(text)));
     }
     let nodes: Vec<_> = search.found.iter().map(|event| model.tree.owner(*event as usize)).collect();
     for node in &nodes {
@@ -211,14 +220,23 @@ pub(super) fn filter(model: &mut Model, text: &str) {
     // One's own place isn't lost.
     model.fold.visible.show(&model.tree, model.cursor);
     model.guide.filter = Some(text.to_owned());
+    Ok(())
+}
+
+/// Ends the filter.
+pub(super) fn show_all(model: &mut Model) {
+    model.guide.filter = None;
+    model.fold.visible.keep(&model.tree, None::<[usize; 0]>);
 }
 
 /// Searches and filters another log in the same way.
 pub(super) fn renew(model: &mut Model) {
     let search = model.guide.search.take();
     model.guide.search = search.map(|search| Search::of(model, &search.pattern.text));
-    if let Some(text) = model.guide.filter.take() {
-        filter(model, &text);
+    if let Some(text) = model.guide.filter.take()
+        && let Err(why) = filter(model, &text)
+    {
+        model.say(&why);
     }
 }
 

@@ -82,7 +82,7 @@ fn a_quiz_is_answered() {
     assert!(screen(&model).contains("= ?"), "{}", screen(&model));
     typed(&mut model, "= x Enter");
     assert!(said(&model).contains("no number"), "{}", said(&model));
-    typed(&mut model, "= - 0 , 9 4 6 Enter");
+    typed(&mut model, "^u - 0 , 9 4 6 Enter");
     assert_eq!(said(&model), "right");
     assert_eq!(model.score().as_deref(), Some("quiz 1 of 1"));
     assert!(!model.hides(model.event));
@@ -126,7 +126,7 @@ fn understanding_keys_do_no_harm_anywhere() {
         for size in [(0, 0), (1, 1), (20, 6), (40, 12), (200, 60)] {
             let mut model = sized(log.clone(), size.0, size.1);
             for keys in
-                ["d", "Esc D", "Esc w", "G Enter", "^o", "Q", "=", "1 Enter", "Q w j j k Esc", "7n d Enter D Enter"]
+                ["d", "Esc D", "Esc w", "G Enter", "^o", "Q", "=", "1 Enter", "Esc Q w j j k Esc", "7n d Enter D Enter"]
             {
                 typed(&mut model, keys);
                 frame(&model, size.0, size.1, &Theme::new(Palette::True, true));

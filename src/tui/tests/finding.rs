@@ -58,6 +58,8 @@ fn matches_are_gone_through() {
     assert_eq!(said(&model), "nothing is searched for; / searches");
     line(&mut model, "/", "no such text");
     assert_eq!(said(&model), "not found: no such text");
+    typed(&mut model, "^u Enter");
+    assert!(model.prompt.is_none());
     line(&mut model, "/", "");
     assert_eq!(said(&model), "");
 }
@@ -200,6 +202,7 @@ fn commands() {
     ] {
         line(&mut model, ":", text);
         assert!(said(&model).contains(expected), ":{text}: {}", said(&model));
+        typed(&mut model, "Esc");
     }
     line(&mut model, ":", "bookmark z");
     assert_eq!(model.guide.bookmarks[0].letter, 'z');
@@ -210,6 +213,61 @@ fn commands() {
     typed(&mut model, "Esc");
     assert_eq!(line(&mut model, ":", "q"), Effect::Leave(Exit::Quit));
     assert_eq!(line(&mut model, ":", ""), Effect::None);
+}
+
+/// Types a line that is wrong; it then stays as it is, and what is wrong is said.
+#[track_caller]
+fn stays(key: &str, text: &str, expected: &str) {
+    let mut model = sized(glass(), 100, 30);
+    begin(&mut model, key, text);
+    typed(&mut model, "Left Enter");
+    let prompt = model.prompt.as_ref().map(|prompt| (prompt.line.value(), prompt.line.cursor()));
+    assert_eq!(prompt, Some((text, text.len() - 1)), "{key}{text}");
+    assert!(said(&model).contains(expected), "{key}{text}: {}", said(&model));
+    let shown = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
+    assert!(shown.contains(text) && shown.contains(expected), "{shown}");
+    typed(&mut model, "Right");
+    assert_eq!(said(&model), "", "{key}{text}");
+}
+
+#[test]
+fn lines_that_are_wrong_stay_to_be_mended() {
+    stays("/", "no such text", "not found");
+    stays("f", "no such text", "no row matches");
+    stays("b", "object bal", "did you mean `ball`?");
+    stays(":", "serach", "did you mean :search?");
+    stays(":", "pixel 3", "expected a column and a row");
+    stays("Q n =", "x", "no number");
+}
+
+/// Types `keys` after three searches, a filter and a breakpoint; the line is then this.
+#[track_caller]
+fn recalls(keys: &str, expected: &str) {
+    let mut model = sized(glass(), 100, 30);
+    for (key, text) in [("/", "ball"), ("/", "wall"), ("/", "wall"), ("f", "ball"), ("f", ""), ("b", "hit")] {
+        line(&mut model, key, text);
+    }
+    typed(&mut model, keys);
+    assert_eq!(model.prompt.as_ref().map(|prompt| prompt.line.value()), Some(expected), "after {keys}");
+}
+
+#[test]
+fn lines_are_brought_back() {
+    recalls("/ Up", "wall");
+    recalls("/ Up Up", "ball");
+    recalls("/ Up Up Up Up", "ball");
+    recalls("/ Up Up Down", "wall");
+    recalls("/ x y Up Down", "xy");
+    recalls("/ x y Up Down Down", "xy");
+    recalls("/ Down", "");
+    recalls("/ Up s Up Down", "wall");
+    recalls("f Up", "ball");
+    recalls("b Up", "hit");
+    recalls(": Up", "");
+    // What was wrong is the latest.
+    recalls("/ q q q q Enter", "qqqq");
+    recalls("/ q q q q Enter Up", "wall");
+    recalls("/ q q q q Enter Esc / Up", "qqqq");
 }
 
 /// Types a line and `Tab`; it then says this.

@@ -98,6 +98,7 @@ fn mistakes_in_breakpoints_are_said() {
     line(&mut model, "b", "object bal");
     assert!(said(&model).contains("did you mean `ball`?"), "{}", said(&model));
     assert!(model.guide.breakpoints.is_empty());
+    typed(&mut model, "Esc");
     line(&mut model, "b", "");
     assert_eq!((said(&model), model.guide.breakpoints.len()), ("", 0));
 }

@@ -44,7 +44,7 @@ fn last(filter: &Pattern, size: (u16, u16)) -> u16 {
 /// What the rows must contain: already while it is being typed.
 fn filter(model: &Model) -> Pattern {
     match &model.prompt {
-        Some(Prompt { purpose: Purpose::Help, line }) => Pattern::of(line.value()),
+        Some(Prompt { purpose: Purpose::Help, line, .. }) => Pattern::of(line.value()),
         _ => Pattern::of(&model.guide.help),
     }
 }
