@@ -174,7 +174,7 @@ fn is_rounding(rest: &Color, whole: &Color) -> bool {
 }
 
 /// The pixel that a node lies in: the root, but in a region.
-fn pixel_around(tree: &Tree, node: usize) -> usize {
+pub fn pixel_around(tree: &Tree, node: usize) -> usize {
     let mut at = node;
     while at != 0 && !matches!(tree.nodes()[at].step, Some(Step::Pixel(_))) {
         at = tree.nodes()[at].parent;

@@ -4,13 +4,16 @@ use super::model::Model;
 use crate::log::{Value, What};
 use crate::report::{number, words};
 
-/// What an event says, such as `N·L = 0.300`.
+/// What an event says, such as `N·L = 0.300`, as far as it may be told.
 pub(super) fn event(model: &Model, event: usize) -> String {
     if model.hides(event) {
         return match model.log.events.get(event).map(|event| &event.what) {
             Some(What::Note { name, .. }) => format!("{} = ?", name.symbol()),
             _ => "result ?".to_owned(),
         };
+    }
+    if !model.guide.is_known(event) {
+        return "not computed yet".to_owned();
     }
     let title = || words::title(&model.log, &model.tree, model.tree.owner(event));
     match model.log.events.get(event).map(|event| &event.what) {

@@ -33,12 +33,33 @@ pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
         model.say("that would tell the results; Q ends the quiz");
         return Effect::None;
     }
+    if let Some(why) = is_to_come(model, kind) {
+        model.say(why);
+        return Effect::None;
+    }
     if kind == Kind::Arithmetics && model.others.is_empty() {
         return Effect::Compare;
     }
     model.understanding.listing = Some((kind, make(model, kind)));
     list::open(model, kind);
     Effect::None
+}
+
+/// What to say where a list would tell what is to come while the tree grows. Operands never are: they come before their values.
+fn is_to_come(model: &Model, kind: Kind) -> Option<&'static str> {
+    model.guide.grown?;
+    let own = |node: usize| model.tree.own_events(node).next_back();
+    match kind {
+        // The colour is the last that a pixel comes to, and says of what was computed before what it brings.
+        Kind::Contributions => own(contributions::pixel_around(&model.tree, model.cursor))
+            .filter(|last| !model.guide.is_known(*last))
+            .map(|_| "the colour isn't computed yet; t shows the whole tree"),
+        Kind::Arithmetics => own(model.cursor)
+            .filter(|last| !model.guide.is_known(*last))
+            .map(|_| "this node isn't computed yet to its end; t shows the whole tree"),
+        Kind::Uses => Some("what takes a value comes after it; t shows the whole tree"),
+        _ => None,
+    }
 }
 
 /// The list of this kind that was opened.

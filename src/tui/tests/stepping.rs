@@ -231,6 +231,21 @@ fn the_tree_grows_with_the_steps() {
     assert_eq!(rows(&model), [0, 1]);
     let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
     assert!(text.contains("growing") && !text.contains("hit"), "{text}");
+    for key in ["w", "a", "D"] {
+        assert_eq!(typed(&mut model, key), Effect::None);
+        assert!(model.overlay.is_none() && said(&model).contains("t shows the whole tree"), "{key}: {}", said(&model));
+    }
+    // Where all has been computed it is told, up to the pixel's colour; of a node where it has ended.
+    typed(&mut model, "$ w");
+    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Contributions, selected: 0 }));
+    typed(&mut model, "Esc S w");
+    assert!(model.overlay.is_none(), "before the result");
+    assert_eq!(typed(&mut model, "a"), Effect::Compare);
+    // A bookmark that lies ahead again doesn't tell its value.
+    typed(&mut model, "0 4n ma 0 M");
+    let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
+    assert!(text.contains("not computed yet"), "{text}");
+    typed(&mut model, "Esc");
     // Nothing that is to come is walked to, copied or counted as known.
     typed(&mut model, "99j J l l j");
     assert!(model.cursor <= 1 && model.event == 0);
