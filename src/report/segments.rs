@@ -32,15 +32,16 @@ impl Segment {
 pub fn segments(log: &Log, tree: &Tree, node: usize, most: usize) -> Vec<Segment> {
     const MOST_NODES: usize = 1 << 16;
     let nodes = node..tree.nodes()[node].subtree_end.min(node + MOST_NODES);
-    nodes.filter_map(|node| segment(log, tree, node)).take(most).collect()
+    nodes.filter_map(|node| segment(log, tree, node, usize::MAX)).take(most).collect()
 }
 
-/// The ray of a node; `None` for another node, and for a ray whose origin or direction isn't in the log.
-pub fn segment(log: &Log, tree: &Tree, node: usize) -> Option<Segment> {
+/// The ray of a node as far as the events up to the last of these tell it; `None` for another node, and for a ray whose origin or
+/// direction isn't in the log, or not yet.
+pub fn segment(log: &Log, tree: &Tree, node: usize, last: usize) -> Option<Segment> {
     let Some(Step::Ray { kind, .. }) = tree.nodes()[node].step else { return None };
     let mut ray =
         Segment { node, kind, from: [f64::NAN; 3], direction: [f64::NAN; 3], length: None, is_blocked: false };
-    for event in tree.own_events(node) {
+    for event in tree.own_events(node).take_while(|event| *event <= last) {
         let event = &log.events[event];
         let noted = match event.what {
             What::Note { name, value } => Some((name, value)),

@@ -77,7 +77,8 @@ pub(super) fn set(model: &mut Model, letter: char) {
         return model.say("no step to remember");
     }
     let address = Address::of(&model.log, &model.tree, model.event);
-    model.say(&format!("bookmark {letter}: {}", address.text()));
+    let text = if model.hides_name(model.event) { describe::event(model, model.event) } else { address.text() };
+    model.say(&format!("bookmark {letter}: {text}"));
     let bookmarks = &mut model.guide.bookmarks;
     bookmarks.retain(|known| known.letter != letter);
     bookmarks.push(Bookmark { letter, address, event: Some(model.event) });
@@ -111,6 +112,9 @@ pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |bookmark: &Bookmark| {
         let text = format!("{}  {}", bookmark.letter, bookmark.address.text());
         match bookmark.event {
+            Some(event) if model.hides_name(event) => {
+                Entry::to(event, format!("{}  {}", bookmark.letter, describe::event(model, event)))
+            }
             Some(event) => Entry::to(event, format!("{text}  {}", describe::event(model, event))),
             None => Entry::plain(format!("{text}  (not in this log)"), Role::Faint),
         }

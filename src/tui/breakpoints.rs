@@ -46,6 +46,9 @@ fn set(model: &mut Model, condition: Condition, text: &str) {
 /// node), or deletes it if there is one.
 pub(super) fn toggle_here(model: &mut Model) {
     let Some(event) = model.log.events.get(model.event) else { return };
+    if model.hides_name(model.event) {
+        return model.say("that would tell the decision; = answers, Q ends the quiz");
+    }
     // The end of a node stands for the node.
     let begins = model.tree.nodes()[model.tree.owner(model.event)].events.start;
     let event = if event.what == What::Leave { &model.log.events[begins] } else { event };

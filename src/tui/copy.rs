@@ -34,6 +34,10 @@ pub(super) fn path(model: &mut Model) -> Effect {
     if model.log.events.is_empty() {
         return Effect::None;
     }
+    if model.hides_name(model.event) {
+        model.say("that would tell the decision; = answers, Q ends the quiz");
+        return Effect::None;
+    }
     let text = Address::of(&model.log, &model.tree, model.event).text();
     copied(model, text)
 }

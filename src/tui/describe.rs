@@ -9,6 +9,7 @@ pub(super) fn event(model: &Model, event: usize) -> String {
     if model.hides(event) {
         return match model.log.events.get(event).map(|event| &event.what) {
             Some(What::Note { name, .. }) => format!("{} = ?", name.symbol()),
+            Some(What::Mark(_)) => "decision ?".to_owned(),
             _ => "result ?".to_owned(),
         };
     }

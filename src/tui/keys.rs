@@ -137,7 +137,7 @@ const TABLE: &[Row] = &[
     row(UNDERSTAND, &["^o"], Back, "back to before the last jump, then to before the one before it"),
     row(UNDERSTAND, &["w"], Contributions, "why the pixel has this colour"),
     row(UNDERSTAND, &["a"], Arithmetics, "the node's values by hand, in f32 and in f64, with the digits to trust"),
-    row(UNDERSTAND, &["Q"], Quiz, "begin or end a quiz, which hides results"),
+    row(UNDERSTAND, &["Q"], Quiz, "begin or end a quiz, which hides results and decisions"),
     row(UNDERSTAND, &["="], Answer, "answer in the quiz (Enter in the computation, too)"),
     row(VIEWER, &["Tab"], SwitchPane, "to the next pane; in the computation j and k move too"),
     row(VIEWER, &["BackTab"], PreviousPane, "to the pane before"),

@@ -1,10 +1,12 @@
-//! The quiz: results after the current step are hidden, and what somebody reckons instead is judged.
+//! The quiz: results and decisions from the current step on are hidden, and what somebody reckons instead is judged.
 
+use super::breakpoints::kind;
 use super::model::Model;
 use super::prompt::{Prompt, Purpose};
-use crate::log::{Value, What};
+use super::search;
+use crate::log::{Decision, Value, What};
 use crate::report::answer::{self, Verdict};
-use crate::report::number;
+use crate::report::{number, words};
 
 /// A quiz that is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,14 +25,26 @@ pub struct Quiz {
 const MOST_MISSES: u32 = 2;
 
 impl Model {
-    /// Whether the quiz hides the result of an event: it stands at the current step or after it and wasn't answered yet.
+    /// Whether the quiz hides the result or the decision of an event: it stands at the current step or after it and wasn't
+    /// answered yet.
     pub fn hides(&self, event: usize) -> bool {
-        let is_result = || {
+        let is_asked = || {
             let what = self.log.events.get(event).map(|event| &event.what);
-            matches!(what, Some(What::Note { .. } | What::Result { .. }))
+            matches!(what, Some(What::Note { .. } | What::Result { .. } | What::Mark(_)))
         };
         let understanding = &self.understanding;
-        understanding.quiz.is_some() && event >= self.event && !understanding.answered.contains(&event) && is_result()
+        understanding.quiz.is_some() && event >= self.event && !understanding.answered.contains(&event) && is_asked()
+    }
+
+    /// Whether what an event is called would tell what the quiz hides: a decision is called by what was decided.
+    pub fn hides_name(&self, event: usize) -> bool {
+        self.hides(event) && matches!(self.log.events[event].what, What::Mark(_))
+    }
+
+    /// The last event that may be told, where there are some that may not.
+    pub fn told(&self) -> Option<usize> {
+        let current = self.event.saturating_sub(usize::from(self.hides(self.event)));
+        self.understanding.quiz.map(|_| current).or(self.guide.grown)
     }
 
     /// Whether the quiz hides what goes into an event: it stands after the current step, and its operands would tell results.
@@ -54,6 +68,8 @@ pub(super) fn toggle(model: &mut Model) {
             model.say("quiz: n goes to the next value, = answers it, Q ends");
         }
     }
+    // What the quiz hides isn't found, and is again after it.
+    search::renew(model);
 }
 
 /// Asks for the result of the current step.
@@ -64,38 +80,36 @@ pub(super) fn ask(model: &mut Model) {
     if !model.hides(model.event) {
         return model.say("this step hides no result; n goes to the next");
     }
+    if model.hides_name(model.event) {
+        model.say("what is decided? hit, miss, inside, background, an object's name, ...");
+    }
     model.prompt = Some(Prompt::new(Purpose::Answer));
 }
 
 /// Judges an answer.
 pub(super) fn answer(model: &mut Model, line: &str) -> Result<(), String> {
     let event = model.event;
-    let truth = match model.log.events.get(event).map(|event| &event.what) {
-        Some(What::Note { value, .. }) => *value,
-        Some(What::Result { color }) => Value::Triple(*color),
-        _ => return Ok(()),
-    };
+    let Some(what) = model.log.events.get(event).map(|event| &event.what) else { return Ok(()) };
     let Some(mut quiz) = model.understanding.quiz else { return Ok(()) };
-    let given = answer::parse(line, matches!(truth, Value::Triple(_)))?;
+    let judged = match what {
+        What::Note { value, .. } => judged_value(model, line, value)?,
+        What::Result { color } => judged_value(model, line, &Value::Triple(*color))?,
+        What::Mark(decision) => judged_decision(model, line, decision)?,
+        What::Enter { .. } | What::Leave => return Ok(()),
+    };
     if quiz.missed != event {
         (quiz.missed, quiz.misses) = (event, 0);
     }
-    let is_known = match answer::judge(&given, &truth, model.numbers) {
-        Verdict::Right => {
+    let is_known = match judged {
+        Judged::Right => {
             quiz.right += 1;
             model.say("right");
             true
         }
-        Verdict::Off(by) => {
+        Judged::Wrong { off, truth } => {
             quiz.misses += 1;
-            let off = number::number(by, model.numbers);
             let is_last = quiz.misses >= MOST_MISSES;
-            let truth = if is_last {
-                format!("; it is {}", number::value(&truth, model.numbers))
-            } else {
-                "; try again".to_owned()
-            };
-            model.say(&format!("off by {off}{truth}"));
+            model.say(&if is_last { format!("{off}; it is {truth}") } else { format!("{off}; try again") });
             is_last
         }
     };
@@ -106,4 +120,45 @@ pub(super) fn answer(model: &mut Model, line: &str) -> Result<(), String> {
     }
     model.understanding.quiz = Some(quiz);
     Ok(())
+}
+
+/// What an answer is worth.
+enum Judged {
+    Right,
+    /// How wrong it is, and what would have been right.
+    Wrong {
+        off: String,
+        truth: String,
+    },
+}
+
+fn judged_value(model: &Model, line: &str, truth: &Value) -> Result<Judged, String> {
+    let given = answer::parse(line, matches!(truth, Value::Triple(_)))?;
+    Ok(match answer::judge(&given, truth, model.numbers) {
+        Verdict::Right => Judged::Right,
+        Verdict::Off(by) => Judged::Wrong {
+            off: format!("off by {}", number::number(by, model.numbers)),
+            truth: number::value(truth, model.numbers),
+        },
+    })
+}
+
+/// A decision is answered by a word for it, as breakpoints have them, or by the name of the object that it chooses.
+fn judged_decision(model: &Model, line: &str, truth: &Decision) -> Result<Judged, String> {
+    let header = &model.log.header;
+    let chosen = match truth {
+        Decision::Nearest { object } | Decision::Occluded { object } | Decision::Attenuated { object, .. } => {
+            Some(header.object(*object))
+        }
+        _ => None,
+    };
+    let line = line.trim();
+    let kind = kind::find(line);
+    let is_object = header.objects.iter().any(|name| name == line);
+    if kind.is_none() && !is_object {
+        return Err("that is no decision: type it like hit, miss, nearest, background, or an object's name".to_owned());
+    }
+    let is_right = chosen == Some(line) || kind.is_some_and(|kind| kind::of(&What::Mark(*truth)).contains(&kind));
+    let truth = words::decision(header, truth, model.numbers);
+    Ok(if is_right { Judged::Right } else { Judged::Wrong { off: "it isn't".to_owned(), truth } })
 }

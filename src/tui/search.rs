@@ -62,8 +62,9 @@ impl Search {
         let pattern = Pattern::of(text);
         let (log, tree) = (&model.log, &model.tree);
         let mut matcher = Matcher::new(log, tree, model.numbers, &pattern);
-        // A search for values would find out what a quiz hides.
-        matcher.could_be_number &= model.understanding.quiz.is_none();
+        // A search for values or decisions would find out what a quiz hides.
+        matcher.tells_results = model.understanding.quiz.is_none();
+        matcher.could_be_number &= matcher.tells_results;
         let found = (0..log.events.len()).filter(|event| matcher.matches(*event)).map(|event| event as u32).collect();
         Search { pattern, found }
     }
@@ -104,6 +105,7 @@ struct Matcher<'a> {
     pattern: &'a Pattern,
     names: HashMap<Name, bool>,
     steps: HashMap<Step, bool>,
+    tells_results: bool,
     could_be_number: bool,
     could_be_path: bool,
 }
@@ -117,6 +119,7 @@ impl Matcher<'_> {
             pattern,
             names: HashMap::new(),
             steps: HashMap::new(),
+            tells_results: true,
             could_be_number: pattern.is_made_of("0123456789.-·⁰¹²³⁴⁵⁶⁷⁸⁹⁻(), naNif"),
             could_be_path: pattern.is_made_of("CRTScrts0123456789. ay"),
         }
@@ -126,6 +129,7 @@ impl Matcher<'_> {
         match &self.log.events[event].what {
             What::Note { name, value } => self.has_name(*name) || self.has_value(value),
             What::Result { color } => self.pattern.is_in("result") || self.has_value(&Value::Triple(*color)),
+            What::Mark(_) if !self.tells_results => false,
             What::Mark(decision) => self.pattern.is_in(&words::decision(&self.log.header, decision, self.numbers)),
             What::Enter { step, .. } => self.has_step(self.tree.owner(event), *step),
             What::Leave => false,
@@ -236,6 +240,7 @@ pub(super) fn renew(model: &mut Model) {
     if let Some(text) = model.guide.filter.take()
         && let Err(why) = filter(model, &text)
     {
+        show_all(model);
         model.say(&why);
     }
 }

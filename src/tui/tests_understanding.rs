@@ -186,6 +186,73 @@ fn a_quiz_tells_nothing() {
     }
 }
 
+/// The words and signs of decisions in the glass ball's log, which no frame of a quiz shows before they are passed.
+#[test]
+fn a_quiz_tells_no_later_decision() {
+    let theme = Theme::new(Palette::None, false);
+    let words = ["hit", "miss", "blocked", " lit", "background", "total reflection", "depth limit", "inside"];
+    let shown = |model: &Model| dump(&frame(model, 200, 60, &theme));
+    let mut model = sized(glass(), 200, 60);
+    let everything = shown(&model);
+    assert!(words.iter().filter(|word| everything.contains(*word)).count() > 3, "{everything}");
+    typed(&mut model, "Q");
+    let begun = shown(&model);
+    assert!(begun.contains("test ball  ?"), "{begun}");
+    for word in words {
+        // The title of a test and the algorithm have such words, too; those are no decisions.
+        let trees = begun.lines().map(|line| line.split('│').next().unwrap_or_default());
+        assert!(trees.clone().all(|line| !line.contains(word)), "{word}\n{begun}");
+    }
+    // The first decision is hidden where it is taken, and known where it is passed.
+    let is_mark = |event: &crate::log::Event| matches!(event.what, What::Mark(_));
+    let first = model.log.events.iter().position(is_mark).expect("a decision");
+    typed(&mut model, &format!("{}G", first + 1));
+    assert!(model.hides_name(first));
+    let at_it = shown(&model);
+    typed(&mut model, "s");
+    let after = shown(&model);
+    let crate::log::What::Mark(decision) = model.log.events[first].what else { panic!("a decision") };
+    let text = crate::report::words::decision(&model.log.header, &decision, model.numbers);
+    assert!(!at_it.contains(&text) && after.contains(&text), "{text}\n{at_it}\n{after}");
+}
+
+#[test]
+fn a_quiz_asks_for_decisions() {
+    let said = |model: &Model| model.message.as_ref().map(|message| message.text.clone()).unwrap_or_default();
+    let mut model = sized(textbook(), 100, 30);
+    let is = |wanted: &'static str| {
+        move |event: &crate::log::Event| crate::tui::breakpoints::kind::of(&event.what).contains(&wanted)
+    };
+    let nearest = model.log.events.iter().position(is("nearest")).expect("a nearest hit");
+    let hit = model.log.events.iter().position(is("hit")).expect("a hit");
+    typed(&mut model, &format!("Q {}G =", hit + 1));
+    assert!(said(&model).contains("what is decided"), "{}", said(&model));
+    typed(&mut model, "h i t t Enter");
+    assert!(said(&model).contains("no decision") && model.prompt.is_some(), "{}", said(&model));
+    typed(&mut model, "^u h i t Enter");
+    assert_eq!((said(&model).as_str(), model.score().as_deref()), ("right", Some("quiz 1 of 1")));
+    typed(&mut model, &format!("{}G = m i s s Enter", nearest + 1));
+    assert_eq!(said(&model), "it isn't; try again");
+    for keys in ["Y", "x"] {
+        typed(&mut model, keys);
+        assert!(said(&model).contains("would tell the decision"), "{keys}: {}", said(&model));
+    }
+    typed(&mut model, "m a");
+    assert_eq!(said(&model), "bookmark a: decision ?");
+    let What::Mark(crate::log::Decision::Nearest { object }) = model.log.events[nearest].what else {
+        panic!("nearest")
+    };
+    let name = model.log.header.object(object).to_owned();
+    let keys: Vec<_> = name.chars().map(String::from).collect();
+    typed(&mut model, &format!("= {} Enter", keys.join(" ")));
+    assert_eq!((said(&model).as_str(), model.score().as_deref()), ("right", Some("quiz 2 of 2")));
+    // What is searched isn't found where it would tell.
+    typed(&mut model, "0 / n e a r e s t Enter");
+    assert!(said(&model).contains("not found"), "{}", said(&model));
+    typed(&mut model, "Esc Q / n e a r e s t Enter");
+    assert_eq!(model.event, nearest);
+}
+
 #[test]
 fn a_quiz_goes_on_in_another_pixel() {
     let mut model = sized(textbook(), 100, 30);

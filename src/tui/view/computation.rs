@@ -16,7 +16,10 @@ use ratatui::text::{Line, Span};
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let name = words::title(&model.log, &model.tree, model.cursor);
     let is_ray = matches!(model.tree.nodes()[model.cursor].step, Some(crate::log::Step::Ray { .. }));
-    let class = path_class::of_ray(&model.log, &model.tree, model.cursor).filter(|_| is_ray);
+    // The class tells whether the ray meets anything.
+    let is_told =
+        model.facts.outcome(model.cursor).is_none_or(|event| !model.hides(event) && model.guide.is_known(event));
+    let class = path_class::of_ray(&model.log, &model.tree, model.cursor).filter(|_| is_ray && is_told);
     let name = shown(&class.map_or(name.clone(), |class| format!("{name}, {class}")), theme);
     title(model, Pane::Computation, name, "", theme, area, buffer);
     let body = Layout::body(area);
@@ -83,6 +86,9 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
     let pieces = match &model.log.events[event].what {
         What::Note { .. } => return note(model, event, theme, width),
         What::Enter { .. } => label(model, model.tree.owner(event), theme),
+        What::Mark(_) if model.hides(event) => {
+            vec![(format!("{} ?", theme.glyphs.leaf), theme.style(Role::Text))]
+        }
         What::Mark(decision) => {
             let mut pieces = decision_pieces(model, decision, theme);
             pieces.push((marker, theme.style(Role::Faint)));

@@ -68,6 +68,9 @@ fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
         What::Mark(decision) => Some(decision),
         _ => None,
     });
+    if let Some(unknown) = unknown(model, node, theme) {
+        return unknown;
+    }
     let has_ended = model.log.events[model.tree.nodes()[node].events.clone()].last().map(|event| &event.what);
     let is_free_shadow = matches!(step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }))
         && decision.is_none()
@@ -79,6 +82,23 @@ fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
         pieces.extend(value(model, node, step, theme));
     }
     pieces
+}
+
+/// What is shown of a node whose decision a quiz hides, or may: a question where each such node decides, so that those that
+/// don't have to say anything look the same.
+fn unknown(model: &Model, node: usize, theme: &Theme) -> Option<Vec<Piece>> {
+    let step = model.tree.nodes()[node].step;
+    // A free shadow ray and a light that isn't blocked decide nothing: their end tells.
+    let is_open = match model.facts.outcome(node) {
+        Some(event) => model.hides(event),
+        None => model.understanding.quiz.is_some() && model.tree.nodes()[node].events.end > model.event + 1,
+    };
+    let question = || vec![("  ?".to_owned(), theme.style(Role::Faint))];
+    match step {
+        Some(Step::Ray { .. } | Step::Test { .. } | Step::Motion { .. }) if is_open => Some(question()),
+        Some(Step::Light { .. } | Step::Zone { .. }) if is_open => Some(Vec::new()),
+        _ => None,
+    }
 }
 
 /// What a shadow ray comes to that met nothing, which no decision says.
@@ -125,7 +145,7 @@ fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Optio
 }
 
 fn limited(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
-    let event = model.facts.limit(node).filter(|event| model.guide.is_known(*event))?;
+    let event = model.facts.limit(node).filter(|event| model.guide.is_known(*event) && !model.hides(*event))?;
     let What::Mark(decision) = model.log.events[event].what else { return None };
     let words = match decision {
         Decision::DepthLimit { .. } => "depth limit",

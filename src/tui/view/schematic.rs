@@ -33,13 +33,17 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     if body.height < 2 || body.width < 4 {
         return;
     }
-    let current = around(model).find_map(|node| segment(&model.log, &model.tree, node));
+    // Of a ray that is on its way, in the tree that grows or in a quiz, its end is to come.
+    let last = model.told().unwrap_or(usize::MAX);
+    let current = around(model).find_map(|node| segment(&model.log, &model.tree, node, last));
     let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
         return put(buffer, body, Span::styled("no rays here", theme.style(Role::Faint)).into());
     };
-    // While the tree grows, rays that are to come have their room already, so that nothing jumps.
-    rays.retain(|ray| model.guide.is_known(model.tree.nodes()[ray.node].events.start));
+    // Rays that are to come have their room already, so that nothing jumps.
+    if last != usize::MAX {
+        rays = rays.iter().filter_map(|ray| segment(&model.log, &model.tree, ray.node, last)).collect();
+    }
     let color = |role: Role| theme.style(role).fg.unwrap_or(Color::Reset);
     // Things stand back without being dim, which a canvas can't.
     let grey = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };
