@@ -2,11 +2,12 @@
 
 mod support;
 
-use raywalk::log::{Log, Name, Tree, Value, What};
+use raywalk::log::file::{read, to_ndjson};
+use raywalk::log::{Event, Log, Name, Step, Subject, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::contributions::{self, Account, Origin, Why};
 use raywalk::report::provenance::{operands, uses};
-use raywalk::scene::builtin;
+use raywalk::scene::{Sampling, builtin};
 use support::{grid, middle, scene};
 
 fn log(name: &str, arithmetic: Arithmetic) -> (Log, Tree) {
@@ -95,7 +96,7 @@ fn contributions_add_up_to_the_pixel_in_every_built_in_scene() {
 /// A sample's part of the pixel, by every method, where the samples differ; also in f32, where the rest is rounding.
 #[test]
 fn samples_add_up_by_every_method() {
-    use raywalk::scene::{Sampling, Statistical};
+    use raywalk::scene::Statistical;
     let statistical = Statistical { confidence: 0.95, tolerance: 0.01, min: 4, max: 32 };
     let methods = [
         Sampling::Regular { n: 3 },
@@ -120,6 +121,53 @@ fn samples_add_up_by_every_method() {
                 assert!(is_same && without, "{name} {sampling:?} {pixel:?}: {sum:?} for {:?}", account.color);
             }
         }
+    }
+}
+
+/// The log of several pixels: each is opened by an event of its own and never left. (Nothing writes such logs yet; they are read.)
+fn region(scene: &raywalk::scene::Scene, [left, top, right, bottom]: [u32; 4]) -> Log {
+    let mut events = Vec::new();
+    for pixel in (top..bottom).flat_map(|y| (left..right).map(move |x| [x, y])) {
+        let what = What::Enter { parent: 0, step: Step::Pixel(pixel) };
+        events.push(Event { at: 0, node: 0, what, given: Vec::new(), digits: None });
+        events.extend(record::pixel(scene, pixel, Arithmetic::F64).events);
+    }
+    let header = record::header(scene, Subject::Region([left, top, right, bottom]), Arithmetic::F64);
+    let text = to_ndjson(&Log { header, events }).expect("a log can be written");
+    read(&text).expect("what was written can be read").log
+}
+
+#[test]
+fn each_pixel_of_a_region_has_its_own_account() {
+    for (name, sampling) in [("textbook", None), ("glass-and-mirror", Some(Sampling::Regular { n: 2 }))] {
+        let mut scene = scene(name);
+        scene.sampling = sampling.unwrap_or(scene.sampling);
+        let [x, y] = middle(&scene);
+        let log = region(&scene, [x - 1, y - 1, x + 2, y + 1]);
+        let tree = Tree::of(&log.events);
+        let pixels: Vec<_> = tree.children(0).collect();
+        assert_eq!(pixels.len(), 6, "{name}");
+        let mut colors = Vec::new();
+        for pixel in pixels {
+            let Some(Step::Pixel(place)) = tree.nodes()[pixel].step else { panic!("{name}: node {pixel}") };
+            let alone = record::pixel(&scene, place, Arithmetic::F64);
+            let expected = account_of(&alone, &Tree::of(&alone.events));
+            // From whichever node of the pixel one asks.
+            for node in [pixel, pixel + 1, tree.nodes()[pixel].subtree_end - 1] {
+                let account = contributions::account(&log, &tree, node);
+                assert_eq!(account.color, record::pixel_color(&scene, place, Arithmetic::F64).to_array(), "{name}");
+                assert_eq!(rows(&account), rows(&expected), "{name} {place:?}");
+                assert_eq!(account.ended.len(), expected.ended.len(), "{name} {place:?}");
+                let sum = contributions::sum(&account.contributions);
+                let is_same =
+                    (0..3).all(|k| (sum[k] - account.color[k]).abs() < 1e-9 * account.color[k].abs().max(1.0));
+                assert!(is_same, "{name} {place:?}: {sum:?} for {:?}", account.color);
+            }
+            colors.push(expected.color);
+        }
+        assert!(colors.iter().any(|color| *color != colors[0]), "{name}: the pixels differ");
+        // With none of them selected it is the first.
+        assert_eq!(contributions::account(&log, &tree, 0).color, colors[0], "{name}");
     }
 }
 
@@ -309,7 +357,7 @@ fn arithmetics_side_by_side() {
 #[test]
 fn a_long_log_is_accounted_for() {
     let mut scene = scene("penumbra");
-    scene.sampling = raywalk::scene::Sampling::Sobol { n: 512 };
+    scene.sampling = Sampling::Sobol { n: 512 };
     let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
     let tree = Tree::of(&log.events);
     let account = account_of(&log, &tree);
