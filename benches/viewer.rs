@@ -24,6 +24,14 @@ const WALKS: [(&str, &str); 6] = [
     ("go to the beginning", "g"),
 ];
 
+/// What is searched for: a name, a decision, a value, and what is nowhere.
+const SEARCHES: [(&str, &str); 4] = [
+    ("search for a name", "/n_dot_l<Enter>"),
+    ("search for a decision", "/blocked<Enter>"),
+    ("search for a value", "/13.24<Enter>"),
+    ("search for what is nowhere", "/nowhere<Enter><Esc>"),
+];
+
 fn main() {
     // Among the tests cargo only asks whether the bench works.
     let is_measured = std::env::args().any(|argument| argument == "--bench");
@@ -68,6 +76,10 @@ fn measure(size: usize, frames: usize) {
     for (words, keys) in WALKS {
         let times = (0..frames).map(|_| timed(&mut model, keys)).collect();
         println!("  {words:<28} {}", Times::of(times));
+    }
+    for (words, keys) in SEARCHES {
+        timed(&mut model, "g");
+        println!("  {words:<28} {:8.3} ms", milliseconds(timed(&mut model, keys)));
     }
 }
 

@@ -113,7 +113,7 @@ pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::R
     loop {
         terminal.draw(|buffer| view::draw(&model, &theme, buffer))?;
         terminal.use_mouse(model.guide.has_mouse)?;
-        let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished);
+        let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished) || search::is_looking(&model);
         let mut input = Some(terminal.next(waits, play::interval(&model))?);
         while let Some(now) = input {
             if let Some(exit) = react(&mut model, &mut terminal, &mut live, now)? {
@@ -168,6 +168,7 @@ pub fn opened_with_keys(
             model.answer(effect, &mut live);
         }
     }
+    search::finish(&mut model);
     if !model.layout(model.size).area(Pane::Picture).is_empty() {
         model.look(&mut live, true);
     }
@@ -194,7 +195,10 @@ fn react(
 ) -> io::Result<Option<Exit>> {
     match input {
         Input::Leave(exit) => return Ok(Some(exit)),
-        Input::Tick => model.look(live, false),
+        Input::Tick => {
+            model.look(live, false);
+            search::look_on(model);
+        }
         Input::Suspend => suspend(model, terminal, Asker::Signal)?,
         Input::Resume => come_back(model, terminal)?,
         Input::Size(width, height) => {

@@ -1,7 +1,8 @@
 //! Searching: in names, symbols, titles, the words of decisions and the values as they are shown; and the filter of the tree.
 //!
-//! All matches of a text are found once, when it has been typed: in one pass that makes a text only where one is looked
-//! into, and remembers what it has found out about each name and node. After that every question is one of a sorted list.
+//! A text that was typed is looked for from the current step on until it is found, and in what is left slice by slice while
+//! nothing else is to be done. A text is made only where one is looked into, and what was found out about each name and node
+//! is remembered. Once all is found every question is one of a sorted list.
 
 use super::guide;
 use super::model::Model;
@@ -52,25 +53,61 @@ impl Pattern {
 pub struct Search {
     /// What is looked for.
     pub pattern: Pattern,
-    /// The events that match, in order.
+    /// The event that it began with.
+    start: usize,
+    /// How many events it has looked at, from the first on and around the end.
+    looked_at: usize,
+    /// How many there are.
+    count: usize,
+    /// The events that match, in the order in which they were looked at; once it has looked at all, in theirs.
     found: Vec<u32>,
 }
 
 impl Search {
+    /// A search that begins after the current step and hasn't looked at anything.
+    fn new(model: &Model, text: &str) -> Search {
+        let count = model.log.events.len();
+        Search {
+            pattern: Pattern::of(text),
+            start: (model.event + 1) % count.max(1),
+            looked_at: 0,
+            count,
+            found: Vec::new(),
+        }
+    }
+
     /// Searches a whole log.
     pub fn of(model: &Model, text: &str) -> Search {
-        let pattern = Pattern::of(text);
-        let (log, tree) = (&model.log, &model.tree);
-        let mut matcher = Matcher::new(log, tree, model.numbers, &pattern);
+        let mut search = Search::new(model, text);
+        search.look(model, usize::MAX);
+        search
+    }
+
+    /// Looks at so many more events.
+    fn look(&mut self, model: &Model, most: usize) {
+        let mut matcher = Matcher::new(&model.log, &model.tree, model.numbers, &self.pattern);
         // A search for values or decisions would find out what a quiz hides.
         matcher.tells_results = model.understanding.quiz.is_none();
         matcher.could_be_number &= matcher.tells_results;
-        let found = (0..log.events.len()).filter(|event| matcher.matches(*event)).map(|event| event as u32).collect();
-        Search { pattern, found }
+        let until = self.looked_at.saturating_add(most).min(self.count);
+        let events = (self.looked_at..until).map(|number| (self.start + number) % self.count);
+        self.found.extend(events.filter(|event| matcher.matches(*event)).map(|event| event as u32));
+        self.looked_at = until;
+        if self.is_complete() {
+            self.found.sort_unstable();
+        }
+    }
+
+    /// Whether it has looked at every event.
+    pub fn is_complete(&self) -> bool {
+        self.looked_at == self.count
     }
 
     /// Which of how many matches an event is, such as `match 3/17`.
     pub fn place(&self, event: usize) -> String {
+        if !self.is_complete() {
+            return "counting matches".to_owned();
+        }
         let count = self.found.len();
         match self.found.binary_search(&(event as u32)) {
             Ok(index) => format!("match {}/{count}", index + 1),
@@ -78,7 +115,16 @@ impl Search {
         }
     }
 
-    /// The match so many after an event, or before it; and whether that went around the end.
+    /// The next match after an event, as far as that is known before all events were looked at.
+    fn next_known(&self, event: usize) -> Option<usize> {
+        let number = |event: usize| (event + self.count - self.start) % self.count;
+        let from = number(event + 1);
+        let index = self.found.partition_point(|found| number(*found as usize) < from);
+        let found = self.found.get(index).filter(|_| from <= self.looked_at)?;
+        Some(*found as usize)
+    }
+
+    /// The match so many after an event, or before it, of a complete search; and whether that went around the end.
     pub fn next(&self, event: usize, is_forward: bool, times: usize) -> Option<(usize, bool)> {
         let count = self.found.len();
         let event = event as u32;
@@ -175,7 +221,10 @@ pub(super) fn begin(model: &mut Model, text: &str) -> Result<(), String> {
         model.guide.search = None;
         return Ok(());
     }
-    let search = Search::of(model, text);
+    let mut search = Search::new(model, text);
+    while search.found.is_empty() && !search.is_complete() {
+        search.look(model, SLICE);
+    }
     if search.found.is_empty() {
         return Err(not_found(text));
     }
@@ -188,10 +237,49 @@ fn not_found(text: &str) -> String {
     format!("not found: {}", words::plain(text))
 }
 
+/// So many events are looked at while one waits: some hundredths of a second where values are looked for.
+const SLICE: usize = 1 << 17;
+
+/// Looks at the next slice of the log, if the search isn't complete.
+pub(super) fn look_on(model: &mut Model) {
+    look_at(model, SLICE);
+}
+
+/// Completes the search.
+pub(super) fn finish(model: &mut Model) {
+    look_at(model, usize::MAX);
+}
+
+fn look_at(model: &mut Model, most: usize) {
+    if let Some(mut search) = model.guide.search.take_if(|search| !search.is_complete()) {
+        search.look(model, most);
+        model.guide.search = Some(search);
+    }
+}
+
+/// Whether events are left to be looked at.
+pub(super) fn is_looking(model: &Model) -> bool {
+    model.guide.search.as_ref().is_some_and(|search| !search.is_complete())
+}
+
+/// The match so many from here on, and whether that is around the end.
+fn next(model: &mut Model, is_forward: bool, times: usize) -> Option<(usize, bool)> {
+    let here = model.event;
+    if is_forward && times == 1 && is_looking(model) {
+        let known = model.guide.search.as_ref().and_then(|search| search.next_known(here));
+        if let Some(found) = known {
+            return Some((found, found <= here));
+        }
+    }
+    finish(model);
+    model.guide.search.as_ref()?.next(here, is_forward, times)
+}
+
 /// Goes to the next match, or to the previous one; beyond the last comes the first.
 pub(super) fn go(model: &mut Model, is_forward: bool, times: usize) {
+    let found = next(model, is_forward, times);
     let Some(search) = &model.guide.search else { return model.say("nothing is searched for; / searches") };
-    match search.next(model.event, is_forward, times) {
+    match found {
         None => {
             let text = not_found(&search.pattern.text);
             model.guide.search = None;
@@ -236,7 +324,8 @@ pub(super) fn show_all(model: &mut Model) {
 /// Searches and filters another log in the same way.
 pub(super) fn renew(model: &mut Model) {
     let search = model.guide.search.take();
-    model.guide.search = search.map(|search| Search::of(model, &search.pattern.text));
+    model.guide.search = search.map(|search| Search::new(model, &search.pattern.text));
+    look_on(model);
     if let Some(text) = model.guide.filter.take()
         && let Err(why) = filter(model, &text)
     {

@@ -289,6 +289,11 @@ fn large_logs_stay_usable() {
             assert_eq!(model.step(), 1_000_000);
         }
     }
+    // The search was made as far as it was asked for; what is left is looked at while nothing else is to be done.
+    let is_counting = |model: &Model| super::guide::modes(model).iter().any(|mode| mode == "counting matches");
+    assert!(is_counting(&model));
+    (0..8).for_each(|_| search::look_on(&mut model));
+    assert!(!is_counting(&model));
     // The search and the filter have found the one quantity that the log has, twice in each of its parts.
     assert!(model.guide.search.as_ref().is_some_and(|search| search.place(0).ends_with("/340000")));
 }

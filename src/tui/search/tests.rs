@@ -62,6 +62,33 @@ fn matches_follow_one_another_around_the_end() {
     assert_eq!((search.place(1), search.place(2)), ("match 2/3".to_owned(), "match -/3".to_owned()));
 }
 
+/// Wherever a search begins and however far it has looked, what it knows of the next match is so.
+#[test]
+fn what_is_known_early_is_found_in_the_end() {
+    let log = nested("..(.)..(...)((.)).");
+    let whole = search(&log, "v_d");
+    let count = log.events.len();
+    let mut known_early = 0;
+    for start in 0..count {
+        let mut model = Model::new(log.clone());
+        model.go_to_event(start);
+        for slice in 1..=count {
+            let mut search = Search::new(&model, "v_d");
+            while !search.is_complete() {
+                search.look(&model, slice);
+                for event in (0..count).filter(|_| !search.is_complete()) {
+                    let known = search.next_known(event);
+                    known_early += usize::from(known.is_some());
+                    let next = whole.next(event, true, 1).map(|(event, _)| event);
+                    assert!(known.is_none() || known == next, "{start}, {slice}, {event}: {known:?} for {next:?}");
+                }
+            }
+            assert_eq!(search.found, whole.found, "{start}, {slice}");
+        }
+    }
+    assert!(known_early > 1000, "{known_early}");
+}
+
 #[test]
 fn places_count_letters_whatever_their_bytes_and_case() {
     let letters = ["c", "o", "s", "φ", "_", "1", " ", "C", "O", "S"];
