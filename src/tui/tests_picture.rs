@@ -165,7 +165,7 @@ fn half_blocks_have_the_colours_of_their_pixels() {
 
 #[test]
 fn any_size_in_any_look_can_be_drawn() {
-    for keys in ["", "v", "iii", "Tab Tab Tab Tab v", "BTab v v iii"] {
+    for keys in ["", "v", "iii", "Tab Tab Tab Tab v", "Shift-Tab v v iii"] {
         let (mut model, _) = after(keys, (100, 30));
         for pane in Pane::ALL {
             model.focus_on(pane);
