@@ -1,6 +1,6 @@
 //! The picture and the schematic without a terminal: a scene that somebody else traces.
 
-use super::testing::{glass, sized, textbook};
+use super::testing::{glass, sized, textbook, typed};
 use super::*;
 use crate::log::{Log, Subject};
 use crate::tui::keys::sequence;
@@ -179,6 +179,35 @@ fn any_size_in_any_look_can_be_drawn() {
                     assert!(is_ascii || !ascii, "{width}x{height} {pane:?}");
                 }
             }
+        }
+    }
+}
+
+/// The letter of the current ray in the schematic, alone on the screen.
+fn letter(model: &Model) -> Option<String> {
+    let (width, height) = model.size;
+    let frame = frame(model, width, height, &Theme::new(Palette::None, false));
+    let is_letter = |cell: &&ratatui::buffer::Cell| {
+        cell.modifier.contains(ratatui::style::Modifier::REVERSED | ratatui::style::Modifier::BOLD)
+    };
+    frame.content().iter().find(is_letter).map(|cell| cell.symbol().to_owned())
+}
+
+#[test]
+fn the_letter_of_a_ray_stays_on_the_screen() {
+    for (log, keys, expected) in [(textbook(), "1j", "C"), (textbook(), "9j", "R"), (glass(), "1j", "C")] {
+        let mut model = sized(log, 80, 24);
+        typed(&mut model, keys);
+        model.focus_on(Pane::Schematic);
+        model.is_alone = true;
+        for _ in 0..2 {
+            model.magnification = 0;
+            for _ in 0..=10 {
+                let found = letter(&model);
+                assert_eq!(found.as_deref(), Some(expected), "{:?} x2^{}", model.projection, model.magnification);
+                typed(&mut model, "i");
+            }
+            typed(&mut model, "v");
         }
     }
 }
