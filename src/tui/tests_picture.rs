@@ -1,6 +1,7 @@
 //! The picture and the schematic without a terminal: a scene that somebody else traces.
 
-use super::testing::{glass, sized, textbook, typed};
+use super::dump::dump;
+use super::testing::{empty, glass, nested, sized, textbook, typed};
 use super::*;
 use crate::log::{Log, Subject};
 use crate::tui::keys::sequence;
@@ -210,4 +211,20 @@ fn the_letter_of_a_ray_stays_on_the_screen() {
             typed(&mut model, "v");
         }
     }
+}
+
+#[test]
+fn a_ray_that_meets_nothing_is_drawn_and_a_log_without_rays_says_so() {
+    let shown = |log: Log, keys: &str| {
+        let mut model = sized(log, 80, 24);
+        model.focus_on(Pane::Schematic);
+        model.is_alone = true;
+        typed(&mut model, keys);
+        dump(&frame(&model, 80, 24, &Theme::new(Palette::None, false)))
+    };
+    for keys in ["j", "j v", "j iii"] {
+        let text = shown(empty(), keys);
+        assert!(!text.contains("no rays") && text.lines().take(24).any(|line| line.contains('C')), "{keys}:\n{text}");
+    }
+    assert!(shown(nested("(.)"), "").contains("the log has no rays here"));
 }

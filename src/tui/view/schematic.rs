@@ -36,7 +36,9 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let current = around(model).find_map(|node| segment(&model.log, &model.tree, node));
     let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
-        return put(buffer, body, Span::styled("no rays here", theme.style(Role::Faint)).into());
+        // A ray that meets nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
+        let why = if rays.is_empty() { "the log has no rays here" } else { "the rays reach too far to be drawn" };
+        return put(buffer, body, Span::styled(why, theme.style(Role::Faint)).into());
     };
     // While the tree grows, rays that are to come have their room already, so that nothing jumps.
     rays.retain(|ray| model.guide.is_known(model.tree.nodes()[ray.node].events.start));
@@ -161,7 +163,12 @@ impl<'m> Stage<'m> {
             points.push(ray.from);
             points.extend(ray.length.map(|_| ray.end(0.0)));
         }
-        let far = spread(&points).max(1e-300);
+        let mut far = spread(&points);
+        if far == 0.0 {
+            // Rays that meet nothing say nothing of a scale: any will do that numbers of this size can tell apart.
+            far = points.iter().flatten().fold(1.0, |most: f64, number| most.max(number.abs()));
+            points.extend(rays.iter().map(|ray| ray.end(far)));
+        }
         // What isn't much larger than the rays' region is seen whole.
         for thing in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
             let lines = thing.lines.concat();
@@ -176,6 +183,10 @@ impl<'m> Stage<'m> {
             }
             _ => around_all(points.iter().filter_map(|point| projection.of(drawing, *point)))?,
         };
+        if x[0] == x[1] && y[0] == y[1] {
+            // All of it lies behind one point.
+            (x, y) = ([x[0] - far, x[1] + far], [y[0] - far, y[1] + far]);
+        }
         if model.magnification > 0
             && let Some(middle) = current.and_then(|ray| projection.of(drawing, ray.end(far)))
         {
