@@ -142,8 +142,8 @@ const TABLE: &[Row] = &[
     row(VIEWER, &["Tab"], SwitchPane, "to the next pane; in the computation j and k move too"),
     row(VIEWER, &["Shift-Tab"], PreviousPane, "to the pane before"),
     row(VIEWER, &["zo"], OnlyPane, "only this pane, or all again"),
-    row(VIEWER, &[">"], Wider, "a wider tree"),
-    row(VIEWER, &["<"], Narrower, "a narrower tree"),
+    row(VIEWER, &[">"], Wider, "a wider tree; in a list, on to the right"),
+    row(VIEWER, &["<"], Narrower, "a narrower tree; in a list, back to the left"),
     row(VIEWER, &["?", "F1"], Help, "this help"),
     row(
         VIEWER,

@@ -112,6 +112,8 @@ pub enum Overlay {
         kind: list::Kind,
         /// The selected entry.
         selected: usize,
+        /// By how many columns it is scrolled to the right.
+        shift: usize,
     },
 }
 

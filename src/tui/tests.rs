@@ -2,6 +2,7 @@
 
 mod any_keys;
 mod finding;
+mod lists;
 mod stepping;
 
 use super::dump::dump;

@@ -11,9 +11,11 @@ mod pattern;
 mod picture;
 mod schematic;
 mod status;
+mod table;
 mod text;
 mod tree;
 
+pub(super) use list::last_shift;
 pub(super) use picture::dots_of_picture;
 pub(super) use text::ascii;
 
@@ -42,7 +44,7 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     status::draw(model, theme, &layout, buffer);
     match model.overlay {
         Some(Overlay::Help { top }) => help::draw(model, top, theme, buffer),
-        Some(Overlay::List { kind, selected }) => list::draw(model, kind, selected, theme, buffer),
+        Some(Overlay::List { kind, selected, shift }) => list::draw(model, kind, (selected, shift), theme, buffer),
         None => {}
     }
     // What lies over the panes may reach down to the line that is being typed.
