@@ -145,7 +145,8 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
 /// Opens a list.
 pub(super) fn open(model: &mut Model, kind: Kind) {
     let entries = listing(model, kind).entries;
-    let selected = entries.iter().position(|entry| entry.target.is_some()).unwrap_or(0);
+    let selected = entries.iter().position(|entry| entry.target.is_some());
+    let selected = selected.unwrap_or_else(|| off_headings(&entries, 0, false));
     model.overlay = Some(Overlay::List { kind, selected, shift: 0 });
 }
 
@@ -207,6 +208,15 @@ pub(super) fn update(
         Action::Suspend => return Effect::Suspend,
         _ => selected,
     };
-    model.overlay = Some(Overlay::List { kind, selected: moved.min(last), shift: aside });
+    let selected = off_headings(&listing.entries, moved.min(last), moved < selected || action == Action::Last);
+    model.overlay = Some(Overlay::List { kind, selected, shift: aside });
     Effect::None
+}
+
+/// The entry that is selected instead of a heading: the next one, or the one before when moving backward; else the nearest other.
+fn off_headings(entries: &[Entry], wanted: usize, backward: bool) -> usize {
+    let is_one = |at: &usize| entries.get(*at).is_some_and(|entry| !entry.is_heading);
+    let after = (wanted..entries.len()).find(is_one);
+    let before = (0..=wanted).rev().find(is_one);
+    if backward { before.or(after) } else { after.or(before) }.unwrap_or(wanted)
 }

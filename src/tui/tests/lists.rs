@@ -23,6 +23,30 @@ fn list_of(texts: &[&str], size: (u16, u16)) -> Model {
     model
 }
 
+#[track_caller]
+fn selects(keys: &str, expected: &str) {
+    let mut model = list_of(&["first:", "a", "b", "second:", "third:", "c", "last:"], (80, 24));
+    typed(&mut model, keys);
+    assert_eq!(selected(&model).0, expected, "after {keys}");
+}
+
+#[test]
+fn headings_are_skipped() {
+    selects("", "a");
+    selects("k", "a");
+    selects("j", "b");
+    selects("jj", "c");
+    selects("jjk", "b");
+    selects("2j", "c");
+    selects("3j", "c");
+    selects("G", "c");
+    selects("GG k", "b");
+    selects("PgDn", "c");
+    selects("G PgUp", "a");
+    selects("99j", "c");
+    selects("G 99k", "a");
+}
+
 #[test]
 fn a_list_of_headings_alone_can_be_shown() {
     for texts in [&["only:"][..], &[]] {
