@@ -253,7 +253,6 @@ impl Model {
             is_alone: self.is_alone,
             shift: self.shift,
             has_picture: self.picture.is_some(),
-            has_message: self.message.is_some(),
         })
     }
 

@@ -3,6 +3,7 @@
 mod any_keys;
 mod finding;
 mod lists;
+mod messages;
 mod stepping;
 
 use super::dump::dump;

@@ -7,6 +7,7 @@ pub(super) mod help;
 mod highlight;
 mod label;
 mod list;
+mod message;
 mod pattern;
 mod picture;
 mod schematic;
@@ -41,13 +42,14 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     picture::draw(model, theme, layout.area(Pane::Picture), buffer);
     schematic::draw(model, theme, layout.area(Pane::Schematic), buffer);
     code::draw(model, theme, layout.area(Pane::Code), buffer);
-    status::draw(model, theme, &layout, buffer);
+    status::draw(model, theme, layout.status, buffer);
     match model.overlay {
         Some(Overlay::Help { top }) => help::draw(model, top, theme, buffer),
         Some(Overlay::List { kind, selected, shift }) => list::draw(model, kind, (selected, shift), theme, buffer),
         None => {}
     }
-    // What lies over the panes may reach down to the line that is being typed.
+    // What lies over the panes may reach down to the bottom line.
+    message::draw(model, theme, layout.status, buffer);
     status::draw_prompt(model, theme, layout.status, buffer);
 }
 
