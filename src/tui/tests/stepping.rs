@@ -135,7 +135,7 @@ fn breakpoints_are_listed() {
     assert_eq!(texts(&model), ["on   hit", "off  T2_A < 0", "on   V_d ~ 0"]);
     typed(&mut model, "j d");
     assert_eq!(texts(&model), ["on   hit", "off  T2_A < 0"]);
-    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1 }));
+    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1, shift: 0 }));
     // Enter goes to the next place of one that is off, too, and around the end.
     let places = |model: &Model, text: &str| {
         let condition = crate::tui::breakpoints::parse(text, &model.log).unwrap_or_else(|why| panic!("{why}"));
