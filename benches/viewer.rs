@@ -5,12 +5,17 @@
 //! ```
 
 use raywalk::log::Log;
-use raywalk::log::file::{read, to_ndjson};
+use raywalk::log::file::{read_from, to_ndjson};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::Style;
 use raywalk::scene::{Sampling, Scene, build, builtin, file};
 use raywalk::tui::{Model, Options, Palette, Theme, frame, keys, opened, update};
+use std::fs::File;
+use std::io;
+use std::path::Path;
+use std::process::Command;
 use std::time::{Duration, Instant};
+use tempfile::NamedTempFile;
 
 const SCREEN: (u16, u16) = (200, 60);
 
@@ -32,13 +37,24 @@ const SEARCHES: [(&str, &str); 4] = [
     ("search for what is nowhere", "/nowhere<Enter><Esc>"),
 ];
 
-fn main() {
+fn main() -> io::Result<()> {
+    let arguments: Vec<_> = std::env::args().collect();
+    if let [_, option, file, frames] = &arguments[..]
+        && option == "--open"
+    {
+        return measure(Path::new(file), frames.parse().unwrap_or(1));
+    }
     // Among the tests cargo only asks whether the bench works.
-    let is_measured = std::env::args().any(|argument| argument == "--bench");
+    let is_measured = arguments.iter().any(|argument| argument == "--bench");
     let (sizes, frames): (&[usize], usize) =
         if is_measured { (&[1_000, 100_000, 1_000_000], 60) } else { (&[1_000], 2) };
     for size in sizes {
-        measure(*size, frames);
+        let file = NamedTempFile::new()?;
+        std::fs::write(&file, log_of(*size))?;
+        // In a process of its own, so that its memory is that of the log.
+        let mut child = Command::new(std::env::current_exe()?);
+        let status = child.arg("--open").arg(file.path()).arg(frames.to_string()).status()?;
+        assert!(status.success(), "the log can't be opened");
     }
     println!("another pixel: traced, opened and shown, ms");
     for name in builtin::names() {
@@ -55,22 +71,25 @@ fn main() {
         });
         println!("  {name:<28} {}", Times::of(times.collect()));
     }
+    Ok(())
 }
 
-fn measure(size: usize, frames: usize) {
-    let bytes = log_of(size);
-    let before = memory();
+/// Opens a log and walks in it.
+fn measure(file: &Path, frames: usize) -> io::Result<()> {
+    let before = memory("VmRSS:");
     let start = Instant::now();
-    let log = read(&bytes).map(|read| read.log);
-    let Ok(log) = log else { return println!("{size} events: the log can't be read") };
+    let log = read_from(File::open(file)?).map_err(io::Error::other)?.log;
     let read_in = start.elapsed();
+    let size = log.events.len();
     let mut model = opened(log, &options());
     let opened_in = start.elapsed();
+    let bytes_an_event = |memory: f64| (memory - before) / size as f64;
     println!(
-        "{size} events: opened in {:.1} ms (read {:.1} ms), {:.0} bytes an event",
+        "{size} events: opened in {:.1} ms (read {:.1} ms), {:.0} bytes an event, {:.0} at most",
         milliseconds(opened_in),
         milliseconds(read_in),
-        (memory() - before) / size as f64
+        bytes_an_event(memory("VmRSS:")),
+        bytes_an_event(memory("VmHWM:")),
     );
     update(&mut model, raywalk::tui::Action::Resize(SCREEN.0, SCREEN.1));
     for (words, keys) in WALKS {
@@ -81,6 +100,7 @@ fn measure(size: usize, frames: usize) {
         timed(&mut model, "g");
         println!("  {words:<28} {:8.3} ms", milliseconds(timed(&mut model, keys)));
     }
+    Ok(())
 }
 
 /// How long it takes until the screen shows what these keys do.
@@ -118,10 +138,10 @@ fn options() -> Options {
     Options { theme, start: None, warning: None, note: None, numbers: Style::default() }
 }
 
-/// The bytes that the process holds; 0 where the system doesn't say.
-fn memory() -> f64 {
+/// The bytes that the process holds (`VmRSS:`) or has held at most (`VmHWM:`); 0 where the system doesn't say.
+fn memory(which: &str) -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"));
+    let line = status.lines().find_map(|line| line.strip_prefix(which));
     let kilobytes = line.and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
     kilobytes.unwrap_or(0.0) * 1024.0
 }

@@ -217,6 +217,32 @@ fn the_shell_gets_the_terminal_and_gives_it_back() {
     session.ends_with(7);
 }
 
+/// The shell must not be told of the mouse while the viewer is stopped; the viewer must be again when it goes on.
+#[test]
+fn the_mouse_is_given_to_the_shell_and_taken_again() {
+    let mut session = Session::of("bash".as_ref(), &["--norc", "--noprofile", "-i"], 100, 30);
+    session.press(concat!(env!("CARGO_BIN_EXE_raywalk"), " walk textbook\r"));
+    session.shows("step 1/96");
+    session.has_mouse(false);
+    session.press("\x14");
+    session.shows("the mouse selects and scrolls");
+    session.has_mouse(true);
+    session.press("\x1a");
+    session.shows("Stopped");
+    session.has_mouse(false);
+    session.press("fg\r");
+    session.is_taken(true);
+    session.has_mouse(true);
+    // A click into the third row of the tree: button 0 at column 6, row 4.
+    session.press("\x1b[<0;6;4M\x1b[<0;6;4m");
+    session.shows("3/");
+    session.press("q");
+    session.shows("back here:");
+    session.has_mouse(false);
+    session.press("exit 7\r");
+    session.ends_with(7);
+}
+
 #[test]
 fn the_cursor_walks_over_the_picture() {
     let mut session = Session::start(&["walk", "figure-6"], 160, 48);

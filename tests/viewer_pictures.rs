@@ -9,7 +9,7 @@ use std::path::Path;
 const PICTURES: [(&str, &[&str], &str, &str); 3] = [
     ("viewer", &["textbook", "--arithmetic", "decimal:3"], "30n", "110,30"),
     ("viewer-why", &["textbook"], "w", "100,20"),
-    ("viewer-panes", &["glass-and-mirror"], "12n 2} BackTab", "150,40"),
+    ("viewer-panes", &["glass-and-mirror"], "12n 2} Shift-Tab", "150,40"),
 ];
 
 #[test]

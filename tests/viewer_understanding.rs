@@ -44,6 +44,8 @@ fn operands_arithmetics_and_a_quiz() {
     snapshots().bind(|| {
         insta::assert_snapshot!("viewer_operands", frame_after("31n d", 80, 24));
         insta::assert_snapshot!("viewer_arithmetics", frame_after("3n a", 80, 24));
+        insta::assert_snapshot!("viewer_arithmetics_40x12", frame_after("3n a", 40, 12));
+        insta::assert_snapshot!("viewer_arithmetics_scrolled_40x12", frame_after("3n a 99>", 40, 12));
         insta::assert_snapshot!("viewer_quiz", frame_after("Q 4n = 1 2", 80, 24));
     });
 }

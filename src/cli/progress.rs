@@ -66,6 +66,18 @@ impl ProgressOptions {
     }
 }
 
+/// How much of a file has been read, on a terminal and if there is much of it; `size` is `None` where nobody knows.
+pub fn of_reading(size: Option<u64>) -> ProgressBar {
+    /// Less is read before anybody could see the bar.
+    const MUCH: u64 = 8 << 20;
+    let (bar, template) = match size {
+        Some(size) if size < MUCH => return ProgressBar::hidden(),
+        Some(size) => (ProgressBar::new(size), "reading {bar:40} {percent:>3} %  {eta} left"),
+        None => (ProgressBar::new_spinner(), "reading {bytes}"),
+    };
+    bar.with_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
 impl Progress {
     /// Some more pixels are done.
     pub fn advance(&self, pixels: u64) {

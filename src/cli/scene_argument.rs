@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::options::ColorChoice;
 use super::output;
+use raywalk::log::file::is_log;
 use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
@@ -12,7 +13,7 @@ use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The text of a scene or log, and the name by which messages call it.
+/// The text of a scene, and the name by which messages call it.
 pub struct Input {
     /// The bytes.
     pub bytes: Vec<u8>,
@@ -63,15 +64,43 @@ pub fn built_in(name: &str) -> Result<Input, Failure> {
     Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json"), path: None })
 }
 
+/// What an argument names, as far as its beginning tells.
+pub enum Named {
+    /// A scene, or what was meant to be one.
+    Scene(Input),
+    /// A log, which is read by the way.
+    Log(file::Opened),
+}
+
+/// Opens what the argument names: a scene or a log.
+pub fn open(argument: &Path, colors: ColorChoice) -> Result<Named, Failure> {
+    let Some(opened) = opened(argument, colors)? else {
+        return built_in(&argument.to_string_lossy()).map(Named::Scene);
+    };
+    Ok(match is_log(opened.beginning()) {
+        true => Named::Log(opened),
+        false => Named::Scene(whole(opened, argument, colors)?),
+    })
+}
+
 /// Reads what the argument names.
 pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
-    let name = argument.to_string_lossy();
-    let is_path = argument == Path::new("-") || argument.symlink_metadata().is_ok();
-    if !is_path {
-        return built_in(&name);
+    match opened(argument, colors)? {
+        Some(opened) => whole(opened, argument, colors),
+        None => built_in(&argument.to_string_lossy()),
     }
-    let bytes = file::read_bytes(argument).map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    let name = if name == "-" { "<stdin>".to_owned() } else { name.into_owned() };
+}
+
+/// The file that the argument names; `None` if it names no file.
+fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, Failure> {
+    let is_path = argument == Path::new("-") || argument.symlink_metadata().is_ok();
+    let opened = is_path.then(|| file::open(argument)).transpose();
+    opened.map_err(|error| Failure::scene(&error, is_colored(colors)))
+}
+
+fn whole(opened: file::Opened, argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
+    let name = opened.name().to_owned();
+    let bytes = opened.bytes().map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     Ok(Input { bytes, name, path: Some(argument.to_owned()) })
 }
 

@@ -5,16 +5,17 @@ use super::frames;
 use super::live::Session;
 use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
 use super::output::{self, Output};
-use super::scene_argument::{self, Input};
+use super::progress;
+use super::scene_argument::{self, Input, Named};
 use super::trace::{Subject, short_log};
 use clap::Args;
 use raywalk::log::Log;
 use raywalk::log::file::{self as log_file, LogError};
 use raywalk::report::{self, Style};
-use raywalk::scene::file::visible;
+use raywalk::scene::file::{Opened, visible};
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
 use signal_hook::iterator::Handle;
-use std::io::{self, IsTerminal};
+use std::io::{self, ErrorKind, IsTerminal};
 use std::path::{Path, PathBuf};
 
 /// Walk through a pixel, a ray or a saved log in the terminal.
@@ -56,12 +57,17 @@ pub struct Walk {
 
 /// What is walked through.
 struct Walked {
+    /// Its name in messages.
+    name: String,
     log: Log,
     /// What to warn of.
     warning: Option<String>,
     /// Who traces the scene, unless it is a saved log.
     session: Option<Session>,
 }
+
+/// The longest log: some forty million events.
+const MAX_LOG_BYTES: u64 = 4 << 30;
 
 /// The most columns or rows of a screenshot.
 const MAX_SCREEN: u16 = 1000;
@@ -78,14 +84,15 @@ impl Walk {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice, signals: Option<Handle>) -> Result<(), Failure> {
         let walked = self.walked.as_deref().unwrap_or(Path::new("textbook"));
-        let input = match &self.walked {
-            Some(path) => scene_argument::read(path, colors)?,
-            None => scene_argument::built_in("textbook")?,
+        let named = match &self.walked {
+            Some(path) => scene_argument::open(path, colors)?,
+            None => Named::Scene(scene_argument::built_in("textbook")?),
         };
-        let Walked { log, warning, mut session } = self.log(&input, colors)?;
-        let (was_log, name) = (is_log(&input.bytes), visible(&input.name).to_string());
-        // The bytes of a long log need not stay beside it.
-        drop(input);
+        let Walked { name, log, warning, mut session } = match named {
+            Named::Scene(input) => self.of_scene(&input, colors)?,
+            Named::Log(opened) => self.of_log(opened)?,
+        };
+        let was_log = session.is_none();
         let live = session.as_mut().map(|session| session as &mut dyn tui::Live);
         if let Some(path) = &self.screenshot {
             self.check_screenshot(path)?;
@@ -96,7 +103,7 @@ impl Walk {
         }
         if self.plain || !has_terminal() {
             if let Some(warning) = warning {
-                output::tell(&format!("warning: {}: {warning}", name));
+                output::tell(&format!("warning: {name}: {warning}"));
             }
             return output::print(report::text::text(&log, Style { digits: self.digits }).as_bytes());
         }
@@ -109,28 +116,36 @@ impl Walk {
         self.leave(walked, was_log, &outcome)
     }
 
-    /// The log to walk through, and what to warn of.
-    fn log(&self, input: &Input, colors: ColorChoice) -> Result<Walked, Failure> {
-        if is_log(&input.bytes) {
-            let has_options = self.tracing != TracingOptions::default() || self.subject != Subject::default();
-            if has_options || self.frames.is_some() {
-                let name = visible(&input.name);
-                let message = format!("{name}: is a log, which is traced already; expected no options of tracing");
-                return Err(Failure::caller(message));
-            }
-            let name = visible(&input.name);
-            let read = log_file::read(&input.bytes).map_err(|error| match error {
-                LogError::Io(error) => Failure::machine(format!("{name}: cannot read: {error}")),
-                _ => Failure::caller(format!("{name}:{error}")),
-            })?;
-            return Ok(Walked { log: read.log, warning: read.ending.warning(), session: None });
+    /// A log that was saved.
+    fn of_log(&self, opened: Opened) -> Result<Walked, Failure> {
+        let name = visible(opened.name()).to_string();
+        let has_options = self.tracing != TracingOptions::default() || self.subject != Subject::default();
+        if has_options || self.frames.is_some() {
+            let message = format!("{name}: is a log, which is traced already; expected no options of tracing");
+            return Err(Failure::caller(message));
         }
+        let progress = progress::of_reading(opened.size());
+        let read = log_file::read_from(progress.wrap_read(opened.stream(MAX_LOG_BYTES)));
+        progress.finish_and_clear();
+        let read = read.map_err(|error| match error {
+            LogError::Io(error) if error.kind() == ErrorKind::InvalidData => {
+                Failure::caller(format!("{name}: {error}"))
+            }
+            LogError::Io(error) => Failure::machine(format!("{name}: cannot read: {error}")),
+            _ => Failure::caller(format!("{name}:{error}")),
+        })?;
+        Ok(Walked { name, log: read.log, warning: read.ending.warning(), session: None })
+    }
+
+    /// The log of what is traced now.
+    fn of_scene(&self, input: &Input, colors: ColorChoice) -> Result<Walked, Failure> {
         let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;
         let warning = warning_of_sampling(&scene).filter(|_| self.subject.ray.is_none());
         let log = short_log(&scene, part, self.tracing.arithmetic)?;
-        Ok(Walked { log, warning, session: Some(Session::new(scene, self.tracing.arithmetic)) })
+        let session = Some(Session::new(scene, self.tracing.arithmetic));
+        Ok(Walked { name: visible(&input.name).to_string(), log, warning, session })
     }
 
     fn options(&self, palette: Palette, warning: Option<String>) -> tui::Options {
@@ -230,12 +245,6 @@ fn palette(colors: ColorChoice) -> Palette {
 fn has_terminal() -> bool {
     let is_dumb = std::env::var_os("TERM").is_none_or(|term| term.is_empty() || term == "dumb");
     io::stdout().is_terminal() && !is_dumb
-}
-
-/// Whether the bytes are a log rather than a scene: by their first key.
-fn is_log(bytes: &[u8]) -> bool {
-    let first_key = bytes.trim_ascii_start().strip_prefix(b"{").map(<[u8]>::trim_ascii_start);
-    first_key.is_some_and(|key| key.starts_with(b"\"log\"") || key.starts_with(b"\"header\""))
 }
 
 #[cfg(test)]

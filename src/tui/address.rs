@@ -4,7 +4,7 @@
 use super::breakpoints::kind;
 use super::describe;
 use super::guide;
-use super::list::Entry;
+use super::list::{Column, Entry};
 use super::model::Model;
 use super::theme::Role;
 use crate::log::{Log, Step, Tree, What};
@@ -107,16 +107,19 @@ pub(super) fn renew(model: &mut Model) {
     }
 }
 
+/// What the list of the bookmarks says of each.
+pub(super) const COLUMNS: &[Column] = &[Column::text("key"), Column::text("address"), Column::text("what is there")];
+
 /// The list of the bookmarks.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |bookmark: &Bookmark| {
-        let text = format!("{}  {}", bookmark.letter, bookmark.address.text());
+        let text = format!("{}\t{}", bookmark.letter, bookmark.address.text());
         match bookmark.event {
             Some(event) if model.hides_name(event) => {
-                Entry::to(event, format!("{}  {}", bookmark.letter, describe::event(model, event)))
+                Entry::to(event, format!("{}\t\t{}", bookmark.letter, describe::event(model, event)))
             }
-            Some(event) => Entry::to(event, format!("{text}  {}", describe::event(model, event))),
-            None => Entry::plain(format!("{text}  (not in this log)"), Role::Faint),
+            Some(event) => Entry::to(event, format!("{text}\t{}", describe::event(model, event))),
+            None => Entry::plain(format!("{text}\t(not in this log)"), Role::Faint),
         }
     };
     model.guide.bookmarks.iter().map(entry).collect()

@@ -140,10 +140,10 @@ const TABLE: &[Row] = &[
     row(UNDERSTAND, &["Q"], Quiz, "begin or end a quiz, which hides results and decisions"),
     row(UNDERSTAND, &["="], Answer, "answer in the quiz (Enter in the computation, too)"),
     row(VIEWER, &["Tab"], SwitchPane, "to the next pane; in the computation j and k move too"),
-    row(VIEWER, &["BackTab"], PreviousPane, "to the pane before"),
+    row(VIEWER, &["Shift-Tab"], PreviousPane, "to the pane before"),
     row(VIEWER, &["zo"], OnlyPane, "only this pane, or all again"),
-    row(VIEWER, &[">"], Wider, "a wider tree"),
-    row(VIEWER, &["<"], Narrower, "a narrower tree"),
+    row(VIEWER, &[">"], Wider, "a wider tree; in a list, on to the right"),
+    row(VIEWER, &["<"], Narrower, "a narrower tree; in a list, back to the left"),
     row(VIEWER, &["?", "F1"], Help, "this help"),
     row(
         VIEWER,
@@ -221,7 +221,7 @@ fn name(key: KeyEvent) -> Option<String> {
         KeyCode::End => "End",
         KeyCode::Enter => "Enter",
         KeyCode::Tab => "Tab",
-        KeyCode::BackTab => "BackTab",
+        KeyCode::BackTab => "Shift-Tab",
         KeyCode::Esc => "Esc",
         _ => return None,
     };
@@ -259,7 +259,7 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
         "End" => KeyCode::End,
         "Enter" => KeyCode::Enter,
         "Tab" => KeyCode::Tab,
-        "BackTab" => KeyCode::BackTab,
+        "Shift-Tab" | "BackTab" => KeyCode::BackTab,
         "Esc" => KeyCode::Esc,
         _ => KeyCode::F(text.strip_prefix('F')?.parse().ok()?),
     })

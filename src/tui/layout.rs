@@ -18,8 +18,6 @@ pub struct Arrangement {
     pub shift: i16,
     /// Whether there is a picture.
     pub has_picture: bool,
-    /// Whether there is a message.
-    pub has_message: bool,
 }
 
 /// The places on the screen. A pane that isn't shown has no area.
@@ -28,8 +26,6 @@ pub struct Layout {
     areas: [Rect; Pane::ALL.len()],
     /// The columns between panes that stand side by side.
     pub dividers: [Rect; 2],
-    /// The message.
-    pub message: Rect,
     /// The bottom line.
     pub status: Rect,
     /// Whether the terminal is too small to show anything.
@@ -54,13 +50,8 @@ impl Layout {
         if width < SMALLEST.0 || height < SMALLEST.1 {
             return Layout { is_too_small: true, ..Layout::default() };
         }
-        let message_rows = u16::from(arrangement.has_message);
-        let panes = Rect::new(0, 0, width, height - 1 - message_rows);
-        let mut layout = Layout {
-            message: Rect::new(0, panes.bottom(), width, message_rows),
-            status: Rect::new(0, height - 1, width, 1),
-            ..Layout::default()
-        };
+        let panes = Rect::new(0, 0, width, height - 1);
+        let mut layout = Layout { status: Rect::new(0, height - 1, width, 1), ..Layout::default() };
         match () {
             _ if arrangement.is_alone => layout.put(arrangement.focus, panes),
             _ if width >= LARGE.0 && height >= LARGE.1 => layout.all(arrangement, panes),
@@ -164,15 +155,7 @@ mod tests {
     use super::*;
 
     fn arrangement(size: (u16, u16)) -> Arrangement {
-        Arrangement {
-            size,
-            focus: Pane::Tree,
-            side: Pane::Computation,
-            is_alone: false,
-            shift: 0,
-            has_picture: true,
-            has_message: false,
-        }
+        Arrangement { size, focus: Pane::Tree, side: Pane::Computation, is_alone: false, shift: 0, has_picture: true }
     }
 
     #[test]
@@ -187,14 +170,12 @@ mod tests {
                     is_alone: number % 4 == 3,
                     shift: [0, -300, 300][number % 3],
                     has_picture: number % 2 == 0 || focus == Pane::Picture,
-                    has_message: number % 3 == 0,
                     ..arrangement((width, height))
                 };
                 let layout = Layout::of(&shown);
                 let screen = Rect::new(0, 0, width, height);
                 let panes = Pane::ALL.map(|pane| layout.area(pane));
-                let all: Vec<_> =
-                    panes.into_iter().chain(layout.dividers).chain([layout.message, layout.status]).collect();
+                let all: Vec<_> = panes.into_iter().chain(layout.dividers).chain([layout.status]).collect();
                 for (at, area) in all.iter().enumerate() {
                     assert!(area.is_empty() || screen.intersection(*area) == *area, "{shown:?}: {layout:?}");
                     let covers = |other: &Rect| !area.intersection(*other).is_empty();

@@ -9,6 +9,7 @@ use super::model::{Model, Overlay};
 use super::theme::Role;
 use super::understanding;
 use super::update::{Effect, Exit};
+use super::view;
 use super::{address, breakpoints, run};
 
 /// What a list is of.
@@ -49,32 +50,70 @@ impl Kind {
 pub struct Listing {
     /// What it is of.
     pub title: String,
+    /// What stands in the cells of its entries, if they have any.
+    pub columns: &'static [Column],
     /// Its entries.
     pub entries: Vec<Entry>,
     /// What is said where it has none.
     pub nothing: &'static str,
 }
 
+/// A column of a list.
+#[derive(Clone, Copy, Debug)]
+pub struct Column {
+    /// What stands in it.
+    pub title: &'static str,
+    /// Whether that is numbers, which end below each other.
+    pub is_number: bool,
+}
+
+impl Column {
+    /// A column of texts.
+    pub const fn text(title: &'static str) -> Column {
+        Column { title, is_number: false }
+    }
+
+    /// A column of numbers.
+    pub const fn number(title: &'static str) -> Column {
+        Column { title, is_number: true }
+    }
+}
+
+/// What stands between two cells in the text of an entry.
+pub const CELL_END: char = '\t';
+
 /// An entry of a list.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// What it says.
+    /// What it says: a line, or in a list with columns its cells with [`CELL_END`] between them.
     pub text: String,
     /// How it looks.
     pub role: Role,
     /// The event that `Enter` goes to; that of a stop may be of another pixel.
     pub target: Option<usize>,
+    /// Whether it is only a heading of those below, which can't be selected.
+    pub is_heading: bool,
 }
 
 impl Entry {
     /// An entry in plain text that leads to an event.
     pub fn to(target: usize, text: String) -> Entry {
-        Entry { text, role: Role::Text, target: Some(target) }
+        Entry { target: Some(target), ..Entry::plain(text, Role::Text) }
     }
 
     /// An entry that leads nowhere.
     pub fn plain(text: String, role: Role) -> Entry {
-        Entry { text, role, target: None }
+        Entry { text, role, target: None, is_heading: false }
+    }
+
+    /// A heading of the entries below.
+    pub fn heading(text: String) -> Entry {
+        Entry { is_heading: true, ..Entry::plain(text, Role::Title) }
+    }
+
+    /// Whether it stands in the columns of its list, not across them.
+    pub fn has_cells(&self) -> bool {
+        self.text.contains(CELL_END)
     }
 }
 
@@ -85,14 +124,17 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
             title: "Breakpoints".to_owned(),
             entries: breakpoints::entries(model),
             nothing: "none: b types one, x sets one here",
+            ..Listing::default()
         },
         Kind::Stops => Listing {
             title: "Where runs stopped".to_owned(),
             entries: run::entries(model),
             nothing: "nowhere yet: r runs to a breakpoint",
+            ..Listing::default()
         },
         Kind::Bookmarks => Listing {
             title: "Bookmarks".to_owned(),
+            columns: address::COLUMNS,
             entries: address::entries(model),
             nothing: "none: m and a letter set one",
         },
@@ -103,23 +145,42 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
 /// Opens a list.
 pub(super) fn open(model: &mut Model, kind: Kind) {
     let entries = listing(model, kind).entries;
-    let selected = entries.iter().position(|entry| entry.target.is_some()).unwrap_or(0);
-    model.overlay = Some(Overlay::List { kind, selected });
+    let selected = entries.iter().position(|entry| entry.target.is_some());
+    let selected = selected.unwrap_or_else(|| off_headings(&entries, 0, false));
+    model.overlay = Some(Overlay::List { kind, selected, shift: 0 });
 }
 
+/// How many columns of the screen a list is scrolled at once.
+const STRIDE: usize = 8;
+
 /// Moves in a list, goes to the place of its selected entry, or closes it.
-pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: usize, count: Option<u32>) -> Effect {
+pub(super) fn update(
+    model: &mut Model,
+    action: Action,
+    kind: Kind,
+    (selected, shift): (usize, usize),
+    count: Option<u32>,
+) -> Effect {
     let listing = listing(model, kind);
     let times = count.unwrap_or(1) as usize;
     let page = usize::from(model.size.1 / 2).max(1);
     let last = listing.entries.len().saturating_sub(1);
-    let selected = match action {
+    let mut aside = shift;
+    let moved = match action {
         Action::Down => selected.saturating_add(times),
         Action::Up => selected.saturating_sub(times),
         Action::HalfPageDown | Action::PageDown => selected.saturating_add(page),
         Action::HalfPageUp | Action::PageUp => selected.saturating_sub(page),
         Action::First => 0,
         Action::Last => last,
+        Action::Wider => {
+            aside = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind));
+            selected
+        }
+        Action::Narrower => {
+            aside = shift.saturating_sub(STRIDE * times);
+            selected
+        }
         Action::In | Action::Enter if kind == Kind::Breakpoints => {
             breakpoints::go_to_next(model, selected);
             return Effect::None;
@@ -148,6 +209,15 @@ pub(super) fn update(model: &mut Model, action: Action, kind: Kind, selected: us
         Action::Suspend => return Effect::Suspend,
         _ => selected,
     };
-    model.overlay = Some(Overlay::List { kind, selected: selected.min(last) });
+    let selected = off_headings(&listing.entries, moved.min(last), moved < selected || action == Action::Last);
+    model.overlay = Some(Overlay::List { kind, selected, shift: aside });
     Effect::None
+}
+
+/// The entry that is selected instead of a heading: the next one, or the one before when moving backward; else the nearest other.
+fn off_headings(entries: &[Entry], wanted: usize, backward: bool) -> usize {
+    let is_one = |at: &usize| entries.get(*at).is_some_and(|entry| !entry.is_heading);
+    let after = (wanted..entries.len()).find(is_one);
+    let before = (0..=wanted).rev().find(is_one);
+    if backward { before.or(after) } else { after.or(before) }.unwrap_or(wanted)
 }

@@ -113,6 +113,8 @@ pub enum Overlay {
         kind: list::Kind,
         /// The selected entry.
         selected: usize,
+        /// By how many columns it is scrolled to the right.
+        shift: usize,
     },
 }
 
@@ -256,7 +258,6 @@ impl Model {
             is_alone: self.is_alone,
             shift: self.shift,
             has_picture: self.picture.is_some(),
-            has_message: self.message.is_some(),
         })
     }
 

@@ -74,7 +74,7 @@ pub(super) fn stop(model: &mut Model, event: usize, breakpoint: String) {
 /// Opens the list of the stops at the latest one.
 pub(super) fn open(model: &mut Model) {
     let selected = model.guide.stops.len().saturating_sub(1);
-    model.overlay = Some(Overlay::List { kind: Kind::Stops, selected });
+    model.overlay = Some(Overlay::List { kind: Kind::Stops, selected, shift: 0 });
 }
 
 /// The list of the stops, with the pixels of those in others.

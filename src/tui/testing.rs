@@ -40,6 +40,13 @@ pub(super) fn flat() -> Log {
     record::pixel(&scene(text), [160, 120], Arithmetic::F64)
 }
 
+/// A ray that meets nothing, in a scene without objects.
+pub(super) fn empty() -> Log {
+    let text = r#"{"format": "raywalk-scene/1", "name": "empty", "objects": [],
+      "camera": {"position": [0, 0, 5], "direction": [0, 0, -1]}}"#;
+    record::pixel(&scene(text), [160, 120], Arithmetic::F64)
+}
+
 /// A scene from the text of its file.
 fn scene(text: &str) -> Scene {
     let loaded = file::check(text.as_bytes(), "test").unwrap_or_else(|error| panic!("{}", error.report(false)));

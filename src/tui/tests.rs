@@ -2,6 +2,8 @@
 
 mod any_keys;
 mod finding;
+mod lists;
+mod messages;
 mod stepping;
 
 use super::dump::dump;

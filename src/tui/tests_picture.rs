@@ -1,7 +1,8 @@
 //! The picture and the schematic without a terminal: a scene that somebody else traces.
 
+use super::dump::dump;
 use super::list::listing;
-use super::testing::{glass, sized, textbook};
+use super::testing::{empty, glass, nested, sized, textbook, typed};
 use super::*;
 use crate::log::{Log, Subject};
 use crate::tui::keys::sequence;
@@ -203,7 +204,7 @@ fn half_blocks_have_the_colours_of_their_pixels() {
 
 #[test]
 fn any_size_in_any_look_can_be_drawn() {
-    for keys in ["", "v", "iii", "Tab Tab Tab Tab v", "BTab v v iii"] {
+    for keys in ["", "v", "iii", "Tab Tab Tab Tab v", "Shift-Tab v v iii"] {
         let (mut model, _) = after(keys, (100, 30));
         for pane in Pane::ALL {
             model.focus_on(pane);
@@ -219,4 +220,49 @@ fn any_size_in_any_look_can_be_drawn() {
             }
         }
     }
+}
+
+/// The letter of the current ray in the schematic, alone on the screen.
+fn letter(model: &Model) -> Option<String> {
+    let (width, height) = model.size;
+    let frame = frame(model, width, height, &Theme::new(Palette::None, false));
+    let is_letter = |cell: &&ratatui::buffer::Cell| {
+        cell.modifier.contains(ratatui::style::Modifier::REVERSED | ratatui::style::Modifier::BOLD)
+    };
+    frame.content().iter().find(is_letter).map(|cell| cell.symbol().to_owned())
+}
+
+#[test]
+fn the_letter_of_a_ray_stays_on_the_screen() {
+    for (log, keys, expected) in [(textbook(), "1j", "C"), (textbook(), "9j", "R"), (glass(), "1j", "C")] {
+        let mut model = sized(log, 80, 24);
+        typed(&mut model, keys);
+        model.focus_on(Pane::Schematic);
+        model.is_alone = true;
+        for _ in 0..2 {
+            model.magnification = 0;
+            for _ in 0..=10 {
+                let found = letter(&model);
+                assert_eq!(found.as_deref(), Some(expected), "{:?} x2^{}", model.projection, model.magnification);
+                typed(&mut model, "i");
+            }
+            typed(&mut model, "v");
+        }
+    }
+}
+
+#[test]
+fn a_ray_that_meets_nothing_is_drawn_and_a_log_without_rays_says_so() {
+    let shown = |log: Log, keys: &str| {
+        let mut model = sized(log, 80, 24);
+        model.focus_on(Pane::Schematic);
+        model.is_alone = true;
+        typed(&mut model, keys);
+        dump(&frame(&model, 80, 24, &Theme::new(Palette::None, false)))
+    };
+    for keys in ["j", "j v", "j iii"] {
+        let text = shown(empty(), keys);
+        assert!(!text.contains("no rays") && text.lines().take(24).any(|line| line.contains('C')), "{keys}:\n{text}");
+    }
+    assert!(shown(nested("(.)"), "").contains("the log has no rays here"));
 }

@@ -41,7 +41,7 @@ fn the_colour_is_accounted_for_and_leads_to_its_parts() {
     typed(&mut model, "w");
     let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
     assert!(text.contains("(394.134, "), "{text}");
-    assert!(text.contains("60.6 %  C R S1  F on sphere"), "{text}");
+    assert!(text.contains("60.6 %  C R S1  F on sphere  "), "{text}");
     assert!(text.contains("depth limit"), "{text}");
     typed(&mut model, "Enter");
     let title = crate::report::words::title(&model.log, &model.tree, model.cursor);
@@ -66,7 +66,7 @@ fn arithmetics_are_asked_for_and_then_shown() {
     }
     let mut others = Others;
     model.answer(Effect::Compare, &mut Some(&mut others));
-    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Arithmetics, selected: 1 }));
+    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Arithmetics, selected: 0, shift: 0 }));
     let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
     assert!(text.contains("by hand") && text.contains("-0.946"), "{text}");
 }

@@ -85,6 +85,8 @@ pub struct Glyphs {
     pub blocked: &'static str,
     pub current: &'static str,
     pub more: &'static str,
+    pub cut_left: &'static str,
+    pub cut_right: &'static str,
 }
 
 /// The usual characters.
@@ -113,6 +115,8 @@ pub const UNICODE: Glyphs = Glyphs {
     blocked: "✕",
     current: "▶",
     more: "…",
+    cut_left: "…",
+    cut_right: "…",
 };
 
 /// Characters for terminals and fonts that have ASCII only.
@@ -141,6 +145,8 @@ pub const ASCII: Glyphs = Glyphs {
     blocked: "x",
     current: ">",
     more: "~",
+    cut_left: "<",
+    cut_right: ">",
 };
 
 impl Theme {

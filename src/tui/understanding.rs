@@ -2,7 +2,7 @@
 //!
 //! What they say is made in `report`, once, when a list is opened; here it becomes lines.
 
-use super::list::{self, Entry, Kind, Listing};
+use super::list::{self, CELL_END, Column, Entry, Kind, Listing};
 use super::model::Model;
 use super::theme::Role;
 use super::update::Effect;
@@ -98,6 +98,9 @@ fn whereabouts(model: &Model, event: usize) -> String {
     format!("step {}{path}, {what}", event + 1)
 }
 
+const OPERANDS: &[Column] = &[Column::text("operand"), Column::text("value"), Column::text("from")];
+const USES: &[Column] = &[Column::text("value"), Column::text("computed in")];
+
 fn operands(model: &Model) -> Listing {
     let found = provenance::operands(&model.log, &model.tree, model.event);
     let entry = |operand: &provenance::Operand| {
@@ -105,13 +108,14 @@ fn operands(model: &Model) -> Listing {
         let light =
             operand.light.map_or(String::new(), |light| format!(" ({})", words::title(&model.log, &model.tree, light)));
         let from = match operand.computed {
-            Some(event) => format!("from {}", whereabouts(model, event)),
+            Some(event) => whereabouts(model, event),
             None => format!("given in {}", whereabouts(model, operand.event)),
         };
-        Entry::to(operand.computed.unwrap_or(operand.event), format!("{}{light} = {value}   {from}", operand.symbol))
+        Entry::to(operand.computed.unwrap_or(operand.event), format!("{}{light}\t{value}\t{from}", operand.symbol))
     };
     Listing {
         title: format!("What {} is made of", subject(model)),
+        columns: OPERANDS,
         entries: found.iter().take(MOST).map(entry).collect(),
         nothing: "this step takes nothing that the log names",
     }
@@ -128,11 +132,12 @@ fn uses(model: &Model) -> Listing {
             }
             _ => words::title(&model.log, &model.tree, model.tree.owner(event)),
         };
-        Entry::to(event, format!("{shown}   {}", whereabouts(model, event)))
+        Entry::to(event, format!("{shown}\t{}", whereabouts(model, event)))
     };
     let found = provenance::uses(&model.log, &model.tree, model.event, MOST);
     Listing {
         title: format!("What takes {}", subject(model)),
+        columns: USES,
         entries: found.into_iter().map(entry).collect(),
         nothing: "no later step takes it",
     }
@@ -145,10 +150,11 @@ fn account(model: &Model) -> Listing {
     let mut entries: Vec<_> = groups.iter().take(MOST).map(|group| contribution(model, &account, group)).collect();
     if let Some(rest) = groups.get(MOST..).filter(|rest| !rest.is_empty()) {
         let share: f64 = rest.iter().map(|group| group.sum.share).sum();
-        entries.push(Entry::plain(format!("{}  {} smaller ones together", percent(share), rest.len()), Role::Faint));
+        let rest = format!("{}\t\t\t{} smaller ones together", percent(share), rest.len());
+        entries.push(Entry::plain(rest, Role::Faint));
     }
     if !account.ended.is_empty() {
-        entries.push(Entry::plain(format!("What brings nothing ({}):", account.ended.len()), Role::Title));
+        entries.push(Entry::heading(format!("What brings nothing ({}):", account.ended.len())));
     }
     entries.extend(account.ended.iter().take(MOST).map(|ended| self::ended(model, ended)));
     let class = path_class::of_ray(&model.log, &model.tree, model.cursor);
@@ -158,10 +164,23 @@ fn account(model: &Model) -> Listing {
         true => format!("Why the colour is {color}{class}"),
         false => format!("The log ends before the colour; so far {color}{class}"),
     };
-    Listing { title, entries, nothing: "no light is accounted for yet" }
+    Listing { title, columns: SHARES, entries, nothing: "no light is accounted for yet" }
 }
 
-/// `12.30 %  C R S1  light F on sphere  (1, 2, 3)  LDSE c`: so much of the colour, and of each channel behind it.
+/// The columns of why a pixel has its colour: first what matters most.
+const SHARES: &[Column] = &[
+    Column::number("share"),
+    Column::text("path"),
+    Column::text("times"),
+    Column::text("from"),
+    Column::text("class"),
+    Column::text("figure 14"),
+    Column::text("% of r g b"),
+    Column::text("brings"),
+    Column::text("= own colour * weight"),
+];
+
+/// So much of the colour, and of each of its channels, and where it comes from.
 fn contribution(model: &Model, account: &Account, Group { sum: part, count }: &Group) -> Entry {
     let header = &model.log.header;
     let origin = match part.origin {
@@ -173,19 +192,23 @@ fn contribution(model: &Model, account: &Account, Group { sum: part, count }: &G
         Origin::Rounding => "rounding of the values".to_owned(),
     };
     let color = number::value(&Value::Triple(part.color), model.numbers);
-    let class = if part.cases.is_empty() { part.class.clone() } else { format!("{} {}", part.class, part.cases) };
     let times = if *count == 1 { String::new() } else { format!("×{count}") };
     let weight = (part.weight != [1.0; 3] && *count == 1).then(|| {
-        format!("= {} * weight {}", number::value(&Value::Triple(part.own), model.numbers), triple(model, &part.weight))
+        format!("= {} * {}", number::value(&Value::Triple(part.own), model.numbers), triple(model, &part.weight))
     });
     let channel = |channel| {
         part.share_of(channel, &account.color).map_or("-".to_owned(), |x| format!("{:.0}", (100.0 * x).round() + 0.0))
     };
     let channels = format!("[{}]", [0, 1, 2].map(channel).join(" "));
-    let parts =
-        [percent(part.share), part.path.clone(), times, origin, class, channels, color, weight.unwrap_or_default()];
-    let text = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("  ");
-    Entry { text, role: Role::Text, target: part.event }
+    let (share, cases) = (percent(part.share), part.cases.to_owned());
+    let weight = weight.unwrap_or_default();
+    let text = cells([share, part.path.clone(), times, origin, part.class.clone(), cases, channels, color, weight]);
+    Entry { target: part.event, ..Entry::plain(text, Role::Text) }
+}
+
+/// The text of an entry with these cells.
+fn cells<const N: usize>(cells: [String; N]) -> String {
+    cells.join(CELL_END.encode_utf8(&mut [0; 4]))
 }
 
 /// A weight, as one number where the channels have the same.
@@ -196,7 +219,7 @@ fn triple(model: &Model, weight: &[f64; 3]) -> String {
 }
 
 fn percent(share: f64) -> String {
-    format!("{:5.1} %", 100.0 * share)
+    format!("{:.1} %", 100.0 * share)
 }
 
 fn ended(model: &Model, ended: &Ended) -> Entry {
@@ -215,11 +238,17 @@ fn ended(model: &Model, ended: &Ended) -> Entry {
         (_, Some(decision)) => words::decision(header, &decision, model.numbers),
         (_, None) => "nothing".to_owned(),
     };
-    Entry { text: format!("  {}  {why}", ended.path), role: Role::Blocked, target: Some(ended.event) }
+    Entry { role: Role::Blocked, ..Entry::to(ended.event, format!("  {}  {why}", ended.path)) }
 }
 
-/// The columns of the comparison, by the arithmetic of their logs.
-const COLUMNS: [(&str, &str); 4] = [("decimal", "by hand"), ("f32", "f32"), ("f64", "f64"), ("perturbed", "digits")];
+/// The columns of the comparison. The digits that can be trusted are those of f64; it is the widest, and so the last.
+const COMPARISON: &[Column] = &[
+    Column::text(""),
+    Column::number("by hand"),
+    Column::number("f32"),
+    Column::number("digits"),
+    Column::number("f64"),
+];
 
 fn arithmetics(model: &Model) -> Listing {
     let trees: Vec<Tree> = model.others.iter().map(|log| Tree::of(&log.events)).collect();
@@ -230,9 +259,8 @@ fn arithmetics(model: &Model) -> Listing {
     // The log that is shown stands in its own column, too; the others are taken where it isn't that.
     let is_of = |log: &Log, start: &str| log.header.arithmetic.starts_with(start);
     let column = |start: &str| runs.iter().position(|run| is_of(run.log, start));
-    let [hand, single, double] = [0, 1, 2].map(|number| column(COLUMNS[number].0));
-    let head = format!("{:10}{:>12}{:>14}{:>23}  digits", "", COLUMNS[0].1, COLUMNS[1].1, COLUMNS[2].1);
-    let mut entries = vec![Entry::plain(head, Role::Title)];
+    let [hand, single, double] = ["decimal", "f32", "f64"].map(column);
+    let mut entries = Vec::new();
     for row in table.rows.iter().take(MOST) {
         entries.extend(row_entries(row, [hand, single, double]));
     }
@@ -245,7 +273,7 @@ fn arithmetics(model: &Model) -> Listing {
         }
     }
     let title = format!("{} in three arithmetics", words::title(&model.log, &model.tree, model.cursor));
-    Listing { title, entries, nothing: "this node computes nothing itself" }
+    Listing { title, columns: COMPARISON, entries, nothing: "this node computes nothing itself" }
 }
 
 /// A line a component.
@@ -257,14 +285,13 @@ fn row_entries(row: &Row, columns: [Option<usize>; 3]) -> Vec<Entry> {
         let [hand, single, double] = values.map(number);
         let absent = || "not reached".to_owned();
         let axis = if count == 1 { "" } else { [" 1", " 2", " 3"][index.min(2)] };
-        let text = format!(
-            "{:10}{:>12}{:>14}{:>23}  {}",
+        let text = cells([
             format!("{}{axis}", row.name.symbol()),
             hand.map_or_else(absent, |x| shortest(x, |x| x.to_string())),
             single.map_or_else(absent, |x| shortest(x, |x| (x as f32).to_string())),
+            digits(row.digits, index),
             double.map_or_else(absent, |x| shortest(x, |x| x.to_string())),
-            digits(row.digits, index)
-        );
+        ]);
         match row.event {
             Some(event) => Entry::to(event, text),
             None => Entry::plain(text, Role::Blocked),

@@ -80,7 +80,7 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
     }
     let effect = match model.overlay {
         Some(Overlay::Help { top }) => in_help(model, action, top, count),
-        Some(Overlay::List { kind, selected }) => list::update(model, action, kind, selected, count),
+        Some(Overlay::List { kind, selected, shift }) => list::update(model, action, kind, (selected, shift), count),
         None => in_panes(model, action, count),
     };
     keep_in_view(model);

@@ -101,6 +101,17 @@ impl Session {
         }
     }
 
+    /// Waits until the terminal tells the program of the mouse, or no longer does.
+    #[track_caller]
+    pub fn has_mouse(&self, is_told: bool) {
+        let start = Instant::now();
+        let mode = || self.screen.lock().expect("the screen").screen().mouse_protocol_mode();
+        while (mode() != vt100::MouseProtocolMode::None) != is_told {
+            assert!(start.elapsed() < PATIENCE, "the mouse: {:?}\n{}", mode(), self.text());
+            thread::sleep(Duration::from_millis(10));
+        }
+    }
+
     pub fn resize(&self, columns: u16, rows: u16) {
         // The emulator can't put a wide character, of a frame that was on its way, into a single column, nor break a long
         // line of one in a single row.

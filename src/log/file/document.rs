@@ -2,9 +2,11 @@
 
 use super::LogError;
 use super::line::{End, Line};
-use super::read::{Ending, ReadLog, Reader, check_end, check_names, check_version, error_at};
+use super::read::{Ending, ReadLog, check_end, check_names, check_version, error_at};
+use super::reader::Reader;
 use crate::log::{Header, Log};
 use serde::Deserialize;
+use std::io::{self, ErrorKind};
 use std::thread;
 
 /// How deep a document may nest: a ray tree of the greatest depth takes two brackets a level, and a few more at its end.
@@ -14,9 +16,10 @@ const MAX_NESTING: usize = 2048;
 const STACK: usize = 256 << 20;
 
 #[derive(Deserialize)]
-struct Document {
+struct Document<'t> {
     header: Header,
-    children: Vec<Line>,
+    #[serde(borrow)]
+    children: Vec<Line<'t>>,
     end: Option<End>,
 }
 
@@ -26,8 +29,14 @@ pub(super) fn is_document(bytes: &[u8]) -> bool {
     first_key.is_some_and(|key| key.starts_with(b"\"header\""))
 }
 
+/// How much larger than its bytes a document is in memory, with the lines that are made of it.
+const GROWTH: usize = 3;
+
 /// Reads the document.
 pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
+    // In the middle of the work it could only abort.
+    let asked = Vec::<u8>::new().try_reserve_exact(bytes.len().saturating_mul(GROWTH));
+    asked.map_err(|_| io::Error::from(ErrorKind::OutOfMemory))?;
     if let Some(line) = too_deep_at(bytes) {
         let message = format!("nested more than {MAX_NESTING} deep");
         return Err(LogError::Damaged { line, column: 1, message });
@@ -56,7 +65,7 @@ fn parse(bytes: &[u8]) -> Result<ReadLog, LogError> {
         Some(end) => {
             let lines = super::to_ndjson(&log)?;
             let before_end = lines[..lines.len() - 1].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
-            check_end(&end, log.events.len(), &lines[..before_end])
+            check_end(&end, log.events.len(), blake3::hash(&lines[..before_end]))
         }
     };
     Ok(ReadLog { log, ending })

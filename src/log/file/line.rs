@@ -1,23 +1,29 @@
 //! The serde mirror of a line of a log, as it is read. Unknown fields are passed over: a later version may add some.
 
 use crate::log::event::Value;
+use crate::log::name::Name;
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, de};
+use std::borrow::Cow;
 use std::fmt;
+use std::ops::Deref;
 
 /// A line of a log after the header (in a nested document: an element of `children`).
 #[derive(Deserialize)]
-pub(super) struct Line {
+pub(super) struct Line<'t> {
     pub at: Option<u32>,
     pub node: Option<u32>,
-    pub enter: Option<Enter>,
+    #[serde(borrow)]
+    pub enter: Option<Enter<'t>>,
     #[serde(default)]
     pub parent: u32,
-    pub note: Option<String>,
-    #[serde(default)]
-    pub form: String,
+    #[serde(borrow)]
+    pub note: Option<Word<'t>>,
+    #[serde(borrow, default)]
+    pub form: Word<'t>,
     pub value: Option<Value>,
-    pub mark: Option<Mark>,
+    #[serde(borrow)]
+    pub mark: Option<Mark<'t>>,
     pub leave: Option<Empty>,
     pub result: Option<PixelResult>,
     #[serde(default)]
@@ -26,8 +32,8 @@ pub(super) struct Line {
     #[serde(default)]
     pub decision_differs: bool,
     pub end: Option<End>,
-    #[serde(default)]
-    pub children: Vec<Line>,
+    #[serde(borrow, default)]
+    pub children: Vec<Line<'t>>,
 }
 
 #[derive(Deserialize)]
@@ -47,34 +53,41 @@ pub(super) struct End {
 
 #[derive(Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum Enter {
+pub(super) enum Enter<'t> {
     Pixel([u32; 2]),
     Sample {
         number: u32,
     },
     Ray {
-        kind: String,
+        #[serde(borrow)]
+        kind: Word<'t>,
         depth: u32,
-        light: Option<String>,
+        #[serde(borrow)]
+        light: Option<Word<'t>>,
         #[serde(default)]
         split: u32,
     },
     Motion {
-        object: String,
+        #[serde(borrow)]
+        object: Word<'t>,
     },
     Zone {
-        what: String,
+        #[serde(borrow)]
+        what: Word<'t>,
         number: u32,
     },
     Test {
-        object: String,
+        #[serde(borrow)]
+        object: Word<'t>,
         triangle: Option<u32>,
     },
     Shade {
-        object: String,
+        #[serde(borrow)]
+        object: Word<'t>,
     },
     Light {
-        light: String,
+        #[serde(borrow)]
+        light: Word<'t>,
         #[serde(default)]
         split: u32,
     },
@@ -83,29 +96,72 @@ pub(super) enum Enter {
 
 #[derive(Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum Mark {
+pub(super) enum Mark<'t> {
     Hit {},
-    Miss { why: String },
+    Miss {
+        #[serde(borrow)]
+        why: Word<'t>,
+    },
     Outside {},
     Inside {},
-    Nearest { object: String },
+    Nearest {
+        #[serde(borrow)]
+        object: Word<'t>,
+    },
     Background {},
-    Occluded { object: String },
-    Attenuated { object: String, factor: [f64; 3] },
-    Undefined { quantity: String },
+    Occluded {
+        #[serde(borrow)]
+        object: Word<'t>,
+    },
+    Attenuated {
+        #[serde(borrow)]
+        object: Word<'t>,
+        factor: [f64; 3],
+    },
+    Undefined {
+        #[serde(borrow)]
+        quantity: Word<'t>,
+    },
     TotalInternalReflection {},
-    DepthLimit { what: String },
-    LeakGuard { what: String },
-    Rejected { what: String },
-    Skipped { what: String, why: String },
-    Subdivided { cell: [f64; 3], why: String, object: Option<String> },
-    Accepted { cell: Option<[f64; 3]>, why: String },
-    MoreSamples { from: u32, to: u32 },
+    DepthLimit {
+        #[serde(borrow)]
+        what: Word<'t>,
+    },
+    LeakGuard {
+        #[serde(borrow)]
+        what: Word<'t>,
+    },
+    Rejected {
+        #[serde(borrow)]
+        what: Word<'t>,
+    },
+    Skipped {
+        #[serde(borrow)]
+        what: Word<'t>,
+        #[serde(borrow)]
+        why: Word<'t>,
+    },
+    Subdivided {
+        cell: [f64; 3],
+        #[serde(borrow)]
+        why: Word<'t>,
+        #[serde(borrow)]
+        object: Option<Word<'t>>,
+    },
+    Accepted {
+        cell: Option<[f64; 3]>,
+        #[serde(borrow)]
+        why: Word<'t>,
+    },
+    MoreSamples {
+        from: u32,
+        to: u32,
+    },
 }
 
 /// The inputs of an event, in the order of the file.
 #[derive(Default)]
-pub(super) struct Given(pub Vec<(String, Value)>);
+pub(super) struct Given(pub Vec<(Name, Value)>);
 
 impl<'de> Deserialize<'de> for Given {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -117,13 +173,47 @@ impl<'de> Deserialize<'de> for Given {
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Given, A::Error> {
                 let mut pairs = Vec::new();
-                while let Some(pair) = map.next_entry()? {
-                    pairs.push(pair);
+                while let Some((Word(key), value)) = map.next_entry()? {
+                    let name = Name::find(&key, "");
+                    let name = name.ok_or_else(|| de::Error::custom(format!("unknown quantity `{key}`")))?;
+                    pairs.push((name, value));
                 }
+                // There are as many of them as events, and most are short.
+                pairs.shrink_to_fit();
                 Ok(Given(pairs))
             }
         }
         deserializer.deserialize_map(Pairs)
+    }
+}
+
+/// A word that is borrowed from the text, unless it is escaped there.
+#[derive(Default)]
+pub(super) struct Word<'t>(pub Cow<'t, str>);
+
+impl<'de: 't, 't> Deserialize<'de> for Word<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Text;
+        impl<'de> Visitor<'de> for Text {
+            type Value = Word<'de>;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a string")
+            }
+            fn visit_borrowed_str<E: de::Error>(self, text: &'de str) -> Result<Word<'de>, E> {
+                Ok(Word(Cow::Borrowed(text)))
+            }
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Word<'de>, E> {
+                Ok(Word(Cow::Owned(text.to_owned())))
+            }
+        }
+        deserializer.deserialize_str(Text)
+    }
+}
+
+impl Deref for Word<'_> {
+    type Target = str;
+    fn deref(&self) -> &str {
+        &self.0
     }
 }
 

@@ -3,9 +3,11 @@
 mod document;
 mod error;
 mod line;
+mod lines;
 mod read;
+mod reader;
 mod write;
 
 pub use error::LogError;
-pub use read::{Ending, ReadLog, read};
+pub use read::{Ending, ReadLog, is_log, read, read_from};
 pub use write::{Writer, to_json, to_ndjson};

@@ -1,6 +1,8 @@
 //! What a row of the table of names is: the macro that declares it, and how a name gives what stands in it.
 
 use super::{Name, ROWS};
+use std::collections::HashMap;
+use std::sync::LazyLock;
 
 /// Declares [`Name`] from rows `Variant: key, form, symbol, formula, source section`.
 macro_rules! names {
@@ -38,7 +40,9 @@ impl Name {
 
     /// The name with this key and form, if there is one.
     pub fn find(key: &str, form: &str) -> Option<Name> {
-        ROWS.iter().find(|(_, row)| row.key == key && row.form == form).map(|(name, _)| *name)
+        static NAMES: LazyLock<HashMap<(&str, &str), Name>> =
+            LazyLock::new(|| ROWS.iter().map(|(name, row)| ((row.key, row.form), *name)).collect());
+        NAMES.get(&(key, form)).copied()
     }
 
     /// The key of the quantity in a log, such as `sphere.t2_a`.

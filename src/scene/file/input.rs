@@ -2,6 +2,7 @@
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read};
+use std::mem;
 use std::path::Path;
 
 use super::error::SceneError;
@@ -9,6 +10,9 @@ use super::gzip;
 
 /// The largest scene file: 256 MiB.
 pub const MAX_BYTES: u64 = 256 << 20;
+
+/// How much of a file is looked at to tell what it is.
+const BEGINNING: u64 = 512;
 
 /// The name that standard input has in messages.
 pub const STANDARD_INPUT: &str = "<stdin>";
@@ -31,40 +35,66 @@ pub struct Wanted {
     pub max_bytes: u64,
 }
 
+/// An opened file, or standard input, unpacked if it is packed by gzip.
+pub struct Opened {
+    wanted: Wanted,
+    name: String,
+    /// How many bytes the file has as it lies there; 0 where nobody knows.
+    size: u64,
+    is_packed: bool,
+    beginning: Vec<u8>,
+    rest: Box<dyn Read>,
+}
+
+/// Opens a regular file, or standard input for `-`, which is a scene or a log.
+///
+/// # Errors
+/// Those of [`read_bytes`], but for the size.
+pub fn open(path: &Path) -> Result<Opened, SceneError> {
+    Wanted { what: "a scene file", max_bytes: MAX_BYTES }.open(path)
+}
+
 impl Wanted {
     /// Reads such a file, or standard input for `-`, and unpacks it; errors are those of [`read_bytes`].
     pub fn read(self, path: &Path) -> Result<Vec<u8>, SceneError> {
-        let name = display_name(path);
-        let bytes = self.read_as_it_is(path, &name)?;
-        gzip::unpacked(bytes, self.max_bytes).map_err(|reason| refused(&name, reason))
+        self.open(path)?.bytes()
     }
 
-    fn read_as_it_is(self, path: &Path, name: &str) -> Result<Vec<u8>, SceneError> {
+    fn open(self, path: &Path) -> Result<Opened, SceneError> {
+        let name = display_name(path);
         if path == Path::new("-") {
-            return self.read_bounded(io::stdin().lock(), 0, name);
+            return self.begin(io::stdin(), 0, name);
         }
         // Asked before opening, because opening a FIFO would wait for a writer.
-        let metadata = fs::metadata(path).map_err(|error| self.failure(name, error))?;
+        let metadata = fs::metadata(path).map_err(|error| self.failure(&name, error))?;
         if let Some(thing) = irregular(&metadata) {
-            return Err(refused(name, format!("expected a regular file, found {thing}")));
+            return Err(refused(&name, format!("expected a regular file, found {thing}")));
         }
-        if metadata.len() > self.max_bytes {
-            return Err(self.too_large(name, &format!("found {} bytes", metadata.len())));
-        }
-        let file = File::open(path).map_err(|error| self.failure(name, error))?;
-        self.read_bounded(file, metadata.len(), name)
+        let file = File::open(path).map_err(|error| self.failure(&name, error))?;
+        self.begin(file, metadata.len(), name)
     }
 
-    fn read_bounded(self, input: impl Read, expected: u64, name: &str) -> Result<Vec<u8>, SceneError> {
-        let mut bytes = Vec::new();
-        bytes
-            .try_reserve(usize::try_from(expected).unwrap_or(usize::MAX))
-            .map_err(|_| self.failure(name, ErrorKind::OutOfMemory.into()))?;
-        input.take(self.max_bytes + 1).read_to_end(&mut bytes).map_err(|error| self.failure(name, error))?;
-        if bytes.len() as u64 > self.max_bytes {
-            return Err(self.too_large(name, "found more"));
+    /// Looks at the beginning, which tells what it is.
+    fn begin(self, mut input: impl Read + 'static, size: u64, name: String) -> Result<Opened, SceneError> {
+        let mut beginning = Vec::new();
+        let read = input.by_ref().take(BEGINNING).read_to_end(&mut beginning);
+        read.map_err(|error| self.failure(&name, error))?;
+        if !gzip::is_packed(&beginning) {
+            return Ok(Opened { wanted: self, name, size, is_packed: false, beginning, rest: Box::new(input) });
         }
-        Ok(bytes)
+        let mut rest = gzip::unpacked(io::Cursor::new(beginning).chain(input));
+        let mut beginning = Vec::new();
+        let read = rest.by_ref().take(BEGINNING).read_to_end(&mut beginning);
+        let mut opened = Opened { wanted: self, name, size, is_packed: true, beginning, rest: Box::new(rest) };
+        match read {
+            Ok(_) => Ok(opened),
+            // What there is of it may be enough.
+            Err(error) if error.kind() == ErrorKind::UnexpectedEof && !opened.beginning.is_empty() => {
+                opened.rest = Box::new(CutOff);
+                Ok(opened)
+            }
+            Err(error) => Err(opened.failure(error)),
+        }
     }
 
     fn failure(self, name: &str, source: io::Error) -> SceneError {
@@ -80,6 +110,92 @@ impl Wanted {
 
     fn too_large(self, name: &str, found: &str) -> SceneError {
         refused(name, format!("too large, expected at most {} bytes, {found}", self.max_bytes))
+    }
+}
+
+impl Opened {
+    /// The name in messages.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// How many bytes there are, where that is known.
+    pub fn size(&self) -> Option<u64> {
+        Some(self.size).filter(|size| *size > 0 && !self.is_packed)
+    }
+
+    /// The first bytes, some hundreds of them if there are.
+    pub fn beginning(&self) -> &[u8] {
+        &self.beginning
+    }
+
+    /// The whole of it, which must be no larger than a scene file may be.
+    ///
+    /// # Errors
+    /// Those of [`read_bytes`].
+    pub fn bytes(mut self) -> Result<Vec<u8>, SceneError> {
+        let most = self.wanted.max_bytes;
+        if self.size > most {
+            return Err(self.wanted.too_large(&self.name, &format!("found {} bytes", self.size)));
+        }
+        let mut bytes = mem::take(&mut self.beginning);
+        let expected = usize::try_from(self.size().unwrap_or(0)).unwrap_or(usize::MAX).saturating_sub(bytes.len());
+        bytes.try_reserve(expected).map_err(|_| self.failure(ErrorKind::OutOfMemory.into()))?;
+        let left = (most + 1).saturating_sub(bytes.len() as u64);
+        let read = self.rest.by_ref().take(left).read_to_end(&mut bytes);
+        read.map_err(|error| self.failure(error))?;
+        if bytes.len() as u64 <= most {
+            return Ok(bytes);
+        }
+        let found = if self.is_packed { "found more when unpacked" } else { "found more" };
+        Err(self.wanted.too_large(&self.name, found))
+    }
+
+    /// The whole of it as it is read, of any size up to `most` bytes; what is damaged or larger is
+    /// [`InvalidData`](ErrorKind::InvalidData).
+    pub fn stream(self, most: u64) -> impl Read {
+        let Opened { beginning, rest, is_packed, .. } = self;
+        Stream { input: io::Cursor::new(beginning).chain(rest), is_packed, most, left: most }
+    }
+
+    fn failure(&self, error: io::Error) -> SceneError {
+        match gzip::damage(&error) {
+            Some(damage) if self.is_packed => refused(&self.name, damage),
+            _ => self.wanted.failure(&self.name, error),
+        }
+    }
+}
+
+/// What packed data end with that end too early.
+struct CutOff;
+
+impl Read for CutOff {
+    fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+        Err(ErrorKind::UnexpectedEof.into())
+    }
+}
+
+struct Stream<R> {
+    input: R,
+    is_packed: bool,
+    most: u64,
+    left: u64,
+}
+
+impl<R: Read> Read for Stream<R> {
+    fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
+        let count = self.input.read(place).map_err(|error| match gzip::damage(&error) {
+            Some(damage) if self.is_packed && error.kind() != ErrorKind::UnexpectedEof => {
+                io::Error::new(ErrorKind::InvalidData, damage)
+            }
+            _ => error,
+        })?;
+        let Some(left) = self.left.checked_sub(count as u64) else {
+            let message = format!("too large, expected at most {} bytes, found more", self.most);
+            return Err(io::Error::new(ErrorKind::InvalidData, message));
+        };
+        self.left = left;
+        Ok(count)
     }
 }
 
@@ -133,6 +249,15 @@ fn refused(name: &str, reason: String) -> SceneError {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+    use std::io::Write;
+
+    fn packed(bytes: &[u8]) -> Vec<u8> {
+        let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+        encoder.write_all(bytes).unwrap();
+        encoder.finish().unwrap()
+    }
 
     fn scene_file() -> Wanted {
         Wanted { what: "a scene file", max_bytes: MAX_BYTES }
@@ -180,8 +305,63 @@ mod tests {
 
     #[test]
     fn endless_input_ends_at_the_limit() {
-        let error = scene_file().read_bounded(io::repeat(b' '), 0, "-").unwrap_err();
+        let opened = || scene_file().begin(io::repeat(b' '), 0, "-".to_owned()).unwrap();
+        let error = opened().bytes().unwrap_err();
         assert_eq!(error.exit_code(), 2);
+        assert!(error.to_string().contains("at most 268435456 bytes, found more"), "{error}");
+        let error = opened().stream(1000).read_to_end(&mut Vec::new()).unwrap_err();
+        assert_eq!(error.to_string(), "too large, expected at most 1000 bytes, found more");
+    }
+
+    /// What is said of these packed bytes, read whole.
+    fn read_packed(bytes: Vec<u8>, max_bytes: u64) -> Result<Vec<u8>, String> {
+        let wanted = Wanted { max_bytes, ..scene_file() };
+        let opened = wanted.begin(io::Cursor::new(bytes), 0, "a".to_owned());
+        opened.and_then(Opened::bytes).map_err(|error| {
+            assert_eq!(error.exit_code(), 2);
+            error.to_string().trim_start_matches("a: ").to_owned()
+        })
+    }
+
+    #[test]
+    fn what_is_not_packed_stays_as_it_is() {
+        assert_eq!(read_packed(b"{}".to_vec(), 2), Ok(b"{}".to_vec()));
+        assert_eq!(read_packed(Vec::new(), 1), Ok(Vec::new()));
+    }
+
+    #[test]
+    fn packed_bytes_come_back_also_in_several_members() {
+        let two = [packed(b"s 0 0"), packed(b" 0 1")].concat();
+        assert_eq!(read_packed(two, 9), Ok(b"s 0 0 0 1".to_vec()));
+    }
+
+    #[test]
+    fn a_bomb_ends_at_the_limit() {
+        let bomb = packed(&vec![b' '; 1 << 20]);
+        assert!(bomb.len() < 2000);
+        let message = "too large, expected at most 1000 bytes, found more when unpacked";
+        assert_eq!(read_packed(bomb.clone(), 1000), Err(message.to_string()));
+        assert_eq!(read_packed(bomb, 1 << 20).map(|bytes| bytes.len()), Ok(1 << 20));
+    }
+
+    #[test]
+    fn damage_is_said_of_short_and_of_long_files() {
+        for length in [20_u32, 40_000] {
+            let whole = packed(&(0..length).map(|k| (k * k % 251) as u8).collect::<Vec<_>>());
+            let short = whole[..whole.len() - 9].to_vec();
+            let message = "the gzip data end too early, expected a whole file";
+            assert_eq!(read_packed(short.clone(), 1 << 20), Err(message.to_string()));
+            // As a stream it ends there, so that what came before can be shown.
+            let mut read = Vec::new();
+            let opened = scene_file().begin(io::Cursor::new(short), 0, "a".to_owned()).unwrap();
+            let error = opened.stream(1 << 20).read_to_end(&mut read).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::UnexpectedEof);
+            assert!(read.len() > length as usize / 2);
+            let mut changed = whole;
+            let crc = changed.len() - 6;
+            changed[crc] ^= 1;
+            assert!(read_packed(changed, 1 << 20).unwrap_err().starts_with("damaged gzip data ("));
+        }
     }
 
     #[test]

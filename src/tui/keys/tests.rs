@@ -53,6 +53,15 @@ fn sequences_of_keys() {
 }
 
 #[test]
+fn shift_and_tab_have_one_name() {
+    does("", "Shift-Tab", PreviousPane);
+    // What terminals call it is understood, too.
+    does("", "BackTab", PreviousPane);
+    let codes: Vec<_> = sequence("Tab Shift-Tab l<Shift-Tab>").into_iter().map(|key| name(key).unwrap()).collect();
+    assert_eq!(codes, ["Tab", "Shift-Tab", "l", "Shift-Tab"]);
+}
+
+#[test]
 fn digits_make_counts() {
     does("", "5", Digit(5));
     does("", "0", Walk(Walk::FirstStep));

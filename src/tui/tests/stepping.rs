@@ -136,7 +136,7 @@ fn breakpoints_are_listed() {
     assert_eq!(texts(&model), ["on   hit", "off  T2_A < 0", "on   V_d ~ 0"]);
     typed(&mut model, "j d");
     assert_eq!(texts(&model), ["on   hit", "off  T2_A < 0"]);
-    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1 }));
+    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1, shift: 0 }));
     // Enter goes to the next place of one that is off, too, and around the end.
     let places = |model: &Model, text: &str| {
         let condition = crate::tui::breakpoints::parse(text, &model.log).unwrap_or_else(|why| panic!("{why}"));
@@ -237,7 +237,7 @@ fn the_tree_grows_with_the_steps() {
     }
     // Where all has been computed it is told, up to the pixel's colour; of a node where it has ended.
     typed(&mut model, "$ w");
-    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Contributions, selected: 0 }));
+    assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Contributions, selected: 0, shift: 0 }));
     typed(&mut model, "Esc S w");
     assert!(model.overlay.is_none(), "before the result");
     assert_eq!(typed(&mut model, "a"), Effect::Compare);

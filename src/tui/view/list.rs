@@ -1,10 +1,11 @@
 //! A list, over everything else.
 
+use super::table::{Table, cut};
 use super::text::{shown, width_of};
 use super::{clear, inner, put, put_all};
-use crate::tui::list::{Kind, listing};
+use crate::tui::list::{Kind, Listing, listing};
 use crate::tui::model::Model;
-use crate::tui::theme::{Role, Theme};
+use crate::tui::theme::{Palette, Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
@@ -12,35 +13,39 @@ use ratatui::text::{Line, Span};
 
 /// What the keys do in a list.
 const USUAL: &str = "j k select, Enter goes there, Esc closes";
+/// What they do where lines are cut, from the longest way to say it to the shortest.
+const CUT: [&str; 2] = ["j k select, < > scroll, Enter goes there, Esc closes", "< > scroll, Esc closes"];
 
-/// Draws a list with its selected entry in view.
-pub(super) fn draw(model: &Model, kind: Kind, selected: usize, theme: &Theme, buffer: &mut Buffer) {
+/// Draws a list with its selected entry in view, from the column `shift` on.
+pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize), theme: &Theme, buffer: &mut Buffer) {
     let listing = listing(model, kind);
-    let texts: Vec<String> = listing.entries.iter().map(|entry| shown(&entry.text, theme)).collect();
-    let widest = texts.iter().map(|text| width_of(text)).max().unwrap_or(0).max(width_of(listing.nothing));
-    let widest = widest.max(width_of(&listing.title)).max(width_of(kind.hints().first().unwrap_or(&USUAL))) + 6;
-    let area = middle(buffer.area, widest, texts.len().max(1) + 2);
-    clear(area, buffer);
-    let faint = theme.style(Role::Faint);
-    let rule = theme.glyphs.horizontal.repeat(usize::from(area.width));
-    let bottom = Rect { y: area.bottom().saturating_sub(1), height: 1, ..area };
-    put(buffer, area, Line::styled(rule.clone(), faint));
-    put(buffer, inner(area, 0), Line::styled(format!(" {} ", shown(&listing.title, theme)), theme.style(Role::Title)));
-    put(buffer, bottom, Line::styled(rule, faint));
-    let room = usize::from(inner(bottom, 0).width).saturating_sub(2);
+    let table = Table::of(&listing, theme);
+    let place = Place::of(&listing, &table, kind, (buffer.area.width, buffer.area.height));
+    clear(place.area, buffer);
+    let last_shift = place.last_shift(&table);
     let has_targets = !kind.hints().is_empty() || listing.entries.iter().any(|entry| entry.target.is_some());
-    let usual = if has_targets && room >= width_of(USUAL) { USUAL } else { "Esc closes" };
-    let hint = kind.hints().iter().find(|hint| width_of(hint) <= room).unwrap_or(&usual);
-    let hint = format!(" {hint} ");
-    put(buffer, inner(bottom, 0), Line::styled(hint, faint));
-    let body = inner(area, 1);
-    let height = usize::from(body.height);
-    if texts.is_empty() {
-        return put(buffer, body, Line::styled(listing.nothing, faint));
+    draw_frame(&listing.title, hint(kind, &place, has_targets, last_shift > 0), theme, place.area, buffer);
+    let (head, body) = (place.head, place.body);
+    let faint = theme.style(Role::Faint);
+    if table.rows.is_empty() {
+        let nothing = cut(listing.nothing, 0, usize::from(body.width), theme);
+        return put(buffer, body, Line::styled(nothing, faint));
     }
-    let top = selected.saturating_sub(height / 2).min(texts.len().saturating_sub(height));
-    let lines = texts.into_iter().zip(&listing.entries).enumerate().skip(top).map(|(number, (text, entry))| {
+    let shift = shift.min(last_shift);
+    let fixed = place.fixed(&table);
+    let seen = |text: &str, fixed: usize| {
+        let (stays, scrolls) = text.split_at(text.char_indices().nth(fixed).map_or(text.len(), |(at, _)| at));
+        format!("{stays}{}", cut(scrolls, shift, place.room().saturating_sub(width_of(stays)), theme))
+    };
+    put(buffer, head, Line::styled(format!("  {}", seen(&table.head, fixed)), faint));
+    let height = usize::from(body.height);
+    let top = selected.saturating_sub(height / 2).min(table.rows.len().saturating_sub(height));
+    let lines = table.rows.iter().zip(&listing.entries).enumerate().skip(top).map(|(number, (text, entry))| {
         let mark = if number == selected { theme.glyphs.current } else { " " };
+        let text = match () {
+            _ if entry.is_heading => cut(text, 0, place.room(), theme),
+            _ => seen(text, if entry.has_cells() { fixed } else { 0 }),
+        };
         Line::from(vec![
             Span::styled(format!("{mark} "), theme.style(Role::Current)),
             Span::styled(text, theme.style(entry.role)),
@@ -51,6 +56,78 @@ pub(super) fn draw(model: &Model, kind: Kind, selected: usize, theme: &Theme, bu
         let row = body.y.saturating_add((selected - top) as u16);
         let place = Rect { y: row, height: 1, ..body }.intersection(body).intersection(buffer.area);
         buffer.set_style(place, Style::new().add_modifier(Modifier::REVERSED));
+    }
+}
+
+/// The rules above and below, with the title and what the keys do.
+fn draw_frame(title: &str, hint: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let faint = theme.style(Role::Faint);
+    let rule = theme.glyphs.horizontal.repeat(usize::from(area.width));
+    let bottom = Rect { y: area.bottom().saturating_sub(1), height: 1, ..area };
+    put(buffer, area, Line::styled(rule.clone(), faint));
+    let title = cut(&shown(title, theme), 0, usize::from(inner(area, 0).width).saturating_sub(2), theme);
+    put(buffer, inner(area, 0), Line::styled(format!(" {title} "), theme.style(Role::Title)));
+    put(buffer, bottom, Line::styled(rule, faint));
+    put(buffer, inner(bottom, 0), Line::styled(format!(" {hint} "), faint));
+}
+
+/// What to say about keys.
+fn hint(kind: Kind, place: &Place, has_targets: bool, is_cut: bool) -> &'static str {
+    let room = usize::from(inner(place.area, 0).width).saturating_sub(2);
+    let usual: &[&str] = match (has_targets, is_cut) {
+        (true, true) => &[CUT[0], CUT[1]],
+        (true, false) => &[USUAL],
+        (false, true) => &[CUT[1]],
+        (false, false) => &[],
+    };
+    let ways = kind.hints().iter().chain(usual);
+    ways.copied().find(|hint| width_of(hint) <= room).unwrap_or("Esc closes")
+}
+
+/// The last column from which on a list can be seen.
+pub(in crate::tui) fn last_shift(model: &Model, listing: &Listing, kind: Kind) -> usize {
+    // Text is widest in ASCII.
+    let table = Table::of(listing, &Theme::new(Palette::None, true));
+    Place::of(listing, &table, kind, model.size).last_shift(&table)
+}
+
+/// Where a list lies: in the middle of the screen, as large as it need be.
+struct Place {
+    area: Rect,
+    /// The titles of its columns, which don't scroll.
+    head: Rect,
+    body: Rect,
+}
+
+impl Place {
+    fn of(listing: &Listing, table: &Table, kind: Kind, (width, height): (u16, u16)) -> Place {
+        let has_head = !table.head.is_empty() && !table.rows.is_empty();
+        let hint = kind.hints().first().unwrap_or(&USUAL);
+        let said = [listing.nothing, &listing.title, hint].map(width_of).into_iter().max().unwrap_or(0);
+        let area = middle(
+            Rect::new(0, 0, width, height),
+            table.width().max(said) + 6,
+            table.rows.len().max(1) + 2 + usize::from(has_head),
+        );
+        let whole = inner(area, 1);
+        // A row is worth more than its titles.
+        let head_height = u16::from(has_head && whole.height > 2);
+        let head = Rect { height: head_height, ..whole };
+        Place { area, head, body: Rect { y: whole.y + head_height, height: whole.height - head_height, ..whole } }
+    }
+
+    /// The columns that a line has, behind the mark of the selected one.
+    fn room(&self) -> usize {
+        usize::from(self.body.width).saturating_sub(2)
+    }
+
+    /// How many columns stay where they are, if the others have room enough beside them.
+    fn fixed(&self, table: &Table) -> usize {
+        if table.fixed > self.room() / 2 { 0 } else { table.fixed }
+    }
+
+    fn last_shift(&self, table: &Table) -> usize {
+        table.width().saturating_sub(self.room())
     }
 }
 

@@ -7,13 +7,16 @@ pub(super) mod help;
 mod highlight;
 mod label;
 mod list;
+mod message;
 mod pattern;
 mod picture;
 mod schematic;
 mod status;
+mod table;
 mod text;
 mod tree;
 
+pub(super) use list::last_shift;
 pub(super) use picture::dots_of_picture;
 pub(super) use text::ascii;
 
@@ -39,13 +42,14 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     picture::draw(model, theme, layout.area(Pane::Picture), buffer);
     schematic::draw(model, theme, layout.area(Pane::Schematic), buffer);
     code::draw(model, theme, layout.area(Pane::Code), buffer);
-    status::draw(model, theme, &layout, buffer);
+    status::draw(model, theme, layout.status, buffer);
     match model.overlay {
         Some(Overlay::Help { top }) => help::draw(model, top, theme, buffer),
-        Some(Overlay::List { kind, selected }) => list::draw(model, kind, selected, theme, buffer),
+        Some(Overlay::List { kind, selected, shift }) => list::draw(model, kind, (selected, shift), theme, buffer),
         None => {}
     }
-    // What lies over the panes may reach down to the line that is being typed.
+    // What lies over the panes may reach down to the bottom line.
+    message::draw(model, theme, layout.status, buffer);
     status::draw_prompt(model, theme, layout.status, buffer);
 }
 

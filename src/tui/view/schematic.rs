@@ -38,7 +38,9 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let current = around(model).find_map(|node| segment(&model.log, &model.tree, node, last));
     let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
-        return put(buffer, body, Span::styled("no rays here", theme.style(Role::Faint)).into());
+        // A ray that meets nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
+        let why = if rays.is_empty() { "the log has no rays here" } else { "the rays reach too far to be drawn" };
+        return put(buffer, body, Span::styled(why, theme.style(Role::Faint)).into());
     };
     // Rays that are to come have their room already, so that nothing jumps.
     if last != usize::MAX {
@@ -129,9 +131,7 @@ fn label(
     }
     let mut mark = |ray: &Segment, style: Style| {
         let text = if ray.is_blocked { theme.glyphs.blocked } else { letter(ray.kind) };
-        // Three quarters of the way, where rays of one point have parted.
-        let place: [f64; 3] = std::array::from_fn(|axis| ray.from[axis] * 0.25 + ray.end(stage.far)[axis] * 0.75);
-        write(stage.project(place), text, style);
+        write(stage.place_of_letter(ray, body), text, style);
     };
     rays.iter().for_each(|ray| mark(ray, theme.style(role_of(ray.kind))));
     if let Some(ray) = current {
@@ -167,7 +167,12 @@ impl<'m> Stage<'m> {
             points.push(ray.from);
             points.extend(ray.length.map(|_| ray.end(0.0)));
         }
-        let far = spread(&points).max(1e-300);
+        let mut far = spread(&points);
+        if far == 0.0 {
+            // Rays that meet nothing say nothing of a scale: any will do that numbers of this size can tell apart.
+            far = points.iter().flatten().fold(1.0, |most: f64, number| most.max(number.abs()));
+            points.extend(rays.iter().map(|ray| ray.end(far)));
+        }
         // What isn't much larger than the rays' region is seen whole.
         for thing in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
             let lines = thing.lines.concat();
@@ -182,6 +187,10 @@ impl<'m> Stage<'m> {
             }
             _ => around_all(points.iter().filter_map(|point| projection.of(drawing, *point)))?,
         };
+        if x[0] == x[1] && y[0] == y[1] {
+            // All of it lies behind one point.
+            (x, y) = ([x[0] - far, x[1] + far], [y[0] - far, y[1] + far]);
+        }
         if model.magnification > 0
             && let Some(middle) = current.and_then(|ray| projection.of(drawing, ray.end(far)))
         {
@@ -223,17 +232,51 @@ impl<'m> Stage<'m> {
     }
 
     fn draw_line(&self, canvas: &mut Context, from: [f64; 3], to: [f64; 3], color: Color) {
-        let parts = if self.projection == Projection::Camera { PARTS } else { 1 };
-        let at = |part: u32| {
-            let part = f64::from(part) / f64::from(parts);
-            self.project(std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * part))
-        };
-        for part in 0..parts {
-            if let (Some([x1, y1]), Some([x2, y2])) = (at(part), at(part + 1)) {
-                canvas.draw(&Line { x1, y1, x2, y2, color });
-            }
+        for [[x1, y1], [x2, y2]] in self.parts(from, to) {
+            canvas.draw(&Line { x1, y1, x2, y2, color });
         }
     }
+
+    /// The parts of a line that can be seen from here, on the screen or not.
+    fn parts(&self, from: [f64; 3], to: [f64; 3]) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        let count = if self.projection == Projection::Camera { PARTS } else { 1 };
+        let at = move |part: u32| {
+            let part = f64::from(part) / f64::from(count);
+            self.project(std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * part))
+        };
+        (0..count).filter_map(move |part| Some([at(part)?, at(part + 1)?]))
+    }
+
+    /// Where a ray's letter stands: three quarters of the way, where rays of one point have parted; where that is off the
+    /// screen, in the middle of what is on it.
+    fn place_of_letter(&self, ray: &Segment, body: Rect) -> Option<[f64; 2]> {
+        let end = ray.end(self.far);
+        let far_on = std::array::from_fn(|axis| ray.from[axis] * 0.25 + end[axis] * 0.75);
+        self.project(far_on).filter(|place| self.cell(*place, body).is_some()).or_else(|| {
+            let seen: Vec<_> = self.parts(ray.from, end).filter_map(|part| clip(part, self.x, self.y)).collect();
+            let ([begin, _], [_, end]) = (*seen.first()?, *seen.last()?);
+            Some([0, 1].map(|axis| (begin[axis] + end[axis]) / 2.0))
+        })
+    }
+}
+
+/// The part of a line inside a rectangle (Liang and Barsky, 1984).
+fn clip([from, to]: [[f64; 2]; 2], x: [f64; 2], y: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+    for (axis, [low, high]) in [x, y].into_iter().enumerate() {
+        let along = to[axis] - from[axis];
+        if along == 0.0 {
+            if !(low..=high).contains(&from[axis]) {
+                return None;
+            }
+            continue;
+        }
+        let [one, other] = [low, high].map(|side| (side - from[axis]) / along);
+        enters = enters.max(one.min(other));
+        leaves = leaves.min(one.max(other));
+    }
+    let at = |part: f64| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part);
+    (enters <= leaves).then(|| [at(enters), at(leaves)])
 }
 
 /// The rectangle around these places.
@@ -251,4 +294,26 @@ fn spread(points: &[[f64; 3]]) -> f64 {
         values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
     };
     (0..3).map(along).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn clips(line: [[f64; 2]; 2], expected: Option<[[f64; 2]; 2]>) {
+        assert_eq!(clip(line, [0.0, 4.0], [0.0, 2.0]), expected, "{line:?}");
+    }
+
+    #[test]
+    fn lines_are_clipped_at_all_sides() {
+        clips([[1.0, 1.0], [3.0, 2.0]], Some([[1.0, 1.0], [3.0, 2.0]]));
+        clips([[2.0, 1.0], [6.0, 1.0]], Some([[2.0, 1.0], [4.0, 1.0]]));
+        clips([[6.0, 1.0], [-2.0, 1.0]], Some([[4.0, 1.0], [0.0, 1.0]]));
+        clips([[1.0, -1.0], [1.0, 5.0]], Some([[1.0, 0.0], [1.0, 2.0]]));
+        clips([[-1.0, 1.0], [1.0, 3.0]], Some([[0.0, 2.0], [0.0, 2.0]]));
+        clips([[-2.0, 1.0], [1.0, 4.0]], None);
+        clips([[5.0, 1.0], [9.0, 1.0]], None);
+        clips([[1.0, 3.0], [2.0, 3.0]], None);
+    }
 }

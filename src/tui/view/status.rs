@@ -1,10 +1,9 @@
-//! The bottom line: where one is, and the keys to begin with. Above it, when there is one, the message.
+//! The bottom line: where one is, and the keys to begin with.
 
 use super::put;
 use super::text::{shown, width_of};
 use crate::log::What;
 use crate::tui::guide;
-use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
@@ -12,16 +11,8 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 
-pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut Buffer) {
-    if let Some(message) = &model.message {
-        let style = theme.style(if message.is_warning { Role::Warning } else { Role::Text });
-        let before = if message.is_warning { "warning: " } else { "" };
-        put(buffer, layout.message, Line::styled(shown(&format!("{before}{}", message.text), theme), style));
-    }
-    let area = layout.status;
-    let modes: String = guide::modes(model).iter().map(|mode| format!("  {mode}")).collect();
-    let score = model.score().map(|score| format!("  {score}")).unwrap_or_default();
-    let step = format!("step {}/{}{score}{modes}", model.step(), model.log.events.len());
+pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let [step, _] = positions(model);
     let room = usize::from(area.width).saturating_sub(width_of(&step));
     let places = places(model).map(|place| shown(&place, theme));
     let place = places.into_iter().find(|place| width_of(place) <= room).unwrap_or_default();
@@ -35,6 +26,14 @@ pub(super) fn draw(model: &Model, theme: &Theme, layout: &Layout, buffer: &mut B
         let place = Rect { x: area.right() - width, width, ..area };
         put(buffer, place, Line::styled(hint, theme.style(Role::Faint)));
     }
+}
+
+/// The step, with the modes that are on and without.
+pub(super) fn positions(model: &Model) -> [String; 2] {
+    let step = format!("step {}/{}", model.step(), model.log.events.len());
+    let score = model.score().map(|score| format!("  {score}")).unwrap_or_default();
+    let modes: String = guide::modes(model).iter().map(|mode| format!("  {mode}")).collect();
+    [format!("{step}{score}{modes}"), step]
 }
 
 /// The line that is being typed, with its cursor; of a long one the part around the cursor.

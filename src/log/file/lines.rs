@@ -1,0 +1,202 @@
+//! The lines of a log as they come: little more of its text is held than a block.
+
+use memchr::memchr;
+use std::io::{self, ErrorKind, Read};
+
+/// How much is read at a time: enough for a fast digest, and soon gone from the cache again.
+const BLOCK: usize = 256 << 10;
+
+/// The lines of a text, and the digest of those that have gone by.
+pub(super) struct Lines<R> {
+    input: R,
+    /// What was read and isn't done with.
+    block: Vec<u8>,
+    /// Up to here the block is in the digest.
+    digested: usize,
+    /// Where the line begins that was asked for last.
+    current: usize,
+    /// Where the next one begins.
+    next: usize,
+    /// Whether there is nothing more to read.
+    is_at_end: bool,
+    hasher: blake3::Hasher,
+    number: usize,
+}
+
+/// A line without its end.
+pub(super) struct TextLine<'b> {
+    pub text: &'b [u8],
+    /// Its number, from 1.
+    pub number: usize,
+    /// Whether an end of line stands after it.
+    pub is_terminated: bool,
+}
+
+impl<R: Read> Lines<R> {
+    /// Those of this input.
+    pub fn of(input: R) -> Lines<R> {
+        let hasher = blake3::Hasher::new();
+        Lines { input, block: Vec::new(), digested: 0, current: 0, next: 0, is_at_end: false, hasher, number: 0 }
+    }
+
+    /// The first bytes of the text that aren't white space, some hundreds of them if there are.
+    pub fn beginning(&mut self) -> io::Result<&[u8]> {
+        while !self.is_at_end && self.block.trim_ascii_start().len() < 512 {
+            self.read_more()?;
+        }
+        Ok(self.block.trim_ascii_start())
+    }
+
+    /// The whole text, of which no line was asked for yet.
+    pub fn whole(mut self) -> io::Result<Vec<u8>> {
+        while !self.is_at_end {
+            self.read_more()?;
+        }
+        Ok(self.block)
+    }
+
+    /// The next line.
+    pub fn next_line(&mut self) -> io::Result<Option<TextLine<'_>>> {
+        let mut searched = self.next;
+        let end = loop {
+            if let Some(length) = memchr(b'\n', &self.block[searched..]) {
+                break Some(searched + length);
+            }
+            if self.is_at_end {
+                break None;
+            }
+            searched = self.block.len() - self.next;
+            self.forget_to(self.next);
+            self.read_more()?;
+        };
+        let (end, next) = end.map_or((self.block.len(), self.block.len()), |end| (end, end + 1));
+        if self.next == next {
+            return Ok(None);
+        }
+        (self.current, self.next) = (self.next, next);
+        self.number += 1;
+        Ok(Some(TextLine { text: &self.block[self.current..end], number: self.number, is_terminated: end < next }))
+    }
+
+    /// The digest of everything before the line that was asked for last.
+    pub fn digest(&mut self) -> blake3::Hash {
+        self.digest_to(self.current);
+        self.hasher.finalize()
+    }
+
+    /// How many bytes there are from the next line on, without white space before and behind.
+    pub fn count_rest(&mut self) -> io::Result<u64> {
+        let (mut count, mut space) = (0, 0);
+        loop {
+            for byte in &self.block[self.next..] {
+                if !byte.is_ascii_whitespace() {
+                    count += 1 + if count > 0 { space } else { 0 };
+                    space = 0;
+                } else {
+                    space += 1;
+                }
+            }
+            if self.is_at_end {
+                return Ok(count);
+            }
+            self.forget_to(self.block.len());
+            self.read_more()?;
+        }
+    }
+
+    fn digest_to(&mut self, end: usize) {
+        self.hasher.update(&self.block[self.digested..end]);
+        self.digested = end;
+    }
+
+    /// Drops what stands before `place`, where the next line begins.
+    fn forget_to(&mut self, place: usize) {
+        self.digest_to(place);
+        self.block.drain(..place);
+        (self.digested, self.current, self.next) = (0, 0, 0);
+    }
+
+    fn read_more(&mut self) -> io::Result<()> {
+        self.block.try_reserve(BLOCK).map_err(|_| io::Error::from(ErrorKind::OutOfMemory))?;
+        match self.input.by_ref().take(BLOCK as u64).read_to_end(&mut self.block) {
+            Ok(0) => self.is_at_end = true,
+            Ok(_) => {}
+            // Packed data end too early where the file was cut off; what came before is as good as that of another such file.
+            Err(error) if error.kind() == ErrorKind::UnexpectedEof => self.is_at_end = true,
+            Err(error) => return Err(error),
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// Gives no more than so many bytes at a time.
+    struct Slowly<'b>(&'b [u8], usize);
+
+    impl Read for Slowly<'_> {
+        fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
+            let count = self.0.len().min(self.1).min(place.len());
+            place[..count].copy_from_slice(&self.0[..count]);
+            self.0 = &self.0[count..];
+            Ok(count)
+        }
+    }
+
+    /// The lines, each with the digest of what stands before it.
+    fn lines(input: impl Read) -> Vec<(Vec<u8>, usize, bool, blake3::Hash)> {
+        let mut lines = Lines::of(input);
+        let mut found = Vec::new();
+        while let Some(TextLine { text, number, is_terminated }) = lines.next_line().unwrap() {
+            let text = text.to_vec();
+            found.push((text, number, is_terminated, lines.digest()));
+        }
+        found
+    }
+
+    #[test]
+    fn lines_of_all_lengths_come_whole_however_they_are_read() {
+        let lengths = [0, 1, 7, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK, 0, 5];
+        let text: Vec<u8> = lengths.iter().flat_map(|length| [vec![b'x'; *length], vec![b'\n']].concat()).collect();
+        for without in [0, 1, 4] {
+            let text = &text[..text.len() - without];
+            let mut before = 0;
+            let expected: Vec<_> = (1..)
+                .zip(text.split_inclusive(|byte| *byte == b'\n'))
+                .map(|(number, line)| {
+                    let digest = blake3::hash(&text[..before]);
+                    before += line.len();
+                    let content = line.strip_suffix(b"\n");
+                    (content.unwrap_or(line).to_vec(), number, content.is_some(), digest)
+                })
+                .collect();
+            assert_eq!(expected.len(), lengths.len());
+            assert!(lines(text) == expected);
+            assert!(lines(Slowly(text, 1000)) == expected);
+        }
+        assert!(lines(&b""[..]).is_empty());
+    }
+
+    #[test]
+    fn the_rest_is_counted_without_space_around() {
+        let count = |text: &[u8]| {
+            let mut lines = Lines::of(Slowly(text, 3));
+            lines.next_line().unwrap();
+            lines.count_rest().unwrap()
+        };
+        assert_eq!([count(b"a"), count(b"a\n\n  "), count(b"a\n \nb c\n\n"), count(b"a\nbb")], [0, 0, 3, 2]);
+        let long = [b"a\n".to_vec(), vec![b' '; BLOCK], vec![b'b'; BLOCK], vec![b' '; BLOCK], vec![b'b'; 2]].concat();
+        assert_eq!(count(&long), 2 * BLOCK as u64 + 2);
+    }
+
+    #[test]
+    fn the_beginning_stays_to_be_read() {
+        let mut lines = Lines::of(Slowly(b" \n {\"log\": 1}\nb", 2));
+        assert!(lines.beginning().unwrap().starts_with(b"{\"log\""));
+        assert_eq!(lines.next_line().unwrap().unwrap().text, b" ");
+        assert_eq!(lines.next_line().unwrap().unwrap().text, b" {\"log\": 1}");
+    }
+}

@@ -1,0 +1,145 @@
+//! From the lines of a log to its events.
+
+use super::LogError;
+use super::line::{Enter, Line, Mark};
+use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
+use crate::log::header::Header;
+use crate::log::name::Name;
+use std::collections::HashMap;
+use std::io::ErrorKind;
+
+/// Turns lines into events: names into numbers, words into decisions.
+pub(super) struct Reader {
+    objects: HashMap<String, u32>,
+    lights: HashMap<String, u32>,
+    pub(super) events: Vec<Event>,
+}
+
+impl Reader {
+    pub(super) fn new(header: &Header) -> Reader {
+        let numbered = |names: &[String]| {
+            // The first of equal names wins, as it does in a scene.
+            names.iter().enumerate().rev().map(|(number, name)| (name.clone(), number as u32)).collect()
+        };
+        Reader { objects: numbered(&header.objects), lights: numbered(&header.lights), events: Vec::new() }
+    }
+
+    /// Takes the event of the line with this number, and those of its children.
+    pub(super) fn take(&mut self, line: Line, number: usize) -> Result<(), LogError> {
+        let damaged = |message: String| LogError::damaged(number, 1, &message);
+        let missing = |field: &str| damaged(format!("expected an event, found no `{field}`"));
+        let at = line.at.ok_or_else(|| missing("at"))?;
+        let node = line.node.ok_or_else(|| missing("node"))?;
+        let what = if let Some(enter) = line.enter {
+            What::Enter { parent: line.parent, step: self.step(enter).map_err(damaged)? }
+        } else if let Some(key) = line.note {
+            let name = Name::find(&key, &line.form).ok_or_else(|| damaged(unknown("quantity", &key)))?;
+            What::Note { name, value: line.value.ok_or_else(|| missing("value"))? }
+        } else if let Some(mark) = line.mark {
+            What::Mark(self.decision(mark).map_err(damaged)?)
+        } else if line.leave.is_some() {
+            What::Leave
+        } else if let Some(result) = line.result {
+            What::Result { color: result.color }
+        } else {
+            return Err(damaged("expected `enter`, `note`, `mark`, `leave` or `result`".into()));
+        };
+        let digits = match line.digits {
+            _ if line.decision_differs => Some(Digits::DecisionDiffers),
+            digits => digits.map(Digits::Significant),
+        };
+        if self.events.len() == self.events.capacity() {
+            self.ask_for_memory()?;
+        }
+        self.events.push(Event { at, node, what, given: line.given.0, digits: digits.map(Box::new) });
+        for child in line.children {
+            self.take(child, number)?;
+        }
+        Ok(())
+    }
+
+    /// Gets room for more events and for what they hold: in the middle of the work it could only abort.
+    #[cold]
+    fn ask_for_memory(&mut self) -> Result<(), LogError> {
+        /// The inputs of an event and what its place in the tree takes, with some to spare.
+        const BYTES_BESIDE: usize = 150;
+        const MOST: usize = 1 << 20;
+        let more = self.events.len().clamp(64, MOST);
+        let beside = (self.events.len() + more) * BYTES_BESIDE;
+        let asked = Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
+        asked.map_err(|_| LogError::Io(ErrorKind::OutOfMemory.into()))
+    }
+
+    fn step(&self, enter: Enter) -> Result<Step, String> {
+        Ok(match enter {
+            Enter::Pixel(pixel) => Step::Pixel(pixel),
+            Enter::Sample { number } => Step::Sample { number },
+            Enter::Ray { kind, depth, light, split } => {
+                let kind = match (&*kind, light) {
+                    ("camera", _) => RayKind::Camera,
+                    ("reflected", _) => RayKind::Reflected,
+                    ("transmitted", _) => RayKind::Transmitted,
+                    ("shadow", Some(light)) => RayKind::Shadow { light: self.light(&light)? },
+                    (other, _) => return Err(format!("unknown kind of ray `{other}`")),
+                };
+                Step::Ray { kind, depth, split }
+            }
+            Enter::Test { object, triangle } => Step::Test { object: self.object(&object)?, triangle },
+            Enter::Shade { object } => Step::Shade { object: self.object(&object)? },
+            Enter::Light { light, split } => Step::Light { light: self.light(&light)?, split },
+            Enter::Motion { object } => Step::Motion { object: self.object(&object)? },
+            Enter::Zone { what, number } => Step::Zone { what: skippable(&what)?, number },
+            Enter::Combine {} => Step::Combine,
+        })
+    }
+
+    fn decision(&self, mark: Mark) -> Result<Decision, String> {
+        Ok(match mark {
+            Mark::Hit {} => Decision::Hit,
+            Mark::Miss { why } => Decision::Miss { why: Miss::find(&why).ok_or_else(|| unknown("reason", &why))? },
+            Mark::Outside {} => Decision::Outside,
+            Mark::Inside {} => Decision::Inside,
+            Mark::Nearest { object } => Decision::Nearest { object: self.object(&object)? },
+            Mark::Background {} => Decision::Background,
+            Mark::Occluded { object } => Decision::Occluded { object: self.object(&object)? },
+            Mark::Attenuated { object, factor } => Decision::Attenuated { object: self.object(&object)?, factor },
+            Mark::Undefined { quantity } => {
+                let name = Name::all().find(|name| name.key() == &*quantity);
+                Decision::Undefined { quantity: name.ok_or_else(|| unknown("quantity", &quantity))? }
+            }
+            Mark::TotalInternalReflection {} => Decision::TotalInternalReflection,
+            Mark::DepthLimit { what } => Decision::DepthLimit { what: skippable(&what)? },
+            Mark::LeakGuard { what } => Decision::LeakGuard { what: skippable(&what)? },
+            Mark::Rejected { what } => Decision::Rejected { what: skippable(&what)? },
+            Mark::Skipped { what, why } => Decision::Skipped {
+                what: skippable(&what)?,
+                why: SkipReason::find(&why).ok_or_else(|| unknown("rule", &why))?,
+            },
+            Mark::Subdivided { cell, why, object } => Decision::Subdivided {
+                cell,
+                why: Split::find(&why).ok_or_else(|| unknown("reason", &why))?,
+                object: object.map(|object| self.object(&object)).transpose()?,
+            },
+            Mark::Accepted { cell, why } => {
+                Decision::Accepted { cell, why: Acceptance::find(&why).ok_or_else(|| unknown("reason", &why))? }
+            }
+            Mark::MoreSamples { from, to } => Decision::MoreSamples { from, to },
+        })
+    }
+
+    fn object(&self, name: &str) -> Result<u32, String> {
+        self.objects.get(name).copied().ok_or_else(|| format!("object `{name}` isn't in the header"))
+    }
+
+    fn light(&self, name: &str) -> Result<u32, String> {
+        self.lights.get(name).copied().ok_or_else(|| format!("light `{name}` isn't in the header"))
+    }
+}
+
+fn skippable(word: &str) -> Result<Skippable, String> {
+    Skippable::find(word).ok_or_else(|| unknown("work", word))
+}
+
+fn unknown(what: &str, word: &str) -> String {
+    format!("unknown {what} `{word}`")
+}
