@@ -1,6 +1,6 @@
 //! The line that is typed at the bottom: a search, a filter, a command, a breakpoint, an answer.
 
-use super::model::Model;
+use super::model::{Message, Model};
 use super::update::Effect;
 use super::{breakpoints, command, quiz, search};
 use crate::report::words::plain;
@@ -18,6 +18,8 @@ pub struct Prompt {
     recalled: usize,
     /// What was being typed before a line was brought back.
     draft: String,
+    /// The warning in whose place stands what is wrong with the line.
+    warning: Option<Message>,
 }
 
 /// What a finished line asks for, or what is wrong with it.
@@ -62,7 +64,7 @@ impl Prompt {
 
     /// A line in which this stands already.
     pub fn with(purpose: Purpose, line: &str) -> Prompt {
-        Prompt { purpose, line: line.into(), recalled: 0, draft: String::new() }
+        Prompt { purpose, line: line.into(), recalled: 0, draft: String::new(), warning: None }
     }
 }
 
@@ -70,6 +72,7 @@ impl Prompt {
 pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
     model.message.take_if(|message| !message.is_warning);
     let Some(prompt) = &mut model.prompt else { return Effect::None };
+    model.message = prompt.warning.take().or(model.message.take());
     match key.code {
         KeyCode::Esc => model.prompt = None,
         KeyCode::Backspace if prompt.line.value().is_empty() => model.prompt = None,
@@ -93,7 +96,8 @@ fn finish(model: &mut Model) -> Effect {
     model.guide.history.remember(prompt.purpose, &text);
     done(model, prompt.purpose, &text).unwrap_or_else(|why| {
         // It is the latest of the lines now, so that `Up` leads to the one before.
-        model.prompt = Some(Prompt { recalled: 1, draft: String::new(), ..prompt });
+        let warning = model.message.take();
+        model.prompt = Some(Prompt { recalled: 1, draft: String::new(), warning, ..prompt });
         model.say(&why);
         Effect::None
     })

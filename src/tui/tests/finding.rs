@@ -240,6 +240,18 @@ fn lines_that_are_wrong_stay_to_be_mended() {
     stays("Q n =", "x", "no number");
 }
 
+#[test]
+fn a_warning_gives_way_to_what_is_wrong_with_a_line() {
+    let mut model = sized(glass(), 100, 30);
+    model.warn("cut off");
+    line(&mut model, ":", "serach");
+    assert!(said(&model).contains("did you mean :search?"), "{}", said(&model));
+    typed(&mut model, "Left");
+    assert_eq!(said(&model), "cut off");
+    typed(&mut model, "Enter Esc");
+    assert_eq!((said(&model), model.prompt.is_none()), ("cut off", true));
+}
+
 /// Types `keys` after three searches, a filter and a breakpoint; the line is then this.
 #[track_caller]
 fn recalls(keys: &str, expected: &str) {
