@@ -29,12 +29,13 @@ const WALKS: [(&str, &str); 6] = [
     ("go to the beginning", "g"),
 ];
 
-/// What is searched for: a name, a decision, a value, and what is nowhere.
-const SEARCHES: [(&str, &str); 4] = [
+/// What is searched for: a name, a decision and a value, of which there are many; a value and a text that are nowhere.
+const SEARCHES: [(&str, &str); 5] = [
     ("search for a name", "/n_dot_l<Enter>"),
     ("search for a decision", "/blocked<Enter>"),
-    ("search for a value", "/13.24<Enter>"),
-    ("search for what is nowhere", "/nowhere<Enter><Esc>"),
+    ("search for a value", "/0.5<Enter>"),
+    ("search for no value", "/13.24680<Enter><Esc>"),
+    ("search for no text", "/nowhere<Enter><Esc>"),
 ];
 
 fn main() -> io::Result<()> {
