@@ -4,6 +4,7 @@ use super::scenes::{self, SceneOptions};
 use super::{TableFormat, arithmetic, samplers};
 use crate::cli::failure::Failure;
 use crate::cli::options::{ColorChoice, MAX_THREADS};
+use crate::cli::progress::ProgressOptions;
 use crate::cli::sampling_spec::sampling;
 use clap::Args;
 use raywalk::scene::file::schema::Sampling;
@@ -30,7 +31,7 @@ pub struct ErrorBench {
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     runs: u16,
     /// Say which setting is the fastest with no more than this error
-    #[arg(long, value_name = "RMSE", value_parser = error)]
+    #[arg(long, value_name = "RMSE", value_parser = error, allow_negative_numbers = true)]
     target: Option<f64>,
     /// Draw error against time into this SVG file
     #[arg(long, alias = "svg", value_name = "FILE")]
@@ -38,6 +39,8 @@ pub struct ErrorBench {
     /// On how many threads; 0 is one a core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     threads: u16,
+    #[command(flatten)]
+    progress: ProgressOptions,
     /// How to print the table
     #[arg(long, value_enum, default_value = "text")]
     format: TableFormat,
@@ -53,12 +56,16 @@ impl ErrorBench {
             return arithmetic::run(&scenes, self.threads.into(), self.format);
         }
         let request = samplers::Request {
-            methods: self.sampling.iter().map(|sampling| (*sampling).into()).collect(),
+            methods: match self.sampling.is_empty() {
+                true => samplers::settings(),
+                false => self.sampling.iter().map(|sampling| (*sampling).into()).collect(),
+            },
             reference: self.reference.into(),
             runs: self.runs.into(),
             threads: self.threads.into(),
             target: self.target,
             chart: self.chart,
+            progress: self.progress,
             inputs: names,
             format: self.format,
         };

@@ -5,6 +5,7 @@ use super::machine::Machine;
 use super::table::quoted;
 use crate::cli::failure::Failure;
 use crate::cli::output::{self, Output};
+use crate::cli::progress::{Progress, ProgressOptions};
 use raywalk::scene::file::visible;
 use raywalk::scene::{Sampling, Scene, Statistical};
 use raywalk::study::bench::chart::{self, Panel};
@@ -15,7 +16,7 @@ use std::path::PathBuf;
 
 /// What is asked for.
 pub struct Request {
-    /// The methods; none for all of them over their settings.
+    /// The methods.
     pub methods: Vec<Sampling>,
     /// The sampling of the two pictures whose mean is the reference.
     pub reference: Sampling,
@@ -27,6 +28,8 @@ pub struct Request {
     pub target: Option<f64>,
     /// Where error against time is drawn.
     pub chart: Option<PathBuf>,
+    /// Whether and how progress is shown.
+    pub progress: ProgressOptions,
     /// The files of the scenes, which the chart may not overwrite.
     pub inputs: Vec<PathBuf>,
     /// How the table is printed.
@@ -55,7 +58,11 @@ impl Request {
     pub fn run(self, scenes: &[Scene]) -> Result<(), Failure> {
         let machine = Machine::this();
         let chart = self.chart.as_ref().map(|path| Output::create(Some(path), &self.inputs)).transpose()?;
-        let measured = scenes.iter().map(|scene| self.measure(scene)).collect::<Result<Vec<_>, _>>()?;
+        // The reference is two pictures.
+        let progress = self.progress.start((scenes.len() * (self.methods.len() + 2)) as u64);
+        let measured = scenes.iter().map(|scene| self.measure(scene, &progress)).collect::<Result<Vec<_>, _>>();
+        progress.finish();
+        let measured = measured?;
         let text = match self.format {
             TableFormat::Text => self.text(&machine, &measured),
             TableFormat::Csv => csv(&measured),
@@ -75,16 +82,9 @@ impl Request {
         output::print(text.as_bytes())
     }
 
-    fn measure(&self, scene: &Scene) -> Result<Measured, Failure> {
-        let all;
-        let methods = if self.methods.is_empty() {
-            all = settings();
-            &all
-        } else {
-            &self.methods
-        };
+    fn measure(&self, scene: &Scene, progress: &Progress) -> Result<Measured, Failure> {
         let comparing = Comparing { reference: self.reference, runs: self.runs, threads: self.threads };
-        let comparison = compare(scene, methods, comparing, |_| ());
+        let comparison = compare(scene, &self.methods, comparing, || progress.advance(1));
         let comparison = comparison.map_err(|error| Failure::machine(error.to_string()))?;
         let best = self.target.and_then(|target| comparison.best(target)).map(|best| best.sampling.clone());
         Ok(Measured { scene: scene.name.clone(), size: scene.camera.resolution, comparison, best })
@@ -113,7 +113,7 @@ impl Request {
 }
 
 /// Every method over its settings.
-fn settings() -> Vec<Sampling> {
+pub fn settings() -> Vec<Sampling> {
     let mut settings = vec![Sampling::Center];
     settings.extend([2, 3, 4, 6, 8].map(|n| Sampling::Regular { n }));
     settings.extend([1, 2, 4, 8].map(|n| Sampling::Shared { n }));

@@ -54,7 +54,7 @@ pub struct Outcome {
     pub is_on_front: bool,
 }
 
-/// Renders the reference, then the scene with each method. `tell` is told which method comes next.
+/// Renders the two pictures of the reference, then the scene with each method; `done` is called behind each of them.
 ///
 /// # Errors
 /// Where the scene can't be rendered.
@@ -62,17 +62,17 @@ pub fn compare(
     scene: &Scene,
     methods: &[Sampling],
     comparing: Comparing,
-    mut tell: impl FnMut(&str),
+    mut done: impl FnMut(),
 ) -> Result<Comparison, RenderError> {
     let mut scene = scene.clone();
     let own_seed = scene.seed;
     let white = scene.output.white;
     scene.sampling = comparing.reference;
-    tell(&format!("reference {}", comparing.reference));
     let mut pictures = Vec::new();
     for seed in REFERENCE_SEEDS {
         scene.seed = own_seed.wrapping_add(seed);
         pictures.push(picture(&scene, comparing.threads)?.0);
+        done();
     }
     let reference: Vec<Color> =
         pictures[0].iter().zip(&pictures[1]).map(|(one, other)| (*one + *other) / 2.0).collect();
@@ -80,8 +80,8 @@ pub fn compare(
     let mut outcomes = Vec::new();
     for sampling in methods {
         scene.sampling = *sampling;
-        tell(&sampling.to_string());
         outcomes.push(outcome(&mut scene, own_seed, &reference, comparing)?);
+        done();
     }
     mark_front(&mut outcomes);
     Ok(Comparison { reference: comparing.reference.to_string(), reference_error, outcomes })

@@ -40,7 +40,7 @@ impl<'b> Fields<'b> {
     }
 
     /// Makes sure that what follows is exactly what the head claims.
-    pub fn expect(&self, claims: &[Claim]) -> Result<(), SceneError> {
+    pub fn must_hold(&self, claims: &[Claim]) -> Result<(), SceneError> {
         for Claim { what, count, most, .. } in claims {
             if *count > *most as u64 {
                 return Err(self.refused(format!("too many {what}, expected at most {most}, found {count}")));

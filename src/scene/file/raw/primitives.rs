@@ -73,7 +73,7 @@ pub fn read_primitives(stem: &Path) -> Result<Primitives, SceneError> {
 pub fn parse_mesh(bytes: &[u8], name: &str) -> Result<Mesh, SceneError> {
     let mut fields = Fields::of(bytes, name, "RWMESH01", 24)?;
     let (vertices, triangles) = (fields.u64(), fields.u64());
-    fields.expect(&[
+    fields.must_hold(&[
         Claim { what: "vertices", count: vertices, size: 12, most: MAX_VERTICES },
         Claim { what: "triangles", count: triangles, size: 12, most: MAX_TRIANGLES },
     ])?;
@@ -98,7 +98,7 @@ pub fn parse_mesh(bytes: &[u8], name: &str) -> Result<Mesh, SceneError> {
 pub fn parse_spheres(bytes: &[u8], name: &str) -> Result<Vec<RawSphere>, SceneError> {
     let mut fields = Fields::of(bytes, name, "RWSPHR01", 16)?;
     let count = fields.u64();
-    fields.expect(&[Claim { what: "spheres", count, size: 16, most: MAX_PRIMITIVES }])?;
+    fields.must_hold(&[Claim { what: "spheres", count, size: 16, most: MAX_PRIMITIVES }])?;
     fields.list(count, |fields, number| {
         let [x, y, z, radius] = fields.finite("sphere", number)?;
         if radius > 0.0 {

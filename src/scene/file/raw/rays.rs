@@ -95,7 +95,7 @@ pub fn parse_rays(bytes: &[u8], name: &str) -> Result<RayFile, SceneError> {
         (_, found) => return Err(fields.refused(format!("expected 0 behind width and height, found {found}"))),
     };
     let count = fields.u64();
-    fields.expect(&[Claim { what: "rays", count, size: 32, most: MAX_RAW_BYTES as usize / 32 }])?;
+    fields.must_hold(&[Claim { what: "rays", count, size: 32, most: MAX_RAW_BYTES as usize / 32 }])?;
     if count == 0 {
         return Err(fields.refused("holds no rays"));
     }
