@@ -4,7 +4,7 @@ use super::samplers::{Comparison, Outcome};
 use std::fmt::Write;
 
 /// The size of a panel, and of the area of the points in it, in the units of the picture.
-const PANEL: [f64; 2] = [760.0, 460.0];
+const PANEL: [f64; 2] = [880.0, 460.0];
 const AREA: [f64; 4] = [70.0, 40.0, 560.0, 400.0];
 
 /// What is used in turn for the methods: colours that colour-blind people tell apart (Okabe and Ito), and signs.
@@ -130,9 +130,9 @@ fn draw_reference(svg: &mut String, comparison: &Comparison, errors: &Axis) {
         let _ = writeln!(svg, "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#999999\" stroke-dasharray=\"4 3\"/>");
         let _ = writeln!(
             svg,
-            "<text x=\"{}\" y=\"{:.1}\" fill=\"#666666\">reference {}</text>",
-            right + 6.0,
-            y + 4.0,
+            "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\" fill=\"#666666\">error of the reference, {}</text>",
+            right - 4.0,
+            y - 5.0,
             escaped(&comparison.reference)
         );
     }
@@ -146,9 +146,17 @@ fn draw_front(svg: &mut String, outcomes: &[Outcome], times: &Axis, errors: &Axi
     };
     let places: Vec<_> = front.iter().map(place).collect();
     let _ = writeln!(svg, "<polyline points=\"{}\" fill=\"none\" stroke=\"#444444\"/>", places.join(" "));
+    // Names beside the points would lie over each other: the points have numbers, and the names stand below the methods.
+    let [_, top, right, _] = AREA;
+    for (number, outcome) in (1..).zip(front) {
+        let [x, y] = [times.place(outcome.seconds.median) + 7.0, errors.place(outcome.rmse.median) - 5.0];
+        let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"9\">{number}</text>");
+        let (below, name) = (top + 165.0 + 13.0 * f64::from(number), escaped(&outcome.sampling));
+        let _ = writeln!(svg, "<text x=\"{}\" y=\"{below}\" font-size=\"9\">{number} {name}</text>", right + 14.0);
+    }
 }
 
-/// A point with its quartiles; its name is shown where the pointer rests, and beside it where it is on the front.
+/// A point with its quartiles; its name is shown where the pointer rests.
 fn draw_point(svg: &mut String, method: usize, outcome: &Outcome, times: &Axis, errors: &Axis) {
     let (time, error) = (outcome.seconds, outcome.rmse);
     let (x, y) = (times.place(time.median), errors.place(error.median));
@@ -165,9 +173,6 @@ fn draw_point(svg: &mut String, method: usize, outcome: &Outcome, times: &Axis, 
     );
     svg.push_str(&sign(method, [x, y], if outcome.is_on_front { 6.0 } else { 3.5 }));
     svg.push_str("</g>\n");
-    if outcome.is_on_front {
-        let _ = writeln!(svg, "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"9\">{name}</text>", x + 8.0, y - 5.0);
-    }
 }
 
 /// A sign of half the given width: a disc, a square, a diamond or a triangle.
