@@ -29,7 +29,12 @@ fn main() {
             let squares = runs.iter().flat_map(|(pixels, _)| pixels.iter().zip(&reference));
             let square: f64 = squares.map(|(found, exact)| (found - exact) * (found - exact)).sum();
             let pixels = (runs.len() * reference.len()) as f64;
-            println!("  {:<56} {:>9.2} {:>10.2e}", spec(sampling), rays as f64 / pixels, (square / pixels).sqrt());
+            println!(
+                "  {:<56} {:>9.2} {:>10.2e}",
+                sampling.to_string(),
+                rays as f64 / pixels,
+                (square / pixels).sqrt()
+            );
         }
     }
 }
@@ -61,19 +66,6 @@ fn methods() -> Vec<Sampling> {
     let statistical = |tolerance| Statistical { confidence: 0.95, tolerance, min: 8, max: 4096 };
     methods.extend([0.1, 0.05, 0.02].map(|tolerance| Sampling::Statistical(statistical(tolerance))));
     methods
-}
-
-/// The method as `--sampling` has it.
-fn spec(sampling: Sampling) -> String {
-    let parameters = sampling.parameters();
-    match parameters[..] {
-        [] => sampling.word().to_owned(),
-        [("n", n)] => format!("{}:{n}", sampling.word()),
-        _ => {
-            let parameters: Vec<_> = parameters.iter().map(|(name, value)| format!("{name}={value}")).collect();
-            format!("{}:{}", sampling.word(), parameters.join(","))
-        }
-    }
 }
 
 /// The red of each pixel, and the camera rays.

@@ -9,8 +9,10 @@ use proptest::prelude::*;
 use raywalk::log::file::{read, to_json, to_ndjson};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::file::mesh::{self, Meshes};
+use raywalk::scene::file::raw::{self, Primitives};
 use raywalk::scene::file::{self, SceneError};
 use raywalk::scene::{build, builtin};
+use raywalk::study::bench::throughput::{self, Hits, Passes};
 use std::sync::LazyLock;
 use support::scene;
 
@@ -49,6 +51,43 @@ fn mesh_answers(bytes: &[u8], name: &str) -> Result<(), TestCaseError> {
             Ok(())
         }
         Err(error) => is_a_message(&error),
+    }
+}
+
+/// Primitives that are accepted can be traced by rays that are accepted.
+fn raw_answers(bytes: &[u8]) -> Result<(), TestCaseError> {
+    let rays = raw::parse_rays(bytes, "a.rays");
+    let primitives = match raw::parse_mesh(bytes, "a.mesh") {
+        Ok(mesh) => Ok(Primitives::Mesh(mesh)),
+        Err(error) => {
+            is_a_message(&error)?;
+            raw::parse_spheres(bytes, "a.spheres").map(Primitives::Spheres)
+        }
+    };
+    for error in [rays.as_ref().err(), primitives.as_ref().err()].into_iter().flatten() {
+        is_a_message(error)?;
+    }
+    let rays = rays.or_else(|_| raw::parse_rays(&raw_file(2), "good"));
+    let primitives = primitives.or_else(|_| raw::parse_mesh(&raw_file(0), "good").map(Primitives::Mesh));
+    if let (Ok(rays), Ok(primitives)) = (rays, primitives) {
+        let (scene, _) = throughput::build("a", &primitives, 1).expect("a thread");
+        let mut hits = Hits::default();
+        let measured = throughput::measure(&scene, &rays, 1, Passes::Number(1), &mut hits).expect("a thread");
+        prop_assert!(measured.hits <= rays.rays.len() && hits.t.iter().all(|t| !t.is_nan()));
+    }
+    Ok(())
+}
+
+/// A mesh of two triangles, two spheres, or two rays that meet them.
+fn raw_file(which: usize) -> Vec<u8> {
+    let floats = |numbers: &[f32]| numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>();
+    let whole = |numbers: &[u32]| numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>();
+    let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0];
+    let ray = [0.75, 0.25, 3.0, 0.0, 0.0, 0.0, -1.0, f32::INFINITY];
+    match which {
+        0 => [b"RWMESH01", &whole(&[4, 0, 2, 0])[..], &floats(&corners), &whole(&[0, 1, 2, 0, 2, 3])].concat(),
+        1 => [b"RWSPHR01", &whole(&[2, 0])[..], &floats(&[0.0, 0.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.5])].concat(),
+        _ => [b"RWRAYS01", &whole(&[0, 2, 1, 0, 2, 0])[..], &floats(&ray), &floats(&ray)].concat(),
     }
 }
 
@@ -181,6 +220,11 @@ proptest! {
     }
 
     #[test]
+    fn raw_files(changes in changes(NUMBERS_AND_SIGNS), which in 0..3_usize) {
+        raw_answers(&changed(&raw_file(which), &changes))?;
+    }
+
+    #[test]
     fn logs(changes in changes(JSON)) {
         log_answers(&changed(&LOGS[0], &changes))?;
     }
@@ -199,6 +243,7 @@ proptest! {
             mesh_answers(&bytes, name)?;
         }
         log_answers(&bytes)?;
+        raw_answers(&bytes)?;
     }
 }
 
@@ -209,6 +254,9 @@ fn what_is_damaged_was_whole() {
     }
     assert_eq!(mesh::parse(OBJ.as_bytes(), "a.obj").expect("a mesh").mesh.faces.len(), 4);
     assert_eq!(file::check(NFF.as_bytes(), "a.nff").expect("a scene").scene.objects.len(), 5);
+    assert_eq!(raw::parse_mesh(&raw_file(0), "a").expect("a mesh").faces.len(), 2);
+    assert_eq!(raw::parse_spheres(&raw_file(1), "a").expect("spheres").len(), 2);
+    assert_eq!(raw::parse_rays(&raw_file(2), "a").expect("rays").rays.len(), 2);
     for log in LOGS.iter() {
         assert!(read(log).expect("a log").log.events.len() > 50);
     }

@@ -52,6 +52,7 @@ fn the_ends_of_a_query_are_exact() {
         "objects": [{"name": "p", "shape": {"plane": {"coefficients": [0.1, 0.5, -0.7, 0.3]}}}]}"#,
     ]
     .map(|text| support::scene_of(text.as_bytes(), "ends"));
+    let scenes: Vec<_> = scenes.into_iter().chain(each_shape()).collect();
     random::property((random::point(), random::point()), |(origin, direction)| {
         if direction.length() < 0.1 {
             return false;
@@ -69,6 +70,18 @@ fn the_ends_of_a_query_are_exact() {
         });
         hits.count() > 0
     });
+}
+
+/// A scene for each object of the scene that has every shape.
+fn each_shape() -> Vec<Scene> {
+    let mut file: serde_json::Value = serde_json::from_str(include_str!("support/shapes.json")).expect("JSON");
+    let objects = file["objects"].as_array().expect("a list").clone();
+    assert!(objects.len() >= 8);
+    let alone = objects.into_iter().map(|object| {
+        file["objects"] = serde_json::json!([object]);
+        support::scene_of(file.to_string().as_bytes(), "alone")
+    });
+    alone.collect()
 }
 
 /// What `raywalk rays` answers to a line.

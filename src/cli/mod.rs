@@ -53,7 +53,7 @@ enum Command {
     Textbook(textbook::Textbook),
     /// Measure numerical stability on cases with exact answers
     Stress(stress::Stress),
-    /// Measure error and time
+    /// Measure speed, error, overhead and growth
     #[command(subcommand)]
     Bench(bench::Bench),
     /// Check, show, convert or list scenes

@@ -1,5 +1,6 @@
 //! `raywalk render`: all pixels, on all cores.
 
+use super::bench::peak_bytes;
 use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
 use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
@@ -103,7 +104,7 @@ impl Render {
         let clipped_pixels = self.save(&rendered.film, &scene, (&frame.path, format), output)?;
         match (self.stats, rendered.counts) {
             (Some(stats), Some(counts)) => {
-                print_statistics(&counts.statistics(clipped_pixels, seconds, peak_bytes()), stats)
+                print_statistics(&counts.statistics(clipped_pixels, seconds, peak_bytes().unwrap_or(0)), stats)
             }
             _ => Ok(()),
         }
@@ -194,12 +195,4 @@ fn print_statistics(statistics: &Statistics, format: StatsFormat) -> Result<(), 
         StatsFormat::Text => statistics.to_string(),
     };
     output::print(format!("{}\n", text.trim_end()).as_bytes())
-}
-
-/// The most memory that this process held, where the system tells; else 0.
-fn peak_bytes() -> u64 {
-    let status = std::fs::read_to_string(Path::new("/proc/self/status")).unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    let kibibytes = line.and_then(|line| line.trim().trim_end_matches(" kB").parse::<u64>().ok());
-    kibibytes.unwrap_or(0) * 1024
 }

@@ -129,6 +129,16 @@ impl Counter {
         }
     }
 
+    /// Rays of all kinds.
+    pub fn rays(&self) -> u64 {
+        self.rays.total()
+    }
+
+    /// Rays from the eye.
+    pub fn samples(&self) -> u64 {
+        self.samples
+    }
+
     fn ray_here(&self) -> Option<RayKind> {
         self.open.iter().rev().find_map(|kind| *kind)
     }

@@ -52,7 +52,7 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         objects,
         materials,
         tracing: tracing(&scene.tracing, sphere_method),
-        sampling: sampling(scene.sampling),
+        sampling: scene.sampling.into(),
         seed: scene.seed,
         frame: None,
         output: output(&scene.output),
@@ -131,7 +131,7 @@ fn count(n: u64) -> u32 {
     u32::try_from(n).unwrap_or(u32::MAX)
 }
 
-fn material(material: &file::Material) -> Material {
+pub(super) fn material(material: &file::Material) -> Material {
     Material {
         ambient: material.ambient.into(),
         diffuse: material.diffuse.into(),
@@ -203,7 +203,7 @@ fn shape(
     })
 }
 
-fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
+pub(super) fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
     Tracing {
         algorithm: match tracing.algorithm {
             file::Algorithm::Recursive => Algorithm::Recursive,
@@ -223,22 +223,24 @@ fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
     }
 }
 
-fn sampling(sampling: file::Sampling) -> Sampling {
-    match sampling {
-        file::Sampling::None {} => Sampling::Center,
-        file::Sampling::Regular { n } => Sampling::Regular { n: count(n) },
-        file::Sampling::Shared { n } => Sampling::Shared { n: count(n) },
-        file::Sampling::Adaptive { threshold, depth } => Sampling::Adaptive { threshold, depth },
-        file::Sampling::Stochastic { n } => Sampling::Stochastic { n: count(n) },
-        file::Sampling::Random { n } => Sampling::Random { n: count(n) },
-        file::Sampling::Sobol { n } => Sampling::Sobol { n: count(n) },
-        file::Sampling::Statistical { confidence, tolerance, min, max } => {
-            Sampling::Statistical(Statistical { confidence, tolerance, min: count(min), max: count(max) })
+impl From<file::Sampling> for Sampling {
+    fn from(sampling: file::Sampling) -> Sampling {
+        match sampling {
+            file::Sampling::None {} => Sampling::Center,
+            file::Sampling::Regular { n } => Sampling::Regular { n: count(n) },
+            file::Sampling::Shared { n } => Sampling::Shared { n: count(n) },
+            file::Sampling::Adaptive { threshold, depth } => Sampling::Adaptive { threshold, depth },
+            file::Sampling::Stochastic { n } => Sampling::Stochastic { n: count(n) },
+            file::Sampling::Random { n } => Sampling::Random { n: count(n) },
+            file::Sampling::Sobol { n } => Sampling::Sobol { n: count(n) },
+            file::Sampling::Statistical { confidence, tolerance, min, max } => {
+                Sampling::Statistical(Statistical { confidence, tolerance, min: count(min), max: count(max) })
+            }
         }
     }
 }
 
-fn output(output: &file::Output) -> Output {
+pub(super) fn output(output: &file::Output) -> Output {
     let transfer = match output.transfer {
         file::Transfer::Linear => Transfer::Linear,
         file::Transfer::Srgb => Transfer::Srgb,

@@ -4,6 +4,7 @@
 //! are finite.
 
 pub mod area_light;
+mod bare;
 mod build;
 pub mod builtin;
 pub mod camera;

@@ -1,6 +1,7 @@
 //! Which rays make a pixel: the choice. What each method does stands in `sampling`.
 
 use crate::log::Parameter;
+use std::fmt;
 
 /// The methods.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,6 +91,21 @@ impl Sampling {
                 ("min", count(min)),
                 ("max", count(max)),
             ],
+        }
+    }
+}
+
+/// As `--sampling` has it.
+impl fmt::Display for Sampling {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let parameters = self.parameters();
+        match parameters[..] {
+            [] => f.write_str(self.word()),
+            [("n", n)] => write!(f, "{}:{n}", self.word()),
+            _ => {
+                let parameters: Vec<_> = parameters.iter().map(|(name, value)| format!("{name}={value}")).collect();
+                write!(f, "{}:{}", self.word(), parameters.join(","))
+            }
         }
     }
 }

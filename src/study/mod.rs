@@ -1,5 +1,6 @@
 //! What the program measures about itself.
 
+pub mod bench;
 pub mod ladder;
 pub mod rounding;
 pub mod stress;

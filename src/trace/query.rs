@@ -1,6 +1,6 @@
 //! Single ray queries: what a ray meets, without any shading, at the time when the shutter opens.
 
-use super::visibility::{closest_hit, is_any_hit};
+use super::visibility::{Hit, closest_hit, is_any_hit};
 use crate::geometry::ray::unit;
 use crate::geometry::{Leaving, Ray, Side};
 use crate::probe::Silent;
@@ -39,8 +39,19 @@ pub struct Answer {
     pub side: Side,
 }
 
-/// More than the roundings of a distance that is brought from one unit to another and back.
-const MARGIN: f64 = 4.0 * f64::EPSILON;
+/// Where a ray meets something first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayHit {
+    /// The object.
+    pub object: u32,
+    /// The triangle, for a mesh; else the part of the surface.
+    pub primitive: u32,
+    /// The distance, in units of the direction as given.
+    pub t: f64,
+}
+
+/// How many steps of an ulp the end of a ray may be from what it is reckoned to be at first.
+const STEPS: u32 = 8;
 
 impl Query {
     /// What is wrong with the numbers of this query, if anything is.
@@ -53,17 +64,9 @@ impl Query {
         }
     }
 
-    /// The nearest hit.
+    /// The nearest hit, with the surface there.
     pub fn nearest(&self, scene: &Scene) -> Option<Answer> {
-        let (mut ray, length) = self.ray(scene);
-        let hit = loop {
-            let hit = closest_hit(scene, &ray, &mut Silent)?;
-            match hit.crossing.t / length {
-                t if t <= self.t_min => ray.t_min = hit.crossing.t,
-                t if t >= self.t_max => return None,
-                _ => break hit,
-            }
-        };
+        let (ray, hit, t) = self.first_hit(scene)?;
         let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
         let normal = match surface.side {
             Side::Front => surface.geometric_normal(),
@@ -72,7 +75,7 @@ impl Query {
         Some(Answer {
             object: hit.object,
             primitive: hit.crossing.primitive,
-            t: hit.crossing.t / length,
+            t,
             point: surface.point,
             // −0 turned over and back is +0.
             normal: normal + DVec3::ZERO,
@@ -80,24 +83,66 @@ impl Query {
         })
     }
 
-    /// Whether there is any hit.
-    pub fn is_occluded(&self, scene: &Scene) -> bool {
-        let is_bounded = self.t_min != 0.0 || self.t_max.is_finite();
-        if is_bounded { self.nearest(scene).is_some() } else { is_any_hit(scene, &self.ray(scene).0, &mut Silent) }
+    /// Where the nearest hit is, for those who don't ask what the surface is like there.
+    #[inline]
+    pub fn hit(&self, scene: &Scene) -> Option<RayHit> {
+        let (_, hit, t) = self.first_hit(scene)?;
+        Some(RayHit { object: hit.object, primitive: hit.crossing.primitive, t })
     }
 
-    /// The ray with a unit direction, and the length of the direction as given. Its ends are a little beyond those of the query, because
-    /// they aren't in the same units: what counts is the distance in units of the direction as given.
+    /// Whether there is any hit.
+    #[inline]
+    pub fn is_occluded(&self, scene: &Scene) -> bool {
+        let (ray, length) = self.ray(scene);
+        let is_exact = |bound: f64| bound == 0.0 || (bound.is_normal() && (bound * length).is_normal());
+        // Where an end has fewer digits than others, its distance in units of the direction decides.
+        if is_exact(self.t_min) && (self.t_max == f64::INFINITY || is_exact(self.t_max)) {
+            is_any_hit(scene, &ray, &mut Silent)
+        } else {
+            self.first_hit(scene).is_some()
+        }
+    }
+
+    /// The ray, what it meets first, and the distance in units of the direction as given.
+    #[inline(always)]
+    fn first_hit(&self, scene: &Scene) -> Option<(Ray, Hit, f64)> {
+        let (mut ray, length) = self.ray(scene);
+        loop {
+            let hit = closest_hit(scene, &ray, &mut Silent)?;
+            match hit.crossing.t / length {
+                t if t <= self.t_min => ray.t_min = hit.crossing.t,
+                t if t >= self.t_max => return None,
+                t => return Some((ray, hit, t)),
+            }
+        }
+    }
+
+    /// The ray with a unit direction, and the length of the direction as given. Its ends are such that a distance lies between them if and
+    /// only if it does so in units of the direction as given, rounding included.
+    #[inline]
     pub fn ray(&self, scene: &Scene) -> (Ray, f64) {
         let (direction, vector, length) = unit(self.direction);
         let leaving = self.from.map(|(object, primitive)| {
             let side = scene.objects[object as usize].shape.returning_side();
             Leaving { object, primitive, side }
         });
-        let (t_min, t_max) = (self.t_min * length, self.t_max * length);
-        let t_min = t_min - t_min.abs() * MARGIN;
-        let t_max = if t_max.is_finite() { t_max + t_max.abs() * MARGIN } else { t_max };
+        let t_min = if self.t_min == 0.0 { 0.0 } else { -first_beyond(-self.t_min, length) };
+        let t_max = if self.t_max == f64::INFINITY { self.t_max } else { first_beyond(self.t_max, length) };
         let time = scene.camera.opening();
         (Ray { vector, leaving, t_min, t_max, time, ..Ray::new(self.origin, direction) }, length)
     }
+}
+
+/// The least distance that is at `bound` or beyond it in units of this length.
+fn first_beyond(bound: f64, length: f64) -> f64 {
+    let mut t = bound * length;
+    for _ in 0..STEPS {
+        let before = t.next_down();
+        match () {
+            _ if t / length < bound => t = t.next_up(),
+            _ if before / length >= bound => t = before,
+            _ => break,
+        }
+    }
+    t
 }

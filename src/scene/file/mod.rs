@@ -12,6 +12,7 @@
 
 pub mod mesh;
 pub mod nff;
+pub mod raw;
 pub mod schema;
 pub mod validate;
 

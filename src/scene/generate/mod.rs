@@ -3,11 +3,13 @@
 mod icosphere;
 mod knot;
 mod obj;
+mod random_spheres;
 mod sphere_flake;
 
 pub use icosphere::icosphere;
 pub use knot::knot;
 pub use obj::write_obj;
+pub use random_spheres::random_spheres;
 pub use sphere_flake::{MAX_FLAKE_LEVEL, sphere_count, sphere_flake};
 
 /// The greatest level of detail. The triangles of a mesh still count in millions there.

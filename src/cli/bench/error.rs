@@ -1,0 +1,79 @@
+//! `raywalk bench error`: how far pictures are off, and how long they take.
+
+use super::scenes::{self, SceneOptions};
+use super::{TableFormat, arithmetic, samplers};
+use crate::cli::failure::Failure;
+use crate::cli::options::{ColorChoice, MAX_THREADS};
+use crate::cli::progress::ProgressOptions;
+use crate::cli::sampling_spec::sampling;
+use clap::Args;
+use raywalk::scene::file::schema::Sampling;
+use std::path::PathBuf;
+
+/// How far pictures are off, and how long they take
+///
+/// Every method of sampling over its settings, against the mean of two pictures with many samples: `front` marks the settings than which
+/// none is both faster and better. With --arithmetic instead every arithmetic, against f64.
+#[derive(Args)]
+pub struct ErrorBench {
+    #[command(flatten)]
+    scenes: SceneOptions,
+    /// Every arithmetic instead: by hand with 2 to 15 decimals, f32, f64
+    #[arg(long, conflicts_with_all = ["sampling", "reference", "runs", "target", "chart"])]
+    arithmetic: bool,
+    /// A method to compare; may be given several times. Without it, every method over its settings
+    #[arg(long, value_name = "SPEC", value_parser = sampling)]
+    sampling: Vec<Sampling>,
+    /// The method of the two pictures whose mean is the reference
+    #[arg(long, value_name = "SPEC", value_parser = sampling, default_value = "sobol:1024")]
+    reference: Sampling,
+    /// How often each setting renders, each time with another seed
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=10_000))]
+    runs: u16,
+    /// Say which setting is the fastest with no more than this error
+    #[arg(long, value_name = "RMSE", value_parser = error, allow_negative_numbers = true)]
+    target: Option<f64>,
+    /// Draw error against time into this SVG file
+    #[arg(long, alias = "svg", value_name = "FILE")]
+    chart: Option<PathBuf>,
+    /// On how many threads; 0 is one a core
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
+    threads: u16,
+    #[command(flatten)]
+    progress: ProgressOptions,
+    /// How to print the table
+    #[arg(long, value_enum, default_value = "text")]
+    format: TableFormat,
+}
+
+impl ErrorBench {
+    /// Runs the command.
+    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        let otherwise: &[&str] = if self.arithmetic { &scenes::FEW } else { &scenes::SAMPLED };
+        let names = self.scenes.names(otherwise);
+        let scenes = names.iter().map(|name| self.scenes.load(name, colors)).collect::<Result<Vec<_>, _>>()?;
+        if self.arithmetic {
+            return arithmetic::run(&scenes, self.threads.into(), self.format);
+        }
+        let request = samplers::Request {
+            methods: match self.sampling.is_empty() {
+                true => samplers::settings(),
+                false => self.sampling.iter().map(|sampling| (*sampling).into()).collect(),
+            },
+            reference: self.reference.into(),
+            runs: self.runs.into(),
+            threads: self.threads.into(),
+            target: self.target,
+            chart: self.chart,
+            progress: self.progress,
+            inputs: names,
+            format: self.format,
+        };
+        request.run(&scenes)
+    }
+}
+
+fn error(text: &str) -> Result<f64, String> {
+    let error = text.parse().ok().filter(|error: &f64| *error > 0.0 && error.is_finite());
+    error.ok_or_else(|| format!("expected an error above 0, in units of white, found `{text}`"))
+}

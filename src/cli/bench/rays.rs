@@ -1,0 +1,250 @@
+//! `raywalk bench rays`: how many rays a second are answered.
+
+use super::TableFormat;
+use super::machine::Machine;
+use super::table::quoted;
+use crate::cli::failure::Failure;
+use crate::cli::options::{ColorChoice, MAX_THREADS};
+use crate::cli::output::{self, Output};
+use clap::Args;
+use raywalk::scene::Scene;
+use raywalk::scene::file::raw::{self, Primitives, RayFile};
+use raywalk::scene::file::{SceneError, visible};
+use raywalk::study::bench::throughput::{self, Hits, Passes, Throughput, measure};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// How many rays a second are answered, on files of rays
+///
+/// A scene is STEM.mesh (one mesh) or STEM.spheres; its rays are STEM.KIND.rays, such as STEM.primary.rays. docs/benchmarks.md has the
+/// layouts. Whole passes over a file are timed, after one that isn't; threads take rays from a queue. JSON has an object a line:
+/// first how long it took to make the scene ready, then the rays.
+#[derive(Args)]
+pub struct RaysBench {
+    /// Scenes, each without the ending of its files
+    #[arg(value_name = "STEM", required = true)]
+    stems: Vec<PathBuf>,
+    /// On how many threads, one number after the other
+    #[arg(long, value_name = "N,…", value_delimiter = ',', default_value = "1,2")]
+    #[arg(value_parser = clap::value_parser!(u16).range(1..=MAX_THREADS))]
+    threads: Vec<u16>,
+    /// About how long each figure takes, in 3 to 15 passes
+    #[arg(long, value_name = "S", default_value_t = 0.5, value_parser = seconds, allow_negative_numbers = true)]
+    seconds: f64,
+    /// How many passes, however long they take
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    passes: Option<u32>,
+    /// Write what each ray met to files in this folder: the distance as f32, the primitive as u32
+    #[arg(long, value_name = "DIR")]
+    dump: Option<PathBuf>,
+    /// How to print the figures
+    #[arg(long, value_enum, default_value = "text")]
+    format: TableFormat,
+}
+
+/// How long it took to make a scene ready.
+#[derive(Serialize)]
+struct Built<'a> {
+    engine: &'static str,
+    scene: &'a str,
+    build_s: f64,
+    build_cpu_s: f64,
+    build_threads: u16,
+    primitives: usize,
+    #[serde(flatten)]
+    machine: &'a Machine,
+}
+
+/// The figures of a file of rays, under the names that benchmarks of other programs give them.
+#[derive(Serialize)]
+struct Row<'a> {
+    engine: &'static str,
+    mode: &'static str,
+    scene: &'a str,
+    rays: &'a str,
+    threads: u16,
+    n: usize,
+    mrays_median: f64,
+    mrays_lower_quartile: f64,
+    mrays_upper_quartile: f64,
+    mrays_best: f64,
+    mrays_per_cpu_s: f64,
+    passes: usize,
+    hits: usize,
+    tsum: f64,
+}
+
+/// The files of a scene.
+struct Files {
+    name: String,
+    primitives: Primitives,
+    rays: Vec<(String, RayFile)>,
+}
+
+impl Files {
+    /// All of them, so that nothing is measured before all are known to be good.
+    fn read(stem: &Path) -> Result<Files, SceneError> {
+        let primitives = raw::read_primitives(stem)?;
+        let read = |(kind, path): (String, PathBuf)| Ok((kind, raw::read_rays(&path)?));
+        let rays = raw::find_rays(stem)?.into_iter().map(read).collect::<Result<_, SceneError>>()?;
+        Ok(Files { name: stem.file_name().unwrap_or_default().to_string_lossy().into_owned(), primitives, rays })
+    }
+}
+
+const ENGINE: &str = "raywalk";
+
+impl RaysBench {
+    /// Runs the command.
+    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        let machine = Machine::this();
+        if let Some(folder) = self.dump.as_ref().filter(|folder| !folder.is_dir()) {
+            let folder = folder.to_string_lossy();
+            return Err(Failure::caller(format!("--dump {}: expected a folder that is there", visible(&folder))));
+        }
+        let mut is_first = true;
+        self.stems.iter().try_for_each(|stem| {
+            let scene =
+                Files::read(stem).map_err(|error| Failure::scene(&error, colors.applies_to(&std::io::stderr())))?;
+            if std::mem::take(&mut is_first) {
+                self.print_head(&machine)?;
+            }
+            self.measure(scene, &machine)
+        })
+    }
+
+    /// What stands above all figures.
+    fn print_head(&self, machine: &Machine) -> Result<(), Failure> {
+        match self.format {
+            TableFormat::Text => output::print(format!("{machine}\n").as_bytes()),
+            TableFormat::Csv => output::print(format!("{}\n", Row::HEAD).as_bytes()),
+            TableFormat::Json => Ok(()),
+        }
+    }
+
+    /// Measures a scene, and prints each figure as soon as it is known.
+    fn measure(&self, files: Files, machine: &Machine) -> Result<(), Failure> {
+        let Files { name, primitives, rays } = files;
+        let mut scene = None;
+        for threads in &self.threads {
+            drop(scene.take());
+            let (built, lap) = throughput::build(&name, &primitives, usize::from(*threads)).map_err(no_threads)?;
+            scene = Some(built);
+            let (build_s, build_cpu_s) = (lap.seconds, lap.cpu_seconds);
+            let (build_threads, primitives) = (*threads, primitives.count());
+            let built =
+                Built { engine: ENGINE, scene: &name, build_s, build_cpu_s, build_threads, primitives, machine };
+            self.print_built(&built)?;
+        }
+        drop(primitives);
+        let Some(scene) = scene else { return Ok(()) };
+        if self.format == TableFormat::Text {
+            output::print(Row::TITLE.as_bytes())?;
+        }
+        rays.iter().try_for_each(|(kind, file)| self.measure_rays(&scene, kind, file))
+    }
+
+    fn measure_rays(&self, scene: &Scene, kind: &str, file: &RayFile) -> Result<(), Failure> {
+        let passes = self.passes.map_or(Passes::Seconds(self.seconds), |number| Passes::Number(number as usize));
+        let mut hits = Hits::default();
+        for threads in &self.threads {
+            let measured = measure(scene, file, usize::from(*threads), passes, &mut hits).map_err(no_threads)?;
+            self.print_row(&Row::of(scene, kind, *threads, file.rays.len(), &measured))?;
+        }
+        let Some(folder) = &self.dump else { return Ok(()) };
+        let path = folder.join(format!("{}.{kind}.{ENGINE}.hits", scene.name));
+        let hits = hits.t.iter().zip(&hits.primitive);
+        Output::create(Some(&path), &[] as &[&Path])?.stream(|out| {
+            use std::io::Write;
+            for (t, primitive) in hits {
+                out.write_all(&t.to_le_bytes())?;
+                out.write_all(&primitive.to_le_bytes())?;
+            }
+            Ok(())
+        })
+    }
+
+    fn print_built(&self, built: &Built) -> Result<(), Failure> {
+        let Built { scene, build_s, build_threads, primitives, .. } = built;
+        match self.format {
+            TableFormat::Json => print_json(built),
+            TableFormat::Csv => Ok(()),
+            TableFormat::Text => {
+                let scene = visible(scene);
+                let text =
+                    format!("{scene}: {primitives} primitives, built in {build_s:.4} s, threads: {build_threads}\n");
+                output::print(text.as_bytes())
+            }
+        }
+    }
+
+    fn print_row(&self, row: &Row) -> Result<(), Failure> {
+        match self.format {
+            TableFormat::Json => print_json(row),
+            TableFormat::Csv => output::print(row.csv().as_bytes()),
+            TableFormat::Text => output::print(row.text().as_bytes()),
+        }
+    }
+}
+
+impl<'a> Row<'a> {
+    const HEAD: &'static str = "engine,mode,scene,rays,threads,n,mrays_median,mrays_lower_quartile,mrays_upper_quartile,\
+                                mrays_best,mrays_per_cpu_s,passes,hits,tsum";
+    const TITLE: &'static str =
+        "  rays       threads       rays      hits  passes  Mrays/s  (quartiles)     Mrays/cpu s\n";
+
+    fn of(scene: &'a Scene, rays: &'a str, threads: u16, n: usize, measured: &Throughput) -> Row<'a> {
+        let Throughput { per_second, per_cpu_second, hits, t_sum } = *measured;
+        let mega = |speed: f64| speed * 1e-6;
+        Row {
+            engine: ENGINE,
+            mode: "single",
+            scene: &scene.name,
+            rays,
+            threads,
+            n,
+            mrays_median: mega(per_second.median),
+            mrays_lower_quartile: mega(per_second.lower),
+            mrays_upper_quartile: mega(per_second.upper),
+            mrays_best: mega(per_second.greatest),
+            mrays_per_cpu_s: mega(per_cpu_second.median),
+            passes: per_second.count,
+            hits,
+            tsum: t_sum,
+        }
+    }
+
+    fn text(&self) -> String {
+        let rays = visible(self.rays);
+        let Row { threads, n, mrays_median, mrays_per_cpu_s, passes, hits, .. } = self;
+        let quartiles = format!("({:.3} {:.3})", self.mrays_lower_quartile, self.mrays_upper_quartile);
+        format!(
+            "  {rays:<10} {threads:>7} {n:>10} {hits:>9} {passes:>7} {mrays_median:>8.3}  {quartiles:<15} \
+             {mrays_per_cpu_s:>11.3}\n"
+        )
+    }
+
+    fn csv(&self) -> String {
+        let (scene, rays) = (quoted(self.scene), quoted(self.rays));
+        let Row { engine, mode, threads, n, passes, hits, tsum, .. } = self;
+        let speeds = [self.mrays_median, self.mrays_lower_quartile, self.mrays_upper_quartile, self.mrays_best];
+        let speeds = speeds.map(|speed| speed.to_string()).join(",");
+        format!(
+            "{engine},{mode},{scene},{rays},{threads},{n},{speeds},{},{passes},{hits},{tsum}\n",
+            self.mrays_per_cpu_s
+        )
+    }
+}
+
+fn print_json(value: &impl Serialize) -> Result<(), Failure> {
+    let line = serde_json::to_string(value).map_err(|error| Failure::machine(format!("cannot write: {error}")))?;
+    output::print(format!("{line}\n").as_bytes())
+}
+
+fn no_threads(error: impl std::fmt::Display) -> Failure {
+    Failure::machine(format!("cannot start threads: {error}"))
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse().ok().filter(|seconds: &f64| (0.0..=3600.0).contains(seconds));
+    seconds.ok_or_else(|| format!("expected seconds from 0 to 3600, found `{text}`"))
+}

@@ -1,0 +1,197 @@
+//! `raywalk bench error` of methods of sampling.
+
+use super::TableFormat;
+use super::machine::Machine;
+use super::table::quoted;
+use crate::cli::failure::Failure;
+use crate::cli::output::{self, Output};
+use crate::cli::progress::{Progress, ProgressOptions};
+use raywalk::scene::file::visible;
+use raywalk::scene::{Sampling, Scene, Statistical};
+use raywalk::study::bench::chart::{self, Panel};
+use raywalk::study::bench::samplers::{Comparing, Comparison, Outcome, compare};
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// What is asked for.
+pub struct Request {
+    /// The methods.
+    pub methods: Vec<Sampling>,
+    /// The sampling of the two pictures whose mean is the reference.
+    pub reference: Sampling,
+    /// How often each setting renders.
+    pub runs: usize,
+    /// On how many threads.
+    pub threads: usize,
+    /// The error for which the best setting is told.
+    pub target: Option<f64>,
+    /// Where error against time is drawn.
+    pub chart: Option<PathBuf>,
+    /// Whether and how progress is shown.
+    pub progress: ProgressOptions,
+    /// The files of the scenes, which the chart may not overwrite.
+    pub inputs: Vec<PathBuf>,
+    /// How the table is printed.
+    pub format: TableFormat,
+}
+
+#[derive(Serialize)]
+struct Measured {
+    scene: String,
+    size: [u32; 2],
+    #[serde(flatten)]
+    comparison: Comparison,
+    /// The fastest setting with no more than the error that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    best: Option<String>,
+}
+
+impl Measured {
+    fn panel(&self) -> Panel<'_> {
+        Panel { title: title(self), comparison: &self.comparison }
+    }
+}
+
+impl Request {
+    /// Measures the scenes, prints the table and draws the chart.
+    pub fn run(self, scenes: &[Scene]) -> Result<(), Failure> {
+        let machine = Machine::this();
+        let chart = self.chart.as_ref().map(|path| Output::create(Some(path), &self.inputs)).transpose()?;
+        // The reference is two pictures.
+        let progress = self.progress.start((scenes.len() * (self.methods.len() + 2)) as u64);
+        let measured = scenes.iter().map(|scene| self.measure(scene, &progress)).collect::<Result<Vec<_>, _>>();
+        progress.finish();
+        let measured = measured?;
+        let text = match self.format {
+            TableFormat::Text => self.text(&machine, &measured),
+            TableFormat::Csv => csv(&measured),
+            TableFormat::Json => {
+                let all = serde_json::json!({
+                    "machine": machine, "runs": self.runs, "threads": self.threads, "target": self.target,
+                    "scenes": measured,
+                });
+                format!("{all:#}\n")
+            }
+        };
+        if let Some(chart) = chart {
+            let panels: Vec<_> = measured.iter().map(Measured::panel).collect();
+            let about = format!("{machine}; medians of {} runs with their quartiles", self.runs);
+            chart.commit(chart::svg(&panels, &about).as_bytes())?;
+        }
+        output::print(text.as_bytes())
+    }
+
+    fn measure(&self, scene: &Scene, progress: &Progress) -> Result<Measured, Failure> {
+        let comparing = Comparing { reference: self.reference, runs: self.runs, threads: self.threads };
+        let comparison = compare(scene, &self.methods, comparing, || progress.advance(1));
+        let comparison = comparison.map_err(|error| Failure::machine(error.to_string()))?;
+        let best = self.target.and_then(|target| comparison.best(target)).map(|best| best.sampling.clone());
+        Ok(Measured { scene: scene.name.clone(), size: scene.camera.resolution, comparison, best })
+    }
+
+    /// A table a scene.
+    fn text(&self, machine: &Machine, measured: &[Measured]) -> String {
+        let mut text = format!("{machine}\n");
+        for scene in measured {
+            let _ = writeln!(text, "{}", title(scene));
+            let _ = writeln!(
+                text,
+                "  {:<56} {:>10} {:>10} {:>9}  {:<19} {:>9}  {:<19} front",
+                "sampling", "samples/px", "rays/px", "seconds", "(quartiles)", "rmse", "(quartiles)"
+            );
+            for outcome in &scene.comparison.outcomes {
+                text.push_str(&row(outcome));
+            }
+            if let Some(target) = self.target {
+                text.push_str(&told(scene, target));
+            }
+        }
+        text.push_str("errors in units of the scene's white; errors no greater than the reference's own say nothing\n");
+        text
+    }
+}
+
+/// Every method over its settings.
+pub fn settings() -> Vec<Sampling> {
+    let mut settings = vec![Sampling::Center];
+    settings.extend([2, 3, 4, 6, 8].map(|n| Sampling::Regular { n }));
+    settings.extend([1, 2, 4, 8].map(|n| Sampling::Shared { n }));
+    for n in [4, 16, 64] {
+        settings.extend([Sampling::Random { n }, Sampling::Stochastic { n }, Sampling::Sobol { n }]);
+    }
+    for threshold in [0.1, 0.02] {
+        settings.extend([1, 2, 3, 4].map(|depth| Sampling::Adaptive { threshold, depth }));
+    }
+    let statistical = |tolerance| Statistical { confidence: 0.95, tolerance, min: 8, max: 1024 };
+    settings.extend([0.1, 0.05, 0.02].map(|tolerance| Sampling::Statistical(statistical(tolerance))));
+    settings
+}
+
+fn title(measured: &Measured) -> String {
+    let Measured { scene, size: [width, height], comparison, .. } = measured;
+    let Comparison { reference, reference_error, .. } = comparison;
+    format!(
+        "{}, {width} x {height} pixels, against two pictures with {reference}, whose own error is {reference_error:.1e}",
+        visible(scene)
+    )
+}
+
+fn row(outcome: &Outcome) -> String {
+    let Outcome { sampling, samples_per_pixel, rays_per_pixel, seconds, rmse, is_on_front, .. } = outcome;
+    let front = if *is_on_front { " *" } else { "" };
+    let row = format!(
+        "  {sampling:<56} {samples_per_pixel:>10.2} {rays_per_pixel:>10.2} {:>9.4}  {:<19} {:>9.2e}  {:<19}{front}",
+        seconds.median,
+        format!("({:.4} {:.4})", seconds.lower, seconds.upper),
+        rmse.median,
+        format!("({:.2e} {:.2e})", rmse.lower, rmse.upper)
+    );
+    format!("{}\n", row.trim_end())
+}
+
+/// The answer to "best setting for this scene and this error".
+fn told(scene: &Measured, target: f64) -> String {
+    let doubt = match target < 2.0 * scene.comparison.reference_error {
+        true => "; the reference is hardly better itself: take one with more samples",
+        false => "",
+    };
+    match scene.comparison.best(target) {
+        Some(Outcome { sampling, seconds, rmse, .. }) => {
+            let (seconds, rmse) = (seconds.median, rmse.median);
+            format!("  best for an error of at most {target}: {sampling}, {rmse:.2e} in {seconds:.4} s{doubt}\n")
+        }
+        None => format!("  best for an error of at most {target}: none of these{doubt}\n"),
+    }
+}
+
+fn csv(measured: &[Measured]) -> String {
+    let mut text = "scene,width,height,reference,reference_error,sampling,samples_per_pixel,rays_per_pixel,seconds,\
+                    seconds_lower_quartile,seconds_upper_quartile,cpu_seconds,rmse,rmse_lower_quartile,\
+                    rmse_upper_quartile,runs,front,best\n"
+        .to_owned();
+    for Measured { scene, size: [width, height], comparison, best } in measured {
+        let Comparison { reference, reference_error, outcomes } = comparison;
+        let about = format!("{},{width},{height},{},{reference_error}", quoted(scene), quoted(reference));
+        for outcome in outcomes {
+            let Outcome {
+                sampling, samples_per_pixel, rays_per_pixel, seconds, cpu_seconds, rmse, is_on_front, ..
+            } = outcome;
+            let is_best = best.as_ref() == Some(sampling);
+            let _ = writeln!(
+                text,
+                "{about},{},{samples_per_pixel},{rays_per_pixel},{},{},{},{},{},{},{},{},{is_on_front},{is_best}",
+                quoted(sampling),
+                seconds.median,
+                seconds.lower,
+                seconds.upper,
+                cpu_seconds.median,
+                rmse.median,
+                rmse.lower,
+                rmse.upper,
+                rmse.count
+            );
+        }
+    }
+    text
+}

@@ -1,0 +1,185 @@
+//! `raywalk bench scaling`: how time and memory grow with primitives and pixels.
+
+use super::TableFormat;
+use super::machine::{Machine, peak_bytes};
+use crate::cli::failure::Failure;
+use crate::cli::options::{self, ColorChoice, TracingOptions};
+use crate::cli::{output, scene_argument};
+use clap::Args;
+use raywalk::render::ask_for_memory;
+use raywalk::study::bench::Spread;
+use raywalk::study::bench::scaling::{OfSize, OfSpheres, of_size, of_spheres};
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// How time and memory grow with the number of spheres and the size of a picture
+///
+/// Random spheres in a cube, each ten times as many as before, are built and traced on one thread; then a scene is rendered, each
+/// time in twice the width and height. `growth` is how many times as long a ray, or a pixel, takes as in the row above.
+#[derive(Args)]
+pub struct ScalingBench {
+    /// The scene whose picture grows: a file or a built-in name
+    #[arg(value_name = "SCENE", default_value = "figure-6")]
+    scene: PathBuf,
+    /// The most spheres
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(100..=4_000_000))]
+    spheres: u32,
+    /// The largest picture: pixels across and down
+    #[arg(long, value_name = "WxH", value_parser = options::size, default_value = "1280x960")]
+    size: [u32; 2],
+    /// How many passes over the rays, and how many pictures of each size, are timed
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=10_000))]
+    passes: u16,
+    /// On how many threads pictures are rendered; 0 is one a core
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=options::MAX_THREADS))]
+    threads: u16,
+    /// How to print the tables
+    #[arg(long, value_enum, default_value = "text")]
+    format: TableFormat,
+}
+
+/// A row with what is known of the whole program.
+#[derive(Serialize)]
+struct Row<T> {
+    #[serde(flatten)]
+    measured: T,
+    /// How many times as long as in the row before.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    growth: Option<f64>,
+    /// The most memory that the program has held so far.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    peak_bytes: Option<u64>,
+}
+
+/// The fewest spheres.
+const FEWEST: u32 = 100;
+
+/// How often the largest picture is halved.
+const HALVINGS: u32 = 5;
+
+impl ScalingBench {
+    /// Runs the command.
+    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        let machine = Machine::this();
+        // Before anything is measured.
+        let loaded = scene_argument::load(&self.scene, &TracingOptions::default().import(), colors)?;
+        let in_size = |size: [u32; 2]| {
+            let tracing = TracingOptions { size: Some(size), ..TracingOptions::default() };
+            tracing.apply(loaded.clone())
+        };
+        let name = in_size(self.size)?.name;
+        let [width, height] = self.size;
+        ask_for_memory([0, 0, width, height]).map_err(|error| Failure::machine(error.to_string()))?;
+        let passes = usize::from(self.passes);
+        let counts = std::iter::successors(Some(FEWEST), |count| count.checked_mul(10));
+        let of_count = |count| of_spheres(count, passes).map_err(|error| Failure::machine(error.to_string()));
+        let spheres = counts.take_while(|count| *count <= self.spheres).map(|count| of_count(count).map(Row::of));
+        let spheres = spheres.collect::<Result<Vec<_>, _>>()?;
+        let sizes = (0..=HALVINGS).rev().map(|halvings| self.size.map(|side| side >> halvings));
+        let of_size = |size: [u32; 2]| {
+            let measured = of_size(&in_size(size)?, self.threads.into(), passes);
+            measured.map(Row::of).map_err(|error| Failure::machine(error.to_string()))
+        };
+        let sizes = sizes.filter(|[width, height]| width * height > 0).map(of_size).collect::<Result<Vec<_>, _>>()?;
+        let spheres = grown(spheres, |row| row.ns_per_random_ray.median);
+        let sizes = grown(sizes, |row| row.ns_per_pixel.median);
+        let text = match self.format {
+            TableFormat::Text => text(&machine, &spheres, &name, &sizes),
+            TableFormat::Csv => csv(&spheres, &sizes),
+            TableFormat::Json => {
+                let sizes = serde_json::json!({ "scene": name, "sizes": sizes });
+                let all = serde_json::json!({ "machine": machine, "spheres": spheres, "picture": sizes });
+                format!("{all:#}\n")
+            }
+        };
+        output::print(text.as_bytes())
+    }
+}
+
+impl<T> Row<T> {
+    /// A row as soon as it is measured.
+    fn of(measured: T) -> Row<T> {
+        Row { measured, growth: None, peak_bytes: peak_bytes() }
+    }
+
+    fn peak(&self) -> String {
+        self.peak_bytes
+            .map_or_else(|| "unknown".to_owned(), |bytes| format!("{:.1}", bytes as f64 / f64::from(1 << 20)))
+    }
+
+    fn growth(&self) -> String {
+        self.growth.map_or_else(String::new, |growth| format!("{growth:.2}"))
+    }
+}
+
+/// The rows with how much each is above the one before.
+fn grown<T>(mut rows: Vec<Row<T>>, time: impl Fn(&T) -> f64) -> Vec<Row<T>> {
+    for at in 1..rows.len() {
+        rows[at].growth = Some(time(&rows[at].measured) / time(&rows[at - 1].measured));
+    }
+    rows
+}
+
+fn text(machine: &Machine, spheres: &[Row<OfSpheres>], scene: &str, sizes: &[Row<OfSize>]) -> String {
+    let mut text = format!("{machine}\nrandom spheres in a cube, one thread, processor time\n");
+    let _ = writeln!(
+        text,
+        "  {:>8} {:>9} {:>13}  {:<17} {:>13}  {:<17} {:>6} {:>9}",
+        "spheres", "build s", "ns/camera ray", "(quartiles)", "ns/random ray", "(quartiles)", "growth", "peak MiB"
+    );
+    for row in spheres {
+        let OfSpheres { spheres, build_s, ns_per_camera_ray: camera, ns_per_random_ray: random, .. } = row.measured;
+        let quartiles = |spread: Spread| format!("({:.0} {:.0})", spread.lower, spread.upper);
+        let _ = writeln!(
+            text,
+            "  {spheres:>8} {build_s:>9.4} {:>13.0}  {:<17} {:>13.0}  {:<17} {:>6} {:>9}",
+            camera.median,
+            quartiles(camera),
+            random.median,
+            quartiles(random),
+            row.growth(),
+            row.peak()
+        );
+    }
+    let _ = writeln!(text, "pictures of {}, by the clock", raywalk::scene::file::visible(scene));
+    let _ =
+        writeln!(text, "  {:>11} {:>10}  {:<17} {:>6} {:>9}", "size", "ns/pixel", "(quartiles)", "growth", "peak MiB");
+    for row in sizes {
+        let OfSize { width, height, ns_per_pixel } = row.measured;
+        let quartiles = format!("({:.0} {:.0})", ns_per_pixel.lower, ns_per_pixel.upper);
+        let _ = writeln!(
+            text,
+            "  {:>11} {:>10.0}  {quartiles:<17} {:>6} {:>9}",
+            format!("{width}x{height}"),
+            ns_per_pixel.median,
+            row.growth(),
+            row.peak()
+        );
+    }
+    text.push_str(match peak_bytes() {
+        Some(_) => "peak: the most memory of the program until then\n",
+        None => "peak: this system doesn't tell how much memory a program held\n",
+    });
+    text
+}
+
+fn csv(spheres: &[Row<OfSpheres>], sizes: &[Row<OfSize>]) -> String {
+    let mut text = "of,number,build_s,ns,ns_lower_quartile,ns_upper_quartile,growth,peak_bytes\n".to_owned();
+    let number = |number: Option<u64>| number.map(|number| number.to_string()).unwrap_or_default();
+    let growth = |growth: Option<f64>| growth.map(|growth| growth.to_string()).unwrap_or_default();
+    for row in spheres {
+        let OfSpheres { spheres, build_s, ns_per_camera_ray: camera, ns_per_random_ray: random, .. } = row.measured;
+        for (of, ns, growth) in [("camera_rays", camera, String::new()), ("random_rays", random, growth(row.growth))] {
+            let spread = format!("{},{},{}", ns.median, ns.lower, ns.upper);
+            let _ = writeln!(text, "{of},{spheres},{build_s},{spread},{growth},{}", number(row.peak_bytes));
+        }
+    }
+    for row in sizes {
+        let OfSize { width, height, ns_per_pixel: ns } = row.measured;
+        let (pixels, peak) = (u64::from(width) * u64::from(height), number(row.peak_bytes));
+        let growth = growth(row.growth);
+        let _ = writeln!(text, "pixels,{pixels},,{},{},{},{growth},{peak}", ns.median, ns.lower, ns.upper);
+    }
+    text
+}

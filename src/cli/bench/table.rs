@@ -1,0 +1,6 @@
+//! Words of tables.
+
+/// A text as a cell of CSV.
+pub fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
+}

@@ -1,0 +1,33 @@
+//! Scenes of shapes alone, for ray queries.
+
+use super::file::schema as file;
+use super::{Camera, Color, Effects, Index, Object, Sampling, Scene, build};
+use crate::geometry::Shape;
+use crate::geometry::shape::SphereMethod;
+use glam::DVec3;
+
+impl Scene {
+    /// A scene of these shapes alone, which is only asked about rays: two-sided, dark, in the default material, seen by nobody. Objects
+    /// have no names, so that a million of them cost no more than their shapes.
+    pub fn of_shapes(name: &str, shapes: impl IntoIterator<Item = Shape>) -> Scene {
+        let object = |shape| Object { name: String::new(), shape, material: 0, one_sided: false };
+        let objects: Vec<_> = shapes.into_iter().map(object).collect();
+        Scene {
+            name: name.to_owned(),
+            digest: String::new(),
+            camera: Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 45.0, [1, 1]),
+            ambient: Color::ZERO,
+            background: Color::ZERO,
+            lights: Vec::new(),
+            materials: vec![build::material(&file::Material::default())],
+            effects: Effects::default(),
+            index: Index::new(&objects),
+            objects,
+            tracing: build::tracing(&file::Tracing::default(), SphereMethod::Robust),
+            sampling: Sampling::Center,
+            seed: 0,
+            frame: None,
+            output: build::output(&file::Output::default()),
+        }
+    }
+}

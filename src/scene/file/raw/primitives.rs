@@ -1,0 +1,109 @@
+//! Meshes and spheres.
+
+use super::MAX_RAW_BYTES;
+use super::fields::{Claim, Fields};
+use crate::geometry::mesh::Mesh;
+use crate::scene::file::SceneError;
+use crate::scene::file::input::{Wanted, display_name};
+use crate::scene::file::mesh::limits::{MAX_TRIANGLES, MAX_VERTICES};
+use crate::scene::file::nff::MAX_PRIMITIVES;
+use std::path::Path;
+
+/// What rays are shot at.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Primitives {
+    /// One mesh.
+    Mesh(Mesh),
+    /// Spheres by number.
+    Spheres(Vec<RawSphere>),
+}
+
+/// A sphere as it is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RawSphere {
+    /// The centre.
+    pub center: [f32; 3],
+    /// The radius, positive.
+    pub radius: f32,
+}
+
+impl Primitives {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        match self {
+            Primitives::Mesh(mesh) => mesh.faces.len(),
+            Primitives::Spheres(spheres) => spheres.len(),
+        }
+    }
+}
+
+/// Reads `STEM.mesh`, or `STEM.spheres` where there is no such file.
+///
+/// # Errors
+/// [`SceneError::Refused`] where there is neither or the file is damaged; [`SceneError::Unreadable`] where the machine
+/// doesn't give the bytes or has no room for them.
+pub fn read_primitives(stem: &Path) -> Result<Primitives, SceneError> {
+    let named = |ending: &str| {
+        let mut path = stem.as_os_str().to_owned();
+        path.push(ending);
+        std::path::PathBuf::from(path)
+    };
+    let (mesh, spheres) = (named(".mesh"), named(".spheres"));
+    let wanted = |what| Wanted { what, max_bytes: MAX_RAW_BYTES };
+    match (mesh.exists(), spheres.exists()) {
+        (true, _) => {
+            let bytes = wanted("a raw mesh").read(&mesh)?;
+            parse_mesh(&bytes, &display_name(&mesh)).map(Primitives::Mesh)
+        }
+        (false, true) => {
+            let bytes = wanted("raw spheres").read(&spheres)?;
+            parse_spheres(&bytes, &display_name(&spheres)).map(Primitives::Spheres)
+        }
+        (false, false) => {
+            let reason = "no such scene, expected a file of that name with .mesh or .spheres behind it".to_owned();
+            Err(SceneError::Refused { file: display_name(stem), reason })
+        }
+    }
+}
+
+/// Reads a mesh.
+///
+/// # Errors
+/// [`SceneError::Refused`] where it is damaged; [`SceneError::Unreadable`] where there is no room for it.
+pub fn parse_mesh(bytes: &[u8], name: &str) -> Result<Mesh, SceneError> {
+    let mut fields = Fields::of(bytes, name, "RWMESH01", 24)?;
+    let (vertices, triangles) = (fields.u64(), fields.u64());
+    fields.must_hold(&[
+        Claim { what: "vertices", count: vertices, size: 12, most: MAX_VERTICES },
+        Claim { what: "triangles", count: triangles, size: 12, most: MAX_TRIANGLES },
+    ])?;
+    let vertex = |fields: &mut Fields, number| fields.finite::<3>("vertex", number).map(|x| x.map(f64::from).into());
+    let positions = fields.list(vertices, vertex)?;
+    let faces = fields.list(triangles, |fields, number| {
+        let corners = [(); 3].map(|()| fields.u32());
+        match corners.iter().find(|corner| u64::from(**corner) >= vertices) {
+            None => Ok(corners),
+            Some(corner) => Err(fields.refused(format!(
+                "triangle {number}: expected vertices by their numbers below {vertices}, found {corner}"
+            ))),
+        }
+    })?;
+    Ok(Mesh { positions, normals: None, faces })
+}
+
+/// Reads spheres.
+///
+/// # Errors
+/// Those of [`parse_mesh`].
+pub fn parse_spheres(bytes: &[u8], name: &str) -> Result<Vec<RawSphere>, SceneError> {
+    let mut fields = Fields::of(bytes, name, "RWSPHR01", 16)?;
+    let count = fields.u64();
+    fields.must_hold(&[Claim { what: "spheres", count, size: 16, most: MAX_PRIMITIVES }])?;
+    fields.list(count, |fields, number| {
+        let [x, y, z, radius] = fields.finite("sphere", number)?;
+        if radius > 0.0 {
+            return Ok(RawSphere { center: [x, y, z], radius });
+        }
+        Err(fields.refused(format!("sphere {number}: the radius must be positive, found {radius}")))
+    })
+}

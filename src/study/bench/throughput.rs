@@ -1,0 +1,213 @@
+//! How many rays a second are answered: whole passes over the rays of a file, which threads take from a queue.
+
+use super::Spread;
+use super::clock::{Lap, timed};
+use crate::geometry::Shape;
+use crate::geometry::shape::{Sphere, SphereMethod, TriangleMesh};
+use crate::scene::Scene;
+use crate::scene::file::raw::{Primitives, Question, RawRay, RayFile};
+use crate::trace::query::Query;
+use glam::DVec3;
+use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
+use std::io;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+
+/// How many rays a thread takes from the queue at a time.
+pub const QUEUE: usize = 4096;
+
+/// The primitive of a ray that meets none.
+pub const NOTHING: u32 = u32::MAX;
+
+/// How often the rays are traced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Passes {
+    /// So often.
+    Number(usize),
+    /// For about so many seconds, 3 to 15 times.
+    Seconds(f64),
+}
+
+/// What each ray met.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Hits {
+    /// The distances, in units of the directions; infinite where nothing is met, 0 where no distance was asked for.
+    pub t: Vec<f32>,
+    /// The triangles of a mesh, or the spheres; [`NOTHING`] where nothing is met, 0 where only that was asked.
+    pub primitive: Vec<u32>,
+}
+
+/// The speed over a file of rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Throughput {
+    /// Rays a second by the clock.
+    pub per_second: Spread,
+    /// Rays a processor second.
+    pub per_cpu_second: Spread,
+    /// How many rays met something.
+    pub hits: usize,
+    /// The sum of all distances.
+    pub t_sum: f64,
+}
+
+/// The scene of the primitives: one object for a mesh, one for each sphere. Says how long it took on so many threads to make it
+/// ready to be traced.
+///
+/// # Errors
+/// Where there are no threads to be had.
+pub fn build(name: &str, primitives: &Primitives, threads: usize) -> Result<(Scene, Lap), ThreadPoolBuildError> {
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
+    Ok(match primitives {
+        Primitives::Mesh(mesh) => {
+            let mesh = Arc::new(mesh.clone());
+            pool.install(|| timed(|| Scene::of_shapes(name, [Shape::Mesh(Arc::new(TriangleMesh::new(mesh)))])))
+        }
+        Primitives::Spheres(spheres) => {
+            let shapes = spheres.iter().map(|sphere| {
+                let center = DVec3::from_array(sphere.center.map(f64::from));
+                Shape::Sphere(Sphere::new(center, sphere.radius.into(), false, SphereMethod::Robust))
+            });
+            pool.install(|| timed(|| Scene::of_shapes(name, shapes)))
+        }
+    })
+}
+
+/// Traces the rays again and again on so many threads. `hits` holds what the last pass found.
+///
+/// # Errors
+/// Where there are no threads to be had.
+pub fn measure(
+    scene: &Scene,
+    file: &RayFile,
+    threads: usize,
+    passes: Passes,
+    hits: &mut Hits,
+) -> io::Result<Throughput> {
+    // One before it counts, which warms the caches up.
+    let first = pass(scene, file, threads, hits)?;
+    let number = match passes {
+        Passes::Number(number) => number,
+        Passes::Seconds(seconds) => (seconds / first.seconds).ceil().clamp(3.0, 15.0) as usize,
+    };
+    let laps = (0..number).map(|_| pass(scene, file, threads, hits)).collect::<io::Result<Vec<_>>>()?;
+    let rays = file.rays.len() as f64;
+    let met = || hits.t.iter().zip(&hits.primitive).filter(|(_, primitive)| **primitive != NOTHING);
+    Ok(Throughput {
+        per_second: Spread::of(laps.iter().map(|lap| lap.seconds).collect()).under(rays),
+        per_cpu_second: Spread::of(laps.iter().map(|lap| lap.cpu_seconds).collect()).under(rays),
+        hits: met().count(),
+        t_sum: met().map(|(t, _)| f64::from(*t)).sum(),
+    })
+}
+
+/// Traces all rays once.
+fn pass(scene: &Scene, file: &RayFile, threads: usize, hits: &mut Hits) -> io::Result<Lap> {
+    hits.t.resize(file.rays.len(), 0.0);
+    hits.primitive.resize(file.rays.len(), NOTHING);
+    let answers = hits.t.chunks_mut(QUEUE).zip(hits.primitive.chunks_mut(QUEUE));
+    let queue = Mutex::new(file.rays.chunks(QUEUE).zip(answers));
+    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let work = || {
+        while let Some((rays, (t, primitive))) = next() {
+            match file.question {
+                Question::Closest => closest(scene, rays, t, primitive),
+                Question::Occlusion => occluded(scene, rays, t, primitive),
+            }
+        }
+    };
+    let run = || {
+        thread::scope(|scope| {
+            for _ in 1..threads {
+                thread::Builder::new().spawn_scoped(scope, work)?;
+            }
+            work();
+            Ok(())
+        })
+    };
+    let (done, lap): (io::Result<()>, Lap) = timed(run);
+    done.map(|()| lap)
+}
+
+fn closest(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
+    for ((ray, t), primitive) in rays.iter().zip(t).zip(primitive) {
+        (*t, *primitive) = match query(ray).hit(scene) {
+            // The object of a mesh is the only one, and the primitive of a sphere its only part.
+            Some(hit) => (hit.t as f32, hit.object.max(hit.primitive)),
+            None => (f32::INFINITY, NOTHING),
+        };
+    }
+}
+
+fn occluded(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
+    for ((ray, t), primitive) in rays.iter().zip(t).zip(primitive) {
+        (*t, *primitive) = (0.0, if query(ray).is_occluded(scene) { 0 } else { NOTHING });
+    }
+}
+
+#[inline]
+fn query(ray: &RawRay) -> Query {
+    Query {
+        origin: DVec3::from_array(ray.origin.map(f64::from)),
+        direction: DVec3::from_array(ray.direction.map(f64::from)),
+        t_min: ray.t_min.into(),
+        t_max: ray.t_max.into(),
+        from: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::mesh::Mesh;
+    use crate::scene::file::raw::RawSphere;
+
+    fn ray(x: f32, t_max: f32) -> RawRay {
+        RawRay { origin: [x, 0.25, 3.0], t_min: 0.0, direction: [0.0, 0.0, -1.0], t_max }
+    }
+
+    /// More rays than a thread takes at a time: those that meet something and those that don't, in turn.
+    fn file(question: Question) -> RayFile {
+        let rays = (0..QUEUE + 100).map(|k| ray(if k % 2 == 0 { 0.25 } else { 9.0 }, f32::INFINITY)).collect();
+        RayFile { question, resolution: [0, 0], rays }
+    }
+
+    #[track_caller]
+    fn finds(primitives: &Primitives, question: Question, t: [f32; 2], primitive: u32) {
+        for threads in [1, 3] {
+            let scene = build("test", primitives, threads).map(|(scene, _)| scene);
+            let mut hits = Hits::default();
+            let measured = scene.map(|scene| measure(&scene, &file(question), threads, Passes::Number(2), &mut hits));
+            let Ok(Ok(measured)) = measured else { panic!("no threads") };
+            assert!(hits.t.chunks(2).all(|pair| pair == t), "{:?}", &hits.t[..2]);
+            assert!(hits.primitive.chunks(2).all(|pair| pair == [primitive, NOTHING]));
+            assert_eq!(measured.hits, hits.t.len() / 2);
+            assert_eq!(measured.t_sum, f64::from(t[0]) * measured.hits as f64);
+            assert_eq!(measured.per_second.count, 2);
+        }
+    }
+
+    #[test]
+    fn rays_of_all_threads_are_answered() {
+        let positions = [[9.0, 9.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(DVec3::from).to_vec();
+        let mesh = Primitives::Mesh(Mesh { positions, normals: None, faces: vec![[0, 0, 0], [1, 2, 3]] });
+        finds(&mesh, Question::Closest, [3.0, f32::INFINITY], 1);
+        finds(&mesh, Question::Occlusion, [0.0, 0.0], 0);
+        let sphere = |x| RawSphere { center: [x, 0.25, 0.0], radius: 1.0 };
+        let spheres = Primitives::Spheres(vec![sphere(-5.0), sphere(-9.0), sphere(0.25)]);
+        finds(&spheres, Question::Closest, [2.0, f32::INFINITY], 2);
+        finds(&spheres, Question::Occlusion, [0.0, 0.0], 0);
+    }
+
+    #[test]
+    fn rays_end_where_they_are_said_to_end() {
+        let sphere = RawSphere { center: [0.25, 0.25, 0.0], radius: 1.0 };
+        let Ok((scene, _)) = build("test", &Primitives::Spheres(vec![sphere]), 1) else { panic!("no threads") };
+        let rays = vec![ray(0.25, 2.0), ray(0.25, 2.0_f32.next_up())];
+        for question in [Question::Closest, Question::Occlusion] {
+            let mut hits = Hits::default();
+            let file = RayFile { question, resolution: [0, 0], rays: rays.clone() };
+            assert!(measure(&scene, &file, 1, Passes::Number(1), &mut hits).is_ok());
+            assert_eq!(hits.primitive, [NOTHING, 0], "{question:?}");
+        }
+    }
+}
