@@ -62,6 +62,9 @@ pub enum RenderError {
     /// There are no threads to be had.
     #[error("cannot start threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
+    /// There is no room for the stacks of so many threads.
+    #[error("cannot start threads: not enough memory for {0} of them")]
+    Stacks(usize),
     /// There is no memory to be had.
     #[error("not enough memory for a picture of {0} x {1} pixels")]
     Memory(u32, u32),
@@ -101,6 +104,15 @@ pub fn render(
     })
 }
 
+/// Makes sure, as far as that goes, that there is room for the stacks: a thread that has begun and finds no memory could only
+/// abort.
+fn ask_for_stacks(threads: usize) -> Result<(), RenderError> {
+    /// What a thread of the standard library gets.
+    const STACK: usize = 2 << 20;
+    let asked = Vec::<u8>::new().try_reserve_exact(threads.saturating_mul(STACK));
+    asked.map_err(|_| RenderError::Stacks(threads))
+}
+
 /// Does the work on the threads that the settings ask for.
 fn on_threads(
     settings: &Settings,
@@ -109,6 +121,7 @@ fn on_threads(
     ask_for_memory(settings.crop)?;
     // More threads than tiles would only be in each other's way; 0 stays one a core.
     let threads = settings.threads.min(tiles(settings.crop).len());
+    ask_for_stacks(threads)?;
     let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let (film, counter) = threads.install(work).ok_or(RenderError::Interrupted)?;
     Ok(Rendered { film, counts: settings.counts_rays.then_some(counter) })
