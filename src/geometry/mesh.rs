@@ -28,9 +28,10 @@ pub struct CornerNormals {
 
 impl Mesh {
     /// The corners of a triangle.
-    #[inline]
+    #[inline(always)]
     pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
-        self.faces[triangle as usize].map(|corner| self.positions[corner as usize])
+        let [a, b, c] = self.faces[triangle as usize];
+        [self.positions[a as usize], self.positions[b as usize], self.positions[c as usize]]
     }
 
     /// The normals at the corners of a triangle.

@@ -11,7 +11,7 @@ pub mod ray;
 pub mod shape;
 
 pub use bounds::Bounds;
-pub use bvh::Bvh;
+pub use bvh::{Bvh, Form, Search};
 pub use mesh::Mesh;
 pub use ray::{Crossing, Leaving, Ray, Side, Surface};
 pub use shape::Shape;

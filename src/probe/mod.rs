@@ -25,6 +25,9 @@ use glam::DVec3;
 
 /// Sees a computation as it happens.
 pub trait Probe: Sized {
+    /// Whether nothing is seen, so that what doesn't change a result needn't happen.
+    const IS_SILENT: bool = false;
+
     /// An input that the problem states, for the next event. Inputs are never altered.
     #[inline(always)]
     fn given<Q: Quantity>(&mut self, _name: Name, _value: Q) {}

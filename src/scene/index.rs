@@ -1,7 +1,8 @@
 //! Which objects a ray can meet: those without end, and those whose box it passes.
 
 use super::Object;
-use crate::geometry::bvh::Bvh;
+use crate::geometry::Bounds;
+use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::ray::Ray;
 use crate::probe::Probe;
 
@@ -17,25 +18,37 @@ const WITHOUT_TREE: usize = 8;
 impl Index {
     /// Arranges these objects.
     pub fn new(objects: &[Object]) -> Index {
-        let bounds: Vec<_> = (0..).zip(objects).map(|(object, thing)| (object, thing.shape.bounds())).collect();
-        let bounded: Vec<_> = bounds.iter().filter_map(|(object, bounds)| Some((*object, (*bounds)?))).collect();
+        let is_bounded = |object: &u32| objects[*object as usize].shape.bounds().is_some();
+        let (bounded, unbounded): (Vec<u32>, Vec<u32>) = (0..objects.len() as u32).partition(is_bounded);
         if bounded.len() <= WITHOUT_TREE {
             return Index::of_all(objects);
         }
-        let unbounded = bounds.iter().filter(|(_, bounds)| bounds.is_none()).map(|(object, _)| *object).collect();
-        Index { tree: Bvh::new(unbounded, bounded) }
+        let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
+        Index { tree: Bvh::new(unbounded, &bounded, form) }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
     pub fn of_all(objects: &[Object]) -> Index {
-        Index { tree: Bvh::new((0..objects.len() as u32).collect(), []) }
+        Index { tree: Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY)) }
     }
 
-    /// Shows `meet` every object that the ray can meet. `meet` gives the distance up to which objects still matter; a
-    /// negative one ends the search.
+    /// Shows `meet` every object that the ray can meet, near ones first. `meet` gives the distance up to which objects still
+    /// matter; a negative one ends the search.
     #[inline]
-    pub fn visit<P: Probe>(&self, ray: &Ray, probe: &mut P, mut meet: impl FnMut(u32, &mut P) -> f64) {
-        let tested = self.tree.visit(ray, |object| meet(object, probe));
+    pub fn nearest_first<P: Probe>(&self, ray: &Ray, probe: &mut P, meet: impl FnMut(u32, &mut P) -> f64) {
+        self.visit(ray, true, probe, meet);
+    }
+
+    /// The same without any order.
+    #[inline]
+    pub fn in_any_order<P: Probe>(&self, ray: &Ray, probe: &mut P, meet: impl FnMut(u32, &mut P) -> f64) {
+        self.visit(ray, false, probe, meet);
+    }
+
+    #[inline]
+    fn visit<P: Probe>(&self, ray: &Ray, nearest_first: bool, probe: &mut P, mut meet: impl FnMut(u32, &mut P) -> f64) {
+        let search = Search { nearest_first, one_by_one: probe.certifies() };
+        let tested = self.tree.visit::<P>(ray, search, |object| meet(object, probe));
         probe.bounds_tested(tested);
     }
 }

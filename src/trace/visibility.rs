@@ -41,7 +41,7 @@ fn order<P: Probe>(scene: &Scene, ray: &Ray, one: Hit, other: Hit, probe: &mut P
 pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Vec<Hit> {
     let mut hits = Vec::new();
     let mut crossings = Vec::new();
-    scene.index.visit(ray, probe, |object, probe| {
+    scene.index.in_any_order(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
         hits.extend(crossings.drain(..).map(|crossing| Hit { object, crossing }));
@@ -56,7 +56,7 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
 #[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    scene.index.visit(ray, probe, |object, probe| {
+    scene.index.nearest_first(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         if let Some(crossing) = thing.shape.first_crossing(object, thing.one_sided, ray, probe)
             && nearest.is_none_or(|hit| order(scene, ray, Hit { object, crossing }, hit, probe).is_lt())
@@ -75,7 +75,7 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
     let mut is_hit = false;
     let ray = &ray.without_distance();
-    scene.index.visit(ray, probe, |object, probe| {
+    scene.index.in_any_order(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         is_hit |= thing.shape.is_crossed(object, thing.one_sided, ray, probe);
         if is_hit { -1.0 } else { ray.t_max }
@@ -93,7 +93,7 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
-    scene.index.visit(ray, probe, |object, probe| {
+    scene.index.in_any_order(ray, probe, |object, probe| {
         let thing = &scene.objects[object as usize];
         if lets_light_pass && scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);

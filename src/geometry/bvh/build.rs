@@ -1,126 +1,257 @@
-//! Building a bounding volume hierarchy.
+//! Building the tree: from the top, by the surface area heuristic, each node cut into up to eight parts (Wald, 2007). Parts are built in
+//! parallel; the tree is the same on any number of threads.
 
-use super::{Bvh, Node, STACK};
-use crate::geometry::bounds::Bounds;
-use std::ops::Range;
+use super::block::{Block, SphereBlock, TriangleBlock};
+use super::lanes::Instructions;
+use super::node::{Box32, Child, Content, Node};
+use super::outliers::{self, Sorted};
+use super::space::Space;
+use super::split::{BLOCK, Part, Rough};
+use super::{Bvh, Form};
+use arrayvec::ArrayVec;
+use rayon::prelude::*;
 
-/// The most things in a leaf.
-const LEAF: usize = 4;
-/// In how many slices the surface area heuristic cuts a node (Wald, 2007).
-const BINS: usize = 16;
+/// The most levels of nodes. The last of them halve what they have, so that 2³⁰ things fit.
+pub(super) const MAX_LEVELS: usize = 40;
 
-/// A thing with its box.
-#[derive(Clone, Copy)]
-struct Boxed {
-    thing: u32,
-    bounds: Bounds,
+/// From this level on nodes halve.
+const HALVING: usize = 28;
+
+/// Parts of fewer things are built on one core.
+const WORTH_A_CORE: usize = 1 << 14;
+
+/// How many things are made ready at a time.
+const CHUNK: usize = 1 << 12;
+
+/// A kind of things that share blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u32)]
+pub(super) enum Kind {
+    Triangle,
+    Sphere,
+    Other,
 }
 
-/// A tree that grows over a list of things, which it puts in order.
-struct Builder {
+impl Kind {
+    /// How much of a block one takes. What shares no block has a place in a node, which costs as much.
+    #[inline(always)]
+    pub fn room(self) -> u32 {
+        match self {
+            Kind::Triangle | Kind::Sphere => 1,
+            Kind::Other => BLOCK as u32,
+        }
+    }
+}
+
+/// The things of a block, as a range of all.
+#[derive(Clone, Copy, Debug)]
+struct Leaf {
+    start: u32,
+    count: u32,
+}
+
+/// A tree that grows, or a part of it.
+#[derive(Default)]
+struct Growth {
     nodes: Vec<Node>,
-    things: Vec<Boxed>,
-    /// How many places of the order come before the tree's.
-    before: usize,
+    triangles: Vec<Leaf>,
+    spheres: Vec<Leaf>,
 }
 
 impl Bvh {
-    /// The tree over things with boxes, and things without one.
-    pub fn new(unbounded: Vec<u32>, bounded: impl IntoIterator<Item = (u32, Bounds)>) -> Bvh {
-        let boxed = |(thing, bounds): (u32, Bounds)| Boxed { thing, bounds: bounds.widened() };
-        let things: Vec<_> = bounded.into_iter().map(boxed).collect();
-        let mut builder = Builder { nodes: Vec::new(), before: unbounded.len(), things };
-        if !builder.things.is_empty() {
-            builder.build(0..builder.things.len(), 0);
+    /// The tree over these things, and things that have no box.
+    pub fn new(unbounded: Vec<u32>, things: &[u32], form: impl Fn(u32) -> Form + Sync) -> Bvh {
+        let mut bvh = Bvh { beside: unbounded, instructions: Instructions::detected(), ..Bvh::default() };
+        let bounds_of = |thing: u32| form(thing).bounds().widened();
+        let Sorted { outliers, kept, around } = outliers::sorted(things, bounds_of);
+        bvh.bounds = (!things.is_empty()).then(|| outliers.iter().fold(around, |all, far| all.union(bounds_of(*far))));
+        bvh.beside.extend(outliers);
+        if kept.is_empty() {
+            return bvh;
         }
-        let mut bvh = Bvh { nodes: builder.nodes, unbounded: unbounded.len() as u32, order: unbounded };
-        bvh.order.extend(builder.things.iter().map(|boxed| boxed.thing));
+        bvh.space = Space::around(around);
+        bvh.grow(&kept, form);
         bvh
     }
-}
 
-impl Builder {
-    /// Builds the node over a range of the order.
-    fn build(&mut self, range: Range<usize>, level: usize) {
-        let around = self.things[range.clone()].iter().fold(Bounds::EMPTY, |around, boxed| around.union(boxed.bounds));
-        let at = self.nodes.len();
-        self.nodes.push(Node { bounds: around, start: (self.before + range.start) as u32, count: range.len() as u32 });
-        if range.len() <= LEAF {
-            return;
-        }
-        // Near the end of the stack only halving is sure to end in time.
-        let cut = if level < STACK / 2 { self.best_cut(&range) } else { None };
-        let middle = match cut {
-            Some(middle) => middle,
-            None => self.halve(&range),
+    fn grow(&mut self, things: &[u32], form: impl Fn(u32) -> Form + Sync) {
+        let space = self.space;
+        let rough = |thing: &u32| {
+            let form = form(*thing);
+            let bounds = form.bounds().widened();
+            let around = Box32::around(space.point(bounds.min), space.point(bounds.max));
+            let kind = match form {
+                Form::Triangle(_) => Kind::Triangle,
+                Form::Sphere { .. } => Kind::Sphere,
+                Form::Within(_) => Kind::Other,
+            };
+            Rough { min: around.min, thing: *thing, max: around.max, kind }
         };
-        self.build(range.start..middle, level + 1);
-        self.nodes[at] = Node { bounds: around, start: self.nodes.len() as u32, count: 0 };
-        self.build(middle..range.end, level + 1);
+        let mut roughs: Vec<Rough> = things.par_iter().with_min_len(CHUNK).map(rough).collect();
+        let mut growth = Growth::default();
+        let whole = Part::of(&roughs, 0..roughs.len());
+        self.root = Some(growth.grow(&mut roughs, 0, &whole, 0));
+        self.nodes = growth.nodes;
+        let things_of =
+            |leaf: &Leaf| roughs[leaf.start as usize..][..leaf.count as usize].iter().map(|rough| rough.thing);
+        let triangles = growth.triangles.par_iter().with_min_len(CHUNK / 8);
+        let corners = |thing| if let Form::Triangle(corners) = form(thing) { Some((thing, corners)) } else { None };
+        self.triangles =
+            triangles.map(|leaf| TriangleBlock::new(&space, things_of(leaf).filter_map(corners))).collect();
+        let spheres = growth.spheres.par_iter().with_min_len(CHUNK / 8);
+        let ball = |thing| match form(thing) {
+            Form::Sphere { center, radius } => Some((thing, (center, radius))),
+            _ => None,
+        };
+        self.spheres = spheres.map(|leaf| SphereBlock::new(&space, things_of(leaf).filter_map(ball))).collect();
     }
 
-    /// Cuts the range where the surface area heuristic says so; `None` if all centres coincide in every axis or all
-    /// would land on one side.
-    fn best_cut(&mut self, range: &Range<usize>) -> Option<usize> {
-        let things = &mut self.things[range.clone()];
-        let centers = Bounds::around(things.iter().map(|boxed| boxed.bounds.center()));
-        let mut best: Option<(f64, usize, usize)> = None;
-        for axis in 0..3 {
-            let (low, width) = (centers.min[axis], centers.max[axis] - centers.min[axis]);
-            if width <= 0.0 {
-                continue;
-            }
-            let mut bins = [(Bounds::EMPTY, 0_usize); BINS];
-            for Boxed { bounds, .. } in &*things {
-                let bin = &mut bins[bin_of(bounds.center()[axis], low, width)];
-                *bin = (bin.0.union(*bounds), bin.1 + 1);
-            }
-            for (cut, cost) in cut_costs(&bins) {
-                if best.is_none_or(|(least, ..)| cost < least) {
-                    best = Some((cost, axis, cut));
-                }
-            }
+    /// All things in the tree.
+    pub(super) fn things(&self) -> impl Iterator<Item = u32> {
+        let of_nodes = self.nodes.iter().flat_map(Node::children).chain(self.root);
+        let alone = of_nodes.filter_map(|child| match child.content() {
+            Content::Thing(thing) => Some(thing),
+            _ => None,
+        });
+        let triangles = self.triangles.iter().flat_map(|block| block.used_things());
+        let spheres = self.spheres.iter().flat_map(|block| block.used_things());
+        alone.chain(triangles).chain(spheres)
+    }
+}
+
+impl Growth {
+    /// Builds what holds these things, which come after `before` others.
+    fn grow(&mut self, things: &mut [Rough], before: usize, part: &Part, level: usize) -> Child {
+        if let Some(leaf) = self.leaf(things, before, part) {
+            return leaf;
         }
-        let (_, axis, cut) = best?;
-        let (low, width) = (centers.min[axis], centers.max[axis] - centers.min[axis]);
-        let is_left = |boxed: &Boxed| bin_of(boxed.bounds.center()[axis], low, width) < cut;
-        // Stable, so that the tree doesn't depend on how it was sorted.
-        things.sort_by_key(|boxed| !is_left(boxed));
-        let left = things.iter().filter(|boxed| is_left(boxed)).count();
-        (0 < left && left < range.len()).then_some(range.start + left)
+        let mut parts: ArrayVec<Part, 8> = ArrayVec::new();
+        parts.push(part.clone());
+        while !parts.is_full() {
+            let size = |part: &Part| if level < HALVING { part.half_area() } else { part.len() as f32 };
+            let open = (0..parts.len()).filter(|at| !parts[*at].is_leaf(things));
+            let Some(at) = open.max_by(|a, b| size(&parts[*a]).total_cmp(&size(&parts[*b]))) else { break };
+            let [one, other] = parts[at].split(things, level >= HALVING);
+            parts[at] = one;
+            parts.push(other);
+        }
+        // Shadow rays look at the largest first.
+        parts.sort_by(|a, b| b.half_area().total_cmp(&a.half_area()));
+        let place = self.nodes.len();
+        self.nodes.push(Node::EMPTY);
+        let children = self.grow_parts(things, before, &parts, level + 1);
+        for (lane, (part, child)) in parts.iter().zip(children).enumerate() {
+            self.nodes[place].set(lane, &part.around(), child);
+        }
+        Child::new(Content::Node(place as u32))
     }
 
-    /// Cuts the range into halves along the longest side of its centres.
-    fn halve(&mut self, range: &Range<usize>) -> usize {
-        let center = |boxed: &Boxed| boxed.bounds.center();
-        let things = &mut self.things[range.clone()];
-        let centers = Bounds::around(things.iter().map(center));
-        let side = centers.max - centers.min;
-        let axis = (0..3).fold(0, |longest, axis| if side[axis] > side[longest] { axis } else { longest });
-        things.sort_by(|a, b| center(a)[axis].total_cmp(&center(b)[axis]).then(a.thing.cmp(&b.thing)));
-        range.start + range.len() / 2
+    fn grow_parts(&mut self, things: &mut [Rough], before: usize, parts: &[Part], level: usize) -> ArrayVec<Child, 8> {
+        if things.len() < WORTH_A_CORE {
+            let grow = |part: &Part| {
+                let (range, inner) = (part.range(), part.as_whole());
+                self.grow(&mut things[range.clone()], before + range.start, &inner, level)
+            };
+            return parts.iter().map(grow).collect();
+        }
+        let grow = |(part, things): (&Part, &mut [Rough])| {
+            let mut growth = Growth::default();
+            let child = growth.grow(things, before + part.range().start, &part.as_whole(), level);
+            (growth, child)
+        };
+        let grown: Vec<(Growth, Child)> = parts.par_iter().zip(slices(things, parts)).map(grow).collect();
+        grown.into_iter().map(|(growth, child)| self.take_over(growth, child)).collect()
+    }
+
+    /// Takes over what was grown elsewhere.
+    fn take_over(&mut self, other: Growth, root: Child) -> Child {
+        let before = [self.nodes.len(), self.triangles.len(), self.spheres.len()].map(|count| count as u32);
+        self.nodes.extend(other.nodes.into_iter().map(|node| node.moved(before)));
+        self.triangles.extend(other.triangles);
+        self.spheres.extend(other.spheres);
+        root.moved(before)
+    }
+
+    /// The leaf that holds these things, if one can.
+    fn leaf(&mut self, things: &[Rough], before: usize, part: &Part) -> Option<Child> {
+        if !part.is_leaf(things) {
+            return None;
+        }
+        let range = part.range();
+        let leaf = Leaf { start: (before + range.start) as u32, count: range.len() as u32 };
+        let content = match things[range.start].kind {
+            Kind::Triangle => Content::Triangles(put(&mut self.triangles, leaf)),
+            Kind::Sphere => Content::Spheres(put(&mut self.spheres, leaf)),
+            Kind::Other => Content::Thing(things[range.start].thing),
+        };
+        Some(Child::new(content))
     }
 }
 
-fn bin_of(center: f64, low: f64, width: f64) -> usize {
-    (((center - low) / width * BINS as f64) as usize).min(BINS - 1)
+fn put(leaves: &mut Vec<Leaf>, leaf: Leaf) -> u32 {
+    leaves.push(leaf);
+    leaves.len() as u32 - 1
 }
 
-/// The cost of each cut between two bins: area times number, left and right.
-fn cut_costs(bins: &[(Bounds, usize); BINS]) -> impl Iterator<Item = (usize, f64)> {
-    let mut right_costs = [0.0; BINS];
-    let (mut around, mut count) = (Bounds::EMPTY, 0);
-    for cut in (1..BINS).rev() {
-        around = around.union(bins[cut].0);
-        count += bins[cut].1;
-        right_costs[cut] = if count == 0 { f64::INFINITY } else { around.half_area() * count as f64 };
+/// The things of each part, in the order of the parts.
+fn slices<'t>(things: &'t mut [Rough], parts: &[Part]) -> Vec<&'t mut [Rough]> {
+    let mut by_place: Vec<usize> = (0..parts.len()).collect();
+    by_place.sort_by_key(|at| parts[*at].range().start);
+    let mut slices: Vec<(usize, &mut [Rough])> = Vec::new();
+    let mut rest = things;
+    for at in by_place {
+        let (slice, after) = rest.split_at_mut(parts[at].len());
+        slices.push((at, slice));
+        rest = after;
     }
-    let bins = *bins;
-    let (mut around, mut count) = (Bounds::EMPTY, 0);
-    (1..BINS).map(move |cut| {
-        around = around.union(bins[cut - 1].0);
-        count += bins[cut - 1].1;
-        let left = if count == 0 { f64::INFINITY } else { around.half_area() * count as f64 };
-        (cut, left + right_costs[cut])
-    })
+    slices.sort_by_key(|(at, _)| *at);
+    slices.into_iter().map(|(_, slice)| slice).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::bounds::Bounds;
+    use glam::DVec3;
+
+    fn ball(thing: u32) -> Form {
+        let place = |k: u32| f64::from(thing.wrapping_mul(k) >> 12) / 1e5;
+        let center = DVec3::new(place(2_654_435_761), place(2_246_822_519), place(3_266_489_917));
+        if thing % 5 == 0 {
+            Form::Within(Bounds::around([center, center + 0.1]))
+        } else {
+            Form::Sphere { center, radius: 0.1 }
+        }
+    }
+
+    fn on_threads(count: usize, things: &[u32]) -> Option<Bvh> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().ok()?;
+        Some(pool.install(|| Bvh::new(Vec::new(), things, ball)))
+    }
+
+    #[test]
+    fn the_tree_is_the_same_on_any_number_of_threads() {
+        let things: Vec<u32> = (0..3 * WORTH_A_CORE as u32).collect();
+        let tree = on_threads(1, &things);
+        assert!(tree.is_some() && tree == on_threads(3, &things));
+    }
+
+    #[test]
+    fn everything_is_in_the_tree_once() {
+        for count in [1, 7, 9, 1000] {
+            let things: Vec<u32> = (0..count).collect();
+            let tree = Bvh::new(Vec::new(), &things, ball);
+            let mut found: Vec<u32> = tree.things().collect();
+            found.sort_unstable();
+            assert_eq!(found, things);
+        }
+    }
+
+    #[test]
+    fn things_in_one_place_make_a_tree() {
+        let things: Vec<u32> = (0..5000).collect();
+        let tree = Bvh::new(Vec::new(), &things, |_| Form::Sphere { center: DVec3::ONE, radius: 1.0 });
+        assert_eq!(tree.things().count(), 5000);
+        assert!(tree.spheres.len() < 1300, "{} blocks", tree.spheres.len());
+    }
 }

@@ -17,9 +17,8 @@ impl Fan {
     pub fn new(corners: &[DVec3], normals: &[[f64; 3]], outline: &[DVec2]) -> Fan {
         let normals: Vec<DVec3> = normals.iter().copied().map(DVec3::from).collect();
         let normal = |corner: usize| normals.get(corner).copied().unwrap_or_default();
-        let triangle = |[a, b, c]: [usize; 3]| {
-            (Facet { a: corners[a], b: corners[b], c: corners[c] }, [normal(a), normal(b), normal(c)])
-        };
+        let triangle =
+            |[a, b, c]: [usize; 3]| (Facet::new(corners[a], corners[b], corners[c]), [normal(a), normal(b), normal(c)]);
         Fan { triangles: triangles(outline).into_iter().map(triangle).collect() }
     }
 
@@ -27,7 +26,7 @@ impl Fan {
     /// of them it is the one that it is least outside of.
     pub fn triangle_at(&self, point: DVec3) -> Option<(&Facet, &[DVec3; 3])> {
         let depth = |facet: &Facet| {
-            let [w_a, w_b, w_c] = facet.weights(facet.normal(), point);
+            let [w_a, w_b, w_c] = facet.weights(facet.normal, point);
             w_a.min(w_b).min(w_c)
         };
         let rated = self.triangles.iter().map(|(facet, normals)| (depth(facet), facet, normals));

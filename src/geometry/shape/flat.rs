@@ -113,6 +113,40 @@ pub(super) fn kept_in_box<P: Probe>(
     names: &BoxNames,
     probe: &mut P,
 ) -> Option<f64> {
+    if is_surely_within(bounds, ray, quotient) {
+        return Some(t);
+    }
+    kept_in_interval(bounds, ray, t, quotient, names, probe)
+}
+
+/// Whether the point at this distance lies so clearly within the widened box that the distance is between those where the ray enters and
+/// leaves it.
+///
+/// The box is wider by 16 roundings of its largest coordinate. The point on the other hand errs by one of the product and one of the sum,
+/// which are at most two of |O| + 2·|P|. A side of the box that the exact point doesn't pass isn't passed before t by what
+/// [`Bounds::interval`] computes either, which errs to the outside.
+#[inline(always)]
+fn is_surely_within(bounds: Bounds, ray: &Ray, t: f64) -> bool {
+    const ROUNDING: f64 = 0.5 * f64::EPSILON;
+    let Bounds { min, max } = bounds;
+    let point = ray.origin + ray.direction * t;
+    let largest = min.abs().max(max.abs()).max_element();
+    let of_point = ray.origin.abs().max_element() + 2.0 * point.abs().max_element();
+    // What is left of the 16 is for the roundings of the sides.
+    let margin = (12.0 * largest - 2.0 * of_point) * ROUNDING;
+    point.cmpge(min - margin).all() && point.cmple(max + margin).all()
+}
+
+/// The rest of [`kept_in_box`].
+#[inline(never)]
+fn kept_in_interval<P: Probe>(
+    bounds: Bounds,
+    ray: &Ray,
+    t: f64,
+    quotient: f64,
+    names: &BoxNames,
+    probe: &mut P,
+) -> Option<f64> {
     let [near, far] = bounds.widened().interval(&Slabs::new(ray));
     if near > far {
         probe.mark(Decision::Miss { why: Miss::Beside });

@@ -8,13 +8,15 @@ mod left;
 use super::Approach;
 use super::triangle::Facet;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::bvh::Bvh;
+use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::Step;
 use crate::probe::Probe;
+use glam::DVec3;
 use left::LeftTriangle;
+use rayon::prelude::*;
 use std::sync::Arc;
 
 /// A mesh, ready to be met by rays. A crossing's primitive is the triangle's number in the mesh.
@@ -22,15 +24,25 @@ use std::sync::Arc;
 pub struct TriangleMesh {
     mesh: Arc<Mesh>,
     tree: Bvh,
+    /// The normals of the triangles, as [`Facet`] has them.
+    normals: Vec<DVec3>,
 }
+
+const NEAREST_FIRST: bool = true;
+const IN_ANY_ORDER: bool = false;
 
 impl TriangleMesh {
     /// Builds the tree. Triangles without area are left out of it.
     pub fn new(mesh: Arc<Mesh>) -> TriangleMesh {
         let has_area = |triangle: &u32| !mesh.is_degenerate(*triangle);
-        let solid = (0..mesh.faces.len() as u32).filter(has_area);
-        let tree = Bvh::new(Vec::new(), solid.map(|triangle| (triangle, mesh.bounds_of(triangle))));
-        TriangleMesh { mesh, tree }
+        let solid: Vec<u32> = (0..mesh.faces.len() as u32).into_par_iter().filter(has_area).collect();
+        let tree = Bvh::new(Vec::new(), &solid, |triangle| Form::Triangle(mesh.corners(triangle)));
+        let normal = |triangle| {
+            let [a, b, c] = mesh.corners(triangle);
+            Facet::new(a, b, c).normal
+        };
+        let normals = (0..mesh.faces.len() as u32).into_par_iter().map(normal).collect();
+        TriangleMesh { mesh, tree, normals }
     }
 
     /// The triangles.
@@ -41,7 +53,7 @@ impl TriangleMesh {
     /// The first point where the ray crosses object `object` of this shape; of several triangles there, on the first.
     pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
         let mut nearest: Option<Crossing> = None;
-        self.visit(object, one_sided, ray, probe, |crossing| {
+        self.visit(object, one_sided, ray, NEAREST_FIRST, probe, |crossing| {
             if nearest.is_none_or(|best| (crossing.t, crossing.primitive) < (best.t, best.primitive)) {
                 nearest = Some(crossing);
             }
@@ -53,7 +65,7 @@ impl TriangleMesh {
     /// Whether the ray crosses the object at all. Ends with the first triangle that is found.
     pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> bool {
         let mut is_crossed = false;
-        self.visit(object, one_sided, ray, probe, |_| {
+        self.visit(object, one_sided, ray, IN_ANY_ORDER, probe, |_| {
             is_crossed = true;
             -1.0
         });
@@ -70,7 +82,7 @@ impl TriangleMesh {
         probe: &mut P,
     ) {
         let before = found.len();
-        self.visit(object, one_sided, ray, probe, |crossing| {
+        self.visit(object, one_sided, ray, IN_ANY_ORDER, probe, |crossing| {
             found.push(crossing);
             ray.t_max
         });
@@ -100,6 +112,7 @@ impl TriangleMesh {
         object: u32,
         one_sided: bool,
         ray: &Ray,
+        nearest_first: bool,
         probe: &mut P,
         mut meet: impl FnMut(Crossing) -> f64,
     ) {
@@ -107,17 +120,23 @@ impl TriangleMesh {
         let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, leaving.primitive, ray));
         let approach = Approach { leaving: None, one_sided };
         let mut t_max = ray.t_max;
-        let tested = self.tree.visit(ray, |triangle| {
-            let is_out_of_reach = left.as_ref().is_some_and(|left| left.bars(&self.mesh, triangle, ray));
-            if !is_out_of_reach && let Some(crossing) = self.test(object, triangle, ray, approach, probe) {
-                t_max = meet(crossing);
-            }
-            t_max
-        });
+        let search = Search { nearest_first, one_by_one: probe.certifies() };
+        let tested = self.tree.visit::<P>(
+            ray,
+            search,
+            #[inline(always)]
+            |triangle| {
+                let is_out_of_reach = left.as_ref().is_some_and(|left| left.bars(&self.mesh, triangle, ray));
+                if !is_out_of_reach && let Some(crossing) = self.test(object, triangle, ray, approach, probe) {
+                    t_max = meet(crossing);
+                }
+                t_max
+            },
+        );
         probe.bounds_tested(tested);
     }
 
-    #[inline]
+    #[inline(always)]
     fn test<P: Probe>(
         &self,
         object: u32,
@@ -129,13 +148,17 @@ impl TriangleMesh {
         let facet = self.facet(triangle);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
-        probe.within(step, |probe| facet.crossing(ray, approach, triangle, probe))
+        probe.within(
+            step,
+            #[inline(always)]
+            |probe| facet.crossing(ray, approach, triangle, probe),
+        )
     }
 
-    #[inline]
+    #[inline(always)]
     fn facet(&self, triangle: u32) -> Facet {
         let [a, b, c] = self.mesh.corners(triangle);
-        Facet { a, b, c }
+        Facet { a, b, c, normal: self.normals[triangle as usize] }
     }
 }
 

@@ -33,6 +33,7 @@ pub use sphere::{Sphere, SphereMethod};
 pub use triangle::Triangle;
 
 use super::bounds::Bounds;
+use super::bvh::Form;
 use super::doubled::Doubled;
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Step};
@@ -255,6 +256,15 @@ impl Shape {
     /// A box around the shape; `None` for one without end.
     pub fn bounds(&self) -> Option<Bounds> {
         kernel!(self, kernel => kernel.bounds(), mesh => mesh.bounds())
+    }
+
+    /// What a tree over shapes knows of this one; `None` for one without end.
+    pub fn form(&self) -> Option<Form> {
+        match self {
+            Shape::Sphere(sphere) => sphere.form(),
+            Shape::Triangle(triangle) => Some(Form::Triangle(triangle.corners())),
+            _ => self.bounds().map(Form::Within),
+        }
     }
 
     /// Points whose convex hull holds the shape, no larger than the shape is narrow; `None` for a shape without end.

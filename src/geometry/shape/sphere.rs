@@ -7,6 +7,7 @@ use super::doubled_chord::{DoubledChord, Doubt, corrected};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::length;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::bvh::Form;
 use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
@@ -93,6 +94,14 @@ impl Sphere {
             SphereMethod::Geometric => Doubt::NONE,
         };
         Sphere { center, radius, radius_squared, per_radius_squared: 1.0 / radius_squared, doubt, method, outer }
+    }
+
+    /// What a tree knows of it. The method of the source text may err by more than a tree allows for.
+    pub(super) fn form(&self) -> Option<Form> {
+        match self.method {
+            SphereMethod::Robust => Some(Form::Sphere { center: self.center, radius: self.radius }),
+            SphereMethod::Geometric => self.bounds().map(Form::Within),
+        }
     }
 
     /// The chord, unless the ray's line passes beside the sphere or the sphere lies behind the origin.

@@ -27,7 +27,7 @@ pub struct Triangle {
     normals: Option<[DVec3; 3]>,
 }
 
-/// The kernel of a triangle: its three corners. It is cheap to make from them when it is wanted.
+/// The kernel of a triangle: its three corners, and what is made of them once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::geometry) struct Facet {
     /// The first corner.
@@ -36,6 +36,8 @@ pub(in crate::geometry) struct Facet {
     pub b: DVec3,
     /// The third one.
     pub c: DVec3,
+    /// N_t = (B − A) × (C − A), with all its digits; zero for a triangle without area, which no ray meets.
+    pub normal: DVec3,
 }
 
 const PLANE: PlaneNames = PlaneNames { v_d: Name::TriangleVd, v_o: Name::TriangleVo, t: Name::TriangleT };
@@ -50,12 +52,12 @@ impl Triangle {
     /// The triangle with these corners; with normals there its shading is smooth.
     pub fn new(vertices: [[f64; 3]; 3], normals: Option<[[f64; 3]; 3]>) -> Triangle {
         let [a, b, c] = vertices.map(DVec3::from);
-        Triangle { facet: Facet { a, b, c }, normals: normals.map(|normals| normals.map(DVec3::from)) }
+        Triangle { facet: Facet::new(a, b, c), normals: normals.map(|normals| normals.map(DVec3::from)) }
     }
 
     /// The barycentric coordinates of a point of the triangle's plane, which aren't finite where there is no area.
     pub fn weights(&self, point: DVec3) -> [f64; 3] {
-        self.facet.weights(self.facet.normal(), point)
+        self.facet.weights(self.facet.normal, point)
     }
 }
 
@@ -84,6 +86,11 @@ impl Kernel for Triangle {
 }
 
 impl Facet {
+    /// The kernel of the triangle with these corners.
+    pub fn new(a: DVec3, b: DVec3, c: DVec3) -> Facet {
+        Facet { a, b, c, normal: area_normal(a, b, c) }
+    }
+
     /// The corners, for the log.
     #[inline]
     pub fn give<P: Probe>(&self, probe: &mut P) {
@@ -93,13 +100,14 @@ impl Facet {
     }
 
     /// Where the ray crosses the triangle, which has this number in its mesh; marks the decision.
-    #[inline]
+    // Several times the work of a call, and of the results that it would return through memory.
+    #[inline(always)]
     pub fn crossing<P: Probe>(&self, ray: &Ray, approach: Approach, number: u32, probe: &mut P) -> Option<Crossing> {
         if !self.edges(ray, probe).is_some_and(is_inside) {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
         }
-        let normal = self.normal();
+        let normal = self.normal;
         probe.given(Name::TriangleNormal, normal);
         let plane = if probe.certifies() && is_in_doubt_along(ray, normal, self.a) {
             self.meet_doubled(ray, probe)?
@@ -114,7 +122,7 @@ impl Facet {
     /// Where the ray meets the triangle's plane, with twice the digits.
     #[cold]
     #[inline(never)]
-    fn meet_doubled<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<PlaneHit> {
+    fn meet_doubled<P: Probe>(self, ray: &Ray, probe: &mut P) -> Option<PlaneHit> {
         probe.fallback();
         let (v_d, distance) = self.doubled_distance(ray);
         let t = distance.value();
@@ -127,7 +135,7 @@ impl Facet {
     }
 
     /// V_d for the ray's vector, in units that are nobody's, and the distance to the triangle's plane.
-    fn doubled_distance(&self, ray: &Ray) -> (Doubled, Doubled) {
+    fn doubled_distance(self, ray: &Ray) -> (Doubled, Doubled) {
         let [along_b, along_c] = [self.b, self.c].map(|corner| Doubled3::difference(corner, self.a));
         let to_a = Doubled3::difference(self.a, ray.origin);
         // Powers of two keep the products of three lengths in range.
@@ -155,7 +163,7 @@ impl Facet {
     ) -> Surface {
         let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);
         let side = crossing.side;
-        let unit_normal = unit(self.normal());
+        let unit_normal = unit(self.normal);
         probe.given(Name::TriangleUnitNormal, unit_normal);
         let Some(normals) = normals else {
             let normal = toward(side, unit_normal, Name::HitNormalTriangle, Name::HitNormalTriangleBack, probe);
@@ -176,7 +184,7 @@ impl Facet {
         geometric_normal: DVec3,
         probe: &mut P,
     ) -> DVec3 {
-        let normal = self.normal();
+        let normal = self.normal;
         let [w_a, w_b, _] = self.weights(normal, point);
         let [n_a, n_b, n_c] = *normals;
         self.give(probe);
@@ -221,19 +229,15 @@ impl Facet {
         [w_a, w_b, 1.0 - w_a - w_b]
     }
 
-    /// N_t = (B − A) × (C − A), with all its digits; zero for a triangle without area, which no ray meets.
-    pub fn normal(&self) -> DVec3 {
-        area_normal(self.a, self.b, self.c)
-    }
-
     /// The least box around the triangle.
+    #[inline(always)]
     pub fn bounds(&self) -> Bounds {
-        Bounds::around([self.a, self.b, self.c])
+        Bounds { min: self.a.min(self.b).min(self.c), max: self.a.max(self.b).max(self.c) }
     }
 
     /// The edge functions, named after the corner over against the edge; `None` where their products overflow. Their sum is
     /// −N_t · d. Where rounding may have changed a sign they are those of the ray's vector, with their right signs.
-    #[inline]
+    #[inline(always)]
     fn edges<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<[f64; 3]> {
         let [to_a, to_b, to_c] = [self.a, self.b, self.c].map(|corner| corner - ray.origin);
         let edge_a = edge_function(ray.direction, to_c, to_b);
@@ -256,7 +260,7 @@ impl Facet {
     /// The edge functions of the ray's vector without error.
     #[cold]
     #[inline(never)]
-    fn exact_edges<P: Probe>(&self, ray: &Ray, probe: &mut P) -> [f64; 3] {
+    fn exact_edges<P: Probe>(self, ray: &Ray, probe: &mut P) -> [f64; 3] {
         probe.fallback();
         let corners = [self.a, self.b, self.c].map(|corner| Doubled3::difference(corner, ray.origin));
         let size = exponent(corners.iter().map(|corner| corner.size()).fold(0.0, f64::max));
@@ -301,7 +305,7 @@ mod tests {
     const APPROACH: Approach = Approach { leaving: None, one_sided: false };
 
     fn facet() -> Facet {
-        Facet { a: DVec3::ZERO, b: DVec3::X, c: DVec3::Y }
+        Facet::new(DVec3::ZERO, DVec3::X, DVec3::Y)
     }
 
     #[test]
@@ -325,17 +329,17 @@ mod tests {
     fn exchanged_corners_negate_an_edge_exactly() {
         let origin = DVec3::new(0.3, -0.7, 11.1);
         let ray = Ray::new(origin, DVec3::new(0.1, 0.2, -0.9));
-        let one = Facet { a: DVec3::new(0.1, 0.2, 0.3), b: DVec3::new(1.7, 0.3, -0.2), c: DVec3::new(0.2, 1.9, 0.7) };
-        let other = Facet { a: one.b, b: one.a, c: DVec3::new(3.3, 2.2, 1.1) };
+        let one = Facet::new(DVec3::new(0.1, 0.2, 0.3), DVec3::new(1.7, 0.3, -0.2), DVec3::new(0.2, 1.9, 0.7));
+        let other = Facet::new(one.b, one.a, DVec3::new(3.3, 2.2, 1.1));
         let edge = |facet: Facet| facet.edges(&ray, &mut Silent).map(|[_, _, edge_c]| edge_c);
         assert_eq!(edge(one), edge(other).map(|edge| -edge));
     }
 
     #[test]
     fn weights_of_the_corners_are_one_and_zero() {
-        let facet = Facet { a: DVec3::ZERO, b: DVec3::X * 4.0, c: DVec3::Y * 2.0 };
-        assert_eq!(facet.weights(facet.normal(), facet.a), [1.0, 0.0, 0.0]);
-        assert_eq!(facet.weights(facet.normal(), facet.b), [0.0, 1.0, 0.0]);
-        assert_eq!(facet.weights(facet.normal(), facet.c), [0.0, 0.0, 1.0]);
+        let facet = Facet::new(DVec3::ZERO, DVec3::X * 4.0, DVec3::Y * 2.0);
+        assert_eq!(facet.weights(facet.normal, facet.a), [1.0, 0.0, 0.0]);
+        assert_eq!(facet.weights(facet.normal, facet.b), [0.0, 1.0, 0.0]);
+        assert_eq!(facet.weights(facet.normal, facet.c), [0.0, 0.0, 1.0]);
     }
 }

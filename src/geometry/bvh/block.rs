@@ -1,0 +1,224 @@
+//! Leaves: blocks of eight triangles or spheres in single precision, and the conservative tests that sort out which of them a ray can
+//! meet. `docs/acceleration.md` derives the margins.
+
+use super::lanes::{Eight, Lanes};
+use super::space::{LocalRay, Space, U, up};
+use glam::DVec3;
+
+/// What stands in for a thing in an unused lane.
+const NOTHING: u32 = u32::MAX;
+
+/// Eight triangles: a corner of each, and two edges from it.
+#[derive(Clone, Debug)]
+#[repr(C, align(32))]
+pub(super) struct TriangleBlock {
+    corner: [Eight; 3],
+    to_b: [Eight; 3],
+    to_c: [Eight; 3],
+    things: [u32; 8],
+    /// At least as long as each of these edges.
+    longest: f32,
+}
+
+/// Eight spheres.
+#[derive(Clone, Debug)]
+#[repr(C, align(32))]
+pub(super) struct SphereBlock {
+    center: [Eight; 3],
+    radius: Eight,
+    things: [u32; 8],
+}
+
+/// What blocks have in common.
+pub(super) trait Block: Sized {
+    /// What a lane is made of.
+    type Form;
+
+    /// The block of these things, eight at most.
+    fn new(space: &Space, things: impl Iterator<Item = (u32, Self::Form)>) -> Self;
+
+    /// The things of all lanes.
+    fn things(&self) -> [u32; 8];
+
+    /// A bit for each lane that is used.
+    fn used(&self) -> u32 {
+        let things = self.things();
+        (0..8).fold(0, |bits, lane| bits | u32::from(things[lane] != NOTHING) << lane)
+    }
+
+    /// The things of the lanes that are used.
+    fn used_things(&self) -> impl Iterator<Item = u32> {
+        self.things().into_iter().filter(|thing| *thing != NOTHING)
+    }
+
+    /// A bit for each lane that the ray may meet by `t_max`. Errs on the side of meeting.
+    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight) -> u32;
+}
+
+/// A ray, ready for the things of leaves.
+#[derive(Clone, Copy)]
+pub(super) struct LeafRay<L: Lanes> {
+    origin: [L::Eight; 3],
+    direction: [L::Eight; 3],
+    t_min: L::Eight,
+    slack: f32,
+}
+
+impl<L: Lanes> LeafRay<L> {
+    #[inline(always)]
+    pub fn new(lanes: L, ray: &LocalRay) -> LeafRay<L> {
+        let splat = |numbers: [f32; 3]| numbers.map(|x| lanes.splat(x));
+        let t_min = lanes.splat(ray.t_min);
+        LeafRay { origin: splat(ray.origin), direction: splat(ray.direction), t_min, slack: ray.slack }
+    }
+}
+
+/// Sets the lanes of some things, and says which they are.
+fn lanes_of<F>(things: impl Iterator<Item = (u32, F)>, mut set: impl FnMut(usize, F)) -> [u32; 8] {
+    let mut numbers = [NOTHING; 8];
+    for (lane, (thing, form)) in things.take(8).enumerate() {
+        numbers[lane] = thing;
+        set(lane, form);
+    }
+    numbers
+}
+
+fn set(eights: &mut [Eight; 3], lane: usize, vector: DVec3) {
+    for axis in 0..3 {
+        eights[axis][lane] = vector[axis] as f32;
+    }
+}
+
+/// Lanes that pass no test.
+const UNUSED: [Eight; 3] = [[f32::NAN; 8]; 3];
+
+impl Block for TriangleBlock {
+    type Form = [DVec3; 3];
+
+    fn new(space: &Space, things: impl Iterator<Item = (u32, [DVec3; 3])>) -> TriangleBlock {
+        let (mut corner, mut to_b, mut to_c) = (UNUSED, UNUSED, UNUSED);
+        let mut longest: f64 = 0.0;
+        let things = lanes_of(things, |lane, [a, b, c]: [DVec3; 3]| {
+            let [b, c] = [b, c].map(|end| DVec3::from_array((end - a).to_array().map(|x| space.length(x))));
+            longest = longest.max(b.dot(b)).max(c.dot(c));
+            set(&mut corner, lane, space.point(a));
+            set(&mut to_b, lane, b);
+            set(&mut to_c, lane, c);
+        });
+        TriangleBlock { corner, to_b, to_c, things, longest: up(longest.sqrt()) }
+    }
+
+    #[inline(always)]
+    fn things(&self) -> [u32; 8] {
+        self.things
+    }
+
+    /// Möller and Trumbore's test (1997) of the ray's line, and of the distance where the ray isn't along the triangle.
+    #[inline(always)]
+    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight) -> u32 {
+        let load = |eights: &[Eight; 3]| [lanes.load(&eights[0]), lanes.load(&eights[1]), lanes.load(&eights[2])];
+        let (corner, to_b, to_c) = (load(&self.corner), load(&self.to_b), load(&self.to_c));
+        let seen: [_; 3] = std::array::from_fn(|axis| lanes.sub(ray.origin[axis], corner[axis]));
+        let across = lanes.cross(ray.direction, to_c);
+        let det = lanes.dot(to_b, across);
+        let turned = lanes.cross(seen, to_b);
+        let of_b = lanes.negated_as(lanes.dot(seen, across), det);
+        let of_c = lanes.negated_as(lanes.dot(ray.direction, turned), det);
+        let size = lanes.negated_as(det, det);
+        let of_a = lanes.sub(lanes.sub(size, of_b), of_c);
+        let (e, slack) = (self.longest, ray.slack);
+        let margin = lanes.splat(-e * (OF_WEIGHT + 2.0 * slack + PARALLEL * e));
+        let margin_a = lanes.splat(-e * (OF_LAST_WEIGHT + 4.0 * slack + (PARALLEL + 16.0 * U) * e));
+        let inside = lanes.at_least(lanes.min(of_b, of_c), margin) & lanes.at_least(of_a, margin_a);
+        if inside == 0 {
+            return 0;
+        }
+        let distance = lanes.negated_as(lanes.dot(to_c, turned), det);
+        let e2 = e * e;
+        let at = lanes.splat(e2 * (OF_DISTANCE + 2.0 * slack));
+        let by_t = lanes.splat(e2 * PARALLEL);
+        let size_of = |t| lanes.max(t, lanes.sub(lanes.splat(0.0), t));
+        let lower = lanes.sub(lanes.sub(lanes.mul(size, ray.t_min), at), lanes.mul(by_t, size_of(ray.t_min)));
+        let upper = lanes.add(lanes.add(lanes.mul(size, t_max), at), lanes.mul(by_t, size_of(t_max)));
+        let within = lanes.at_least(distance, lower) & lanes.at_least(upper, distance);
+        inside & (within | lanes.at_least(by_t, size))
+    }
+}
+
+/// The error of a weight, as a part of the longest edge.
+const OF_WEIGHT: f32 = 50.0 * U;
+
+/// The error of the weight that is the rest of the others.
+const OF_LAST_WEIGHT: f32 = 112.0 * U;
+
+/// The error of the distance times the determinant, as a part of the square of the longest edge.
+const OF_DISTANCE: f32 = 48.0 * U;
+
+/// The error of the determinant, as a part of the same, and more than it takes to turn its sign.
+const PARALLEL: f32 = 22.0 * U;
+
+impl Block for SphereBlock {
+    type Form = (DVec3, f64);
+
+    fn new(space: &Space, things: impl Iterator<Item = (u32, (DVec3, f64))>) -> SphereBlock {
+        let (mut centers, mut radii) = (UNUSED, [f32::NAN; 8]);
+        let things = lanes_of(things, |lane, (center, radius): (DVec3, f64)| {
+            set(&mut centers, lane, space.point(center));
+            radii[lane] = space.length(radius) as f32;
+        });
+        SphereBlock { center: centers, radius: radii, things }
+    }
+
+    #[inline(always)]
+    fn things(&self) -> [u32; 8] {
+        self.things
+    }
+
+    /// The chord by the way from the centre to the line (Haines et al., Ray Tracing Gems, chapter 7).
+    #[inline(always)]
+    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight) -> u32 {
+        let seen: [_; 3] = std::array::from_fn(|axis| lanes.sub(lanes.load(&self.center[axis]), ray.origin[axis]));
+        let middle = lanes.dot(seen, ray.direction);
+        let way: [_; 3] = std::array::from_fn(|axis| lanes.sub(seen[axis], lanes.mul(middle, ray.direction[axis])));
+        let radius = lanes.load(&self.radius);
+        let r2 = lanes.mul(radius, radius);
+        let off = 2.0 * (OF_CHORD_END + ray.slack) * (OF_CHORD_END + ray.slack);
+        let by_radius = lanes.mul(radius, lanes.splat(2.0 * (OF_WAY + ray.slack)));
+        let margin = lanes.add(lanes.add(by_radius, lanes.mul(r2, lanes.splat(10.0 * U))), lanes.splat(off));
+        let squared = lanes.add(lanes.sub(r2, lanes.dot(way, way)), margin);
+        let zero = lanes.splat(0.0);
+        let touched = lanes.at_least(squared, zero);
+        if touched == 0 {
+            return 0;
+        }
+        let half = lanes.add(lanes.sqrt(lanes.max(squared, zero)), lanes.splat(OF_CHORD_END + ray.slack));
+        let before = lanes.at_least(t_max, lanes.sub(middle, half));
+        let behind = lanes.at_least(lanes.add(middle, half), ray.t_min);
+        touched & before & behind
+    }
+}
+
+/// The error of the way from the centre to the line, across the line.
+const OF_WAY: f32 = 25.0 * U;
+
+/// The error of the ends of the chord along the line.
+const OF_CHORD_END: f32 = 64.0 * U;
+
+impl PartialEq for TriangleBlock {
+    fn eq(&self, other: &TriangleBlock) -> bool {
+        let bits = |block: &TriangleBlock| [block.corner, block.to_b, block.to_c].map(|eights| eights.map(bits_of));
+        self.things == other.things && bits(self) == bits(other)
+    }
+}
+
+impl PartialEq for SphereBlock {
+    fn eq(&self, other: &SphereBlock) -> bool {
+        let bits = |block: &SphereBlock| (block.center.map(bits_of), bits_of(block.radius));
+        self.things == other.things && bits(self) == bits(other)
+    }
+}
+
+/// For comparing: what isn't a number equals itself.
+fn bits_of(eight: Eight) -> [u32; 8] {
+    eight.map(f32::to_bits)
+}

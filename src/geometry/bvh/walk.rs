@@ -1,0 +1,176 @@
+//! The walk through the tree along a ray.
+
+use super::block::{Block, LeafRay};
+use super::lanes::Lanes;
+use super::node::{BoxRay, Child, Content, Node};
+use super::{Bvh, Search};
+use crate::geometry::ray::Ray;
+use arrayvec::ArrayVec;
+
+/// The most nodes that wait: seven for each level of the deepest tree, and one.
+pub(super) const STACK: usize = 7 * super::build::MAX_LEVELS + 1;
+
+/// A walk, and what it is for.
+pub(super) struct Walk<'a, M> {
+    pub tree: &'a Bvh,
+    pub ray: &'a Ray,
+    pub search: Search,
+    /// How far things matter.
+    pub t_max: f64,
+    /// Shows a thing; gives the distance up to which things still matter, a negative one to end the walk.
+    pub meet: M,
+}
+
+/// A child that waits, and where the ray enters its box.
+type Waiting = (f32, Child);
+
+impl<M: FnMut(u32) -> f64> Walk<'_, M> {
+    /// Walks from this child on. Returns how many boxes were tested.
+    #[inline(always)]
+    pub fn run<L: Lanes>(mut self, lanes: L, root: Child) -> u64 {
+        let tree = self.tree;
+        let Some(ray) = tree.space.ray(self.ray) else {
+            self.show_all();
+            return 0;
+        };
+        let box_ray = BoxRay::new(lanes, &ray);
+        let leaf_ray = LeafRay::new(lanes, &ray);
+        let distance = ray.distance;
+        let mut t_max = distance.latest(self.t_max);
+        let mut waiting: ArrayVec<Waiting, STACK> = ArrayVec::new();
+        let mut nodes_tested = 0;
+        let mut child = root;
+        loop {
+            let leaf = match child.content() {
+                Content::Node(number) => {
+                    nodes_tested += 1;
+                    let node = &tree.nodes[number as usize];
+                    let entered = node.entered(lanes, &box_ray, lanes.splat(t_max));
+                    if entered.bits != 0 {
+                        child = if self.search.nearest_first {
+                            nearest_first(node, entered.bits, lanes.store(entered.near), &mut waiting)
+                        } else {
+                            in_any_order(node, entered.bits, &mut waiting)
+                        };
+                        continue;
+                    }
+                    Leaf::NONE
+                }
+                Content::Triangles(number) => {
+                    let block = &tree.triangles[number as usize];
+                    Leaf { bits: self.sorted_out(lanes, block, &leaf_ray, t_max), things: block.things() }
+                }
+                Content::Spheres(number) => {
+                    let block = &tree.spheres[number as usize];
+                    Leaf { bits: self.sorted_out(lanes, block, &leaf_ray, t_max), things: block.things() }
+                }
+                Content::Thing(thing) => Leaf { bits: 1, things: [thing; 8] },
+            };
+            let mut bits = leaf.bits;
+            while bits != 0 {
+                let lane = bits.trailing_zeros() as usize;
+                bits &= bits - 1;
+                let limit = (self.meet)(leaf.things[lane & 7]);
+                if limit < 0.0 {
+                    return 8 * nodes_tested;
+                }
+                t_max = distance.latest(limit);
+            }
+            child = match next(&mut waiting, t_max) {
+                Some(child) => child,
+                None => return 8 * nodes_tested,
+            };
+        }
+    }
+
+    /// Shows everything in the tree.
+    #[cold]
+    #[inline(never)]
+    fn show_all(mut self) {
+        for thing in self.tree.things() {
+            if (self.meet)(thing) < 0.0 {
+                return;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn sorted_out<L: Lanes>(&self, lanes: L, block: &impl Block, ray: &LeafRay<L>, t_max: f32) -> u32 {
+        if self.search.one_by_one { block.filtered(lanes, ray, lanes.splat(t_max)) } else { block.used() }
+    }
+}
+
+/// The things of a leaf that the ray may meet.
+struct Leaf {
+    bits: u32,
+    things: [u32; 8],
+}
+
+impl Leaf {
+    const NONE: Leaf = Leaf { bits: 0, things: [0; 8] };
+}
+
+/// The next child that the ray enters in time.
+#[inline(always)]
+fn next(waiting: &mut ArrayVec<Waiting, STACK>, t_max: f32) -> Option<Child> {
+    loop {
+        let (near, child) = waiting.pop()?;
+        if near <= t_max {
+            return Some(child);
+        }
+    }
+}
+
+/// Takes the first of the children that the ray enters; the others wait, the nearest on top.
+#[inline(always)]
+fn nearest_first(node: &Node, bits: u32, near: [f32; 8], waiting: &mut ArrayVec<Waiting, STACK>) -> Child {
+    let mut bits = bits;
+    let mut take = || {
+        let lane = bits.trailing_zeros() as usize;
+        bits &= bits - 1;
+        ((near[lane & 7], node.child(lane)), bits)
+    };
+    let (mut nearest, rest) = take();
+    if rest == 0 {
+        return nearest.1;
+    }
+    let (mut second, rest) = take();
+    if second.0 < nearest.0 {
+        (nearest, second) = (second, nearest);
+    }
+    if rest == 0 {
+        waiting.push(second);
+        return nearest.1;
+    }
+    let bottom = waiting.len();
+    waiting.push(second);
+    loop {
+        let (mut other, rest) = take();
+        if other.0 < nearest.0 {
+            (nearest, other) = (other, nearest);
+        }
+        // Into its place among those that wait, the nearest last.
+        let mut at = waiting.len();
+        waiting.push(other);
+        while at > bottom && waiting[at - 1].0 < other.0 {
+            waiting[at] = waiting[at - 1];
+            at -= 1;
+        }
+        waiting[at] = other;
+        if rest == 0 {
+            return nearest.1;
+        }
+    }
+}
+
+/// Takes the first of the children that the ray enters; the others wait.
+#[inline(always)]
+fn in_any_order(node: &Node, bits: u32, waiting: &mut ArrayVec<Waiting, STACK>) -> Child {
+    let mut bits = bits;
+    while bits & (bits - 1) != 0 {
+        let lane = 31 - bits.leading_zeros();
+        bits ^= 1 << lane;
+        waiting.push((f32::NEG_INFINITY, node.child(lane as usize)));
+    }
+    node.child(bits.trailing_zeros() as usize)
+}
