@@ -85,7 +85,7 @@ pub const CELL_END: char = '\t';
 /// An entry of a list.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// What it says: a line, or in a list with columns its cells with [`CELL_END`] between them.
+    /// What it says: a line, or in a list with columns its cells with a tab between them.
     pub text: String,
     /// How it looks.
     pub role: Role,

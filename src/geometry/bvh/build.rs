@@ -217,7 +217,7 @@ mod tests {
     fn ball(thing: u32) -> Form {
         let place = |k: u32| f64::from(thing.wrapping_mul(k) >> 12) / 1e5;
         let center = DVec3::new(place(2_654_435_761), place(2_246_822_519), place(3_266_489_917));
-        if thing % 5 == 0 {
+        if thing.is_multiple_of(5) {
             Form::Within(Bounds::around([center, center + 0.1]))
         } else {
             Form::Sphere { center, radius: 0.1 }

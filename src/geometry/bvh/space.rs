@@ -208,7 +208,7 @@ mod tests {
         assert_eq!(local.origin, [0.0, 0.0, 2.0]);
         // The nearest side is at 3, and t counts from the ray's own origin.
         let side = local.distance.latest(1e6 - 3.0);
-        assert!(side >= 1.25 && side < 1.2501, "{side}");
+        assert!((1.25..1.2501).contains(&side), "{side}");
     }
 
     #[test]
