@@ -128,6 +128,32 @@ fn bookmarks_lead_back() {
     assert_eq!(model.guide.bookmarks.len(), 2);
 }
 
+/// Types `keys` at the numeric example; the current step is then this one.
+#[track_caller]
+fn ends_at(keys: &str, step: usize) {
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, keys);
+    assert_eq!(model.step(), step, "after {keys}: {}", said(&model));
+}
+
+#[test]
+fn a_jump_that_does_not_move_hides_none_that_did() {
+    ends_at("50G 0 ''", 50);
+    ends_at("50G 0 0 ''", 50);
+    ends_at("50G 0 0 0 ''", 50);
+    ends_at("50G 0 0 '' ''", 1);
+    ends_at("50G 50G '' '' ''", 1);
+    ends_at("50G 20G ^o ^o 0 ''", 50);
+    ends_at("0 ''", 1);
+    // A pixel that can't be traced is no jump.
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, "50G");
+    let refused = line(&mut model, ":", "pixel 3,4");
+    model.answer(refused, &mut None);
+    typed(&mut model, "''");
+    assert_eq!(model.step(), 1);
+}
+
 #[test]
 fn bookmarks_outlive_another_log() {
     let mut model = sized(glass(), 100, 30);
