@@ -1,5 +1,6 @@
 //! Running to the next breakpoint, and the log of where that stopped.
 
+use super::breakpoints::HIDDEN;
 use super::describe;
 use super::guide;
 use super::jumps::{self, Spot};
@@ -41,6 +42,9 @@ pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
         match found {
             Some((event, text)) => stop(model, event, text),
             None if done > 0 => return,
+            None if model.guide.breakpoints.iter().any(|one| one.is_on && one.is_hidden_in(model)) && is_forward => {
+                return model.say(HIDDEN);
+            }
             None => {
                 let side = if is_forward { "after" } else { "before" };
                 return model.say(&format!("no breakpoint stops {side} this step"));
@@ -56,7 +60,7 @@ pub(super) fn first_stop(model: &Model, mut events: impl Iterator<Item = usize>)
         return None;
     }
     events.find_map(|event| {
-        let stops = on.iter().find(|one| one.condition.holds(&model.log.events[event], model.numbers))?;
+        let stops = on.iter().find(|one| one.stops_at(model, event))?;
         Some((event, stops.text.clone()))
     })
 }

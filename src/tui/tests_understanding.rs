@@ -216,6 +216,34 @@ fn a_quiz_tells_no_later_decision() {
     assert!(!at_it.contains(&text) && after.contains(&text), "{text}\n{at_it}\n{after}");
 }
 
+/// Sets a breakpoint in a quiz of the glass ball and types `keys`; then this is said.
+#[track_caller]
+fn a_run_says(breakpoint: &str, keys: &str, expected: &str) {
+    let mut model = sized(glass(), 100, 30);
+    typed(&mut model, &format!("Q b {} Enter {keys}", breakpoint.replace(' ', " Space ").replace("Space", "<Space>")));
+    let said = model.message.as_ref().map(|message| message.text.clone()).unwrap_or_default();
+    assert!(said.contains(expected), "{breakpoint}, {keys}: {said}");
+    let told = model.step() > 1;
+    assert_eq!(told, !expected.contains("a quiz hides"), "{breakpoint}, {keys}: step {}", model.step());
+}
+
+#[test]
+fn a_run_in_a_quiz_tells_nothing() {
+    for keys in ["r", "B Enter", "R B Enter"] {
+        for breakpoint in ["hit", "nearest", "shade.n_dot_l>0.3", "|ray.direction|~1", "total-internal-reflection"] {
+            a_run_says(breakpoint, keys, "a quiz hides where that stops; Q ends it");
+        }
+    }
+    a_run_says("shadow", "r", "stopped by shadow");
+    a_run_says("shade.n_dot_l", "r", "stopped by shade.n_dot_l");
+    a_run_says("result", "r", "result ?");
+    // The test of an object is seen, a decision that names it isn't before it is passed.
+    a_run_says("object ball", "r", "stopped by object ball: test ball");
+    // What was passed is told, and so is everything after the quiz.
+    a_run_says("hit", "$ R", "stopped by hit");
+    a_run_says("hit", "Q r", "stopped by hit: hit");
+}
+
 #[test]
 fn a_quiz_asks_for_decisions() {
     let said = |model: &Model| model.message.as_ref().map(|message| message.text.clone()).unwrap_or_default();
