@@ -284,7 +284,21 @@ fn a_quiz_asks_for_decisions() {
 #[test]
 fn a_quiz_goes_on_in_another_pixel() {
     let mut model = sized(textbook(), 100, 30);
-    typed(&mut model, "Q 3n");
+    typed(&mut model, "Q 3n = 1 Enter");
+    let asked = model.event;
     model.show(glass());
     assert!(model.understanding.quiz.is_some() && model.hides(model.log.events.len() - 1));
+    // A miss counts for the step of its pixel alone, and an answer is one also after another pixel.
+    model.show(textbook());
+    model.go_to_event(asked);
+    typed(&mut model, "= - 0 . 9 4 6 Enter");
+    assert_eq!(model.score().as_deref(), Some("quiz 1 of 1"));
+    model.show(glass());
+    model.show(textbook());
+    model.go_to_event(asked);
+    assert!(!model.hides(asked));
+    typed(&mut model, "=");
+    assert!(model.prompt.is_none());
+    typed(&mut model, "Q Q");
+    assert!(model.hides(asked), "another quiz begins anew");
 }
