@@ -298,7 +298,9 @@ fn lines_are_brought_back() {
     recalls("/ x y Up Down", "xy");
     recalls("/ x y Up Down Down", "xy");
     recalls("/ Down", "");
-    recalls("/ Up s Up Down", "wall");
+    recalls("/ Up s Up Down", "walls");
+    recalls("/ x Up s Down", "x");
+    recalls("/ x Up s Down Up", "walls");
     recalls("f Up", "ball");
     recalls("b Up", "hit");
     recalls(": Up", "");
@@ -306,6 +308,12 @@ fn lines_are_brought_back() {
     recalls("/ q q q q Enter", "qqqq");
     recalls("/ q q q q Enter Up", "wall");
     recalls("/ q q q q Enter Esc / Up", "qqqq");
+    // What mends it isn't lost.
+    recalls("/ q q q q Enter s Up Down", "qqqqs");
+    recalls("/ q q q q Enter Up Down", "qqqq");
+    recalls("/ q q q q Enter Down", "qqqq");
+    recalls("f q q q q Enter Up Up Down", "qqqq");
+    recalls(": q q q q Enter s Up Down", "qqqqs");
 }
 
 /// Types a line and `Tab`; it then says this.
