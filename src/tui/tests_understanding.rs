@@ -275,9 +275,16 @@ fn a_quiz_asks_for_decisions() {
     typed(&mut model, &format!("= {} Enter", keys.join(" ")));
     assert_eq!((said(&model).as_str(), model.score().as_deref()), ("right", Some("quiz 2 of 2")));
     // What is searched isn't found where it would tell.
-    typed(&mut model, "0 / n e a r e s t Enter");
+    typed(&mut model, "0 / b a c k g r o u n d Enter");
     assert!(said(&model).contains("not found"), "{}", said(&model));
-    typed(&mut model, "Esc Q / n e a r e s t Enter");
+    // What was answered is found, and nothing else of its kind before it is passed.
+    typed(&mut model, "Esc / n e a r e s t Enter");
+    assert_eq!(model.event, nearest);
+    typed(&mut model, ";");
+    assert_eq!((model.event, said(&model).as_str()), (nearest, "from the beginning again"));
+    typed(&mut model, "$ , ");
+    assert!(model.event > nearest);
+    typed(&mut model, "0 Esc Q / n e a r e s t Enter");
     assert_eq!(model.event, nearest);
 }
 
