@@ -62,12 +62,7 @@ impl Purpose {
 impl Prompt {
     /// An empty line.
     pub fn new(purpose: Purpose) -> Prompt {
-        Prompt::with(purpose, "")
-    }
-
-    /// A line in which this stands already.
-    pub fn with(purpose: Purpose, line: &str) -> Prompt {
-        Prompt { purpose, line: line.into(), recalled: 0, left: HashMap::new(), tried: 0, warning: None }
+        Prompt { purpose, line: Input::default(), recalled: 0, left: HashMap::new(), tried: 0, warning: None }
     }
 }
 

@@ -97,10 +97,12 @@ fn the_filter_leaves_what_matches_and_what_is_around_it() {
     assert!(rows(&model).contains(&model.cursor));
     let text = dump(&frame(&model, 100, 40, &Theme::new(Palette::None, false)));
     assert!(text.contains("filtered"), "{text}");
-    // It can be changed, and ends with nothing.
-    typed(&mut model, "f");
-    assert_eq!(model.prompt.as_ref().map(|prompt| prompt.line.value()), Some("local model"));
-    typed(&mut model, "^u Enter");
+    // It can be changed, also one that was a command, and ends with nothing typed.
+    line(&mut model, ":", "filter local");
+    typed(&mut model, "f Up");
+    assert_eq!(model.prompt.as_ref().map(|prompt| prompt.line.value()), Some("local"));
+    typed(&mut model, "Esc f Enter");
+    assert_eq!(model.guide.filter, None);
     assert!(rows(&model).len() >= all.len());
     line(&mut model, "f", "no such text");
     assert_eq!((said(&model), model.guide.filter.as_ref()), ("no row matches: no such text", None));
