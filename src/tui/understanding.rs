@@ -235,7 +235,11 @@ fn ended(model: &Model, ended: &Ended) -> Entry {
         (Why::Blocked { light: number }, Some(Decision::Occluded { object })) => {
             format!("{} is blocked by {}", light(number), words::plain(header.object(object)))
         }
-        (_, Some(decision)) => words::decision(header, &decision, model.numbers),
+        (_, Some(decision)) => {
+            let lost = words::lost(&model.log.events[ended.event], model.numbers);
+            let lost = lost.map_or(String::new(), |lost| format!("; {lost}"));
+            format!("{}{lost}", words::decision(header, &decision, model.numbers))
+        }
         (_, None) => "nothing".to_owned(),
     };
     Entry { role: Role::Blocked, ..Entry::to(ended.event, format!("  {}  {why}", ended.path)) }
