@@ -229,6 +229,7 @@ fn wrong_calls_say_what_to_change() {
     says(2, &["render", "textbook", "-o", "a.png", "--size", "0x9"], "each from 1 to 65535");
     says(2, &["render", "textbook", "-o", "a.png", "--arithmetic", "f16"], "unknown arithmetic `f16`");
     says(2, &["render", "textbook", "-o", "a.png", "--skip", "zero_wait"], "did you mean `zero_weight`?");
+    says(2, &["render", "textbook", "-o", "a.png", "--skip", "blocked,zero_pth"], "did you mean `zero_path`?");
     says(2, &["render", "textbook", "-o", "a.png", "--threads", "x"], "invalid value 'x'");
     says(2, &["render", "figure-6", "-o", "a.png", "--arithmetic", "printed"], "one pixel");
     says(2, &["rendr"], "similar subcommand exists: 'render'");

@@ -104,7 +104,8 @@ impl Render {
         let clipped_pixels = self.save(&rendered.film, &scene, (&frame.path, format), output)?;
         match (self.stats, rendered.counts) {
             (Some(stats), Some(counts)) => {
-                print_statistics(&counts.statistics(clipped_pixels, seconds, peak_bytes().unwrap_or(0)), stats)
+                let share = scene.sampling.largest_share();
+                print_statistics(&counts.statistics_of(share, clipped_pixels, seconds, peak_bytes().unwrap_or(0)), stats)
             }
             _ => Ok(()),
         }

@@ -139,6 +139,11 @@ impl Walk {
 
     /// The log of what is traced now.
     fn of_scene(&self, input: &Input, colors: ColorChoice) -> Result<Walked, Failure> {
+        // Only here it may be a log, too.
+        if input.bytes.trim_ascii().is_empty() {
+            let name = visible(&input.name);
+            return Err(Failure::caller(format!("{name}: expected a scene or a log, found an empty file")));
+        }
         let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;

@@ -12,7 +12,7 @@ pub struct Event {
     /// What happened.
     pub what: What,
     /// Inputs that the problem states and no arithmetic rounds, used from this event on.
-    pub given: Vec<(Name, Value)>,
+    pub given: Box<[(Name, Value)]>,
     /// How far several perturbed runs agree on it, if there were any.
     pub digits: Option<Box<Digits>>,
 }
@@ -282,11 +282,16 @@ words! {
         Transmitted = "transmitted",
         /// The shadow ray.
         Shadow = "shadow",
+        /// The whole local model.
+        Local = "local",
+        /// The specular term of a light.
+        Specular = "specular",
     }
 }
 
 words! {
-    /// The rule by which work is left out. Each can be switched off (`--skip`).
+    /// The rule by which work is left out; `docs/skipping.md` has the proof of each. Each but [`SkipReason::Behind`], which is the
+    /// algorithm's own, can be switched off (`--skip`).
     SkipReason {
         /// A bounce whose weight is zero in all channels.
         ZeroWeight = "zero_weight",
@@ -296,6 +301,14 @@ words! {
         Blocked = "blocked",
         /// A bounce whose product of weights lies below `tracing.cutoff`.
         Cutoff = "cutoff",
+        /// A bounce whose weight isn't zero, while in each channel some weight on its path is.
+        ZeroPath = "zero_path",
+        /// The local model where its weight is zero in all channels.
+        ZeroLocal = "zero_local",
+        /// A term of the local model whose coefficient is zero in all channels.
+        ZeroTerm = "zero_term",
+        /// The shadow ray to a light behind a surface that doesn't let its light through.
+        Behind = "behind",
     }
 }
 

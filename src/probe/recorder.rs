@@ -15,14 +15,23 @@ const PIECE: usize = 4096;
 /// What an event needs beside itself: its inputs, and its lines in a document or a text, which is all in memory too.
 const BYTES_BESIDE: usize = 250;
 
+/// How many events there is room for at first, so that the log of a simple pixel is never moved.
+const AT_FIRST: usize = 256;
+
+/// From so many events on memory is asked for before it is used: less is always there.
+const MANY: usize = 1 << 14;
+
 /// Keeps every event of the computation, or hands them on as they come.
 pub struct Recorder<'o> {
     events: Vec<Event>,
+    /// The inputs of the next event; emptied and used again for each.
     given: Vec<(Name, Value)>,
     nodes: u32,
     open: Vec<u32>,
     /// How many events are kept before something must be done about it.
     room: usize,
+    /// How many events there are when [`Recorder::go_on`] is asked: there is no more room, or no more memory.
+    full: usize,
     /// How many events were handed on.
     gone: u32,
     outlet: Option<&'o mut Outlet<'o>>,
@@ -54,7 +63,8 @@ impl Default for Recorder<'_> {
 impl<'o> Recorder<'o> {
     /// Keeps so many events; one more ends the computation, see [`until_cut_off`].
     pub fn of_at_most(room: usize) -> Recorder<'o> {
-        Recorder { events: Vec::new(), given: Vec::new(), nodes: 0, open: Vec::new(), room, gone: 0, outlet: None }
+        let (events, given, open) = (Vec::new(), Vec::new(), Vec::new());
+        Recorder { events, given, nodes: 0, open, room, full: 0, gone: 0, outlet: None }
     }
 
     /// Hands events on as they come; an error ends the computation, see [`until_cut_off`].
@@ -80,22 +90,42 @@ impl<'o> Recorder<'o> {
         self.open.last().copied().unwrap_or(0)
     }
 
+    #[inline]
     fn push(&mut self, node: u32, what: What) {
+        if self.events.len() == self.full {
+            self.go_on();
+        }
+        let given = if self.given.is_empty() { Box::default() } else { self.take_given() };
+        let at = self.gone + self.events.len() as u32 + 1;
+        self.events.push(Event { at, node, what, given, digits: None });
+    }
+
+    /// The inputs in a piece of memory of their size.
+    fn take_given(&mut self) -> Box<[(Name, Value)]> {
+        let given = Box::from(self.given.as_slice());
+        self.given.clear();
+        given
+    }
+
+    /// Sees to it that one more event can be kept.
+    #[cold]
+    #[inline(never)]
+    fn go_on(&mut self) {
         if self.events.len() >= self.room {
             self.make_room();
         }
         if self.events.len() == self.events.capacity() {
             self.ask_for_memory();
         }
-        let at = self.gone + self.events.len() as u32 + 1;
-        self.events.push(Event { at, node, what, given: std::mem::take(&mut self.given), digits: None });
+        self.full = self.events.capacity().min(self.room);
     }
 
     /// Gets room for as many events again, or ends the computation.
     #[cold]
     fn ask_for_memory(&mut self) {
-        let more = self.events.len().clamp(64, PIECE << 4);
-        let beside = if self.outlet.is_some() { 0 } else { (self.events.len() + more) * BYTES_BESIDE };
+        let more = self.events.len().clamp(AT_FIRST, PIECE << 4);
+        let is_asked = self.outlet.is_none() && self.events.len() >= MANY;
+        let beside = if is_asked { (self.events.len() + more) * BYTES_BESIDE } else { 0 };
         let asked = Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
         if asked.is_err() {
             resume_unwind(Box::new(CutOff::Memory));

@@ -5,6 +5,7 @@ pub mod digits;
 pub mod export;
 pub mod film;
 mod grid;
+pub mod losses;
 pub mod preview;
 pub mod reach;
 pub mod statistics;

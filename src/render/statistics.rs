@@ -1,13 +1,14 @@
 //! How many rays a picture took. Counting is a probe like any other, so that a picture which isn't counted pays nothing.
 
-use crate::log::{Decision, RayKind, SkipReason, Step};
-use crate::probe::Probe;
+use super::losses::{Losses, Lost};
+use crate::log::{Decision, Name, RayKind, SkipReason, Step, Value};
+use crate::probe::{Probe, Quantity};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
 /// Counts rays, hits and what was skipped.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counter {
     rays: ByKind,
     hits: ByKind,
@@ -18,8 +19,17 @@ pub struct Counter {
     bounds_tests: u64,
     fallbacks: u64,
     samples: u64,
-    /// The kinds of the rays that the computation is inside; other nodes are not kept.
-    open: Vec<Option<RayKind>>,
+    losses: Losses,
+    /// The nodes that the computation is inside.
+    open: Vec<Open>,
+}
+
+/// What a node is to the counter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Open {
+    Ray(RayKind),
+    Zone,
+    Other,
 }
 
 /// A number for each kind of ray.
@@ -46,6 +56,9 @@ pub struct Statistics {
     pub by_depth: Vec<u64>,
     /// Work left out, by rule.
     pub skipped: BTreeMap<&'static str, u64>,
+    /// What cutoffs lost at the most, if there were any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost: Option<Lost>,
     /// Directions of blurred bounces on the wrong side of a surface.
     pub rejected: u64,
     /// Intersection tests.
@@ -104,6 +117,7 @@ impl Counter {
         for (ours, theirs) in self.skipped.iter_mut().zip(&other.skipped) {
             *ours += theirs;
         }
+        self.losses.add(&other.losses);
         self.rejected += other.rejected;
         self.primitive_tests += other.primitive_tests;
         self.bounds_tests += other.bounds_tests;
@@ -111,7 +125,13 @@ impl Counter {
         self.samples += other.samples;
     }
 
-    /// The statistics, with what the counter can't know.
+    /// The statistics, with what the counter can't know. `share` is the most that a sample counts for over all pixels, see
+    /// [`Sampling::largest_share`](crate::scene::Sampling::largest_share).
+    pub fn statistics_of(&self, share: f64, clipped_pixels: u64, seconds: Seconds, peak_bytes: u64) -> Statistics {
+        Statistics { lost: self.losses.lost(share), ..self.statistics(clipped_pixels, seconds, peak_bytes) }
+    }
+
+    /// The statistics of a picture of one ray a pixel.
     pub fn statistics(&self, clipped_pixels: u64, seconds: Seconds, peak_bytes: u64) -> Statistics {
         let skipped = SkipReason::ALL.iter().map(|why| (why.word(), self.skipped[*why as usize]));
         Statistics {
@@ -119,6 +139,7 @@ impl Counter {
             hits: self.hits,
             by_depth: self.by_depth.clone(),
             skipped: skipped.collect(),
+            lost: self.losses.lost(1.0),
             rejected: self.rejected,
             tests: Tests { bounds: self.bounds_tests, primitives: self.primitive_tests },
             fallbacks: self.fallbacks,
@@ -140,11 +161,22 @@ impl Counter {
     }
 
     fn ray_here(&self) -> Option<RayKind> {
-        self.open.iter().rev().find_map(|kind| *kind)
+        self.open.iter().rev().find_map(|open| match open {
+            Open::Ray(kind) => Some(*kind),
+            _ => None,
+        })
     }
 }
 
 impl Probe for Counter {
+    fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
+        if name == Name::CutoffLoss
+            && let Value::Triple(bound) = value.value()
+        {
+            self.losses.give(bound.into());
+        }
+    }
+
     fn bounds_tested(&mut self, count: u64) {
         self.bounds_tests += count;
     }
@@ -154,7 +186,7 @@ impl Probe for Counter {
     }
 
     fn enter(&mut self, step: Step) {
-        let kind = match step {
+        let open = match step {
             Step::Ray { kind, depth, .. } => {
                 *self.rays.of(kind) += 1;
                 if !matches!(kind, RayKind::Shadow { .. }) {
@@ -165,19 +197,25 @@ impl Probe for Counter {
                     self.by_depth[level] += 1;
                 }
                 self.samples += u64::from(kind == RayKind::Camera);
-                Some(kind)
+                Open::Ray(kind)
             }
             Step::Test { .. } => {
                 self.primitive_tests += 1;
-                None
+                Open::Other
             }
-            _ => None,
+            Step::Zone { .. } => Open::Zone,
+            _ => Open::Other,
         };
-        self.open.push(kind);
+        if let Open::Ray(RayKind::Camera) | Open::Zone = open {
+            self.losses.enter(step);
+        }
+        self.open.push(open);
     }
 
     fn leave(&mut self) {
-        self.open.pop();
+        if let Some(Open::Ray(RayKind::Camera) | Open::Zone) = self.open.pop() {
+            self.losses.leave();
+        }
     }
 
     fn mark(&mut self, decision: Decision) {
@@ -188,7 +226,12 @@ impl Probe for Counter {
                 }
             }
             Decision::Rejected { .. } => self.rejected += 1,
-            Decision::Skipped { why, .. } => self.skipped[why as usize] += 1,
+            Decision::Skipped { why, .. } => {
+                self.skipped[why as usize] += 1;
+                if why == SkipReason::Cutoff {
+                    self.losses.cut_off();
+                }
+            }
             _ => {}
         }
     }
@@ -231,6 +274,9 @@ impl fmt::Display for Statistics {
         writeln!(f, "{:<12}{:>14}", "total", self.rays.total)?;
         for (why, count) in self.skipped.iter().filter(|(_, count)| **count > 0) {
             writeln!(f, "skipped {why}: {count}")?;
+        }
+        if let Some(lost) = &self.lost {
+            writeln!(f, "{lost}")?;
         }
         if self.rejected > 0 {
             writeln!(f, "rejected directions: {}", self.rejected)?;

@@ -14,7 +14,8 @@ pub enum Verdict {
 
 /// The number or triple in a line: `-0.946`, `−0,946`, `(1, 2, 3)`, `1 2 3`, `0,9 0,143 0,412`, `2.147·10⁻¹²`.
 pub fn parse(line: &str, is_triple: bool) -> Result<Value, &'static str> {
-    const NO_NUMBER: &str = "that is no number: type it like -0.946";
+    // No value of the numeric example, which would be answered by it.
+    const NO_NUMBER: &str = "that is no number: type it like 12.5";
     const NO_TRIPLE: &str = "that is no triple: type three numbers, like (1, 2, 3) or 1 2 3";
     let line = line.trim().trim_start_matches(['(', '[']).trim_end_matches([')', ']']);
     let words: Vec<&str> =

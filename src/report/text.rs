@@ -43,7 +43,8 @@ fn line(log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
             if given.is_empty() { body } else { format!("given {given}\n{}{body}", "  ".repeat(level)) }
         }
         What::Mark(decision) => {
-            format!("→ {}{}", words::decision(&log.header, decision, style), digits::marker(happening))
+            let lost = words::lost(happening, style).map_or(String::new(), |lost| format!("; {lost}"));
+            format!("→ {}{lost}{}", words::decision(&log.header, decision, style), digits::marker(happening))
         }
         What::Leave => return None,
         What::Result { color } => {

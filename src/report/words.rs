@@ -2,7 +2,8 @@
 
 use super::{Style, number};
 use crate::log::{
-    Acceptance, Decision, Header, Log, Miss, Name, RayKind, SkipReason, Skippable, Split, Step, Subject, Tree, Value,
+    Acceptance, Decision, Event, Header, Log, Miss, Name, RayKind, SkipReason, Skippable, Split, Step, Subject, Tree,
+    Value,
 };
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
@@ -106,6 +107,12 @@ pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
     }
 }
 
+/// What a decision cost at most, where it cost anything: `at most (0.1, 0, 0) of the sample was lost`.
+pub fn lost(event: &Event, style: Style) -> Option<String> {
+    let (_, bound) = event.given.iter().find(|(name, _)| *name == Name::CutoffLoss)?;
+    Some(format!("at most {} of the sample was lost", number::value(bound, style)))
+}
+
 fn cell([x, y, side]: &[f64; 3], style: Style) -> String {
     let number = |x: f64| number::value(&Value::Number(x), style);
     if *side == 1.0 {
@@ -146,6 +153,8 @@ fn skippable(what: Skippable) -> &'static str {
         Skippable::Reflected => "reflected ray",
         Skippable::Transmitted => "transmitted ray",
         Skippable::Shadow => "shadow ray",
+        Skippable::Local => "local model",
+        Skippable::Specular => "specular term",
     }
 }
 
@@ -155,6 +164,10 @@ fn skip_reason(why: SkipReason) -> &'static str {
         SkipReason::NoLocalTerm => "no coefficient could use the light",
         SkipReason::Blocked => "already fully blocked",
         SkipReason::Cutoff => "its weight is below the cutoff",
+        SkipReason::ZeroPath => "the weights on its path leave nothing of any channel",
+        SkipReason::ZeroLocal => "its weight is zero",
+        SkipReason::ZeroTerm => "its coefficient is zero",
+        SkipReason::Behind => "the light stands behind the surface",
     }
 }
 

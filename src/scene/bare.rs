@@ -1,7 +1,7 @@
 //! Scenes of shapes alone, for ray queries.
 
 use super::file::schema as file;
-use super::{Camera, Color, Effects, Index, Object, Sampling, Scene, build};
+use super::{Camera, Ceilings, Color, Effects, Index, Object, Sampling, Scene, build};
 use crate::geometry::Shape;
 use crate::geometry::shape::SphereMethod;
 use glam::DVec3;
@@ -24,6 +24,7 @@ impl Scene {
             index: Index::new(&objects),
             objects,
             tracing: build::tracing(&file::Tracing::default(), SphereMethod::Robust),
+            ceilings: Ceilings::default(),
             sampling: Sampling::Center,
             seed: 0,
             frame: None,

@@ -5,8 +5,8 @@ use super::file::schema as file;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, AreaLight, Camera, Checker, Effects, Index, Lens, Light, LightKind, LightSurface, Material, Object,
-    Output, Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer, Weights,
+    Algorithm, AreaLight, Camera, Ceilings, Checker, Color, Effects, Index, Lens, Light, LightKind, LightSurface,
+    Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::motion::{Motion, Turn};
@@ -40,23 +40,33 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
     let objects: Vec<_> = scene.objects.iter().enumerate().map(object).collect::<Result<_, Unsupported>>()?;
     let camera = camera(&scene.camera, scene.objects.iter().any(|object| object.motion.is_some()));
     let lights: Vec<_> = scene.lights.iter().map(light).collect();
-    Ok(Scene {
+    let tracing = tracing(&scene.tracing, sphere_method);
+    let built = Scene {
         name: scene.name.clone(),
         digest: digest(scene, meshes),
         effects: Effects::of(&camera, &lights, &materials),
         camera,
-        ambient: scene.ambient.into(),
-        background: scene.background.into(),
+        ambient: color(scene.ambient),
+        background: color(scene.background),
         lights,
         index: Index::new(&objects),
         objects,
         materials,
-        tracing: tracing(&scene.tracing, sphere_method),
+        tracing,
+        ceilings: Ceilings::default(),
         sampling: scene.sampling.into(),
         seed: scene.seed,
         frame: None,
         output: output(&scene.output),
-    })
+    };
+    // What a cutoff may lose is only asked where there is one.
+    let ceilings = if built.tracing.cutoff > 0.0 { Ceilings::of(&built) } else { Ceilings::default() };
+    Ok(Scene { ceilings, ..built })
+}
+
+/// A colour without negative zeros, so that all that is computed from colours is at least +0.
+fn color(rgb: impl Into<[f64; 3]>) -> Color {
+    Color::from(rgb.into()) + Color::ZERO
 }
 
 /// The digest of the resolved scene and the files of its meshes, as a log's header names it.
@@ -115,7 +125,7 @@ fn light(light: &file::Light) -> Light {
     };
     let fades = !matches!(kind, LightKind::Directional { .. }) && light.attenuation != [1.0, 0.0, 0.0];
     let attenuation = fades.then_some(light.attenuation);
-    Light { name: light.name.clone(), kind, color: light.color.into(), attenuation }
+    Light { name: light.name.clone(), kind, color: color(light.color), attenuation }
 }
 
 fn area(surface: LightSurface, light: &file::Light) -> LightKind {
@@ -133,24 +143,24 @@ fn count(n: u64) -> u32 {
 
 pub(super) fn material(material: &file::Material) -> Material {
     Material {
-        ambient: material.ambient.into(),
-        diffuse: material.diffuse.into(),
-        specular: material.specular.into(),
-        transmission: material.transmission.into(),
+        ambient: color(material.ambient),
+        diffuse: color(material.diffuse),
+        specular: color(material.specular),
+        transmission: color(material.transmission),
         shininess: material.shininess,
         transmission_exponent: material.transmission_exponent,
         ior: material.ior,
         weights: Weights {
-            local: material.weights.local.rgb().into(),
-            reflected: material.weights.reflected.rgb().into(),
-            transmitted: material.weights.transmitted.rgb().into(),
+            local: color(material.weights.local.rgb()),
+            reflected: color(material.weights.reflected.rgb()),
+            transmitted: color(material.weights.transmitted.rgb()),
         },
         gloss_exponent: material.gloss_exponent,
         translucency_exponent: material.translucency_exponent,
         zones: next_square(count(material.samples)),
         pattern: material.pattern.map(|file::Pattern::Checker(checker)| Checker {
-            a: checker.a.into(),
-            b: checker.b.into(),
+            a: color(checker.a),
+            b: color(checker.b),
             size: checker.size,
         }),
     }

@@ -8,6 +8,7 @@ mod bare;
 mod build;
 pub mod builtin;
 pub mod camera;
+pub mod ceiling;
 mod effects;
 pub mod file;
 pub mod generate;
@@ -24,6 +25,7 @@ pub mod unsupported;
 pub use area_light::{AreaLight, LightSurface};
 pub use build::build;
 pub use camera::Camera;
+pub use ceiling::Ceilings;
 pub use effects::Effects;
 pub use index::Index;
 pub use lens::Lens;
@@ -66,6 +68,8 @@ pub struct Scene {
     pub index: Index,
     /// How rays are traced.
     pub tracing: Tracing,
+    /// How much rays can bring at the most; empty where nobody asks.
+    pub ceilings: Ceilings,
     /// Which rays make a pixel.
     pub sampling: Sampling,
     /// Which random numbers samples draw.

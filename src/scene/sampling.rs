@@ -72,6 +72,18 @@ impl Sampling {
         }
     }
 
+    /// The most that a sample counts for over all pixels; 1 is a whole pixel.
+    pub fn largest_share(self) -> f64 {
+        let one_of = |count: u32| 1.0 / f64::from(count.max(1));
+        match self {
+            // A corner of an uncut cell has a quarter of each of the four pixels that meet there.
+            Sampling::Center | Sampling::Adaptive { .. } => 1.0,
+            Sampling::Regular { n } | Sampling::Shared { n } => one_of(n) * one_of(n),
+            Sampling::Stochastic { n } | Sampling::Random { n } | Sampling::Sobol { n } => one_of(n),
+            Sampling::Statistical(Statistical { min, max, .. }) => one_of(min.min(max)),
+        }
+    }
+
     /// Its parameters by name.
     pub fn parameters(self) -> Vec<(&'static str, Parameter)> {
         let count = |n: u32| Parameter::Count(n.into());

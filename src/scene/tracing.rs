@@ -86,6 +86,11 @@ impl Skip {
         Skip { rules: self.rules | Skip::bit(rule) }
     }
 
+    /// These rules without this one.
+    pub fn without(self, rule: SkipReason) -> Skip {
+        Skip { rules: self.rules & !Skip::bit(rule) }
+    }
+
     /// Whether a rule is in force.
     #[inline]
     pub fn has(self, rule: SkipReason) -> bool {

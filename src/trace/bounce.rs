@@ -7,8 +7,9 @@ use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
 use crate::probe::Probe;
+use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Scene};
-use glam::DVec3;
+use glam::{BVec3, DVec3};
 
 /// What the reflected ray brings; nothing where there is none.
 pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
@@ -37,10 +38,12 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
         return Color::ZERO;
     }
     let inside = meeting.path.media;
-    let beyond = inside.beyond(meeting.object, material.ior, meeting.surface.side);
-    let Some(direction) = refract(meeting.ray, meeting.surface.normal, inside.ior(), beyond.ior(), probe) else {
+    let crossed = (meeting.object, material.ior, meeting.surface.side);
+    let eta = [inside.ior(), inside.ior_beyond(crossed)];
+    let Some(direction) = refract(meeting.ray, meeting.surface.normal, eta[0], eta[1], probe) else {
         return Color::ZERO;
     };
+    let beyond = inside.beyond(crossed);
     let bounce = || Bounce { kind: RayKind::Transmitted, leaving: meeting.leaving_beyond(), weight, media: &beyond };
     if let Some(exponent) = material.translucency_exponent {
         let lobe = Lobe { what: Skippable::Transmitted, middle: direction, exponent };
@@ -147,15 +150,43 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weig
         return true;
     }
     // A cutoff of 0 is none.
-    let is_below_cutoff =
-        tracing.cutoff > 0.0 && (meeting.path.weight * weight).cmplt(Color::splat(tracing.cutoff)).all();
+    let product = meeting.path.weight * weight;
+    let is_below_cutoff = tracing.cutoff > 0.0 && product.cmplt(Color::splat(tracing.cutoff)).all();
     let why = match () {
         _ if weight == Color::ZERO && tracing.skip.has(SkipReason::ZeroWeight) => SkipReason::ZeroWeight,
+        _ if product == Color::ZERO && is_zero_path(scene, meeting.path, weight) => SkipReason::ZeroPath,
         _ if is_below_cutoff && tracing.skip.has(SkipReason::Cutoff) => SkipReason::Cutoff,
         _ => return false,
     };
+    if why == SkipReason::Cutoff {
+        give_loss(scene, meeting.path, weight, probe);
+    }
     probe.mark(Decision::Skipped { what, why });
     true
+}
+
+/// Whether the rule of that name leaves out a bounce with this weight.
+#[cold]
+fn is_zero_path(scene: &Scene, path: &Path, weight: Color) -> bool {
+    weight != Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroPath) && dead_channels(path, weight).all()
+}
+
+/// The channels in which some weight on a path, or the next one, is zero. The product of the weights doesn't tell: it may have become
+/// too small for a number, while a light is so bright that something would be left of it.
+fn dead_channels(path: &Path, weight: Color) -> BVec3 {
+    let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());
+    bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight().cmpeq(Color::ZERO))
+}
+
+/// What a bounce with this weight could at the most add to the colour of its sample, for the log and the statistics; nothing where
+/// there is no bound.
+#[cold]
+fn give_loss<P: Probe>(scene: &Scene, path: &Path, weight: Color, probe: &mut P) {
+    let Some(ceiling) = scene.ceilings.of_level(path.level + 1) else { return };
+    // A product that became too small for a number is at least seen not to be zero.
+    let product = (path.weight * weight).max(Color::splat(f64::MIN_POSITIVE));
+    let product = Color::select(dead_channels(path, weight), Color::ZERO, product);
+    probe.given(Name::CutoffLoss, rounded_up(product * ceiling));
 }
 
 /// A bounce, whatever its direction.
@@ -180,7 +211,8 @@ impl Bounce<'_> {
         probe: &mut P,
     ) -> Color {
         let (level, weight) = (meeting.path.level + 1, meeting.path.weight * self.weight);
-        let via = Via { path: meeting.path, is_transmitted: self.kind == RayKind::Transmitted, split };
+        let is_transmitted = self.kind == RayKind::Transmitted;
+        let via = Via { path: meeting.path, is_transmitted, split, material: meeting.material };
         let path = Path { level, media: self.media, weight, draws: meeting.path.draws, via: Some(via) };
         let ray =
             Ray { leaving: Some(self.leaving), time: meeting.ray.time, ..Ray::new(meeting.surface.point, direction) };

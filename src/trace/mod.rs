@@ -48,6 +48,16 @@ pub struct Via<'a> {
     pub is_transmitted: bool,
     /// Its number, from 1, among several; 0 if it is alone.
     pub split: u32,
+    /// The material of the surface that it left, which has its weight.
+    pub material: &'a Material,
+}
+
+impl Via<'_> {
+    /// The bounce's weight.
+    fn weight(&self) -> Color {
+        let weights = &self.material.weights;
+        if self.is_transmitted { weights.transmitted } else { weights.reflected }
+    }
 }
 
 impl<'a> Path<'a> {
@@ -61,8 +71,8 @@ impl<'a> Path<'a> {
     pub fn route(&self) -> Route {
         match &self.via {
             None => Route::CAMERA,
-            Some(Via { path, is_transmitted: true, split }) => path.route().transmitted(*split),
-            Some(Via { path, is_transmitted: false, split }) => path.route().reflected(*split),
+            Some(Via { path, is_transmitted: true, split, .. }) => path.route().transmitted(*split),
+            Some(Via { path, is_transmitted: false, split, .. }) => path.route().reflected(*split),
         }
     }
 }

@@ -9,8 +9,12 @@ use crate::scene::{Arrival, Color, Light, LightKind, Material, Scene, Specular};
 use glam::DVec3;
 
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
-/// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead.
+/// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead. Nothing where its weight is zero.
 pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+    if meeting.material.weights.local == Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroLocal) {
+        probe.mark(Decision::Skipped { what: Skippable::Local, why: SkipReason::ZeroLocal });
+        return Color::ZERO;
+    }
     probe.within(Step::Shade { object: meeting.object }, |probe| match &meeting.material.pattern {
         None => from_all_lights(scene, meeting, probe),
         Some(pattern) => pattern::local_intensity(scene, meeting, pattern, probe),
@@ -80,7 +84,11 @@ pub(super) fn from_light<P: Probe>(
     let leaving = match () {
         _ if is_in_front => meeting.leaving_here(),
         _ if is_behind && material.uses_light_behind() => meeting.leaving_beyond(),
-        _ => return Color::ZERO,
+        _ => {
+            // The algorithm itself sends no shadow ray there, whatever rules are in force.
+            probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind });
+            return Color::ZERO;
+        }
     };
     if is_in_front && !material.uses_light_in_front() && scene.tracing.skip.has(SkipReason::NoLocalTerm) {
         probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm });
@@ -136,6 +144,11 @@ fn specular<P: Probe>(
     n_dot_l: f64,
     probe: &mut P,
 ) -> Color {
+    // All that is added up here is at least +0, and so adding zero changes no bit.
+    if material.specular == Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroTerm) {
+        probe.mark(Decision::Skipped { what: Skippable::Specular, why: SkipReason::ZeroTerm });
+        return Color::ZERO;
+    }
     let between = match scene.tracing.specular {
         Specular::HalfVector => {
             let sum = probe.note(Name::HalfSum, light + view);
@@ -161,7 +174,7 @@ fn specular<P: Probe>(
 fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, light: DVec3, probe: &mut P) -> Color {
     let media = meeting.path.media;
     let exponent = material.transmission_exponent;
-    let eta_light = media.beyond(meeting.object, material.ior, meeting.surface.side).ior();
+    let eta_light = media.ior_beyond((meeting.object, material.ior, meeting.surface.side));
     probe.given(Name::RefractEta1, eta_light);
     probe.given(Name::RefractEta2, media.ior());
     let eta = probe.note(Name::TransmitEta, media.ior() / eta_light);

@@ -26,6 +26,23 @@ pub struct Breakpoint {
     pub is_on: bool,
 }
 
+impl Breakpoint {
+    /// Whether it stops at an event. In a quiz it doesn't where that would tell what is hidden.
+    pub fn stops_at(&self, model: &Model, event: usize) -> bool {
+        let found = &model.log.events[event];
+        let tells = || model.hides(event) && self.condition.tells(&found.what);
+        self.condition.holds(found, model.numbers) && !tells()
+    }
+
+    /// Whether a quiz may keep it from stopping somewhere, whatever the log holds.
+    pub fn is_hidden_in(&self, model: &Model) -> bool {
+        model.understanding.quiz.is_some() && self.condition.may_tell()
+    }
+}
+
+/// What is said where a quiz may have kept a run from stopping.
+pub(super) const HIDDEN: &str = "a quiz hides where that stops; Q ends it";
+
 /// Sets the breakpoint that a text asks for, or says what is wrong with it.
 pub(super) fn add(model: &mut Model, text: &str) -> Result<(), String> {
     let condition = parse(text, &model.log)?;
@@ -100,8 +117,8 @@ pub(super) fn delete(model: &mut Model, selected: usize) {
 /// Goes to the next place of the breakpoint in this row of the list, whether it is on or off.
 pub(super) fn go_to_next(model: &mut Model, selected: usize) {
     let Some(breakpoint) = model.guide.breakpoints.get(selected) else { return };
-    let holds = |event: &usize| breakpoint.condition.holds(&model.log.events[*event], model.numbers);
-    let text = breakpoint.text.clone();
+    let holds = |event: &usize| breakpoint.stops_at(model, *event);
+    let (text, is_hidden) = (breakpoint.text.clone(), breakpoint.is_hidden_in(model));
     // Beyond the end it goes on at the beginning.
     let (count, here) = (model.log.events.len(), model.event);
     match (here + 1..count).chain(0..count.min(here + 1)).find(holds) {
@@ -109,6 +126,7 @@ pub(super) fn go_to_next(model: &mut Model, selected: usize) {
             model.overlay = None;
             run::stop(model, event, text);
         }
+        None if is_hidden => model.say(HIDDEN),
         None => model.say(&format!("nowhere in this log: {text}")),
     }
 }

@@ -42,9 +42,8 @@ pub(super) fn run(model: &mut Model, text: &str) -> Done {
     if text.is_empty() {
         return Ok(Effect::None);
     }
-    if let Ok(step) = text.parse::<usize>() {
-        go_to_step(model, step);
-        return Ok(Effect::None);
+    if let Some(number) = number(text) {
+        return step(model, number);
     }
     let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
     let command = find(word)?;
@@ -52,6 +51,12 @@ pub(super) fn run(model: &mut Model, text: &str) -> Done {
         return Err(format!("nothing stands behind :{}", command.name));
     }
     (command.run)(model, rest.trim())
+}
+
+/// A number, also one that is that of no step.
+fn number(text: &str) -> Option<f64> {
+    let is_made_of_digits = text.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c));
+    text.parse().ok().filter(|_| is_made_of_digits)
 }
 
 /// The command that a word or the beginning of one stands for.
@@ -94,12 +99,20 @@ fn help(model: &mut Model, _: &str) -> Done {
     Ok(Effect::None)
 }
 
-fn go_to_step(model: &mut Model, step: usize) {
+/// Goes to a step, or to the one at that end of the log beyond which the number lies.
+fn step(model: &mut Model, number: f64) -> Done {
     let count = model.log.events.len();
+    let what_there_is = format!("there are steps 1 to {count}");
+    if number.fract() != 0.0 {
+        return Err(what_there_is);
+    }
+    // Negative and huge numbers become the nearest that there are.
+    let step = number as usize;
     guide::jump(model, step.saturating_sub(1));
     if step == 0 || step > count {
-        model.say(&format!("there are steps 1 to {count}"));
+        model.say(&what_there_is);
     }
+    Ok(Effect::None)
 }
 
 fn bookmark(model: &mut Model, text: &str) -> Done {

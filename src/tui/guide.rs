@@ -102,8 +102,10 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
         Walk::NextMatch => search::go(model, true, times),
         Walk::PreviousMatch => search::go(model, false, times),
         Walk::Filter => {
+            // It begins empty, as nothing typed shows all; the filter that is on is the first that `Up` brings.
             let filter = model.guide.filter.as_deref().unwrap_or_default();
-            model.prompt = Some(Prompt::with(Purpose::Filter, filter));
+            model.guide.history.remember(Purpose::Filter, filter);
+            model.prompt = Some(Prompt::new(Purpose::Filter));
         }
         Walk::Mark(letter) => address::set(model, letter),
         Walk::GoTo('\'') => return jumps::over(model),

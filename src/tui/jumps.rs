@@ -21,6 +21,8 @@ pub struct Jumps {
     list: Vec<Spot>,
     /// The latest, to which one can go over and back.
     last: Option<Spot>,
+    /// The one before it that isn't the same: where the latest jump doesn't move, it is this that one comes back to.
+    other: Option<Spot>,
 }
 
 /// So many are remembered.
@@ -38,6 +40,15 @@ impl Spot {
     }
 }
 
+impl Jumps {
+    /// The next jump begins here. Whether it moves isn't known yet.
+    fn turn_at(&mut self, here: Spot) {
+        if self.last.as_ref() != Some(&here) {
+            self.other = self.last.replace(here);
+        }
+    }
+}
+
 /// Remembers the current step, before a jump.
 pub(super) fn remember(model: &mut Model) {
     let here = Spot::of(model, model.event);
@@ -46,7 +57,7 @@ pub(super) fn remember(model: &mut Model) {
         jumps.list.remove(0);
     }
     jumps.list.push(here.clone());
-    jumps.last = Some(here);
+    jumps.turn_at(here);
 }
 
 /// Goes back to where the last jump began, then to where the one before it did.
@@ -55,7 +66,7 @@ pub(super) fn back(model: &mut Model) -> Effect {
     // A jump that led nowhere, such as to a pixel that can't be traced, isn't a way back.
     while let Some(spot) = model.guide.jumps.list.pop() {
         if spot != here {
-            model.guide.jumps.last = Some(here);
+            model.guide.jumps.turn_at(here);
             return go(model, spot);
         }
     }
@@ -65,10 +76,14 @@ pub(super) fn back(model: &mut Model) -> Effect {
 
 /// Goes back to before the last jump, as a jump, so that the next one leads here again.
 pub(super) fn over(model: &mut Model) -> Effect {
-    match model.guide.jumps.last.take() {
-        Some(last) => {
+    let here = Spot::of(model, model.event);
+    let jumps = &model.guide.jumps;
+    // A jump that doesn't move, such as to the step where one is, hides none that did.
+    let turned = [&jumps.last, &jumps.other].into_iter().flatten().find(|spot| **spot != here).cloned();
+    match turned {
+        Some(spot) => {
             remember(model);
-            go(model, last)
+            go(model, spot)
         }
         None => {
             model.say("no jump to come back from");

@@ -38,6 +38,7 @@ impl Kind {
             Kind::Breakpoints => &[
                 "Space on/off, d deletes, Enter next place, Esc closes",
                 "Space on/off, d deletes, Enter next",
+                "Space on/off, d del, Enter next",
                 "Space on/off, d deletes",
             ],
             _ => &[],

@@ -220,8 +220,8 @@ impl Model {
         self.fold = Fold::of(&self.tree);
         self.log = log;
         self.others.clear();
-        // A quiz goes on; what was answered and opened was of the other log.
-        self.understanding = Understanding { quiz: self.understanding.quiz.take(), ..Understanding::default() };
+        // A quiz goes on; what was opened was of the other log.
+        self.understanding.listing = None;
         self.go_to_event(place.found_in(&self.log, &self.tree));
         if let (Some(view), Subject::Pixel(pixel)) = (&mut self.picture, self.log.header.subject) {
             view.cursor = pixel;

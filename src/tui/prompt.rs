@@ -5,6 +5,7 @@ use super::update::Effect;
 use super::{breakpoints, command, quiz, search};
 use crate::report::words::plain;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use std::collections::HashMap;
 use tui_input::{Input, InputRequest};
 
 /// A line that is being typed.
@@ -16,8 +17,10 @@ pub struct Prompt {
     pub line: Input,
     /// How many lines before this one it was brought back from; 0 where it wasn't.
     recalled: usize,
-    /// What was being typed before a line was brought back.
-    draft: String,
+    /// What stood at each of these places when another line was brought back; at 0 what was being typed.
+    left: HashMap<usize, String>,
+    /// How many of the latest lines before are this one, which was wrong and is being mended.
+    tried: usize,
     /// The warning in whose place stands what is wrong with the line.
     warning: Option<Message>,
 }
@@ -59,12 +62,7 @@ impl Purpose {
 impl Prompt {
     /// An empty line.
     pub fn new(purpose: Purpose) -> Prompt {
-        Prompt::with(purpose, "")
-    }
-
-    /// A line in which this stands already.
-    pub fn with(purpose: Purpose, line: &str) -> Prompt {
-        Prompt { purpose, line: line.into(), recalled: 0, draft: String::new(), warning: None }
+        Prompt { purpose, line: Input::default(), recalled: 0, left: HashMap::new(), tried: 0, warning: None }
     }
 }
 
@@ -95,28 +93,29 @@ fn finish(model: &mut Model) -> Effect {
     let text = prompt.line.value().to_owned();
     model.guide.history.remember(prompt.purpose, &text);
     done(model, prompt.purpose, &text).unwrap_or_else(|why| {
-        // It is the latest of the lines now, so that `Up` leads to the one before.
+        // It is the latest of the lines now; `Up` leads to the one before, and `Down` back to it as it was mended.
+        let tried = usize::from(model.guide.history.before(prompt.purpose, 1).is_some_and(|(_, line)| line == text));
         let warning = model.message.take();
-        model.prompt = Some(Prompt { recalled: 1, draft: String::new(), warning, ..prompt });
+        model.prompt = Some(Prompt { recalled: 0, left: HashMap::new(), tried, warning, ..prompt });
         model.say(&why);
         Effect::None
     })
 }
 
-/// Brings back a line that was typed before, or what was being typed.
+/// Brings back a line that was typed before, or what was being typed. Lines that are left come back as they were changed.
 fn recall(model: &mut Model, further: fn(usize) -> usize) {
     let Some(prompt) = &mut model.prompt else { return };
-    let typed = prompt.line.value();
-    match (model.guide.history.before(prompt.purpose, further(prompt.recalled)), prompt.recalled) {
-        (Some((back, line)), before) => {
-            if before == 0 {
-                typed.clone_into(&mut prompt.draft);
-            }
-            (prompt.recalled, prompt.line) = (back, line.into());
-        }
-        (None, 1) => (prompt.recalled, prompt.line) = (0, std::mem::take(&mut prompt.draft).into()),
-        (None, _) => {}
+    let wanted = further(prompt.recalled);
+    let known = model.guide.history.before(prompt.purpose, wanted + prompt.tried).filter(|_| wanted > 0);
+    // There may be fewer before it.
+    let place = known.map_or(0, |(back, _)| back - prompt.tried);
+    if place == prompt.recalled || (place == 0 && wanted > 0) {
+        return;
     }
+    let line = prompt.left.remove(&place).or(known.map(|(_, line)| line.to_owned())).unwrap_or_default();
+    let left = std::mem::replace(&mut prompt.line, line.into());
+    prompt.left.insert(prompt.recalled, left.value().to_owned());
+    prompt.recalled = place;
 }
 
 /// Completes the line as far as there is no choice, and says what there is where there is one.

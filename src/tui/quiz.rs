@@ -17,8 +17,8 @@ pub struct Quiz {
     pub asked: u32,
     /// How often the current step was answered wrongly.
     misses: u32,
-    /// The step that was.
-    missed: usize,
+    /// The step that was, and its pixel.
+    missed: (Option<[u32; 2]>, usize),
 }
 
 /// The misses after which a result is shown.
@@ -32,8 +32,11 @@ impl Model {
             let what = self.log.events.get(event).map(|event| &event.what);
             matches!(what, Some(What::Note { .. } | What::Result { .. } | What::Mark(_)))
         };
-        let understanding = &self.understanding;
-        understanding.quiz.is_some() && event >= self.event && !understanding.answered.contains(&event) && is_asked()
+        let is_answered = || {
+            let here = self.understanding.answered.get(&self.pixel());
+            here.is_some_and(|answered| answered.contains(&event))
+        };
+        self.understanding.quiz.is_some() && event >= self.event && is_asked() && !is_answered()
     }
 
     /// Whether what an event is called would tell what the quiz hides: a decision is called by what was decided.
@@ -97,8 +100,9 @@ pub(super) fn answer(model: &mut Model, line: &str) -> Result<(), String> {
         What::Mark(decision) => judged_decision(model, line, decision)?,
         What::Enter { .. } | What::Leave => return Ok(()),
     };
-    if quiz.missed != event {
-        (quiz.missed, quiz.misses) = (event, 0);
+    let pixel = model.pixel();
+    if quiz.missed != (pixel, event) {
+        (quiz.missed, quiz.misses) = ((pixel, event), 0);
     }
     let is_known = match judged {
         Judged::Right => {
@@ -116,7 +120,7 @@ pub(super) fn answer(model: &mut Model, line: &str) -> Result<(), String> {
     if is_known {
         quiz.asked += 1;
         quiz.misses = 0;
-        model.understanding.answered.insert(event);
+        model.understanding.answered.entry(pixel).or_default().insert(event);
     }
     model.understanding.quiz = Some(quiz);
     Ok(())

@@ -1,5 +1,6 @@
 //! Running to the next breakpoint, and the log of where that stopped.
 
+use super::breakpoints::{Breakpoint, HIDDEN};
 use super::describe;
 use super::guide;
 use super::jumps::{self, Spot};
@@ -40,12 +41,21 @@ pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
         };
         match found {
             Some((event, text)) => stop(model, event, text),
-            None if done > 0 => return,
-            None => {
-                let side = if is_forward { "after" } else { "before" };
-                return model.say(&format!("no breakpoint stops {side} this step"));
-            }
+            None => return say_no_more(model, is_forward, (done, times)),
         }
+    }
+}
+
+/// Says that no breakpoint stops any more, after so many stops of so many.
+fn say_no_more(model: &mut Model, is_forward: bool, (done, times): (usize, usize)) {
+    let side = if is_forward { "after" } else { "before" };
+    let hides = |one: &Breakpoint| one.is_on && one.is_hidden_in(model);
+    if done > 0 {
+        model.say(&format!("stopped {done} of {times} times; no breakpoint stops {side} this step"));
+    } else if is_forward && model.guide.breakpoints.iter().any(hides) {
+        model.say(HIDDEN);
+    } else {
+        model.say(&format!("no breakpoint stops {side} this step"));
     }
 }
 
@@ -56,7 +66,7 @@ pub(super) fn first_stop(model: &Model, mut events: impl Iterator<Item = usize>)
         return None;
     }
     events.find_map(|event| {
-        let stops = on.iter().find(|one| one.condition.holds(&model.log.events[event], model.numbers))?;
+        let stops = on.iter().find(|one| one.stops_at(model, event))?;
         Some((event, stops.text.clone()))
     })
 }

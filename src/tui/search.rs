@@ -87,8 +87,7 @@ impl Search {
     fn look(&mut self, model: &Model, most: usize) {
         let mut matcher = Matcher::new(&model.log, &model.tree, model.numbers, &self.pattern);
         // A search for values or decisions would find out what a quiz hides.
-        matcher.tells_results = model.understanding.quiz.is_none();
-        matcher.could_be_number &= matcher.tells_results;
+        matcher.in_quiz = model.understanding.quiz.is_some().then_some(model);
         let until = self.looked_at.saturating_add(most).min(self.count);
         let events = (self.looked_at..until).map(|number| (self.start + number) % self.count);
         self.found.extend(events.filter(|event| matcher.matches(*event)).map(|event| event as u32));
@@ -151,7 +150,8 @@ struct Matcher<'a> {
     pattern: &'a Pattern,
     names: HashMap<Name, bool>,
     steps: HashMap<Step, bool>,
-    tells_results: bool,
+    /// What tells which events are hidden, if some are.
+    in_quiz: Option<&'a Model>,
     could_be_number: bool,
     could_be_path: bool,
 }
@@ -165,7 +165,7 @@ impl Matcher<'_> {
             pattern,
             names: HashMap::new(),
             steps: HashMap::new(),
-            tells_results: true,
+            in_quiz: None,
             could_be_number: pattern.is_made_of("0123456789.-·⁰¹²³⁴⁵⁶⁷⁸⁹⁻(), naNif"),
             could_be_path: pattern.is_made_of("CRTScrts0123456789. ay"),
         }
@@ -173,9 +173,9 @@ impl Matcher<'_> {
 
     fn matches(&mut self, event: usize) -> bool {
         match &self.log.events[event].what {
-            What::Note { name, value } => self.has_name(*name) || self.has_value(value),
-            What::Result { color } => self.pattern.is_in("result") || self.has_value(&Value::Triple(*color)),
-            What::Mark(_) if !self.tells_results => false,
+            What::Note { name, value } => self.has_name(*name) || self.has_value(event, value),
+            What::Result { color } => self.pattern.is_in("result") || self.has_value(event, &Value::Triple(*color)),
+            What::Mark(_) if self.is_hidden(event) => false,
             What::Mark(decision) => self.pattern.is_in(&words::decision(&self.log.header, decision, self.numbers)),
             What::Enter { step, .. } => self.has_step(self.tree.owner(event), *step),
             What::Leave => false,
@@ -191,8 +191,12 @@ impl Matcher<'_> {
             .or_insert_with(|| pattern.is_in(name.key()) || pattern.is_in(symbol) || pattern.is_in(&ascii(symbol)))
     }
 
-    fn has_value(&self, value: &Value) -> bool {
-        self.could_be_number && self.pattern.is_in(&number::value(value, self.numbers))
+    fn is_hidden(&self, event: usize) -> bool {
+        self.in_quiz.is_some_and(|model| model.hides(event))
+    }
+
+    fn has_value(&self, event: usize, value: &Value) -> bool {
+        self.could_be_number && !self.is_hidden(event) && self.pattern.is_in(&number::value(value, self.numbers))
     }
 
     fn has_step(&mut self, node: usize, step: Step) -> bool {
@@ -221,16 +225,22 @@ pub(super) fn begin(model: &mut Model, text: &str) -> Result<(), String> {
         model.guide.search = None;
         return Ok(());
     }
-    let mut search = Search::new(model, text);
-    while search.found.is_empty() && !search.is_complete() {
-        search.look(model, SLICE);
-    }
+    let search = begun(model, text);
     if search.found.is_empty() {
         return Err(not_found(text));
     }
     model.guide.search = Some(search);
-    go(model, true, 1);
+    go_on(model, true, 1);
     Ok(())
+}
+
+/// A search that has looked until it found something, or at everything.
+fn begun(model: &Model, text: &str) -> Search {
+    let mut search = Search::new(model, text);
+    while search.found.is_empty() && !search.is_complete() {
+        search.look(model, SLICE);
+    }
+    search
 }
 
 fn not_found(text: &str) -> String {
@@ -277,6 +287,15 @@ fn next(model: &mut Model, is_forward: bool, times: usize) -> Option<(usize, boo
 
 /// Goes to the next match, or to the previous one; beyond the last comes the first.
 pub(super) fn go(model: &mut Model, is_forward: bool, times: usize) {
+    // What a quiz has told since the search was begun is found, too.
+    if model.understanding.quiz.is_some() {
+        let renewed = model.guide.search.as_ref().map(|search| begun(model, &search.pattern.text));
+        model.guide.search = renewed;
+    }
+    go_on(model, is_forward, times);
+}
+
+fn go_on(model: &mut Model, is_forward: bool, times: usize) {
     let found = next(model, is_forward, times);
     let Some(search) = &model.guide.search else { return model.say("nothing is searched for; / searches") };
     match found {

@@ -73,7 +73,7 @@ pub(super) fn nested(shape: &str) -> Log {
         if what == What::Leave {
             open.pop();
         }
-        events.push(Event { at, node, what, given: Vec::new(), digits: None });
+        events.push(Event { at, node, what, given: Box::default(), digits: None });
     }
     Log { header: header(), events }
 }

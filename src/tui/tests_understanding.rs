@@ -216,6 +216,34 @@ fn a_quiz_tells_no_later_decision() {
     assert!(!at_it.contains(&text) && after.contains(&text), "{text}\n{at_it}\n{after}");
 }
 
+/// Sets a breakpoint in a quiz of the glass ball and types `keys`; then this is said.
+#[track_caller]
+fn a_run_says(breakpoint: &str, keys: &str, expected: &str) {
+    let mut model = sized(glass(), 100, 30);
+    typed(&mut model, &format!("Q b {} Enter {keys}", breakpoint.replace(' ', " Space ").replace("Space", "<Space>")));
+    let said = model.message.as_ref().map(|message| message.text.clone()).unwrap_or_default();
+    assert!(said.contains(expected), "{breakpoint}, {keys}: {said}");
+    let told = model.step() > 1;
+    assert_eq!(told, !expected.contains("a quiz hides"), "{breakpoint}, {keys}: step {}", model.step());
+}
+
+#[test]
+fn a_run_in_a_quiz_tells_nothing() {
+    for keys in ["r", "B Enter", "R B Enter"] {
+        for breakpoint in ["hit", "nearest", "shade.n_dot_l>0.3", "|ray.direction|~1", "total-internal-reflection"] {
+            a_run_says(breakpoint, keys, "a quiz hides where that stops; Q ends it");
+        }
+    }
+    a_run_says("shadow", "r", "stopped by shadow");
+    a_run_says("shade.n_dot_l", "r", "stopped by shade.n_dot_l");
+    a_run_says("result", "r", "result ?");
+    // The test of an object is seen, a decision that names it isn't before it is passed.
+    a_run_says("object ball", "r", "stopped by object ball: test ball");
+    // What was passed is told, and so is everything after the quiz.
+    a_run_says("hit", "$ R", "stopped by hit");
+    a_run_says("hit", "Q r", "stopped by hit: hit");
+}
+
 #[test]
 fn a_quiz_asks_for_decisions() {
     let said = |model: &Model| model.message.as_ref().map(|message| message.text.clone()).unwrap_or_default();
@@ -247,16 +275,37 @@ fn a_quiz_asks_for_decisions() {
     typed(&mut model, &format!("= {} Enter", keys.join(" ")));
     assert_eq!((said(&model).as_str(), model.score().as_deref()), ("right", Some("quiz 2 of 2")));
     // What is searched isn't found where it would tell.
-    typed(&mut model, "0 / n e a r e s t Enter");
+    typed(&mut model, "0 / b a c k g r o u n d Enter");
     assert!(said(&model).contains("not found"), "{}", said(&model));
-    typed(&mut model, "Esc Q / n e a r e s t Enter");
+    // What was answered is found, and nothing else of its kind before it is passed.
+    typed(&mut model, "Esc / n e a r e s t Enter");
+    assert_eq!(model.event, nearest);
+    typed(&mut model, ";");
+    assert_eq!((model.event, said(&model).as_str()), (nearest, "from the beginning again"));
+    typed(&mut model, "$ , ");
+    assert!(model.event > nearest);
+    typed(&mut model, "0 Esc Q / n e a r e s t Enter");
     assert_eq!(model.event, nearest);
 }
 
 #[test]
 fn a_quiz_goes_on_in_another_pixel() {
     let mut model = sized(textbook(), 100, 30);
-    typed(&mut model, "Q 3n");
+    typed(&mut model, "Q 3n = 1 Enter");
+    let asked = model.event;
     model.show(glass());
     assert!(model.understanding.quiz.is_some() && model.hides(model.log.events.len() - 1));
+    // A miss counts for the step of its pixel alone, and an answer is one also after another pixel.
+    model.show(textbook());
+    model.go_to_event(asked);
+    typed(&mut model, "= - 0 . 9 4 6 Enter");
+    assert_eq!(model.score().as_deref(), Some("quiz 1 of 1"));
+    model.show(glass());
+    model.show(textbook());
+    model.go_to_event(asked);
+    assert!(!model.hides(asked));
+    typed(&mut model, "=");
+    assert!(model.prompt.is_none());
+    typed(&mut model, "Q Q");
+    assert!(model.hides(asked), "another quiz begins anew");
 }

@@ -10,7 +10,7 @@ use crate::log::{Decision, Digits, Log, Tree, Value, What};
 use crate::report::contributions::{self, Account, Ended, Group, Origin, Why};
 use crate::report::side_by_side::{self, Row, Run};
 use crate::report::{number, path_class, provenance, words};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// The most entries of a list: nobody reads more, and a frame must not wait for them.
 const MOST: usize = 500;
@@ -22,8 +22,8 @@ pub struct Understanding {
     pub listing: Option<(Kind, Listing)>,
     /// The quiz, while it is on.
     pub quiz: Option<super::quiz::Quiz>,
-    /// The steps whose results somebody answered.
-    pub answered: HashSet<usize>,
+    /// The steps whose results somebody answered, of each pixel: the score counts none of them twice.
+    pub answered: HashMap<Option<[u32; 2]>, HashSet<usize>>,
 }
 
 /// Opens a list of this kind, made from where the model is now.
@@ -235,7 +235,11 @@ fn ended(model: &Model, ended: &Ended) -> Entry {
         (Why::Blocked { light: number }, Some(Decision::Occluded { object })) => {
             format!("{} is blocked by {}", light(number), words::plain(header.object(object)))
         }
-        (_, Some(decision)) => words::decision(header, &decision, model.numbers),
+        (_, Some(decision)) => {
+            let lost = words::lost(&model.log.events[ended.event], model.numbers);
+            let lost = lost.map_or(String::new(), |lost| format!("; {lost}"));
+            format!("{}{lost}", words::decision(header, &decision, model.numbers))
+        }
         (_, None) => "nothing".to_owned(),
     };
     Entry { role: Role::Blocked, ..Entry::to(ended.event, format!("  {}  {why}", ended.path)) }

@@ -5,6 +5,7 @@
 
 use insta::Settings;
 use raywalk::record::Arithmetic;
+use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::{self, Source, mesh};
 use raywalk::scene::{Scene, build, builtin};
 
@@ -17,7 +18,21 @@ pub fn scene(name: &str) -> Scene {
 /// A scene from the text of its file.
 #[track_caller]
 pub fn scene_of(text: &[u8], name: &str) -> Scene {
-    let loaded = file::check(text, &format!("{name}.json")).unwrap_or_else(|error| panic!("{}", error.report(false)));
+    changed_scene_of(text, name, |_| ())
+}
+
+/// A built-in scene with other settings, so that what is derived from them fits.
+#[track_caller]
+pub fn changed_scene(name: &str, change: impl FnOnce(&mut SceneFile)) -> Scene {
+    changed_scene_of(builtin::text(name).expect("a built-in scene").as_bytes(), name, change)
+}
+
+/// A scene from the text of its file, with other settings.
+#[track_caller]
+pub fn changed_scene_of(text: &[u8], name: &str, change: impl FnOnce(&mut SceneFile)) -> Scene {
+    let mut loaded =
+        file::check(text, &format!("{name}.json")).unwrap_or_else(|error| panic!("{}", error.report(false)));
+    change(&mut loaded.scene);
     let source = Source { name, text };
     let meshes = mesh::load(&loaded.scene, &source, mesh::Folder::BuiltIn(builtin::mesh));
     let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));

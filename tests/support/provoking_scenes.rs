@@ -137,6 +137,7 @@ fn bare(name: &str, options: Options) -> Scene {
         materials: Vec::new(),
         objects: Vec::new(),
         index: Index::default(),
+        ceilings: Default::default(),
         sampling: raywalk::scene::Sampling::Center,
         seed: 0,
         frame: None,

@@ -15,6 +15,9 @@ pub enum LogError {
         /// What stands there instead.
         found: String,
     },
+    /// The header isn't whole.
+    #[error("1:1: the log was cut off in its header")]
+    NoWholeHeader,
     /// The log is of another version.
     #[error("1:1: log: this program reads `{FORMAT}`, the log is `{found}`")]
     OtherVersion {

@@ -6,6 +6,9 @@ use std::io::{self, ErrorKind, Read};
 /// How much is read at a time: enough for a fast digest, and soon gone from the cache again.
 const BLOCK: usize = 256 << 10;
 
+/// What some programs begin a text in UTF-8 with.
+pub(super) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// The lines of a text, and the digest of those that have gone by.
 pub(super) struct Lines<R> {
     input: R,
@@ -39,10 +42,14 @@ impl<R: Read> Lines<R> {
         Lines { input, block: Vec::new(), digested: 0, current: 0, next: 0, is_at_end: false, hasher, number: 0 }
     }
 
-    /// The first bytes of the text that aren't white space, some hundreds of them if there are.
+    /// The first bytes of the text that aren't white space, some hundreds of them if there are. A byte order mark before them
+    /// is no part of the text: no digest has it.
     pub fn beginning(&mut self) -> io::Result<&[u8]> {
         while !self.is_at_end && self.block.trim_ascii_start().len() < 512 {
             self.read_more()?;
+        }
+        if self.number == 0 && self.block.starts_with(BYTE_ORDER_MARK) {
+            self.block.drain(..BYTE_ORDER_MARK.len());
         }
         Ok(self.block.trim_ascii_start())
     }

@@ -3,7 +3,7 @@
 use super::LogError;
 use super::document::{self, is_document};
 use super::line::{End, Line};
-use super::lines::Lines;
+use super::lines::{BYTE_ORDER_MARK, Lines, TextLine};
 use super::reader::Reader;
 use crate::log::Log;
 use crate::log::escape::{is_hidden, shortened, visible};
@@ -53,6 +53,7 @@ impl Ending {
 
 /// Whether what begins like this is a log: by its first key.
 pub fn is_log(beginning: &[u8]) -> bool {
+    let beginning = beginning.strip_prefix(BYTE_ORDER_MARK).unwrap_or(beginning);
     let first_key = beginning.trim_ascii_start().strip_prefix(b"{").map(<[u8]>::trim_ascii_start);
     first_key.is_some_and(|key| key.starts_with(b"\"log\"")) || is_document(beginning)
 }
@@ -75,7 +76,7 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     if is_document(lines.beginning()?) {
         return document::read(&lines.whole()?);
     }
-    let header = header(lines.next_line()?.map(|line| line.text).unwrap_or_default())?;
+    let header = header(&mut lines)?;
     let mut reader = Reader::new(&header);
     let mut ending = Ending::Missing { incomplete_record: false };
     while let Some(line) = lines.next_line()? {
@@ -105,19 +106,30 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     Ok(ReadLog { log: Log { header, events }, ending })
 }
 
-fn header(line: &[u8]) -> Result<Header, LogError> {
+/// The header in the first line that isn't blank.
+fn header(lines: &mut Lines<impl Read>) -> Result<Header, LogError> {
+    while let Some(line) = lines.next_line()? {
+        if !line.text.trim_ascii().is_empty() {
+            return header_in(&line);
+        }
+    }
+    Err(LogError::NotALog { found: "nothing".into() })
+}
+
+fn header_in(&TextLine { text: line, number, is_terminated }: &TextLine) -> Result<Header, LogError> {
     #[derive(Deserialize)]
     struct Version {
         log: String,
     }
     let Ok(version) = serde_json::from_slice::<Version>(line) else {
+        if !is_terminated && is_log(line) {
+            return Err(LogError::NoWholeHeader);
+        }
         let found: String = String::from_utf8_lossy(line).chars().take(40).flat_map(char::escape_default).collect();
-        return Err(LogError::NotALog {
-            found: if found.is_empty() { "nothing".into() } else { format!("`{found}`") },
-        });
+        return Err(LogError::NotALog { found: format!("`{found}`") });
     };
     check_version(&version.log)?;
-    let header = serde_json::from_slice(line).map_err(|error| error_at(1, &error))?;
+    let header = serde_json::from_slice(line).map_err(|error| error_at(number, &error))?;
     check_names(&header)?;
     Ok(header)
 }
@@ -155,4 +167,51 @@ pub(super) fn error_at(line: usize, error: &serde_json::Error) -> LogError {
     let text = error.to_string();
     let message = text.split(" at line ").next().unwrap_or(&text);
     LogError::damaged(line, error.column().max(1), message)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::log::file::{to_json, to_ndjson};
+    use crate::record::{self, Arithmetic};
+    use crate::scene::{build, builtin, file};
+
+    fn textbook() -> Log {
+        let text = builtin::text("textbook").unwrap();
+        let scene = build(&file::check(text.as_bytes(), "test").unwrap().scene, &Default::default()).unwrap();
+        record::pixel(&scene, [160, 120], Arithmetic::F64)
+    }
+
+    #[track_caller]
+    fn reads(before: &[u8], bytes: &[u8], is_complete: bool) {
+        let bytes = [before, bytes].concat();
+        assert!(is_log(&bytes));
+        let found = read(&bytes).unwrap();
+        assert_eq!(found.ending == Ending::Complete, is_complete, "{:?}", found.ending);
+        assert_eq!(found.log, textbook());
+    }
+
+    #[test]
+    fn a_log_may_begin_with_a_byte_order_mark_and_blank_lines() {
+        let (lines, document) = (to_ndjson(&textbook()).unwrap(), to_json(&textbook()).unwrap());
+        reads(BYTE_ORDER_MARK, &lines, true);
+        reads(BYTE_ORDER_MARK, &document, true);
+        reads(b"\n", &document, true);
+        // They were no part of it when its digest was made.
+        reads(b"\n", &lines, false);
+        reads(b"\xef\xbb\xbf \r\n\n", &lines, false);
+    }
+
+    #[test]
+    fn a_header_that_was_cut_off_is_told_from_none() {
+        let lines = to_ndjson(&textbook()).unwrap();
+        for length in [20, 50, 200] {
+            let said = read(&lines[..length]).unwrap_err().to_string();
+            assert_eq!(said, "1:1: the log was cut off in its header", "{length}");
+        }
+        for blank in ["", "\n \n"] {
+            assert!(read(blank.as_bytes()).unwrap_err().to_string().ends_with("found nothing"));
+        }
+    }
 }

@@ -51,7 +51,7 @@ impl Reader {
         if self.events.len() == self.events.capacity() {
             self.ask_for_memory()?;
         }
-        self.events.push(Event { at, node, what, given: line.given.0, digits: digits.map(Box::new) });
+        self.events.push(Event { at, node, what, given: line.given.0.into(), digits: digits.map(Box::new) });
         for child in line.children {
             self.take(child, number)?;
         }

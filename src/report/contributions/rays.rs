@@ -2,7 +2,7 @@
 
 use super::{Color, Contribution, Ended, Origin, Source, Why, times};
 use crate::log::tree::path_of_child;
-use crate::log::{Decision, Log, Name, RayKind, Skippable, Step, Tree, Value, What, scope};
+use crate::log::{Decision, Log, Name, RayKind, SkipReason, Skippable, Step, Tree, Value, What, scope};
 use crate::report::terms;
 
 /// A walk over the rays of a pixel.
@@ -159,6 +159,9 @@ impl<'a> Walk<'a> {
         let decided = marks.filter_map(|event| {
             let why = match self.decision(event)? {
                 Decision::Occluded { .. } => Why::Blocked { light },
+                Decision::Skipped { why: SkipReason::Behind, .. } => Why::LightBehind { light },
+                // The light brings its other terms.
+                Decision::Skipped { why: SkipReason::ZeroTerm, .. } => return None,
                 Decision::LeakGuard { .. } | Decision::Skipped { .. } | Decision::Undefined { .. } => Why::Decided,
                 _ => return None,
             };

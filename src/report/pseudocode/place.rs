@@ -122,6 +122,7 @@ fn direction(what: Skippable) -> Place {
         Skippable::Reflected => Place::Reflection,
         Skippable::Transmitted => Place::Transmission,
         Skippable::Shadow => Place::Shadow,
+        Skippable::Local | Skippable::Specular => Place::Terms,
     }
 }
 
@@ -130,6 +131,7 @@ fn colour(what: Skippable) -> Place {
         Skippable::Reflected => Place::Reflected,
         Skippable::Transmitted => Place::Transmitted,
         Skippable::Shadow => Place::Shadow,
+        Skippable::Local | Skippable::Specular => Place::Terms,
     }
 }
 
@@ -216,7 +218,7 @@ fn in_light(happening: &Event) -> Place {
                 _ => Place::Light,
             },
         },
-        What::Mark(Decision::LeakGuard { .. } | Decision::Skipped { .. }) => Place::Shadow,
+        What::Mark(Decision::Skipped { what, .. } | Decision::LeakGuard { what }) => direction(*what),
         What::Leave => Place::Terms,
         _ => Place::Light,
     }

@@ -159,7 +159,7 @@ pub(super) fn local(case: &Map<String, Value>) -> Result<Value, String> {
     let kind = LightKind::Directional { travel: -DVec3::from(light) };
     scene.lights = vec![Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None }];
     // The viewer's side has the index η, the light's side 1.
-    let media = Media::default().beyond(u32::MAX, eta, Side::Front);
+    let media = Media::default().beyond((u32::MAX, eta, Side::Front));
     let mut parts_with = |specular: Specular| {
         scene.tracing.specular = specular;
         let [diffuse, specular, transmitted] = local_parts(&scene, normal, view, &media).to_array();

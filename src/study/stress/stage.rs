@@ -34,6 +34,7 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
         effects: Effects::default(),
         lights: Vec::new(),
         materials: vec![plain],
+        ceilings: Default::default(),
         index: Index::new(&objects),
         objects,
         tracing: Tracing {

@@ -79,6 +79,22 @@ impl Condition {
             },
         }
     }
+
+    /// Whether that an event is so would tell its value or what was decided; that it computes a quantity doesn't.
+    pub fn tells(&self, what: &What) -> bool {
+        let tests = matches!(self, Condition::Quantity(Quantity { test: Some(_), .. }));
+        matches!(what, What::Mark(_)) || tests
+    }
+
+    /// Whether there may be events of which it would tell that.
+    pub fn may_tell(&self) -> bool {
+        match self {
+            Condition::Kind(word) => !kind::is_open(word),
+            Condition::Object(_) => true,
+            Condition::Light(_) | Condition::Depth(_) => false,
+            Condition::Quantity(quantity) => quantity.test.is_some(),
+        }
+    }
 }
 
 impl Quantity {

@@ -2,7 +2,7 @@
 
 use crate::log::{Decision, Miss, Step, What};
 
-/// Every kind.
+/// Every kind: of nodes, then of decisions from `hit` on, then the result.
 pub const WORDS: &[&str] = &[
     "pixel",
     "sample",
@@ -46,6 +46,12 @@ pub const WORDS: &[&str] = &[
 pub fn find(word: &str) -> Option<&'static str> {
     let word = word.to_lowercase().replace(['_', ' '], "-");
     WORDS.iter().copied().find(|known| *known == word)
+}
+
+/// Whether a kind is seen without knowing what was decided: that of a node, and the result.
+pub fn is_open(word: &str) -> bool {
+    let first_decision = WORDS.iter().position(|known| *known == "hit").unwrap_or(WORDS.len());
+    word == "result" || WORDS[..first_decision].contains(&word)
 }
 
 /// The kinds of an event, the narrower one last; none for a computed value and for the end of a node.

@@ -97,10 +97,12 @@ fn the_filter_leaves_what_matches_and_what_is_around_it() {
     assert!(rows(&model).contains(&model.cursor));
     let text = dump(&frame(&model, 100, 40, &Theme::new(Palette::None, false)));
     assert!(text.contains("filtered"), "{text}");
-    // It can be changed, and ends with nothing.
-    typed(&mut model, "f");
-    assert_eq!(model.prompt.as_ref().map(|prompt| prompt.line.value()), Some("local model"));
-    typed(&mut model, "^u Enter");
+    // It can be changed, also one that was a command, and ends with nothing typed.
+    line(&mut model, ":", "filter local");
+    typed(&mut model, "f Up");
+    assert_eq!(model.prompt.as_ref().map(|prompt| prompt.line.value()), Some("local"));
+    typed(&mut model, "Esc f Enter");
+    assert_eq!(model.guide.filter, None);
     assert!(rows(&model).len() >= all.len());
     line(&mut model, "f", "no such text");
     assert_eq!((said(&model), model.guide.filter.as_ref()), ("no row matches: no such text", None));
@@ -126,6 +128,32 @@ fn bookmarks_lead_back() {
     typed(&mut model, "mq $ 'q");
     assert_eq!(model.step(), there);
     assert_eq!(model.guide.bookmarks.len(), 2);
+}
+
+/// Types `keys` at the numeric example; the current step is then this one.
+#[track_caller]
+fn ends_at(keys: &str, step: usize) {
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, keys);
+    assert_eq!(model.step(), step, "after {keys}: {}", said(&model));
+}
+
+#[test]
+fn a_jump_that_does_not_move_hides_none_that_did() {
+    ends_at("50G 0 ''", 50);
+    ends_at("50G 0 0 ''", 50);
+    ends_at("50G 0 0 0 ''", 50);
+    ends_at("50G 0 0 '' ''", 1);
+    ends_at("50G 50G '' '' ''", 1);
+    ends_at("50G 20G ^o ^o 0 ''", 50);
+    ends_at("0 ''", 1);
+    // A pixel that can't be traced is no jump.
+    let mut model = sized(textbook(), 100, 30);
+    typed(&mut model, "50G");
+    let refused = line(&mut model, ":", "pixel 3,4");
+    model.answer(refused, &mut None);
+    typed(&mut model, "''");
+    assert_eq!(model.step(), 1);
 }
 
 #[test]
@@ -178,6 +206,11 @@ fn commands() {
     assert_eq!(model.step(), 42);
     line(&mut model, ":", "4200");
     assert_eq!((model.step(), said(&model)), (96, "there are steps 1 to 96"));
+    for (text, step) in [("0", 1), ("99999999999999999999999", 96), ("-3", 1), ("3.5", 1)] {
+        line(&mut model, ":", text);
+        assert_eq!((model.step(), said(&model)), (step, "there are steps 1 to 96"), ":{text}");
+    }
+    typed(&mut model, "Esc");
     line(&mut model, ":", "break T2_A < 0");
     assert_eq!(model.guide.breakpoints.len(), 1);
     line(&mut model, ":", "search plane");
@@ -272,7 +305,9 @@ fn lines_are_brought_back() {
     recalls("/ x y Up Down", "xy");
     recalls("/ x y Up Down Down", "xy");
     recalls("/ Down", "");
-    recalls("/ Up s Up Down", "wall");
+    recalls("/ Up s Up Down", "walls");
+    recalls("/ x Up s Down", "x");
+    recalls("/ x Up s Down Up", "walls");
     recalls("f Up", "ball");
     recalls("b Up", "hit");
     recalls(": Up", "");
@@ -280,6 +315,12 @@ fn lines_are_brought_back() {
     recalls("/ q q q q Enter", "qqqq");
     recalls("/ q q q q Enter Up", "wall");
     recalls("/ q q q q Enter Esc / Up", "qqqq");
+    // What mends it isn't lost.
+    recalls("/ q q q q Enter s Up Down", "qqqqs");
+    recalls("/ q q q q Enter Up Down", "qqqq");
+    recalls("/ q q q q Enter Down", "qqqq");
+    recalls("f q q q q Enter Up Up Down", "qqqq");
+    recalls(": q q q q Enter s Up Down", "qqqqs");
 }
 
 /// Types a line and `Tab`; it then says this.

@@ -80,6 +80,24 @@ fn what_is_cut_is_scrolled_to() {
 }
 
 #[test]
+fn what_enter_does_is_said_also_on_a_small_screen() {
+    let mut model = sized(textbook(), 40, 12);
+    for (keys, expected) in [
+        ("5n d", "Enter goes, Esc closes"),
+        ("D", "Enter goes, Esc closes"),
+        ("w", "< > scroll, Enter goes, Esc closes"),
+        ("m a M", "Enter goes, Esc closes"),
+        ("b h i t Enter B", "Enter next"),
+        ("r L", "Enter goes, Esc closes"),
+    ] {
+        typed(&mut model, keys);
+        let shown = dump(&frame(&model, 40, 12, &Theme::new(Palette::None, false)));
+        assert!(shown.contains(expected), "{keys}:\n{shown}");
+        typed(&mut model, "Esc");
+    }
+}
+
+#[test]
 fn every_cell_has_a_column() {
     let mut model = sized(glass(), 100, 30);
     for keys in ["w", "20n d", "20n D", "ma M"] {

@@ -78,6 +78,7 @@ fn runs_stop_at_breakpoints() {
     goes(&mut model, "2r", shadows[2]);
     goes(&mut model, "R", shadows[1]);
     goes(&mut model, "9999r", *shadows.last().unwrap_or(&0));
+    assert!(said(&model).ends_with("of 9999 times; no breakpoint stops after this step"), "{}", said(&model));
     goes(&mut model, "r", *shadows.last().unwrap_or(&0));
     assert_eq!(said(&model), "no breakpoint stops after this step");
     goes(&mut model, "9999R", shadows[0]);

@@ -11,10 +11,12 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 
-/// What the keys do in a list.
-const USUAL: &str = "j k select, Enter goes there, Esc closes";
-/// What they do where lines are cut, from the longest way to say it to the shortest.
-const CUT: [&str; 2] = ["j k select, < > scroll, Enter goes there, Esc closes", "< > scroll, Esc closes"];
+/// What the keys do in a list, from the longest way to say it to the shortest.
+const USUAL: [&str; 2] = ["j k select, Enter goes there, Esc closes", "Enter goes, Esc closes"];
+/// What they do where lines are cut.
+const CUT: [&str; 2] = ["j k select, < > scroll, Enter goes there, Esc closes", "< > scroll, Enter goes, Esc closes"];
+/// And where besides no line leads anywhere.
+const CUT_PLAIN: &str = "< > scroll, Esc closes";
 
 /// Draws a list with its selected entry in view, from the column `shift` on.
 pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize), theme: &Theme, buffer: &mut Buffer) {
@@ -75,9 +77,9 @@ fn draw_frame(title: &str, hint: &str, theme: &Theme, area: Rect, buffer: &mut B
 fn hint(kind: Kind, place: &Place, has_targets: bool, is_cut: bool) -> &'static str {
     let room = usize::from(inner(place.area, 0).width).saturating_sub(2);
     let usual: &[&str] = match (has_targets, is_cut) {
-        (true, true) => &[CUT[0], CUT[1]],
-        (true, false) => &[USUAL],
-        (false, true) => &[CUT[1]],
+        (true, true) => &[CUT[0], CUT[1], USUAL[1]],
+        (true, false) => &USUAL,
+        (false, true) => &[CUT_PLAIN],
         (false, false) => &[],
     };
     let ways = kind.hints().iter().chain(usual);
@@ -102,7 +104,7 @@ struct Place {
 impl Place {
     fn of(listing: &Listing, table: &Table, kind: Kind, (width, height): (u16, u16)) -> Place {
         let has_head = !table.head.is_empty() && !table.rows.is_empty();
-        let hint = kind.hints().first().unwrap_or(&USUAL);
+        let hint = kind.hints().first().unwrap_or(&USUAL[0]);
         let said = [listing.nothing, &listing.title, hint].map(width_of).into_iter().max().unwrap_or(0);
         let area = middle(
             Rect::new(0, 0, width, height),
