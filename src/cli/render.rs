@@ -105,7 +105,10 @@ impl Render {
         match (self.stats, rendered.counts) {
             (Some(stats), Some(counts)) => {
                 let share = scene.sampling.largest_share();
-                print_statistics(&counts.statistics_of(share, clipped_pixels, seconds, peak_bytes().unwrap_or(0)), stats)
+                print_statistics(
+                    &counts.statistics_of(share, clipped_pixels, seconds, peak_bytes().unwrap_or(0)),
+                    stats,
+                )
             }
             _ => Ok(()),
         }

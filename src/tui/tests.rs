@@ -2,6 +2,7 @@
 
 mod any_keys;
 mod finding;
+mod lines;
 mod lists;
 mod messages;
 mod stepping;

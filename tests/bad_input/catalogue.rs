@@ -14,7 +14,7 @@ const TESTS: &[&str] = &[
     include_str!("signals.rs"),
     include_str!("text.rs"),
     // Those that need a terminal share its sessions.
-    include_str!("../terminal.rs"),
+    include_str!("../viewer/terminal.rs"),
 ];
 
 /// A row's id without its name: `b01` of `b01_empty`.

@@ -60,7 +60,7 @@ pub const ARITHMETICS: [Arithmetic; 4] =
 /// Snapshots stand in the top-level folder `snapshots/`, named as they are called.
 pub fn snapshots() -> Settings {
     let mut settings = Settings::clone_current();
-    settings.set_snapshot_path("../snapshots");
+    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings

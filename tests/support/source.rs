@@ -1,5 +1,8 @@
 //! The program's source text as the architecture tests read it: without comments, strings and test modules.
 
+// Each test file compiles this for itself and uses a part of it.
+#![allow(dead_code)]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,0 +1,25 @@
+//! The program's commands, the files that they read, and the pages that describe them.
+
+#[path = "../support/calls.rs"]
+mod calls;
+#[path = "../support/mutator.rs"]
+mod mutator;
+#[path = "../support/rays.rs"]
+mod rays;
+#[path = "../support/shared.rs"]
+mod shared;
+#[path = "../support/source.rs"]
+mod source;
+#[path = "../support/mod.rs"]
+mod support;
+
+mod bench;
+mod command_line;
+mod gallery;
+mod limits;
+mod mutations;
+mod nff;
+mod nff_pictures;
+mod rays_command;
+mod scenes;
+mod schema;

@@ -1,0 +1,134 @@
+//! Ray queries as users ask them: what a ray is said to leave, and what is wrong with a line.
+
+use crate::rays as random;
+use crate::support;
+use assert_cmd::Command;
+use glam::DVec3;
+use proptest::prelude::*;
+use raywalk::geometry::Leaving;
+use raywalk::scene::Scene;
+use raywalk::trace::query::{Answer, Query};
+
+const BOX: &str = r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 9], "direction": [0, 0, -1]},
+  "objects": [{"name": "b", "shape": {"box": {"min": [0, 0, 0.3], "max": [1, 1, 1.1]}}}]}"#;
+
+fn ask(scene: &Scene, origin: DVec3, direction: DVec3, leaves: bool) -> Option<Answer> {
+    let from = leaves.then_some((0, Leaving::ANY_PRIMITIVE));
+    Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from }.nearest(scene)
+}
+
+#[test]
+fn a_ray_that_leaves_a_box_meets_it_again_inward_only() {
+    let scene = support::scene_of(BOX.as_bytes(), "box");
+    let coordinate = |low: f64, high: f64| low..high;
+    let aim = (coordinate(0.1, 0.9), coordinate(0.1, 0.9), coordinate(0.4, 1.0));
+    let strategy = (aim, random::point(), random::point())
+        .prop_filter("directions", |(_, way, direction)| way.length() > 2.0 && direction.length() > 0.1);
+    random::property(strategy, |((x, y, z), way, direction)| {
+        let aim = DVec3::new(x, y, z);
+        let hit = ask(&scene, aim + way, -way, false).expect("the ray was aimed at the box from outside");
+        let again = ask(&scene, hit.point, direction, true);
+        // Along a face rounding may decide.
+        let slope = direction.dot(hit.normal);
+        if slope < -1e-9 {
+            assert!(again.is_some_and(|again| again.t > 1e-12 && again.normal != hit.normal), "{hit:?}: {again:?}");
+        } else if slope > 1e-9 {
+            assert_eq!(again, None, "{hit:?}");
+        }
+        again.is_some()
+    });
+}
+
+/// Hits have tmin < t < tmax in the very numbers that are printed, whatever the length of the direction.
+#[test]
+fn the_ends_of_a_query_are_exact() {
+    let scenes = [
+        BOX,
+        r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 9], "direction": [0, 0, -1]},
+        "objects": [{"name": "s", "shape": {"sphere": {"center": [0.1, 0.2, 0.3], "radius": 0.9}}}]}"#,
+        r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 9], "direction": [0, 0, -1]},
+        "objects": [{"name": "p", "shape": {"plane": {"coefficients": [0.1, 0.5, -0.7, 0.3]}}}]}"#,
+    ]
+    .map(|text| support::scene_of(text.as_bytes(), "ends"));
+    let scenes: Vec<_> = scenes.into_iter().chain(each_shape()).collect();
+    random::property((random::point(), random::point()), |(origin, direction)| {
+        if direction.length() < 0.1 {
+            return false;
+        }
+        let hits = scenes.iter().filter_map(|scene| {
+            let query = |t_min: f64, t_max: f64| Query { origin, direction, t_min, t_max, from: None };
+            let t = query(0.0, f64::INFINITY).nearest(scene)?.t;
+            assert!(query(t, f64::INFINITY).nearest(scene).is_none_or(|next| next.t > t));
+            assert_eq!(query(0.0, t).nearest(scene), None);
+            assert!(!query(0.0, t).is_occluded(scene));
+            let around = query(t.next_down(), t.next_up());
+            assert_eq!(around.nearest(scene).map(|hit| hit.t), Some(t));
+            assert!(around.is_occluded(scene));
+            Some(())
+        });
+        hits.count() > 0
+    });
+}
+
+/// A scene for each object of the scene that has every shape.
+fn each_shape() -> Vec<Scene> {
+    let mut file: serde_json::Value = serde_json::from_str(include_str!("../support/shapes.json")).expect("JSON");
+    let objects = file["objects"].as_array().expect("a list").clone();
+    assert!(objects.len() >= 8);
+    let alone = objects.into_iter().map(|object| {
+        file["objects"] = serde_json::json!([object]);
+        support::scene_of(file.to_string().as_bytes(), "alone")
+    });
+    alone.collect()
+}
+
+/// What `raywalk rays` answers to a line.
+fn answer(scene: &str, line: &str) -> String {
+    let mut command = Command::cargo_bin("raywalk").expect("the program");
+    let input = if scene == "-" { BOX } else { line };
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("box.json");
+    std::fs::write(&file, input).expect("written");
+    let name = if scene == "-" { file.to_str().expect("UTF-8") } else { scene };
+    let output = command.args(["rays", name]).write_stdin(format!("{line}\n")).output().expect("it runs");
+    assert!(output.status.success(), "{output:?}");
+    String::from_utf8(output.stdout).expect("UTF-8").trim_end().to_owned()
+}
+
+#[test]
+fn the_face_of_a_box_that_is_left_needs_no_name() {
+    let exit = answer("-", r#"{"o":[0.5,0.5,0.3],"d":[-1,0,0.1],"from":"b"}"#);
+    assert!(exit.contains(r#""t":0.5,"#) && exit.contains(r#""normal":[-1.0,0.0,0.0]"#), "{exit}");
+    assert!(answer("-", r#"{"o":[1,0.5,0.5],"d":[-1,0,0],"from":"b","from_primitive":0}"#).contains(r#""t":1.0,"#));
+    let outward = answer("-", r#"{"o":[0.5,0.999999999999999,0.5],"d":[0.1,2,0.1],"from":"b"}"#);
+    assert_eq!(outward, r#"{"hit":null}"#);
+}
+
+#[track_caller]
+fn refuses(line: &str, expected: &str) {
+    let answer: serde_json::Value = serde_json::from_str(&answer("textbook", line)).expect("JSON");
+    assert_eq!(answer["error"], expected);
+}
+
+#[test]
+fn unusable_lines_say_why() {
+    refuses(
+        r#"{"o":[16,2,7],"d":[1,0,0],"from":"sphre"}"#,
+        "from: no object is called `sphre`, did you mean `sphere`?",
+    );
+    refuses(r#"{"o":[16,2,7],"d":[1,0,0],"tmn":1}"#, "column 31: unknown key `tmn`, did you mean `tmin`?");
+    refuses(
+        "[1,[16,2,7],[-12,4,1],0,null,null,null]",
+        r#"expected an object, {"o": [x, y, z], "d": [x, y, z]}, found an array"#,
+    );
+    refuses("7", r#"expected an object, {"o": [x, y, z], "d": [x, y, z]}, found `7`"#);
+    refuses(r#"{"o":[16,2,7],"d":[0,0,0]}"#, "d: expected a direction that is not zero");
+    refuses(
+        r#"{"o":[16,2,7],"d":[1,0,0],"from_primitive":1}"#,
+        "from_primitive: expected `from` too, the object that has it",
+    );
+    refuses(
+        r#"{"o":[16,2,7],"d":[1,0,0],"from":"sphere","from_primitive":33}"#,
+        "from_primitive: `sphere` has primitive 0 only, found 33",
+    );
+}

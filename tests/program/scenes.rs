@@ -1,0 +1,108 @@
+//! Every scene file: its ray tree at the middle pixel, pinned; and a recorded pixel that equals the rendered one.
+//!
+//! A new file in `scenes/` is a new test without code.
+
+use crate::support::{ARITHMETICS, grid, middle, scene, scene_of, snapshots};
+use raywalk::log::{Event, Value, What};
+use raywalk::probe::Silent;
+use raywalk::record::{self, Arithmetic};
+use raywalk::report::{Style, outline};
+use raywalk::sampling;
+use raywalk::scene::builtin;
+
+#[test]
+fn ray_tree_of_the_middle_pixel() {
+    let settings = snapshots();
+    settings.bind(|| {
+        insta::glob!("../../scenes", "*.json", |path| {
+            let text = std::fs::read(path).expect("a readable scene");
+            let name = path.file_stem().expect("a file name").to_string_lossy();
+            let scene = scene_of(&text, &name);
+            let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+            insta::assert_snapshot!("ray_tree", outline::outline(&log, Style::default()));
+        });
+    });
+}
+
+#[test]
+fn every_scene_file_is_built_in() {
+    let files = std::fs::read_dir("scenes").expect("the folder of scenes");
+    let mut stems: Vec<_> = files
+        .filter_map(|entry| {
+            let path = entry.expect("an entry").path();
+            let is_scene = path.extension().is_some_and(|ending| ending == "json");
+            is_scene.then(|| path.file_stem().expect("a name").to_string_lossy().into_owned())
+        })
+        .collect();
+    stems.sort();
+    assert_eq!(stems, builtin::names().collect::<Vec<_>>());
+}
+
+#[test]
+fn the_recorded_colour_is_the_silent_one_bit_for_bit() {
+    for name in builtin::names() {
+        let scene = scene(name);
+        for arithmetic in ARITHMETICS {
+            for pixel in grid(&scene, 9) {
+                let recorded = record::pixel(&scene, pixel, arithmetic);
+                let silent = record::pixel_color(&scene, pixel, arithmetic);
+                let Some(What::Result { color }) = recorded.events.last().map(|event| &event.what) else {
+                    panic!("{name} {pixel:?}: a log ends with the result");
+                };
+                let same = color.iter().zip(silent.to_array()).all(|(a, b)| a.to_bits() == b.to_bits());
+                assert!(same, "{name} {pixel:?} {arithmetic}: {color:?} is not {silent:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn logs_hold_finite_numbers_and_nodes_that_nest() {
+    for name in builtin::names() {
+        let scene = scene(name);
+        for pixel in grid(&scene, 15) {
+            let arithmetics = [&ARITHMETICS[..], &[Arithmetic::Decimal(0), Arithmetic::Decimal(1)]].concat();
+            for arithmetic in arithmetics {
+                let log = record::pixel(&scene, pixel, arithmetic);
+                assert!(log.events.iter().all(is_finite), "{name} {pixel:?} {arithmetic}");
+            }
+            let log = record::pixel(&scene, pixel, Arithmetic::F64);
+            let mut open = vec![0];
+            for (index, event) in log.events.iter().enumerate() {
+                assert_eq!(event.at as usize, index + 1);
+                match event.what {
+                    What::Enter { parent, .. } => {
+                        assert_eq!(Some(&parent), open.last());
+                        open.push(event.node);
+                    }
+                    What::Leave => assert_eq!(open.pop(), Some(event.node)),
+                    _ => assert_eq!(Some(&event.node), open.last()),
+                }
+            }
+            assert_eq!(open, [0]);
+        }
+    }
+}
+
+fn is_finite(event: &Event) -> bool {
+    let all = |value: &Value| value.components().iter().all(|x| x.is_finite());
+    let noted = match &event.what {
+        What::Note { value, .. } => all(value),
+        What::Result { color } => color.iter().all(|x| x.is_finite()),
+        _ => true,
+    };
+    noted && event.given.iter().all(|(_, value)| all(value))
+}
+
+#[test]
+fn every_arithmetic_is_its_own_result() {
+    // The numeric example ends at different numbers, so none of the arithmetics is another one in disguise.
+    let scene = scene("textbook");
+    let mut reds: Vec<_> =
+        ARITHMETICS.iter().map(|arithmetic| record::pixel_color(&scene, [160, 120], *arithmetic).x).collect();
+    reds.sort_by(f64::total_cmp);
+    reds.dedup();
+    assert_eq!(reds.len(), ARITHMETICS.len());
+    let by_hand = sampling::pixel(&scene, [160, 120], &mut Silent);
+    assert_eq!(by_hand, record::pixel_color(&scene, [160, 120], Arithmetic::F64));
+}

@@ -1,0 +1,161 @@
+//! Logs as files: what is written reads back the same, and what was cut off or damaged is said.
+
+use crate::support::{grid, middle, scene, scene_of};
+use raywalk::log::file::{Ending, LogError, read, to_json, to_ndjson};
+use raywalk::log::{Log, Tree, What};
+use raywalk::record::{self, Arithmetic};
+use raywalk::scene::builtin;
+
+fn textbook_log() -> Log {
+    record::pixel(&scene("textbook"), [160, 120], Arithmetic::F64)
+}
+
+#[test]
+fn both_forms_read_back_the_same_bits() {
+    for name in builtin::names() {
+        let scene = scene(name);
+        for pixel in grid(&scene, 4) {
+            let log = record::pixel(&scene, pixel, Arithmetic::F64);
+            for bytes in [to_ndjson(&log).expect("memory"), to_json(&log).expect("memory")] {
+                let found = read(&bytes).expect("a log");
+                assert_eq!(found.ending, Ending::Complete, "{name} {pixel:?}");
+                assert_eq!(found.log.header, log.header);
+                assert_eq!(found.log.events.len(), log.events.len());
+                for (ours, theirs) in found.log.events.iter().zip(&log.events) {
+                    assert_eq!(ours, theirs);
+                    if let (What::Note { value: a, .. }, What::Note { value: b, .. }) = (&ours.what, &theirs.what) {
+                        // Equality would let -0 pass for 0.
+                        assert!(a.same_bits(b), "{name} {pixel:?}: {a:?} {b:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_document_is_json_and_nests() {
+    let bytes = to_json(&textbook_log()).expect("memory");
+    let document: serde_json::Value = serde_json::from_slice(&bytes).expect("JSON");
+    assert_eq!(document["header"]["log"], "raywalk-log/1");
+    let camera_ray = &document["children"][0];
+    assert_eq!(camera_ray["path"], "C");
+    assert_eq!(camera_ray["children"][2]["children"][0]["note"], "plane.v_d");
+    assert_eq!(document["children"][1]["node"], 0);
+    assert!(document["end"]["events"].as_u64().is_some_and(|events| events > 50));
+}
+
+#[test]
+fn a_deep_document_reads_back() {
+    let mut scene = scene("hall-of-mirrors");
+    scene.tracing.max_depth = 256;
+    let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+    let found = read(&to_json(&log).expect("memory")).expect("a log");
+    assert_eq!((found.ending, found.log), (Ending::Complete, log));
+}
+
+#[test]
+fn a_document_that_nests_without_end_is_refused() {
+    let text = format!("{{\"header\": {}", "[".repeat(200_000));
+    assert_eq!(read(text.as_bytes()).expect_err("too deep").to_string(), "1:1: nested more than 2048 deep");
+}
+
+#[test]
+fn what_stands_after_the_end_is_said() {
+    let mut bytes = to_ndjson(&textbook_log()).expect("memory");
+    bytes.extend_from_slice(b"{}\n");
+    let found = read(&bytes).expect("a log");
+    assert_eq!(found.ending, Ending::Mismatch { what: "2 bytes stand after its end line".into() });
+}
+
+#[test]
+fn names_are_escaped() {
+    let text = scene_text_with_names("a \\\"quoted\\\" \\\\ name", "lámpara");
+    let scene = scene_of(text.as_bytes(), "names");
+    let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+    assert_eq!(log.header.objects[0], "a \"quoted\" \\ name");
+    assert_eq!(read(&to_ndjson(&log).expect("memory")).expect("a log").log, log);
+}
+
+fn scene_text_with_names(object: &str, light: &str) -> String {
+    format!(
+        r#"{{"format": "raywalk-scene/1", "camera": {{"position": [0, 0, 5], "direction": [0, 0, -1]}},
+            "lights": [{{"name": "{light}", "point": {{"position": [0, 5, 5]}}}}],
+            "objects": [{{"name": "{object}", "shape": {{"sphere": {{"center": [0, 0, 0], "radius": 2}}}}}}]}}"#
+    )
+}
+
+#[test]
+fn a_log_without_its_end_is_read_and_said() {
+    let bytes = to_ndjson(&textbook_log()).expect("memory");
+    let text = String::from_utf8(bytes).expect("UTF-8");
+    let lines: Vec<_> = text.lines().collect();
+    let without_end = lines[..lines.len() - 1].join("\n") + "\n";
+    let found = read(without_end.as_bytes()).expect("a log");
+    assert_eq!(found.ending, Ending::Missing { incomplete_record: false });
+    assert_eq!(found.log, textbook_log());
+
+    let cut_in_a_line = &without_end[..without_end.len() - 10];
+    let found = read(cut_in_a_line.as_bytes()).expect("a log");
+    assert_eq!(found.ending, Ending::Missing { incomplete_record: true });
+    assert_eq!(found.log.events.len(), textbook_log().events.len() - 1);
+    assert!(found.ending.warning().is_some_and(|warning| warning.contains("1 incomplete record")));
+}
+
+#[test]
+fn a_changed_value_is_noticed() {
+    let bytes = to_ndjson(&textbook_log()).expect("memory");
+    let text = String::from_utf8(bytes).expect("UTF-8").replacen("12.68857754044952", "12.68857754044953", 1);
+    let found = read(text.as_bytes()).expect("a log");
+    assert!(matches!(found.ending, Ending::Mismatch { .. }), "{:?}", found.ending);
+}
+
+#[track_caller]
+fn is_refused(text: &str, expected: &str) {
+    let error = read(text.as_bytes()).expect_err("not a good log");
+    assert_eq!(error.to_string(), expected);
+}
+
+#[test]
+fn what_is_no_log_is_refused() {
+    is_refused("", "1:1: not a log: expected the header of a `raywalk-log/1` log, found nothing");
+    is_refused("hello\n", "1:1: not a log: expected the header of a `raywalk-log/1` log, found `hello`");
+    is_refused(
+        "{\"log\":\"raywalk-log/9\"}\n",
+        "1:1: log: this program reads `raywalk-log/1`, the log is `raywalk-log/9`",
+    );
+}
+
+#[test]
+fn a_damaged_record_is_named() {
+    let bytes = to_ndjson(&textbook_log()).expect("memory");
+    let text = String::from_utf8(bytes).expect("UTF-8");
+    let damaged = text.replacen("{\"at\":5,", "{\"at\":5;", 1);
+    assert!(matches!(read(damaged.as_bytes()), Err(LogError::Damaged { line: 6, .. })));
+    let unknown = text.replacen("plane.v_d", "plane.v_x", 1);
+    let error = read(unknown.as_bytes()).expect_err("an unknown quantity").to_string();
+    assert_eq!(error, "6:1: unknown quantity `plane.v_x`");
+}
+
+#[test]
+fn nodes_inside_are_passed_over() {
+    for name in builtin::names() {
+        let scene = scene(name);
+        let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+        // Whole, and cut off where nodes are still open.
+        for events in [&log.events[..], &log.events[..log.events.len() / 2]] {
+            let tree = Tree::of(events);
+            for node in 0..tree.nodes().len() {
+                let is_own = |event: &usize| tree.owner(*event) == node;
+                let own: Vec<_> = tree.nodes()[node].events.clone().filter(is_own).collect();
+                assert_eq!(tree.own_events(node).collect::<Vec<_>>(), own);
+                for before in [0, own.first().map_or(0, |first| first + 1), events.len() / 3, events.len()] {
+                    let mut expected: Vec<_> = own.iter().copied().filter(|event| *event < before).collect();
+                    assert_eq!(tree.own_events_before(node, before).collect::<Vec<_>>(), expected);
+                    expected.reverse();
+                    assert_eq!(tree.own_events_before(node, before).rev().collect::<Vec<_>>(), expected);
+                }
+            }
+        }
+    }
+}

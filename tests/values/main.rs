@@ -1,0 +1,19 @@
+//! The logged values: formulas, digits, what may be trusted, and the files that hold them.
+
+#[path = "../support/calls.rs"]
+mod calls;
+#[path = "../support/evaluator.rs"]
+mod evaluator;
+#[path = "../support/provoking_scenes.rs"]
+mod provoking_scenes;
+#[path = "../support/mod.rs"]
+mod support;
+
+mod digits;
+mod formulas;
+mod log_files;
+mod rounding;
+mod skips;
+mod textbook;
+mod trust;
+mod understanding;

@@ -1,0 +1,12 @@
+//! The viewer: its frames, its pictures, and itself in a real pseudo-terminal.
+
+#[path = "../support/session.rs"]
+mod session;
+#[path = "../support/mod.rs"]
+mod support;
+
+mod frames;
+mod pictures;
+#[cfg(unix)]
+mod terminal;
+mod understanding;
