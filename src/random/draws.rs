@@ -33,6 +33,28 @@ pub struct Draws {
     arrangement: Arrangement,
 }
 
+/// Several points that one sample draws in a dimension.
+#[derive(Clone, Copy, Debug)]
+pub struct Splits<'d> {
+    draws: &'d Draws,
+    /// The hash that all of them have in common.
+    key: u64,
+    /// Whether a single point has its strata out of order.
+    shuffles: bool,
+    parts: u32,
+}
+
+impl Splits<'_> {
+    /// The point with this number, from 0.
+    pub fn pick(&self, part: u32) -> Pick {
+        if self.parts == 1 {
+            return self.draws.pick_under(self.key, self.shuffles);
+        }
+        let within = self.draws.pick_under(hash(self.key, part.into()), true);
+        Pick { stratum: Stratum::of(part, self.parts), jitter: within.point() }
+    }
+}
+
 /// What a place is counted in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Grid {
@@ -113,14 +135,15 @@ impl Draws {
         ((f64::from(part) + within) / f64::from(parts)).min(1.0 - f64::EPSILON / 2.0)
     }
 
-    /// Of several points that one sample draws in a dimension, the one with this number: each has a stratum for itself, in
-    /// which the samples of the pixel are arranged.
+    /// Of several points that one sample draws in a dimension, the one with this number: see [`Draws::splits`].
     pub fn split(&self, dimension: Dimension, part: u32, parts: u32) -> Pick {
-        if parts == 1 {
-            return self.pick(dimension);
-        }
-        let within = self.pick_under(hash(self.key_of(dimension), part.into()), true);
-        Pick { stratum: Stratum::of(part, parts), jitter: within.point() }
+        self.splits(dimension, parts).pick(part)
+    }
+
+    /// Several points that one sample draws in a dimension: each has a stratum for itself, in which the samples of the pixel are
+    /// arranged.
+    pub fn splits(&self, dimension: Dimension, parts: u32) -> Splits<'_> {
+        Splits { draws: self, key: self.key_of(dimension), shuffles: dimension != Dimension::Pixel, parts }
     }
 
     /// The hash of seed, place and dimension. Reckoned where a number is asked for, so that samples which draw none don't pay for it.
@@ -141,7 +164,7 @@ impl Draws {
                 let stratum = permuted(self.number, count, key);
                 ((f64::from(stratum) + self.jitter(key)[0]) / f64::from(count)).min(1.0 - f64::EPSILON / 2.0)
             }
-            Arrangement::Sobol => sobol::point(sobol::shuffled(self.number, hash(key, 2)), key)[0],
+            Arrangement::Sobol => sobol::point_in_order(self.number, hash(key, 2), key)[0],
         }
     }
 
@@ -153,8 +176,11 @@ impl Draws {
                 Pick { stratum: Stratum::of(stratum, count), jitter: self.jitter(key) }
             }
             Arrangement::Sobol => {
-                let index = if shuffles { sobol::shuffled(self.number, hash(key, 2)) } else { self.number };
-                Pick { stratum: Stratum::WHOLE, jitter: sobol::point(index, key) }
+                let jitter = match shuffles {
+                    true => sobol::point_in_order(self.number, hash(key, 2), key),
+                    false => sobol::point(self.number, key),
+                };
+                Pick { stratum: Stratum::WHOLE, jitter }
             }
         }
     }

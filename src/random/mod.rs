@@ -12,17 +12,17 @@ mod strata;
 pub mod warp;
 
 pub use dimension::{Dimension, Route};
-pub use draws::{Arrangement, Draws, Pick};
+pub use draws::{Arrangement, Draws, Pick, Splits};
 pub use strata::Stratum;
 
 /// The hash of a word under a key. Distinct words give distinct hashes under a key, and distinct keys of a word.
-#[inline]
+#[inline(always)]
 pub fn hash(key: u64, word: u64) -> u64 {
     mix(key ^ mix(word.wrapping_add(GOLDEN)))
 }
 
 /// 53 bits of a hash as a number in [0, 1).
-#[inline]
+#[inline(always)]
 pub fn unit(bits: u64) -> f64 {
     (bits >> 11) as f64 * (1.0 / (1_u64 << 53) as f64)
 }
@@ -32,7 +32,7 @@ pub const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// Each bit of the result depends on every bit given: the finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable
 /// pseudorandom number generators", 2014; constants of Stafford's variant 13). It can be undone, so that nothing collides.
-#[inline]
+#[inline(always)]
 pub fn mix(mut bits: u64) -> u64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);

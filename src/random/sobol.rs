@@ -6,10 +6,33 @@
 //! further pairs, each scrambled by itself and taken in an order of its own (Burley, "Practical hash-based Owen scrambling",
 //! 2020). Written out here because 24 bits, which the crates for it give, are too few for f64.
 
-use super::{hash, mix, unit};
+use super::{GOLDEN, hash, mix, unit};
+use pulp::Arch;
+use std::array;
+use std::sync::LazyLock;
+
+/// The best instructions of the processor. All digits of a number are scrambled at once; they are whole numbers, and have the same
+/// bits by whatever instructions.
+static INSTRUCTIONS: LazyLock<Arch> = LazyLock::new(Arch::new);
 
 /// The point with this number, its coordinates in [0, 1) with all 53 bits.
 pub fn point(index: u32, key: u64) -> [f64; 2] {
+    INSTRUCTIONS.dispatch(
+        #[inline(always)]
+        || point_at(index, key),
+    )
+}
+
+/// The point with this number of a sequence that stands in an order of its own: aligned runs of 2^k indices stay together.
+pub fn point_in_order(index: u32, order: u64, key: u64) -> [f64; 2] {
+    INSTRUCTIONS.dispatch(
+        #[inline(always)]
+        || point_at(scrambled(index, order), key),
+    )
+}
+
+#[inline(always)]
+fn point_at(index: u32, key: u64) -> [f64; 2] {
     let coordinate = |bits: u32, axis: u64| {
         let key = hash(key, axis);
         let scrambled = u64::from(scrambled(bits, key));
@@ -19,40 +42,60 @@ pub fn point(index: u32, key: u64) -> [f64; 2] {
     [coordinate(index.reverse_bits(), 0), coordinate(second(index), 1)]
 }
 
-/// The index at which a sequence of its own order stands: aligned runs of 2^k indices stay together.
-pub fn shuffled(index: u32, key: u64) -> u32 {
-    scrambled(index, key)
-}
-
 /// The second coordinate as a binary fraction: Pascal's triangle modulo 2 (Kollig and Keller, "Efficient multidimensional
 /// sampling", 2002).
+#[inline(always)]
 fn second(index: u32) -> u32 {
-    let mut direction = 1_u32 << 31;
-    let mut bits = 0;
-    let mut rest = index;
-    while rest != 0 {
-        if rest & 1 == 1 {
-            bits ^= direction;
-        }
-        rest >>= 1;
-        direction ^= direction >> 1;
-    }
-    bits
+    let part = |digit: usize| ROWS[digit] & 0_u32.wrapping_sub(index >> digit & 1);
+    (0..32).fold(0, |bits, digit| bits ^ part(digit))
 }
 
-/// Owen's scrambling of a binary fraction: whether a digit is turned depends on the digits before it, and on nothing else.
+/// What each digit of an index adds to it.
+const ROWS: [u32; 32] = {
+    let mut rows = [1 << 31; 32];
+    let mut digit = 1;
+    while digit < 32 {
+        rows[digit] = rows[digit - 1] ^ rows[digit - 1] >> 1;
+        digit += 1;
+    }
+    rows
+};
+
+/// Owen's scrambling of a binary fraction: whether a digit is turned depends on the digits before it, and on nothing else. It is the
+/// first bit of the hash of these digits and their number.
+#[inline(always)]
 fn scrambled(bits: u32, key: u64) -> u32 {
-    let turned = |level: u32| {
-        let before = u64::from(bits).checked_shr(32 - level).unwrap_or(0);
-        let word = (before << 6 | u64::from(level)).wrapping_mul(super::GOLDEN);
-        ((mix(key.wrapping_add(word)) >> 63) as u32) << (31 - level)
+    // Without a branch or a number that the next level needs, so that levels can be taken side by side.
+    let turned = |level: usize| {
+        let level = level as u64;
+        let before = u64::from(bits) << level >> 32;
+        let word = (before.wrapping_mul(GOLDEN << 6)).wrapping_add(level.wrapping_mul(GOLDEN));
+        mix(key.wrapping_add(word)) >> 63 << (31 - level)
     };
-    (0..32).fold(bits, |scrambled, level| scrambled ^ turned(level))
+    let turned: [u64; 32] = array::from_fn(turned);
+    bits ^ turned.iter().fold(0, |all, turned| all | turned) as u32
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Digit by digit, as the method has it.
+    #[test]
+    fn scrambling_turns_each_digit_by_those_before_it() {
+        for k in 0..2000 {
+            let (key, bits) = (hash(7, k), (hash(8, k) as u32) >> (k % 33).min(31));
+            let turned = |level: u32| {
+                let before = u64::from(bits).checked_shr(32 - level).unwrap_or(0);
+                let word = (before << 6 | u64::from(level)).wrapping_mul(GOLDEN);
+                ((mix(key.wrapping_add(word)) >> 63) as u32) << (31 - level)
+            };
+            let one_by_one = (0..32).fold(bits, |scrambled, level| scrambled ^ turned(level));
+            assert_eq!(scrambled(bits, key), one_by_one, "{bits:x} {key:x}");
+            assert_eq!(point(bits, key), point_at(bits, key));
+            assert_eq!(point_in_order(bits, key, !key), point_at(one_by_one, !key));
+        }
+    }
 
     #[test]
     fn each_elementary_interval_has_one_point() {
@@ -76,7 +119,7 @@ mod tests {
     fn a_shuffle_keeps_runs_together() {
         for key in 0..20 {
             for k in 0..8 {
-                let run: Vec<_> = (0..1 << k).map(|index| shuffled(index, key) >> k).collect();
+                let run: Vec<_> = (0..1 << k).map(|index| scrambled(index, key) >> k).collect();
                 assert!(run.iter().all(|block| *block == run[0]), "{k}: {run:?}");
             }
         }

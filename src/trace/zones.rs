@@ -32,13 +32,14 @@ pub(super) fn mean<P: Probe>(scene: &Scene, meeting: &Meeting, lobe: &Lobe, boun
         Skippable::Transmitted => Dimension::Transmission { route },
         _ => Dimension::Reflection { route },
     };
+    let splits = meeting.path.draws.splits(dimension, zones);
     let axes = axes(lobe, probe);
     let mut sum: Option<Color> = None;
     let mut kept = 0;
     for part in 0..zones {
         let split = if zones == 1 { 0 } else { part + 1 };
         let color = probe.within(Step::Zone { what: lobe.what, number: part + 1 }, |probe| {
-            let square = place_in_square(meeting.path.draws.split(dimension, part, zones), probe);
+            let square = place_in_square(splits.pick(part), probe);
             let direction = direction(meeting, lobe, &axes, square, probe)?;
             Some(bounce.follow(scene, meeting, direction, split, probe))
         });
