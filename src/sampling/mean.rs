@@ -24,6 +24,10 @@ impl Sum {
 
     /// The sum over a number that isn't zero.
     pub fn over(&self, count: f64) -> Color {
+        if is_power_of_two(count) && self.channels.iter().all(|sum| is_middling(sum.head)) {
+            // Nothing is rounded by a power of two, so that what long division gives is known without it.
+            return Color::from_array(self.channels.map(|sum| sum.value() / count));
+        }
         Color::from_array(self.channels.map(|sum| {
             let mean = (sum / Doubled::from(count)).value();
             // Near the greatest numbers products can't be split; sums that overflow are infinite, not undefined.
@@ -32,9 +36,37 @@ impl Sum {
     }
 }
 
+/// Whether a number is zero, or so far from the least and the greatest numbers that no step of a division goes beyond those.
+fn is_middling(x: f64) -> bool {
+    x == 0.0 || (1e-200..1e200).contains(&x.abs())
+}
+
+/// Whether a number is a power of two that isn't too large for a count: it has no digits after its first.
+fn is_power_of_two(count: f64) -> bool {
+    (1.0..=LARGEST_COUNT).contains(&count) && count.to_bits() << 12 == 0
+}
+
+/// 2³²
+const LARGEST_COUNT: f64 = 4_294_967_296.0;
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The shorter way for powers of two gives the bits of the long division.
+    #[test]
+    fn a_power_of_two_divides_as_any_number_does() {
+        for k in 0..1000_u64 {
+            let mut sum = Sum::ZERO;
+            for part in 0..k % 7 {
+                let digits = |axis: u64| crate::random::unit(crate::random::hash(k << 8 | part, axis));
+                sum.add(Color::new(digits(0), digits(1) * 1e-30, digits(2) * 1e30 * (digits(3) - 0.5)));
+            }
+            let count = f64::from(1_u32 << (k % 20));
+            let long = sum.channels.map(|sum| (sum / Doubled::from(count)).value());
+            assert_eq!(sum.over(count).to_array().map(f64::to_bits), long.map(f64::to_bits), "{k}");
+        }
+    }
 
     #[test]
     fn small_values_are_not_lost_beside_large_ones() {
