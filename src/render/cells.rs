@@ -15,6 +15,7 @@ use crate::scene::{Color, Scene};
 use crate::trace::Seen;
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -39,7 +40,7 @@ pub(super) fn by_cells(
         let small = small_objects::within(&small, in_picture(strip));
         let tiles = tiles_of(strip, settings.order);
         let of_tile = |area: &[u32; 4]| {
-            let small = small_objects::within(&small, in_picture(*area));
+            let small = small_objects::within(small.iter().copied(), in_picture(*area));
             let tile = Tile { scene, settings, threshold, depth, area: *area, small, between_tiles: &between_tiles };
             tile.render(progress, stop)
         };
@@ -65,7 +66,7 @@ struct Tile<'s> {
     depth: u32,
     /// Left, top, right, bottom.
     area: [u32; 4],
-    small: Vec<SmallObject>,
+    small: Vec<&'s SmallObject>,
     between_tiles: &'s Shared,
 }
 
@@ -75,20 +76,26 @@ impl Tile<'_> {
         let [left, top, right, bottom] = self.area;
         let mut counter = Counter::default();
         let mut colors = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
-        let mut between_pixels = HashMap::new();
+        let mut known = Known::of(self.area);
         for row in top..bottom {
             for column in left..right {
                 if stop.load(Ordering::Relaxed) {
                     return None;
                 }
                 let pixel = [column, row];
-                let small = small_objects::within(&self.small, rectangle(pixel));
-                let computation = Pixel { tile: self, pixel, small: &small, between_pixels: &mut between_pixels };
+                let small = small_objects::within(self.small.iter().copied(), rectangle(pixel));
+                known.inside.clear();
+                let computation = Pixel { tile: self, pixel, small: &small, known: &mut known };
                 colors.push(color_of(self.settings, computation, &mut counter));
             }
         }
         progress(colors.len() as u64);
         Some((colors, counter))
+    }
+
+    /// What a corner sees that other pixels have, too: those of other tiles, if it lies on the edge.
+    fn corner(&self, place: [u32; 2], trace: impl FnOnce() -> Seen) -> Seen {
+        if self.has_on_edge(place) { self.between_tiles.get(place, trace) } else { trace() }
     }
 
     /// Whether a corner of the picture's grid lies on the tile's edge.
@@ -98,29 +105,54 @@ impl Tile<'_> {
     }
 }
 
+/// What the corners of a tile see.
+struct Known {
+    /// Those of whole pixels, row by row: most pixels need no others.
+    of_pixels: Vec<Option<Seen>>,
+    area: [u32; 4],
+    /// Those on the edges of pixels.
+    between_pixels: ByPlace<Seen>,
+    /// Those inside of the pixel at hand.
+    inside: ByPlace<Seen>,
+}
+
+impl Known {
+    fn of(area @ [left, top, right, bottom]: [u32; 4]) -> Known {
+        let corners = (right - left + 1) * (bottom - top + 1);
+        let (between_pixels, inside) = (HashMap::default(), HashMap::default());
+        Known { of_pixels: vec![None; corners as usize], area, between_pixels, inside }
+    }
+
+    /// The corner of a pixel with this column and row.
+    fn of_pixel(&mut self, [column, row]: [u32; 2]) -> &mut Option<Seen> {
+        let [left, top, right, _] = self.area;
+        &mut self.of_pixels[((row - top) * (right - left + 1) + (column - left)) as usize]
+    }
+}
+
 /// The computation of a pixel that shares corners with its neighbours.
 struct Pixel<'t> {
     tile: &'t Tile<'t>,
     pixel: [u32; 2],
-    small: &'t [SmallObject],
-    between_pixels: &'t mut HashMap<[u32; 2], Seen>,
+    small: &'t [&'t SmallObject],
+    known: &'t mut Known,
 }
 
 impl Computation for Pixel<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
         let Tile { scene, threshold, depth, .. } = *self.tile;
         let cutting = Cutting { scene, threshold, depth, pixel: self.pixel, small: self.small };
-        let mut inside: HashMap<[u32; 2], Seen> = HashMap::new();
-        let n = 1 << depth;
+        let n = 1_u32 << depth;
         cutting.color(probe, |within, probe| {
             let place = [0, 1].map(|axis| self.pixel[axis] * n + within[axis]);
             let trace = || Corners::Nested { depth }.seen(scene, place, probe);
-            if within.iter().all(|step| step % n != 0) {
-                *inside.entry(place).or_insert_with(trace)
-            } else if self.tile.has_on_edge(place) {
-                self.tile.between_tiles.get(place, trace)
+            if within.iter().all(|step| step % n == 0) {
+                let known = self.known.of_pixel(place.map(|step| step / n));
+                *known.get_or_insert_with(|| self.tile.corner(place, trace))
+            } else if within.iter().all(|step| step % n != 0) {
+                *self.known.inside.entry(place).or_insert_with(trace)
             } else {
-                *self.between_pixels.entry(place).or_insert_with(trace)
+                *self.known.between_pixels.entry(place).or_insert_with(|| self.tile.corner(place, trace))
             }
         })
     }
@@ -131,7 +163,33 @@ impl Computation for Pixel<'_> {
 }
 
 /// What corners see, or will see when whoever traces them is done.
-type Kept = HashMap<[u32; 2], Arc<OnceLock<Seen>>>;
+type Kept = ByPlace<Arc<OnceLock<Seen>>>;
+
+/// Things by their place in the grid of corners.
+type ByPlace<T> = HashMap<[u32; 2], T, BuildHasherDefault<PlaceHasher>>;
+
+/// The hash of a place. Nobody chooses places so that their hashes are the same, and so it needs no secret and little time.
+#[derive(Default)]
+struct PlaceHasher(u64);
+
+impl Hasher for PlaceHasher {
+    fn write_u32(&mut self, step: u32) {
+        self.0 = hash(self.0, step.into());
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        for bytes in bytes.chunks(4) {
+            self.write_u32(bytes.iter().rev().fold(0, |word, byte| word << 8 | u32::from(*byte)));
+        }
+    }
+
+    /// How many numbers follow: two.
+    fn write_usize(&mut self, _: usize) {}
+
+    fn finish(&self) -> u64 {
+        self.0
+    }
+}
 
 /// What the corners between tiles see.
 struct Shared {

@@ -11,8 +11,10 @@ use super::shared::Corners;
 use super::small_objects::{self, Rectangle, SmallObject};
 use crate::log::{Acceptance, Decision, Name, Split};
 use crate::probe::Probe;
+use crate::scene::file::validate::limits::MAX_ADAPTIVE_DEPTH;
 use crate::scene::{Color, Scene};
 use crate::trace::Seen;
+use arrayvec::ArrayVec;
 use std::collections::HashMap;
 
 /// How a pixel is cut.
@@ -27,12 +29,13 @@ pub struct Cutting<'s> {
     /// Column and row.
     pub pixel: [u32; 2],
     /// The small objects that reach into the pixel.
-    pub small: &'s [SmallObject],
+    pub small: &'s [&'s SmallObject],
 }
 
 /// The colour of a pixel that shares no samples: its own corners, in the order in which they are needed.
 pub fn pixel<P: Probe>(scene: &Scene, threshold: f64, depth: u32, pixel: [u32; 2], probe: &mut P) -> Color {
-    let small = small_objects::within(&small_objects::of(scene), rectangle(pixel));
+    let small = small_objects::of(scene);
+    let small = small_objects::within(&small, rectangle(pixel));
     let cutting = Cutting { scene, threshold, depth, pixel, small: &small };
     let mut known: HashMap<[u32; 2], Seen> = HashMap::new();
     cutting.color(probe, |within, probe| {
@@ -56,12 +59,16 @@ struct Cell {
     side: u32,
 }
 
+/// The most cells that wait: three of each size, and one.
+const MOST_OPEN: usize = 3 * MAX_ADAPTIVE_DEPTH as usize + 1;
+
 impl Cutting<'_> {
     /// The colour of the pixel. `seen` gives what the ray through a corner sees; corners are numbered from the pixel's
     /// top left one.
     pub fn color<P: Probe>(&self, probe: &mut P, mut seen: impl FnMut([u32; 2], &mut P) -> Seen) -> Color {
         let mut sum = Sum::ZERO;
-        let mut open = vec![Cell { left: 0, top: 0, side: 1 << self.depth }];
+        let mut open: ArrayVec<Cell, MOST_OPEN> = ArrayVec::new();
+        open.push(Cell { left: 0, top: 0, side: 1 << self.depth });
         while let Some(cell) = open.pop() {
             let Cell { left, top, side } = cell;
             let corners = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[x, y]| seen([left + x * side, top + y * side], probe));
@@ -126,7 +133,7 @@ impl Cutting<'_> {
         let rectangle = [column + left, row + top, column + left + side, row + top + side];
         let is_seen = |small: &SmallObject| corners.iter().any(|corner| corner.object == Some(small.object));
         let is_missed =
-            |small: &&SmallObject| small.may_be_missed(side) && small.reaches_into(rectangle) && !is_seen(small);
+            |small: &&&SmallObject| small.may_be_missed(side) && !is_seen(small) && small.reaches_into(rectangle);
         self.small.iter().find(is_missed).map(|small| small.object)
     }
 }

@@ -25,8 +25,8 @@ pub fn of(scene: &Scene) -> Vec<SmallObject> {
 }
 
 /// Those that reach into a rectangle of the picture.
-pub fn within(objects: &[SmallObject], rectangle: Rectangle) -> Vec<SmallObject> {
-    objects.iter().filter(|small| small.reaches_into(rectangle)).cloned().collect()
+pub fn within<'s>(objects: impl IntoIterator<Item = &'s SmallObject>, rectangle: Rectangle) -> Vec<&'s SmallObject> {
+    objects.into_iter().filter(|small| small.reaches_into(rectangle)).collect()
 }
 
 impl SmallObject {
