@@ -117,6 +117,17 @@ impl AreaLight {
         }
     }
 
+    /// Centre and radius of a ball that holds the light.
+    pub fn ball(&self) -> (DVec3, f64) {
+        let radius = match self.surface {
+            LightSurface::Rectangle { edges: [u, v], .. } | LightSurface::Disk { edges: [u, v], .. } => {
+                (u + v).length().max((u - v).length())
+            }
+            LightSurface::Sphere { radius, .. } => radius,
+        };
+        (self.surface.center(), radius)
+    }
+
     fn spread<P: Probe>(&self, rho: f64, probe: &mut P) -> f64 {
         let spread = self.profile.as_ref().map_or(1.0, |profile| profile.spread(rho.min(1.0)));
         probe.given(Name::LightSpread, spread);

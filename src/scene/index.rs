@@ -1,19 +1,74 @@
 //! Which objects a ray can meet: those without end, and those whose box it passes.
 
 use super::Object;
-use crate::geometry::Bounds;
 use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::ray::Ray;
+use crate::geometry::{Bounds, Shape};
 use crate::probe::Probe;
+use arrayvec::ArrayVec;
+use glam::DVec3;
 
 /// The objects of a scene, so arranged that a ray is tested with few of them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Index {
     tree: Bvh,
+    /// What is known of each object, in the order of the scene; nothing where there is a tree.
+    extents: Vec<Extent>,
+}
+
+/// Where an object is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Extent {
+    /// In this ball.
+    Ball { center: DVec3, radius: f64 },
+    /// On a plane, which no ray meets that leaves it.
+    Plane,
+    /// Anywhere.
+    Endless,
 }
 
 /// Up to so many bounded objects boxes cost more than they save.
 const WITHOUT_TREE: usize = 8;
+
+/// So many objects are looked at for a whole light.
+const MOST_BETWEEN: usize = 16;
+
+/// Far more than all roundings, as a part of the squares of the lengths that are compared.
+const MARGIN: f64 = 1e-6;
+
+impl Extent {
+    fn of(object: &Object) -> Extent {
+        match (&object.shape, object.shape.form()) {
+            (_, Some(Form::Sphere { center, radius })) => Extent::Ball { center, radius },
+            (Shape::Plane(_), _) => Extent::Plane,
+            (_, None) => Extent::Endless,
+            (_, Some(form)) => {
+                let Bounds { min, max } = form.bounds();
+                Extent::Ball { center: (min + max) * 0.5, radius: (max - min).length() * 0.5 }
+            }
+        }
+    }
+
+    /// Whether the object can stand between a point and a ball (C, R). What lies between them at the part s of the way is at most s·R
+    /// from P + s(C − P). So the object's ball (B, r) stands beside it if |B − P − s(C − P)| > r + s·R for all s from 0 to 1: a
+    /// quadratic in s, whose least value tells.
+    fn reaches(&self, point: DVec3, (light, light_radius): (DVec3, f64), is_left: bool) -> bool {
+        let (center, radius) = match *self {
+            Extent::Ball { center, radius } => (center, radius),
+            Extent::Plane => return !is_left,
+            Extent::Endless => return true,
+        };
+        let (to_object, to_light) = (center - point, light - point);
+        let square = to_light.dot(to_light) - light_radius * light_radius;
+        let linear = to_object.dot(to_light) + radius * light_radius;
+        let constant = to_object.dot(to_object) - radius * radius;
+        let least = if square > 0.0 { (linear / square).clamp(0.0, 1.0) } else { 0.0 };
+        let size = to_object.dot(to_object) + to_light.dot(to_light) + radius * radius + light_radius * light_radius;
+        let apart = constant - 2.0 * least * linear + least * least * square;
+        // What isn't a number is no proof. Nor is anything inside the light's own ball, where there is no least value.
+        !(apart > MARGIN * size && square > 0.0)
+    }
+}
 
 impl Index {
     /// Arranges these objects.
@@ -21,15 +76,30 @@ impl Index {
         let is_bounded = |object: &u32| objects[*object as usize].shape.bounds().is_some();
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) = (0..objects.len() as u32).partition(is_bounded);
         if bounded.len() <= WITHOUT_TREE {
-            return Index::of_all(objects);
+            let extents =
+                if objects.len() <= MOST_BETWEEN { objects.iter().map(Extent::of).collect() } else { Vec::new() };
+            return Index { extents, ..Index::of_all(objects) };
         }
         let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
-        Index { tree: Bvh::new(unbounded, &bounded, form) }
+        Index { tree: Bvh::new(unbounded, &bounded, form), extents: Vec::new() }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
     pub fn of_all(objects: &[Object]) -> Index {
-        Index { tree: Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY)) }
+        let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
+        Index { tree, extents: Vec::new() }
+    }
+
+    /// The objects that can stand between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known
+    /// but by asking the tree for each ray.
+    #[inline]
+    pub fn between(&self, point: DVec3, ball: (DVec3, f64), leaving: u32) -> Option<ArrayVec<u32, MOST_BETWEEN>> {
+        if self.extents.is_empty() {
+            return None;
+        }
+        let reaches =
+            |(object, extent): (u32, &Extent)| extent.reaches(point, ball, object == leaving).then_some(object);
+        Some((0..).zip(&self.extents).filter_map(reaches).collect())
     }
 
     /// Shows `meet` every object that the ray can meet, near ones first. `meet` gives the distance up to which objects still
@@ -50,5 +120,43 @@ impl Index {
         let search = Search { nearest_first, one_by_one: probe.certifies() };
         let tested = self.tree.visit::<P>(ray, search, |object| meet(object, probe));
         probe.bounds_tested(tested);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{hash, unit, warp};
+
+    /// Whatever a segment from the point to some point of the light meets can stand between them.
+    #[test]
+    fn nothing_that_shadows_a_part_of_a_light_is_left_out() {
+        let (mut shadows, mut left_out) = (0, 0);
+        for k in 0..20_000_u64 {
+            let number = |axis: u64| unit(hash(k, axis));
+            let place = |axis: u64| DVec3::new(number(axis), number(axis + 1), number(axis + 2)) * 4.0;
+            let (point, light, light_radius) = (place(0), place(3), number(6) * 0.5);
+            let extent = Extent::Ball { center: place(7), radius: number(10) * 0.8 };
+            let Extent::Ball { center, radius } = extent else { unreachable!("it was made as a ball") };
+            let reaches = extent.reaches(point, (light, light_radius), false);
+            let is_met = (0..40).any(|at| {
+                let number = |axis: u64| unit(hash(hash(k, at), axis));
+                let asked = light + DVec3::from(warp::sphere([number(0), number(1)])) * light_radius;
+                let segment = asked - point;
+                let nearest = ((center - point).dot(segment) / segment.dot(segment)).clamp(0.0, 1.0);
+                (point + segment * nearest - center).length() <= radius
+            });
+            assert!(reaches || !is_met, "{k}");
+            shadows += u32::from(is_met);
+            left_out += u32::from(!reaches);
+        }
+        assert!(shadows > 1000 && left_out > 5000, "{shadows} {left_out}");
+    }
+
+    #[test]
+    fn only_the_plane_that_a_ray_leaves_is_out_of_its_way() {
+        let ball = (DVec3::Y, 0.1);
+        assert!(!Extent::Plane.reaches(DVec3::ZERO, ball, true));
+        assert!(Extent::Plane.reaches(DVec3::ZERO, ball, false) && Extent::Endless.reaches(DVec3::ZERO, ball, true));
     }
 }

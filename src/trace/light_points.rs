@@ -22,13 +22,17 @@ pub(super) fn add<P: Probe>(
     probe: &mut P,
 ) -> Color {
     let dimension = Dimension::Light { route: meeting.path.route(), light: number };
+    let splits = meeting.path.draws.splits(dimension, area.samples);
     let color = light.share();
+    // What can't shadow any point of the light isn't asked for each; whoever counts or logs tests sees them all.
+    let among =
+        if P::IS_SILENT { scene.index.between(meeting.surface.point, area.ball(), meeting.object) } else { None };
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
-        let source = Source { light, number, split, color: &color };
+        let source = Source { light, number, split, color: &color, among: among.as_deref() };
         light.give(probe);
         sum += probe.within(Step::Light { light: number, split }, |probe| {
-            let square = place_in_square(meeting.path.draws.split(dimension, part, area.samples), probe);
+            let square = place_in_square(splits.pick(part), probe);
             let position = area.point(square, probe);
             let arrival = Arrival::of(position, meeting.surface.point, probe);
             from_light(scene, meeting, view, &source, arrival, probe)

@@ -1,7 +1,7 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
 use super::bounce::unless_it_leaks;
-use super::{Meeting, light_points, pattern, transmittance};
+use super::{Meeting, light_points, pattern, visibility::transmittance_among};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
 use crate::probe::Probe;
@@ -45,7 +45,7 @@ pub(super) fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe:
         light.give(probe);
         sum += probe.within(Step::Light { light: number, split: 0 }, |probe| {
             let arrival = light.seen_from(meeting.surface.point, probe);
-            let source = Source { light, number, split: 0, color: &light.color };
+            let source = Source { light, number, split: 0, color: &light.color, among: None };
             from_light(scene, meeting, view, &source, arrival, probe)
         });
     }
@@ -62,6 +62,8 @@ pub(super) struct Source<'a> {
     pub split: u32,
     /// Its intensity, I_i.
     pub color: &'a Color,
+    /// The objects that can stand in its way, where that is known before the search for them.
+    pub among: Option<&'a [u32]>,
 }
 
 /// What a light adds that is seen so; nothing if it stands at the surface point.
@@ -97,7 +99,7 @@ pub(super) fn from_light<P: Probe>(
     let leaks = meeting.leaks(arrival.direction, is_in_front);
     let step =
         Step::Ray { kind: RayKind::Shadow { light: source.number }, depth: meeting.path.level, split: source.split };
-    let passed = shadow_ray(scene, meeting, step, arrival, leaving, leaks, probe);
+    let passed = shadow_ray(scene, meeting, (step, source.among), arrival, leaving, leaks, probe);
     if passed == Color::ZERO {
         return Color::ZERO;
     }
@@ -115,7 +117,7 @@ pub(super) fn from_light<P: Probe>(
 fn shadow_ray<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
-    step: Step,
+    (step, among): (Step, Option<&[u32]>),
     arrival: Arrival,
     leaving: Leaving,
     leaks: bool,
@@ -124,7 +126,7 @@ fn shadow_ray<P: Probe>(
     let time = meeting.ray.time;
     let ray = Ray { leaving: Some(leaving), time, ..segment_to_light(meeting.surface.point, &arrival) };
     give_ray(&ray, probe);
-    let passed = probe.within(step, |probe| transmittance(scene, &ray, probe));
+    let passed = probe.within(step, |probe| transmittance_among(scene, &ray, among, probe));
     let passed = unless_it_leaks(passed, leaks, Skippable::Shadow, probe);
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
 }

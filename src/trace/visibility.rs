@@ -85,15 +85,25 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
 /// straight line; zero as soon as an opaque one is crossed (Ramos, section 1.2.5).
+pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
+    transmittance_among(scene, ray, None, probe)
+}
+
+/// The same where all objects that the ray can meet are known.
+#[inline(always)]
+pub(super) fn transmittance_among<P: Probe>(scene: &Scene, ray: &Ray, among: Option<&[u32]>, probe: &mut P) -> Color {
+    if among.is_some_and(<[u32]>::is_empty) { Color::ONE } else { searched(scene, ray, among, probe) }
+}
+
 // Kept out of the shading around it, whose values would crowd this loop's out of the registers.
 #[inline(never)]
-pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
+fn searched<P: Probe>(scene: &Scene, ray: &Ray, among: Option<&[u32]>, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);
     let lets_light_pass = scene.tracing.shadows == Shadows::PerSurface;
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
-    scene.index.in_any_order(ray, probe, |object, probe| {
+    let mut meet = |object: u32, probe: &mut P| {
         let thing = &scene.objects[object as usize];
         if lets_light_pass && scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
@@ -109,7 +119,14 @@ pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color
             return -1.0;
         }
         ray.t_max
-    });
+    };
+    match among {
+        None => scene.index.in_any_order(ray, probe, meet),
+        Some(objects) => {
+            // One that blocks the ray ends the search.
+            let _ = objects.iter().any(|object| meet(*object, probe) < 0.0);
+        }
+    }
     if is_blocked { Color::ZERO } else { attenuation(scene, crossed, probe) }
 }
 
