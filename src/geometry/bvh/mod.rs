@@ -88,7 +88,7 @@ impl Bvh {
     /// things still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
     /// For a silent probe the walk is there twice, for the processor's best instructions and for any processor; they do the same.
-    #[inline]
+    #[inline(always)]
     pub fn visit<P: Probe>(&self, ray: &Ray, search: Search, mut meet: impl FnMut(u32) -> f64) -> u64 {
         let mut t_max = ray.t_max;
         for thing in &self.beside {
