@@ -9,6 +9,7 @@ mod options;
 mod output;
 mod progress;
 mod rays;
+mod region;
 mod render;
 mod sampling_spec;
 mod scene;

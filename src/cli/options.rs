@@ -220,6 +220,19 @@ pub fn numbers<T: std::str::FromStr + Copy + Default, const N: usize>(text: &str
     Ok(numbers)
 }
 
+/// A rectangle of pixels, left, top, right and bottom, if it lies in the picture; `option` is who asks.
+pub fn region_in(scene: &Scene, option: &str, region: [u32; 4]) -> Result<[u32; 4], Failure> {
+    let [width, height] = scene.camera.resolution;
+    let [left, top, right, bottom] = region;
+    if left < right && right <= width && top < bottom && bottom <= height {
+        return Ok(region);
+    }
+    let found = region.map(|side| side.to_string()).join(",");
+    Err(Failure::caller(format!(
+        "{option} {found}: expected X0 < X1 <= {width} and Y0 < Y1 <= {height}, the picture has {width} x {height} pixels"
+    )))
+}
+
 /// A pixel `X,Y` that lies in the picture.
 pub fn pixel_in(scene: &Scene, pixel: [u32; 2]) -> Result<[u32; 2], Failure> {
     let [x, y] = pixel;

@@ -2,6 +2,8 @@
 
 use super::failure::Failure;
 use super::signals;
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use std::fs::{self, Permissions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -68,15 +70,18 @@ impl Output {
     /// Writes a result that comes bit by bit; `write` may fail only because `out` does.
     pub fn stream(self, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
         match self {
-            Output::Stdout => through(Box::new(io::stdout().lock()), write).map_err(|error| Failure::stdout(&error)),
-            Output::Special(file, path) => through(Box::new(file), write).map_err(|error| match error.kind() {
+            Output::Stdout => {
+                through(Box::new(io::stdout().lock()), false, write).map_err(|error| Failure::stdout(&error))
+            }
+            Output::Special(file, path) => through(Box::new(file), false, write).map_err(|error| match error.kind() {
                 io::ErrorKind::BrokenPipe => Failure::silent(0),
                 _ => Failure::io(&path, "write", &error),
             }),
             Output::File { mut file, place, named } => {
                 let cannot_write = |error: &io::Error| Failure::io(&named, "write", error);
                 // To the file itself: the errors of a temporary file name it, which says nothing to anybody.
-                through(Box::new(file.as_file_mut()), write).map_err(|error| cannot_write(&error))?;
+                through(Box::new(file.as_file_mut()), is_packed(&named), write)
+                    .map_err(|error| cannot_write(&error))?;
                 file.as_file().sync_all().map_err(|error| cannot_write(&error))?;
                 file.persist(&place).map_err(|error| cannot_write(&error.error))?;
                 signals::finished();
@@ -89,10 +94,28 @@ impl Output {
 /// Where a result is written to, in large pieces.
 pub type Sink<'w> = BufWriter<Box<dyn Write + 'w>>;
 
-fn through<'w>(place: Box<dyn Write + 'w>, write: impl FnOnce(&mut Sink<'w>) -> io::Result<()>) -> io::Result<()> {
-    let mut out = BufWriter::with_capacity(1 << 16, place);
+/// Whether what has this name is packed by gzip.
+fn is_packed(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gz"))
+}
+
+fn through<'w>(
+    mut place: Box<dyn Write + 'w>,
+    is_packed: bool,
+    write: impl FnOnce(&mut Sink) -> io::Result<()>,
+) -> io::Result<()> {
+    if !is_packed {
+        let mut out = BufWriter::with_capacity(1 << 16, place);
+        write(&mut out)?;
+        return out.flush();
+    }
+    // The packed data name no file and no time: the same result has the same bytes.
+    let mut packed = GzEncoder::new(BufWriter::new(&mut place), Compression::fast());
+    let mut out: Sink = BufWriter::with_capacity(1 << 16, Box::new(&mut packed));
     write(&mut out)?;
-    out.flush()
+    out.flush()?;
+    drop(out);
+    packed.finish()?.flush()
 }
 
 /// Writes to standard output.

@@ -2,12 +2,12 @@
 
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::{IsTerminal, Write, stderr};
+use std::io::{self, IsTerminal, Read, Write, stderr};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 /// Whether and how progress is shown.
-#[derive(Args, Debug, Clone)]
+#[derive(Args, Debug, Clone, Default)]
 pub struct ProgressOptions {
     /// Show progress: `auto` on a terminal only, `json` as one object a line
     #[arg(long, value_enum, default_value = "auto")]
@@ -17,8 +17,9 @@ pub struct ProgressOptions {
     pub quiet: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum ProgressChoice {
+    #[default]
     Auto,
     Always,
     Never,
@@ -38,17 +39,40 @@ pub enum Progress {
 /// Progress as lines of JSON.
 pub struct JsonLines {
     done: u64,
-    total: u64,
+    /// `None` where nobody knows.
+    total: Option<u64>,
     started: Instant,
     last: Option<Instant>,
+}
+
+/// Input that shows how much of it was read.
+pub struct Reading<R> {
+    input: R,
+    progress: Progress,
 }
 
 impl ProgressOptions {
     /// Starts to show progress toward `total` pixels.
     pub fn start(&self, total: u64) -> Progress {
+        self.of(Some(total), true, "{bar:40} {percent:>3} %  {elapsed} gone, {eta} left")
+    }
+
+    /// Shows how much of a file has been read; `size` is `None` where nobody knows.
+    pub fn reading<R: Read>(&self, input: R, size: Option<u64>) -> Reading<R> {
+        /// Less is read before anybody could see the bar.
+        const MUCH: u64 = 8 << 20;
+        let template = match size {
+            Some(_) => "reading {bar:40} {percent:>3} %  {eta} left",
+            None => "reading {bytes}",
+        };
+        Reading { input, progress: self.of(size, size.is_none_or(|size| size >= MUCH), template) }
+    }
+
+    /// Progress toward `total`; work that takes `long` is shown unless somebody asked for something else.
+    fn of(&self, total: Option<u64>, is_long: bool, template: &str) -> Progress {
         let shows_bar = match self.progress {
             _ if self.quiet => false,
-            ProgressChoice::Auto => stderr().is_terminal(),
+            ProgressChoice::Auto => is_long && stderr().is_terminal(),
             ProgressChoice::Always => true,
             ProgressChoice::Never => false,
             ProgressChoice::Json => {
@@ -59,34 +83,35 @@ impl ProgressOptions {
         if !shows_bar {
             return Progress::Hidden;
         }
-        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr());
-        let template = "{bar:40} {percent:>3} %  {elapsed} gone, {eta} left";
+        let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::stderr());
         bar.set_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()));
         Progress::Bar(bar)
     }
 }
 
-/// How much of a file has been read, on a terminal and if there is much of it; `size` is `None` where nobody knows.
-pub fn of_reading(size: Option<u64>) -> ProgressBar {
-    /// Less is read before anybody could see the bar.
-    const MUCH: u64 = 8 << 20;
-    let (bar, template) = match size {
-        Some(size) if size < MUCH => return ProgressBar::hidden(),
-        Some(size) => (ProgressBar::new(size), "reading {bar:40} {percent:>3} %  {eta} left"),
-        None => (ProgressBar::new_spinner(), "reading {bytes}"),
-    };
-    bar.with_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()))
+impl<R: Read> Read for Reading<R> {
+    fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
+        let count = self.input.read(place)?;
+        self.progress.advance(count as u64);
+        Ok(count)
+    }
+}
+
+impl<R> Drop for Reading<R> {
+    fn drop(&mut self) {
+        self.progress.finish();
+    }
 }
 
 impl Progress {
-    /// Some more pixels are done.
-    pub fn advance(&self, pixels: u64) {
+    /// Some more pixels (or bytes) are done.
+    pub fn advance(&self, more: u64) {
         match self {
             Progress::Hidden => {}
-            Progress::Bar(bar) => bar.inc(pixels),
+            Progress::Bar(bar) => bar.inc(more),
             Progress::Json(lines) => {
                 if let Ok(mut lines) = lines.lock() {
-                    lines.advance(pixels);
+                    lines.advance(more);
                 }
             }
         }
@@ -101,18 +126,18 @@ impl Progress {
 }
 
 impl JsonLines {
-    fn advance(&mut self, pixels: u64) {
-        self.done += pixels;
+    fn advance(&mut self, more: u64) {
+        self.done += more;
         let is_due = self.last.is_none_or(|last| last.elapsed() >= Duration::from_secs(1));
-        if is_due || self.done == self.total {
+        if is_due || Some(self.done) == self.total {
             self.last = Some(Instant::now());
             let seconds = self.started.elapsed().as_secs_f64();
+            let total = self.total.map_or("null".to_owned(), |total| total.to_string());
             // Nobody reads a closed standard error.
             let _ = writeln!(
                 stderr(),
-                "{{\"progress\":{{\"done\":{},\"total\":{},\"seconds\":{seconds:.3}}}}}",
-                self.done,
-                self.total
+                "{{\"progress\":{{\"done\":{},\"total\":{total},\"seconds\":{seconds:.3}}}}}",
+                self.done
             );
         }
     }

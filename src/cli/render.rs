@@ -3,7 +3,7 @@
 use super::bench::peak_bytes;
 use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
-use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
+use super::options::{ColorChoice, TracingOptions, numbers, region_in, warning_of_sampling};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
 use super::scene_argument::{self, Loaded};
@@ -172,14 +172,7 @@ impl Render {
 
     fn crop_in(&self, scene: &Scene) -> Result<[u32; 4], Failure> {
         let [width, height] = scene.camera.resolution;
-        let Some(crop @ [left, top, right, bottom]) = self.crop else { return Ok([0, 0, width, height]) };
-        if left < right && right <= width && top < bottom && bottom <= height {
-            return Ok(crop);
-        }
-        let found = crop.map(|side| side.to_string()).join(",");
-        Err(Failure::caller(format!(
-            "--crop {found}: expected X0 < X1 <= {width} and Y0 < Y1 <= {height}, the picture has {width} x {height} pixels"
-        )))
+        self.crop.map_or(Ok([0, 0, width, height]), |crop| region_in(scene, "--crop", crop))
     }
 }
 

@@ -1,16 +1,19 @@
-//! `raywalk trace`: the log of a pixel or a ray.
+//! `raywalk trace`: the log of a pixel, a ray or a region.
 
 use super::causes;
 use super::failure::Failure;
 use super::frames;
-use super::options::{ColorChoice, TracingOptions, numbers, pixel_in, warning_of_sampling};
+use super::options::{ColorChoice, TracingOptions, numbers, pixel_in, region_in, warning_of_sampling};
 use super::output::{self, Output, Sink};
+use super::progress::ProgressOptions;
+use super::region::{self, Traced};
 use super::scene_argument;
 use clap::{Args, ValueEnum};
 use glam::DVec3;
 use raywalk::log::{Log, file as log_file};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
+use raywalk::render;
 use raywalk::report::{self, Style};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
@@ -19,13 +22,16 @@ use raywalk::study::rounding::Rounding;
 use std::io;
 use std::path::PathBuf;
 
-/// Write the log of a pixel or a ray.
+/// Write the log of a pixel, a ray or a region.
 #[derive(Args)]
 pub struct Trace {
     /// A scene file (JSON or NFF, also packed by gzip), `-` for standard input, or a built-in scene
     scene: PathBuf,
     #[command(flatten)]
     subject: Subject,
+    /// The pixels of a rectangle: its left, top, right and bottom side, the last two exclusive
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>, group = "Subject")]
+    region: Option<[u32; 4]>,
     /// What to write; without it ndjson, and text with --causes
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<TraceFormat>,
@@ -36,17 +42,16 @@ pub struct Trace {
     /// Decimals in the text
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
-    /// Say nothing but errors
-    #[arg(long, short)]
-    quiet: bool,
     /// Which frame of an animation, from 1; without it the first
     #[arg(long, value_name = "K", value_parser = frames::number)]
     frames: Option<u32>,
-    /// Where to write; standard output without it
+    /// Where to write; standard output without it. What is named `.gz` is packed by gzip
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
     tracing: TracingOptions,
+    #[command(flatten)]
+    progress: ProgressOptions,
 }
 
 /// What to trace.
@@ -74,21 +79,24 @@ enum TraceFormat {
 impl Trace {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
-        if self.subject.pixel.is_none() && self.subject.ray.is_none() {
-            return Err(Failure::caller("trace: expected --pixel X,Y or --ray OX,OY,OZ,DX,DY,DZ"));
+        if self.subject.pixel.is_none() && self.subject.ray.is_none() && self.region.is_none() {
+            let expected = "--pixel X,Y, --ray OX,OY,OZ,DX,DY,DZ or --region X0,Y0,X1,Y1";
+            return Err(Failure::caller(format!("trace: expected {expected}")));
         }
         let rounding = self.rounding()?;
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let inputs = loaded.inputs(&self.scene);
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
+        if let Some(region) = self.region {
+            return self.of_region(&scene, region, Output::create(self.output.as_deref(), &inputs)?);
+        }
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;
-        if let (Part::Pixel(_), false, Some(warning)) = (part, self.quiet, warning_of_sampling(&scene)) {
+        if let (Part::Pixel(_), false, Some(warning)) = (part, self.progress.quiet, warning_of_sampling(&scene)) {
             output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
         }
         let output = Output::create(self.output.as_deref(), &inputs)?;
-        let in_memory = |error: io::Error| Failure::machine(format!("cannot write the log: {error}"));
-        let style = Style { digits: self.digits };
         let arithmetic = self.tracing.arithmetic;
+        let style = Style { digits: self.digits };
         let bytes = match (rounding, self.format) {
             (Some(rounding), format) => {
                 let study = causes::study_of(&scene, part, rounding)?;
@@ -96,19 +104,49 @@ impl Trace {
             }
             (None, None | Some(TraceFormat::Ndjson)) => match arithmetic {
                 // Its runs are compared before there are digits to write.
-                Arithmetic::Perturbed(_) => {
-                    log_file::to_ndjson(&short_log(&scene, part, arithmetic)?).map_err(in_memory)?
-                }
+                Arithmetic::Perturbed(_) => self.view(&short_log(&scene, part, arithmetic)?, TraceFormat::Ndjson)?,
                 _ => return output.stream(|out| write_as_it_grows(&scene, part, arithmetic, out)),
             },
-            (None, Some(TraceFormat::Json)) => {
-                log_file::to_json(&short_log(&scene, part, arithmetic)?).map_err(in_memory)?
-            }
-            (None, Some(TraceFormat::Text)) => {
-                report::text::text(&short_log(&scene, part, arithmetic)?, style).into_bytes()
-            }
+            (None, Some(format)) => self.view(&short_log(&scene, part, arithmetic)?, format)?,
         };
         output.commit(&bytes)
+    }
+
+    /// The log of a region: in NDJSON as it grows, otherwise of at most so many events as memory holds.
+    fn of_region(&self, scene: &Scene, region: [u32; 4], output: Output) -> Result<(), Failure> {
+        let arithmetic = self.tracing.arithmetic;
+        let region = region_in(scene, "--region", region)?;
+        if self.causes {
+            return Err(Failure::caller("--causes: expected --pixel or --ray, found --region"));
+        }
+        if arithmetic == Arithmetic::Printed {
+            return Err(not_printed());
+        }
+        if let (false, Some(warning)) = (self.progress.quiet, warning_of_sampling(scene)) {
+            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+        }
+        if let Some(format) = self.format.filter(|format| *format != TraceFormat::Ndjson) {
+            let log = record::region::bounded(scene, region, arithmetic).map_err(|why| too_long(why, arithmetic))?;
+            return output.commit(&self.view(&log, format)?);
+        }
+        let threads = render::threads(self.tracing.threads.into());
+        let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
+        let [left, top, right, bottom] = region;
+        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
+        let written =
+            output.stream(|out| Traced { scene, region, arithmetic }.write(&threads, out, || progress.advance(1)));
+        progress.finish();
+        written
+    }
+
+    /// A log that is in memory, in this format.
+    fn view(&self, log: &Log, format: TraceFormat) -> Result<Vec<u8>, Failure> {
+        let in_memory = |error: io::Error| Failure::machine(format!("cannot write the log: {error}"));
+        match format {
+            TraceFormat::Ndjson => log_file::to_ndjson(log).map_err(in_memory),
+            TraceFormat::Json => log_file::to_json(log).map_err(in_memory),
+            TraceFormat::Text => Ok(report::text::text(log, Style { digits: self.digits }).into_bytes()),
+        }
     }
 }
 
@@ -143,32 +181,32 @@ impl Subject {
 
 /// The log of a pixel or ray for views that need the whole of it.
 pub fn short_log(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, Failure> {
-    record::bounded(scene, part, arithmetic).map_err(|cut_off| {
-        let message = match arithmetic {
-            Arithmetic::Perturbed(_) => {
-                format!("{cut_off}, expected fewer samples or a smaller --max-depth: runs are compared in memory")
-            }
-            _ => {
-                let smaller =
-                    "expected fewer samples, a smaller --max-depth, or `trace` in ndjson, which is written as it grows";
-                format!("{cut_off}, {smaller}")
-            }
-        };
-        match cut_off {
-            CutOff::TooLong { .. } => Failure::caller(message),
-            CutOff::Memory | CutOff::Io(_) => Failure::machine(message),
+    record::bounded(scene, part, arithmetic).map_err(|cut_off| too_long(cut_off, arithmetic))
+}
+
+/// Why a log doesn't fit into memory, and what helps.
+fn too_long(cut_off: CutOff, arithmetic: Arithmetic) -> Failure {
+    let message = match arithmetic {
+        Arithmetic::Perturbed(_) => {
+            format!("{cut_off}, expected fewer samples or a smaller --max-depth: runs are compared in memory")
         }
-    })
+        _ => {
+            let smaller =
+                "expected fewer samples, a smaller --max-depth, or `trace` in ndjson, which is written as it grows";
+            format!("{cut_off}, {smaller}")
+        }
+    };
+    match cut_off {
+        CutOff::TooLong { .. } => Failure::caller(message),
+        CutOff::Memory | CutOff::Io(_) => Failure::machine(message),
+    }
 }
 
 /// Writes the log of a pixel or ray line by line, so that it may be longer than the memory.
 fn write_as_it_grows(scene: &Scene, part: Part, arithmetic: Arithmetic, out: &mut Sink) -> io::Result<()> {
     let header = record::header(scene, part.subject(), arithmetic);
     let mut writer = log_file::Writer::new(out, &header)?;
-    record::stream(scene, part, arithmetic, &mut |events| writer.write(events)).map_err(|cut_off| match cut_off {
-        CutOff::Io(error) => error,
-        CutOff::TooLong { .. } | CutOff::Memory => io::Error::other(cut_off),
-    })?;
+    record::stream(scene, part, arithmetic, &mut |events| writer.write(events)).map_err(region::plain)?;
     writer.finish().map(|_| ())
 }
 

@@ -5,7 +5,7 @@ use super::frames;
 use super::live::Session;
 use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
 use super::output::{self, Output};
-use super::progress;
+use super::progress::ProgressOptions;
 use super::scene_argument::{self, Input, Named};
 use super::trace::{Subject, short_log};
 use clap::Args;
@@ -53,6 +53,8 @@ pub struct Walk {
     screen: Option<[u16; 2]>,
     #[command(flatten)]
     tracing: TracingOptions,
+    #[command(flatten)]
+    progress: ProgressOptions,
 }
 
 /// What is walked through.
@@ -102,7 +104,7 @@ impl Walk {
             return Output::create(Some(path), &[walked])?.commit(picture.as_bytes());
         }
         if self.plain || !has_terminal() {
-            if let Some(warning) = warning {
+            if let Some(warning) = warning.filter(|_| !self.progress.quiet) {
                 output::tell(&format!("warning: {name}: {warning}"));
             }
             return output::print(report::text::text(&log, Style { digits: self.digits }).as_bytes());
@@ -124,16 +126,23 @@ impl Walk {
             let message = format!("{name}: is a log, which is traced already; expected no options of tracing");
             return Err(Failure::caller(message));
         }
-        let progress = progress::of_reading(opened.size());
-        let read = log_file::read_from(progress.wrap_read(opened.stream(MAX_LOG_BYTES)));
-        progress.finish_and_clear();
-        let read = read.map_err(|error| match error {
-            LogError::Io(error) if error.kind() == ErrorKind::InvalidData => {
-                Failure::caller(format!("{name}: {error}"))
-            }
-            LogError::Io(error) => Failure::machine(format!("{name}: cannot read: {error}")),
-            _ => Failure::caller(format!("{name}:{error}")),
-        })?;
+        let size = opened.size();
+        let read =
+            log_file::read_from(self.progress.reading(opened.stream(MAX_LOG_BYTES), size)).map_err(
+                |error| match error {
+                    // A document is whole or nothing.
+                    LogError::Io(error)
+                        if matches!(
+                            error.kind(),
+                            ErrorKind::FileTooLarge | ErrorKind::InvalidData | ErrorKind::UnexpectedEof
+                        ) =>
+                    {
+                        Failure::caller(format!("{name}: {error}"))
+                    }
+                    LogError::Io(error) => Failure::machine(format!("{name}: cannot read: {error}")),
+                    _ => Failure::caller(format!("{name}:{error}")),
+                },
+            )?;
         Ok(Walked { name, log: read.log, warning: read.ending.warning(), session: None })
     }
 
@@ -172,7 +181,12 @@ impl Walk {
         if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
             return Err(Failure::caller(format!("{}: expected a name that ends in .svg", path.display())));
         }
+        if let Some(name) = tui::keys::script::unknown_name(&self.keys) {
+            let message = format!("--keys: no key is called `<{}>`; `?` in the viewer lists them", visible(name));
+            return Err(Failure::caller(message));
+        }
         match self.screen {
+            Some([0, _] | [_, 0]) => Err(Failure::caller("--screen: at least 1 column and 1 row".to_owned())),
             Some([width, height]) if width > MAX_SCREEN || height > MAX_SCREEN => {
                 Err(Failure::caller(format!("--screen {width},{height}: at most {MAX_SCREEN} columns and rows")))
             }
@@ -187,7 +201,7 @@ impl Walk {
             Exit::Terminated => return Err(Failure::silent(TERMINATED)),
             Exit::Quit => {}
         }
-        if walked == Path::new("-") {
+        if walked == Path::new("-") || self.progress.quiet {
             return Ok(());
         }
         output::print(format!("back here: {}\n", self.call_back(walked, was_log, outcome)).as_bytes())

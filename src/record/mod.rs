@@ -2,6 +2,7 @@
 
 mod arithmetic;
 pub mod digits;
+pub mod region;
 
 pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 

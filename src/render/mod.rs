@@ -114,6 +114,15 @@ fn ask_for_stacks(threads: usize) -> Result<(), RenderError> {
     asked.map_err(|_| RenderError::Stacks(threads))
 }
 
+/// So many threads to share work among; 0 is one a core.
+///
+/// # Errors
+/// [`RenderError::Threads`] or [`RenderError::Stacks`] when they can't be had.
+pub fn threads(count: usize) -> Result<rayon::ThreadPool, RenderError> {
+    ask_for_stacks(count)?;
+    Ok(rayon::ThreadPoolBuilder::new().num_threads(count).build()?)
+}
+
 /// Does the work on the threads that the settings ask for.
 fn on_threads(
     settings: &Settings,
@@ -121,9 +130,7 @@ fn on_threads(
 ) -> Result<Rendered, RenderError> {
     ask_for_memory(settings.crop)?;
     // More threads than tiles would only be in each other's way; 0 stays one a core.
-    let threads = settings.threads.min(tiles(settings.crop).len());
-    ask_for_stacks(threads)?;
-    let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let threads = threads(settings.threads.min(tiles(settings.crop).len()))?;
     let (film, counter) = threads.install(work).ok_or(RenderError::Interrupted)?;
     Ok(Rendered { film, counts: settings.counts_rays.then_some(counter) })
 }

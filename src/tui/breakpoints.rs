@@ -9,7 +9,7 @@ mod tests;
 pub use condition::Condition;
 pub use parse::{parse, words};
 
-use super::list::Entry;
+use super::list::{Column, Entry};
 use super::model::{Model, Overlay};
 use super::run;
 use super::theme::Role;
@@ -86,11 +86,14 @@ pub(super) fn toggle_here(model: &mut Model) {
     }
 }
 
+/// What stands in the list of the breakpoints.
+pub(super) const COLUMNS: &[Column] = &[Column::text("state"), Column::text("stops at")];
+
 /// The list of all.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |breakpoint: &Breakpoint| {
-        let (state, role) = if breakpoint.is_on { ("on ", Role::Text) } else { ("off", Role::Faint) };
-        Entry::plain(format!("{state}  {}", crate::report::words::plain(&breakpoint.text)), role)
+        let (state, role) = if breakpoint.is_on { ("on", Role::Text) } else { ("off", Role::Faint) };
+        Entry::plain(format!("{state}\t{}", crate::report::words::plain(&breakpoint.text)), role)
     };
     model.guide.breakpoints.iter().map(entry).collect()
 }

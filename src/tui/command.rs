@@ -132,8 +132,12 @@ fn pixel(model: &mut Model, text: &str) -> Done {
     };
     let is_it = |step: Option<Step>| step == Some(Step::Pixel([x, y]));
     let found = model.tree.children(0).find(|node| is_it(model.tree.nodes()[*node].step));
-    if let Some(node) = found {
-        guide::jump(model, model.tree.nodes()[node].events.start);
+    let begins_at = match found {
+        Some(node) => Some(model.tree.nodes()[node].events.start),
+        None => (model.pixel() == Some([x, y])).then_some(0),
+    };
+    if let Some(event) = begins_at {
+        guide::jump(model, event);
         return Ok(Effect::None);
     }
     match model.picture.as_ref().map(|view| view.image.size) {

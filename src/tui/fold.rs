@@ -124,6 +124,32 @@ impl Fold {
     }
 }
 
+/// What was open in the trees of the pixels that were left, so that one finds them as they were.
+#[derive(Clone, Debug, Default)]
+pub struct Folds(Vec<([u32; 2], Vec<bool>)>);
+
+impl Folds {
+    /// Remembers the tree of a pixel.
+    pub fn keep(&mut self, pixel: Option<[u32; 2]>, fold: Fold) {
+        /// So many are remembered.
+        const MOST: usize = 64;
+        let Some(pixel) = pixel else { return };
+        self.0.retain(|(known, _)| *known != pixel);
+        if self.0.len() == MOST {
+            self.0.remove(0);
+        }
+        self.0.push((pixel, fold.open));
+    }
+
+    /// Opens what was open in the tree of a pixel, if it is known.
+    pub fn restore(&self, pixel: Option<[u32; 2]>, fold: &mut Fold) {
+        let known = self.0.iter().find(|(known, open)| Some(*known) == pixel && open.len() == fold.open.len());
+        if let Some((_, open)) = known {
+            fold.open.clone_from(open);
+        }
+    }
+}
+
 /// Whether a node has nodes inside.
 pub fn has_children(tree: &Tree, node: usize) -> bool {
     tree.nodes()[node].subtree_end > node + 1

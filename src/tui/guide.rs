@@ -4,6 +4,7 @@
 
 use super::address::{self, Bookmark};
 use super::breakpoints::Breakpoint;
+use super::fold::Folds;
 use super::history::History;
 use super::jumps::{self, Jumps};
 use super::model::{Model, Overlay};
@@ -34,6 +35,8 @@ pub struct Guide {
     pub bookmarks: Vec<Bookmark>,
     /// Where jumps began.
     pub jumps: Jumps,
+    /// What was open in the trees of other pixels.
+    pub folds: Folds,
     /// The lines that were typed.
     pub history: History,
     /// Whether the mouse selects and scrolls.

@@ -2,6 +2,7 @@
 //!
 //! Adding a key is one row here and one arm in [`super::update`]. The rows of [`Walk`] have a file of their own.
 
+pub mod script;
 mod walk;
 
 use super::guide::Walk;
@@ -247,6 +248,10 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
         ('^', Some(letter), None) => return Some(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL)),
         _ => {}
     }
+    // As other programs write it: `C-d`.
+    if let Some(letter) = text.strip_prefix("C-").filter(|letter| letter.chars().count() == 1) {
+        return parse(&format!("^{letter}"));
+    }
     plain(match text {
         "Space" => KeyCode::Char(' '),
         "Up" => KeyCode::Up,
@@ -263,28 +268,6 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
         "Esc" => KeyCode::Esc,
         _ => KeyCode::F(text.strip_prefix('F')?.parse().ok()?),
     })
-}
-
-/// The keys that a text such as `nnn 5j Tab ^d` or `nnn5j<Tab>^d` spells: names of keys stand alone or in angle brackets,
-/// other characters are keys themselves, and spaces only separate.
-pub fn sequence(text: &str) -> Vec<KeyEvent> {
-    let mut keys = Vec::new();
-    for word in text.split_whitespace() {
-        let mut rest = word;
-        while let Some(first) = rest.chars().next() {
-            let bracketed = rest.strip_prefix('<').and_then(|inner| inner.split_once('>'));
-            let named = bracketed.and_then(|(name, after)| Some((parse(name)?, after)));
-            let whole = parse(rest).map(|key| (key, ""));
-            let control = rest.get(..2).filter(|pair| first == '^' && pair != &"^^").and_then(parse);
-            let control = control.map(|key| (key, &rest[2..]));
-            let itself = parse(rest.get(..first.len_utf8()).unwrap_or_default());
-            let itself = itself.map(|key| (key, &rest[first.len_utf8()..]));
-            let Some((key, after)) = named.or(whole).or(control).or(itself) else { break };
-            keys.push(key);
-            rest = after;
-        }
-    }
-    keys
 }
 
 #[cfg(test)]

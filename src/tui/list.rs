@@ -123,12 +123,14 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
     match kind {
         Kind::Breakpoints => Listing {
             title: "Breakpoints".to_owned(),
+            columns: breakpoints::COLUMNS,
             entries: breakpoints::entries(model),
             nothing: "none: b types one, x sets one here",
             ..Listing::default()
         },
         Kind::Stops => Listing {
             title: "Where runs stopped".to_owned(),
+            columns: run::COLUMNS,
             entries: run::entries(model),
             nothing: "nowhere yet: r runs to a breakpoint",
             ..Listing::default()

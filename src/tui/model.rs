@@ -15,6 +15,7 @@ use super::understanding::{self, Understanding};
 use super::update::Effect;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
+use std::mem;
 use std::sync::Arc;
 
 /// Everything that the viewer knows.
@@ -217,8 +218,11 @@ impl Model {
         let place = Place::of(&self.log, &self.tree, self.event);
         self.tree = Tree::of(&log.events);
         self.facts = Facts::of(&log, &self.tree);
-        self.fold = Fold::of(&self.tree);
+        let left = self.pixel();
         self.log = log;
+        let fold = mem::replace(&mut self.fold, Fold::of(&self.tree));
+        self.guide.folds.keep(left, fold);
+        self.guide.folds.restore(self.pixel(), &mut self.fold);
         self.others.clear();
         // A quiz goes on; what was opened was of the other log.
         self.understanding.listing = None;

@@ -4,7 +4,7 @@ use super::breakpoints::{Breakpoint, HIDDEN};
 use super::describe;
 use super::guide;
 use super::jumps::{self, Spot};
-use super::list::{Entry, Kind};
+use super::list::{Column, Entry, Kind};
 use super::model::{Model, Overlay};
 use super::update::Effect;
 use crate::report::words::plain;
@@ -87,14 +87,18 @@ pub(super) fn open(model: &mut Model) {
     model.overlay = Some(Overlay::List { kind: Kind::Stops, selected, shift: 0 });
 }
 
+/// What stands in the list of the stops; a pixel only if it isn't the one that is shown.
+pub(super) const COLUMNS: &[Column] =
+    &[Column::number("step"), Column::text("pixel"), Column::text("stopped at"), Column::text("what is there")];
+
 /// The list of the stops, with the pixels of those in others.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |Stopped { spot, what, breakpoint }: &Stopped| {
         let is_shown = spot.is_shown(model);
-        let pixel = spot.pixel.filter(|_| !is_shown).map_or(String::new(), |[x, y]| format!("  in {x},{y}"));
+        let pixel = spot.pixel.filter(|_| !is_shown).map_or(String::new(), |[x, y]| format!("{x},{y}"));
         // What a quiz hid then may be known now.
         let what = if is_shown { describe::event(model, spot.event) } else { what.clone() };
-        Entry::to(spot.event, format!("step {}{pixel}  {}  {what}", spot.event + 1, plain(breakpoint)))
+        Entry::to(spot.event, format!("{}\t{pixel}\t{}\t{what}", spot.event + 1, plain(breakpoint)))
     };
     model.guide.stops.iter().map(entry).collect()
 }

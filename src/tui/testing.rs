@@ -85,10 +85,10 @@ fn header() -> Header {
     header
 }
 
-/// Types keys (see [`keys::sequence`]); gives what the last one asks for.
+/// Types keys (see [`keys::script`]); gives what the last one asks for.
 pub(super) fn typed(model: &mut Model, text: &str) -> Effect {
     let mut effect = Effect::None;
-    for key in keys::sequence(text) {
+    for key in keys::script::sequence(text) {
         if let Some(action) = keys::meant(model, key) {
             effect = update(model, action);
         }

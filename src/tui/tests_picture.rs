@@ -5,7 +5,7 @@ use super::list::listing;
 use super::testing::{empty, glass, nested, sized, textbook, typed};
 use super::*;
 use crate::log::{Log, Subject};
-use crate::tui::keys::sequence;
+use crate::tui::keys::script::sequence;
 use ratatui::style::Color;
 use std::sync::Arc;
 
@@ -144,11 +144,22 @@ fn jumps_and_stops_outlive_another_pixel() {
 
     let (model, _) = after("<Tab> bhit<Enter> r <BackTab> l", (100, 30));
     let entry = |model: &Model| listing(model, Kind::Stops).entries[0].text.clone();
-    assert!(entry(&model).contains("  in 3,2  hit  hit"), "{}", entry(&model));
+    assert!(entry(&model).contains("\t3,2\thit\thit"), "{}", entry(&model));
     let (back, traced) = after("<Tab> bhit<Enter> r <BackTab> l L <Enter>", (100, 30));
     assert_eq!((back.pixel(), back.event, back.overlay), (Some([3, 2]), model.event, None));
     assert_eq!(traced.len(), 2);
-    assert!(!entry(&back).contains("in 3,2"), "{}", entry(&back));
+    assert!(!entry(&back).contains("3,2"), "{}", entry(&back));
+}
+
+#[test]
+fn what_was_closed_stays_closed_when_one_comes_back() {
+    let closed = |keys: &str| {
+        let (model, _) = after(&format!("<Tab> 0 C <BackTab> {keys}"), (100, 30));
+        (0..model.tree.nodes().len()).filter(|node| !model.fold.is_open(&model.tree, *node)).count()
+    };
+    let there = closed("");
+    assert_eq!(closed("l h"), there);
+    assert_ne!(closed("l"), there);
 }
 
 #[test]

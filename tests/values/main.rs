@@ -12,6 +12,7 @@ mod support;
 mod digits;
 mod formulas;
 mod log_files;
+mod regions;
 mod rounding;
 mod skips;
 mod textbook;

@@ -22,6 +22,8 @@ pub(super) struct Lines<R> {
     next: usize,
     /// Whether there is nothing more to read.
     is_at_end: bool,
+    /// What ended packed data before their end.
+    damage: Option<io::Error>,
     hasher: blake3::Hasher,
     number: usize,
 }
@@ -39,7 +41,17 @@ impl<R: Read> Lines<R> {
     /// Those of this input.
     pub fn of(input: R) -> Lines<R> {
         let hasher = blake3::Hasher::new();
-        Lines { input, block: Vec::new(), digested: 0, current: 0, next: 0, is_at_end: false, hasher, number: 0 }
+        Lines {
+            input,
+            block: Vec::new(),
+            digested: 0,
+            current: 0,
+            next: 0,
+            is_at_end: false,
+            damage: None,
+            hasher,
+            number: 0,
+        }
     }
 
     /// The first bytes of the text that aren't white space, some hundreds of them if there are. A byte order mark before them
@@ -59,7 +71,10 @@ impl<R: Read> Lines<R> {
         while !self.is_at_end {
             self.read_more()?;
         }
-        Ok(self.block)
+        match self.damage {
+            Some(damage) => Err(damage),
+            None => Ok(self.block),
+        }
     }
 
     /// The next line.
@@ -83,6 +98,12 @@ impl<R: Read> Lines<R> {
         (self.current, self.next) = (self.next, next);
         self.number += 1;
         Ok(Some(TextLine { text: &self.block[self.current..end], number: self.number, is_terminated: end < next }))
+    }
+
+    /// What ended the text before its end: packed data that were cut off
+    /// ([`UnexpectedEof`](ErrorKind::UnexpectedEof)) or changed ([`InvalidData`](ErrorKind::InvalidData)).
+    pub fn damage(&self) -> Option<&io::Error> {
+        self.damage.as_ref()
     }
 
     /// The digest of everything before the line that was asked for last.
@@ -128,8 +149,10 @@ impl<R: Read> Lines<R> {
         match self.input.by_ref().take(BLOCK as u64).read_to_end(&mut self.block) {
             Ok(0) => self.is_at_end = true,
             Ok(_) => {}
-            // Packed data end too early where the file was cut off; what came before is as good as that of another such file.
-            Err(error) if error.kind() == ErrorKind::UnexpectedEof => self.is_at_end = true,
+            // What came before is as good as that of another file.
+            Err(error) if matches!(error.kind(), ErrorKind::UnexpectedEof | ErrorKind::InvalidData) => {
+                (self.is_at_end, self.damage) = (true, Some(error));
+            }
             Err(error) => return Err(error),
         }
         Ok(())

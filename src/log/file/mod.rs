@@ -10,4 +10,4 @@ mod write;
 
 pub use error::LogError;
 pub use read::{Ending, ReadLog, is_log, read, read_from};
-pub use write::{Writer, to_json, to_ndjson};
+pub use write::{Lines, Writer, to_json, to_ndjson};

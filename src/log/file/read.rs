@@ -9,7 +9,7 @@ use crate::log::Log;
 use crate::log::escape::{is_hidden, shortened, visible};
 use crate::log::header::{FORMAT, Header};
 use serde::Deserialize;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 
 /// A log as it was found.
 #[derive(Debug)]
@@ -35,6 +35,11 @@ pub enum Ending {
         /// What doesn't fit.
         what: String,
     },
+    /// With a record that can't be read, or with packed data that can't be unpacked: what stands before it was read.
+    Damaged {
+        /// Where and what the damage is.
+        what: String,
+    },
 }
 
 impl Ending {
@@ -47,6 +52,7 @@ impl Ending {
                 Some("the log was cut off: 1 incomplete record was passed over".into())
             }
             Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
+            Ending::Damaged { what } => Some(format!("the log is damaged, this is what stands before: {what}")),
         }
     }
 }
@@ -67,10 +73,13 @@ pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
 }
 
 /// Reads a log, NDJSON or one JSON document. Of NDJSON no more text is held than a block, so that the memory is that of the
-/// events. Input that ends with [`UnexpectedEof`](std::io::ErrorKind::UnexpectedEof) counts as cut off there.
+/// events. It is read up to the first record that is damaged; input that ends with
+/// [`UnexpectedEof`](std::io::ErrorKind::UnexpectedEof) counts as cut off there, such that ends with
+/// [`InvalidData`](std::io::ErrorKind::InvalidData) as damaged.
 ///
 /// # Errors
-/// [`LogError`]; [`LogError::Io`] when the input can't be read or there is no memory for the log.
+/// [`LogError`] for what has no good header or is a damaged document; [`LogError::Io`] when the input can't be read or there is
+/// no memory for the log.
 pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     let mut lines = Lines::of(input);
     if is_document(lines.beginning()?) {
@@ -78,32 +87,53 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     }
     let header = header(&mut lines)?;
     let mut reader = Reader::new(&header);
-    let mut ending = Ending::Missing { incomplete_record: false };
+    let ending = records(&mut lines, &mut reader)?;
+    let ending = match (ending, lines.damage()) {
+        (Ending::Complete, Some(damage)) => Ending::Damaged { what: damage.to_string() },
+        (Ending::Missing { .. }, Some(damage)) if damage.kind() == ErrorKind::InvalidData => {
+            Ending::Damaged { what: damage.to_string() }
+        }
+        (ending, _) => ending,
+    };
+    let mut events = reader.events;
+    events.shrink_to_fit();
+    Ok(ReadLog { log: Log { header, events }, ending })
+}
+
+/// Reads the records behind the header up to the end line, the end, or one that is damaged.
+fn records(lines: &mut Lines<impl Read>, reader: &mut Reader) -> Result<Ending, LogError> {
     while let Some(line) = lines.next_line()? {
         if line.text.trim_ascii().is_empty() {
             continue;
         }
+        let number = line.number;
         let parsed = match serde_json::from_slice::<Line>(line.text) {
             Ok(parsed) => parsed,
-            Err(_) if !line.is_terminated => {
-                ending = Ending::Missing { incomplete_record: true };
-                break;
-            }
-            Err(error) => return Err(error_at(line.number, &error)),
+            Err(_) if !line.is_terminated => return Ok(Ending::Missing { incomplete_record: true }),
+            Err(error) => return Ok(Ending::Damaged { what: error_at(number, &error).to_string() }),
         };
         if let Some(end) = parsed.end {
-            ending = check_end(&end, reader.events.len(), lines.digest());
-            let after = lines.count_rest()?;
-            if after > 0 {
-                ending = Ending::Mismatch { what: format!("{after} bytes stand after its end line") };
-            }
-            break;
+            let has_other_ends = line.text.ends_with(b"\r");
+            let ending = check_end(&end, reader.events.len(), lines.digest());
+            return Ok(match (lines.count_rest()?, ending) {
+                (0, Ending::Mismatch { what }) if has_other_ends => {
+                    Ending::Mismatch { what: what + " (its lines end in CR LF, as after a transfer as text)" }
+                }
+                (0, ending) => ending,
+                (after, _) => Ending::Mismatch { what: format!("{after} bytes stand after its end line") },
+            });
         }
-        reader.take(parsed, line.number)?;
+        let before = reader.events.len();
+        match reader.take(parsed, number) {
+            Ok(()) => {}
+            Err(error @ LogError::Damaged { .. }) => {
+                reader.events.truncate(before);
+                return Ok(Ending::Damaged { what: error.to_string() });
+            }
+            Err(error) => return Err(error),
+        }
     }
-    let mut events = reader.events;
-    events.shrink_to_fit();
-    Ok(ReadLog { log: Log { header, events }, ending })
+    Ok(Ending::Missing { incomplete_record: false })
 }
 
 /// The header in the first line that isn't blank.
@@ -201,6 +231,21 @@ mod tests {
         // They were no part of it when its digest was made.
         reads(b"\n", &lines, false);
         reads(b"\xef\xbb\xbf \r\n\n", &lines, false);
+    }
+
+    #[track_caller]
+    fn warns(bytes: &[u8], expected: &str) {
+        let warning = read(bytes).unwrap().ending.warning().unwrap();
+        assert!(warning.contains(expected), "{warning}");
+    }
+
+    #[test]
+    fn other_ends_of_lines_are_told() {
+        let lines = String::from_utf8(to_ndjson(&textbook()).unwrap()).unwrap();
+        warns(lines.replace('\n', "\r\n").as_bytes(), "its lines end in CR LF");
+        let line = "\n{\"at\":7,";
+        assert!(lines.contains(line));
+        warns(lines.replacen(line, "\n{\"at\":x,", 1).as_bytes(), "8:7: expected value");
     }
 
     #[test]

@@ -5,54 +5,89 @@ use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::{Log, tree::path_of_child};
 use std::io::{self, Write};
+use std::mem;
 
-/// Writes a log line by line as NDJSON.
-pub struct Writer<'h, W: Write> {
-    out: W,
+/// Events as lines of NDJSON: what several threads make of the pixels of a region, for one [`Writer`] to put together.
+pub struct Lines<'h> {
     header: &'h Header,
-    hasher: blake3::Hasher,
-    events: u64,
     /// The paths of the open nodes.
     paths: Vec<String>,
-    line: Vec<u8>,
+    bytes: Vec<u8>,
+    events: u64,
+}
+
+impl<'h> Lines<'h> {
+    /// None yet, of a log with this header.
+    pub fn new(header: &'h Header) -> Lines<'h> {
+        Lines { header, paths: Vec::new(), bytes: Vec::new(), events: 0 }
+    }
+
+    /// Adds further events.
+    pub fn push(&mut self, events: &[Event]) {
+        for event in events {
+            event_fields(&mut self.bytes, self.header, event, &mut self.paths);
+            self.bytes.extend_from_slice(b"}\n");
+        }
+        self.events += events.len() as u64;
+    }
+
+    /// The text so far.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+}
+
+/// Writes a log as NDJSON while it grows.
+pub struct Writer<'h, W: Write> {
+    out: W,
+    hasher: blake3::Hasher,
+    events: u64,
+    lines: Lines<'h>,
 }
 
 impl<'h, W: Write> Writer<'h, W> {
     /// Starts a log with its header.
     pub fn new(out: W, header: &'h Header) -> io::Result<Self> {
-        let mut writer =
-            Writer { out, header, hasher: blake3::Hasher::new(), events: 0, paths: Vec::new(), line: Vec::new() };
-        serde_json::to_writer(&mut writer.line, header)?;
-        writer.end_line()?;
+        let mut writer = Writer { out, hasher: blake3::Hasher::new(), events: 0, lines: Lines::new(header) };
+        let mut line = serde_json::to_vec(header)?;
+        line.push(b'\n');
+        writer.put(&line)?;
         Ok(writer)
     }
 
     /// Writes further events.
     pub fn write(&mut self, events: &[Event]) -> io::Result<()> {
-        for event in events {
-            event_fields(&mut self.line, self.header, event, &mut self.paths);
-            self.line.push(b'}');
-            self.end_line()?;
-            self.events += 1;
+        /// So many at a time, lest their text take much room.
+        const PIECE: usize = 4096;
+        for piece in events.chunks(PIECE) {
+            self.lines.push(piece);
+            let mut lines = mem::take(&mut self.lines.bytes);
+            self.put(&lines)?;
+            lines.clear();
+            self.lines.bytes = lines;
         }
+        self.events += events.len() as u64;
+        Ok(())
+    }
+
+    /// Writes lines that were made elsewhere.
+    pub fn append(&mut self, lines: &Lines) -> io::Result<()> {
+        self.put(&lines.bytes)?;
+        self.events += lines.events;
         Ok(())
     }
 
     /// Ends the log with its count and digest, and gives the output back.
     pub fn finish(mut self) -> io::Result<W> {
         let end = end_object(self.events, &self.hasher);
-        self.line.extend_from_slice(end.as_bytes());
-        self.end_line()?;
+        self.out.write_all(format!("{end}\n").as_bytes())?;
         self.out.flush()?;
         Ok(self.out)
     }
 
-    fn end_line(&mut self) -> io::Result<()> {
-        self.line.push(b'\n');
-        self.hasher.update(&self.line);
-        self.out.write_all(&self.line)?;
-        self.line.clear();
-        Ok(())
+    fn put(&mut self, text: &[u8]) -> io::Result<()> {
+        self.hasher.update(text);
+        self.out.write_all(text)
     }
 }
 
@@ -74,6 +109,12 @@ pub fn to_json(log: &Log) -> io::Result<Vec<u8>> {
     let mut paths = Vec::new();
     let mut first_child = true;
     for event in &log.events {
+        // Pixels of a region log are opened but never left: the next one ends it.
+        if matches!(event.what, What::Enter { step: Step::Pixel(_), .. }) && !paths.is_empty() {
+            out.extend_from_slice(b"]}");
+            paths.clear();
+            first_child = false;
+        }
         out.extend_from_slice(if first_child { b"\n" } else { b",\n" });
         out.resize(out.len() + paths.len() + 1, b' ');
         event_fields(&mut out, &log.header, event, &mut paths);
@@ -84,7 +125,7 @@ pub fn to_json(log: &Log) -> io::Result<Vec<u8>> {
             _ => out.push(b'}'),
         }
     }
-    // Pixels of a region log are opened but never left.
+    // The last one.
     for _ in &paths {
         out.extend_from_slice(b"]}");
     }

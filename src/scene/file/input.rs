@@ -89,8 +89,8 @@ impl Wanted {
         match read {
             Ok(_) => Ok(opened),
             // What there is of it may be enough.
-            Err(error) if error.kind() == ErrorKind::UnexpectedEof && !opened.beginning.is_empty() => {
-                opened.rest = Box::new(CutOff);
+            Err(error) if gzip::damage(&error).is_some() && !opened.beginning.is_empty() => {
+                opened.rest = Box::new(Broken(Some(error)));
                 Ok(opened)
             }
             Err(error) => Err(opened.failure(error)),
@@ -151,8 +151,9 @@ impl Opened {
         Err(self.wanted.too_large(&self.name, found))
     }
 
-    /// The whole of it as it is read, of any size up to `most` bytes; what is damaged or larger is
-    /// [`InvalidData`](ErrorKind::InvalidData).
+    /// The whole of it as it is read, of any size up to `most` bytes. What is packed may end with
+    /// [`UnexpectedEof`](ErrorKind::UnexpectedEof) if it was cut off and with [`InvalidData`](ErrorKind::InvalidData) if it is
+    /// damaged; what is larger is [`FileTooLarge`](ErrorKind::FileTooLarge).
     pub fn stream(self, most: u64) -> impl Read {
         let Opened { beginning, rest, is_packed, .. } = self;
         Stream { input: io::Cursor::new(beginning).chain(rest), is_packed, most, left: most }
@@ -166,12 +167,12 @@ impl Opened {
     }
 }
 
-/// What packed data end with that end too early.
-struct CutOff;
+/// What packed data end with that are damaged or end too early.
+struct Broken(Option<io::Error>);
 
-impl Read for CutOff {
+impl Read for Broken {
     fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
-        Err(ErrorKind::UnexpectedEof.into())
+        Err(self.0.take().unwrap_or_else(|| ErrorKind::UnexpectedEof.into()))
     }
 }
 
@@ -185,14 +186,18 @@ struct Stream<R> {
 impl<R: Read> Read for Stream<R> {
     fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
         let count = self.input.read(place).map_err(|error| match gzip::damage(&error) {
-            Some(damage) if self.is_packed && error.kind() != ErrorKind::UnexpectedEof => {
-                io::Error::new(ErrorKind::InvalidData, damage)
+            Some(damage) if self.is_packed => {
+                let kind = match error.kind() {
+                    ErrorKind::UnexpectedEof => ErrorKind::UnexpectedEof,
+                    _ => ErrorKind::InvalidData,
+                };
+                io::Error::new(kind, damage)
             }
             _ => error,
         })?;
         let Some(left) = self.left.checked_sub(count as u64) else {
             let message = format!("too large, expected at most {} bytes, found more", self.most);
-            return Err(io::Error::new(ErrorKind::InvalidData, message));
+            return Err(io::Error::new(ErrorKind::FileTooLarge, message));
         };
         self.left = left;
         Ok(count)
@@ -360,7 +365,11 @@ mod tests {
             let mut changed = whole;
             let crc = changed.len() - 6;
             changed[crc] ^= 1;
-            assert!(read_packed(changed, 1 << 20).unwrap_err().starts_with("damaged gzip data ("));
+            assert!(read_packed(changed.clone(), 1 << 20).unwrap_err().starts_with("damaged gzip data ("));
+            let mut read = Vec::new();
+            let opened = scene_file().begin(io::Cursor::new(changed), 0, "a".to_owned()).unwrap();
+            let error = opened.stream(1 << 20).read_to_end(&mut read).unwrap_err();
+            assert_eq!((error.kind(), read.len()), (ErrorKind::InvalidData, length as usize));
         }
     }
 

@@ -42,6 +42,8 @@ fn commands() {
     assert_eq!(model.guide.filter, None);
     assert_eq!(line(&mut model, ":", "pixel 3,4"), Effect::Trace([3, 4]));
     assert_eq!(line(&mut model, ":", "pix 3 4"), Effect::Trace([3, 4]));
+    // Its own pixel is there, also in a saved log.
+    assert_eq!((line(&mut model, ":", "pixel 160,120"), model.step()), (Effect::None, 1));
     for (text, expected) in [
         ("pixel 3", "expected a column and a row"),
         ("pixel 3,4,5", "expected a column and a row"),

@@ -88,7 +88,7 @@ fn runs_stop_at_breakpoints() {
     // The log of stops opens at the latest, and leads back.
     typed(&mut model, "L");
     let stops = listing(&model, Kind::Stops).entries;
-    assert!(stops[0].text.starts_with(&format!("step {}  kind shadow  ray C S1", shadows[0])), "{}", stops[0].text);
+    assert!(stops[0].text.starts_with(&format!("{}\t\tkind shadow\tray C S1", shadows[0])), "{}", stops[0].text);
     goes(&mut model, "k Enter", shadows[1]);
     assert_eq!(model.overlay, None);
 }
@@ -132,11 +132,11 @@ fn breakpoints_are_listed() {
     let texts = |model: &Model| {
         listing(model, Kind::Breakpoints).entries.into_iter().map(|entry| entry.text).collect::<Vec<_>>()
     };
-    assert_eq!(texts(&model), ["on   hit", "on   T2_A < 0", "on   V_d ~ 0"]);
+    assert_eq!(texts(&model), ["on\thit", "on\tT2_A < 0", "on\tV_d ~ 0"]);
     typed(&mut model, "j Space");
-    assert_eq!(texts(&model), ["on   hit", "off  T2_A < 0", "on   V_d ~ 0"]);
+    assert_eq!(texts(&model), ["on\thit", "off\tT2_A < 0", "on\tV_d ~ 0"]);
     typed(&mut model, "j d");
-    assert_eq!(texts(&model), ["on   hit", "off  T2_A < 0"]);
+    assert_eq!(texts(&model), ["on\thit", "off\tT2_A < 0"]);
     assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1, shift: 0 }));
     // Enter goes to the next place of one that is off, too, and around the end.
     let places = |model: &Model, text: &str| {

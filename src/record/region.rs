@@ -1,0 +1,86 @@
+//! The log of a rectangle of pixels: the pixels' logs one after the other, rows top down, left to right, each opened by an event
+//! that names it.
+//!
+//! A pixel's log doesn't depend on other pixels, so that they may be made on several threads; they come in order all the same.
+
+use super::{Arithmetic, MAX_EVENTS, Part, digits, header, record};
+use crate::log::{Event, Log, Step, Subject, What};
+use crate::probe::{CutOff, Recorder, until_cut_off};
+use crate::scene::Scene;
+use rayon::prelude::*;
+use std::io;
+use std::sync::mpsc::sync_channel;
+use std::thread;
+
+/// A rectangle of pixels: left, top, right and bottom, the last two exclusive.
+pub type Region = [u32; 4];
+
+/// The event that opens a pixel in the log of a region.
+pub fn opening(pixel: [u32; 2]) -> Event {
+    let what = What::Enter { parent: 0, step: Step::Pixel(pixel) };
+    Event { at: 0, node: 0, what, given: Box::default(), digits: None }
+}
+
+/// The pixels of a region in the order of its log.
+pub fn pixels([left, top, right, bottom]: Region) -> impl Iterator<Item = [u32; 2]> {
+    (top..bottom).flat_map(move |y| (left..right).map(move |x| [x, y]))
+}
+
+/// The log of a region, if it has at most [`MAX_EVENTS`] events.
+pub fn bounded(scene: &Scene, region: Region, arithmetic: Arithmetic) -> Result<Log, CutOff> {
+    let mut events = Vec::new();
+    for pixel in pixels(region) {
+        events.push(opening(pixel));
+        let too_long = CutOff::TooLong { most: MAX_EVENTS };
+        let room = MAX_EVENTS.checked_sub(events.len()).filter(|room| *room > 0).ok_or(too_long)?;
+        events.append(&mut of_pixel(scene, pixel, arithmetic, room)?);
+    }
+    Ok(Log { header: header(scene, Subject::Region(region), arithmetic), events })
+}
+
+/// The events of a pixel, of which there are at most `room`; in perturbed arithmetic with their numbers of digits.
+pub fn of_pixel(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic, room: usize) -> Result<Vec<Event>, CutOff> {
+    let run = |arithmetic| until_cut_off(|| record(scene, Part::Pixel(pixel), arithmetic, Recorder::of_at_most(room)));
+    let mut events = run(arithmetic)?;
+    if let Arithmetic::Perturbed(seed) = arithmetic {
+        digits::put_into(&mut events, seed, run)?;
+    }
+    Ok(events)
+}
+
+/// Hands what `make` makes of each pixel to `take`, in the order of the pixels; `make` runs on as many threads as the pool of threads
+/// that this is called with has.
+///
+/// # Errors
+/// The first of `take`, after which nothing more is made, or that no thread can be started.
+pub fn in_order<T: Send>(
+    region: Region,
+    threads: &rayon::ThreadPool,
+    make: impl Fn([u32; 2]) -> T + Sync,
+    mut take: impl FnMut([u32; 2], T) -> io::Result<()>,
+) -> io::Result<()> {
+    /// Pixels a thread at a time: so many that one that takes long keeps nobody waiting for long.
+    const EACH: usize = 32;
+    thread::scope(|scope| {
+        // While one piece is taken the next is made, and no more, so that memory doesn't grow where taking is slow.
+        let (sender, receiver) = sync_channel::<Vec<([u32; 2], T)>>(1);
+        thread::Builder::new().spawn_scoped(scope, || {
+            let sender = sender;
+            let mut left = pixels(region);
+            loop {
+                let piece: Vec<_> = left.by_ref().take(EACH * threads.current_num_threads()).collect();
+                if piece.is_empty() {
+                    return;
+                }
+                let made = threads.install(|| piece.into_par_iter().map(|pixel| (pixel, make(pixel))).collect());
+                if sender.send(made).is_err() {
+                    return;
+                }
+            }
+        })?;
+        for (pixel, made) in receiver.into_iter().flatten() {
+            take(pixel, made)?;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,103 @@
+//! Keys that are written down, for a screenshot or a test.
+
+use super::parse;
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+/// What a script of keys holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Typed {
+    /// A key.
+    Key(KeyEvent),
+    /// A space between two words: the key where a line is typed, otherwise nothing.
+    Gap(KeyEvent),
+}
+
+/// The keys that a text such as `nnn 5j Tab ^d` or `nnn5j<Tab>^d` spells: names of keys stand alone or in angle brackets, other
+/// characters are keys themselves, and spaces separate.
+pub fn script(text: &str) -> Vec<Typed> {
+    let mut typed = Vec::new();
+    for word in text.split_whitespace() {
+        let begins_with_a_name = bracketed(word).is_some() || (word.chars().nth(1).is_some() && parse(word).is_some());
+        if !typed.is_empty() && !begins_with_a_name {
+            typed.push(Typed::Gap(KeyEvent::new(KeyCode::Char(' '), KeyModifiers::NONE)));
+        }
+        let mut rest = word;
+        while let Some((key, after)) = first_key(rest) {
+            typed.push(Typed::Key(key));
+            rest = after;
+        }
+    }
+    typed
+}
+
+/// The keys of a [`script`] without its gaps.
+pub fn sequence(text: &str) -> Vec<KeyEvent> {
+    let key = |typed| match typed {
+        Typed::Key(key) => Some(key),
+        Typed::Gap(_) => None,
+    };
+    script(text).into_iter().filter_map(key).collect()
+}
+
+/// What stands in angle brackets in a script as the name of a key, but is none.
+pub fn unknown_name(text: &str) -> Option<&str> {
+    let looks_like_a_name = |name: &&str| {
+        name.chars().nth(1).is_some() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '^')
+    };
+    let names = text.split('<').skip(1).filter_map(|rest| rest.split_once('>')).map(|(name, _)| name);
+    names.filter(looks_like_a_name).find(|name| parse(name).is_none())
+}
+
+/// The key in angle brackets that a text begins with, and what stands behind it.
+fn bracketed(text: &str) -> Option<(KeyEvent, &str)> {
+    let (name, after) = text.strip_prefix('<')?.split_once('>')?;
+    Some((parse(name)?, after))
+}
+
+/// The key that a word begins with, and what stands behind it.
+fn first_key(word: &str) -> Option<(KeyEvent, &str)> {
+    let first = word.chars().next()?;
+    let whole = || parse(word).map(|key| (key, ""));
+    let control = || {
+        let pair = word.get(..2).filter(|pair| first == '^' && pair != &"^^")?;
+        Some((parse(pair)?, &word[2..]))
+    };
+    let itself = || Some((parse(&word[..first.len_utf8()])?, &word[first.len_utf8()..]));
+    bracketed(word).or_else(whole).or_else(control).or_else(itself)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::super::name;
+    use super::*;
+
+    #[track_caller]
+    fn spells(text: &str, expected: &[&str]) {
+        let names: Vec<_> = sequence(text).into_iter().map(|key| name(key).unwrap()).collect();
+        assert_eq!(names, expected, "{text}");
+    }
+
+    #[test]
+    fn sequences_of_keys() {
+        spells("n5j Tab ^d?^uz", &["n", "5", "j", "Tab", "^d", "?", "^u", "z"]);
+        spells("l<Down><Space>n<^u><x", &["l", "Down", "Space", "n", "^u", "<", "x"]);
+        spells("Tab Shift-Tab l<Shift-Tab>", &["Tab", "Shift-Tab", "l", "Shift-Tab"]);
+        spells("<C-o> C-d C", &["^o", "^d", "C"]);
+    }
+
+    #[test]
+    fn a_space_may_be_of_a_line() {
+        let gaps = |text: &str| script(text).iter().filter(|typed| matches!(typed, Typed::Gap(_))).count();
+        assert_eq!([gaps(":pixel 3 4 <Enter>"), gaps("/ Tab ^d"), gaps("a b"), gaps(" a")], [2, 0, 1, 0]);
+    }
+
+    #[test]
+    fn names_that_are_none_are_found() {
+        assert_eq!(unknown_name("n<Nope>"), Some("Nope"));
+        assert_eq!(unknown_name("<Tab><Retrun>x"), Some("Retrun"));
+        for fine in ["<Tab>", "T2_A<0 a>b", "<<<>>", "<x>", "b T2<A>", "<C-o><^o>"] {
+            assert_eq!(unknown_name(fine), None, "{fine}");
+        }
+    }
+}
