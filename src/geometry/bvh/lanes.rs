@@ -25,11 +25,11 @@ pub(super) trait Lanes: Copy {
     /// a · b
     fn mul(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     /// a·b + c, rounded once or twice.
-    fn mul_add(self, a: Self::Eight, b: Self::Eight, c: Self::Eight) -> Self::Eight;
+    fn times_plus(self, a: Self::Eight, b: Self::Eight, c: Self::Eight) -> Self::Eight;
     /// a·b − c, rounded once or twice.
-    fn mul_sub(self, a: Self::Eight, b: Self::Eight, c: Self::Eight) -> Self::Eight;
+    fn times_minus(self, a: Self::Eight, b: Self::Eight, c: Self::Eight) -> Self::Eight;
     /// c − a·b, rounded once or twice.
-    fn less_mul(self, c: Self::Eight, a: Self::Eight, b: Self::Eight) -> Self::Eight;
+    fn less_times(self, c: Self::Eight, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     /// The lesser one; b where one is no number.
     fn min(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     /// The greater one; b where one is no number.
@@ -46,13 +46,13 @@ pub(super) trait Lanes: Copy {
     /// a · b of vectors.
     #[inline(always)]
     fn dot(self, [a_x, a_y, a_z]: [Self::Eight; 3], [b_x, b_y, b_z]: [Self::Eight; 3]) -> Self::Eight {
-        self.mul_add(a_z, b_z, self.mul_add(a_y, b_y, self.mul(a_x, b_x)))
+        self.times_plus(a_z, b_z, self.times_plus(a_y, b_y, self.mul(a_x, b_x)))
     }
 
     /// a × b
     #[inline(always)]
     fn cross(self, [a_x, a_y, a_z]: [Self::Eight; 3], [b_x, b_y, b_z]: [Self::Eight; 3]) -> [Self::Eight; 3] {
-        let minor = |a, b, c, d| self.mul_sub(a, d, self.mul(c, b));
+        let minor = |a, b, c, d| self.times_minus(a, d, self.mul(c, b));
         [minor(a_y, b_y, a_z, b_z), minor(a_z, b_z, a_x, b_x), minor(a_x, b_x, a_y, b_y)]
     }
 }
@@ -95,17 +95,17 @@ impl Lanes for Plain {
     }
 
     #[inline(always)]
-    fn mul_add(self, a: Eight, b: Eight, c: Eight) -> Eight {
+    fn times_plus(self, a: Eight, b: Eight, c: Eight) -> Eight {
         self.add(self.mul(a, b), c)
     }
 
     #[inline(always)]
-    fn mul_sub(self, a: Eight, b: Eight, c: Eight) -> Eight {
+    fn times_minus(self, a: Eight, b: Eight, c: Eight) -> Eight {
         self.sub(self.mul(a, b), c)
     }
 
     #[inline(always)]
-    fn less_mul(self, c: Eight, a: Eight, b: Eight) -> Eight {
+    fn less_times(self, c: Eight, a: Eight, b: Eight) -> Eight {
         self.sub(c, self.mul(a, b))
     }
 
@@ -234,17 +234,17 @@ pub(super) mod avx2 {
         }
 
         #[inline(always)]
-        fn mul_add(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+        fn times_plus(self, a: __m256, b: __m256, c: __m256) -> __m256 {
             self.0.fma._mm256_fmadd_ps(a, b, c)
         }
 
         #[inline(always)]
-        fn mul_sub(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+        fn times_minus(self, a: __m256, b: __m256, c: __m256) -> __m256 {
             self.0.fma._mm256_fmsub_ps(a, b, c)
         }
 
         #[inline(always)]
-        fn less_mul(self, c: __m256, a: __m256, b: __m256) -> __m256 {
+        fn less_times(self, c: __m256, a: __m256, b: __m256) -> __m256 {
             self.0.fma._mm256_fnmadd_ps(a, b, c)
         }
 
