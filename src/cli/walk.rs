@@ -181,7 +181,7 @@ impl Walk {
         if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
             return Err(Failure::caller(format!("{}: expected a name that ends in .svg", path.display())));
         }
-        if let Some(name) = tui::keys::script::unknown_name(&self.keys) {
+        if let Some(name) = tui::keys::unknown_name(&self.keys) {
             let message = format!("--keys: no key is called `<{}>`; `?` in the viewer lists them", visible(name));
             return Err(Failure::caller(message));
         }

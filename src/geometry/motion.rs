@@ -1,7 +1,8 @@
 //! Rigid motions: a turn about an axis, and then a shift, both proportional to time.
 
 use super::bounds::Bounds;
-use super::ray::{Ray, Surface, unit};
+use super::ray::{Ray, Surface};
+use super::unit::unit;
 use crate::log::Name;
 use crate::probe::Probe;
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! A ray, and what it meets.
 
-use super::doubled::{Doubled, exponent, length, scaled};
+use super::unit::unit;
 use glam::DVec3;
 
 /// A half line from `origin` along `direction`, of which `t_min < t < t_max` counts.
@@ -141,47 +141,12 @@ impl Ray {
     }
 }
 
-/// The unit vector along a vector, the vector itself scaled to a middling size, and its length. Scaling by a power of two,
-/// which is exact, keeps the squares of very long and very short vectors in range.
-pub(crate) fn unit(vector: DVec3) -> (DVec3, DVec3, f64) {
-    let power = exponent(vector.abs().max_element());
-    let middling = middling(vector);
-    // With twice the digits, so that the unit vector has no rounding errors but its last: its length would be an error of every
-    // distance along it.
-    let length = length(middling);
-    let unit = DVec3::from_array(middling.to_array().map(|x| Doubled::from(x).quotient(length)));
-    (unit, middling, scaled(length.value(), power))
-}
-
-/// The vector times the power of two that makes its greatest component one from 1 to 2.
-#[inline]
-pub(crate) fn middling(vector: DVec3) -> DVec3 {
-    let power = exponent(vector.abs().max_element());
-    DVec3::from_array(vector.to_array().map(|x| scaled(x, -power)))
-}
-
 impl Side {
     /// The other side.
     pub fn opposite(self) -> Side {
         match self {
             Side::Front => Side::Back,
             Side::Back => Side::Front,
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn unit_vectors_of_any_length() {
-        for exponent in [-1000, -300, 0, 300, 1000] {
-            let scale = libm::scalbn(1.0, exponent);
-            let (direction, vector, length) = unit(DVec3::new(3.0, 0.0, 4.0) * scale);
-            assert_eq!(direction, DVec3::new(0.6, 0.0, 0.8));
-            assert_eq!(length, 5.0 * scale);
-            assert!(vector.length() < 1e101);
         }
     }
 }

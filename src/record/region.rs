@@ -28,12 +28,16 @@ pub fn pixels([left, top, right, bottom]: Region) -> impl Iterator<Item = [u32; 
 
 /// The log of a region, if it has at most [`MAX_EVENTS`] events.
 pub fn bounded(scene: &Scene, region: Region, arithmetic: Arithmetic) -> Result<Log, CutOff> {
+    let too_long = || CutOff::TooLong { most: MAX_EVENTS };
     let mut events = Vec::new();
     for pixel in pixels(region) {
         events.push(opening(pixel));
-        let too_long = CutOff::TooLong { most: MAX_EVENTS };
-        let room = MAX_EVENTS.checked_sub(events.len()).filter(|room| *room > 0).ok_or(too_long)?;
-        events.append(&mut of_pixel(scene, pixel, arithmetic, room)?);
+        let room = MAX_EVENTS.checked_sub(events.len()).filter(|room| *room > 0).ok_or_else(too_long)?;
+        events.append(&mut of_pixel(scene, pixel, arithmetic, room).map_err(|cut_off| match cut_off {
+            // Told of the whole log, not of what was left for this pixel.
+            CutOff::TooLong { .. } => too_long(),
+            other => other,
+        })?);
     }
     Ok(Log { header: header(scene, Subject::Region(region), arithmetic), events })
 }

@@ -2,7 +2,7 @@
 
 use super::lens::Lens;
 use crate::geometry::Ray;
-use crate::geometry::ray::middling;
+use crate::geometry::unit::middling;
 use crate::log::{Decision, Name};
 use crate::probe::Probe;
 use crate::random::{Dimension, Draws};

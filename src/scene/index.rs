@@ -104,21 +104,26 @@ impl Index {
 
     /// Shows `meet` every object that the ray can meet, near ones first. `meet` gives the distance up to which objects still
     /// matter; a negative one ends the search.
-    #[inline]
+    #[inline(always)]
     pub fn nearest_first<P: Probe>(&self, ray: &Ray, probe: &mut P, meet: impl FnMut(u32, &mut P) -> f64) {
         self.visit(ray, true, probe, meet);
     }
 
     /// The same without any order.
-    #[inline]
+    #[inline(always)]
     pub fn in_any_order<P: Probe>(&self, ray: &Ray, probe: &mut P, meet: impl FnMut(u32, &mut P) -> f64) {
         self.visit(ray, false, probe, meet);
     }
 
-    #[inline]
+    #[inline(always)]
     fn visit<P: Probe>(&self, ray: &Ray, nearest_first: bool, probe: &mut P, mut meet: impl FnMut(u32, &mut P) -> f64) {
         let search = Search { nearest_first, one_by_one: probe.certifies() };
-        let tested = self.tree.visit::<P>(ray, search, |object| meet(object, probe));
+        let tested = self.tree.visit::<P>(
+            ray,
+            search,
+            #[inline(always)]
+            |object| meet(object, probe),
+        );
         probe.bounds_tested(tested);
     }
 }

@@ -1,7 +1,7 @@
 //! Single ray queries: what a ray meets, without any shading, at the time when the shutter opens.
 
 use super::visibility::{Hit, closest_hit, is_any_hit};
-use crate::geometry::ray::unit;
+use crate::geometry::unit::{unit, with_unit};
 use crate::geometry::{Leaving, Ray, Side};
 use crate::probe::Silent;
 use crate::scene::Scene;
@@ -66,7 +66,8 @@ impl Query {
 
     /// The nearest hit, with the surface there.
     pub fn nearest(&self, scene: &Scene) -> Option<Answer> {
-        let (ray, hit, t) = self.first_hit(scene)?;
+        let (ray, length) = self.ray(scene);
+        let (ray, hit, t) = self.first_hit(ray, length, scene)?;
         let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
         let normal = match surface.side {
             Side::Front => surface.geometric_normal(),
@@ -86,27 +87,39 @@ impl Query {
     /// Where the nearest hit is, for those who don't ask what the surface is like there.
     #[inline]
     pub fn hit(&self, scene: &Scene) -> Option<RayHit> {
-        let (_, hit, t) = self.first_hit(scene)?;
-        Some(RayHit { object: hit.object, primitive: hit.crossing.primitive, t })
+        with_unit(
+            self.direction,
+            #[inline(always)]
+            |(direction, vector, length)| {
+                let ray = self.ray_along(direction, vector, length, scene);
+                let (_, hit, t) = self.first_hit(ray, length, scene)?;
+                Some(RayHit { object: hit.object, primitive: hit.crossing.primitive, t })
+            },
+        )
     }
 
     /// Whether there is any hit.
     #[inline]
     pub fn is_occluded(&self, scene: &Scene) -> bool {
-        let (ray, length) = self.ray(scene);
-        let is_exact = |bound: f64| bound == 0.0 || (bound.is_normal() && (bound * length).is_normal());
-        // Where an end has fewer digits than others, its distance in units of the direction decides.
-        if is_exact(self.t_min) && (self.t_max == f64::INFINITY || is_exact(self.t_max)) {
-            is_any_hit(scene, &ray, &mut Silent)
-        } else {
-            self.first_hit(scene).is_some()
-        }
+        with_unit(
+            self.direction,
+            #[inline(always)]
+            |(direction, vector, length)| {
+                let ray = self.ray_along(direction, vector, length, scene);
+                let is_exact = |bound: f64| bound == 0.0 || (bound.is_normal() && (bound * length).is_normal());
+                // Where an end has fewer digits than others, its distance in units of the direction decides.
+                if is_exact(self.t_min) && (self.t_max == f64::INFINITY || is_exact(self.t_max)) {
+                    is_any_hit(scene, &ray, &mut Silent)
+                } else {
+                    self.first_hit(ray, length, scene).is_some()
+                }
+            },
+        )
     }
 
     /// The ray, what it meets first, and the distance in units of the direction as given.
     #[inline(always)]
-    fn first_hit(&self, scene: &Scene) -> Option<(Ray, Hit, f64)> {
-        let (mut ray, length) = self.ray(scene);
+    fn first_hit(&self, mut ray: Ray, length: f64, scene: &Scene) -> Option<(Ray, Hit, f64)> {
         loop {
             let hit = closest_hit(scene, &ray, &mut Silent)?;
             match hit.crossing.t / length {
@@ -122,6 +135,12 @@ impl Query {
     #[inline]
     pub fn ray(&self, scene: &Scene) -> (Ray, f64) {
         let (direction, vector, length) = unit(self.direction);
+        (self.ray_along(direction, vector, length, scene), length)
+    }
+
+    /// The ray along the direction, of which the unit vector, the vector of middling size and the length are known.
+    #[inline(always)]
+    fn ray_along(&self, direction: DVec3, vector: DVec3, length: f64, scene: &Scene) -> Ray {
         let leaving = self.from.map(|(object, primitive)| {
             let side = scene.objects[object as usize].shape.returning_side();
             Leaving { object, primitive, side }
@@ -129,11 +148,12 @@ impl Query {
         let t_min = if self.t_min == 0.0 { 0.0 } else { -first_beyond(-self.t_min, length) };
         let t_max = if self.t_max == f64::INFINITY { self.t_max } else { first_beyond(self.t_max, length) };
         let time = scene.camera.opening();
-        (Ray { vector, leaving, t_min, t_max, time, ..Ray::new(self.origin, direction) }, length)
+        Ray { vector, leaving, t_min, t_max, time, ..Ray::new(self.origin, direction) }
     }
 }
 
 /// The least distance that is at `bound` or beyond it in units of this length.
+#[inline]
 fn first_beyond(bound: f64, length: f64) -> f64 {
     let mut t = bound * length;
     for _ in 0..STEPS {

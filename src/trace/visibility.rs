@@ -56,15 +56,20 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
 #[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    scene.index.nearest_first(ray, probe, |object, probe| {
-        let thing = &scene.objects[object as usize];
-        if let Some(crossing) = thing.shape.first_crossing(object, thing.one_sided, ray, probe)
-            && nearest.is_none_or(|hit| order(scene, ray, Hit { object, crossing }, hit, probe).is_lt())
-        {
-            nearest = Some(Hit { object, crossing });
-        }
-        nearest.map_or(ray.t_max, |hit| hit.crossing.t)
-    });
+    scene.index.nearest_first(
+        ray,
+        probe,
+        #[inline(always)]
+        |object, probe| {
+            let thing = &scene.objects[object as usize];
+            if let Some(crossing) = thing.shape.first_crossing(object, thing.one_sided, ray, probe)
+                && nearest.is_none_or(|hit| order(scene, ray, Hit { object, crossing }, hit, probe).is_lt())
+            {
+                nearest = Some(Hit { object, crossing });
+            }
+            nearest.map_or(ray.t_max, |hit| hit.crossing.t)
+        },
+    );
     if let Some(hit) = nearest {
         probe.mark(Decision::Nearest { object: hit.object });
     }

@@ -2,8 +2,10 @@
 //!
 //! Adding a key is one row here and one arm in [`super::update`]. The rows of [`Walk`] have a file of their own.
 
-pub mod script;
+mod script;
 mod walk;
+
+pub use script::{Typed, script, sequence, unknown_name};
 
 use super::guide::Walk;
 use super::list;

@@ -64,7 +64,7 @@ pub use update::{Effect, Exit, update};
 
 use crate::log::{Log, Step, Subject};
 use crate::report::Style as Numbers;
-use keys::script::Typed;
+use keys::Typed;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::io;
@@ -152,7 +152,7 @@ pub fn frame(model: &Model, width: u16, height: u16, theme: &Theme) -> Buffer {
     buffer
 }
 
-/// The model of a log in a terminal of this size, after these keys (see [`keys::script::script`]).
+/// The model of a log in a terminal of this size, after these keys (see [`keys::script`]).
 pub fn opened_with_keys(
     log: Log,
     options: &Options,
@@ -163,7 +163,7 @@ pub fn opened_with_keys(
     let mut model = opened(log, options);
     model.look(&mut live, false);
     update(&mut model, Action::Resize(width, height));
-    for typed in keys::script::script(keys) {
+    for typed in keys::script(keys) {
         let key = match typed {
             Typed::Key(key) => key,
             Typed::Gap(key) if model.prompt.is_some() => key,

@@ -88,7 +88,7 @@ fn header() -> Header {
 /// Types keys (see [`keys::script`]); gives what the last one asks for.
 pub(super) fn typed(model: &mut Model, text: &str) -> Effect {
     let mut effect = Effect::None;
-    for key in keys::script::sequence(text) {
+    for key in keys::sequence(text) {
         if let Some(action) = keys::meant(model, key) {
             effect = update(model, action);
         }

@@ -5,7 +5,7 @@ use super::list::listing;
 use super::testing::{empty, glass, nested, sized, textbook, typed};
 use super::*;
 use crate::log::{Log, Subject};
-use crate::tui::keys::script::sequence;
+use crate::tui::keys::sequence;
 use ratatui::style::Color;
 use std::sync::Arc;
 

@@ -179,12 +179,12 @@ impl Block for SphereBlock {
     fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight) -> u32 {
         let seen: [_; 3] = std::array::from_fn(|axis| lanes.sub(lanes.load(&self.center[axis]), ray.origin[axis]));
         let middle = lanes.dot(seen, ray.direction);
-        let way: [_; 3] = std::array::from_fn(|axis| lanes.sub(seen[axis], lanes.mul(middle, ray.direction[axis])));
+        let way: [_; 3] = std::array::from_fn(|axis| lanes.less_times(seen[axis], middle, ray.direction[axis]));
         let radius = lanes.load(&self.radius);
         let r2 = lanes.mul(radius, radius);
         let off = 2.0 * (OF_CHORD_END + ray.slack) * (OF_CHORD_END + ray.slack);
         let by_radius = lanes.mul(radius, lanes.splat(2.0 * (OF_WAY + ray.slack)));
-        let margin = lanes.add(lanes.add(by_radius, lanes.mul(r2, lanes.splat(10.0 * U))), lanes.splat(off));
+        let margin = lanes.add(lanes.times_plus(r2, lanes.splat(10.0 * U), by_radius), lanes.splat(off));
         let squared = lanes.add(lanes.sub(r2, lanes.dot(way, way)), margin);
         let zero = lanes.splat(0.0);
         let touched = lanes.at_least(squared, zero);

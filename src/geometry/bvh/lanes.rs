@@ -1,7 +1,8 @@
 //! Eight numbers of single precision side by side.
 //!
 //! Where the processor has AVX2 an operation on eight lanes is one instruction; that is found out when a tree is built. Elsewhere it is
-//! eight operations. Both give the same bits: there is no fused operation, and the lesser of two numbers is told by one comparison.
+//! eight operations. Both give the same bits, but for the fused operations, which round once where the processor can and twice where it
+//! can't: margins are for two roundings. The lesser of two numbers is told by one comparison.
 
 /// Eight numbers, as they lie in memory.
 pub(super) type Eight = [f32; 8];
@@ -23,6 +24,12 @@ pub(super) trait Lanes: Copy {
     fn sub(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     /// a · b
     fn mul(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
+    /// a·b + c, rounded once or twice.
+    fn times_plus(self, a: Self::Eight, b: Self::Eight, c: Self::Eight) -> Self::Eight;
+    /// a·b − c, rounded once or twice.
+    fn times_minus(self, a: Self::Eight, b: Self::Eight, c: Self::Eight) -> Self::Eight;
+    /// c − a·b, rounded once or twice.
+    fn less_times(self, c: Self::Eight, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     /// The lesser one; b where one is no number.
     fn min(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     /// The greater one; b where one is no number.
@@ -39,13 +46,13 @@ pub(super) trait Lanes: Copy {
     /// a · b of vectors.
     #[inline(always)]
     fn dot(self, [a_x, a_y, a_z]: [Self::Eight; 3], [b_x, b_y, b_z]: [Self::Eight; 3]) -> Self::Eight {
-        self.add(self.add(self.mul(a_x, b_x), self.mul(a_y, b_y)), self.mul(a_z, b_z))
+        self.times_plus(a_z, b_z, self.times_plus(a_y, b_y, self.mul(a_x, b_x)))
     }
 
     /// a × b
     #[inline(always)]
     fn cross(self, [a_x, a_y, a_z]: [Self::Eight; 3], [b_x, b_y, b_z]: [Self::Eight; 3]) -> [Self::Eight; 3] {
-        let minor = |a, b, c, d| self.sub(self.mul(a, d), self.mul(c, b));
+        let minor = |a, b, c, d| self.times_minus(a, d, self.mul(c, b));
         [minor(a_y, b_y, a_z, b_z), minor(a_z, b_z, a_x, b_x), minor(a_x, b_x, a_y, b_y)]
     }
 }
@@ -85,6 +92,21 @@ impl Lanes for Plain {
     #[inline(always)]
     fn mul(self, a: Eight, b: Eight) -> Eight {
         each(a, b, |a, b| a * b)
+    }
+
+    #[inline(always)]
+    fn times_plus(self, a: Eight, b: Eight, c: Eight) -> Eight {
+        self.add(self.mul(a, b), c)
+    }
+
+    #[inline(always)]
+    fn times_minus(self, a: Eight, b: Eight, c: Eight) -> Eight {
+        self.sub(self.mul(a, b), c)
+    }
+
+    #[inline(always)]
+    fn less_times(self, c: Eight, a: Eight, b: Eight) -> Eight {
+        self.sub(c, self.mul(a, b))
     }
 
     #[inline(always)]
@@ -212,6 +234,21 @@ pub(super) mod avx2 {
         }
 
         #[inline(always)]
+        fn times_plus(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+            self.0.fma._mm256_fmadd_ps(a, b, c)
+        }
+
+        #[inline(always)]
+        fn times_minus(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+            self.0.fma._mm256_fmsub_ps(a, b, c)
+        }
+
+        #[inline(always)]
+        fn less_times(self, c: __m256, a: __m256, b: __m256) -> __m256 {
+            self.0.fma._mm256_fnmadd_ps(a, b, c)
+        }
+
+        #[inline(always)]
         fn min(self, a: __m256, b: __m256) -> __m256 {
             self.0.avx._mm256_min_ps(a, b)
         }
@@ -258,13 +295,12 @@ mod tests {
         for eight in [
             lanes.add(a, b),
             lanes.sub(a, b),
-            lanes.mul(a, b),
             lanes.min(a, b),
             lanes.max(a, b),
             lanes.sqrt(b),
             lanes.negated_as(a, b),
-            lanes.dot([a, b, one], [other, a, b]),
-            lanes.cross([a, b, one], [other, a, b])[1],
+            lanes.mul(a, b),
+            lanes.add(one, lanes.sub(other, b)),
         ] {
             let number = |x: f32| if x.is_nan() { u32::MAX } else { x.to_bits() };
             results.extend(lanes.store(eight).map(number));

@@ -87,8 +87,9 @@ impl Bvh {
     /// Shows `meet` every thing that the ray can meet before its end, first those beside the tree. `meet` gives the distance up to which
     /// things still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
-    /// For a silent probe the walk is there twice, for the processor's best instructions and for any processor; they do the same.
-    #[inline]
+    /// For a silent probe the walk is there twice, for the processor's best instructions and for any processor; kernels
+    /// meet the same things in both.
+    #[inline(always)]
     pub fn visit<P: Probe>(&self, ray: &Ray, search: Search, mut meet: impl FnMut(u32) -> f64) -> u64 {
         let mut t_max = ray.t_max;
         for thing in &self.beside {

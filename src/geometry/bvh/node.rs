@@ -146,7 +146,7 @@ impl Node {
     pub fn entered<L: Lanes>(&self, lanes: L, ray: &BoxRay<L>, t_max: L::Eight) -> Entered<L::Eight> {
         let to = |axis: usize, side: usize, center| {
             let plane = lanes.load(&self.planes[axis][side & 1]);
-            lanes.sub(lanes.mul(plane, ray.inverse[axis]), center)
+            lanes.times_minus(plane, ray.inverse[axis], center)
         };
         let [x, y, z] = ray.near_side;
         let (near_x, near_y, near_z) = (to(0, x, ray.near[0]), to(1, y, ray.near[1]), to(2, z, ray.near[2]));

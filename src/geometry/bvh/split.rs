@@ -200,9 +200,9 @@ impl Part {
 }
 
 /// The cheapest cut between two slices with their boxes and the room that their things take in blocks: the least sum of the areas on both
-/// sides, each times its number of blocks.
+/// sides, each times its room. Whole blocks instead of room would fill the blocks better, but rays would meet more of them.
 fn cheapest(axis: usize, bins: &[(Extent, u32); BINS]) -> Option<Cut> {
-    let cost = |around: Extent, room: u32| around.half_area() * room.div_ceil(BLOCK as u32) as f32;
+    let cost = |around: Extent, room: u32| around.half_area() * room as f32;
     let mut far_costs = [f32::INFINITY; BINS];
     let (mut around, mut room) = (Extent::EMPTY, 0);
     for bin in (1..BINS).rev() {
