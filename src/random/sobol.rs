@@ -33,13 +33,13 @@ pub fn point_in_order(index: u32, order: u64, key: u64) -> [f64; 2] {
 
 #[inline(always)]
 fn point_at(index: u32, key: u64) -> [f64; 2] {
-    let coordinate = |bits: u32, axis: u64| {
-        let key = hash(key, axis);
-        let scrambled = u64::from(scrambled(bits, key));
-        // What 32 bits leave open is uniform too.
-        unit(scrambled << 32 | hash(key, index.into()) >> 32)
-    };
-    [coordinate(index.reverse_bits(), 0), coordinate(second(index), 1)]
+    [coordinate(index.reverse_bits(), index, hash(key, 0)), coordinate(second(index), index, hash(key, 1))]
+}
+
+#[inline(always)]
+fn coordinate(bits: u32, index: u32, key: u64) -> f64 {
+    // What 32 bits leave open is uniform too.
+    unit(u64::from(scrambled(bits, key)) << 32 | hash(key, index.into()) >> 32)
 }
 
 /// The second coordinate as a binary fraction: Pascal's triangle modulo 2 (Kollig and Keller, "Efficient multidimensional
