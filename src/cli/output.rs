@@ -56,7 +56,10 @@ impl Output {
             builder.permissions(permissions);
         }
         // The system's error names the temporary file, which says nothing to anybody.
-        let plain = |error: io::Error| error.raw_os_error().map_or(error, io::Error::from_raw_os_error);
+        let plain = |error: io::Error| match error.to_string().split_once(" at path ") {
+            Some((said, _)) => io::Error::new(error.kind(), said.to_owned()),
+            None => error,
+        };
         let begun = signals::unfinished(|| builder.tempfile_in(folder));
         let file = begun.map_err(|error| cannot_write(&plain(error)))?;
         Ok(Output::File { file, place, named: path.to_owned() })

@@ -127,6 +127,9 @@ impl Progress {
 
 impl JsonLines {
     fn advance(&mut self, more: u64) {
+        if more == 0 {
+            return;
+        }
         self.done += more;
         let is_due = self.last.is_none_or(|last| last.elapsed() >= Duration::from_secs(1));
         if is_due || Some(self.done) == self.total {

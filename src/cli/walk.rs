@@ -104,7 +104,8 @@ impl Walk {
             return Output::create(Some(path), &[walked])?.commit(picture.as_bytes());
         }
         if self.plain || !has_terminal() {
-            if let Some(warning) = warning.filter(|_| !self.progress.quiet) {
+            // That a log is damaged is no advice: it is told in any case.
+            if let Some(warning) = warning.filter(|_| was_log || !self.progress.quiet) {
                 output::tell(&format!("warning: {name}: {warning}"));
             }
             return output::print(report::text::text(&log, Style { digits: self.digits }).as_bytes());

@@ -103,6 +103,8 @@ pub enum Why {
 pub struct Account {
     /// The colour; in a log that was cut off, what is known of it.
     pub color: Color,
+    /// Whether the log has the colour.
+    pub is_whole: bool,
     /// What adds to it, the greatest share first.
     pub contributions: Vec<Contribution>,
     /// What doesn't, in the order of the computation.
@@ -136,7 +138,7 @@ pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
     }
     // Stable: equal ones stay in the order of the computation.
     contributions.sort_by(|a, b| b.share.abs().total_cmp(&a.share.abs()));
-    Account { color, contributions, ended }
+    Account { color, is_whole: result.is_some(), contributions, ended }
 }
 
 impl Contribution {

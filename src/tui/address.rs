@@ -114,11 +114,15 @@ pub(super) const COLUMNS: &[Column] = &[Column::text("key"), Column::text("addre
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |bookmark: &Bookmark| {
         let text = format!("{}\t{}", bookmark.letter, bookmark.address.text());
+        let place = |event: usize| match model.pixel_of(event) {
+            Some([x, y]) => format!("in {x},{y}: {}", describe::event(model, event)),
+            None => describe::event(model, event),
+        };
         match bookmark.event {
             Some(event) if model.hides_name(event) => {
-                Entry::to(event, format!("{}\t\t{}", bookmark.letter, describe::event(model, event)))
+                Entry::to(event, format!("{}\t\t{}", bookmark.letter, place(event)))
             }
-            Some(event) => Entry::to(event, format!("{text}\t{}", describe::event(model, event))),
+            Some(event) => Entry::to(event, format!("{text}\t{}", place(event))),
             None => Entry::plain(format!("{text}\t(not in this log)"), Role::Faint),
         }
     };

@@ -8,7 +8,7 @@ use super::prompt::{Done, Purpose};
 use super::suggest::nearest;
 use super::update::{Effect, Exit, update};
 use super::{address, breakpoints, search};
-use crate::log::Step;
+use crate::log::{Step, Subject};
 use crate::report::words::plain;
 
 /// A command.
@@ -139,6 +139,14 @@ fn pixel(model: &mut Model, text: &str) -> Done {
     if let Some(event) = begins_at {
         guide::jump(model, event);
         return Ok(Effect::None);
+    }
+    if let Subject::Region([left, top, right, bottom]) = model.log.header.subject {
+        let found = format!(
+            "the log has columns {left} to {} and rows {top} to {}",
+            right.saturating_sub(1),
+            bottom.saturating_sub(1)
+        );
+        return Err(found);
     }
     match model.picture.as_ref().map(|view| view.image.size) {
         Some([width, height]) if x >= width || y >= height => {

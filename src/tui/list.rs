@@ -126,14 +126,12 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
             columns: breakpoints::COLUMNS,
             entries: breakpoints::entries(model),
             nothing: "none: b types one, x sets one here",
-            ..Listing::default()
         },
         Kind::Stops => Listing {
             title: "Where runs stopped".to_owned(),
             columns: run::COLUMNS,
             entries: run::entries(model),
             nothing: "nowhere yet: r runs to a breakpoint",
-            ..Listing::default()
         },
         Kind::Bookmarks => Listing {
             title: "Bookmarks".to_owned(),

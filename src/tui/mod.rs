@@ -166,7 +166,8 @@ pub fn opened_with_keys(
     for typed in keys::script(keys) {
         let key = match typed {
             Typed::Key(key) => key,
-            Typed::Gap(key) if model.prompt.is_some() => key,
+            // Not before the first character of the line.
+            Typed::Gap(key) if model.prompt.as_ref().is_some_and(|prompt| !prompt.line.value().is_empty()) => key,
             Typed::Gap(_) => continue,
         };
         if let Some(action) = keys::meant(&model, key) {

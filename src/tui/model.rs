@@ -13,7 +13,7 @@ use super::place::Place;
 use super::prompt::Prompt;
 use super::understanding::{self, Understanding};
 use super::update::Effect;
-use crate::log::{Log, Subject, Tree};
+use crate::log::{Log, Step, Subject, Tree};
 use crate::report::Style as Numbers;
 use std::mem;
 use std::sync::Arc;
@@ -234,6 +234,19 @@ impl Model {
         // The other tree may be smaller than what was scrolled past.
         let top = self.top.min(self.tree.nodes().len() - 1);
         self.top = self.fold.scrolled(&self.tree, top, self.cursor, self.page());
+    }
+
+    /// The pixel that an event is of, in the log of a region.
+    pub fn pixel_of(&self, event: usize) -> Option<[u32; 2]> {
+        let Subject::Region(_) = self.log.header.subject else { return None };
+        let mut node = self.tree.owner(event);
+        while node != 0 {
+            match self.tree.nodes()[node].step {
+                Some(Step::Pixel(pixel)) => return Some(pixel),
+                _ => node = self.tree.nodes()[node].parent,
+            }
+        }
+        None
     }
 
     /// The number of the current step, from 1; 0 in a log without events.

@@ -91,11 +91,12 @@ pub(super) fn open(model: &mut Model) {
 pub(super) const COLUMNS: &[Column] =
     &[Column::number("step"), Column::text("pixel"), Column::text("stopped at"), Column::text("what is there")];
 
-/// The list of the stops, with the pixels of those in others.
+/// The list of the stops, with the pixels of those in others and in a region.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |Stopped { spot, what, breakpoint }: &Stopped| {
         let is_shown = spot.is_shown(model);
-        let pixel = spot.pixel.filter(|_| !is_shown).map_or(String::new(), |[x, y]| format!("{x},{y}"));
+        let pixel = if is_shown { model.pixel_of(spot.event) } else { spot.pixel };
+        let pixel = pixel.map_or(String::new(), |[x, y]| format!("{x},{y}"));
         // What a quiz hid then may be known now.
         let what = if is_shown { describe::event(model, spot.event) } else { what.clone() };
         Entry::to(spot.event, format!("{}\t{pixel}\t{}\t{what}", spot.event + 1, plain(breakpoint)))

@@ -159,8 +159,7 @@ fn account(model: &Model) -> Listing {
     entries.extend(account.ended.iter().take(MOST).map(|ended| self::ended(model, ended)));
     let class = path_class::of_ray(&model.log, &model.tree, model.cursor);
     let class = class.map_or(String::new(), |class| format!(" - here {class}"));
-    let is_whole = matches!(model.log.events.last().map(|event| &event.what), Some(What::Result { .. }));
-    let title = match is_whole {
+    let title = match account.is_whole {
         true => format!("Why the colour is {color}{class}"),
         false => format!("The log ends before the colour; so far {color}{class}"),
     };

@@ -267,10 +267,15 @@ fn inside(model: &Model) -> std::ops::Range<usize> {
 type Find = fn(&[crate::log::Event], usize, Stop, usize) -> Option<usize>;
 
 pub(super) fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
-    match find(&model.log.events, model.event, stop, times) {
-        Some(event) => model.go_to_event(event),
-        None => model.say(&format!("no more {}s in this direction", stop.word())),
+    let here = model.event;
+    if let Some(event) = find(&model.log.events, here, stop, times) {
+        model.go_to_event(event);
+        // As far as there are steps, though there are fewer.
+        if times == 1 || find(&model.log.events, here, stop, times - 1) != Some(event) {
+            return;
+        }
     }
+    model.say(&format!("no more {}s in this direction", stop.word()));
 }
 
 /// After every action the selected node is a row, and on the screen.

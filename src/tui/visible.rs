@@ -28,6 +28,11 @@ impl Visible {
         self.end = node.max(1);
     }
 
+    /// The first node that hasn't begun yet; all have begun unless the tree grows.
+    pub fn end(&self) -> usize {
+        self.end
+    }
+
     /// Shows only nodes among these and those around them; `None` shows all.
     pub fn keep(&mut self, tree: &Tree, nodes: Option<impl IntoIterator<Item = usize>>) {
         self.kept = nodes.map(|nodes| {

@@ -211,7 +211,7 @@ fn a_standard_error_that_is_full_spoils_nothing() {
 
 #[test]
 fn wrong_calls_say_what_to_change() {
-    says(2, &["trace", "textbook"], "expected --pixel X,Y or --ray");
+    says(2, &["trace", "textbook"], "expected --pixel X,Y, --ray");
     says(2, &["trace", "textbook", "--pixel", "321,0"], "outside the picture of 321 x 241 pixels");
     says(2, &["trace", "textbook", "--pixel", "1"], "expected 2 numbers separated by commas");
     says(2, &["trace", "textbook", "--ray", "0,0,0,0,0,0"], "a direction that is not zero");

@@ -5,6 +5,7 @@ use crate::support::scene;
 use raywalk::log::file::{Ending, read, to_json, to_ndjson};
 use raywalk::log::{Step, Subject, Tree};
 use raywalk::record::{self, Arithmetic, region};
+use raywalk::report::contributions;
 use std::path::Path;
 
 /// The log of a region as the program writes it.
@@ -92,4 +93,16 @@ fn regions_that_are_none() {
     says(2, &["trace", "textbook", "--region", "0,0,1,1", "--pixel", "1,1"], "cannot be used with");
     says(2, &["trace", "textbook", "--region", "0,0,1,1", "--causes", "--arithmetic", "f32"], "found --region");
     says(2, &["trace", "textbook", "--region", "0,0,321,241", "--format", "json"], "1048576 events");
+}
+
+#[test]
+fn a_pixel_of_a_region_is_accounted_for_by_its_own_result() {
+    let mut log = region::bounded(&scene("textbook"), [160, 120, 162, 121], Arithmetic::F64).expect("a small log");
+    let tree = Tree::of(&log.events);
+    let pixels: Vec<_> = tree.children(0).collect();
+    assert!(pixels.iter().all(|pixel| contributions::account(&log, &tree, *pixel).is_whole));
+    // Without the last pixel's result.
+    log.events.pop();
+    let tree = Tree::of(&log.events);
+    assert_eq!([0, 1].map(|k| contributions::account(&log, &tree, pixels[k]).is_whole), [true, false]);
 }

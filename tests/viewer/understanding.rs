@@ -44,6 +44,6 @@ fn operands_arithmetics_and_a_quiz() {
         insta::assert_snapshot!("viewer_arithmetics", frame_after("3n a", 80, 24));
         insta::assert_snapshot!("viewer_arithmetics_40x12", frame_after("3n a", 40, 12));
         insta::assert_snapshot!("viewer_arithmetics_scrolled_40x12", frame_after("3n a 99>", 40, 12));
-        insta::assert_snapshot!("viewer_quiz", frame_after("Q 4n = 1 2", 80, 24));
+        insta::assert_snapshot!("viewer_quiz", frame_after("Q 4n = 12", 80, 24));
     });
 }

@@ -9,8 +9,8 @@ use serde::Deserialize;
 use std::io::{self, ErrorKind};
 use std::thread;
 
-/// How deep a document may nest: a ray tree of the greatest depth takes two brackets a level, and a few more at its end.
-const MAX_NESTING: usize = 2048;
+/// How deep the nodes of a log, and the brackets of a document, may nest: a ray tree of the greatest depth takes two brackets a level, and a few more at its end.
+pub const MAX_NESTING: usize = 2048;
 
 /// Enough stack for the parser at that depth, with room to spare.
 const STACK: usize = 256 << 20;

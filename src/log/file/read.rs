@@ -240,6 +240,19 @@ mod tests {
     }
 
     #[test]
+    fn endless_nesting_is_damage() {
+        let mut lines = to_ndjson(&textbook()).unwrap();
+        lines.truncate(lines.iter().position(|byte| *byte == b'\n').unwrap() + 1);
+        for node in 1..5000 {
+            let line =
+                format!("{{\"at\":{node},\"node\":{node},\"enter\":{{\"combine\":{{}}}},\"parent\":{}}}\n", node - 1);
+            lines.extend_from_slice(line.as_bytes());
+        }
+        warns(&lines, "2050:1: nested more than 2048 deep");
+        assert_eq!(read(&lines).unwrap().log.events.len(), 2048);
+    }
+
+    #[test]
     fn other_ends_of_lines_are_told() {
         let lines = String::from_utf8(to_ndjson(&textbook()).unwrap()).unwrap();
         warns(lines.replace('\n', "\r\n").as_bytes(), "its lines end in CR LF");

@@ -1,6 +1,7 @@
 //! From the lines of a log to its events.
 
 use super::LogError;
+use super::document::MAX_NESTING;
 use super::line::{Enter, Line, Mark};
 use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
 use crate::log::header::Header;
@@ -13,6 +14,8 @@ pub(super) struct Reader {
     objects: HashMap<String, u32>,
     lights: HashMap<String, u32>,
     pub(super) events: Vec<Event>,
+    /// How many nodes are open.
+    depth: usize,
 }
 
 impl Reader {
@@ -21,7 +24,7 @@ impl Reader {
             // The first of equal names wins, as it does in a scene.
             names.iter().enumerate().rev().map(|(number, name)| (name.clone(), number as u32)).collect()
         };
-        Reader { objects: numbered(&header.objects), lights: numbered(&header.lights), events: Vec::new() }
+        Reader { objects: numbered(&header.objects), lights: numbered(&header.lights), events: Vec::new(), depth: 0 }
     }
 
     /// Takes the event of the line with this number, and those of its children.
@@ -44,6 +47,16 @@ impl Reader {
         } else {
             return Err(damaged("expected `enter`, `note`, `mark`, `leave` or `result`".into()));
         };
+        self.depth = match what {
+            // Pixels of a region follow one another without being left.
+            What::Enter { step: Step::Pixel(_), .. } => 1,
+            What::Enter { .. } => self.depth + 1,
+            What::Leave => self.depth.saturating_sub(1),
+            _ => self.depth,
+        };
+        if self.depth > MAX_NESTING {
+            return Err(damaged(format!("nested more than {MAX_NESTING} deep")));
+        }
         let digits = match line.digits {
             _ if line.decision_differs => Some(Digits::DecisionDiffers),
             digits => digits.map(Digits::Significant),

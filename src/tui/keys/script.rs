@@ -16,10 +16,13 @@ pub enum Typed {
 /// characters are keys themselves, and spaces separate.
 pub fn script(text: &str) -> Vec<Typed> {
     let mut typed = Vec::new();
+    let space = KeyEvent::new(KeyCode::Char(' '), KeyModifiers::NONE);
     for word in text.split_whitespace() {
         let begins_with_a_name = bracketed(word).is_some() || (word.chars().nth(1).is_some() && parse(word).is_some());
-        if !typed.is_empty() && !begins_with_a_name {
-            typed.push(Typed::Gap(KeyEvent::new(KeyCode::Char(' '), KeyModifiers::NONE)));
+        // Who names the key means it alone.
+        let is_after_one = typed.last().is_none_or(|last| *last == Typed::Key(space));
+        if !is_after_one && !begins_with_a_name {
+            typed.push(Typed::Gap(space));
         }
         let mut rest = word;
         while let Some((key, after)) = first_key(rest) {
@@ -90,6 +93,7 @@ mod tests {
     fn a_space_may_be_of_a_line() {
         let gaps = |text: &str| script(text).iter().filter(|typed| matches!(typed, Typed::Gap(_))).count();
         assert_eq!([gaps(":pixel 3 4 <Enter>"), gaps("/ Tab ^d"), gaps("a b"), gaps(" a")], [2, 0, 1, 0]);
+        assert_eq!([gaps("object <Space> ball"), gaps("object<Space>ball")], [0, 0]);
     }
 
     #[test]

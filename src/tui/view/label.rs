@@ -47,7 +47,8 @@ fn end_of_path(model: &Model, node: usize) -> String {
 
 /// How many rays a closed node hides.
 fn hidden_rays(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
-    let inside = node + 1..model.tree.nodes()[node].subtree_end;
+    let begun = model.tree.nodes()[node].subtree_end.min(model.fold.visible.end());
+    let inside = node + 1..begun.max(node + 1);
     if model.fold.is_open(&model.tree, node) || inside.is_empty() {
         return None;
     }
