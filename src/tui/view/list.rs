@@ -116,7 +116,7 @@ impl Place {
         );
         let whole = inner(area, 1);
         // A row is worth more than its titles.
-        let head_height = u16::from(has_head && whole.height > 2);
+        let head_height = u16::from(has_head && usize::from(whole.height) > table.rows.len().min(2));
         let head = Rect { height: head_height, ..whole };
         Place { area, head, body: Rect { y: whole.y + head_height, height: whole.height - head_height, ..whole } }
     }
