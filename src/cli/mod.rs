@@ -4,6 +4,7 @@ mod bench;
 mod causes;
 mod failure;
 mod frames;
+mod layers;
 mod live;
 mod options;
 mod output;
@@ -19,6 +20,7 @@ mod stress;
 mod textbook;
 mod trace;
 mod walk;
+mod zstd;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;
@@ -77,7 +79,10 @@ pub fn run() -> ExitCode {
         Some(Command::Trace(trace)) => trace.run(colors),
         Some(Command::Render(render)) => render.run(colors),
         Some(Command::Rays(rays)) => rays.run(colors),
-        Some(Command::Textbook(textbook)) => textbook.run(colors),
+        Some(Command::Textbook(textbook)) => match textbook.run(colors) {
+            Ok(false) => return ExitCode::from(failure::NEGATIVE),
+            done => done.map(|_| ()),
+        },
         Some(Command::Stress(stress)) => match stress.run() {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),

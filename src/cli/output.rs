@@ -1,9 +1,10 @@
 //! Where results go: standard output, or a file that is there whole or not at all.
 
 use super::failure::Failure;
-use super::signals;
+use super::{signals, zstd};
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use raywalk::scene::file::Packing;
 use std::fs::{self, Permissions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -74,20 +75,20 @@ impl Output {
     pub fn stream(self, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
         match self {
             Output::Stdout => {
-                through(Box::new(io::stdout().lock()), false, write).map_err(|error| Failure::stdout(&error))
+                through(Box::new(io::stdout().lock()), None, write).map_err(|error| Failure::stdout(&error))
             }
-            Output::Special(file, path) => through(Box::new(file), false, write).map_err(|error| match error.kind() {
+            Output::Special(file, path) => through(Box::new(file), None, write).map_err(|error| match error.kind() {
                 io::ErrorKind::BrokenPipe => Failure::silent(0),
                 _ => Failure::io(&path, "write", &error),
             }),
             Output::File { mut file, place, named } => {
                 let cannot_write = |error: &io::Error| Failure::io(&named, "write", error);
                 // To the file itself: the errors of a temporary file name it, which says nothing to anybody.
-                through(Box::new(file.as_file_mut()), is_packed(&named), write)
-                    .map_err(|error| cannot_write(&error))?;
+                through(Box::new(file.as_file_mut()), packing(&named), write).map_err(|error| cannot_write(&error))?;
                 file.as_file().sync_all().map_err(|error| cannot_write(&error))?;
+                let unfinished = file.path().to_owned();
                 file.persist(&place).map_err(|error| cannot_write(&error.error))?;
-                signals::finished();
+                signals::finished(&unfinished);
                 Ok(())
             }
         }
@@ -97,28 +98,35 @@ impl Output {
 /// Where a result is written to, in large pieces.
 pub type Sink<'w> = BufWriter<Box<dyn Write + 'w>>;
 
-/// Whether what has this name is packed by gzip.
-fn is_packed(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("gz"))
+/// What a file of this name is packed by.
+fn packing(path: &Path) -> Option<Packing> {
+    path.extension().and_then(|ending| Packing::of_ending(&ending.to_string_lossy()))
 }
 
 fn through<'w>(
     mut place: Box<dyn Write + 'w>,
-    is_packed: bool,
+    packing: Option<Packing>,
     write: impl FnOnce(&mut Sink) -> io::Result<()>,
 ) -> io::Result<()> {
-    if !is_packed {
+    let into = |place: Box<dyn Write + '_>| {
         let mut out = BufWriter::with_capacity(1 << 16, place);
         write(&mut out)?;
-        return out.flush();
+        out.flush()
+    };
+    match packing {
+        None => into(place),
+        Some(Packing::Gzip) => {
+            // The packed data name no file and no time: the same result has the same bytes.
+            let mut packed = GzEncoder::new(BufWriter::new(&mut place), Compression::fast());
+            into(Box::new(&mut packed))?;
+            packed.finish()?.flush()
+        }
+        Some(Packing::Zstd) => {
+            let mut packed = zstd::Frames::new(&mut place);
+            into(Box::new(&mut packed))?;
+            packed.finish()
+        }
     }
-    // The packed data name no file and no time: the same result has the same bytes.
-    let mut packed = GzEncoder::new(BufWriter::new(&mut place), Compression::fast());
-    let mut out: Sink = BufWriter::with_capacity(1 << 16, Box::new(&mut packed));
-    write(&mut out)?;
-    out.flush()?;
-    drop(out);
-    packed.finish()?.flush()
 }
 
 /// Writes to standard output.

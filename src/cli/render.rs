@@ -3,15 +3,16 @@
 use super::bench::peak_bytes;
 use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
+use super::layers::{self, Layers};
 use super::options::{ColorChoice, TracingOptions, numbers, region_in, warning_of_sampling};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
 use super::scene_argument::{self, Loaded};
 use clap::{Args, ValueEnum};
-use image::ImageError;
 use raywalk::record::Arithmetic;
 use raywalk::render::digits::{Summary, false_colors, render_digits};
-use raywalk::render::export::{self, Encoded, Format};
+use raywalk::render::export::{self, EncodeError, Encoded, Format};
+use raywalk::render::layers::render_layers;
 use raywalk::render::statistics::{Seconds, Statistics};
 use raywalk::render::{Film, Rendered, Settings, TileOrder, render};
 use raywalk::scene::file::visible;
@@ -23,9 +24,9 @@ use std::time::Instant;
 /// Render a picture.
 #[derive(Args)]
 pub struct Render {
-    /// A scene file (JSON or NFF, also packed by gzip), `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
-    /// The picture: .png, .ppm or .pfm by its ending
+    /// The picture: .png, .ppm, .pfm or .exr by its ending
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     /// Only a part: left, top, right and bottom in pixels, the last two exclusive
@@ -33,9 +34,14 @@ pub struct Render {
     crop: Option<[u32; 4]>,
     /// Show where few digits can be trusted instead of the colours: the fewest significant digits of a pixel's channels
     /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In .png and .ppm black is all
-    /// 15.95 digits and bright yellow none; .pfm holds the numbers
+    /// 15.95 digits and bright yellow none; .pfm and .exr hold the numbers
     #[arg(long)]
     digits: bool,
+    /// What each pixel costs and sees, beside its colour: rays, tests, depth, normal, object, samples, error (the standard error
+    /// estimated from its samples), time; several with commas between them, or all. In .exr they are channels such as depth.Z;
+    /// with .png each has a file of its own, such as out.depth.png, in false colours with a legend
+    #[arg(long, value_name = "LAYER,…", conflicts_with_all = ["digits", "stats"])]
+    layers: Option<Layers>,
     /// The frames of an animation, the last inclusive; #### in the picture's name becomes the frame's number
     #[arg(long, value_name = "A-B")]
     frames: Option<FrameRange>,
@@ -63,6 +69,9 @@ impl Render {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         let format = self.format()?;
+        if let Some(layers) = &self.layers {
+            layers.check(format)?;
+        }
         if self.tracing.arithmetic == Arithmetic::Printed {
             return Err(Failure::caller(
                 "render: --arithmetic printed is for the walk of the numeric example's one pixel",
@@ -98,6 +107,10 @@ impl Render {
             order: TileOrder::Rows,
         };
         let output = Output::create(Some(&frame.path), &inputs)?;
+        if let Some(layers) = &self.layers {
+            let files = layers.files(&frame.path, format, &inputs)?;
+            return self.render_layers(layers, &scene, &settings, (&frame.path, format), (output, files));
+        }
         let start = Instant::now();
         let rendered = self.picture(&scene, &settings)?;
         seconds.render = start.elapsed().as_secs_f64();
@@ -127,23 +140,46 @@ impl Render {
         rendered.map_err(|error| Failure::machine(error.to_string()))
     }
 
-    /// Writes the picture into its file; says how many pixels were clipped.
-    fn save(
+    /// Renders a picture with layers into its file, or files.
+    fn render_layers(
         &self,
-        film: &Film,
+        layers: &Layers,
         scene: &Scene,
+        settings: &Settings,
         (path, format): (&Path, Format),
-        output: Output,
-    ) -> Result<u64, Failure> {
+        (output, files): (Output, layers::Files),
+    ) -> Result<(), Failure> {
+        let [left, top, right, bottom] = settings.crop;
+        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
+        let layered = render_layers(scene, settings, |pixels| progress.advance(pixels), &AtomicBool::new(false));
+        progress.finish();
+        let layered = layered.map_err(|error| Failure::machine(error.to_string()))?;
+        let encoded = match format {
+            Format::Exr => layers.encode(&layered),
+            _ => export::encode(&layered.film(), format, &scene.output),
+        };
+        self.write(encoded, path, output)?;
+        files.write(&layered, scene)
+    }
+
+    /// Writes the picture into its file; says how many pixels were clipped.
+    fn save(&self, film: &Film, scene: &Scene, place: (&Path, Format), output: Output) -> Result<u64, Failure> {
+        let (path, format) = place;
         let encoded =
             if self.digits { encode_digits(film, format) } else { export::encode(film, format, &scene.output) };
-        let Encoded { bytes, clipped_pixels } =
-            encoded.map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", path.display())))?;
-        output.commit(&bytes)?;
+        let clipped_pixels = self.write(encoded, path, output)?;
         if self.digits && !self.progress.quiet {
             let Summary { fewest, median, without } = Summary::of(film);
             output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
         }
+        Ok(clipped_pixels)
+    }
+
+    /// Writes what was encoded, and tells about pixels that were clipped.
+    fn write(&self, encoded: Result<Encoded, EncodeError>, path: &Path, output: Output) -> Result<u64, Failure> {
+        let Encoded { bytes, clipped_pixels } =
+            encoded.map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", path.display())))?;
+        output.commit(&bytes)?;
         if clipped_pixels > 0 && !self.progress.quiet {
             output::tell(&format!("note: {clipped_pixels} pixels were brighter than white and clipped"));
         }
@@ -177,10 +213,10 @@ impl Render {
 }
 
 /// Digits as numbers where the format has numbers, else in false colours, whatever white the scene has.
-fn encode_digits(digits: &Film, format: Format) -> Result<Encoded, ImageError> {
+fn encode_digits(digits: &Film, format: Format) -> Result<Encoded, EncodeError> {
     let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
     match format {
-        Format::Pfm => export::encode(digits, format, &plain),
+        Format::Pfm | Format::Exr => export::encode(digits, format, &plain),
         Format::Png8 | Format::Png16 | Format::Ppm => export::encode(&false_colors(digits), format, &plain),
     }
 }

@@ -59,7 +59,7 @@ pub enum Generated {
 /// The scene of a command.
 #[derive(Args)]
 pub struct Named {
-    /// A scene file (JSON or NFF, also packed by gzip), `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
     #[command(flatten)]
     nff: NffOptions,

@@ -130,7 +130,7 @@ pub fn warn(warnings: &[Problem], colors: ColorChoice) {
     }
 }
 
-fn is_colored(colors: ColorChoice) -> bool {
+pub(super) fn is_colored(colors: ColorChoice) -> bool {
     colors.applies_to(&io::stderr())
 }
 

@@ -4,7 +4,7 @@ use super::failure::{HUNG_UP, INTERRUPTED, TERMINATED};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
 use signal_hook::iterator::{Handle, Signals};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock, Mutex};
 use std::{fs, io, process, thread};
 use tempfile::NamedTempFile;
@@ -62,9 +62,9 @@ pub fn unfinished(begin: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Resu
     Ok(file)
 }
 
-/// All files are finished.
-pub fn finished() {
+/// The file with this path is finished.
+pub fn finished(path: &Path) {
     if let Ok(mut paths) = UNFINISHED.lock() {
-        paths.clear();
+        paths.retain(|unfinished| unfinished != path);
     }
 }

@@ -4,12 +4,23 @@ use super::failure::Failure;
 use super::options::{ColorChoice, TracingOptions};
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
+use raywalk::scene::Scene;
 use raywalk::scene::file::nff::Import;
-use raywalk::study::textbook;
+use raywalk::scene::file::{Wanted, visible};
+use raywalk::study::textbook::{self, Checked, MAX_TABLE_BYTES, Worked};
+use std::path::{Path, PathBuf};
 
-/// Show the numeric example of the source text.
+/// Show the numeric example of the source text, or check a worked example of your own
+///
+/// With `--with` a table of comma-separated values is checked: `quantity` is a name of the log such as sphere.t2_a, `printed` a number
+/// or a triple "(x, y, z)"; of colours red alone may stand there. Each value is recomputed by hand, with three decimals, from the
+/// values that the table has before it. The first row of a name is its first occurrence, the second its second; where that
+/// leaves a choice, a column `path` names the ray (C, C R, C R S1). Rows without a printed value are passed over.
 #[derive(Args)]
 pub struct Textbook {
+    /// A table of printed values to check instead, `-` for standard input; exits with 1 where one departs
+    #[arg(long, value_name = "FILE.csv")]
+    with: Option<PathBuf>,
     /// How to print it
     #[arg(long, value_enum, default_value = "text")]
     format: TableFormat,
@@ -26,16 +37,38 @@ enum TableFormat {
 }
 
 impl Textbook {
-    /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    /// Runs the command; `false` where a value of somebody's own table departs.
+    pub fn run(self, colors: ColorChoice) -> Result<bool, Failure> {
         let loaded = scene_argument::scene(&scene_argument::built_in("textbook")?, &Import::default(), colors)?;
         let scene = TracingOptions::default().apply(loaded)?;
+        if let Some(path) = &self.with {
+            let checked = check(path, &scene, colors)?;
+            let text = match self.format {
+                TableFormat::Text => checked.text(),
+                TableFormat::Json => checked.json(),
+                TableFormat::Markdown => checked.markdown(),
+            };
+            output::print(text.as_bytes())?;
+            return Ok(checked.departures().next().is_none());
+        }
         let table = textbook::table(&scene);
         let text = match self.format {
             TableFormat::Text => table.text(),
             TableFormat::Json => table.json(),
             TableFormat::Markdown => table.markdown(),
         };
-        output::print(text.as_bytes())
+        output::print(text.as_bytes())?;
+        Ok(true)
     }
+}
+
+/// Reads a table and checks it.
+fn check(path: &Path, scene: &Scene, colors: ColorChoice) -> Result<Checked, Failure> {
+    let wanted = Wanted { what: "a table", max_bytes: MAX_TABLE_BYTES };
+    let text = wanted.read(path).map_err(|error| Failure::scene(&error, scene_argument::is_colored(colors)))?;
+    let checked = Worked::parse(&text).and_then(|worked| worked.check(scene));
+    checked.map_err(|error| {
+        let name = path.to_string_lossy();
+        Failure::caller(format!("{}: {}", visible(&name), visible(&error.to_string())))
+    })
 }

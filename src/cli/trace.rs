@@ -25,7 +25,7 @@ use std::path::PathBuf;
 /// Write the log of a pixel, a ray or a region.
 #[derive(Args)]
 pub struct Trace {
-    /// A scene file (JSON or NFF, also packed by gzip), `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
     #[command(flatten)]
     subject: Subject,
@@ -45,7 +45,7 @@ pub struct Trace {
     /// Which frame of an animation, from 1; without it the first
     #[arg(long, value_name = "K", value_parser = frames::number)]
     frames: Option<u32>,
-    /// Where to write; standard output without it. What is named `.gz` is packed by gzip
+    /// Where to write; standard output without it. What is named `.gz` or `.zst` is packed
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]

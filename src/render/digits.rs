@@ -1,5 +1,6 @@
 //! Pictures of how many digits of each pixel can be trusted.
 
+use super::scale::inferno;
 use super::{Counter, Film, RenderError, Rendered, Settings, by_pixels, on_threads};
 use crate::probe::Silent;
 use crate::record::Pixel;
@@ -33,10 +34,8 @@ pub fn render_digits(
     on_threads(settings, || by_pixels(settings, of_pixel, &progress, stop))
 }
 
-/// A picture of digits in false colours, from 0 to 1: bright yellow is none, then orange, red, violet, and black all digits.
-///
-/// The scale is the colour map *inferno* of matplotlib (Smith and van der Walt 2015, CC0): its lightness grows evenly with the
-/// square root of the digits lost, so that it reads without colours too, and tells 15 from 14 as well as 8 from 3.
+/// A picture of digits in false colours, from 0 to 1: bright yellow is none, then orange, red, violet, and black all digits. The place on
+/// the scale is the square root of the digits lost, so that it tells 15 from 14 as well as 8 from 3.
 pub fn false_colors(digits: &Film) -> Film {
     let mut film = Film::new([0, 0, digits.width(), digits.height()]);
     let colors: Vec<_> = digits.pixels().iter().map(|pixel| false_color(pixel.x)).collect();
@@ -44,20 +43,9 @@ pub fn false_colors(digits: &Film) -> Film {
     film
 }
 
-/// The scale at equal distances, from no digit lost to all.
-const SCALE: [u32; 10] =
-    [0x000004, 0x1b0c42, 0x4b0c6b, 0x781c6d, 0xa52c60, 0xcf4446, 0xed6925, 0xfb9a06, 0xf7d03c, 0xfcffa4];
-
 fn false_color(digits: f64) -> Color {
-    let last = SCALE.len() - 1;
     let lost = ((ALL_DIGITS - digits) / ALL_DIGITS).clamp(0.0, 1.0);
-    let place = lost.sqrt() * last as f64;
-    let below = (place.floor() as usize).min(last - 1);
-    let color = |at: usize| {
-        let [_, r, g, b] = SCALE[at].to_be_bytes();
-        Color::new(r.into(), g.into(), b.into()) / 255.0
-    };
-    color(below).lerp(color(below + 1), place - below as f64)
+    inferno(lost.sqrt())
 }
 
 /// What a picture of digits comes to.

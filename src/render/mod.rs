@@ -5,9 +5,11 @@ pub mod digits;
 pub mod export;
 pub mod film;
 mod grid;
+pub mod layers;
 pub mod losses;
 pub mod preview;
 pub mod reach;
+mod scale;
 pub mod statistics;
 
 pub use film::Film;

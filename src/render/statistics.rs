@@ -155,6 +155,16 @@ impl Counter {
         self.rays.total()
     }
 
+    /// Tests of shapes.
+    pub fn primitive_tests(&self) -> u64 {
+        self.primitive_tests
+    }
+
+    /// Tests of boxes.
+    pub fn bounds_tests(&self) -> u64 {
+        self.bounds_tests
+    }
+
     /// Rays from the eye.
     pub fn samples(&self) -> u64 {
         self.samples

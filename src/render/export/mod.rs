@@ -1,10 +1,12 @@
 //! Pictures as files: one file a format. Only integer formats know white, transfer and clipping.
 
+mod exr;
 mod pfm;
 mod png;
 mod ppm;
 mod quantize;
 
+pub use exr::{Channel, ExrLayer};
 pub use quantize::levels_of as levels;
 
 use super::Film;
@@ -21,6 +23,8 @@ pub enum Format {
     Ppm,
     /// PFM, 32-bit floating point.
     Pfm,
+    /// OpenEXR, 32-bit floating point.
+    Exr,
 }
 
 /// A picture as the bytes of a file.
@@ -40,16 +44,31 @@ impl Format {
             "png" => Some(Format::Png8),
             "ppm" => Some(Format::Ppm),
             "pfm" => Some(Format::Pfm),
+            "exr" => Some(Format::Exr),
             _ => None,
         }
     }
 
     /// The endings that are known.
-    pub const ENDINGS: &str = ".png, .ppm or .pfm";
+    pub const ENDINGS: &str = ".png, .ppm, .pfm or .exr";
+}
+
+/// Why a picture can't be written into memory.
+#[derive(Debug, thiserror::Error)]
+pub enum EncodeError {
+    /// The encoder of PNG says so.
+    #[error(transparent)]
+    Png(#[from] image::ImageError),
+    /// The encoder of OpenEXR says so.
+    #[error(transparent)]
+    Exr(#[from] ::exr::error::Error),
 }
 
 /// Writes a picture into memory.
-pub fn encode(film: &Film, format: Format, output: &Output) -> Result<Encoded, image::ImageError> {
+///
+/// # Errors
+/// Those of the encoders.
+pub fn encode(film: &Film, format: Format, output: &Output) -> Result<Encoded, EncodeError> {
     Ok(match format {
         Format::Png8 => {
             let (levels, clipped_pixels) = quantize::levels(film, output, 255);
@@ -64,5 +83,14 @@ pub fn encode(film: &Film, format: Format, output: &Output) -> Result<Encoded, i
             Encoded { bytes: ppm::ppm(film, &levels), clipped_pixels }
         }
         Format::Pfm => Encoded { bytes: pfm::pfm(film), clipped_pixels: 0 },
+        Format::Exr => with_layers(film, Vec::new())?,
     })
+}
+
+/// Writes a picture with layers beside it into memory, as OpenEXR.
+///
+/// # Errors
+/// Those of the encoder.
+pub fn with_layers(film: &Film, layers: Vec<ExrLayer>) -> Result<Encoded, EncodeError> {
+    Ok(Encoded { bytes: exr::exr(film, layers)?, clipped_pixels: 0 })
 }

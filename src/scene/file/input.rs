@@ -6,7 +6,7 @@ use std::mem;
 use std::path::Path;
 
 use super::error::SceneError;
-use super::gzip;
+use super::packed::Packing;
 
 /// The largest scene file: 256 MiB.
 pub const MAX_BYTES: u64 = 256 << 20;
@@ -17,7 +17,8 @@ const BEGINNING: u64 = 512;
 /// The name that standard input has in messages.
 pub const STANDARD_INPUT: &str = "<stdin>";
 
-/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is packed by gzip is unpacked.
+/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is packed by gzip or zstd is
+/// unpacked.
 ///
 /// # Errors
 /// [`SceneError::Refused`] when it is missing, no regular file or too large; [`SceneError::Unreadable`] when the machine
@@ -35,13 +36,13 @@ pub struct Wanted {
     pub max_bytes: u64,
 }
 
-/// An opened file, or standard input, unpacked if it is packed by gzip.
+/// An opened file, or standard input, unpacked if it is packed by gzip or zstd.
 pub struct Opened {
     wanted: Wanted,
     name: String,
     /// How many bytes the file has as it lies there; 0 where nobody knows.
     size: u64,
-    is_packed: bool,
+    packing: Option<Packing>,
     beginning: Vec<u8>,
     rest: Box<dyn Read>,
 }
@@ -79,17 +80,17 @@ impl Wanted {
         let mut beginning = Vec::new();
         let read = input.by_ref().take(BEGINNING).read_to_end(&mut beginning);
         read.map_err(|error| self.failure(&name, error))?;
-        if !gzip::is_packed(&beginning) {
-            return Ok(Opened { wanted: self, name, size, is_packed: false, beginning, rest: Box::new(input) });
-        }
-        let mut rest = gzip::unpacked(io::Cursor::new(beginning).chain(input));
+        let Some(packing) = Packing::of(&beginning) else {
+            return Ok(Opened { wanted: self, name, size, packing: None, beginning, rest: Box::new(input) });
+        };
+        let mut rest = packing.unpacked(io::Cursor::new(beginning).chain(input));
         let mut beginning = Vec::new();
         let read = rest.by_ref().take(BEGINNING).read_to_end(&mut beginning);
-        let mut opened = Opened { wanted: self, name, size, is_packed: true, beginning, rest: Box::new(rest) };
+        let mut opened = Opened { wanted: self, name, size, packing: Some(packing), beginning, rest };
         match read {
             Ok(_) => Ok(opened),
             // What there is of it may be enough.
-            Err(error) if gzip::damage(&error).is_some() && !opened.beginning.is_empty() => {
+            Err(error) if packing.damage(&error).is_some() && !opened.beginning.is_empty() => {
                 opened.rest = Box::new(Broken(Some(error)));
                 Ok(opened)
             }
@@ -121,7 +122,7 @@ impl Opened {
 
     /// How many bytes there are, where that is known.
     pub fn size(&self) -> Option<u64> {
-        Some(self.size).filter(|size| *size > 0 && !self.is_packed)
+        Some(self.size).filter(|size| *size > 0 && self.packing.is_none())
     }
 
     /// The first bytes, some hundreds of them if there are.
@@ -147,7 +148,7 @@ impl Opened {
         if bytes.len() as u64 <= most {
             return Ok(bytes);
         }
-        let found = if self.is_packed { "found more when unpacked" } else { "found more" };
+        let found = if self.packing.is_some() { "found more when unpacked" } else { "found more" };
         Err(self.wanted.too_large(&self.name, found))
     }
 
@@ -155,13 +156,13 @@ impl Opened {
     /// [`UnexpectedEof`](ErrorKind::UnexpectedEof) if it was cut off and with [`InvalidData`](ErrorKind::InvalidData) if it is
     /// damaged; what is larger is [`FileTooLarge`](ErrorKind::FileTooLarge).
     pub fn stream(self, most: u64) -> impl Read {
-        let Opened { beginning, rest, is_packed, .. } = self;
-        Stream { input: io::Cursor::new(beginning).chain(rest), is_packed, most, left: most }
+        let Opened { beginning, rest, packing, .. } = self;
+        Stream { input: io::Cursor::new(beginning).chain(rest), packing, most, left: most }
     }
 
     fn failure(&self, error: io::Error) -> SceneError {
-        match gzip::damage(&error) {
-            Some(damage) if self.is_packed => refused(&self.name, damage),
+        match self.packing.and_then(|packing| packing.damage(&error)) {
+            Some(damage) => refused(&self.name, damage),
             _ => self.wanted.failure(&self.name, error),
         }
     }
@@ -178,23 +179,24 @@ impl Read for Broken {
 
 struct Stream<R> {
     input: R,
-    is_packed: bool,
+    packing: Option<Packing>,
     most: u64,
     left: u64,
 }
 
 impl<R: Read> Read for Stream<R> {
     fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
-        let count = self.input.read(place).map_err(|error| match gzip::damage(&error) {
-            Some(damage) if self.is_packed => {
-                let kind = match error.kind() {
-                    ErrorKind::UnexpectedEof => ErrorKind::UnexpectedEof,
-                    _ => ErrorKind::InvalidData,
-                };
-                io::Error::new(kind, damage)
-            }
-            _ => error,
-        })?;
+        let count =
+            self.input.read(place).map_err(|error| match self.packing.and_then(|packing| packing.damage(&error)) {
+                Some(damage) => {
+                    let kind = match error.kind() {
+                        ErrorKind::UnexpectedEof => ErrorKind::UnexpectedEof,
+                        _ => ErrorKind::InvalidData,
+                    };
+                    io::Error::new(kind, damage)
+                }
+                _ => error,
+            })?;
         let Some(left) = self.left.checked_sub(count as u64) else {
             let message = format!("too large, expected at most {} bytes, found more", self.most);
             return Err(io::Error::new(ErrorKind::FileTooLarge, message));

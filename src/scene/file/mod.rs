@@ -27,6 +27,7 @@ mod locate;
 mod mend;
 mod mesh_path;
 mod names;
+mod packed;
 mod print;
 mod scan;
 mod source;
@@ -35,14 +36,16 @@ mod suggest;
 mod syntax;
 #[cfg(test)]
 mod tests;
+mod zstd;
 
 pub use error::{Problem, SceneError, Severity};
 pub use escape::visible;
-pub use input::{MAX_BYTES, Opened, open, read_bytes};
+pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
 pub use key_path::{KeyPath, Step};
 pub use load::{Loaded, check, check_as, check_scene, parse, placed, read};
 pub use locate::{Place, locate, locate_all};
 pub use mesh_path::{MeshPathError, resolve_mesh_path};
+pub use packed::Packing;
 pub use schema::SceneFile;
 pub use source::{Excerpt, Source};
 pub use suggest::suggest;

@@ -1,13 +1,16 @@
 //! The numeric example of the source text (Ramos, section 1.3): printed, following the book, by hand from the start, and
 //! exact, side by side.
 
+mod follow;
 mod views;
+mod worked;
 
-use crate::log::{Log, Name, Step, Tree, Value, What};
-use crate::probe::{Alteration, Altered, Printed, PrintedValue, Quantity, Silent, round_half_away};
+pub use worked::{Checked, CheckedRow, MAX_TABLE_BYTES, Order, TableError, Worked};
+
+use crate::probe::{Printed, PrintedValue};
 use crate::record::{self, Arithmetic};
-use crate::sampling;
 use crate::scene::Scene;
+use follow::{Listed, Place, Values};
 
 /// The decimals of the printed example.
 const DIGITS: u32 = 3;
@@ -113,12 +116,14 @@ const REASONS: &[(&str, &str, &str)] = &[
 
 /// Computes the table on the scene of the example.
 pub fn table(scene: &Scene) -> Table {
-    let pixel = scene.camera.resolution.map(|side| side / 2);
+    let pixel = middle(scene);
     let strict = Values::of(&record::pixel(scene, pixel, Arithmetic::Decimal(DIGITS)));
     let exact = Values::of(&record::pixel(scene, pixel, Arithmetic::F64));
-    let recomputed = follow_the_book(scene, pixel);
+    let listed: Listed = Printed::all().iter().map(|printed| (place_of(printed), printed.components.clone())).collect();
+    let recomputed = Values::following(scene, pixel, &listed);
     let row = |(printed, (step, called)): (&'static PrintedValue, &(&'static str, &'static str))| {
-        let components = |values: &Values| values.of_printed(printed);
+        // Of colours only red is printed.
+        let components = |values: &Values| values.components(&place_of(printed), printed.components.len());
         let recomputed = components(&recomputed);
         Row {
             step,
@@ -134,71 +139,31 @@ pub fn table(scene: &Scene) -> Table {
     Table { steps: Printed::all().iter().zip(STEPS).map(row).collect() }
 }
 
+/// The pixel of the example.
+fn middle(scene: &Scene) -> [u32; 2] {
+    scene.camera.resolution.map(|side| side / 2)
+}
+
+/// Where a printed quantity stands in the walk.
+fn place_of(printed: &PrintedValue) -> Place {
+    Place { path: printed.path.to_owned(), key: printed.key, nth: 0 }
+}
+
 fn verdict(printed: &PrintedValue, recomputed: &[f64]) -> Verdict {
     if printed.components != recomputed {
         let reason = REASONS.iter().find(|(path, key, _)| *path == printed.path && *key == printed.key);
         return Verdict::Departs { why: reason.map_or("the rules of the book give another number", |(_, _, why)| why) };
     }
-    if printed.text.trim_matches(['(', ')']).split(", ").all(has_the_books_digits) {
-        Verdict::Agrees
-    } else {
-        Verdict::Format
-    }
+    agreement(printed.text)
+}
+
+/// The verdict on a text that has the right numbers.
+fn agreement(text: &str) -> Verdict {
+    let mut numbers = text.trim_matches(['(', ')']).split(',').map(str::trim);
+    if numbers.all(has_the_books_digits) { Verdict::Agrees } else { Verdict::Format }
 }
 
 /// Whether a number is printed whole or with all three decimals.
 fn has_the_books_digits(text: &str) -> bool {
     text.split_once('.').is_none_or(|(_, decimals)| decimals.len() == DIGITS as usize)
-}
-
-/// What each quantity comes to from the printed values before it.
-fn follow_the_book(scene: &Scene, pixel: [u32; 2]) -> Values {
-    let mut following = Altered { alteration: Following::default(), probe: Silent };
-    sampling::pixel(scene, pixel, &mut following);
-    following.alteration.recomputed
-}
-
-/// Goes on with the printed values and keeps what they replace.
-#[derive(Default)]
-struct Following {
-    printed: Printed,
-    recomputed: Values,
-}
-
-impl Alteration for Following {
-    fn alter<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
-        let rounded = value.map(|_, x| round_half_away(x, DIGITS));
-        self.recomputed.0.push((self.printed.path().to_owned(), name.key(), rounded.value()));
-        self.printed.alter(name, value)
-    }
-
-    fn enter(&mut self, step: Step) {
-        self.printed.enter(step);
-    }
-
-    fn leave(&mut self) {
-        self.printed.leave();
-    }
-}
-
-/// Values by the path of their ray and their key.
-#[derive(Default)]
-struct Values(Vec<(String, &'static str, Value)>);
-
-impl Values {
-    fn of(log: &Log) -> Values {
-        let tree = Tree::of(&log.events);
-        let noted = |(event, happening): (usize, &crate::log::Event)| match happening.what {
-            What::Note { name, value } => Some((tree.path(tree.owner(event)), name.key(), value)),
-            _ => None,
-        };
-        Values(log.events.iter().enumerate().filter_map(noted).collect())
-    }
-
-    /// As many components as the book prints: of colours only red.
-    fn of_printed(&self, printed: &PrintedValue) -> Vec<f64> {
-        let found = self.0.iter().find(|(path, key, _)| path == printed.path && *key == printed.key);
-        let components = found.map_or(&[][..], |(_, _, value)| value.components());
-        components.iter().copied().take(printed.components.len()).collect()
-    }
 }

@@ -1,42 +1,23 @@
-//! The table of the numeric example as text, JSON and Markdown.
+//! The tables of worked examples as text, JSON and Markdown.
 
-use super::{DIGITS, Row, Table, Verdict};
+use super::{Checked, CheckedRow, DIGITS, Order, Row, Table, Verdict};
 use crate::report::{Style, number};
 use serde_json::{Value, json};
 
-const HEADS: [&str; 6] = ["step", "quantity", "printed", "following the book", "by hand", "exact"];
+const HEADS: [&str; 7] = ["step", "quantity", "printed", "following the book", "by hand", "exact", "verdict"];
+const CHECKED_HEADS: [&str; 7] = ["quantity", "ray", "printed", "following the file", "by hand", "exact", "verdict"];
 
 impl Table {
     /// The table for people, with the departures explained below.
     pub fn text(&self) -> String {
-        let rows: Vec<_> = self.steps.iter().map(cells).collect();
-        let width = |column: usize| {
-            let cells = rows.iter().map(|row| row[column].chars().count());
-            cells.chain([HEADS[column].chars().count()]).max().unwrap_or(0)
-        };
-        let widths: [usize; 6] = std::array::from_fn(width);
-        let line = |cells: &[String], verdict: &str| {
-            let padded = cells.iter().zip(widths).map(|(cell, width)| pad(cell, width));
-            format!("{}  {verdict}", padded.collect::<Vec<_>>().join("  ")).trim_end().to_owned()
-        };
-        let mut lines = vec![line(&HEADS.map(str::to_owned), "verdict")];
-        lines.extend(rows.iter().zip(&self.steps).map(|(cells, row)| line(cells, row.verdict.word())));
-        lines.push(String::new());
-        lines.extend(self.departures().map(|(row, why)| format!("{} departs: {why}.", row.called)));
-        lines.join("\n") + "\n"
+        let below = self.departures().map(|(row, why)| format!("{} departs: {why}.", row.called));
+        aligned(HEADS, self.steps.iter().map(cells), below)
     }
 
     /// The table for documents.
     pub fn markdown(&self) -> String {
-        let mut lines = vec![format!("| {} | verdict |", HEADS.join(" | ")), "|---".repeat(HEADS.len() + 1) + "|"];
-        for row in &self.steps {
-            // A length's bars would end the cell.
-            let cells = cells(row).map(|cell| cell.replace('|', "\\|"));
-            lines.push(format!("| {} | {} |", cells.join(" | "), row.verdict.word()));
-        }
-        lines.push(String::new());
-        lines.extend(self.departures().map(|(row, why)| format!("- {} departs: {why}.", row.called)));
-        lines.join("\n") + "\n"
+        let below = self.departures().map(|(row, why)| format!("- {} departs: {why}.", row.called));
+        piped(HEADS, self.steps.iter().map(cells), below)
     }
 
     /// The table for programs.
@@ -61,11 +42,51 @@ impl Table {
     }
 }
 
-fn cells(row: &Row) -> [String; 6] {
-    let shown = |values: &[f64]| {
-        let numbers: Vec<_> = values.iter().map(|x| number::number(*x, Style { digits: DIGITS })).collect();
-        if numbers.len() == 1 { numbers.concat() } else { format!("({})", numbers.join(", ")) }
-    };
+impl Checked {
+    /// The table for people, with the departures explained below.
+    pub fn text(&self) -> String {
+        let below = self.departures().map(|row| format!("{}.", departure(row))).chain([self.summary()]);
+        aligned(CHECKED_HEADS, self.rows.iter().map(checked_cells), below)
+    }
+
+    /// The table for documents.
+    pub fn markdown(&self) -> String {
+        let below = self.departures().map(|row| format!("- {}.", departure(row)));
+        let below = below.chain([String::new(), self.summary()]);
+        piped(CHECKED_HEADS, self.rows.iter().map(checked_cells), below)
+    }
+
+    /// The table for programs.
+    pub fn json(&self) -> String {
+        let steps: Vec<Value> = self.rows.iter().map(checked_object).collect();
+        let order = match self.order {
+            Order::Book => "book",
+            Order::Walk => "walk",
+        };
+        format!("{}\n", json!({ "order": order, "steps": steps, "departures": self.departures().count() }))
+    }
+
+    fn summary(&self) -> String {
+        let order = match self.order {
+            Order::Book => "book",
+            Order::Walk => "walk",
+        };
+        let departures = self.departures().count();
+        let values = if self.rows.len() == 1 { "value" } else { "values" };
+        let depart = if departures == 1 { "departs" } else { "depart" };
+        format!(
+            "{} {values} checked, {departures} {depart}; rows of one name in the order of the {order}.",
+            self.rows.len()
+        )
+    }
+}
+
+fn departure(row: &CheckedRow) -> String {
+    let CheckedRow { line, quantity, path, text, recomputed, .. } = row;
+    format!("line {line}: {quantity} of the ray {path} departs: printed {text}, the rules give {}", shown(recomputed))
+}
+
+fn cells(row: &Row) -> [String; 7] {
     [
         row.step.to_owned(),
         row.called.to_owned(),
@@ -73,7 +94,61 @@ fn cells(row: &Row) -> [String; 6] {
         shown(&row.recomputed),
         shown(&row.strict),
         shown(&row.exact),
+        row.verdict.word().to_owned(),
     ]
+}
+
+fn checked_cells(row: &CheckedRow) -> [String; 7] {
+    [
+        row.quantity.to_owned(),
+        row.path.clone(),
+        row.text.clone(),
+        shown(&row.recomputed),
+        shown(&row.strict),
+        shown(&row.exact),
+        row.verdict.word().to_owned(),
+    ]
+}
+
+/// A number or a triple as people read it.
+fn shown(values: &[f64]) -> String {
+    let numbers: Vec<_> = values.iter().map(|x| number::number(*x, Style { digits: DIGITS })).collect();
+    if numbers.len() == 1 { numbers.concat() } else { format!("({})", numbers.join(", ")) }
+}
+
+/// A table whose columns stand below each other, and what stands below it.
+fn aligned(heads: [&str; 7], rows: impl Iterator<Item = [String; 7]>, below: impl Iterator<Item = String>) -> String {
+    let rows: Vec<_> = [heads.map(str::to_owned)].into_iter().chain(rows).collect();
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: [usize; 7] = std::array::from_fn(width);
+    let line = |cells: &[String; 7]| {
+        let padded: Vec<_> = cells.iter().zip(widths).map(|(cell, width)| pad(cell, width)).collect();
+        padded.join("  ").trim_end().to_owned()
+    };
+    let lines: Vec<_> = rows.iter().map(line).chain([String::new()]).chain(below).collect();
+    lines.join("\n") + "\n"
+}
+
+/// The same in Markdown.
+fn piped(heads: [&str; 7], rows: impl Iterator<Item = [String; 7]>, below: impl Iterator<Item = String>) -> String {
+    let heads = [format!("| {} |", heads.join(" | ")), "|---".repeat(heads.len()) + "|"];
+    // A length's bars would end the cell.
+    let row = |cells: [String; 7]| format!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
+    let lines: Vec<_> = heads.into_iter().chain(rows.map(row)).chain([String::new()]).chain(below).collect();
+    lines.join("\n") + "\n"
+}
+
+fn checked_object(row: &CheckedRow) -> Value {
+    json!({
+        "line": row.line,
+        "quantity": row.quantity,
+        "path": row.path,
+        "printed": components(&row.printed),
+        "recomputed": components(&row.recomputed),
+        "strict": components(&row.strict),
+        "exact": components(&row.exact),
+        "verdict": row.verdict.word(),
+    })
 }
 
 fn object(row: &Row) -> Value {

@@ -1,0 +1,249 @@
+//! A layer as a picture for people: false colours, and below them a legend.
+
+use super::{Layer, Layered, Seen};
+use crate::render::scale::inferno;
+use crate::render::{Film, export};
+use crate::scene::{self, Color};
+use font8x8::UnicodeFonts;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// The side of a letter.
+const LETTER: u32 = 8;
+
+/// How high a line of the legend is.
+const LINE: u32 = LETTER + 4;
+
+/// How wide a picture is at least, so that the legend has room.
+const NARROWEST: u32 = 36 * LETTER;
+
+/// How many objects the legend names.
+const MOST_NAMED: usize = 12;
+
+/// What isn't known.
+const GRAY: Color = Color::new(0.35, 0.35, 0.35);
+
+/// A layer in false colours from 0 to 1, with its legend.
+#[derive(Clone, Debug)]
+pub struct Map {
+    width: u32,
+    colors: Vec<Color>,
+}
+
+/// The numbers that a scale goes over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Range {
+    least: f64,
+    most: f64,
+}
+
+/// A layer in false colours, as the bytes of a PNG. Scales go from the least to the greatest number of the picture: black, violet, red,
+/// orange, yellow. What isn't known is grey. Objects have colours of their own, which the legend names by `objects`.
+///
+/// # Errors
+/// Those of the encoder.
+pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Result<Vec<u8>, export::EncodeError> {
+    let mut map = Map::new(layered.width);
+    match layer {
+        Layer::Normal => {
+            let half = Color::splat(0.5);
+            map.picture(layered, |seen| if seen.depth.is_some() { seen.normal * 0.5 + half } else { GRAY });
+            map.text("normal: x red, y green, z blue, -1 to 1");
+        }
+        Layer::Object => {
+            map.picture(layered, |seen| seen.object.map_or(GRAY, color_of_object));
+            map.named(layered, objects);
+        }
+        _ => {
+            let number = |seen: &Seen| number_of(layer, seen).filter(|number| number.is_finite());
+            let range = Range::of(layered.pixels.iter().filter_map(number));
+            map.picture(layered, |seen| number(seen).map_or(GRAY, |number| inferno(range.part(number))));
+            map.scale(layer, range);
+        }
+    }
+    let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
+    Ok(export::encode(&map.film(), export::Format::Png8, &plain)?.bytes)
+}
+
+/// What a scale shows of a pixel; `None` where it isn't known.
+fn number_of(layer: Layer, seen: &Seen) -> Option<f64> {
+    match layer {
+        Layer::Rays => Some(seen.rays as f64),
+        Layer::Tests => Some((seen.primitive_tests + seen.bounds_tests) as f64),
+        Layer::Depth => seen.depth,
+        Layer::Samples => Some(seen.samples as f64),
+        Layer::Error => seen.error,
+        Layer::Time => Some(seen.seconds),
+        Layer::Normal | Layer::Object => None,
+    }
+}
+
+/// Hues that differ much between one object and the next: steps of the golden ratio around the circle, at two lightnesses.
+fn color_of_object(object: u32) -> Color {
+    let hue = (f64::from(object) * 0.618_033_988_749_895).fract() * 6.0;
+    let channel = |shift: f64| (((hue + shift) % 6.0 - 3.0).abs() - 1.0).clamp(0.0, 1.0);
+    let lightness = if object % 2 == 0 { 0.9 } else { 0.65 };
+    (Color::new(channel(0.0), channel(4.0), channel(2.0)) * 0.75 + Color::splat(0.25)) * lightness
+}
+
+impl Range {
+    fn of(numbers: impl Iterator<Item = f64>) -> Range {
+        let none = Range { least: f64::INFINITY, most: f64::NEG_INFINITY };
+        let range = numbers.fold(none, |range, x| Range { least: range.least.min(x), most: range.most.max(x) });
+        if range.least > range.most { Range { least: 0.0, most: 0.0 } } else { range }
+    }
+
+    /// Where a number lies between the ends, from 0 to 1.
+    fn part(&self, number: f64) -> f64 {
+        let size = self.most - self.least;
+        if size > 0.0 { (number - self.least) / size } else { 0.0 }
+    }
+}
+
+impl Map {
+    fn new(width: u32) -> Map {
+        Map { width: width.max(NARROWEST), colors: Vec::new() }
+    }
+
+    fn film(&self) -> Film {
+        let height = self.colors.len() as u32 / self.width;
+        let mut film = Film::new([0, 0, self.width, height]);
+        film.put([0, 0, self.width, height], &self.colors);
+        film
+    }
+
+    /// The rows of the layer; a narrow one has black beside it.
+    fn picture(&mut self, layered: &Layered, color: impl Fn(&Seen) -> Color) {
+        for row in layered.pixels.chunks(layered.width.max(1) as usize) {
+            self.colors.extend(row.iter().map(&color));
+            self.colors.extend((layered.width..self.width).map(|_| Color::ZERO));
+        }
+    }
+
+    /// Empty rows; gives the place of the first pixel.
+    fn rows(&mut self, count: u32) -> usize {
+        let start = self.colors.len();
+        self.colors.extend((0..count * self.width).map(|_| Color::ZERO));
+        start
+    }
+
+    /// A line of text.
+    fn text(&mut self, text: &str) {
+        let start = self.rows(LINE);
+        self.write(start, 2, text);
+    }
+
+    /// The scale with its ends.
+    fn scale(&mut self, layer: Layer, range: Range) {
+        let start = self.rows(LINE);
+        for row in 2..LINE as usize {
+            for column in 0..self.width as usize {
+                let part = column as f64 / f64::from(self.width - 1);
+                self.colors[start + row * self.width as usize + column] = inferno(part);
+            }
+        }
+        let (least, most) = (shown(range.least), shown(range.most));
+        let start = self.rows(LINE);
+        self.write(start, 2, &least);
+        let name = match layer {
+            Layer::Time => "seconds",
+            Layer::Error => "error / white",
+            _ => layer.word(),
+        };
+        self.write(start, (self.width.saturating_sub(name.len() as u32 * LETTER)) / 2, name);
+        self.write(start, self.width.saturating_sub(most.len() as u32 * LETTER + 2), &most);
+    }
+
+    /// The objects that most pixels show, each with its colour.
+    fn named(&mut self, layered: &Layered, objects: &[String]) {
+        let mut pixels: BTreeMap<u32, u64> = BTreeMap::new();
+        for object in layered.pixels.iter().filter_map(|seen| seen.object) {
+            *pixels.entry(object).or_default() += 1;
+        }
+        let mut most: Vec<(u32, u64)> = pixels.into_iter().collect();
+        most.sort_by_key(|(object, count)| (std::cmp::Reverse(*count), *object));
+        for (object, count) in most.iter().take(MOST_NAMED) {
+            let start = self.rows(LINE);
+            for row in 2..2 + LETTER as usize {
+                let first = start + row * self.width as usize + 2;
+                self.colors[first..first + LETTER as usize].fill(color_of_object(*object));
+            }
+            let name = objects.get(*object as usize).map_or("", String::as_str);
+            self.write(start, 4 + 2 * LETTER, &format!("{count} {name}"));
+        }
+        if most.len() > MOST_NAMED {
+            let mut text = String::new();
+            let _ = write!(text, "and {} more", most.len() - MOST_NAMED);
+            self.text(&text);
+        }
+    }
+
+    /// Letters in white; what has no letter is a question mark, what has no room is left out.
+    fn write(&mut self, start: usize, left: u32, text: &str) {
+        let letters = text.chars().map(|letter| {
+            font8x8::BASIC_FONTS.get(letter).or_else(|| font8x8::LATIN_FONTS.get(letter)).unwrap_or_else(question_mark)
+        });
+        let room = (self.width.saturating_sub(left) / LETTER) as usize;
+        for (letter, column) in letters.take(room).zip((left..).step_by(LETTER as usize)) {
+            for (row, bits) in letter.into_iter().enumerate() {
+                let first = start + (row + 2) * self.width as usize + column as usize;
+                for bit in (0..LETTER as usize).filter(|bit| bits >> bit & 1 == 1) {
+                    self.colors[first + bit] = Color::ONE;
+                }
+            }
+        }
+    }
+}
+
+fn question_mark() -> [u8; 8] {
+    font8x8::BASIC_FONTS.get('?').unwrap_or([0xff; 8])
+}
+
+/// A number for a legend: few digits, and powers of ten where it is very large or small.
+fn shown(x: f64) -> String {
+    match x.abs() {
+        0.0 => "0".to_owned(),
+        size if x.fract() == 0.0 && size < 1e9 => format!("{x:.0}"),
+        size if !(1e-3..1e6).contains(&size) => format!("{x:.2e}"),
+        _ => format!("{x:.3}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_a_legend() {
+        assert_eq!([0.0, 12.0, 0.5, 1e-7, 2.5e7].map(shown), ["0", "12", "0.500", "1.00e-7", "25000000"]);
+    }
+
+    #[test]
+    fn a_scale_goes_from_the_least_to_the_most() {
+        let range = Range::of([3.0, -1.0, 1.0].into_iter());
+        assert_eq!([-1.0, 1.0, 3.0].map(|x| range.part(x)), [0.0, 0.5, 1.0]);
+        assert_eq!(Range::of([2.0, 2.0].into_iter()).part(2.0), 0.0);
+        assert_eq!(Range::of(std::iter::empty()), Range { least: 0.0, most: 0.0 });
+    }
+
+    #[test]
+    fn neighbouring_objects_have_unlike_colours() {
+        let distance = |a: u32, b: u32| (color_of_object(a) - color_of_object(b)).length();
+        assert!((0..40).all(|object| distance(object, object + 1) > 0.3));
+    }
+
+    #[test]
+    fn a_narrow_picture_has_room_for_its_legend() {
+        let pixels = vec![Seen { rays: 3, ..Seen::default() }; 4];
+        let layered = Layered { width: 2, height: 2, pixels };
+        let mut map = Map::new(layered.width);
+        map.picture(&layered, |_| Color::ONE);
+        map.scale(Layer::Rays, Range { least: 0.0, most: 3.0 });
+        let film = map.film();
+        assert_eq!((film.width(), film.height()), (NARROWEST, 2 + 2 * LINE));
+        assert_eq!(film.pixels()[..3], [Color::ONE, Color::ONE, Color::ZERO]);
+        // The scale ends in its lightest colour, and something is written below it.
+        assert_eq!(film.pixels()[(5 * NARROWEST - 1) as usize], inferno(1.0));
+        assert!(film.pixels()[((2 + LINE) * NARROWEST) as usize..].contains(&Color::ONE));
+    }
+}

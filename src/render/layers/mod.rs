@@ -1,0 +1,189 @@
+//! What a pixel costs and what it sees, as layers beside the picture. Nothing of this is done when no layer is asked for.
+
+mod map;
+mod observer;
+
+pub use map::{Map, false_colors};
+
+use super::export::{Channel, ExrLayer};
+use super::{Film, RenderError, Settings, TILE, ask_for_memory, threads, tiles};
+use crate::record::Pixel;
+use crate::scene::{Color, Scene};
+use observer::Observer;
+use rayon::prelude::*;
+use std::str::FromStr;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// What a layer shows of each pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// Rays of all kinds.
+    Rays,
+    /// Tests of shapes, and of the boxes around them.
+    Tests,
+    /// The distance from the eye to what the camera's rays meet, the mean of those that meet something.
+    Depth,
+    /// The normal there that light is reckoned with, on the side of the eye; the mean of the same rays.
+    Normal,
+    /// Which object most of the camera's rays meet: its number in the scene from 1; 0 for none.
+    Object,
+    /// Rays from the eye.
+    Samples,
+    /// The standard error of the pixel's colour, estimated from its samples: the largest of the three channels, as a part of white.
+    Error,
+    /// Seconds that the pixel took, by the clock.
+    Time,
+}
+
+impl Layer {
+    /// All of them.
+    pub const ALL: [Layer; 8] = [
+        Layer::Rays,
+        Layer::Tests,
+        Layer::Depth,
+        Layer::Normal,
+        Layer::Object,
+        Layer::Samples,
+        Layer::Error,
+        Layer::Time,
+    ];
+
+    /// Its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Layer::Rays => "rays",
+            Layer::Tests => "tests",
+            Layer::Depth => "depth",
+            Layer::Normal => "normal",
+            Layer::Object => "object",
+            Layer::Samples => "samples",
+            Layer::Error => "error",
+            Layer::Time => "time",
+        }
+    }
+}
+
+impl FromStr for Layer {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Layer, String> {
+        Layer::ALL.into_iter().find(|layer| layer.word() == text).ok_or_else(|| {
+            let known = Layer::ALL.map(Layer::word).join(", ");
+            format!("unknown layer `{text}`, expected one or several of {known}, with commas between them")
+        })
+    }
+}
+
+/// What is known of a pixel beside its colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Seen {
+    /// The pixel.
+    pub color: Color,
+    /// Rays of all kinds.
+    pub rays: u64,
+    /// Tests of shapes.
+    pub primitive_tests: u64,
+    /// Tests of boxes.
+    pub bounds_tests: u64,
+    /// The mean distance; `None` where only the background is seen.
+    pub depth: Option<f64>,
+    /// The mean normal; zero where only the background is seen.
+    pub normal: Color,
+    /// The object that most rays meet.
+    pub object: Option<u32>,
+    /// Rays from the eye.
+    pub samples: u64,
+    /// The standard error of the colour as a part of white; `None` of a single sample.
+    pub error: Option<f64>,
+    /// Seconds.
+    pub seconds: f64,
+}
+
+/// A picture with what is known of its pixels.
+#[derive(Clone, Debug)]
+pub struct Layered {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// The pixels, row by row from the top.
+    pub pixels: Vec<Seen>,
+}
+
+/// Renders a picture with its layers: the same colours as [`render`](super::render) gives, bit for bit. Where pixels share samples, each
+/// traces its own, as its log does, and costs what it would cost by itself.
+///
+/// # Errors
+/// As [`render`](super::render).
+pub fn render_layers(
+    scene: &Scene,
+    settings: &Settings,
+    progress: impl Fn(u64) + Sync,
+    stop: &AtomicBool,
+) -> Result<Layered, RenderError> {
+    let [left, top, right, bottom] = settings.crop;
+    ask_for_memory(settings.crop)?;
+    let (width, height) = (right - left, bottom - top);
+    let mut pixels: Vec<Seen> = Vec::new();
+    let count = width as usize * height as usize;
+    pixels.try_reserve_exact(count).map_err(|_| RenderError::Memory(width, height))?;
+    pixels.resize(count, Seen::default());
+    let threads = threads(settings.threads.min(tiles(settings.crop).len()))?;
+    let band = width.max(1) as usize * TILE as usize;
+    let of_band = |(number, band): (usize, &mut [Seen])| {
+        for (place, seen) in (0_u32..).zip(band.iter_mut()) {
+            if stop.load(Ordering::Relaxed) {
+                return Err(RenderError::Interrupted);
+            }
+            let row = top + number as u32 * TILE + place / width;
+            *seen = see(scene, settings, [left + place % width, row]);
+        }
+        progress(band.len() as u64);
+        Ok(())
+    };
+    threads.install(|| pixels.par_chunks_mut(band).enumerate().try_for_each(of_band))?;
+    Ok(Layered { width, height, pixels })
+}
+
+fn see(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Seen {
+    let start = Instant::now();
+    let (color, observer) = settings.arithmetic.run(Observer::new(scene), Pixel { scene, pixel });
+    observer.seen(color, scene.output.white, start.elapsed().as_secs_f64())
+}
+
+impl Layered {
+    /// The picture.
+    pub fn film(&self) -> Film {
+        let mut film = Film::new([0, 0, self.width, self.height]);
+        let colors: Vec<Color> = self.pixels.iter().map(|pixel| pixel.color).collect();
+        film.put([0, 0, self.width, self.height], &colors);
+        film
+    }
+
+    /// A layer as numbers, by channel. What isn't known isn't a number (NaN), and the depth of the background is infinite.
+    pub fn layer(&self, layer: Layer) -> ExrLayer {
+        let channel = |name: &'static str, of: &dyn Fn(&Seen) -> f64| Channel {
+            name,
+            values: self.pixels.iter().map(|pixel| of(pixel) as f32).collect(),
+        };
+        let channels = match layer {
+            Layer::Rays => vec![channel("count", &|seen| seen.rays as f64)],
+            Layer::Tests => vec![
+                channel("primitives", &|seen| seen.primitive_tests as f64),
+                channel("bounds", &|seen| seen.bounds_tests as f64),
+            ],
+            Layer::Depth => vec![channel("Z", &|seen| seen.depth.unwrap_or(f64::INFINITY))],
+            Layer::Normal => vec![
+                channel("X", &|seen| seen.normal.x),
+                channel("Y", &|seen| seen.normal.y),
+                channel("Z", &|seen| seen.normal.z),
+            ],
+            Layer::Object => vec![channel("number", &|seen| seen.object.map_or(0.0, |object| f64::from(object) + 1.0))],
+            Layer::Samples => vec![channel("count", &|seen| seen.samples as f64)],
+            Layer::Error => vec![channel("part of white", &|seen| seen.error.unwrap_or(f64::NAN))],
+            Layer::Time => vec![channel("seconds", &|seen| seen.seconds)],
+        };
+        ExrLayer { name: layer.word(), channels }
+    }
+}

@@ -1,0 +1,56 @@
+//! Packed files, which are unpacked as they are read.
+
+use super::{gzip, zstd};
+use std::io::{Error, ErrorKind, Read};
+
+/// By what a file is packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Packing {
+    /// RFC 1952.
+    Gzip,
+    /// RFC 8878.
+    Zstd,
+}
+
+impl Packing {
+    /// What a file that begins like this is packed by, if it is.
+    pub(super) fn of(beginning: &[u8]) -> Option<Packing> {
+        match () {
+            _ if gzip::is_packed(beginning) => Some(Packing::Gzip),
+            _ if beginning.starts_with(zstd::MAGIC) => Some(Packing::Zstd),
+            _ => None,
+        }
+    }
+
+    /// What a file with this ending is to be packed by.
+    pub fn of_ending(ending: &str) -> Option<Packing> {
+        match ending.to_ascii_lowercase().as_str() {
+            "gz" => Some(Packing::Gzip),
+            "zst" => Some(Packing::Zstd),
+            _ => None,
+        }
+    }
+
+    /// The bytes as they were.
+    pub(super) fn unpacked(self, input: impl Read + 'static) -> Box<dyn Read> {
+        match self {
+            Packing::Gzip => Box::new(gzip::unpacked(input)),
+            Packing::Zstd => Box::new(zstd::unpacked(input)),
+        }
+    }
+
+    /// What is wrong with a packed file, if that is why it can't be read.
+    pub(super) fn damage(self, error: &Error) -> Option<String> {
+        let name = match self {
+            Packing::Gzip => "gzip",
+            Packing::Zstd => "zstd",
+        };
+        match error.kind() {
+            ErrorKind::UnexpectedEof => Some(format!("the {name} data end too early, expected a whole file")),
+            ErrorKind::InvalidInput | ErrorKind::InvalidData => {
+                Some(format!("damaged {name} data ({error}), expected a whole file"))
+            }
+            _ => None,
+        }
+    }
+}
