@@ -82,7 +82,7 @@ fn number_of(layer: Layer, seen: &Seen) -> Option<f64> {
 fn color_of_object(object: u32) -> Color {
     let hue = (f64::from(object) * 0.618_033_988_749_895).fract() * 6.0;
     let channel = |shift: f64| (((hue + shift) % 6.0 - 3.0).abs() - 1.0).clamp(0.0, 1.0);
-    let lightness = if object % 2 == 0 { 0.9 } else { 0.65 };
+    let lightness = if object.is_multiple_of(2) { 0.9 } else { 0.65 };
     (Color::new(channel(0.0), channel(4.0), channel(2.0)) * 0.75 + Color::splat(0.25)) * lightness
 }
 
