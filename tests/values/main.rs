@@ -2,8 +2,6 @@
 
 #[path = "../support/calls.rs"]
 mod calls;
-#[path = "../support/evaluator.rs"]
-mod evaluator;
 #[path = "../support/provoking_scenes.rs"]
 mod provoking_scenes;
 #[path = "../support/mod.rs"]
