@@ -5,11 +5,13 @@ mod pictures;
 
 use super::failure::Failure;
 use super::options::ColorChoice;
+use super::walk::has_terminal;
 use clap::{Args, ValueEnum};
 use raywalk::log::file::is_log;
 use raywalk::render::export::{self, MAX_PICTURE_BYTES, is_picture};
 use raywalk::report::diff::Tolerance;
 use raywalk::scene::file::{Opened, Wanted, visible};
+use signal_hook::iterator::Handle;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -43,6 +45,12 @@ pub struct Diff {
     /// Of logs, show the first divergence and the counts only
     #[arg(long)]
     brief: bool,
+    /// Walk through both logs in the terminal, side by side; of regions, through the first pixel that differs
+    #[arg(long, conflicts_with_all = ["format", "brief"])]
+    walk: bool,
+    /// Draw the walk with ASCII characters only
+    #[arg(long, requires = "walk")]
+    ascii: bool,
     /// Of pictures, write where they differ as a picture: black where they don't, white where they do most
     #[arg(long, short, value_name = "HEAT.png")]
     output: Option<PathBuf>,
@@ -64,7 +72,7 @@ enum Compared {
 
 impl Diff {
     /// Runs the command; `false` where something differs.
-    pub fn run(self, colors: ColorChoice) -> Result<bool, Failure> {
+    pub fn run(self, colors: ColorChoice, signals: Option<Handle>) -> Result<bool, Failure> {
         if [&self.a, &self.b].iter().all(|path| **path == Path::new("-")) {
             return Err(Failure::caller("diff - -: only one of the two can come from standard input"));
         }
@@ -74,11 +82,12 @@ impl Diff {
                 if self.output.is_some() {
                     return Err(Failure::caller("--output: a heat map is made of two pictures, found two logs"));
                 }
-                self.logs(a, b)
+                // As `walk` does, it is told as text where nobody could press a key.
+                if self.walk && has_terminal() { self.walk(a, b, colors, signals) } else { self.logs(a, b) }
             }
             (Compared::Picture(a_name, a), Compared::Picture(b_name, b)) => {
-                if self.digits.is_some() || self.brief {
-                    let option = if self.brief { "--brief" } else { "--digits" };
+                let options = [("--digits", self.digits.is_some()), ("--brief", self.brief), ("--walk", self.walk)];
+                if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given) {
                     return Err(Failure::caller(format!("{option}: is for logs, found two pictures")));
                 }
                 self.pictures((&a_name, &a), (&b_name, &b))

@@ -80,7 +80,7 @@ pub fn run() -> ExitCode {
         Some(Command::Walk(walk)) => walk.run(colors, signals),
         Some(Command::Trace(trace)) => trace.run(colors),
         Some(Command::Render(render)) => render.run(colors),
-        Some(Command::Diff(diff)) => match diff.run(colors) {
+        Some(Command::Diff(diff)) => match diff.run(colors, signals) {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },

@@ -236,7 +236,7 @@ fn quoted(word: &str) -> String {
 }
 
 /// The colours that the terminal is asked for.
-fn palette(colors: ColorChoice) -> Palette {
+pub fn palette(colors: ColorChoice) -> Palette {
     let has_true_color = std::env::var("COLORTERM").is_ok_and(|said| said == "truecolor" || said == "24bit");
     match (colors.applies_to(&io::stdout()), has_true_color) {
         (false, _) => Palette::None,
@@ -246,7 +246,7 @@ fn palette(colors: ColorChoice) -> Palette {
 }
 
 /// Whether there is a terminal that can show the viewer.
-fn has_terminal() -> bool {
+pub fn has_terminal() -> bool {
     let is_dumb = std::env::var_os("TERM").is_none_or(|term| term.is_empty() || term == "dumb");
     io::stdout().is_terminal() && !is_dumb
 }

@@ -7,6 +7,7 @@ mod provoking_scenes;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod diff;
 mod digits;
 mod formulas;
 mod log_files;

@@ -1,92 +1,178 @@
 //! Two logs, pixel by pixel.
 
 use super::{Diff, DiffFormat};
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, INTERRUPTED, TERMINATED};
+use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
-use raywalk::log::file::{PixelEvents, PixelReader};
-use raywalk::log::{Event, Header, Log, Subject, Tree};
+use crate::cli::walk::palette;
+use raywalk::log::file::{Ending, PixelEvents, PixelReader};
+use raywalk::log::{Header, Log, Subject, Tree};
 use raywalk::report::diff::{
-    self, Comparison, HeaderDifference, Json, Numbering, Side, Summary, Text, header_differences,
+    self, Comparison, HeaderDifference, Json, Numbering, Pixel, Rows, Side, Summary, Text, header_differences,
 };
 use raywalk::report::side_by_side::Run;
+use raywalk::report::words;
 use raywalk::scene::file::{Opened, visible};
+use raywalk::tui::beside::{self, Beside};
+use raywalk::tui::{Exit, Theme};
+use signal_hook::iterator::Handle;
 use std::cmp::Ordering;
 use std::io::Read;
 
 impl Diff {
     /// Compares two logs; `false` where they differ.
     pub(super) fn logs(&self, a: Opened, b: Opened) -> Result<bool, Failure> {
-        let (mut a, mut b) = (Source::open(a)?, Source::open(b)?);
-        let is_region = is_of_region(&a, &b)?;
+        let (a, b) = (Source::open(a)?, Source::open(b)?);
         let mut view = self.view();
         let differences = header_differences(&a.log.header, &b.log.header);
-        output::print(view.begin(&a.log.header, &b.log.header, &differences).as_bytes())?;
-        let numbering = Numbering::unify(&a.log.header, &mut b.log.header);
+        let mut pairs = Pairs::of(a, b)?;
+        output::print(view.begin(&pairs.a.log.header, &pairs.b.log.header, &differences).as_bytes())?;
         let tolerance = self.tolerance();
         let mut summary = Summary::default();
-        loop {
-            let pixel = |found: &PixelEvents| found.pixel.filter(|_| is_region);
-            let order = match (&a.next, &b.next) {
-                (None, None) => break,
-                (Some(_), None) => Ordering::Less,
-                (None, Some(_)) => Ordering::Greater,
-                // Row by row, as the log of a region goes.
-                (Some(a), Some(b)) => pixel(a).map(|[x, y]| [y, x]).cmp(&pixel(b).map(|[x, y]| [y, x])),
-            };
-            let at = if order == Ordering::Greater { &b.next } else { &a.next };
-            let at = at.as_ref().and_then(pixel);
-            let told = match order {
-                Ordering::Less => alone(&mut summary, &mut view, at, Side::A),
-                Ordering::Greater => alone(&mut summary, &mut view, at, Side::B),
-                Ordering::Equal => {
-                    a.take(|_| ());
-                    b.take(|events| numbering.apply(events));
-                    let [tree_a, tree_b] = [&a, &b].map(|source| Tree::of(&source.log.events));
-                    let [run_a, run_b] = [Run { log: &a.log, tree: &tree_a }, Run { log: &b.log, tree: &tree_b }];
-                    let found = diff::compare(run_a, run_b, &tolerance);
-                    summary.add(at, &found);
-                    view.pixel(at, &found)
+        while let Some((pixel, there)) = pairs.next()? {
+            let told = match there {
+                There::In(side) => {
+                    summary.add_alone(side);
+                    view.alone(pixel, side)
+                }
+                There::InBoth => {
+                    let [tree_a, tree_b] = pairs.trees();
+                    let found = diff::compare(pairs.a.run(&tree_a), pairs.b.run(&tree_b), &tolerance);
+                    summary.add(pixel, &found);
+                    view.pixel(pixel, &found)
                 }
             };
             output::print(told.as_bytes())?;
-            if order != Ordering::Greater {
-                a.advance()?;
-            }
-            if order != Ordering::Less {
-                b.advance()?;
-            }
         }
         output::print(view.end(&summary).as_bytes())?;
-        a.warn();
-        b.warn();
+        pairs.a.warn();
+        pairs.b.warn();
         Ok(summary.is_same())
+    }
+
+    /// Walks through two logs; of regions, through the first pixel that differs. `false` where they differ.
+    pub(super) fn walk(
+        &self,
+        a: Opened,
+        b: Opened,
+        colors: ColorChoice,
+        signals: Option<Handle>,
+    ) -> Result<bool, Failure> {
+        let mut pairs = Pairs::of(Source::open(a)?, Source::open(b)?)?;
+        let tolerance = self.tolerance();
+        let (mut walked, mut is_same) = (None::<(Pixel, Log, Log)>, true);
+        while let Some((pixel, there)) = pairs.next()? {
+            is_same &= there == There::InBoth;
+            if there == There::InBoth {
+                let [tree_a, tree_b] = pairs.trees();
+                let found = diff::compare(pairs.a.run(&tree_a), pairs.b.run(&tree_b), &tolerance);
+                if walked.is_none() || !found.differences.is_empty() {
+                    walked = Some((pixel, pairs.a.log.clone(), pairs.b.log.clone()));
+                }
+                if !found.differences.is_empty() {
+                    is_same = false;
+                    break;
+                }
+            }
+        }
+        pairs.a.warn();
+        pairs.b.warn();
+        let Some((pixel, a, b)) = walked else {
+            return Err(Failure::caller("--walk: the two logs have no pixel in common"));
+        };
+        let [tree_a, tree_b] = [&a, &b].map(|log| Tree::of(&log.events));
+        let rows = Rows::of(Run { log: &a, tree: &tree_a }, Run { log: &b, tree: &tree_b }, tolerance);
+        let beside =
+            Beside::new(rows, [title(&pairs.a.name, pixel, &a.header), title(&pairs.b.name, pixel, &b.header)]);
+        // From here on the viewer minds its signals itself: it has a terminal to give back.
+        if let Some(signals) = signals {
+            signals.close();
+        }
+        let theme = Theme::new(palette(colors), self.ascii);
+        match beside::run(beside, &theme) {
+            Ok(Exit::Quit) => Ok(is_same),
+            Ok(Exit::Interrupted) => Err(Failure::silent(INTERRUPTED)),
+            Ok(Exit::Terminated) => Err(Failure::silent(TERMINATED)),
+            Err(error) => Err(Failure::machine(format!("the terminal can't be used: {error}"))),
+        }
     }
 
     fn view(&self) -> View {
         match self.format {
-            DiffFormat::Text => View::Text(Text { digits: self.digits, is_brief: self.brief, has_first: false }),
+            DiffFormat::Text => View::Text(Text::new(self.digits, self.brief)),
             DiffFormat::Json => View::Json(Json::new(self.brief)),
         }
     }
 }
 
-/// Whether pixels are compared one by one, because one of the logs may have several.
-fn is_of_region(a: &Source, b: &Source) -> Result<bool, Failure> {
-    let subjects = [a, b].map(|source| source.log.header.subject);
-    let is_region = |subject: &Subject| matches!(subject, Subject::Region(_));
-    if subjects.iter().any(is_region) && subjects.iter().any(|subject| matches!(subject, Subject::Ray(_))) {
-        let [a, b] = [&a.name, &b.name];
-        let message =
-            format!("{a} and {b}: the one is the log of a ray, the other of a region; expected two of a kind");
-        return Err(Failure::caller(message));
-    }
-    Ok(subjects.iter().any(is_region))
+fn title(name: &str, pixel: Pixel, header: &Header) -> String {
+    let subject = pixel.map_or_else(|| words::subject(header), |[x, y]| format!("pixel {x},{y}"));
+    format!("{name} - {subject} - {}", words::plain(&header.arithmetic))
 }
 
-fn alone(summary: &mut Summary, view: &mut View, pixel: Option<[u32; 2]>, side: Side) -> String {
-    summary.add_alone(side);
-    view.alone(pixel, side)
+/// Two logs, read pixel by pixel in the same order.
+struct Pairs {
+    a: Source,
+    b: Source,
+    numbering: Numbering,
+    /// Whether pixels are compared one by one, because one of the logs may have several.
+    is_region: bool,
+}
+
+/// Which of the logs has a pixel.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum There {
+    InBoth,
+    In(Side),
+}
+
+impl Pairs {
+    fn of(a: Source, mut b: Source) -> Result<Pairs, Failure> {
+        let subjects = [a.log.header.subject, b.log.header.subject];
+        let is_region = subjects.iter().any(|subject| matches!(subject, Subject::Region(_)));
+        if is_region && subjects.iter().any(|subject| matches!(subject, Subject::Ray(_))) {
+            let [a, b] = [&a.name, &b.name];
+            return Err(Failure::caller(format!(
+                "{a} and {b}: the one is the log of a ray, the other of a region; expected two of a kind"
+            )));
+        }
+        let numbering = Numbering::unify(&a.log.header, &mut b.log.header);
+        Ok(Pairs { a, b, numbering, is_region })
+    }
+
+    /// The next pixel, if there is one more: its number where there may be several, and which logs have it. Those that have it hold
+    /// its events then.
+    fn next(&mut self) -> Result<Option<(Pixel, There)>, Failure> {
+        let is_region = self.is_region;
+        let pixel = |found: &PixelEvents| found.pixel.filter(|_| is_region);
+        let (a, b) = (self.a.next.as_ref().map(pixel), self.b.next.as_ref().map(pixel));
+        // Row by row, as the log of a region goes.
+        let place = |pixel: Pixel| pixel.map(|[x, y]| [y, x]);
+        let there = match (a, b) {
+            (None, None) => return Ok(None),
+            (Some(_), None) => There::In(Side::A),
+            (None, Some(_)) => There::In(Side::B),
+            (Some(a), Some(b)) => match place(a).cmp(&place(b)) {
+                Ordering::Less => There::In(Side::A),
+                Ordering::Equal => There::InBoth,
+                Ordering::Greater => There::In(Side::B),
+            },
+        };
+        if there != There::In(Side::B) {
+            self.a.take()?;
+        }
+        if there != There::In(Side::A) {
+            self.b.take()?;
+            self.numbering.apply(&mut self.b.log.events);
+        }
+        let pixel = if there == There::In(Side::B) { b } else { a };
+        Ok(Some((pixel.flatten(), there)))
+    }
+
+    fn trees(&self) -> [Tree; 2] {
+        [&self.a, &self.b].map(|source| Tree::of(&source.log.events))
+    }
 }
 
 /// A log that is read pixel by pixel.
@@ -109,10 +195,14 @@ impl Source {
         Ok(source)
     }
 
-    /// Puts the events of the next pixel into the log, changed by `change`.
-    fn take(&mut self, change: impl FnOnce(&mut [Event])) {
+    /// Puts the events of the next pixel into the log, and reads on.
+    fn take(&mut self) -> Result<(), Failure> {
         self.log.events = self.next.take().map_or_else(Vec::new, |pixel| pixel.events);
-        change(&mut self.log.events);
+        self.advance()
+    }
+
+    fn run<'s>(&'s self, tree: &'s Tree) -> Run<'s> {
+        Run { log: &self.log, tree }
     }
 
     fn advance(&mut self) -> Result<(), Failure> {
@@ -122,7 +212,7 @@ impl Source {
 
     /// That a log is damaged or was cut off is told in any case.
     fn warn(&self) {
-        if let Some(warning) = self.reader.ending().and_then(raywalk::log::file::Ending::warning) {
+        if let Some(warning) = self.reader.ending().and_then(Ending::warning) {
             output::tell(&format!("warning: {}: {warning}", self.name));
         }
     }
@@ -135,21 +225,21 @@ enum View {
 }
 
 impl View {
-    fn begin(&self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
+    fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
         match self {
             View::Text(text) => text.begin(a, b, differences),
             View::Json(json) => json.begin(a, b, differences),
         }
     }
 
-    fn pixel(&mut self, pixel: Option<[u32; 2]>, found: &Comparison) -> String {
+    fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
         match self {
             View::Text(text) => text.pixel(pixel, found),
             View::Json(json) => json.pixel(pixel, found),
         }
     }
 
-    fn alone(&mut self, pixel: Option<[u32; 2]>, side: Side) -> String {
+    fn alone(&mut self, pixel: Pixel, side: Side) -> String {
         match self {
             View::Text(text) => text.alone(pixel, side),
             View::Json(json) => json.alone(pixel, side),

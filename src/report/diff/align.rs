@@ -14,7 +14,7 @@ use std::collections::{HashMap, VecDeque};
 pub enum Thing {
     /// What an event says: a value, a decision, the result.
     Event(usize),
-    /// An input of an event that no step of the log computed: the event, and its number among the event's inputs.
+    /// An input of an event: the event, and its number among the event's inputs.
     Input(usize, usize),
     /// A node with all that it holds.
     Node(usize),
@@ -35,7 +35,7 @@ pub enum Spot {
 #[derive(Debug, Default)]
 pub(super) struct Alignment {
     /// Every thing of both logs in the order of A, those of B alone after what stands before them in B. A node stands here only if
-    /// one log has it alone; what it holds doesn't.
+    /// one log has it alone; what it holds doesn't. An input doesn't if what it hands on was computed before.
     pub spots: Vec<Spot>,
     /// For each of them, the node of A in which it stands or would stand.
     pub homes: Vec<usize>,
@@ -76,17 +76,23 @@ impl Alignment {
         let mut told = 0;
         for (thing, partner) in ours.into_iter().zip(partners) {
             let Some(place) = partner else {
-                self.tell(node_a, Spot::OnlyA(thing));
+                self.tell_alone(node_a, a, Spot::OnlyA, thing);
                 continue;
             };
             for earlier in (told..place).filter(|place| !is_shared[*place]) {
-                self.tell(node_a, Spot::OnlyB(theirs[earlier]));
+                self.tell_alone(node_a, b, Spot::OnlyB, theirs[earlier]);
             }
             told = told.max(place);
             self.pair(a, thing, b, theirs[place]);
         }
         for place in (told..theirs.len()).filter(|place| !is_shared[*place]) {
-            self.tell(node_a, Spot::OnlyB(theirs[place]));
+            self.tell_alone(node_a, b, Spot::OnlyB, theirs[place]);
+        }
+    }
+
+    fn tell_alone(&mut self, home: usize, run: Run, spot: fn(Thing) -> Spot, thing: Thing) {
+        if computed(run, thing).is_none() {
+            self.tell(home, spot(thing));
         }
     }
 
@@ -106,9 +112,18 @@ impl Alignment {
                 self.partners[event_a] = Some(event_b);
                 self.tell(home, Spot::Both(ours, theirs));
             }
+            // Both were compared where they were computed.
+            (Thing::Input(..), Thing::Input(..)) if computed(a, ours).is_some() && computed(b, theirs).is_some() => {}
             _ => self.tell(home, Spot::Both(ours, theirs)),
         }
     }
+}
+
+/// The event that computed what an input hands on.
+pub(super) fn computed(run: Run, thing: Thing) -> Option<usize> {
+    let Thing::Input(event, number) = thing else { return None };
+    let (name, value) = run.log.events[event].given[number];
+    provenance::handed_on_from(run.log, run.tree, event, name, &value)
 }
 
 /// What a node holds, in order.
@@ -117,9 +132,7 @@ fn things(run: Run, node: usize) -> Vec<Thing> {
     let mut things: Vec<(usize, Thing)> = Vec::new();
     for event in tree.own_events(node) {
         let Event { what, given, .. } = &log.events[event];
-        let is_input = |(name, value): &(Name, _)| provenance::handed_on_from(log, tree, event, *name, value).is_none();
-        let inputs = given.iter().enumerate().filter(|(_, input)| is_input(input));
-        things.extend(inputs.map(|(number, _)| (event, Thing::Input(event, number))));
+        things.extend((0..given.len()).map(|number| (event, Thing::Input(event, number))));
         if !matches!(what, What::Enter { .. } | What::Leave) {
             things.push((event, Thing::Event(event)));
         }
@@ -133,8 +146,8 @@ fn things(run: Run, node: usize) -> Vec<Thing> {
 /// What a thing is, apart from what it says.
 #[derive(PartialEq, Eq, Hash)]
 enum Key {
+    /// Noted or an input: the ray of the middle pixel has as an input what others compute.
     Quantity(&'static str),
-    Input(&'static str),
     Decision(Question),
     Node(Option<Step>),
     Result,
@@ -159,7 +172,7 @@ enum Question {
 fn key(run: Run, thing: Thing) -> Key {
     match thing {
         Thing::Node(node) => Key::Node(run.tree.nodes()[node].step),
-        Thing::Input(event, number) => Key::Input(run.log.events[event].given[number].0.key()),
+        Thing::Input(event, number) => Key::Quantity(run.log.events[event].given[number].0.key()),
         Thing::Event(event) => match run.log.events[event].what {
             What::Note { name, .. } => Key::Quantity(name.key()),
             What::Mark(decision) => Key::Decision(question(decision)),

@@ -6,50 +6,78 @@ use super::tolerance::Tolerance;
 use crate::log::{Decision, Step, Value, What};
 use crate::report::side_by_side::Run;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// The things of two aligned logs, in their order.
 pub(super) struct Before<'a> {
     a: Run<'a>,
     b: Run<'a>,
-    alignment: &'a Alignment,
+    alignment: Rc<Alignment>,
     places: HashMap<Spot, usize>,
     /// By the nodes of A, the decisions in them that differ.
     decisions: HashMap<usize, Vec<usize>>,
 }
 
 impl<'a> Before<'a> {
-    pub fn of(a: Run<'a>, b: Run<'a>, alignment: &'a Alignment) -> Before<'a> {
+    pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>) -> Before<'a> {
         let places = alignment.spots.iter().enumerate().map(|(place, spot)| (*spot, place)).collect();
         let mut before = Before { a, b, alignment, places, decisions: HashMap::new() };
-        for place in 0..alignment.spots.len() {
+        for place in 0..before.alignment.spots.len() {
             if before.decides_otherwise(place) {
-                before.decisions.entry(alignment.homes[place]).or_default().push(place);
+                before.decisions.entry(before.alignment.homes[place]).or_default().push(place);
             }
         }
         before
     }
 
     /// What this may come from: for a step that only one log has, what is decided otherwise in its node; else, and for a decision,
-    /// the last value before it in its node that differs; else what differs last before it in its ray, decisions first.
+    /// the last value before it in its node that differs; else what differs last before it in its ray: decisions, then steps that
+    /// only one log has, then values.
     pub fn of_spot(&self, spot: Spot) -> Option<Spot> {
         let place = *self.places.get(&spot)?;
         let home = self.alignment.homes[place];
-        let here = self.decisions.get(&home);
-        let decided_here = here.and_then(|places| places.iter().find(|other| **other != place).copied());
-        let is_step_alone = !matches!(spot, Spot::Both(..)) && !self.decides_otherwise(place);
+        let is_decision = self.decides_otherwise(place);
+        let is_step_alone = !matches!(spot, Spot::Both(..)) && !is_decision;
+        let decided_here = self.decisions.get(&home).and_then(|places| places.first().copied());
         let found = decided_here.filter(|_| is_step_alone).or_else(|| {
-            let ray = self.ray_around(home);
-            let within = self.a.tree.nodes()[ray].subtree_end;
-            // The order is that of A's tree: what belongs to a ray stands together.
-            let earlier = (0..place).rev().take_while(|other| (ray..within).contains(&self.alignment.homes[*other]));
-            let earlier: Vec<usize> = earlier.collect();
-            let value_here =
-                earlier.iter().find(|other| self.alignment.homes[**other] == home && self.value_differs(**other));
-            let decided = || earlier.iter().find(|other| self.decides_otherwise(**other));
-            let value = || earlier.iter().find(|other| self.value_differs(**other));
-            value_here.or_else(decided).or_else(value).copied()
+            let is_here = |other: &usize| self.alignment.homes[*other] == home;
+            let value_here = self.earlier(place).find(|other| is_here(other) && self.value_differs(*other));
+            let decided = || self.decided_before(place);
+            // What only one log has follows from a decision, and not the decision from it.
+            let may_follow = !is_step_alone && !is_decision;
+            let alone = || self.earlier(place).find(|other| may_follow && self.is_node_alone(*other));
+            let value = || self.earlier(place).find(|other| self.value_differs(*other));
+            value_here.or_else(decided).or_else(alone).or_else(value)
         });
         found.map(|place| self.alignment.spots[place])
+    }
+
+    /// The last decision before this in its ray that differs.
+    pub fn decision_before(&self, spot: Spot) -> Option<Spot> {
+        let place = *self.places.get(&spot)?;
+        self.decided_before(place).map(|place| self.alignment.spots[place])
+    }
+
+    /// The last decision before a place that differs: of its ray itself, or else of the rays that this one sent out.
+    fn decided_before(&self, place: usize) -> Option<usize> {
+        let ray = self.ray_around(self.alignment.homes[place]);
+        let decides = |other: &usize| self.decides_otherwise(*other);
+        let is_own = |other: &usize| self.ray_around(self.alignment.homes[*other]) == ray;
+        let own = self.earlier(place).find(|other| decides(other) && is_own(other));
+        own.or_else(|| self.earlier(place).find(decides))
+    }
+
+    /// Whether the alignment has this: a step that only one log has, for one.
+    pub fn has(&self, spot: Spot) -> bool {
+        self.places.contains_key(&spot)
+    }
+
+    /// What stands before a place in its ray, the last first.
+    fn earlier(&self, place: usize) -> impl Iterator<Item = usize> + '_ {
+        let ray = self.ray_around(self.alignment.homes[place]);
+        let within = ray..self.a.tree.nodes()[ray].subtree_end;
+        // The order is that of A's tree: what belongs to a ray stands together.
+        (0..place).rev().take_while(move |other| within.contains(&self.alignment.homes[*other]))
     }
 
     /// The node in A of the ray in which a node stands; the root if it stands in none.
@@ -60,28 +88,35 @@ impl<'a> Before<'a> {
         around.find(|node| *node == 0 || is_ray(*node)).unwrap_or(0)
     }
 
-    /// Whether a decision differs here, or a ray or another part of the computation is in one log only. A test that only one log has
-    /// decides nothing by itself.
+    /// Whether a decision differs here, or is in one log only.
     fn decides_otherwise(&self, place: usize) -> bool {
+        let is_decision = |run: Run, thing: Thing| match thing {
+            Thing::Event(event) => matches!(run.log.events[event].what, What::Mark(_)),
+            Thing::Input(..) | Thing::Node(_) => false,
+        };
         match self.alignment.spots[place] {
             Spot::Both(Thing::Event(a), Thing::Event(b)) => differ_as_decisions(self.a, a, self.b, b),
             Spot::Both(..) => false,
-            Spot::OnlyA(thing) => decides(self.a, thing),
-            Spot::OnlyB(thing) => decides(self.b, thing),
+            Spot::OnlyA(thing) => is_decision(self.a, thing),
+            Spot::OnlyB(thing) => is_decision(self.b, thing),
+        }
+    }
+
+    /// Whether a ray or another part of the computation is in one log only. A test that only one log has decides nothing by itself.
+    fn is_node_alone(&self, place: usize) -> bool {
+        let is_test = |run: Run, node: usize| {
+            matches!(run.tree.nodes()[node].step, Some(Step::Test { .. } | Step::Motion { .. }))
+        };
+        match self.alignment.spots[place] {
+            Spot::OnlyA(Thing::Node(node)) => !is_test(self.a, node),
+            Spot::OnlyB(Thing::Node(node)) => !is_test(self.b, node),
+            _ => false,
         }
     }
 
     fn value_differs(&self, place: usize) -> bool {
         values_of(self.a, self.b, self.alignment.spots[place])
             .is_some_and(|(ours, theirs)| Tolerance::default().tells_apart(&ours, &theirs))
-    }
-}
-
-fn decides(run: Run, thing: Thing) -> bool {
-    match thing {
-        Thing::Event(event) => matches!(run.log.events[event].what, What::Mark(_)),
-        Thing::Input(..) => false,
-        Thing::Node(node) => !matches!(run.tree.nodes()[node].step, Some(Step::Test { .. } | Step::Motion { .. })),
     }
 }
 

@@ -4,7 +4,7 @@
 //! moves is the operand's effect. What the operands don't explain is the quantity's own: its rounding, or another way of computing
 //! it. The largest of these is the cause.
 
-use super::align::{Alignment, Spot, Thing};
+use super::align::{Alignment, Spot, Thing, computed};
 use super::before::Before;
 use super::operands::{Pair, Substitution};
 use super::tolerance::distance;
@@ -72,14 +72,15 @@ pub(super) struct Contribution {
 pub(super) struct Causes<'a> {
     pub a: Run<'a>,
     pub b: Run<'a>,
-    alignment: &'a Alignment,
+    alignment: Rc<Alignment>,
     before: Before<'a>,
     known: RefCell<HashMap<Spot, Rc<Attribution>>>,
 }
 
 impl<'a> Causes<'a> {
-    pub fn of(a: Run<'a>, b: Run<'a>, alignment: &'a Alignment) -> Causes<'a> {
-        Causes { a, b, alignment, before: Before::of(a, b, alignment), known: RefCell::default() }
+    pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>) -> Causes<'a> {
+        let before = Before::of(a, b, alignment.clone());
+        Causes { a, b, alignment, before, known: RefCell::default() }
     }
 
     /// Why this differs.
@@ -116,7 +117,15 @@ impl<'a> Causes<'a> {
                     _ => self.by_what_was_before(spot, Why::First),
                 }
             }
-            Spot::Both(..) => bare(Why::Input),
+            Spot::Both(ours, theirs) => {
+                // What only one log computed comes from there.
+                let part = |run, thing| computed(run, thing).map(Thing::Event);
+                let of_a = part(self.a, ours).and_then(|ours| self.part_of_a(ours));
+                match of_a.or_else(|| part(self.b, theirs).and_then(|theirs| self.part_of_b(theirs))) {
+                    Some(from) => Attribution { from: Some(from), ..bare(Why::Before) },
+                    None => bare(Why::Input),
+                }
+            }
             Spot::OnlyA(_) | Spot::OnlyB(_) => self.by_what_was_before(spot, Why::First),
         }
     }
@@ -130,7 +139,7 @@ impl<'a> Causes<'a> {
 
     fn of_quantity(&self, spot: Spot, ours: (usize, Name, Value), theirs: (usize, Name, Value)) -> Attribution {
         let ((a, our_name, our_value), (b, their_name, their_value)) = (ours, theirs);
-        let substitution = Substitution::of(self.a, self.b, self.alignment, (a, our_name), (b, their_name));
+        let substitution = Substitution::of(self.a, self.b, &self.alignment, (a, our_name), (b, their_name));
         let Some(substitution) = substitution else { return self.by_what_was_before(spot, Why::Itself) };
         let with_ours = substitution.value(|_| false);
         let with_theirs = substitution.value(|_| true);
@@ -138,7 +147,7 @@ impl<'a> Causes<'a> {
         let computed_there = computed_there.and_then(Result::ok).or(with_theirs);
         let contribution = |number: usize| {
             let moved = substitution.value(|other| other == number);
-            let place = self.spot_of(a, b, &substitution.pairs[number]).or_else(|| self.before.of_spot(spot));
+            let place = self.spot_of(spot, (a, b), &substitution.pairs[number]).or_else(|| self.before.of_spot(spot));
             place.map(|spot| Contribution { spot, effect: apart(with_ours, moved) })
         };
         let operands = by_effect(substitution.differing().filter_map(contribution).collect());
@@ -183,38 +192,37 @@ impl<'a> Causes<'a> {
         }
     }
 
-    /// Where an operand of the quantities at these events comes from; `None` where the logs have it from different places.
-    fn spot_of(&self, a: usize, b: usize, pair: &Pair) -> Option<Spot> {
+    /// Where an operand of the quantity in this place, at these events, comes from; `None` where that isn't known.
+    fn spot_of(&self, spot: Spot, (a, b): (usize, usize), pair: &Pair) -> Option<Spot> {
         let ours = pair.a.map(|operand| source(self.a, a, &operand, pair.symbol));
         let theirs = pair.b.map(|operand| source(self.b, b, &operand, pair.symbol));
         match (ours, theirs) {
-            (Some(Thing::Event(ours)), Some(Thing::Event(theirs))) => {
-                let is_pair = self.alignment.partners[ours] == Some(theirs);
-                is_pair.then_some(Spot::Both(Thing::Event(ours), Thing::Event(theirs)))
+            (Some(ours), Some(theirs)) if self.before.has(Spot::Both(ours, theirs)) => Some(Spot::Both(ours, theirs)),
+            // From different places: from a part that only one log has, or chosen by a decision.
+            (Some(ours), Some(theirs)) => {
+                let part = self.part_of_a(ours).or_else(|| self.part_of_b(theirs));
+                part.or_else(|| self.before.decision_before(spot))
             }
-            (Some(ours @ Thing::Input(..)), Some(theirs @ Thing::Input(..))) => Some(Spot::Both(ours, theirs)),
-            (Some(_), Some(_)) | (None, None) => None,
-            (Some(ours), None) => self.alone_in_a(ours),
-            (None, Some(theirs)) => self.alone_in_b(theirs),
+            (Some(ours), None) => {
+                self.part_of_a(ours).or(Some(Spot::OnlyA(ours)).filter(|spot| self.before.has(*spot)))
+            }
+            (None, Some(theirs)) => {
+                self.part_of_b(theirs).or(Some(Spot::OnlyB(theirs)).filter(|spot| self.before.has(*spot)))
+            }
+            (None, None) => None,
         }
     }
 
-    /// The outermost thing with this that only A has; `None` where B has it too and only doesn't use it.
-    fn alone_in_a(&self, thing: Thing) -> Option<Spot> {
-        let Thing::Event(event) = thing else { return Some(Spot::OnlyA(thing)) };
-        let is_shared = |node: usize| self.alignment.nodes[node].is_some();
-        match outermost(self.a, event, is_shared) {
-            Some(node) => Some(Spot::OnlyA(Thing::Node(node))),
-            None => Some(Spot::OnlyA(thing)).filter(|_| self.alignment.partners[event].is_none()),
-        }
+    /// The outermost node with this that only A has.
+    fn part_of_a(&self, thing: Thing) -> Option<Spot> {
+        let node = outermost(self.a, thing, |node| self.alignment.nodes[node].is_some());
+        node.map(|node| Spot::OnlyA(Thing::Node(node)))
     }
 
-    fn alone_in_b(&self, thing: Thing) -> Option<Spot> {
-        let Thing::Event(event) = thing else { return Some(Spot::OnlyB(thing)) };
-        match outermost(self.b, event, |node| self.alignment.is_shared[node]) {
-            Some(node) => Some(Spot::OnlyB(Thing::Node(node))),
-            None => Some(Spot::OnlyB(thing)).filter(|_| !self.alignment.partners.contains(&Some(event))),
-        }
+    /// The outermost node with this that only B has.
+    fn part_of_b(&self, thing: Thing) -> Option<Spot> {
+        let node = outermost(self.b, thing, |node| self.alignment.is_shared[node]);
+        node.map(|node| Spot::OnlyB(Thing::Node(node)))
     }
 }
 
@@ -251,20 +259,21 @@ fn source(run: Run, event: usize, operand: &Operand, symbol: &str) -> Thing {
     }
     match holder.given.iter().rposition(|(name, _)| name.symbol() == symbol) {
         Some(number) => {
-            let (name, value) = holder.given[number];
-            match provenance::handed_on_from(run.log, run.tree, operand.event, name, &value) {
-                Some(computed) => Thing::Event(computed),
-                None => Thing::Input(operand.event, number),
-            }
+            let input = Thing::Input(operand.event, number);
+            computed(run, input).map_or(input, Thing::Event)
         }
         None => Thing::Event(operand.event),
     }
 }
 
-/// The outermost node around an event that isn't shared, if there is one.
-fn outermost(run: Run, event: usize, is_shared: impl Fn(usize) -> bool) -> Option<usize> {
+/// The outermost node around a thing that isn't shared, if there is one.
+fn outermost(run: Run, thing: Thing, is_shared: impl Fn(usize) -> bool) -> Option<usize> {
     let nodes = run.tree.nodes();
-    let around = std::iter::successors(Some(run.tree.owner(event)), |node| Some(nodes[*node].parent));
+    let node = match thing {
+        Thing::Event(event) | Thing::Input(event, _) => run.tree.owner(event),
+        Thing::Node(node) => node,
+    };
+    let around = std::iter::successors(Some(node), |node| Some(nodes[*node].parent));
     around.take_while(|node| !is_shared(*node)).last()
 }
 

@@ -15,33 +15,32 @@ pub struct HeaderDifference {
     pub b: String,
 }
 
+/// A field of a header, and what a header says in it.
+type Field = (&'static str, fn(&Header) -> String);
+
+const FIELDS: [Field; 16] = [
+    ("subject", subject),
+    ("version", |header| words::plain(&header.version)),
+    ("scene.name", |header| words::plain(&header.scene.name)),
+    ("scene.digest", |header| words::plain(&header.scene.digest)),
+    ("arithmetic", |header| words::plain(&header.arithmetic)),
+    ("tracing.algorithm", |header| words::plain(&header.tracing.algorithm)),
+    ("tracing.max_depth", |header| header.tracing.max_depth.to_string()),
+    ("tracing.specular", |header| words::plain(&header.tracing.specular)),
+    ("tracing.sphere_method", |header| words::plain(&header.tracing.sphere_method)),
+    ("tracing.cutoff", |header| header.tracing.cutoff.to_string()),
+    ("tracing.two_sided", |header| header.tracing.two_sided.to_string()),
+    ("sampling", |header| words::sampling(header).unwrap_or_else(|| "none".to_owned())),
+    ("seed", |header| header.seed.to_string()),
+    ("frame", |header| words::frame(header).unwrap_or_else(|| "none".to_owned())),
+    ("objects", |header| words::plain(&header.objects.join(", "))),
+    ("lights", |header| words::plain(&header.lights.join(", "))),
+];
+
 /// What the headers say differently, in the order of a header.
 pub fn header_differences(a: &Header, b: &Header) -> Vec<HeaderDifference> {
-    let frame = |header: &Header| words::frame(header).unwrap_or_else(|| "none".to_owned());
-    let sampling = |header: &Header| words::sampling(header).unwrap_or_else(|| "none".to_owned());
-    let names = |names: &[String]| words::plain(&names.join(", "));
-    let fields: [(&str, fn(&Header) -> String); 9] = [
-        ("version", |header| header.version.clone()),
-        ("scene.name", |header| words::plain(&header.scene.name)),
-        ("scene.digest", |header| words::plain(&header.scene.digest)),
-        ("arithmetic", |header| words::plain(&header.arithmetic)),
-        ("tracing.algorithm", |header| words::plain(&header.tracing.algorithm)),
-        ("tracing.max_depth", |header| header.tracing.max_depth.to_string()),
-        ("tracing.specular", |header| words::plain(&header.tracing.specular)),
-        ("tracing.sphere_method", |header| words::plain(&header.tracing.sphere_method)),
-        ("tracing.cutoff", |header| header.tracing.cutoff.to_string()),
-    ];
-    let pairs = fields.map(|(field, say)| (field, say(a), say(b))).into_iter().chain([
-        ("tracing.two_sided", a.tracing.two_sided.to_string(), b.tracing.two_sided.to_string()),
-        ("sampling", sampling(a), sampling(b)),
-        ("seed", a.seed.to_string(), b.seed.to_string()),
-        ("frame", frame(a), frame(b)),
-        ("objects", names(&a.objects), names(&b.objects)),
-        ("lights", names(&a.lights), names(&b.lights)),
-    ]);
-    let subject = (a.subject != b.subject).then(|| ("subject", subject(a), subject(b)));
-    let pairs = subject.into_iter().chain(pairs.filter(|(_, a, b)| a != b));
-    pairs.map(|(field, a, b)| HeaderDifference { field, a, b }).collect()
+    let said = FIELDS.iter().map(|(field, say)| HeaderDifference { field, a: say(a), b: say(b) });
+    said.filter(|said| said.a != said.b).collect()
 }
 
 fn subject(header: &Header) -> String {

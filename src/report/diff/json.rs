@@ -134,8 +134,11 @@ fn entry(found: &Entry) -> Value {
         Told::Value { is_input, a, b, distance, .. } => {
             object["a"] = value(a);
             object["b"] = value(b);
-            object["absolute"] = json!(distance.absolute);
-            object["relative"] = json!(distance.relative);
+            // JSON has no infinity: a number and a triple have no distance.
+            if distance.absolute.is_finite() {
+                object["absolute"] = json!(distance.absolute);
+                object["relative"] = json!(distance.relative);
+            }
             if *is_input {
                 object["input"] = true.into();
             }

@@ -9,6 +9,7 @@ mod cause;
 mod headers;
 mod json;
 mod operands;
+mod rows;
 mod summary;
 mod text;
 mod tolerance;
@@ -17,7 +18,8 @@ pub use align::{Spot, Thing};
 pub use cause::Why;
 pub use headers::{HeaderDifference, Numbering, header_differences};
 pub use json::Json;
-pub use summary::Summary;
+pub use rows::{Row, Rows};
+pub use summary::{Pixel, Summary};
 pub use text::Text;
 pub use tolerance::{Distance, Tolerance, distance};
 
@@ -25,6 +27,7 @@ use super::side_by_side::Run;
 use super::{Style, computation, words};
 use crate::log::{Name, Step, Value, What};
 use cause::{Causes, Contribution};
+use std::rc::Rc;
 
 /// What differs in a pixel, or between two rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,8 +125,8 @@ pub struct First {
 
 /// Compares the logs of a pixel or ray. Their objects and lights must have the same numbers, see [`Numbering`].
 pub fn compare(a: Run, b: Run, tolerance: &Tolerance) -> Comparison {
-    let alignment = align::align(a, b);
-    let comparing = Comparing { causes: Causes::of(a, b, &alignment), tolerance };
+    let alignment = Rc::new(align::align(a, b));
+    let comparing = Comparing { causes: Causes::of(a, b, alignment.clone()), tolerance: *tolerance };
     let spots: Vec<Spot> = alignment.spots.iter().copied().filter(|spot| comparing.differs(*spot)).collect();
     let values = alignment.spots.iter().filter(|spot| before::values_of(a, b, **spot).is_some()).count();
     Comparison {
@@ -136,7 +139,7 @@ pub fn compare(a: Run, b: Run, tolerance: &Tolerance) -> Comparison {
 
 struct Comparing<'a> {
     causes: Causes<'a>,
-    tolerance: &'a Tolerance,
+    tolerance: Tolerance,
 }
 
 impl Comparing<'_> {
@@ -188,7 +191,13 @@ impl Comparing<'_> {
     fn computations(&self, spot: Spot) -> Option<[String; 2]> {
         let Spot::Both(Thing::Event(ours), Thing::Event(theirs)) = spot else { return None };
         let (value_a, value_b) = before::values_of(self.causes.a, self.causes.b, spot)?;
-        let style = telling_apart(&value_a, &value_b, self.tolerance.digits);
+        let attribution = self.causes.attribution(spot);
+        let operands = attribution.operands.iter();
+        let operands = operands.filter_map(|operand| before::values_of(self.causes.a, self.causes.b, operand.spot));
+        let values: Vec<_> = operands.chain([(value_a, value_b)]).collect();
+        // The numbers put in must tell what the result is from.
+        let digits = values.iter().map(|(a, b)| telling_apart(a, b, self.tolerance.digits).digits).max();
+        let style = digits.map_or(Style::default(), |digits| Style { digits });
         let line = |run: Run, event| computation(run.log, run.tree, event, style).map(|computation| computation.line());
         Some([line(self.causes.a, ours)?, line(self.causes.b, theirs)?])
     }
@@ -200,7 +209,7 @@ impl Comparing<'_> {
                 let what = match (before::values_of(a, b, spot), ours, theirs) {
                     (Some((value_a, value_b)), ..) => Told::Value {
                         name: quantity(a, ours),
-                        is_input: matches!(ours, Thing::Input(..)),
+                        is_input: matches!((ours, theirs), (Thing::Input(..), Thing::Input(..))),
                         a: value_a,
                         b: value_b,
                         distance: distance(&value_a, &value_b),
@@ -212,8 +221,8 @@ impl Comparing<'_> {
                 };
                 entry_in(a, ours, what)
             }
-            Spot::OnlyA(thing) => entry_in(a, thing, only(a, Side::A, thing)),
-            Spot::OnlyB(thing) => entry_in(b, thing, only(b, Side::B, thing)),
+            Spot::OnlyA(thing) => entry_in(a, thing, alone(a, Side::A, thing)),
+            Spot::OnlyB(thing) => entry_in(b, thing, alone(b, Side::B, thing)),
         }
     }
 }
@@ -261,9 +270,15 @@ fn decision(run: Run, event: usize) -> String {
     }
 }
 
-fn only(run: Run, side: Side, thing: Thing) -> Told {
+fn alone(run: Run, side: Side, thing: Thing) -> Told {
+    let (what, values) = only(run, thing);
+    Told::Only { side, what, values }
+}
+
+/// What only one log has, in a few words, and how many values it holds.
+fn only(run: Run, thing: Thing) -> (String, usize) {
     let is_value = |event: &usize| matches!(run.log.events[*event].what, What::Note { .. });
-    let (what, values) = match (thing, quantity(run, thing), before::value(run, thing)) {
+    match (thing, quantity(run, thing), before::value(run, thing)) {
         (Thing::Node(node), ..) => {
             let events = run.tree.nodes()[node].events.clone();
             (words::title(run.log, run.tree, node), events.filter(is_value).count())
@@ -275,6 +290,5 @@ fn only(run: Run, side: Side, thing: Thing) -> Told {
             ("result".to_owned(), 1)
         }
         (Thing::Event(event) | Thing::Input(event, _), ..) => (decision(run, event), 0),
-    };
-    Told::Only { side, what, values }
+    }
 }

@@ -3,6 +3,7 @@
 use super::summary::{Pixel, Summary};
 use super::{Comparison, Difference, Entry, First, HeaderDifference, Side, Told, Why, telling_apart};
 use crate::log::Header;
+use crate::log::escape::shortened;
 use crate::report::number::{self, size};
 use crate::report::words;
 
@@ -11,19 +12,33 @@ use crate::report::words;
 pub struct Text {
     /// To how many decimals values were rounded before they were compared; without it they are shown with as many as tell them
     /// apart.
-    pub digits: Option<u32>,
+    digits: Option<u32>,
     /// Whether to leave the tables out.
-    pub is_brief: bool,
+    is_brief: bool,
     /// Whether a difference was shown already.
-    pub has_first: bool,
+    has_first: bool,
+    /// Whether the logs are of different arithmetics, so that the same operands give different values.
+    is_rounded_otherwise: bool,
 }
 
 /// The columns of a table: where, which quantity, its symbol, A, B, the absolute and the relative difference, the cause.
 type Row = [String; 8];
 
 impl Text {
+    /// Begins a comparison. Values are shown with `digits` decimals, or with as many as tell them apart; a brief comparison has no
+    /// tables.
+    pub fn new(digits: Option<u32>, is_brief: bool) -> Text {
+        Text { digits, is_brief, has_first: false, is_rounded_otherwise: false }
+    }
+
+    /// The same between these logs.
+    pub fn between(self, a: &Header, b: &Header) -> Text {
+        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, ..self }
+    }
+
     /// What the logs are, and what their headers say differently.
-    pub fn begin(&self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
+    pub fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
+        *self = self.between(a, b);
         let mut out = String::new();
         for (letter, header) in [("A", a), ("B", b)] {
             let subject: Vec<_> = words::frame(header).into_iter().chain([words::subject(header)]).collect();
@@ -31,6 +46,8 @@ impl Text {
             out += &format!("{letter}: {scene} · {subject} · {}\n", words::plain(&header.arithmetic));
         }
         for HeaderDifference { field, a, b } in differences {
+            // The beginning of a digest tells it from others.
+            let [a, b] = [a, b].map(|said| if *field == "scene.digest" { shortened(said, 20) } else { said.clone() });
             out += &format!("note: {field}: {a} against {b}\n");
         }
         out
@@ -51,7 +68,7 @@ impl Text {
         let heads = ["where", "quantity", "symbol", "A", "B", "difference", "relative", "from"].map(str::to_owned);
         let rows = found.differences.iter().map(|difference| {
             let [place, quantity, symbol, a, b, absolute, relative] = self.cells(&difference.entry);
-            [place, quantity, symbol, a, b, absolute, relative, cause(difference)]
+            [place, quantity, symbol, a, b, absolute, relative, self.cause(difference)]
         });
         out += &table([heads].into_iter().chain(rows).collect());
         if found.way.len() > 1 {
@@ -60,14 +77,14 @@ impl Text {
                 let [place, quantity, symbol, a, b, absolute, relative] = self.cells(entry);
                 [place, quantity, symbol, a, b, absolute, relative, String::new()]
             });
-            out += &table(shortened(rows.collect()));
+            out += &table(without_middle(rows.collect()));
         }
         out
     }
 
     /// A pixel that only one log has.
     pub fn alone(&self, pixel: Pixel, side: Side) -> String {
-        format!("\nOnly in {}: {}\n", side.letter(), called(pixel).unwrap_or_else(|| "a ray".to_owned()))
+        format!("Only in {}: {}\n", side.letter(), called(pixel).unwrap_or_else(|| "a ray".to_owned()))
     }
 
     /// The counts.
@@ -103,26 +120,33 @@ impl Text {
         out
     }
 
-    fn first(&self, pixel: Pixel, First { computations, way, why }: &First) -> String {
-        let (Some(first), Some(origin)) = (way.first(), way.last()) else { return String::new() };
-        let place = [called(pixel).unwrap_or_default(), place(first)].into_iter().filter(|part| !part.is_empty());
-        let mut out =
-            format!("\nFirst divergence: {}{}\n", label(first), in_place(&place.collect::<Vec<_>>().join(", ")));
+    fn first(&self, pixel: Pixel, first: &First) -> String {
+        let Some(entry) = first.way.first() else { return String::new() };
+        let place = [called(pixel).unwrap_or_default(), place(entry)].into_iter().filter(|part| !part.is_empty());
+        let place = place.collect::<Vec<_>>().join(", ");
+        let lines: String = self.explanation(first).iter().map(|line| format!("  {line}\n")).collect();
+        format!("\nFirst divergence{}: {}\n{lines}", in_place(&place), label(entry))
+    }
+
+    /// A difference in full, a line each: what both logs have, where it comes from, how both compute it, the way back.
+    pub fn explanation(&self, First { computations, way, why }: &First) -> Vec<String> {
+        let (Some(first), Some(origin)) = (way.first(), way.last()) else { return Vec::new() };
         let [_, _, symbol, a, b, ..] = self.cells(first);
-        let from = if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { reason(*why).to_owned() };
-        match &first.what {
-            Told::Value { .. } => out += &format!("  {symbol}: {a} against {b}: {from}\n"),
-            Told::Decision { a, b } => out += &format!("  A: {a}\n  B: {b}\n  {from}\n"),
-            Told::Only { .. } => out += &format!("  {from}\n"),
-        }
+        let from =
+            if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { self.reason(*why).to_owned() };
+        let mut lines = match &first.what {
+            Told::Value { .. } => vec![format!("{symbol}: {a} against {b}: {from}")],
+            Told::Decision { a, b } => vec![format!("A: {a}"), format!("B: {b}"), from],
+            Told::Only { side, .. } => vec![format!("only in {}: {from}", side.letter())],
+        };
         if let Some([a, b]) = computations {
-            out += &format!("  A: {a}\n  B: {b}\n");
+            lines.extend([format!("A: {a}"), format!("B: {b}")]);
         }
         if way.len() > 1 {
             let steps: Vec<_> = way.iter().map(|step| label_from(step, first)).collect();
-            out += &format!("  traced back: {} ({})\n", steps.join(" ← "), reason(*why));
+            lines.push(format!("traced back: {} ({})", steps.join(" ← "), self.reason(*why)));
         }
-        out
+        lines
     }
 
     fn cells(&self, entry: &Entry) -> [String; 7] {
@@ -144,6 +168,38 @@ impl Text {
             }
         };
         [place(entry), quantity, symbol, a, b, absolute, relative]
+    }
+
+    /// The cause of a difference: the operands that it comes from, and where that comes from in the end.
+    fn cause(&self, difference: &Difference) -> String {
+        let Difference { entry, why, from, origin, .. } = difference;
+        let direct: Vec<String> = match why {
+            Why::Operands => {
+                // Those that come near the largest.
+                let largest = from.first().map_or(0.0, |(_, effect)| *effect);
+                let large = from.iter().filter(|(_, effect)| *effect * 2.0 >= largest);
+                large.map(|(operand, _)| symbol(operand)).collect()
+            }
+            Why::Before => from.iter().take(1).map(|(before, _)| label_from(before, entry)).collect(),
+            _ => vec![self.reason(*why).to_owned()],
+        };
+        let direct = direct.join(", ");
+        match origin.as_ref().map(|origin| label_from(origin, entry)).filter(|origin| *origin != direct) {
+            Some(origin) => format!("{direct} ← {origin}"),
+            None => direct,
+        }
+    }
+
+    fn reason(&self, why: Why) -> &'static str {
+        match why {
+            Why::Operands => "its operands",
+            Why::Itself if self.is_rounded_otherwise => "its own rounding",
+            Why::Itself => "itself, no operand explains it",
+            Why::OtherFormula => "another formula",
+            Why::Input => "an input",
+            Why::Before => "what was before",
+            Why::First => "nothing before it differs",
+        }
     }
 }
 
@@ -185,27 +241,7 @@ fn label(entry: &Entry) -> String {
 /// The same with its ray, if that is another one than that of `of`.
 fn label_from(entry: &Entry, of: &Entry) -> String {
     let elsewhere = Some(&entry.path).filter(|path| **path != of.path && !path.is_empty());
-    elsewhere.map_or_else(|| label(entry), |path| format!("{} of {path}", label(entry)))
-}
-
-/// The cause of a difference: the operands that it comes from, and where that comes from in the end.
-fn cause(difference: &Difference) -> String {
-    let Difference { entry, why, from, origin, .. } = difference;
-    let direct: Vec<String> = match why {
-        Why::Operands => {
-            // Those that come near the largest.
-            let largest = from.first().map_or(0.0, |(_, effect)| *effect);
-            let large = from.iter().filter(|(_, effect)| *effect * 2.0 >= largest);
-            large.map(|(operand, _)| symbol(operand)).collect()
-        }
-        Why::Before => from.iter().take(1).map(|(before, _)| label_from(before, entry)).collect(),
-        _ => vec![reason(*why).to_owned()],
-    };
-    let direct = direct.join(", ");
-    match origin.as_ref().map(|origin| label_from(origin, entry)).filter(|origin| *origin != direct) {
-        Some(origin) => format!("{direct} ← {origin}"),
-        None => direct,
-    }
+    elsewhere.map_or_else(|| label(entry), |path| format!("{} ({path})", label(entry)))
 }
 
 fn symbol(entry: &Entry) -> String {
@@ -215,19 +251,8 @@ fn symbol(entry: &Entry) -> String {
     }
 }
 
-fn reason(why: Why) -> &'static str {
-    match why {
-        Why::Operands => "its operands",
-        Why::Itself => "its own rounding",
-        Why::OtherFormula => "another formula",
-        Why::Input => "an input",
-        Why::Before => "what was before",
-        Why::First => "nothing before it differs",
-    }
-}
-
 /// Long ways without their middle.
-fn shortened(mut rows: Vec<Row>) -> Vec<Row> {
+fn without_middle(mut rows: Vec<Row>) -> Vec<Row> {
     const ENDS: usize = 20;
     let left_out = rows.len().saturating_sub(2 * ENDS);
     if left_out > 1 {
