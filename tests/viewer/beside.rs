@@ -32,7 +32,7 @@ fn two_arithmetics_beside_each_other() {
     let theme = Theme::new(Palette::Indexed, false);
     snapshots().bind(|| {
         insta::assert_snapshot!("beside_120x30", frame_after(&logs, "", (120, 30), &theme));
-        // The thirteenth difference after the first: the normal on the sphere.
+        // Twenty differences on: the normal on the sphere.
         insta::assert_snapshot!("beside_next_80x24", frame_after(&logs, "nnnnnnnnnnnnnnnnnnnn", (80, 24), &theme));
     });
 }

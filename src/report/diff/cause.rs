@@ -83,6 +83,11 @@ impl<'a> Causes<'a> {
         Causes { a, b, alignment, before, known: RefCell::default() }
     }
 
+    /// The node of B in the place of a node of A.
+    pub fn partner(&self, node: usize) -> Option<usize> {
+        self.alignment.nodes[node]
+    }
+
     /// Why this differs.
     pub fn attribution(&self, spot: Spot) -> Rc<Attribution> {
         if let Some(known) = self.known.borrow().get(&spot) {
@@ -150,7 +155,7 @@ impl<'a> Causes<'a> {
             let place = self.spot_of(spot, (a, b), &substitution.pairs[number]).or_else(|| self.before.of_spot(spot));
             place.map(|spot| Contribution { spot, effect: apart(with_ours, moved) })
         };
-        let operands = by_effect(substitution.differing().filter_map(contribution).collect());
+        let operands = by_effect(substitution.differing().into_iter().filter_map(contribution).collect());
         let own = match (with_ours, computed_there) {
             (Some(ours), Some(theirs)) => apart(Some(minus(our_value, ours)), Some(minus(their_value, theirs))),
             _ => 0.0,
@@ -161,17 +166,14 @@ impl<'a> Causes<'a> {
             _ if our_name != their_name => f64::INFINITY,
             _ => 0.0,
         };
-        let largest = operands.first().map(|first| first.effect);
-        match largest {
-            // Where no single operand moves it, several do together.
-            Some(largest) if largest >= own.max(by_formula) => {
-                let from = operands.first().map(|first| first.spot);
-                Attribution { why: Why::Operands, from, operands, own }
-            }
-            _ if by_formula > own => {
+        // Where no single operand moves the value, several do together.
+        let largest = operands.first().filter(|largest| largest.effect >= own.max(by_formula));
+        match largest.map(|largest| largest.spot) {
+            from @ Some(_) => Attribution { why: Why::Operands, from, operands, own },
+            None if by_formula > own => {
                 Attribution { why: Why::OtherFormula, from: self.before.of_spot(spot), operands, own: by_formula }
             }
-            _ => Attribution { why: Why::Itself, from: None, operands, own },
+            None => Attribution { why: Why::Itself, from: None, operands, own },
         }
     }
 

@@ -60,7 +60,10 @@ impl<'a> Rows<'a> {
     pub fn cells(&self, row: &Row) -> [Option<String>; 2] {
         let (a, b) = (self.comparing.causes.a, self.comparing.causes.b);
         match row.place {
-            Place::Node(node) => [Some(words::title(a.log, a.tree, node)), Some(words::title(b.log, b.tree, node))],
+            Place::Node(node) => {
+                let theirs = self.comparing.causes.partner(node).map(|node| words::title(b.log, b.tree, node));
+                [Some(words::title(a.log, a.tree, node)), theirs]
+            }
             Place::Thing(spot @ Spot::Both(ours, theirs)) => match before::values_of(a, b, spot) {
                 Some((value_a, value_b)) => {
                     let style = self.style(row, &value_a, &value_b);
