@@ -178,7 +178,19 @@ fn a_test_that_only_one_log_has_shifts_nothing() {
         let [Told::Only { side: found, what, values: of_test }] = told[..] else { panic!("{told:#?}") };
         assert_eq!((*found, *of_test), (side, values));
         assert!(what.starts_with("test "), "{what}");
+        assert_eq!(alone[0].why, Why::NotNeeded);
     }
+}
+
+#[test]
+fn a_test_that_one_tracer_did_not_need_is_not_the_first_divergence() {
+    let scene = support::scene("glass-and-mirror");
+    let pixel = support::middle(&scene);
+    let [a, b] = [Arithmetic::F64, Arithmetic::Decimal(4)].map(|arithmetic| record::pixel(&scene, pixel, arithmetic));
+    let found = compared(&a, &b, &Tolerance { digits: Some(4), ..EXACT });
+    let first = found.differences.iter().find(|difference| difference.why != Why::NotNeeded).expect("a difference");
+    assert!(found.differences.iter().any(|difference| difference.why == Why::NotNeeded), "tests differ");
+    assert_eq!(found.first.expect("a difference").way[0], first.entry);
 }
 
 #[test]

@@ -102,16 +102,21 @@ impl<'a> Before<'a> {
         }
     }
 
-    /// Whether a ray or another part of the computation is in one log only. A test that only one log has decides nothing by itself.
+    /// Whether a ray or another part of the computation is in one log only.
     fn is_node_alone(&self, place: usize) -> bool {
-        let is_test = |run: Run, node: usize| {
-            matches!(run.tree.nodes()[node].step, Some(Step::Test { .. } | Step::Motion { .. }))
+        let spot = self.alignment.spots[place];
+        matches!(spot, Spot::OnlyA(Thing::Node(_)) | Spot::OnlyB(Thing::Node(_))) && !self.is_test_alone(spot)
+    }
+
+    /// Whether this is a test that only one log has. It decides nothing by itself: which tests a tracer needs depends on its
+    /// arithmetic, and on what it was asked to log.
+    pub fn is_test_alone(&self, spot: Spot) -> bool {
+        let step = match spot {
+            Spot::OnlyA(Thing::Node(node)) => self.a.tree.nodes()[node].step,
+            Spot::OnlyB(Thing::Node(node)) => self.b.tree.nodes()[node].step,
+            _ => None,
         };
-        match self.alignment.spots[place] {
-            Spot::OnlyA(Thing::Node(node)) => !is_test(self.a, node),
-            Spot::OnlyB(Thing::Node(node)) => !is_test(self.b, node),
-            _ => false,
-        }
+        matches!(step, Some(Step::Test { .. } | Step::Motion { .. }))
     }
 
     fn value_differs(&self, place: usize) -> bool {

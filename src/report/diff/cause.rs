@@ -44,6 +44,8 @@ pub enum Why {
     Before,
     /// Nothing before it differs.
     First,
+    /// A test that only one log has: the other's tracer didn't need it.
+    NotNeeded,
 }
 
 impl Why {
@@ -56,6 +58,7 @@ impl Why {
             Why::Input => "input",
             Why::Before => "before",
             Why::First => "first",
+            Why::NotNeeded => "not_needed",
         }
     }
 }
@@ -81,6 +84,11 @@ impl<'a> Causes<'a> {
     pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>) -> Causes<'a> {
         let before = Before::of(a, b, alignment.clone());
         Causes { a, b, alignment, before, known: RefCell::default() }
+    }
+
+    /// Whether this is a test that only one log has.
+    pub fn is_test_alone(&self, spot: Spot) -> bool {
+        self.before.is_test_alone(spot)
     }
 
     /// The node of B in the place of a node of A.
@@ -131,6 +139,7 @@ impl<'a> Causes<'a> {
                     None => bare(Why::Input),
                 }
             }
+            Spot::OnlyA(_) | Spot::OnlyB(_) if self.before.is_test_alone(spot) => bare(Why::NotNeeded),
             Spot::OnlyA(_) | Spot::OnlyB(_) => self.by_what_was_before(spot, Why::First),
         }
     }

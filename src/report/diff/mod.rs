@@ -36,7 +36,7 @@ pub struct Comparison {
     pub values: usize,
     /// What differs, in the order of the computation.
     pub differences: Vec<Difference>,
-    /// More about the first difference.
+    /// More about the first difference; about a test that only one log has only where nothing else differs.
     pub first: Option<First>,
     /// From where the difference of the colour comes, up to the colour: always along the largest effect. Empty if the colour is the
     /// same.
@@ -129,10 +129,12 @@ pub fn compare(a: Run, b: Run, tolerance: &Tolerance) -> Comparison {
     let comparing = Comparing { causes: Causes::of(a, b, alignment.clone()), tolerance: *tolerance };
     let spots: Vec<Spot> = alignment.spots.iter().copied().filter(|spot| comparing.differs(*spot)).collect();
     let values = alignment.spots.iter().filter(|spot| before::values_of(a, b, **spot).is_some()).count();
+    // A test that the other tracer didn't need is the first to be told only where nothing else differs.
+    let first = spots.iter().find(|spot| !comparing.causes.is_test_alone(**spot)).or(spots.first());
     Comparison {
         values,
         differences: spots.iter().map(|spot| comparing.difference(*spot)).collect(),
-        first: spots.first().map(|spot| comparing.first(*spot)),
+        first: first.map(|spot| comparing.first(*spot)),
         way: comparing.way_to_the_color(&spots),
     }
 }

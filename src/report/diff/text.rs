@@ -199,6 +199,7 @@ impl Text {
             Why::Input => "an input",
             Why::Before => "what was before",
             Why::First => "nothing before it differs",
+            Why::NotNeeded => "not needed there (`trace --tests all` logs every test)",
         }
     }
 }
