@@ -71,8 +71,8 @@ impl<'a> Rows<'a> {
                 }
                 None => [Some(decision_of(a, ours)), Some(decision_of(b, theirs))],
             },
-            Place::Thing(Spot::OnlyA(thing)) => [Some(only(a, thing).0), None],
-            Place::Thing(Spot::OnlyB(thing)) => [None, Some(only(b, thing).0)],
+            Place::Thing(Spot::OnlyA(thing)) => [Some(alone(a, thing)), None],
+            Place::Thing(Spot::OnlyB(thing)) => [None, Some(alone(b, thing))],
         }
     }
 
@@ -123,6 +123,11 @@ fn named(run: Run, thing: Thing, value: &Value, style: Style) -> String {
             _ => format!("result: {shown}"),
         },
     }
+}
+
+fn alone(run: Run, thing: Thing) -> String {
+    let value = quantity(run, thing).and_then(|_| before::value(run, thing));
+    value.map_or_else(|| only(run, thing).0, |value| named(run, thing, &value, Style::default()))
 }
 
 fn is_filter(run: Run, event: usize) -> bool {
