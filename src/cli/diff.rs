@@ -15,16 +15,25 @@ use signal_hook::iterator::Handle;
 use std::io;
 use std::path::{Path, PathBuf};
 
+/// What `--help` says behind the options.
+const MORE: &str = "\
+Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that
+differs with the operands that it comes from, and how the difference grows on its way to the colour. Pictures are .png, .ppm or .pfm.
+
+A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s
+being the largest component of both values. Without any, every difference counts.
+
+Exit code 0: nothing differs; 1: something does; 2: the two can't be compared.
+
+Examples:
+  raywalk diff hand.ndjson f64.ndjson --digits 3
+  raywalk diff a.ndjson.gz b.json --rel 1e-9 --brief
+  raywalk diff a.ndjson b.ndjson --walk
+  raywalk diff a.png b.png --abs 0.01 -o heat.png";
+
 /// Compare two logs or two pictures.
-///
-/// Logs (of pixels, rays or regions, in ndjson or json) are aligned by the paths of their rays. The first divergence is shown with its
-/// cause, then every value, decision and step that differs, with the operands that it comes from, and how the difference grows on its way
-/// to the colour: `raywalk diff hand.ndjson f64.ndjson --digits 3`. Pictures (.png, .ppm, .pfm) are compared pixel by pixel:
-/// `raywalk diff a.png b.png --abs 0.01 -o heat.png`.
-///
-/// A value differs when it exceeds each tolerance that is given: |A − B| > E with --abs, |A − B| > E·max(|A|, |B|) with --rel;
-/// without any, every difference counts. Exit code 0: nothing differs; 1: something does; 2: what was named can't be compared.
 #[derive(Args)]
+#[command(after_long_help = MORE)]
 pub struct Diff {
     /// A log or a picture, also packed by gzip; `-` for standard input
     a: PathBuf,
@@ -36,7 +45,7 @@ pub struct Diff {
     /// The absolute difference that is let pass; in integer pictures white is 1
     #[arg(long, value_name = "E", value_parser = tolerance)]
     abs: Option<f64>,
-    /// The relative difference that is let pass
+    /// The difference that is let pass, in proportion to the largest component of the two values
     #[arg(long, value_name = "E", value_parser = tolerance)]
     rel: Option<f64>,
     /// How to print the differences
