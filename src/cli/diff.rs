@@ -17,10 +17,10 @@ use std::path::{Path, PathBuf};
 
 /// What `--help` says behind the options.
 const MORE: &str = "\
-Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that
+Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that \
 differs with the operands that it comes from, and how the difference grows on its way to the colour. Pictures are .png, .ppm or .pfm.
 
-A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s
+A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s \
 being the largest component of both values. Without any, every difference counts.
 
 Exit code 0: nothing differs; 1: something does; 2: the two can't be compared.
