@@ -5,7 +5,9 @@
 pub mod answer;
 pub mod computation;
 pub mod contributions;
+pub mod diff;
 pub mod digits;
+pub mod evaluate;
 pub mod number;
 pub mod outline;
 pub mod path_class;
