@@ -12,7 +12,8 @@ mod ray_tree;
 mod recorder;
 mod silent;
 
-pub use altered::{Alteration, Altered, Decimal, Single, round_half_away};
+pub use crate::log::round_half_away;
+pub use altered::{Alteration, Altered, Decimal, Single};
 pub use perturbed::Perturbed;
 pub use position::{Position, mixed_with};
 pub use printed::{Printed, PrintedValue};

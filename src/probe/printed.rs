@@ -1,7 +1,7 @@
 //! The book's own numbers: where the printed example departs from its rules, the computation goes on with what it prints.
 
-use super::{Alteration, Quantity, altered::round_half_away};
-use crate::log::{Name, Step, tree::path_of_child};
+use super::{Alteration, Quantity};
+use crate::log::{Name, Step, round_half_away, tree::path_of_child};
 use std::sync::LazyLock;
 
 /// The decimals of the printed example.

@@ -16,6 +16,7 @@ mod index;
 pub mod lens;
 pub mod light;
 pub mod material;
+mod open;
 pub mod profile;
 pub mod sampling;
 pub mod square;
@@ -31,6 +32,7 @@ pub use index::Index;
 pub use lens::Lens;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Checker, Material, Weights};
+pub use open::OpenError;
 pub use sampling::{Sampling, Statistical};
 pub use tracing::{Algorithm, Shadows, Skip, Specular, Tracing};
 

@@ -20,6 +20,9 @@ const NARROWEST: u32 = 36 * LETTER;
 /// How many objects the legend names.
 const MOST_NAMED: usize = 12;
 
+/// The part of the pixels that took no longer than where the scale of times ends.
+const MOST_TIMES: f64 = 0.995;
+
 /// What isn't known.
 const GRAY: Color = Color::new(0.35, 0.35, 0.35);
 
@@ -56,7 +59,11 @@ pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Resu
         }
         _ => {
             let number = |seen: &Seen| number_of(layer, seen).filter(|number| number.is_finite());
-            let range = Range::of(layered.pixels.iter().filter_map(number));
+            let mut range = Range::of(layered.pixels.iter().filter_map(number));
+            if layer == Layer::Time {
+                // Now and then the system does something else for a while.
+                range.most = percentile(layered.pixels.iter().filter_map(number).collect(), MOST_TIMES);
+            }
             map.picture(layered, |seen| number(seen).map_or(GRAY, |number| inferno(range.part(number))));
             map.scale(layer, range);
         }
@@ -84,6 +91,12 @@ fn color_of_object(object: u32) -> Color {
     let channel = |shift: f64| (((hue + shift) % 6.0 - 3.0).abs() - 1.0).clamp(0.0, 1.0);
     let lightness = if object.is_multiple_of(2) { 0.9 } else { 0.65 };
     (Color::new(channel(0.0), channel(4.0), channel(2.0)) * 0.75 + Color::splat(0.25)) * lightness
+}
+
+/// The number that this part of the numbers doesn't exceed; 0 of none.
+fn percentile(mut numbers: Vec<f64>, part: f64) -> f64 {
+    numbers.sort_unstable_by(f64::total_cmp);
+    numbers.get((numbers.len().saturating_sub(1) as f64 * part) as usize).copied().unwrap_or(0.0)
 }
 
 impl Range {
@@ -146,7 +159,7 @@ impl Map {
         let start = self.rows(LINE);
         self.write(start, 2, &least);
         let name = match layer {
-            Layer::Time => "seconds",
+            Layer::Time => "seconds (99.5 %)",
             Layer::Error => "error / white",
             _ => layer.word(),
         };
@@ -224,6 +237,12 @@ mod tests {
         assert_eq!([-1.0, 1.0, 3.0].map(|x| range.part(x)), [0.0, 0.5, 1.0]);
         assert_eq!(Range::of([2.0, 2.0].into_iter()).part(2.0), 0.0);
         assert_eq!(Range::of(std::iter::empty()), Range { least: 0.0, most: 0.0 });
+    }
+
+    #[test]
+    fn a_percentile_passes_over_the_few() {
+        assert_eq!(percentile((0..=1000).rev().map(f64::from).collect(), 0.995), 995.0);
+        assert_eq!((percentile(vec![2.0], 0.995), percentile(Vec::new(), 0.995)), (2.0, 0.0));
     }
 
     #[test]

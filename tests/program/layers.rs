@@ -1,0 +1,170 @@
+//! `render --layers`, OpenEXR, and what is packed by its name.
+
+use crate::calls::{prints, raywalk, says};
+use crate::support;
+use exr::prelude::*;
+use raywalk::log::{Decision, What};
+use raywalk::record::{self, Arithmetic};
+use raywalk::render::layers::{Layer, Layered, render_layers};
+use raywalk::render::{Settings, TileOrder, render};
+use raywalk::scene::{Sampling, Scene};
+use std::fs;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+const CROP: [u32; 4] = [150, 110, 170, 128];
+
+fn settings() -> Settings {
+    Settings { crop: CROP, arithmetic: Arithmetic::F64, threads: 2, counts_rays: true, order: TileOrder::Rows }
+}
+
+fn layered(scene: &Scene) -> Layered {
+    render_layers(scene, &settings(), |_| (), &AtomicBool::new(false)).unwrap()
+}
+
+/// The colours are those of a rendering to the last bit, and the counts of all pixels are those of its statistics.
+#[test]
+fn layers_belong_to_the_picture() {
+    for sampling in [Sampling::Center, Sampling::Sobol { n: 4 }, Sampling::Adaptive { threshold: 0.1, depth: 2 }] {
+        let mut scene = support::scene("glass-and-mirror");
+        scene.sampling = sampling;
+        let layered = layered(&scene);
+        let rendered = render(&scene, &settings(), |_| (), &AtomicBool::new(false)).unwrap();
+        assert_eq!(layered.film().pixels(), rendered.film.pixels(), "{sampling:?}");
+        if matches!(sampling, Sampling::Adaptive { .. }) {
+            // Pixels that share corners cost less than each by itself.
+            continue;
+        }
+        let counts = rendered.counts.unwrap();
+        let sum = |of: fn(&raywalk::render::layers::Seen) -> u64| layered.pixels.iter().map(of).sum::<u64>();
+        assert_eq!(sum(|seen| seen.rays), counts.rays());
+        assert_eq!(sum(|seen| seen.samples), counts.samples());
+        assert_eq!(sum(|seen| seen.primitive_tests), counts.primitive_tests());
+        assert_eq!(sum(|seen| seen.bounds_tests), counts.bounds_tests());
+    }
+}
+
+/// What the layers say of a pixel is what its log says.
+#[test]
+fn layers_say_what_the_log_says() {
+    for name in ["glass-and-mirror", "mesh", "spoked-wheel"] {
+        let mut scene = support::scene(name);
+        scene.sampling = Sampling::Center;
+        let layered = layered(&scene);
+        let mut hits = 0;
+        for (seen, place) in layered.pixels.iter().zip(0_u32..) {
+            let width = CROP[2] - CROP[0];
+            let pixel = [CROP[0] + place % width, CROP[1] + place / width];
+            let log = record::pixel(&scene, pixel, Arithmetic::F64);
+            let first = log.events.iter().find_map(|event| match event.what {
+                What::Mark(Decision::Nearest { object }) => Some(Some(object)),
+                What::Mark(Decision::Background) => Some(None),
+                _ => None,
+            });
+            assert_eq!(Some(seen.object), first, "{name} {pixel:?}");
+            assert_eq!((seen.samples, seen.error), (1, None));
+            assert_eq!(seen.depth.is_some(), seen.object.is_some());
+            if seen.object.is_some() {
+                hits += 1;
+                assert!((seen.normal.length() - 1.0).abs() < 1e-12, "{name} {pixel:?}: {:?}", seen.normal);
+            }
+        }
+        assert!(hits > 50, "{name}: {hits}");
+    }
+}
+
+/// The depth of a plane across the view is known, and so is the standard error of an edge.
+#[test]
+fn depth_and_error_are_those_of_geometry() {
+    let text = r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 5], "direction": [0, 0, -1], "vertical_fov": 40,
+        "resolution": [200, 200]}, "background": [1, 1, 1], "sampling": {"random": {"n": 400}}, "tracing": {"max_depth": 0},
+        "materials": {"black": {"ambient": [0, 0, 0], "diffuse": [0, 0, 0], "specular": [0, 0, 0]}},
+        "objects": [{"name": "half", "material": "black", "shape": {"box": {"min": [-9, -9, -1], "max": [0.0002, 9, 0]}}}]}"#;
+    let scene = support::scene_of(text.as_bytes(), "half");
+    let crop = [99, 100, 101, 101];
+    let layered = render_layers(&scene, &Settings { crop, ..settings() }, |_| (), &AtomicBool::new(false)).unwrap();
+    let [left, right] = [layered.pixels[0], layered.pixels[1]];
+    assert!((left.depth.unwrap() - 5.0).abs() < 1e-3 && left.error == Some(0.0), "{left:?}");
+    assert!(right.error.unwrap() > 0.0, "{right:?}");
+    // Of n samples a part p sees white: s/√n is √(p(1 − p)/(n − 1)).
+    let p = right.color.x;
+    assert!((right.error.unwrap() - (p * (1.0 - p) / 399.0).sqrt()).abs() < 1e-12, "{right:?}");
+}
+
+fn channel(path: &Path, name: &str) -> Vec<f32> {
+    let image = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer().all_attributes();
+    let image = image.from_file(path).unwrap();
+    let channel = image.layer_data.channel_data.list.into_iter().find(|channel| channel.name.eq(name));
+    channel.unwrap_or_else(|| panic!("no channel {name}")).sample_data.values_as_f32().collect()
+}
+
+#[test]
+fn an_exr_file_holds_the_picture_and_its_layers() {
+    let folder = tempfile::tempdir().unwrap();
+    let [exr, pfm, plain] = ["all.exr", "all.pfm", "plain.exr"].map(|name| folder.path().join(name));
+    let crop = CROP.map(|side| side.to_string()).join(",");
+    for (path, layers) in [(&exr, Some("depth,normal,object")), (&pfm, None), (&plain, None)] {
+        let mut call = vec!["render", "glass-and-mirror", "--quiet", "--crop", &crop, "-o", path.to_str().unwrap()];
+        call.extend(layers.into_iter().flat_map(|layers| ["--layers", layers]));
+        prints(&call);
+    }
+    let values = fs::read(&pfm).unwrap();
+    let head = b"PF\n20 18\n-1.0\n".len();
+    let rows: Vec<&[u8]> = values[head..].chunks(20 * 12).rev().collect();
+    let red =
+        rows.concat().chunks(12).map(|pixel| f32::from_le_bytes(pixel[..4].try_into().unwrap())).collect::<Vec<_>>();
+    assert_eq!(channel(&exr, "R"), red);
+    assert_eq!(channel(&plain, "R"), red);
+    let scene = support::scene("glass-and-mirror");
+    let layer = layered(&scene).layer(Layer::Normal);
+    for (name, expected) in ["normal.X", "normal.Y", "normal.Z"].into_iter().zip(layer.channels) {
+        assert_eq!(channel(&exr, name), expected.values, "{name}");
+    }
+    assert!(channel(&exr, "depth.Z").iter().all(|depth| *depth > 0.0));
+}
+
+#[test]
+fn png_files_of_layers_stand_beside_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("out.png");
+    let crop = CROP.map(|side| side.to_string()).join(",");
+    let picture = picture.to_str().unwrap();
+    prints(&["render", "textbook", "--quiet", "--crop", &crop, "-o", picture, "--layers", "all"]);
+    let mut files: Vec<_> =
+        fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect();
+    files.sort();
+    let mut expected: Vec<_> = Layer::ALL.iter().map(|layer| format!("out.{}.png", layer.word())).collect();
+    expected.push("out.png".to_owned());
+    expected.sort();
+    assert_eq!(files, expected);
+    let depth = image::open(folder.path().join("out.depth.png")).unwrap();
+    assert!(depth.width() >= 20 && depth.height() > 18, "a legend stands below");
+    says(2, &["render", "textbook", "-o", "x.pfm", "--layers", "depth"], "expected a picture in .exr");
+    says(2, &["render", "textbook", "-o", "x.png", "--layers", "deep"], "unknown layer `deep`");
+    says(2, &["render", "textbook", "-o", "x.png", "--layers", "depth,depth"], "stands there twice");
+}
+
+/// A log in a `.zst` file is the log, byte for byte, and every command reads it.
+#[test]
+fn what_is_named_zst_is_packed_and_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let [packed, plain] = ["log.ndjson.zst", "log.ndjson"].map(|name| folder.path().join(name));
+    for path in [&packed, &plain] {
+        prints(&["trace", "textbook", "--region", "150,110,170,130", "-o", path.to_str().unwrap()]);
+    }
+    let bytes = fs::read(&packed).unwrap();
+    assert!(bytes.starts_with(b"\x28\xb5\x2f\xfd") && bytes.len() * 3 < fs::metadata(&plain).unwrap().len() as usize);
+    let mut unpacked = Vec::new();
+    let mut decoder = ruzstd::decoding::StreamingDecoder::new(&bytes[..]).unwrap();
+    std::io::Read::read_to_end(&mut decoder, &mut unpacked).unwrap();
+    assert!(unpacked == fs::read(&plain).unwrap());
+    prints(&["diff", packed.to_str().unwrap(), plain.to_str().unwrap()]);
+    let scene = folder.path().join("scene.json.zst");
+    let text = fs::read("scenes/textbook.json").unwrap();
+    fs::write(&scene, ruzstd::encoding::compress_to_vec(&text[..], ruzstd::encoding::CompressionLevel::Fastest))
+        .unwrap();
+    prints(&["scene", "check", scene.to_str().unwrap()]);
+    fs::write(&packed, &bytes[..bytes.len() / 2]).unwrap();
+    let output = raywalk(&["diff", packed.to_str().unwrap(), plain.to_str().unwrap()]).output().unwrap();
+    assert!(String::from_utf8_lossy(&output.stderr).contains("zstd data end too early"), "{output:?}");
+}
