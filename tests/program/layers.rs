@@ -1,5 +1,7 @@
 //! `render --layers`, OpenEXR, and what is packed by its name.
 
+#![allow(clippy::unwrap_used)]
+
 use crate::calls::{prints, raywalk, says};
 use crate::support;
 use exr::prelude::*;

@@ -1,5 +1,7 @@
 //! `textbook --with`: worked examples of somebody's own, checked by the rules of the book.
 
+#![allow(clippy::unwrap_used)]
+
 use crate::calls::{prints, raywalk, says};
 use crate::support;
 use raywalk::study::textbook::{self, Order, Verdict, Worked};

@@ -181,7 +181,7 @@ impl Layered {
             ],
             Layer::Object => vec![channel("number", &|seen| seen.object.map_or(0.0, |object| f64::from(object) + 1.0))],
             Layer::Samples => vec![channel("count", &|seen| seen.samples as f64)],
-            Layer::Error => vec![channel("part of white", &|seen| seen.error.unwrap_or(f64::NAN))],
+            Layer::Error => vec![channel("value", &|seen| seen.error.unwrap_or(f64::NAN))],
             Layer::Time => vec![channel("seconds", &|seen| seen.seconds)],
         };
         ExrLayer { name: layer.word(), channels }
