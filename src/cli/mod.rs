@@ -18,6 +18,7 @@ mod signals;
 mod stress;
 mod textbook;
 mod trace;
+mod views;
 mod walk;
 
 use clap::{Parser, Subcommand};
