@@ -8,7 +8,7 @@ use super::output::{self, Output, Sink};
 use super::progress::ProgressOptions;
 use super::region::{self, Traced};
 use super::scene_argument;
-use super::views::{self, Lang};
+use super::views::{Lang, TreeOf, View};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
 use raywalk::log::{Log, file as log_file};
@@ -36,13 +36,16 @@ pub struct Trace {
     /// What to write; without it ndjson, and text with --causes
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<TraceFormat>,
-    /// The language of views for people (markdown, latex, html, dot, svg, mermaid)
+    /// The language of views for people (text, markdown, latex, html, dot, svg, mermaid)
     #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
     lang: Lang,
     /// Instead of the log, show which roundings of decimal:N or f32 caused the error of the result: the result with only
     /// one quantity rounded, and with all but it, for every quantity (as text or json)
     #[arg(long)]
     causes: bool,
+    /// What dot, svg and mermaid draw: rays with all that they meet, or the calls of the algorithm (figure 9)
+    #[arg(long, value_enum, value_name = "OF", default_value = "rays")]
+    tree: TreeOf,
     /// Decimals in views for people
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
@@ -163,8 +166,8 @@ impl Trace {
     /// A log that is in memory, in this format.
     fn view(&self, scene: &Scene, log: &Log, format: TraceFormat) -> Result<Vec<u8>, Failure> {
         let style = Style { digits: self.digits };
-        views::view(scene, log, format, self.lang.into(), style)
-            .map_err(|error| Failure::machine(format!("cannot write the log: {error}")))
+        let view = View { format, tree: self.tree, language: self.lang.into(), style };
+        view.bytes(scene, log).map_err(|error| Failure::machine(format!("cannot write the log: {error}")))
     }
 }
 

@@ -29,35 +29,57 @@ impl From<Lang> for Language {
     }
 }
 
-/// The bytes of a log in a format.
-pub fn view(scene: &Scene, log: &Log, format: TraceFormat, language: Language, style: Style) -> io::Result<Vec<u8>> {
-    let text = match format {
-        TraceFormat::Ndjson => return log_file::to_ndjson(log),
-        TraceFormat::Json => return log_file::to_json(log),
-        TraceFormat::Text => text::text(log, style),
-        TraceFormat::Obj => obj::obj(log),
-        TraceFormat::Markdown => of_solution(scene, log, language, style, solution::markdown),
-        TraceFormat::Latex => of_solution(scene, log, language, style, solution::latex),
-        TraceFormat::Html => of_solution(scene, log, language, style, solution::html),
-        TraceFormat::Dot => of_tree(log, language, style, ray_tree::dot),
-        TraceFormat::Svg => of_tree(log, language, style, ray_tree::svg),
-        TraceFormat::Mermaid => of_tree(log, language, style, ray_tree::mermaid),
-    };
-    Ok(text.into_bytes())
+/// What a tree is of.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TreeOf {
+    /// Rays, with what they meet.
+    Rays,
+    /// Calls of the algorithm.
+    Calls,
 }
 
-fn of_solution(
-    scene: &Scene,
-    log: &Log,
-    language: Language,
-    style: Style,
-    write: impl FnOnce(&Task) -> String,
-) -> String {
-    let (tree, things) = (Tree::of(&log.events), drawing::objects(scene));
-    write(&Task { log, tree: &tree, things: &things, language, style })
+/// How a log is to be seen.
+pub struct View {
+    /// The format.
+    pub format: TraceFormat,
+    /// What a tree is of.
+    pub tree: TreeOf,
+    /// The language of views for people.
+    pub language: Language,
+    /// How they show numbers.
+    pub style: Style,
 }
 
-fn of_tree(log: &Log, language: Language, style: Style, write: impl FnOnce(&Figure) -> String) -> String {
-    let branches = ray_tree::branches(log, &Tree::of(&log.events), 0);
-    write(&Figure { log, branches: &branches, language, style })
+impl View {
+    /// The bytes of a log.
+    pub fn bytes(&self, scene: &Scene, log: &Log) -> io::Result<Vec<u8>> {
+        let text = match self.format {
+            TraceFormat::Ndjson => return log_file::to_ndjson(log),
+            TraceFormat::Json => return log_file::to_json(log),
+            TraceFormat::Text => text::text_in(self.language, log, self.style),
+            TraceFormat::Obj => obj::obj(log),
+            TraceFormat::Markdown => self.of_solution(scene, log, solution::markdown),
+            TraceFormat::Latex => self.of_solution(scene, log, solution::latex),
+            TraceFormat::Html => self.of_solution(scene, log, solution::html),
+            TraceFormat::Dot => self.of_tree(log, ray_tree::dot),
+            TraceFormat::Svg => self.of_tree(log, ray_tree::svg),
+            TraceFormat::Mermaid => self.of_tree(log, ray_tree::mermaid),
+        };
+        Ok(text.into_bytes())
+    }
+
+    fn of_solution(&self, scene: &Scene, log: &Log, write: impl FnOnce(&Task) -> String) -> String {
+        let (tree, things) = (Tree::of(&log.events), drawing::objects(scene));
+        write(&Task { log, tree: &tree, things: &things, language: self.language, style: self.style })
+    }
+
+    fn of_tree(&self, log: &Log, write: impl FnOnce(&Figure) -> String) -> String {
+        let tree = Tree::of(&log.events);
+        let rays = ray_tree::branches(log, &tree, 0);
+        let branches = match self.tree {
+            TreeOf::Rays => rays,
+            TreeOf::Calls => ray_tree::calls(log, &tree, rays),
+        };
+        write(&Figure { log, branches: &branches, language: self.language, style: self.style })
+    }
 }

@@ -1,7 +1,8 @@
 //! One computed value as the source text writes it: symbol, formula, the numbers put in, the result.
 
 use super::expression::{self, Expression};
-use super::{Style, number};
+use super::Style;
+use super::language::Language;
 use crate::log::formula::{self, Extreme, Operator};
 use crate::log::{Log, Name, Tree, What};
 
@@ -28,12 +29,23 @@ impl Computation {
 
 /// The computation of the quantity that `event` notes; `None` for other events.
 pub fn computation(log: &Log, tree: &Tree, event: usize, style: Style) -> Option<Computation> {
+    computation_in(Language::English, log, tree, event, style)
+}
+
+/// The computation with the numbers of a language.
+pub fn computation_in(
+    language: Language,
+    log: &Log,
+    tree: &Tree,
+    event: usize,
+    style: Style,
+) -> Option<Computation> {
     let What::Note { name, value } = log.events[event].what else { return None };
-    let result = number::value(&value, style);
+    let result = language.value(&value, style);
     let formula = formula_of(name).map(str::to_owned);
     let substituted =
         formula::of(name).and_then(|formula| expression::substituted(log, tree, event, formula, style, &[]));
-    let substituted = substituted.map(|expression| text(&expression, style)).filter(|text| *text != result);
+    let substituted = substituted.map(|expression| text(language, &expression, style)).filter(|text| *text != result);
     Some(Computation { symbol: name.symbol().to_owned(), formula, substituted, result })
 }
 
@@ -47,15 +59,15 @@ fn without_spaces(text: &str) -> String {
 }
 
 /// An expression in one line of plain text.
-fn text(expression: &Expression, style: Style) -> String {
-    let shown = |inner: &Expression| text(inner, style);
+fn text(language: Language, expression: &Expression, style: Style) -> String {
+    let shown = |inner: &Expression| text(language, inner, style);
     let behind_operator = |inner: &Expression| {
         if inner.begins_negative() { format!("({})", shown(inner)) } else { shown(inner) }
     };
     match expression {
-        Expression::Number(x) => number::number(*x, style),
+        Expression::Number(x) => language.number(*x, style),
         Expression::Symbol(symbol) => (*symbol).to_owned(),
-        Expression::Value(value, _) => number::value(value, style),
+        Expression::Value(value, _) => language.value(value, style),
         Expression::Negated(inner) => format!("−{}", behind_operator(inner)),
         Expression::Root(inner) => format!("√{}", behind_operator(inner)),
         Expression::Squared(inner) => format!("{}²", behind_operator(inner)),
@@ -65,7 +77,7 @@ fn text(expression: &Expression, style: Style) -> String {
         Expression::Grouped(inner) => format!("({})", shown(inner)),
         Expression::OverLights(inner) => format!("Σ({})", shown(inner)),
         Expression::Extreme(extreme, first, second) => {
-            format!("{}({}, {})", word(*extreme), shown(first), shown(second))
+            format!("{}({}{}{})", word(*extreme), shown(first), language.texts().separator, shown(second))
         }
         Expression::ExtremeComponent(extreme, inner) => format!("{}({})", word(*extreme), shown(inner)),
         Expression::Binary(operator, left, right) => {

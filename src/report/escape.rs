@@ -114,7 +114,8 @@ pub(super) use line;
 
 /// Some tests of other modules write this name: it has something of everything that a format reads.
 #[cfg(test)]
-pub(super) const NASTY: &str = "</script><b a=\"x\" '>&amp; \\end{document} $x_1^2$ `c` [l](u) | #1 %\u{1b}[2J\u{202e} 球 é";
+pub(super) const NASTY: &str =
+    "</script><b a=\"x\" '>&amp; \\end{document} $x_1^2$ `c` [l](u) | #1 %\u{1b}[2J\u{202e} 球 é";
 
 #[cfg(test)]
 mod tests {

@@ -139,9 +139,7 @@ pub fn lost_in(language: Language, event: &Event, style: Style) -> Option<String
 pub fn origin_in(language: Language, header: &Header, origin: Origin) -> String {
     let texts = language.texts();
     match origin {
-        Origin::Light { light, object } => {
-            (texts.light_on)(&plain(header.light(light)), &plain(header.object(object)))
-        }
+        Origin::Light { light, object } => (texts.light_on)(&plain(header.light(light)), &plain(header.object(object))),
         Origin::Ambient { object } => (texts.ambient_on)(&plain(header.object(object))),
         Origin::Background => texts.from_background.to_owned(),
         Origin::Rounding => texts.from_rounding.to_owned(),

@@ -9,6 +9,9 @@ pub(super) const TEXTS: Texts = Texts {
     pixel: |[x, y]| format!("pixel {x},{y}"),
     region: |[x0, y0, x1, y1]| format!("region {x0},{y0} to {x1},{y1}"),
     ray_along: |origin, direction| format!("ray from {origin} along {direction}"),
+    depth: "depth",
+    given: "given",
+    result: "result",
     frame: |number| format!("frame {number}"),
     sample: |number| format!("sample {number}"),
     ray: |path, kind| format!("ray {path}, {kind}"),
@@ -113,7 +116,9 @@ pub(super) const TEXTS: Texts = Texts {
         eye: "eye",
         background: "background",
         blocked: |object| format!("blocked by {object}"),
-        too_many: |rays| format!("The tree has {rays} rays, too many for this page: `raywalk trace --format svg` draws it."),
+        too_many: |rays| {
+            format!("The tree has {rays} rays, too many for this page: `raywalk trace --format svg` draws it.")
+        },
         first_sample: |samples| format!("The figure shows the first of {samples} samples."),
         width: "the wider a line, the more of the pixel's intensity comes along it",
         kinds: ["C: from the eye", "R: reflected", "T: transmitted", "S: to a light", "S: blocked"],

@@ -81,6 +81,12 @@ pub struct Texts {
     pub region: fn([u32; 4]) -> String,
     /// A ray by its origin and direction.
     pub ray_along: OfNames,
+    /// The depth limit, before its number.
+    pub depth: &'static str,
+    /// Before inputs, in text.
+    pub given: &'static str,
+    /// Before the colour, in text.
+    pub result: &'static str,
     /// A frame by its number.
     pub frame: fn(u32) -> String,
 
@@ -256,7 +262,7 @@ pub struct Solution {
     pub brings_nothing: &'static str,
     /// So many more of those.
     pub more: fn(usize) -> String,
-    /// The colour of a quantity's link.
+    /// The section of the source text that has a quantity.
     pub section: OfName,
     /// Opens all parts.
     pub open_all: &'static str,

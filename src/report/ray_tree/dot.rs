@@ -28,7 +28,7 @@ fn write_branch(out: &mut String, figure: &Figure, branch: &Branch, parent: &str
     let label = escape::dot(&figure.end(branch));
     let shape = match branch.end {
         End::Object(_) => "",
-        End::Background | End::Unknown => ", shape=plaintext, fontcolor=\"#667788\"",
+        End::Background | End::TooDeep | End::Unknown => ", shape=plaintext, fontcolor=\"#667788\"",
         End::Light(_) | End::Blocked { .. } => ", shape=plaintext",
     };
     let tip = escape::dot(&figure.description(branch));

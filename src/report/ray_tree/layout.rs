@@ -17,6 +17,9 @@ pub(super) struct Spot<'f> {
     pub level: usize,
 }
 
+/// How far along a line its letter stands.
+pub(super) const LETTER_AT: f64 = 0.64;
+
 /// The gap between two nodes of a level, in characters.
 const GAP: f64 = 1.2;
 
@@ -43,7 +46,8 @@ impl<'f> Subtree<'f> {
     fn of(figure: &Figure, branch: Option<&'f Branch>, children: &'f [Branch]) -> Subtree<'f> {
         let text = branch.map_or(figure.language.texts().figure.eye.to_owned(), |branch| figure.end(branch));
         let label = branch.map_or(0, |branch| branch.label.chars().count());
-        let half = (text.chars().count() as f64 / 2.0 + 0.8).max(label as f64 / 2.0 + 1.2);
+        // Letters stand before the ends of their lines, where these are closer together.
+        let half = (text.chars().count() as f64 / 2.0 + 0.8).max((label as f64 / 2.0 + 0.3) / LETTER_AT);
         let mut placed: Vec<(f64, Subtree)> = Vec::new();
         let mut contour: Vec<(f64, f64)> = Vec::new();
         for child in children {

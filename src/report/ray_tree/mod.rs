@@ -3,21 +3,24 @@
 //! The root is the eye, a node is what a ray meets, and a line is the ray: C from the eye, R reflected, T transmitted, S to a light.
 //! A shadow ray that doesn't reach its light is marked. The wider a line, the more of the pixel's intensity comes along it.
 
+mod calls;
 mod dot;
 mod layout;
 mod mermaid;
 mod svg;
 mod tikz;
 
+pub use calls::calls;
 pub use dot::dot;
 pub use mermaid::mermaid;
 pub use svg::{svg, svg_of};
+pub(super) use tikz::color_name;
 pub use tikz::tikz;
 
 use super::contributions;
 use super::language::Language;
 use super::{Style, words};
-use crate::log::{Decision, Log, RayKind, Step, Tree, Value, What};
+use crate::log::{Decision, Log, RayKind, Skippable, Step, Tree, Value, What};
 use std::collections::HashMap;
 
 /// A ray with all that it leads to.
@@ -33,6 +36,8 @@ pub struct Branch {
     pub kind: RayKind,
     /// What it meets.
     pub end: End,
+    /// The call that traces it, in a tree of calls.
+    pub call: Option<String>,
     /// The part of the pixel's intensity that comes along it, the three channels taken together.
     pub share: f64,
     /// What it adds to the pixel.
@@ -57,6 +62,8 @@ pub enum End {
         /// The object.
         object: u32,
     },
+    /// It isn't traced: it would lie too deep in the tree.
+    TooDeep,
     /// The log doesn't tell.
     Unknown,
 }
@@ -105,7 +112,7 @@ fn branch(log: &Log, tree: &Tree, node: usize, below: &HashMap<String, ([f64; 3]
     let label = if kind == RayKind::Camera { path.clone() } else { path.rsplit(' ').next().unwrap_or("").to_owned() };
     let (color, share) = below.get(&path).copied().unwrap_or_default();
     let children = rays_below(tree, node).into_iter().map(|ray| branch(log, tree, ray, below)).collect();
-    Branch { node, path, label, kind, end: end(log, tree, node, kind), share, color, children }
+    Branch { node, path, label, kind, end: end(log, tree, node, kind), call: None, share, color, children }
 }
 
 /// The rays inside a node that lie in no other ray there.
@@ -137,7 +144,7 @@ fn end(log: &Log, tree: &Tree, node: usize, kind: RayKind) -> End {
         _ => None,
     });
     let without = if let RayKind::Shadow { light } = kind { End::Light(light) } else { End::Unknown };
-    met.last().unwrap_or(without)
+    met.fold(without, |_, end| end)
 }
 
 /// What all formats need: the log's names, in a language.
@@ -166,11 +173,14 @@ impl<'a> Figure<'a> {
                 None => name,
             }
         };
+        if let Some(call) = &branch.call {
+            return call.clone();
+        }
         match branch.end {
             End::Object(object) => name(header.object(object)),
             End::Background => self.language.texts().figure.background.to_owned(),
             End::Light(light) | End::Blocked { light, .. } => name(header.light(light)),
-            End::Unknown => "?".to_owned(),
+            End::TooDeep | End::Unknown => "?".to_owned(),
         }
     }
 
@@ -180,8 +190,10 @@ impl<'a> Figure<'a> {
         let kind = words::ray_kind_in(self.language, &self.log.header, branch.kind);
         let title = (texts.ray)(&branch.path, &kind);
         let more = match branch.end {
-            End::Blocked { object, .. } => {
-                (texts.figure.blocked)(&words::plain(self.log.header.object(object)))
+            End::Blocked { object, .. } => (texts.figure.blocked)(&words::plain(self.log.header.object(object))),
+            End::TooDeep => {
+                let what = if branch.kind == RayKind::Transmitted { Skippable::Transmitted } else { Skippable::Reflected };
+                (texts.depth_limit)(what)
             }
             _ => {
                 let color = self.language.value(&Value::Triple(branch.color), self.style);
@@ -195,7 +207,9 @@ impl<'a> Figure<'a> {
     fn title(&self) -> String {
         let texts = self.language.texts();
         let subject = words::subject_in(self.language, &self.log.header);
-        format!("{}: {}, {subject}", texts.figure.ray_tree, words::plain(&self.log.header.scene.name))
+        let is_of_calls = self.branches.iter().any(|branch| branch.call.is_some());
+        let title = if is_of_calls { texts.figure.call_tree } else { texts.figure.ray_tree };
+        format!("{title}: {}, {subject}", words::plain(&self.log.header.scene.name))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The ray tree as SVG, by itself.
 
-use super::layout::{Spot, spots};
+use super::layout::{LETTER_AT, Spot, spots};
 use super::{COLORS, End, Figure, color};
 use crate::report::escape::{self, line};
 use std::fmt::Write;
@@ -79,7 +79,7 @@ fn write_label(out: &mut String, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f
              stroke=\"{color}\" stroke-width=\"2.4\"/>"
         );
     }
-    let (x, y) = at(0.6);
+    let (x, y) = at(LETTER_AT);
     line!(
         out,
         "<text x=\"{x:.1}\" y=\"{:.1}\" fill=\"{color}\" font-weight=\"bold\" paint-order=\"stroke\" stroke=\"#ffffff\" \
@@ -102,7 +102,7 @@ fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {
     let (body, ink) = match spot.branch.map(|branch| branch.end) {
         None => (body("#3b4252", "#3b4252"), "#ffffff"),
         Some(End::Object(_)) => (body("#eef2f7", "#3b4252"), "#1b1f27"),
-        Some(End::Background) => (body("#ffffff", "none"), "#66707f"),
+        Some(End::Background | End::TooDeep) => (body("#ffffff", "none"), "#66707f"),
         Some(End::Light(_)) => (body("#fff3cf", "none"), "#1b1f27"),
         Some(End::Blocked { .. }) => (body("#f3f3f3", "none"), "#8a8f98"),
         Some(End::Unknown) => (String::new(), "#66707f"),
@@ -112,8 +112,10 @@ fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {
 
 fn write_legend(out: &mut String, figure: &Figure, top: f64) {
     let texts = &figure.language.texts().figure;
+    // Shadow rays are no calls.
+    let kinds = if figure.branches.iter().any(|branch| branch.call.is_some()) { 3 } else { COLORS.len() };
     let mut x = MARGIN;
-    for (kind, color) in texts.kinds.iter().zip(COLORS) {
+    for (kind, color) in texts.kinds.iter().zip(COLORS).take(kinds) {
         let dashes = if color == super::BLOCKED { " stroke-dasharray=\"5 4\"" } else { "" };
         line!(
             out,

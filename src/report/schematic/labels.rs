@@ -1,6 +1,8 @@
 //! Where the texts of the schematic stand: each where it covers no other, the first of some places that is free.
 
-use super::{Label, Place, Ray};
+use super::{Label, Place, Ray, clip};
+use crate::report::ray_tree::short;
+use std::collections::HashSet;
 
 /// The size of a text: a character's width, and half a line's height.
 const CHARACTER: f64 = 6.8;
@@ -13,11 +15,13 @@ pub(super) struct Labels<'p> {
     size: [f64; 2],
     rays: &'p [Ray],
     placed: Vec<(Label, [f64; 2])>,
+    /// Where rays with letters begin, with the letters.
+    lettered: HashSet<([u64; 2], String)>,
 }
 
 impl<'p> Labels<'p> {
     pub(super) fn new(size: [f64; 2], rays: &'p [Ray]) -> Labels<'p> {
-        Labels { size, rays, placed: Vec::new() }
+        Labels { size, rays, placed: Vec::new(), lettered: HashSet::new() }
     }
 
     pub(super) fn placed(self) -> Vec<Label> {
@@ -35,7 +39,8 @@ impl<'p> Labels<'p> {
         for reach in [1.0, 2.2, 3.6] {
             let (across, along) = (half[0] + 7.0 * reach, 6.0 + 6.0 * reach);
             for [x, y] in [[0.0, -1.0], [1.0, -0.4], [-1.0, -0.4], [0.0, 1.0], [1.0, 0.6], [-1.0, 0.6]] {
-                let at = [point[0] + x * across, point[1] + y * along + if y == 0.0 { 0.0 } else { y * HALF_LINE / 2.0 }];
+                let at =
+                    [point[0] + x * across, point[1] + y * along + if y == 0.0 { 0.0 } else { y * HALF_LINE / 2.0 }];
                 if !self.is_free(at, half) {
                     continue;
                 }
@@ -53,14 +58,21 @@ impl<'p> Labels<'p> {
     /// The letter of a ray on its line, where rays of one point have parted.
     pub(super) fn letter(&mut self, ray: &Ray) {
         let text = match ray.kind {
-            _ if ray.is_blocked => format!("{}×", super::super::ray_tree::short(ray.kind)),
-            kind => super::super::ray_tree::short(kind),
+            _ if ray.is_blocked => format!("{}×", short(ray.kind)),
+            kind => short(kind),
         };
+        // Of many rays from one point to points of one light, one has a letter.
+        let beginning = (ray.from.map(f64::to_bits), text.clone());
+        if self.lettered.contains(&beginning) {
+            return;
+        }
         let half = half_size(&text);
-        let along = |part: f64| [0, 1].map(|axis| ray.from[axis] + (ray.to[axis] - ray.from[axis]) * part);
+        let Some([from, to]) = clip([ray.from, ray.to], [0.0, self.size[0]], [0.0, self.size[1]]) else { return };
+        let along = |part: f64| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part);
         let free = [0.55, 0.65, 0.45, 0.75, 0.35, 0.85, 0.25].into_iter().map(along);
         if let Some(at) = free.into_iter().find(|at| self.is_free(*at, half)) {
             self.placed.push((Label { at, text, ray: Some((ray.kind, ray.is_blocked)) }, half));
+            self.lettered.insert(beginning);
         }
     }
 
@@ -94,8 +106,11 @@ mod tests {
 
     #[test]
     fn no_two_texts_lie_on_each_other() {
-        let ray = |to: Place| Ray { kind: RayKind::Reflected, is_blocked: false, from: [50.0, 50.0], to };
-        let rays: Vec<_> = (0..20).map(|k| ray([150.0, 50.0 + f64::from(k)])).collect();
+        let ray = |light: u32| {
+            let to = [150.0, 50.0 + f64::from(light)];
+            Ray { kind: RayKind::Shadow { light }, is_blocked: false, from: [50.0, 50.0], to }
+        };
+        let rays: Vec<_> = (0..20).map(ray).collect();
         let mut labels = Labels::new([200.0, 120.0], &rays);
         labels.name([50.0, 50.0], "eye");
         labels.name([50.0, 50.0], "another");

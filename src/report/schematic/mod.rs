@@ -4,11 +4,13 @@
 //! outlines of the objects come from whoever has the scene.
 
 mod braille;
+mod clip;
 mod labels;
 mod svg;
 mod tikz;
 
 pub use braille::braille;
+pub use clip::clip;
 pub use svg::svg_of;
 pub use tikz::tikz;
 
@@ -75,6 +77,12 @@ pub struct Label {
     pub ray: Option<(RayKind, bool)>,
 }
 
+impl Plan {
+    fn is_inside(&self, place: Place) -> bool {
+        (0..2).all(|axis| (0.0..=self.size[axis]).contains(&place[axis]))
+    }
+}
+
 /// The most rays that are drawn: more nobody tells apart.
 const MOST_RAYS: usize = 300;
 
@@ -88,25 +96,23 @@ const FAR: f64 = 0.3;
 /// The rays of a node; `None` if the log has none that can be drawn.
 pub fn plan(log: &Log, tree: &Tree, node: usize, things: &[Thing], language: Language) -> Option<Plan> {
     let rays = segments(log, tree, node, MOST_RAYS);
-    let (far, dropped) = extent(&rays)?;
+    let Seen { all: seen, rays: of_rays, far } = seen(&rays, things)?;
+    let spreads = [0, 1, 2].map(|axis| of_rays[1][axis] - of_rays[0][axis]);
+    let dropped = (0..3).min_by(|a, b| spreads[*a].total_cmp(&spreads[*b]))?;
     let flat = |point: [f64; 3]| match dropped {
         0 => [point[1], -point[2]],
         1 => [point[0], point[2]],
         _ => [point[0], -point[1]],
     };
-    let axes = [["y", "z"], ["x", "−z"], ["x", "y"]][dropped];
-    let ends: Vec<_> = rays.iter().flat_map(|ray| [flat(ray.from), flat(ray.end(FAR * far))]).collect();
-    let bounded = things.iter().filter(|thing| is_small(thing, far)).flat_map(|thing| thing.lines.concat());
-    let around: Vec<_> = ends.iter().copied().chain(bounded.map(flat)).collect();
-    let [left, top] = [0, 1].map(|axis| around.iter().map(|place| place[axis]).fold(f64::INFINITY, f64::min));
-    let [right, bottom] = [0, 1].map(|axis| around.iter().map(|place| place[axis]).fold(f64::NEG_INFINITY, f64::max));
+    let corners = seen.map(flat);
+    let [left, top] = [0, 1].map(|axis| corners[0][axis].min(corners[1][axis]));
+    let [right, bottom] = [0, 1].map(|axis| corners[0][axis].max(corners[1][axis]));
     let scale = (ROOM[0] / (right - left)).min(ROOM[1] / (bottom - top));
     let scale = if scale.is_finite() && scale > 0.0 { scale } else { return None };
     let place = |point: [f64; 3]| {
         let [x, y] = flat(point);
         [(x - left) * scale + MARGIN, (y - top) * scale + MARGIN]
     };
-    let size = [(right - left) * scale + 2.0 * MARGIN, (bottom - top) * scale + 2.0 * MARGIN];
     let drawn = |ray: &Segment| Ray {
         kind: ray.kind,
         is_blocked: ray.is_blocked,
@@ -115,8 +121,8 @@ pub fn plan(log: &Log, tree: &Tree, node: usize, things: &[Thing], language: Lan
     };
     let outlines = things.iter().flat_map(|thing| &thing.lines);
     let mut plan = Plan {
-        size,
-        axes,
+        size: [(right - left) * scale + 2.0 * MARGIN, (bottom - top) * scale + 2.0 * MARGIN],
+        axes: [["y", "z"], ["x", "−z"], ["x", "y"]][dropped],
         outlines: outlines.map(|line| line.iter().map(|point| place(*point)).collect()).collect(),
         rays: rays.iter().map(drawn).collect(),
         points: Vec::new(),
@@ -128,28 +134,63 @@ pub fn plan(log: &Log, tree: &Tree, node: usize, things: &[Thing], language: Lan
     Some(plan)
 }
 
-/// How far the rays reach along the axis that they use most, and the axis that they use least.
-fn extent(rays: &[Segment]) -> Option<(f64, usize)> {
-    let ends = |far: f64| rays.iter().flat_map(move |ray| [ray.from, ray.end(ray.length.map_or(far, |_| 0.0))]);
-    let spread = |far: f64, axis: usize| {
-        let low = ends(far).map(|point| point[axis]).fold(f64::INFINITY, f64::min);
-        ends(far).map(|point| point[axis]).fold(f64::NEG_INFINITY, f64::max) - low
-    };
-    let reach = |far: f64| (0..3).map(|axis| spread(far, axis)).fold(0.0, f64::max);
-    // Rays that meet nothing say nothing of a scale: any will do.
-    let far = Some(reach(0.0)).filter(|far| *far > 0.0).unwrap_or(1.0);
-    let spreads = [0, 1, 2].map(|axis| spread(far * FAR, axis));
-    let dropped = (0..3).min_by(|a, b| spreads[*a].total_cmp(&spreads[*b]))?;
-    (!rays.is_empty() && spreads.iter().all(|spread| spread.is_finite())).then_some((far, dropped))
+/// What is seen.
+struct Seen {
+    /// A box around it.
+    all: [[f64; 3]; 2],
+    /// A box around what is seen of rays.
+    rays: [[f64; 3]; 2],
+    /// How far the rays reach.
+    far: f64,
 }
 
-/// What isn't much larger than the rays' region is seen whole.
-fn is_small(thing: &Thing, far: f64) -> bool {
-    let points = || thing.lines.iter().flatten();
-    (0..3).all(|axis| {
-        let low = points().map(|point| point[axis]).fold(f64::INFINITY, f64::min);
-        points().map(|point| point[axis]).fold(f64::NEG_INFINITY, f64::max) - low <= far
+/// The first ray, and what lies not much farther from it than it is long. What
+/// lies beyond would make all else small; rays there run out of the figure.
+fn seen(rays: &[Segment], things: &[Thing]) -> Option<Seen> {
+    let first = rays.first()?;
+    let ends = || rays.iter().flat_map(|ray| [ray.from, ray.end(0.0)]);
+    let of_first = around([first.from, first.end(0.0)].into_iter());
+    let long = Some(reach(&of_first)).filter(|long| *long > 0.0);
+    let long = long.unwrap_or_else(|| Some(reach(&around(ends()))).filter(|long| *long > 0.0).unwrap_or(1.0));
+    let is_near = |point: &[f64; 3], part: f64| {
+        (0..3).all(|axis| (of_first[0][axis] - part * long..=of_first[1][axis] + part * long).contains(&point[axis]))
+    };
+    let near = ends().filter(|point| is_near(point, NEAR));
+    // A figure without its lights says little.
+    let lights = rays.iter().filter(|ray| matches!(ray.kind, RayKind::Shadow { .. }) && !ray.is_blocked);
+    let lights = lights.map(|ray| ray.end(0.0)).filter(|point| is_near(point, NEAR_LIGHT));
+    let met = around(near.chain(lights).chain(of_first));
+    let far = reach(&met).max(long);
+    let beyond = rays.iter().filter(|ray| ray.length.is_none()).map(|ray| ray.end(FAR * far));
+    let of_rays = around(met.into_iter().chain(beyond.filter(|point| is_near(point, NEAR_LIGHT))));
+    // What is near and small is seen whole.
+    let points = |thing: &Thing| thing.lines.concat();
+    let is_small = |points: &[[f64; 3]]| reach(&around(points.iter().copied())) <= SMALL * long;
+    let whole = things.iter().map(points).filter(|points| is_small(points));
+    let whole = whole.filter(|points| points.iter().all(|point| is_near(point, NEAR))).flatten();
+    let all = around(of_rays.into_iter().chain(whole));
+    all.iter().flatten().all(|number| number.is_finite()).then_some(Seen { all, rays: of_rays, far })
+}
+
+/// How far from the first ray things are seen, in parts of its length, and lights.
+const NEAR: f64 = 1.0;
+const NEAR_LIGHT: f64 = 4.0;
+
+/// How large a thing may be to be seen whole.
+const SMALL: f64 = 0.7;
+
+/// The box around points: its lowest and its highest corner.
+fn around(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
+    points.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], point| {
+        [0, 1].map(|side| {
+            std::array::from_fn(|axis| if side == 0 { low[axis].min(point[axis]) } else { high[axis].max(point[axis]) })
+        })
     })
+}
+
+/// The longest side of a box.
+fn reach([low, high]: &[[f64; 3]; 2]) -> f64 {
+    (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max)
 }
 
 /// Names of what is met, and the letters of the rays, as far as they have room.
@@ -174,7 +215,7 @@ fn label(plan: &mut Plan, log: &Log, tree: &Tree, rays: &[Segment], language: La
                 (drawn.to, words::plain(header.object(object)))
             }
         };
-        if !named.contains(&name) {
+        if !named.contains(&name) && plan.is_inside(dot) {
             labels.name(dot, &name);
             named.push(name);
         }

@@ -38,7 +38,10 @@ pub fn svg_of(plan: &Plan, title: &str) -> String {
         line!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill=\"#ffd34d\" stroke=\"#c98a00\"/>");
     }
     if let Some([x, y]) = plan.eye {
-        line!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill=\"#ffffff\" stroke=\"#3b4252\" stroke-width=\"2\"/>");
+        line!(
+            out,
+            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\" fill=\"#ffffff\" stroke=\"#3b4252\" stroke-width=\"2\"/>"
+        );
         line!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2\" fill=\"#3b4252\"/>");
     }
     for label in &plan.labels {

@@ -1,8 +1,8 @@
 //! The schematic as a picture of LaTeX's TikZ.
 
 use super::Plan;
-use crate::log::RayKind;
 use crate::report::escape::{self, line};
+use crate::report::ray_tree::color_name;
 use std::fmt::Write;
 
 /// Units of the plan in a centimetre.
@@ -19,7 +19,8 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\draw[black!25] {};", points.join(" -- "));
     }
     for ray in &plan.rays {
-        let style = format!("{}, {}", name(ray.kind, ray.is_blocked), if ray.is_blocked { "dashed" } else { "thick" });
+        let style =
+            format!("{}, {}", color_name(ray.kind, ray.is_blocked), if ray.is_blocked { "dashed" } else { "thick" });
         line!(out, "\\draw[{style}] {} -- {};", at(ray.from), at(ray.to));
     }
     for place in &plan.points {
@@ -32,7 +33,7 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\filldraw[draw=camera, fill=white, thick] {} circle (3pt);", at(place));
     }
     for label in &plan.labels {
-        let color = label.ray.map_or("black", |(kind, is_blocked)| name(kind, is_blocked));
+        let color = label.ray.map_or("black", |(kind, is_blocked)| color_name(kind, is_blocked));
         line!(
             out,
             "\\node[text={color}, fill=white, fill opacity=0.8, text opacity=1] at {} {{{}}};",
@@ -47,14 +48,4 @@ pub fn tikz(plan: &Plan) -> String {
 /// In centimetres; TeX knows no lengths of more than some metres, and what is far out is clipped anyhow.
 fn bounded(x: f64) -> f64 {
     (x / UNITS).clamp(-100.0, 100.0)
-}
-
-fn name(kind: RayKind, is_blocked: bool) -> &'static str {
-    match kind {
-        _ if is_blocked => "blocked",
-        RayKind::Camera => "camera",
-        RayKind::Reflected => "reflected",
-        RayKind::Transmitted => "transmitted",
-        RayKind::Shadow { .. } => "shadow",
-    }
 }

@@ -36,7 +36,9 @@ pub(super) fn terms(expression: &Expression) -> Vec<(Option<Operator>, &Expressi
     match expression {
         Expression::Binary(operator @ (Operator::Plus | Operator::Minus), left, right) => {
             let mut terms = terms(left);
-            terms.push((Some(*operator), right));
+            let mut last = if *operator == Operator::Plus { self::terms(right) } else { vec![(None, &**right)] };
+            last[0].0 = Some(*operator);
+            terms.append(&mut last);
             terms
         }
         other => vec![(None, other)],

@@ -107,17 +107,20 @@ fn section(out: &mut String, task: &Task, section: &Section) {
         Kind::Part => ("part", String::new()),
     };
     // What is missed is told in its title, and opened by who wants to know.
-    let open = if is_miss(task, section) { "" } else { " open" };
-    line!(out, "<details class=\"{class}\"{open}><summary>{number}{}</summary>", escape::xml(&section.title));
+    let miss = miss(task, section).map(|miss| format!(" <span class=\"miss\">— {}</span>", escape::xml(&miss)));
+    let (open, miss) = miss.map_or((" open", String::new()), |miss| ("", miss));
+    line!(out, "<details class=\"{class}\"{open}><summary>{number}{}{miss}</summary>", escape::xml(&section.title));
     section.items.iter().for_each(|item| self::item(out, task, item));
     line!(out, "</details>");
 }
 
-/// Whether a section is the test of an object that the ray misses.
-fn is_miss(task: &Task, section: &Section) -> bool {
-    section.items.iter().any(|item| match item {
-        Item::Decision(event) => matches!(task.log.events[*event].what, What::Mark(Decision::Miss { .. })),
-        _ => false,
+/// Why the ray misses the object that a section tests; nothing if it doesn't.
+fn miss(task: &Task, section: &Section) -> Option<String> {
+    section.items.iter().find_map(|item| match item {
+        Item::Decision(event) if matches!(task.log.events[*event].what, What::Mark(Decision::Miss { .. })) => {
+            decision(task, *event)
+        }
+        _ => None,
     })
 }
 

@@ -13,6 +13,7 @@ const PREAMBLE: &str = r"\documentclass[10pt,a4paper,fleqn]{article}
 \usepackage[utf8]{inputenc}
 \usepackage[margin=2cm]{geometry}
 \usepackage{amsmath}
+\usepackage{array}
 \usepackage{longtable}
 \usepackage{tikz}
 \definecolor{camera}{HTML}{3B4252}
@@ -25,11 +26,15 @@ const PREAMBLE: &str = r"\documentclass[10pt,a4paper,fleqn]{article}
 \setlength{\mathindent}{1.5em}
 \setlength{\emergencystretch}{3em}
 \allowdisplaybreaks
+\raggedright
+\AtBeginDocument{\setlength{\abovedisplayskip}{3pt}\setlength{\belowdisplayskip}{5pt}%
+  \setlength{\abovedisplayshortskip}{3pt}\setlength{\belowdisplayshortskip}{5pt}}
+\newcolumntype{P}[1]{>{\raggedright\arraybackslash}p{#1}}
 \newsavebox{\drawing}
 \newcommand{\drawn}{\begin{center}\ifdim\wd\drawing>\linewidth
   \resizebox{\linewidth}{!}{\usebox{\drawing}}\else\usebox{\drawing}\fi\end{center}}
-\newcommand{\step}[2]{\medskip\textbf{#1) #2}\nopagebreak\par}
-\newcommand{\parttitle}[1]{\smallskip\textit{#1}\nopagebreak\par}
+\newcommand{\step}[2]{\par\medskip\textbf{#1) #2}\nopagebreak}
+\newcommand{\parttitle}[1]{\par\smallskip\textit{#1}\nopagebreak}
 \begin{document}
 ";
 
@@ -43,7 +48,8 @@ pub fn latex(task: &Task) -> String {
     if !solution.data.groups.is_empty() {
         line!(out, "\\subsection*{{{}}}", escape::latex(texts.solution.data));
         for (owner, values) in &solution.data.groups {
-            let values = values.iter().map(|(name, value)| format!("${}$", math::assignment(task, name.symbol(), value)));
+            let values =
+                values.iter().map(|(name, value)| format!("${}$", math::assignment(task, name.symbol(), value)));
             let heading = escape::latex(&data::heading(task, *owner));
             line!(out, "\\textbf{{{heading}:}} {}\n", values.collect::<Vec<_>>().join(", "));
         }
@@ -107,7 +113,8 @@ fn section(out: &mut String, task: &Task, section: &Section) {
             Item::Given(values) => {
                 let values =
                     values.iter().map(|(name, value, _)| format!("${}$", math::assignment(task, name.symbol(), value)));
-                line!(out, "{} {}:\n", task.language.texts().solution.with, values.collect::<Vec<_>>().join(", "));
+                // No empty line: a formula that follows would begin a paragraph of its own.
+                line!(out, "\\par {} {}:", task.language.texts().solution.with, values.collect::<Vec<_>>().join(", "));
             }
             Item::Equations(events) => {
                 let lines = math::aligned(task, events).join(" \\\\\n");
@@ -115,7 +122,7 @@ fn section(out: &mut String, task: &Task, section: &Section) {
             }
             Item::Decision(event) => {
                 let decision = decision(task, *event).unwrap_or_default();
-                line!(out, "$\\rightarrow$ {}\n", escape::latex(&decision));
+                line!(out, "\\par $\\rightarrow$ {}", escape::latex(&decision));
             }
         }
     }
@@ -126,8 +133,8 @@ fn shares(out: &mut String, task: &Task) {
     let shares = Shares::of(task);
     let cells = |cells: &[String]| cells.join(" & ");
     line!(out, "\\subsection*{{{}}}", escape::latex(texts.contributions));
-    line!(out, "{{\\scriptsize\\setlength{{\\tabcolsep}}{{3pt}}\\raggedright");
-    line!(out, "\\begin{{longtable}}{{p{{2.3cm}}p{{2.7cm}}p{{2cm}}p{{3.2cm}}p{{1.5cm}}p{{3.2cm}}r}}");
+    line!(out, "{{\\scriptsize\\setlength{{\\tabcolsep}}{{3pt}}\\renewcommand{{\\arraystretch}}{{1.25}}");
+    line!(out, "\\begin{{longtable}}{{P{{2cm}}P{{2.5cm}}P{{1.8cm}}P{{3.4cm}}P{{1.6cm}}P{{3.4cm}}r}}");
     line!(out, "{} \\\\ \\hline \\endhead", cells(&texts.columns.map(escape::latex)));
     for (number, row) in shares.rows.iter().enumerate() {
         let rule = if number + 1 == shares.rows.len() { "\\hline " } else { "" };

@@ -18,7 +18,8 @@ pub fn markdown(task: &Task) -> String {
     if !solution.data.groups.is_empty() {
         line!(out, "## {}\n", texts.solution.data);
         for (owner, values) in &solution.data.groups {
-            let values = values.iter().map(|(name, value)| format!("${}$", math::assignment(task, name.symbol(), value)));
+            let values =
+                values.iter().map(|(name, value)| format!("${}$", math::assignment(task, name.symbol(), value)));
             let heading = escape::markdown(&data::heading(task, *owner));
             line!(out, "- **{heading}:** {}", values.collect::<Vec<_>>().join(", "));
         }
@@ -90,7 +91,8 @@ fn item(task: &Task, item: &Item) -> Option<String> {
     match item {
         Item::Section(_) => None,
         Item::Given(values) => {
-            let values = values.iter().map(|(name, value, _)| format!("${}$", math::assignment(task, name.symbol(), value)));
+            let values =
+                values.iter().map(|(name, value, _)| format!("${}$", math::assignment(task, name.symbol(), value)));
             let texts = &task.language.texts().solution;
             Some(format!("{} {}:", texts.with, values.collect::<Vec<_>>().join(", ")))
         }

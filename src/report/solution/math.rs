@@ -8,7 +8,7 @@ use crate::report::expression::Expression;
 use crate::report::{computation, digits, escape, number};
 
 /// So many characters of a formula fit on a line.
-const LINE: usize = 84;
+const LINE: usize = 80;
 
 /// The lines of the equations of some events, for an environment that aligns them.
 pub(super) fn aligned(task: &Task, events: &[usize]) -> Vec<String> {
