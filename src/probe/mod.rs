@@ -28,6 +28,10 @@ pub trait Probe: Sized {
     /// Whether nothing is seen, so that what doesn't change a result needn't happen.
     const IS_SILENT: bool = false;
 
+    /// Whether trees are walked with the processor's best instructions, for which the walk is compiled a second time. Kernels meet the
+    /// same things either way.
+    const IS_HURRIED: bool = Self::IS_SILENT;
+
     /// An input that the problem states, for the next event. Inputs are never altered.
     #[inline(always)]
     fn given<Q: Quantity>(&mut self, _name: Name, _value: Q) {}

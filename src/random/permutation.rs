@@ -1,6 +1,6 @@
 //! Permutations that are computed and not kept.
 
-use super::hash;
+use super::{GOLDEN, hash, mix};
 
 /// How often a number is scrambled. With six rounds some pairs of places of sixteen are preferred, with eight none of 3 to 16.
 const ROUNDS: u64 = 8;
@@ -24,7 +24,7 @@ pub fn permuted(index: u32, count: u32, key: u64) -> u32 {
     let mut place = index;
     loop {
         for round in 0..ROUNDS {
-            let word = hash(key, round);
+            let word = mix(key.wrapping_add((round + 1).wrapping_mul(GOLDEN)));
             // An odd factor can be undone modulo a power of two, and so can what is added.
             place = place.wrapping_mul(word as u32 | 1).wrapping_add((word >> 32) as u32) & mask;
             place ^= place >> shift;

@@ -7,94 +7,126 @@
 //! 2020). Written out here because 24 bits, which the crates for it give, are too few for f64.
 
 use super::{GOLDEN, hash, mix, unit};
-use pulp::Arch;
-use std::array;
-use std::sync::LazyLock;
-
-/// The best instructions of the processor. All digits of a number are scrambled at once; they are whole numbers, and have the same
-/// bits by whatever instructions.
-static INSTRUCTIONS: LazyLock<Arch> = LazyLock::new(Arch::new);
 
 /// The point with this number, its coordinates in [0, 1) with all 53 bits.
+#[inline]
 pub fn point(index: u32, key: u64) -> [f64; 2] {
-    INSTRUCTIONS.dispatch(
-        #[inline(always)]
-        || point_at(index, key),
-    )
+    let coordinate = |digits: u32, axis| unit(scrambled(digits.into(), hash(key, axis)).reverse_bits());
+    [coordinate(index, 0), coordinate(second(index), 1)]
 }
 
 /// The point with this number of a sequence that stands in an order of its own: aligned runs of 2^k indices stay together.
+#[inline]
 pub fn point_in_order(index: u32, order: u64, key: u64) -> [f64; 2] {
-    INSTRUCTIONS.dispatch(
-        #[inline(always)]
-        || point_at(scrambled(index, order), key),
-    )
+    point(shuffled(index, order), key)
 }
 
-#[inline(always)]
-fn point_at(index: u32, key: u64) -> [f64; 2] {
-    [coordinate(index.reverse_bits(), index, hash(key, 0)), coordinate(second(index), index, hash(key, 1))]
-}
-
-#[inline(always)]
-fn coordinate(bits: u32, index: u32, key: u64) -> f64 {
-    // What 32 bits leave open is uniform too.
-    unit(u64::from(scrambled(bits, key)) << 32 | hash(key, index.into()) >> 32)
-}
-
-/// The second coordinate as a binary fraction: Pascal's triangle modulo 2 (Kollig and Keller, "Efficient multidimensional
-/// sampling", 2002).
-#[inline(always)]
+/// The second coordinate as a binary fraction, its first digit last: Pascal's triangle modulo 2 (Kollig and Keller, "Efficient
+/// multidimensional sampling", 2002). The binomial coefficient of d over i is odd where d has all ones of i (Lucas, 1878), so a digit i is
+/// the sum of all digits of the index whose numbers have all ones of i; the ones of a number are taken one after the other.
+#[inline]
 fn second(index: u32) -> u32 {
-    let part = |digit: usize| ROWS[digit] & 0_u32.wrapping_sub(index >> digit & 1);
-    (0..32).fold(0, |bits, digit| bits ^ part(digit))
+    const WITHOUT: [u32; 5] = [0x5555_5555, 0x3333_3333, 0x0F0F_0F0F, 0x00FF_00FF, 0x0000_FFFF];
+    WITHOUT.iter().enumerate().fold(index, |digits, (bit, without)| digits ^ digits >> (1 << bit) & without)
 }
 
-/// What each digit of an index adds to it.
-const ROWS: [u32; 32] = {
-    let mut rows = [1 << 31; 32];
-    let mut digit = 1;
-    while digit < 32 {
-        rows[digit] = rows[digit - 1] ^ rows[digit - 1] >> 1;
-        digit += 1;
-    }
-    rows
-};
+/// Owen's scrambling of a binary fraction whose first digit is the last bit: whether a digit is turned depends on the digits before it,
+/// and on nothing else. The first digits have a coin for each beginning; the sequels of these beginnings are scrambled each by itself.
+#[inline]
+fn scrambled(digits: u64, key: u64) -> u64 {
+    let coins = mix(key ^ GOLDEN);
+    let beginning = digits & (SIX - 1);
+    let sequel = scrambled_roughly(digits >> 6, mix(coins.wrapping_add(beginning.wrapping_mul(GOLDEN))));
+    sequel << 6 | scrambled_six(beginning, coins)
+}
 
-/// Owen's scrambling of a binary fraction: whether a digit is turned depends on the digits before it, and on nothing else. It is the
-/// first bit of the hash of these digits and their number.
-#[inline(always)]
-fn scrambled(bits: u32, key: u64) -> u32 {
-    // Without a branch or a number that the next level needs, so that levels can be taken side by side.
-    let turned = |level: usize| {
-        let level = level as u64;
-        let before = u64::from(bits) << level >> 32;
-        let word = (before.wrapping_mul(GOLDEN << 6)).wrapping_add(level.wrapping_mul(GOLDEN));
-        mix(key.wrapping_add(word)) >> 63 << (31 - level)
-    };
-    let turned: [u64; 32] = array::from_fn(turned);
-    bits ^ turned.iter().fold(0, |all, turned| all | turned) as u32
+/// An index, scrambled in the same way from its first digit on. Here it is the last six digits that have coins: they say how the points
+/// of a pixel follow each other.
+#[inline]
+fn shuffled(index: u32, key: u64) -> u32 {
+    let (block, place) = (index >> 6, index << 26);
+    let coins = mix(key.wrapping_add(u64::from(block).wrapping_mul(GOLDEN)));
+    let place = scrambled_six(place.reverse_bits().into(), coins) as u32;
+    let block = (scrambled_roughly((block << 6).reverse_bits().into(), key) as u32).reverse_bits();
+    block >> 6 << 6 | place.reverse_bits() >> 26
+}
+
+/// As many beginnings as six digits have.
+const SIX: u64 = 1 << 6;
+
+/// Six digits with a coin for each beginning of less than six: the 63 of them are bits of a word.
+#[inline]
+fn scrambled_six(digits: u64, coins: u64) -> u64 {
+    (0..6).fold(digits, |scrambled, level| {
+        let before = digits & ((1 << level) - 1);
+        scrambled ^ (coins >> (1 << level | before) & 1) << level
+    })
+}
+
+/// Sums and products of whole numbers, read from the last bit on, have what a scrambling asks for (Laine and Karras, "Stratified
+/// sampling for stochastic transparency", 2011), but fewer coins than beginnings: of the four for the third digit three decide the
+/// last one.
+#[inline]
+fn scrambled_roughly(digits: u64, coins: u64) -> u64 {
+    let mut x = digits.wrapping_add(coins);
+    // A product with an even number has in each digit only those before it.
+    x ^= x.wrapping_mul(0x6C50_B47C_3D20_ADEA);
+    x = x.wrapping_mul(coins.rotate_right(32) | 1);
+    x ^ x.wrapping_mul(0xB82F_1E52_0552_6C56)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Digit by digit, as the method has it.
+    /// Whether the digit after the beginning `before` of `level` digits is turned.
+    fn is_turned(level: u32, before: u64, key: u64) -> bool {
+        scrambled(before, key) >> level & 1 == 1
+    }
+
     #[test]
-    fn scrambling_turns_each_digit_by_those_before_it() {
+    fn a_digit_is_turned_by_those_before_it() {
         for k in 0..2000 {
-            let (key, bits) = (hash(7, k), (hash(8, k) as u32) >> (k % 33).min(31));
-            let turned = |level: u32| {
-                let before = u64::from(bits).checked_shr(32 - level).unwrap_or(0);
-                let word = (before << 6 | u64::from(level)).wrapping_mul(GOLDEN);
-                ((mix(key.wrapping_add(word)) >> 63) as u32) << (31 - level)
-            };
-            let one_by_one = (0..32).fold(bits, |scrambled, level| scrambled ^ turned(level));
-            assert_eq!(scrambled(bits, key), one_by_one, "{bits:x} {key:x}");
-            assert_eq!(point(bits, key), point_at(bits, key));
-            assert_eq!(point_in_order(bits, key, !key), point_at(one_by_one, !key));
+            let (key, digits) = (hash(7, k), hash(8, k) >> 32);
+            let one_by_one = (0..40).fold(0, |all, level| {
+                let before = digits & ((1 << level) - 1);
+                all | ((digits >> level & 1) ^ u64::from(is_turned(level, before, key))) << level
+            });
+            assert_eq!(scrambled(digits, key) & ((1 << 40) - 1), one_by_one, "{digits:x} {key:x}");
         }
+    }
+
+    /// Of the 31 beginnings of less than five digits none is turned more often than not, and no two are turned together more often than
+    /// not (five standard deviations).
+    #[test]
+    fn coins_are_fair_and_unrelated() {
+        let keys = 20_000;
+        let mut turned = vec![Vec::new(); 31];
+        for key in (0..keys).map(|k| hash(3, k)) {
+            for level in 0..5 {
+                for before in 0..1 << level {
+                    turned[((1 << level) - 1 + before) as usize].push(is_turned(level, before, key));
+                }
+            }
+        }
+        let is_fair = |count: usize| (count as f64 - keys as f64 / 2.0).abs() < 2.5 * (keys as f64).sqrt();
+        for (number, coin) in turned.iter().enumerate() {
+            assert!(is_fair(coin.iter().filter(|is_turned| **is_turned).count()), "{number}");
+            for other in &turned[..number] {
+                assert!(is_fair(coin.iter().zip(other).filter(|(one, other)| one == other).count()), "{number}");
+            }
+        }
+    }
+
+    /// Bit by bit, as the matrix has it.
+    #[test]
+    fn the_second_coordinate_is_that_of_pascals_triangle() {
+        let mut row = 1_u32 << 31;
+        for digit in 0..32 {
+            assert_eq!(second(1 << digit).reverse_bits(), row, "{digit}");
+            row ^= row >> 1;
+        }
+        assert_eq!(second(0b1011), second(0b1000) ^ second(0b10) ^ second(1));
     }
 
     #[test]
@@ -119,7 +151,7 @@ mod tests {
     fn a_shuffle_keeps_runs_together() {
         for key in 0..20 {
             for k in 0..8 {
-                let run: Vec<_> = (0..1 << k).map(|index| scrambled(index, key) >> k).collect();
+                let run: Vec<_> = (0..1 << k).map(|index| shuffled(index, key) >> k).collect();
                 assert!(run.iter().all(|block| *block == run[0]), "{k}: {run:?}");
             }
         }

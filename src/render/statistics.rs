@@ -169,6 +169,8 @@ impl Counter {
 }
 
 impl Probe for Counter {
+    const IS_HURRIED: bool = true;
+
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
         if name == Name::CutoffLoss
             && let Value::Triple(bound) = value.value()

@@ -87,7 +87,7 @@ impl Bvh {
     /// Shows `meet` every thing that the ray can meet before its end, first those beside the tree. `meet` gives the distance up to which
     /// things still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
-    /// For a silent probe the walk is there twice, for the processor's best instructions and for any processor; kernels
+    /// For a hurried probe the walk is there twice, for the processor's best instructions and for any processor; kernels
     /// meet the same things in both.
     #[inline(always)]
     pub fn visit<P: Probe>(&self, ray: &Ray, search: Search, mut meet: impl FnMut(u32) -> f64) -> u64 {
@@ -116,7 +116,7 @@ impl Bvh {
     ) -> u64 {
         let walk = Walk { tree: self, ray, search, t_max, meet };
         #[cfg(target_arch = "x86_64")]
-        if P::IS_SILENT
+        if P::IS_HURRIED
             && let Instructions::Avx2(avx2) = self.instructions
         {
             return avx2.run(

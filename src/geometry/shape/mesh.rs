@@ -117,7 +117,7 @@ impl TriangleMesh {
         mut meet: impl FnMut(Crossing) -> f64,
     ) {
         let left = ray.leaving.filter(|leaving| leaving.object == object);
-        let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, leaving.primitive, ray));
+        let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, &self.normals, leaving.primitive, ray));
         let approach = Approach { leaving: None, one_sided };
         let mut t_max = ray.t_max;
         let search = Search { nearest_first, one_by_one: probe.certifies() };
@@ -126,7 +126,8 @@ impl TriangleMesh {
             search,
             #[inline(always)]
             |triangle| {
-                let is_out_of_reach = left.as_ref().is_some_and(|left| left.bars(&self.mesh, triangle, ray));
+                let is_out_of_reach =
+                    left.as_ref().is_some_and(|left| left.bars(&self.mesh, &self.normals, triangle, ray));
                 if !is_out_of_reach && let Some(crossing) = self.test(object, triangle, ray, approach, probe) {
                     t_max = meet(crossing);
                 }

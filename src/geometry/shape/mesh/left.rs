@@ -6,7 +6,6 @@
 //! it meets the other triangle from there. If that wedge is the wider one, the ray begins on the far side of the other
 //! triangle's plane already, and so never meets it.
 
-use crate::geometry::area_normal::area_normal;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Ray, Side};
 use glam::DVec3;
@@ -24,11 +23,12 @@ pub(super) struct LeftTriangle {
 const NEARBY: f64 = 1.0 / (1 << 20) as f64;
 
 impl LeftTriangle {
-    /// The triangle with this number, if there is one.
-    pub fn of(mesh: &Mesh, number: u32, ray: &Ray) -> Option<LeftTriangle> {
-        let corners = ((number as usize) < mesh.faces.len()).then(|| mesh.corners(number))?;
+    /// The triangle with this number, if there is one; `normals` are those of the mesh's triangles, as their
+    /// kernels have them.
+    pub fn of(mesh: &Mesh, normals: &[DVec3], number: u32, ray: &Ray) -> Option<LeftTriangle> {
+        let normal = *normals.get(number as usize)?;
+        let corners = mesh.corners(number);
         let [a, b, c] = corners;
-        let normal = area_normal(a, b, c);
         let size = (b - a).abs().max((c - a).abs()).max_element();
         let is_nearby = normal.dot(ray.origin - a).abs() <= normal.length() * size * NEARBY;
         let along_normal = normal.dot(ray.direction);
@@ -42,17 +42,17 @@ impl LeftTriangle {
     }
 
     /// Whether the ray can't meet a triangle: this one, or one at an edge of it.
-    pub fn bars(&self, mesh: &Mesh, triangle: u32, ray: &Ray) -> bool {
+    pub fn bars(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, ray: &Ray) -> bool {
         if triangle == self.number {
             return true;
         }
         let Some(sets_off) = self.sets_off else { return false };
-        let [a, b, c] = mesh.corners(triangle);
-        let Some(edge) = shared_edge(self.corners, [a, b, c]) else { return false };
-        let normal = area_normal(a, b, c);
+        let corners = mesh.corners(triangle);
+        let Some(edge) = shared_edge(self.corners, corners) else { return false };
+        let normal = normals[triangle as usize];
         // Along which way of the normal the wedge lies in which the ray runs, and its narrow side.
         let wedge = if edge.fronts_agree == (sets_off == Side::Front) { normal } else { -normal };
-        let is_narrow = wedge.dot(edge.over_against - a) > 0.0;
+        let is_narrow = wedge.dot(edge.over_against - corners[0]) > 0.0;
         let arrives_from_it = wedge.dot(ray.direction) < 0.0;
         !(is_narrow && arrives_from_it)
     }
@@ -87,6 +87,7 @@ fn shared_edge(one: [DVec3; 3], other: [DVec3; 3]) -> Option<SharedEdge> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::area_normal::area_normal;
 
     #[test]
     fn edges_in_common() {
@@ -99,13 +100,22 @@ mod tests {
         assert_eq!(shared_edge([a, b, c], [c, a, b]), None);
     }
 
+    fn normals(mesh: &Mesh) -> Vec<DVec3> {
+        let normal = |triangle| {
+            let [a, b, c] = mesh.corners(triangle);
+            area_normal(a, b, c)
+        };
+        (0..mesh.faces.len() as u32).map(normal).collect()
+    }
+
     /// Two squares' halves that meet in the edge from the origin along y, the second turned up or down from the first.
     #[track_caller]
     fn bars(up: f64, direction: [f64; 3], expected: bool) {
         let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, up)];
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
         let ray = Ray::new(DVec3::new(-0.1, 0.5, 0.0), DVec3::from(direction));
-        let left = LeftTriangle::of(&mesh, 0, &ray).map(|left| left.bars(&mesh, 1, &ray));
+        let normals = normals(&mesh);
+        let left = LeftTriangle::of(&mesh, &normals, 0, &ray).map(|left| left.bars(&mesh, &normals, 1, &ray));
         assert_eq!(left, Some(expected));
     }
 
@@ -124,11 +134,12 @@ mod tests {
         let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, -1.0)];
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
         let ray = Ray::new(DVec3::new(-0.1, 0.5, 1.0), DVec3::new(1.0, 0.0, 0.1));
-        let left = LeftTriangle::of(&mesh, 0, &ray);
+        let normals = normals(&mesh);
+        let left = LeftTriangle::of(&mesh, &normals, 0, &ray);
         assert_eq!(
-            left.as_ref().map(|left| [left.bars(&mesh, 0, &ray), left.bars(&mesh, 1, &ray)]),
+            left.as_ref().map(|left| [0, 1].map(|triangle| left.bars(&mesh, &normals, triangle, &ray))),
             Some([true, false])
         );
-        assert!(LeftTriangle::of(&mesh, 9, &ray).is_none());
+        assert!(LeftTriangle::of(&mesh, &normals, 9, &ray).is_none());
     }
 }

@@ -64,8 +64,9 @@ fn all_by_force(shape: &TriangleMesh, one_sided: bool, ray: &Ray) -> Vec<Crossin
         .filter(|triangle| left != Some(*triangle))
         .filter_map(|triangle| {
             let approach = Approach { leaving: None, one_sided };
-            let triangle_left = ray.leaving.and_then(|leaving| LeftTriangle::of(&shape.mesh, leaving.primitive, ray));
-            if triangle_left.is_some_and(|left| left.bars(&shape.mesh, triangle, ray)) {
+            let triangle_left =
+                ray.leaving.and_then(|leaving| LeftTriangle::of(&shape.mesh, &shape.normals, leaving.primitive, ray));
+            if triangle_left.is_some_and(|left| left.bars(&shape.mesh, &shape.normals, triangle, ray)) {
                 return None;
             }
             shape.facet(triangle).crossing(ray, approach, triangle, &mut Silent)
