@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use raywalk::log::{Log, Tree, file as log_file};
 use raywalk::report::language::Language;
 use raywalk::report::ray_tree::{self, Figure};
+use raywalk::report::schematic::Stage;
 use raywalk::report::solution::{self, Task};
 use raywalk::report::{Style, obj, text};
 use raywalk::scene::Scene;
@@ -70,7 +71,9 @@ impl View {
 
     fn of_solution(&self, scene: &Scene, log: &Log, write: impl FnOnce(&Task) -> String) -> String {
         let (tree, things) = (Tree::of(&log.events), drawing::objects(scene));
-        write(&Task { log, tree: &tree, things: &things, language: self.language, style: self.style })
+        let up = scene.camera.up().abs();
+        let stage = Stage { things: &things, upright: if up.z > up.y { 2 } else { 1 } };
+        write(&Task { log, tree: &tree, stage, language: self.language, style: self.style })
     }
 
     fn of_tree(&self, log: &Log, write: impl FnOnce(&Figure) -> String) -> String {

@@ -1,7 +1,7 @@
 //! One computed value as the source text writes it: symbol, formula, the numbers put in, the result.
 
-use super::expression::{self, Expression};
 use super::Style;
+use super::expression::{self, Expression};
 use super::language::Language;
 use crate::log::formula::{self, Extreme, Operator};
 use crate::log::{Log, Name, Tree, What};
@@ -33,13 +33,7 @@ pub fn computation(log: &Log, tree: &Tree, event: usize, style: Style) -> Option
 }
 
 /// The computation with the numbers of a language.
-pub fn computation_in(
-    language: Language,
-    log: &Log,
-    tree: &Tree,
-    event: usize,
-    style: Style,
-) -> Option<Computation> {
+pub fn computation_in(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) -> Option<Computation> {
     let What::Note { name, value } = log.events[event].what else { return None };
     let result = language.value(&value, style);
     let formula = formula_of(name).map(str::to_owned);

@@ -15,7 +15,8 @@ pub fn text(log: &Log, style: Style) -> String {
 pub fn text_in(language: Language, log: &Log, style: Style) -> String {
     let header = &log.header;
     let mut out = String::new();
-    let subject: Vec<_> = words::frame_in(language, header).into_iter().chain([words::subject_in(language, header)]).collect();
+    let subject: Vec<_> =
+        words::frame_in(language, header).into_iter().chain([words::subject_in(language, header)]).collect();
     let subject = subject.join(", ");
     let algorithm = format!("{}, {} {}", header.tracing.algorithm, language.texts().depth, header.tracing.max_depth);
     let sampling = words::sampling(header).map_or(String::new(), |sampling| format!(" · {sampling}"));
@@ -47,11 +48,19 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             let line = computation_in(language, log, tree, event, style)?.line();
             let body = format!("{line}{}   [{}]", digits::marker_in(language, happening), source(*name));
             let given = given(language, happening, style);
-            if given.is_empty() { body } else { format!("{} {given}\n{}{body}", language.texts().given, "  ".repeat(level)) }
+            if given.is_empty() {
+                body
+            } else {
+                format!("{} {given}\n{}{body}", language.texts().given, "  ".repeat(level))
+            }
         }
         What::Mark(decision) => {
             let lost = words::lost_in(language, happening, style).map_or(String::new(), |lost| format!("; {lost}"));
-            format!("→ {}{lost}{}", words::decision_in(language, &log.header, decision, style), digits::marker_in(language, happening))
+            format!(
+                "→ {}{lost}{}",
+                words::decision_in(language, &log.header, decision, style),
+                digits::marker_in(language, happening)
+            )
         }
         What::Leave => return None,
         What::Result { color } => {
@@ -64,7 +73,8 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
 
 /// The inputs of an event: `r = 3, S_c = (17, 9, 8)`.
 pub fn given(language: Language, event: &Event, style: Style) -> String {
-    let inputs = event.given.iter().map(|(name, value)| format!("{} = {}", name.symbol(), language.value(value, style)));
+    let inputs =
+        event.given.iter().map(|(name, value)| format!("{} = {}", name.symbol(), language.value(value, style)));
     inputs.collect::<Vec<_>>().join(", ")
 }
 

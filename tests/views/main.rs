@@ -20,6 +20,7 @@ use raywalk::record::{self, Arithmetic};
 use raywalk::report::Style;
 use raywalk::report::language::Language;
 use raywalk::report::ray_tree::{self, Figure};
+use raywalk::report::schematic::Stage;
 use raywalk::report::solution::Task;
 
 /// A name with something of everything that a format reads.
@@ -44,7 +45,8 @@ fn nasty_log() -> Log {
 /// A view of a whole log, without the scene's outlines.
 fn solution(log: &Log, language: Language, write: fn(&Task) -> String) -> String {
     let tree = Tree::of(&log.events);
-    write(&Task { log, tree: &tree, things: &[], language, style: Style::default() })
+    let stage = Stage { things: &[], upright: 1 };
+    write(&Task { log, tree: &tree, stage, language, style: Style::default() })
 }
 
 /// A ray tree of a log.

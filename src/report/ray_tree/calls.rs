@@ -17,7 +17,8 @@ fn call(log: &Log, tree: &Tree, branch: Branch) -> Branch {
         _ => 0,
     };
     let call = pseudocode::call(&log.header, &branch.path, depth);
-    let too_deep = if pseudocode::calls_too_deep(&log.header) { too_deep(log, tree, &branch, depth) } else { Vec::new() };
+    let too_deep =
+        if pseudocode::calls_too_deep(&log.header) { too_deep(log, tree, &branch, depth) } else { Vec::new() };
     let children = calls(log, tree, branch.children).into_iter().chain(too_deep).collect();
     Branch { call: Some(call), children, ..branch }
 }

@@ -192,7 +192,8 @@ impl<'a> Figure<'a> {
         let more = match branch.end {
             End::Blocked { object, .. } => (texts.figure.blocked)(&words::plain(self.log.header.object(object))),
             End::TooDeep => {
-                let what = if branch.kind == RayKind::Transmitted { Skippable::Transmitted } else { Skippable::Reflected };
+                let what =
+                    if branch.kind == RayKind::Transmitted { Skippable::Transmitted } else { Skippable::Reflected };
                 (texts.depth_limit)(what)
             }
             _ => {

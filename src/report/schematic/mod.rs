@@ -29,6 +29,15 @@ pub struct Thing {
     pub lines: Vec<Vec<[f64; 3]>>,
 }
 
+/// What is known of the scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage<'a> {
+    /// The objects.
+    pub things: &'a [Thing],
+    /// The axis of space that runs upward: 1, or 2 where it is z.
+    pub upright: usize,
+}
+
 /// A place in the figure: from the left and from the top, in units of a hundredth of an inch or so.
 pub type Place = [f64; 2];
 
@@ -94,16 +103,13 @@ const MARGIN: f64 = 34.0;
 const FAR: f64 = 0.3;
 
 /// The rays of a node; `None` if the log has none that can be drawn.
-pub fn plan(log: &Log, tree: &Tree, node: usize, things: &[Thing], language: Language) -> Option<Plan> {
+pub fn plan(log: &Log, tree: &Tree, node: usize, stage: Stage, language: Language) -> Option<Plan> {
+    let things = stage.things;
     let rays = segments(log, tree, node, MOST_RAYS);
     let Seen { all: seen, rays: of_rays, far } = seen(&rays, things)?;
     let spreads = [0, 1, 2].map(|axis| of_rays[1][axis] - of_rays[0][axis]);
     let dropped = (0..3).min_by(|a, b| spreads[*a].total_cmp(&spreads[*b]))?;
-    let flat = |point: [f64; 3]| match dropped {
-        0 => [point[1], -point[2]],
-        1 => [point[0], point[2]],
-        _ => [point[0], -point[1]],
-    };
+    let (axes, flat) = view(dropped, stage.upright);
     let corners = seen.map(flat);
     let [left, top] = [0, 1].map(|axis| corners[0][axis].min(corners[1][axis]));
     let [right, bottom] = [0, 1].map(|axis| corners[0][axis].max(corners[1][axis]));
@@ -122,7 +128,7 @@ pub fn plan(log: &Log, tree: &Tree, node: usize, things: &[Thing], language: Lan
     let outlines = things.iter().flat_map(|thing| &thing.lines);
     let mut plan = Plan {
         size: [(right - left) * scale + 2.0 * MARGIN, (bottom - top) * scale + 2.0 * MARGIN],
-        axes: [["y", "z"], ["x", "−z"], ["x", "y"]][dropped],
+        axes,
         outlines: outlines.map(|line| line.iter().map(|point| place(*point)).collect()).collect(),
         rays: rays.iter().map(drawn).collect(),
         points: Vec::new(),
@@ -132,6 +138,20 @@ pub fn plan(log: &Log, tree: &Tree, node: usize, things: &[Thing], language: Lan
     };
     label(&mut plan, log, tree, &rays, language);
     Some(plan)
+}
+
+/// From a point in space to its place on the page.
+type Flat = fn([f64; 3]) -> Place;
+
+/// Which axes of space run to the right and upward where one is left out, and the place of a point there, downward.
+fn view(dropped: usize, upright: usize) -> ([&'static str; 2], Flat) {
+    match (dropped, upright) {
+        (0, 2) => (["y", "z"], |[_, y, z]| [y, -z]),
+        (0, _) => (["z", "y"], |[_, y, z]| [z, -y]),
+        (1, 2) => (["x", "z"], |[x, _, z]| [x, -z]),
+        (1, _) => (["x", "−z"], |[x, _, z]| [x, z]),
+        _ => (["x", "y"], |[x, y, _]| [x, -y]),
+    }
 }
 
 /// What is seen.

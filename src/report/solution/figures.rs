@@ -36,7 +36,7 @@ impl Figures {
         }
         let is_sample = |child: &usize| matches!(task.tree.nodes()[*child].step, Some(Step::Sample { .. }));
         let first = task.tree.children(pixel).find(is_sample).unwrap_or(pixel);
-        let plan = schematic::plan(task.log, task.tree, first, task.things, task.language);
+        let plan = schematic::plan(task.log, task.tree, first, task.stage, task.language);
         Figures { branches, notes, plan }
     }
 

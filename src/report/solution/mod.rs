@@ -20,7 +20,7 @@ pub use markdown::markdown;
 use super::Style;
 use super::contributions::pixel_around;
 use super::language::Language;
-use super::schematic::Thing;
+use super::schematic::Stage;
 use super::{digits, words};
 use crate::log::{Log, Name, Tree, Value, What};
 use data::Data;
@@ -31,8 +31,8 @@ pub struct Task<'a> {
     pub log: &'a Log,
     /// Its nodes.
     pub tree: &'a Tree,
-    /// The outlines of the scene's objects, if somebody has the scene.
-    pub things: &'a [Thing],
+    /// What is known of the scene.
+    pub stage: Stage<'a>,
     /// The language.
     pub language: Language,
     /// How numbers are shown.
