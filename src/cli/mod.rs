@@ -2,6 +2,7 @@
 
 mod bench;
 mod causes;
+mod diff;
 mod failure;
 mod frames;
 mod live;
@@ -12,6 +13,7 @@ mod rays;
 mod region;
 mod render;
 mod sampling_spec;
+mod saved_log;
 mod scene;
 mod scene_argument;
 mod signals;
@@ -49,6 +51,8 @@ enum Command {
     Trace(trace::Trace),
     /// Render a picture
     Render(render::Render),
+    /// Compare two logs or two pictures
+    Diff(diff::Diff),
     /// Answer ray queries from standard input
     Rays(rays::Rays),
     /// Show the numeric example: printed, recomputed, by hand, exact
@@ -77,6 +81,10 @@ pub fn run() -> ExitCode {
         Some(Command::Walk(walk)) => walk.run(colors, signals),
         Some(Command::Trace(trace)) => trace.run(colors),
         Some(Command::Render(render)) => render.run(colors),
+        Some(Command::Diff(diff)) => match diff.run(colors, signals) {
+            Ok(false) => return ExitCode::from(failure::NEGATIVE),
+            done => done.map(|_| ()),
+        },
         Some(Command::Rays(rays)) => rays.run(colors),
         Some(Command::Textbook(textbook)) => textbook.run(colors),
         Some(Command::Stress(stress)) => match stress.run() {

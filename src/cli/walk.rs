@@ -6,16 +6,17 @@ use super::live::Session;
 use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
+use super::saved_log::{self, MAX_LOG_BYTES};
 use super::scene_argument::{self, Input, Named};
 use super::trace::{Subject, short_log};
 use clap::Args;
 use raywalk::log::Log;
-use raywalk::log::file::{self as log_file, LogError};
+use raywalk::log::file as log_file;
 use raywalk::report::{self, Style};
 use raywalk::scene::file::{Opened, visible};
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
 use signal_hook::iterator::Handle;
-use std::io::{self, ErrorKind, IsTerminal};
+use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 /// Walk through a pixel, a ray or a saved log in the terminal.
@@ -67,9 +68,6 @@ struct Walked {
     /// Who traces the scene, unless it is a saved log.
     session: Option<Session>,
 }
-
-/// The longest log: some forty million events.
-const MAX_LOG_BYTES: u64 = 4 << 30;
 
 /// The most columns or rows of a screenshot.
 const MAX_SCREEN: u16 = 1000;
@@ -128,22 +126,8 @@ impl Walk {
             return Err(Failure::caller(message));
         }
         let size = opened.size();
-        let read =
-            log_file::read_from(self.progress.reading(opened.stream(MAX_LOG_BYTES), size)).map_err(
-                |error| match error {
-                    // A document is whole or nothing.
-                    LogError::Io(error)
-                        if matches!(
-                            error.kind(),
-                            ErrorKind::FileTooLarge | ErrorKind::InvalidData | ErrorKind::UnexpectedEof
-                        ) =>
-                    {
-                        Failure::caller(format!("{name}: {error}"))
-                    }
-                    LogError::Io(error) => Failure::machine(format!("{name}: cannot read: {error}")),
-                    _ => Failure::caller(format!("{name}:{error}")),
-                },
-            )?;
+        let input = self.progress.reading(opened.stream(MAX_LOG_BYTES), size);
+        let read = log_file::read_from(input).map_err(|error| saved_log::failure(&name, &error))?;
         Ok(Walked { name, log: read.log, warning: read.ending.warning(), session: None })
     }
 
@@ -252,7 +236,7 @@ fn quoted(word: &str) -> String {
 }
 
 /// The colours that the terminal is asked for.
-fn palette(colors: ColorChoice) -> Palette {
+pub fn palette(colors: ColorChoice) -> Palette {
     let has_true_color = std::env::var("COLORTERM").is_ok_and(|said| said == "truecolor" || said == "24bit");
     match (colors.applies_to(&io::stdout()), has_true_color) {
         (false, _) => Palette::None,
@@ -262,7 +246,7 @@ fn palette(colors: ColorChoice) -> Palette {
 }
 
 /// Whether there is a terminal that can show the viewer.
-fn has_terminal() -> bool {
+pub fn has_terminal() -> bool {
     let is_dumb = std::env::var_os("TERM").is_none_or(|term| term.is_empty() || term == "dumb");
     io::stdout().is_terminal() && !is_dumb
 }

@@ -1,6 +1,7 @@
 //! All pixels of a picture, on all cores. A pixel has the same bits whatever the tiles, the threads or the crop.
 
 mod cells;
+pub mod difference;
 pub mod digits;
 pub mod export;
 pub mod film;

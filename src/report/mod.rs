@@ -5,8 +5,10 @@
 pub mod answer;
 pub mod computation;
 pub mod contributions;
+pub mod diff;
 pub mod digits;
 pub mod escape;
+pub mod evaluate;
 pub mod expression;
 pub mod language;
 pub mod number;

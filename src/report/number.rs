@@ -50,6 +50,21 @@ fn scientific(x: f64, style: Style) -> String {
     format!("{}·10{}", fixed(mantissa, style.digits), superscript(exponent))
 }
 
+/// A size with three digits that count, such as `0.00359`, `12.7` or `2.84·10⁻⁵`: how far two values are apart.
+pub fn size(x: f64) -> String {
+    if !x.is_finite() {
+        return x.to_string();
+    }
+    // The exponent after rounding: 9.999 is 10.0.
+    let text = format!("{x:.2e}");
+    let exponent: i32 = text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
+    match exponent {
+        _ if x == 0.0 => "0".to_owned(),
+        -3..=5 => format!("{:.*}", usize::try_from(2 - exponent).unwrap_or(0), x),
+        _ => scientific(x, Style { digits: 2 }),
+    }
+}
+
 pub(super) fn superscript(exponent: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
@@ -85,6 +100,13 @@ mod tests {
         shows(0.0, "0");
         shows(-0.0, "0");
         shows(4.000_000_000_000_001, "4.000");
+    }
+
+    #[test]
+    fn sizes_have_three_digits() {
+        let sizes = [0.0, 0.003_586, 9.999, 0.000_028_4, 12.651, 987_654.0, 1e7, f64::INFINITY];
+        let expected = ["0", "0.00359", "10.0", "2.84·10⁻⁵", "12.7", "987654", "1.00·10⁷", "inf"];
+        assert_eq!(sizes.map(size), expected);
     }
 
     #[test]

@@ -78,6 +78,17 @@ fn inputs(log: &Log, tree: &Tree, event: usize) -> Vec<Operand> {
     inputs.collect()
 }
 
+/// The event that computed the input `name` of `event`, which has this value; `None` if no step of the log did, as for what the
+/// scene states.
+pub fn handed_on_from(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -> Option<usize> {
+    handed::origin(log, tree, event, name, value)
+}
+
+/// The event with the colour of a ray that met something.
+pub fn color_of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<usize> {
+    handed::color_of(log, tree, ray)
+}
+
 /// The event that computed an input.
 fn handed_on(log: &Log, tree: &Tree, event: usize, symbol: &str, value: Value) -> Option<usize> {
     let (name, _) = log.events[event].given.iter().rev().find(|(name, _)| name.symbol() == symbol)?;

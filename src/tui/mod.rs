@@ -5,6 +5,7 @@
 //! tested without one. The room knows logs and reports; it computes no geometry and needs no scene.
 
 mod address;
+pub mod beside;
 mod breakpoints;
 mod command;
 mod copy;

@@ -87,6 +87,7 @@ pub struct Glyphs {
     pub more: &'static str,
     pub cut_left: &'static str,
     pub cut_right: &'static str,
+    pub differs: &'static str,
 }
 
 /// The usual characters.
@@ -117,6 +118,7 @@ pub const UNICODE: Glyphs = Glyphs {
     more: "…",
     cut_left: "…",
     cut_right: "…",
+    differs: "≠",
 };
 
 /// Characters for terminals and fonts that have ASCII only.
@@ -147,6 +149,7 @@ pub const ASCII: Glyphs = Glyphs {
     more: "~",
     cut_left: "<",
     cut_right: ">",
+    differs: "!",
 };
 
 impl Theme {

@@ -15,6 +15,8 @@ mod support;
 
 mod bench;
 mod command_line;
+mod diff_command;
+mod diff_mutations;
 mod gallery;
 mod limits;
 mod mutations;

@@ -2,11 +2,11 @@
 //!
 //! The scene has each flat shape from its front and its back, with and without normals at its corners.
 
-use crate::evaluator;
 use crate::support;
 use raywalk::log::{Decision, Log, Name, Skippable, Tree, Value, What};
 use raywalk::probe::round_half_away;
 use raywalk::record::{self, Arithmetic};
+use raywalk::report::evaluate::evaluate;
 use std::collections::BTreeMap;
 
 const SCENE: &str = r#"{
@@ -92,7 +92,7 @@ fn check(log: &Log, arithmetic: Arithmetic, counts: &mut BTreeMap<Name, usize>) 
     for (at, event) in log.events.iter().enumerate() {
         let What::Note { name, value } = event.what else { continue };
         assert!(value.components().iter().all(|x| x.is_finite()), "{name:?} is {value:?}");
-        let Some(evaluated) = evaluator::evaluate(&log.events, &tree, at, name) else { continue };
+        let Some(evaluated) = evaluate(&log.events, &tree, at, name) else { continue };
         let exact = evaluated.unwrap_or_else(|why| panic!("{:?}, {name:?}: {why}", log.header.subject));
         let expected = rounded(exact, arithmetic);
         let subject = log.header.subject;

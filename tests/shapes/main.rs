@@ -1,7 +1,5 @@
 //! Rays and shapes: hits, shared edges, walks of the kernels, and the tree of boxes.
 
-#[path = "../support/evaluator.rs"]
-mod evaluator;
 #[path = "../support/random.rs"]
 mod random;
 #[path = "../support/rays.rs"]

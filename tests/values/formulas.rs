@@ -3,7 +3,6 @@
 //!
 //! The book's own arithmetic (`printed`) is left out: it puts in numbers that don't follow from its formulas.
 
-use crate::evaluator::evaluate;
 use crate::provoking_scenes::{Options, everything, straight_through};
 use crate::support;
 use glam::DVec3;
@@ -11,6 +10,7 @@ use raywalk::geometry::shape::SphereMethod;
 use raywalk::log::{Event, Log, Name, Tree, Value, What};
 use raywalk::probe::round_half_away;
 use raywalk::record::{self, Arithmetic};
+use raywalk::report::evaluate::evaluate;
 use raywalk::scene::{Algorithm, Scene, Skip, Specular, builtin};
 use std::collections::BTreeMap;
 

@@ -2,13 +2,12 @@
 
 #[path = "../support/calls.rs"]
 mod calls;
-#[path = "../support/evaluator.rs"]
-mod evaluator;
 #[path = "../support/provoking_scenes.rs"]
 mod provoking_scenes;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod diff;
 mod digits;
 mod formulas;
 mod log_files;

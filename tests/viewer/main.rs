@@ -5,6 +5,7 @@ mod session;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod beside;
 mod frames;
 mod pictures;
 #[cfg(unix)]

@@ -4,10 +4,12 @@ mod document;
 mod error;
 mod line;
 mod lines;
+mod pixels;
 mod read;
 mod reader;
 mod write;
 
 pub use error::LogError;
+pub use pixels::{PixelEvents, PixelReader};
 pub use read::{Ending, ReadLog, is_log, read, read_from};
 pub use write::{Lines, Writer, to_json, to_ndjson};

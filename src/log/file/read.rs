@@ -87,57 +87,68 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     }
     let header = header(&mut lines)?;
     let mut reader = Reader::new(&header);
-    let ending = records(&mut lines, &mut reader)?;
-    let ending = match (ending, lines.damage()) {
-        (Ending::Complete, Some(damage)) => Ending::Damaged { what: damage.to_string() },
-        (Ending::Missing { .. }, Some(damage)) if damage.kind() == ErrorKind::InvalidData => {
-            Ending::Damaged { what: damage.to_string() }
+    let ending = loop {
+        if let Some(ending) = record(&mut lines, &mut reader, 0)? {
+            break with_damage(ending, &lines);
         }
-        (ending, _) => ending,
     };
     let mut events = reader.events;
     events.shrink_to_fit();
     Ok(ReadLog { log: Log { header, events }, ending })
 }
 
-/// Reads the records behind the header up to the end line, the end, or one that is damaged.
-fn records(lines: &mut Lines<impl Read>, reader: &mut Reader) -> Result<Ending, LogError> {
-    while let Some(line) = lines.next_line()? {
-        if line.text.trim_ascii().is_empty() {
-            continue;
-        }
-        let number = line.number;
-        let parsed = match serde_json::from_slice::<Line>(line.text) {
-            Ok(parsed) => parsed,
-            Err(_) if !line.is_terminated => return Ok(Ending::Missing { incomplete_record: true }),
-            Err(error) => return Ok(Ending::Damaged { what: error_at(number, &error).to_string() }),
-        };
-        if let Some(end) = parsed.end {
-            let has_other_ends = line.text.ends_with(b"\r");
-            let ending = check_end(&end, reader.events.len(), lines.digest());
-            return Ok(match (lines.count_rest()?, ending) {
-                (0, Ending::Mismatch { what }) if has_other_ends => {
-                    Ending::Mismatch { what: what + " (its lines end in CR LF, as after a transfer as text)" }
-                }
-                (0, ending) => ending,
-                (after, _) => Ending::Mismatch { what: format!("{after} bytes stand after its end line") },
-            });
-        }
-        let before = reader.events.len();
-        match reader.take(parsed, number) {
-            Ok(()) => {}
-            Err(error @ LogError::Damaged { .. }) => {
-                reader.events.truncate(before);
-                return Ok(Ending::Damaged { what: error.to_string() });
-            }
-            Err(error) => return Err(error),
-        }
+/// Reads the next record behind the header; the ending where there is none that can be read. `handed_on` events of the log were
+/// taken from the reader already.
+pub(super) fn record(
+    lines: &mut Lines<impl Read>,
+    reader: &mut Reader,
+    handed_on: usize,
+) -> Result<Option<Ending>, LogError> {
+    let Some(line) = lines.next_line()? else { return Ok(Some(Ending::Missing { incomplete_record: false })) };
+    if line.text.trim_ascii().is_empty() {
+        return Ok(None);
     }
-    Ok(Ending::Missing { incomplete_record: false })
+    let number = line.number;
+    let parsed = match serde_json::from_slice::<Line>(line.text) {
+        Ok(parsed) => parsed,
+        Err(_) if !line.is_terminated => return Ok(Some(Ending::Missing { incomplete_record: true })),
+        Err(error) => return Ok(Some(Ending::Damaged { what: error_at(number, &error).to_string() })),
+    };
+    if let Some(end) = parsed.end {
+        let has_other_ends = line.text.ends_with(b"\r");
+        let ending = check_end(&end, handed_on + reader.events.len(), lines.digest());
+        return Ok(Some(match (lines.count_rest()?, ending) {
+            (0, Ending::Mismatch { what }) if has_other_ends => {
+                Ending::Mismatch { what: what + " (its lines end in CR LF, as after a transfer as text)" }
+            }
+            (0, ending) => ending,
+            (after, _) => Ending::Mismatch { what: format!("{after} bytes stand after its end line") },
+        }));
+    }
+    let before = reader.events.len();
+    match reader.take(parsed, number) {
+        Ok(()) => Ok(None),
+        Err(error @ LogError::Damaged { .. }) => {
+            reader.events.truncate(before);
+            Ok(Some(Ending::Damaged { what: error.to_string() }))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// How a log ends whose last record is read, if its packed data were damaged.
+pub(super) fn with_damage(ending: Ending, lines: &Lines<impl Read>) -> Ending {
+    match (ending, lines.damage()) {
+        (Ending::Complete, Some(damage)) => Ending::Damaged { what: damage.to_string() },
+        (Ending::Missing { .. }, Some(damage)) if damage.kind() == ErrorKind::InvalidData => {
+            Ending::Damaged { what: damage.to_string() }
+        }
+        (ending, _) => ending,
+    }
 }
 
 /// The header in the first line that isn't blank.
-fn header(lines: &mut Lines<impl Read>) -> Result<Header, LogError> {
+pub(super) fn header(lines: &mut Lines<impl Read>) -> Result<Header, LogError> {
     while let Some(line) = lines.next_line()? {
         if !line.text.trim_ascii().is_empty() {
             return header_in(&line);

@@ -1,11 +1,14 @@
-//! Pictures as files: one file a format. Only integer formats know white, transfer and clipping.
+//! Pictures as files: one file a format, and `read` for those that are compared. Only integer formats know white, transfer and clipping.
 
 mod pfm;
 mod png;
 mod ppm;
 mod quantize;
+mod read;
 
+pub use png::of_levels as png_of_levels;
 pub use quantize::levels_of as levels;
+pub use read::{MAX_PICTURE_BYTES, Picture, PictureError, is_picture, read};
 
 use super::Film;
 use crate::scene::Output;

@@ -15,6 +15,13 @@ pub(super) fn png16(film: &Film, levels: &[u16]) -> Result<Vec<u8>, ImageError> 
     encode(film, &bytes, ExtendedColorType::Rgb16)
 }
 
+/// A PNG with 8 bits a channel from the levels of each pixel, row by row from the top.
+pub fn of_levels(levels: &[u8], [width, height]: [u32; 2]) -> Result<Vec<u8>, ImageError> {
+    let mut out = Vec::new();
+    PngEncoder::new(&mut out).write_image(levels, width, height, ExtendedColorType::Rgb8)?;
+    Ok(out)
+}
+
 fn encode(film: &Film, bytes: &[u8], color: ExtendedColorType) -> Result<Vec<u8>, ImageError> {
     let mut out = Vec::new();
     PngEncoder::new(&mut out).write_image(bytes, film.width(), film.height(), color)?;

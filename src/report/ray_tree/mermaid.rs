@@ -24,7 +24,7 @@ fn write_branch(out: &mut String, figure: &Figure, branch: &Branch, parent: &str
     let name = format!("n{}", styles.len() + 1);
     let label = escape::mermaid(&figure.end(branch));
     let node = match branch.end {
-        End::Object(_) => format!("{name}((\"{label}\"))"),
+        End::Object(_) => format!("{name}([\"{label}\"])"),
         _ => format!("{name}[\"{label}\"]:::leaf"),
     };
     let ray = escape::mermaid(&branch.label);

@@ -117,7 +117,7 @@ mod tests {
         rays.iter().for_each(|ray| labels.letter(ray));
         let placed = labels.placed();
         // The rays lie so close that some letters have no room.
-        assert!(placed.len() > 4 && placed.len() < 22, "{placed:?}");
+        assert!((4..22).contains(&placed.len()), "{placed:?}");
         for (number, one) in placed.iter().enumerate() {
             for other in &placed[..number] {
                 let (half, others) = (half_size(&one.text), half_size(&other.text));

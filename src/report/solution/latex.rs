@@ -33,6 +33,8 @@ const PREAMBLE: &str = r"\documentclass[10pt,a4paper,fleqn]{article}
 \newsavebox{\drawing}
 \newcommand{\drawn}{\begin{center}\ifdim\wd\drawing>\linewidth
   \resizebox{\linewidth}{!}{\usebox{\drawing}}\else\usebox{\drawing}\fi\end{center}}
+\newcommand{\fitted}[1]{\sbox{\drawing}{$\displaystyle #1$}\ifdim\wd\drawing>0.9\linewidth
+  \resizebox{0.9\linewidth}{!}{\usebox{\drawing}}\else\usebox{\drawing}\fi}
 \newcommand{\step}[2]{\par\medskip\textbf{#1) #2}\nopagebreak}
 \newcommand{\parttitle}[1]{\par\smallskip\textit{#1}\nopagebreak}
 \begin{document}
@@ -117,7 +119,7 @@ fn section(out: &mut String, task: &Task, section: &Section) {
                 line!(out, "\\par {} {}:", task.language.texts().solution.with, values.collect::<Vec<_>>().join(", "));
             }
             Item::Equations(events) => {
-                let lines = math::aligned(task, events).join(" \\\\\n");
+                let lines = math::aligned(task, events, fitted).join(" \\\\\n");
                 line!(out, "\\begin{{align*}}\n{lines}\n\\end{{align*}}");
             }
             Item::Decision(event) => {
@@ -126,6 +128,11 @@ fn section(out: &mut String, task: &Task, section: &Section) {
             }
         }
     }
+}
+
+/// A formula made narrow enough for the page.
+fn fitted(formula: String) -> String {
+    format!("\\fitted{{{formula}}}")
 }
 
 fn shares(out: &mut String, task: &Task) {

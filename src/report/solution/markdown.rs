@@ -6,6 +6,7 @@ use super::{Item, Kind, Section, Solution, Task, data, decision, lowered, math};
 use crate::log::Value;
 use crate::report::escape::{self, line};
 use crate::report::{digits, ray_tree, schematic};
+use std::convert::identity;
 use std::fmt::Write;
 
 /// The worked solution of a log.
@@ -96,7 +97,7 @@ fn item(task: &Task, item: &Item) -> Option<String> {
             let texts = &task.language.texts().solution;
             Some(format!("{} {}:", texts.with, values.collect::<Vec<_>>().join(", ")))
         }
-        Item::Equations(events) => Some(match &math::aligned(task, events)[..] {
+        Item::Equations(events) => Some(match &math::aligned(task, events, identity)[..] {
             [line] => format!("$$\n{}\n$$", line.replacen(" &=", " =", 1)),
             lines => format!("$$\n\\begin{{aligned}}\n{}\n\\end{{aligned}}\n$$", lines.join(" \\\\\n")),
         }),

@@ -11,11 +11,12 @@ use crate::report::{computation, digits, escape, number};
 const LINE: usize = 80;
 
 /// The lines of the equations of some events, for an environment that aligns them.
-pub(super) fn aligned(task: &Task, events: &[usize]) -> Vec<String> {
+/// What is wider than a line even alone goes through `fitted`.
+pub(super) fn aligned(task: &Task, events: &[usize], fitted: fn(String) -> String) -> Vec<String> {
     let mut all = Vec::new();
     for event in events {
         let Some(equation) = Equation::of(task, *event) else { continue };
-        let mut lines = lines(task, &equation);
+        let mut lines = lines(task, &equation, fitted);
         let marker = digits::marker_in(task.language, &task.log.events[*event]);
         if let Some(last) = lines.last_mut().filter(|_| !marker.is_empty()) {
             last.push_str(&format!("\\quad\\text{{{}}}", escape::latex(&marker)));
@@ -26,7 +27,7 @@ pub(super) fn aligned(task: &Task, events: &[usize]) -> Vec<String> {
 }
 
 /// The lines of an equation; from the second on they begin with what stands under the first equals sign.
-fn lines(task: &Task, equation: &Equation) -> Vec<String> {
+fn lines(task: &Task, equation: &Equation, fitted: fn(String) -> String) -> Vec<String> {
     let symbol = symbol(equation.name.symbol());
     let result = value(task, &equation.result);
     let middle = [equation.formula.as_ref(), equation.substituted.as_ref()];
@@ -44,7 +45,8 @@ fn lines(task: &Task, equation: &Equation) -> Vec<String> {
             continue;
         }
         for (sign, term) in terms(part) {
-            let text = operand(task, term);
+            let text = if sign.is_some() { operand(task, term) } else { tex(task, term) };
+            let text = if width(term) > LINE { fitted(text) } else { text };
             lines.push(match sign {
                 None => format!("&= {text}"),
                 Some(Operator::Minus) => format!("&\\quad {{}} - {text}"),

@@ -60,7 +60,8 @@ impl Wanted {
         self.open(path)?.bytes()
     }
 
-    fn open(self, path: &Path) -> Result<Opened, SceneError> {
+    /// Opens such a file, or standard input for `-`; errors are those of [`read_bytes`], but for the size.
+    pub fn open(self, path: &Path) -> Result<Opened, SceneError> {
         let name = display_name(path);
         if path == Path::new("-") {
             return self.begin(io::stdin(), 0, name);

@@ -38,7 +38,7 @@ mod tests;
 
 pub use error::{Problem, SceneError, Severity};
 pub use escape::visible;
-pub use input::{MAX_BYTES, Opened, open, read_bytes};
+pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
 pub use key_path::{KeyPath, Step};
 pub use load::{Loaded, check, check_as, check_scene, parse, placed, read};
 pub use locate::{Place, locate, locate_all};

@@ -18,7 +18,7 @@ mod tree;
 
 pub(super) use list::last_shift;
 pub(super) use picture::dots_of_picture;
-pub(super) use text::ascii;
+pub(super) use text::{ascii, shown, wrap};
 
 use super::model::{Model, Overlay, Pane};
 use super::theme::{Role, Theme};
@@ -61,7 +61,7 @@ fn draw_divider(divider: Rect, theme: &Theme, buffer: &mut Buffer) {
 }
 
 /// Writes a line into the first row of an area, as far as it fits.
-fn put(buffer: &mut Buffer, area: Rect, line: Line) {
+pub(super) fn put(buffer: &mut Buffer, area: Rect, line: Line) {
     let area = area.intersection(buffer.area);
     if !area.is_empty() {
         // What was there leaves no style behind.
@@ -72,14 +72,14 @@ fn put(buffer: &mut Buffer, area: Rect, line: Line) {
 }
 
 /// Writes lines into an area, one a row, as far as they fit.
-fn put_all(buffer: &mut Buffer, area: Rect, lines: impl IntoIterator<Item = Line<'static>>) {
+pub(super) fn put_all(buffer: &mut Buffer, area: Rect, lines: impl IntoIterator<Item = Line<'static>>) {
     for (y, line) in (area.top()..area.bottom()).zip(lines) {
         put(buffer, Rect { y, height: 1, ..area }, line);
     }
 }
 
 /// Makes room for what lies over the panes.
-fn clear(area: Rect, buffer: &mut Buffer) {
+pub(super) fn clear(area: Rect, buffer: &mut Buffer) {
     for position in area.intersection(buffer.area).positions() {
         if let Some(cell) = buffer.cell_mut(position) {
             cell.reset();

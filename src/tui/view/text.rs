@@ -5,11 +5,11 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 /// Some text in a style.
-pub(super) type Piece = (String, Style);
+pub(in crate::tui) type Piece = (String, Style);
 
 /// Breaks pieces into lines of at most `width` columns, the second and later ones indented. Lines break at spaces, inside
 /// a list such as a triple and beside `=` only when it doesn't fit, and anywhere else only when nothing else helps.
-pub(super) fn wrap(pieces: &[Piece], width: usize, indent: usize) -> Vec<Line<'static>> {
+pub(in crate::tui) fn wrap(pieces: &[Piece], width: usize, indent: usize) -> Vec<Line<'static>> {
     let mut paper = Paper { width, indent: indent.min(width / 2), lines: vec![Line::default()], used: 0 };
     for (text, style) in pieces {
         for word in split(text, |before, after| !matches!(before, ',' | '=') && after != '=') {
@@ -20,7 +20,7 @@ pub(super) fn wrap(pieces: &[Piece], width: usize, indent: usize) -> Vec<Line<'s
 }
 
 /// The text of a theme: itself, or in ASCII.
-pub(super) fn shown(text: &str, theme: &Theme) -> String {
+pub(in crate::tui) fn shown(text: &str, theme: &Theme) -> String {
     if theme.is_ascii() { ascii(text) } else { text.to_owned() }
 }
 
@@ -141,6 +141,8 @@ fn plain(character: char) -> Option<&'static str> {
         'τ' => "tau",
         'ℓ' => "l",
         '→' => "->",
+        '←' => "<-",
+        '“' | '”' => "\"",
         '×' => "x",
         '…' => "~",
         _ => "?",

@@ -1,27 +1,51 @@
 //! A second opinion on every formula: evaluates the formula texts on the values that a log holds.
 //!
-//! It shares the grammar and the scope rules with the program, and no arithmetic: the operations stand here once more,
-//! in the order in which a reader takes them, from left to right.
+//! It shares the grammar and the scope rules with the program, and no arithmetic: the operations stand here once more, in the
+//! order in which a reader takes them, from left to right. So a log can be checked against its formulas (the tests do that for
+//! every name, bit for bit), and it can be asked what a quantity would be if one of its operands were another (`diff`).
 
-use raywalk::log::formula::{self, Extreme, Formula, Operator};
-use raywalk::log::{Event, Name, Tree, Value, scope};
+use crate::log::formula::{self, Extreme, Formula, Operator};
+use crate::log::scope::{self, Operand};
+use crate::log::{Event, Name, Tree, Value};
 
 /// The value of the formula of the quantity `name` that `event` notes, before any rounding; `None` for what has no
-/// formula. The error says which operand the log doesn't hold, or what can't be computed.
+/// formula.
+///
+/// # Errors
+/// Which operand the log doesn't hold, or what can't be computed.
 pub fn evaluate(events: &[Event], tree: &Tree, event: usize, name: Name) -> Option<Result<Value, String>> {
-    let here = Evaluator { events, tree, event, light: None };
-    formula::of(name).map(|formula| match here.part(formula) {
-        Ok(Part::Value(value)) => Ok(value),
-        Ok(absent) => Err(format!("the formula comes to {absent:?}")),
-        Err(why) => Err(why),
-    })
+    let logged = |symbol, light| operand(events, tree, event, symbol, light).map(|operand| operand.value);
+    formula::of(name).map(|formula| evaluate_with(tree, event, formula, &logged))
 }
+
+/// What a symbol in the formula of the quantity that `event` notes stands for; under a Σ, in the part of the light whose node
+/// is `light`.
+pub fn operand(events: &[Event], tree: &Tree, event: usize, symbol: &str, light: Option<usize>) -> Option<Operand> {
+    match light {
+        Some(light) => scope::operand_of_light(events, tree, light, symbol),
+        None => scope::operand(events, tree, event, symbol),
+    }
+}
+
+/// The value of a formula at `event`, with the operands that `operands` has for a symbol and, under a Σ, the node of a light.
+///
+/// # Errors
+/// As those of [`evaluate`].
+pub fn evaluate_with(tree: &Tree, event: usize, formula: &Formula, operands: &Operands) -> Result<Value, String> {
+    match (Evaluator { tree, event, operands, light: None }).part(formula)? {
+        Part::Value(value) => Ok(value),
+        absent => Err(format!("the formula comes to {absent:?}")),
+    }
+}
+
+/// Where the operands of a formula come from: by their symbol and, under a Σ, the node of a light.
+pub type Operands<'a> = dyn Fn(&'static str, Option<usize>) -> Option<Value> + 'a;
 
 #[derive(Clone, Copy)]
 struct Evaluator<'a> {
-    events: &'a [Event],
     tree: &'a Tree,
     event: usize,
+    operands: &'a Operands<'a>,
     /// The light whose term under Σ is evaluated.
     light: Option<usize>,
 }
@@ -74,21 +98,16 @@ impl Evaluator<'_> {
                 part => Err(format!("{extreme:?}({part:?})")),
             },
             Formula::OverLights(inner) => self.over_lights(Part::Zero, inner),
-            Formula::Binary(Operator::Plus, before, lights) if matches!(**lights, Formula::OverLights(_)) => {
-                let Formula::OverLights(inner) = &**lights else { unreachable!("the guard has seen a Σ") };
-                self.over_lights(self.part(before)?, inner)
-            }
-            Formula::Binary(operator, left, right) => binary(*operator, self.part(left)?, self.part(right)?),
+            Formula::Binary(operator, left, right) => match (operator, &**right) {
+                (Operator::Plus, Formula::OverLights(term)) => self.over_lights(self.part(left)?, term),
+                _ => binary(*operator, self.part(left)?, self.part(right)?),
+            },
         }
     }
 
-    fn operand(&self, symbol: &str) -> Result<Part, String> {
-        let operand = match self.light {
-            Some(light) => scope::operand_of_light(self.events, self.tree, light, symbol),
-            None => scope::operand(self.events, self.tree, self.event, symbol),
-        };
-        match operand {
-            Some(operand) => Ok(Part::Value(operand.value)),
+    fn operand(&self, symbol: &'static str) -> Result<Part, String> {
+        match (self.operands)(symbol, self.light) {
+            Some(value) => Ok(Part::Value(value)),
             None if scope::is_one_when_absent(symbol) => Ok(Part::One),
             None if self.light.is_some() => Ok(Part::Zero),
             None => Err(format!("the log holds no `{symbol}`")),

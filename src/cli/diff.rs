@@ -1,0 +1,154 @@
+//! `raywalk diff`: two logs or two pictures compared.
+
+mod logs;
+mod pictures;
+
+use super::failure::Failure;
+use super::options::ColorChoice;
+use super::walk::has_terminal;
+use clap::{Args, ValueEnum};
+use raywalk::log::file::is_log;
+use raywalk::render::export::{self, MAX_PICTURE_BYTES, is_picture};
+use raywalk::report::diff::Tolerance;
+use raywalk::scene::file::{Opened, Wanted, visible};
+use signal_hook::iterator::Handle;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What `--help` says behind the options.
+const MORE: &str = "\
+Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that \
+differs with the operands that it comes from, and how the difference grows on its way to the colour. Pictures are .png, .ppm or .pfm.
+
+A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s \
+being the largest component of both values. Without any, every difference counts.
+
+Exit code 0: nothing differs; 1: something does; 2: the two can't be compared.
+
+Examples:
+  raywalk diff hand.ndjson f64.ndjson --digits 3
+  raywalk diff a.ndjson.gz b.json --rel 1e-9 --brief
+  raywalk diff a.ndjson b.ndjson --walk
+  raywalk diff a.png b.png --abs 0.01 -o heat.png";
+
+/// Compare two logs or two pictures.
+#[derive(Args)]
+#[command(after_long_help = MORE)]
+pub struct Diff {
+    /// A log or a picture, also packed by gzip; `-` for standard input
+    a: PathBuf,
+    /// The one that it is compared with
+    b: PathBuf,
+    /// Compare the values of logs as rounded to N decimals, half away from zero, and show them so
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=15))]
+    digits: Option<u32>,
+    /// The absolute difference that is let pass; in integer pictures white is 1
+    #[arg(long, value_name = "E", value_parser = tolerance)]
+    abs: Option<f64>,
+    /// The difference that is let pass, in proportion to the largest component of the two values
+    #[arg(long, value_name = "E", value_parser = tolerance)]
+    rel: Option<f64>,
+    /// How to print the differences
+    #[arg(long, value_enum, default_value = "text")]
+    format: DiffFormat,
+    /// Of logs, show the first divergence and the counts only
+    #[arg(long)]
+    brief: bool,
+    /// Walk through both logs in the terminal, side by side; of regions, through the first pixel that differs
+    #[arg(long, conflicts_with_all = ["format", "brief"])]
+    walk: bool,
+    /// Draw the walk with ASCII characters only
+    #[arg(long, requires = "walk")]
+    ascii: bool,
+    /// Of pictures, write where they differ as a picture: black where they don't, white where they do most
+    #[arg(long, short, value_name = "HEAT.png")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum DiffFormat {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+}
+
+/// What can be compared.
+enum Compared {
+    Log(Opened),
+    Picture(String, export::Picture),
+}
+
+impl Diff {
+    /// Runs the command; `false` where something differs.
+    pub fn run(self, colors: ColorChoice, signals: Option<Handle>) -> Result<bool, Failure> {
+        if [&self.a, &self.b].iter().all(|path| **path == Path::new("-")) {
+            return Err(Failure::caller("diff - -: only one of the two can come from standard input"));
+        }
+        let [a, b] = [open(&self.a, colors)?, open(&self.b, colors)?];
+        match (a, b) {
+            (Compared::Log(a), Compared::Log(b)) => {
+                if self.output.is_some() {
+                    return Err(Failure::caller("--output: a heat map is made of two pictures, found two logs"));
+                }
+                // As `walk` does, it is told as text where nobody could press a key.
+                if self.walk && has_terminal() { self.walk(a, b, colors, signals) } else { self.logs(a, b) }
+            }
+            (Compared::Picture(a_name, a), Compared::Picture(b_name, b)) => {
+                let options = [("--digits", self.digits.is_some()), ("--brief", self.brief), ("--walk", self.walk)];
+                if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given) {
+                    return Err(Failure::caller(format!("{option}: is for logs, found two pictures")));
+                }
+                self.pictures((&a_name, &a), (&b_name, &b))
+            }
+            (Compared::Log(log), Compared::Picture(picture, _))
+            | (Compared::Picture(picture, _), Compared::Log(log)) => {
+                let log = visible(log.name());
+                Err(Failure::caller(format!("{log} is a log and {picture} a picture; expected two of a kind")))
+            }
+        }
+    }
+
+    fn tolerance(&self) -> Tolerance {
+        Tolerance { digits: self.digits, absolute: self.abs, relative: self.rel }
+    }
+}
+
+/// Opens what is compared: a log is read by the way, a picture at once.
+fn open(path: &Path, colors: ColorChoice) -> Result<Compared, Failure> {
+    let refused = |error| Failure::scene(&error, colors.applies_to(&io::stderr()));
+    let wanted = Wanted { what: "a log or a picture", max_bytes: MAX_PICTURE_BYTES };
+    let opened = wanted.open(path).map_err(refused)?;
+    if is_log(opened.beginning()) {
+        return Ok(Compared::Log(opened));
+    }
+    let name = visible(opened.name()).into_owned();
+    if !is_picture(opened.beginning()) {
+        return Err(Failure::caller(format!("{name}: expected a log or a picture, {}", found(opened.beginning()))));
+    }
+    let bytes = opened.bytes().map_err(refused)?;
+    let picture = export::read(&bytes).map_err(|error| match error {
+        export::PictureError::Memory => Failure::machine(format!("{name}: {error}")),
+        _ => Failure::caller(format!("{name}: {error}")),
+    })?;
+    Ok(Compared::Picture(name, picture))
+}
+
+/// What begins like this, and what would help.
+fn found(beginning: &[u8]) -> String {
+    let is_scene = String::from_utf8_lossy(beginning).contains("\"raywalk-scene/");
+    match beginning.trim_ascii().is_empty() {
+        true => "found an empty file".to_owned(),
+        false if is_scene => "found a scene; `raywalk trace` writes the log of one of its pixels".to_owned(),
+        false => {
+            let start: String =
+                String::from_utf8_lossy(beginning).chars().take(20).flat_map(char::escape_default).collect();
+            format!("found `{start}`")
+        }
+    }
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let expected = || format!("expected a number from 0 on, found `{text}`");
+    text.parse().ok().filter(|x: &f64| x.is_finite() && *x >= 0.0).ok_or_else(expected)
+}

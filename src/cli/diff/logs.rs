@@ -1,0 +1,255 @@
+//! Two logs, pixel by pixel.
+
+use super::{Diff, DiffFormat};
+use crate::cli::failure::{Failure, INTERRUPTED, TERMINATED};
+use crate::cli::options::ColorChoice;
+use crate::cli::output;
+use crate::cli::saved_log::{self, MAX_LOG_BYTES};
+use crate::cli::walk::palette;
+use raywalk::log::file::{Ending, PixelEvents, PixelReader};
+use raywalk::log::{Header, Log, Subject, Tree};
+use raywalk::report::diff::{
+    self, Comparison, HeaderDifference, Json, Numbering, Pixel, Rows, Side, Summary, Text, header_differences,
+};
+use raywalk::report::side_by_side::Run;
+use raywalk::report::words;
+use raywalk::scene::file::{Opened, visible};
+use raywalk::tui::beside::{self, Beside};
+use raywalk::tui::{Exit, Theme};
+use signal_hook::iterator::Handle;
+use std::cmp::Ordering;
+use std::io::Read;
+
+impl Diff {
+    /// Compares two logs; `false` where they differ.
+    pub(super) fn logs(&self, a: Opened, b: Opened) -> Result<bool, Failure> {
+        let (a, b) = (Source::open(a)?, Source::open(b)?);
+        let mut view = self.view();
+        let differences = header_differences(&a.log.header, &b.log.header);
+        let mut pairs = Pairs::of(a, b)?;
+        output::print(view.begin(&pairs.a.log.header, &pairs.b.log.header, &differences).as_bytes())?;
+        let tolerance = self.tolerance();
+        let mut summary = Summary::default();
+        while let Some((pixel, there)) = pairs.next()? {
+            let told = match there {
+                There::In(side) => {
+                    summary.add_alone(side);
+                    view.alone(pixel, side)
+                }
+                There::InBoth => {
+                    let [tree_a, tree_b] = pairs.trees();
+                    let found = diff::compare(pairs.a.run(&tree_a), pairs.b.run(&tree_b), &tolerance);
+                    summary.add(pixel, &found);
+                    view.pixel(pixel, &found)
+                }
+            };
+            output::print(told.as_bytes())?;
+        }
+        output::print(view.end(&summary).as_bytes())?;
+        pairs.a.warn();
+        pairs.b.warn();
+        Ok(summary.is_same())
+    }
+
+    /// Walks through two logs; of regions, through the first pixel that differs. `false` where they differ.
+    pub(super) fn walk(
+        &self,
+        a: Opened,
+        b: Opened,
+        colors: ColorChoice,
+        signals: Option<Handle>,
+    ) -> Result<bool, Failure> {
+        let mut pairs = Pairs::of(Source::open(a)?, Source::open(b)?)?;
+        let tolerance = self.tolerance();
+        let (mut walked, mut is_same) = (None::<(Pixel, Log, Log)>, true);
+        while let Some((pixel, there)) = pairs.next()? {
+            is_same &= there == There::InBoth;
+            if there == There::InBoth {
+                let [tree_a, tree_b] = pairs.trees();
+                let found = diff::compare(pairs.a.run(&tree_a), pairs.b.run(&tree_b), &tolerance);
+                if walked.is_none() || !found.differences.is_empty() {
+                    walked = Some((pixel, pairs.a.log.clone(), pairs.b.log.clone()));
+                }
+                if !found.differences.is_empty() {
+                    is_same = false;
+                    break;
+                }
+            }
+        }
+        pairs.a.warn();
+        pairs.b.warn();
+        let Some((pixel, a, b)) = walked else {
+            return Err(Failure::caller("--walk: the two logs have no pixel in common"));
+        };
+        let [tree_a, tree_b] = [&a, &b].map(|log| Tree::of(&log.events));
+        let rows = Rows::of(Run { log: &a, tree: &tree_a }, Run { log: &b, tree: &tree_b }, tolerance);
+        let beside =
+            Beside::new(rows, [title(&pairs.a.name, pixel, &a.header), title(&pairs.b.name, pixel, &b.header)]);
+        // From here on the viewer minds its signals itself: it has a terminal to give back.
+        if let Some(signals) = signals {
+            signals.close();
+        }
+        let theme = Theme::new(palette(colors), self.ascii);
+        match beside::run(beside, &theme) {
+            Ok(Exit::Quit) => Ok(is_same),
+            Ok(Exit::Interrupted) => Err(Failure::silent(INTERRUPTED)),
+            Ok(Exit::Terminated) => Err(Failure::silent(TERMINATED)),
+            Err(error) => Err(Failure::machine(format!("the terminal can't be used: {error}"))),
+        }
+    }
+
+    fn view(&self) -> View {
+        match self.format {
+            DiffFormat::Text => View::Text(Text::new(self.digits, self.brief)),
+            DiffFormat::Json => View::Json(Json::new(self.brief)),
+        }
+    }
+}
+
+fn title(name: &str, pixel: Pixel, header: &Header) -> String {
+    let subject = pixel.map_or_else(|| words::subject(header), |[x, y]| format!("pixel {x},{y}"));
+    format!("{name} - {subject} - {}", words::plain(&header.arithmetic))
+}
+
+/// Two logs, read pixel by pixel in the same order.
+struct Pairs {
+    a: Source,
+    b: Source,
+    numbering: Numbering,
+    /// Whether pixels are compared one by one, because one of the logs may have several.
+    is_region: bool,
+}
+
+/// Which of the logs has a pixel.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum There {
+    InBoth,
+    In(Side),
+}
+
+impl Pairs {
+    fn of(a: Source, mut b: Source) -> Result<Pairs, Failure> {
+        let subjects = [a.log.header.subject, b.log.header.subject];
+        let is_region = subjects.iter().any(|subject| matches!(subject, Subject::Region(_)));
+        if is_region && subjects.iter().any(|subject| matches!(subject, Subject::Ray(_))) {
+            let [a, b] = [&a.name, &b.name];
+            return Err(Failure::caller(format!(
+                "{a} and {b}: the one is the log of a ray, the other of a region; expected two of a kind"
+            )));
+        }
+        let numbering = Numbering::unify(&a.log.header, &mut b.log.header);
+        Ok(Pairs { a, b, numbering, is_region })
+    }
+
+    /// The next pixel, if there is one more: its number where there may be several, and which logs have it. Those that have it hold
+    /// its events then.
+    fn next(&mut self) -> Result<Option<(Pixel, There)>, Failure> {
+        let is_region = self.is_region;
+        let pixel = |found: &PixelEvents| found.pixel.filter(|_| is_region);
+        let (a, b) = (self.a.next.as_ref().map(pixel), self.b.next.as_ref().map(pixel));
+        // Row by row, as the log of a region goes.
+        let place = |pixel: Pixel| pixel.map(|[x, y]| [y, x]);
+        let there = match (a, b) {
+            (None, None) => return Ok(None),
+            (Some(_), None) => There::In(Side::A),
+            (None, Some(_)) => There::In(Side::B),
+            (Some(a), Some(b)) => match place(a).cmp(&place(b)) {
+                Ordering::Less => There::In(Side::A),
+                Ordering::Equal => There::InBoth,
+                Ordering::Greater => There::In(Side::B),
+            },
+        };
+        if there != There::In(Side::B) {
+            self.a.take()?;
+        }
+        if there != There::In(Side::A) {
+            self.b.take()?;
+            self.numbering.apply(&mut self.b.log.events);
+        }
+        let pixel = if there == There::In(Side::B) { b } else { a };
+        Ok(Some((pixel.flatten(), there)))
+    }
+
+    fn trees(&self) -> [Tree; 2] {
+        [&self.a, &self.b].map(|source| Tree::of(&source.log.events))
+    }
+}
+
+/// A log that is read pixel by pixel.
+struct Source {
+    name: String,
+    reader: PixelReader<Box<dyn Read>>,
+    /// Its header, and the events of the current pixel.
+    log: Log,
+    next: Option<PixelEvents>,
+}
+
+impl Source {
+    fn open(opened: Opened) -> Result<Source, Failure> {
+        let name = visible(opened.name()).into_owned();
+        let input: Box<dyn Read> = Box::new(opened.stream(MAX_LOG_BYTES));
+        let reader = PixelReader::open(input).map_err(|error| saved_log::failure(&name, &error))?;
+        let log = Log { header: reader.header().clone(), events: Vec::new() };
+        let mut source = Source { name, reader, log, next: None };
+        source.advance()?;
+        Ok(source)
+    }
+
+    /// Puts the events of the next pixel into the log, and reads on.
+    fn take(&mut self) -> Result<(), Failure> {
+        self.log.events = self.next.take().map_or_else(Vec::new, |pixel| pixel.events);
+        self.advance()
+    }
+
+    fn run<'s>(&'s self, tree: &'s Tree) -> Run<'s> {
+        Run { log: &self.log, tree }
+    }
+
+    fn advance(&mut self) -> Result<(), Failure> {
+        self.next = self.reader.next_pixel().map_err(|error| saved_log::failure(&self.name, &error))?;
+        Ok(())
+    }
+
+    /// That a log is damaged or was cut off is told in any case.
+    fn warn(&self) {
+        if let Some(warning) = self.reader.ending().and_then(Ending::warning) {
+            output::tell(&format!("warning: {}: {warning}", self.name));
+        }
+    }
+}
+
+/// How the comparison is written.
+enum View {
+    Text(Text),
+    Json(Json),
+}
+
+impl View {
+    fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
+        match self {
+            View::Text(text) => text.begin(a, b, differences),
+            View::Json(json) => json.begin(a, b, differences),
+        }
+    }
+
+    fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
+        match self {
+            View::Text(text) => text.pixel(pixel, found),
+            View::Json(json) => json.pixel(pixel, found),
+        }
+    }
+
+    fn alone(&mut self, pixel: Pixel, side: Side) -> String {
+        match self {
+            View::Text(text) => text.alone(pixel, side),
+            View::Json(json) => json.alone(pixel, side),
+        }
+    }
+
+    fn end(&self, summary: &Summary) -> String {
+        match self {
+            View::Text(text) => text.end(summary),
+            View::Json(json) => json.end(summary),
+        }
+    }
+}

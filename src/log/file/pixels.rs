@@ -1,0 +1,190 @@
+//! A log a pixel at a time, so that one of a region takes the memory of its largest pixel.
+
+use super::LogError;
+use super::document::{self, is_document};
+use super::lines::Lines;
+use super::read::{self, Ending, ReadLog};
+use super::reader::Reader;
+use crate::log::event::{Event, Step, What};
+use crate::log::header::{Header, Subject};
+use std::io::Read;
+use std::{mem, vec};
+
+/// A log that is read a pixel at a time.
+pub struct PixelReader<R> {
+    header: Header,
+    source: Source<R>,
+    /// The pixel whose opening event was read, while its own events weren't handed on yet.
+    opened: Option<[u32; 2]>,
+    /// Known once all is read.
+    ending: Option<Ending>,
+}
+
+enum Source<R> {
+    Lines {
+        lines: Box<Lines<R>>,
+        reader: Box<Reader>,
+        /// How many events were taken from the reader.
+        handed_on: usize,
+    },
+    /// What is one document is read as a whole.
+    Document { rest: vec::IntoIter<Event>, ending: Ending },
+}
+
+/// The events of a pixel, as the log of this pixel alone has them: without the event that opens it in a region.
+#[derive(Debug, PartialEq)]
+pub struct PixelEvents {
+    /// Its column and row; `None` for the log of a ray.
+    pub pixel: Option<[u32; 2]>,
+    /// The events.
+    pub events: Vec<Event>,
+}
+
+impl<R: Read> PixelReader<R> {
+    /// Begins to read a log, NDJSON or one JSON document; what is wrong with it is treated as by [`super::read_from`].
+    ///
+    /// # Errors
+    /// Those of [`super::read_from`].
+    pub fn open(input: R) -> Result<PixelReader<R>, LogError> {
+        let mut lines = Lines::of(input);
+        if is_document(lines.beginning()?) {
+            let ReadLog { log, ending } = document::read(&lines.whole()?)?;
+            let source = Source::Document { rest: log.events.into_iter(), ending };
+            return Ok(PixelReader::of(log.header, source));
+        }
+        let header = read::header(&mut lines)?;
+        let reader = Box::new(Reader::new(&header));
+        Ok(PixelReader::of(header, Source::Lines { lines: Box::new(lines), reader, handed_on: 0 }))
+    }
+
+    fn of(header: Header, source: Source<R>) -> PixelReader<R> {
+        let opened = match header.subject {
+            Subject::Pixel(pixel) => Some(pixel),
+            Subject::Ray(_) | Subject::Region(_) => None,
+        };
+        PixelReader { header, source, opened, ending: None }
+    }
+
+    /// What the log says about itself.
+    pub fn header(&self) -> &Header {
+        &self.header
+    }
+
+    /// How the log ends; `None` before the last pixel was read.
+    pub fn ending(&self) -> Option<&Ending> {
+        self.ending.as_ref()
+    }
+
+    /// The next pixel; the one pixel or ray of a log that is no region's. `None` behind the last one.
+    ///
+    /// # Errors
+    /// Those of [`super::read_from`].
+    pub fn next_pixel(&mut self) -> Result<Option<PixelEvents>, LogError> {
+        let mut events = Vec::new();
+        while self.ending.is_none() {
+            let next = self.read_to_pixel(&mut events)?;
+            let pixel = mem::replace(&mut self.opened, next);
+            // Nothing stands before the first pixel of a region.
+            if pixel.is_some() || !events.is_empty() {
+                return Ok(Some(PixelEvents { pixel, events }));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Reads events up to the one that opens a pixel, or to the end; gives the pixel.
+    fn read_to_pixel(&mut self, events: &mut Vec<Event>) -> Result<Option<[u32; 2]>, LogError> {
+        match &mut self.source {
+            Source::Document { rest, ending } => {
+                for event in rest.by_ref() {
+                    if let Some(pixel) = opens(&event) {
+                        return Ok(Some(pixel));
+                    }
+                    events.push(event);
+                }
+                self.ending = Some(ending.clone());
+            }
+            Source::Lines { lines, reader, handed_on } => loop {
+                let ending = read::record(lines, reader, *handed_on)?;
+                let pixel = reader.events.last().and_then(opens);
+                if pixel.is_none() && ending.is_none() {
+                    continue;
+                }
+                *handed_on += reader.events.len();
+                *events = mem::take(&mut reader.events);
+                if pixel.is_some() {
+                    events.pop();
+                }
+                self.ending = ending.map(|ending| read::with_damage(ending, lines));
+                return Ok(pixel);
+            },
+        }
+        Ok(None)
+    }
+}
+
+/// The pixel that an event opens.
+fn opens(event: &Event) -> Option<[u32; 2]> {
+    match event.what {
+        What::Enter { step: Step::Pixel(pixel), .. } => Some(pixel),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::log::Log;
+    use crate::log::file::{to_json, to_ndjson};
+    use crate::record::{self, Arithmetic};
+    use crate::scene::{build, builtin, file};
+
+    fn log(region: Option<[u32; 4]>) -> Log {
+        let text = builtin::text("textbook").unwrap();
+        let scene = build(&file::check(text.as_bytes(), "test").unwrap().scene, &Default::default()).unwrap();
+        match region {
+            Some(region) => record::region::bounded(&scene, region, Arithmetic::F64).unwrap(),
+            None => record::pixel(&scene, [160, 120], Arithmetic::F64),
+        }
+    }
+
+    fn pixels(bytes: &[u8]) -> (Vec<PixelEvents>, Ending) {
+        let mut reader = PixelReader::open(bytes).unwrap();
+        let mut pixels = Vec::new();
+        while let Some(pixel) = reader.next_pixel().unwrap() {
+            pixels.push(pixel);
+        }
+        (pixels, reader.ending().unwrap().clone())
+    }
+
+    #[test]
+    fn a_region_comes_pixel_by_pixel() {
+        let log = log(Some([159, 119, 161, 121]));
+        for bytes in [to_ndjson(&log).unwrap(), to_json(&log).unwrap()] {
+            let (pixels, ending) = pixels(&bytes);
+            assert_eq!(ending, Ending::Complete);
+            let found: Vec<_> = pixels.iter().map(|pixel| pixel.pixel.unwrap()).collect();
+            assert_eq!(found, [[159, 119], [160, 119], [159, 120], [160, 120]]);
+            assert_eq!(pixels[3].events, self::log(None).events);
+        }
+    }
+
+    #[test]
+    fn a_pixel_is_one() {
+        let log = log(None);
+        for bytes in [to_ndjson(&log).unwrap(), to_json(&log).unwrap()] {
+            let (pixels, ending) = pixels(&bytes);
+            assert_eq!((pixels.len(), ending), (1, Ending::Complete));
+            assert_eq!(pixels[0], PixelEvents { pixel: Some([160, 120]), events: log.events.clone() });
+        }
+    }
+
+    #[test]
+    fn what_was_cut_off_is_read_up_to_there() {
+        let bytes = to_ndjson(&log(Some([159, 119, 161, 121]))).unwrap();
+        let (pixels, ending) = pixels(&bytes[..bytes.len() / 2]);
+        assert_eq!(ending, Ending::Missing { incomplete_record: true });
+        assert!((2..4).contains(&pixels.len()), "{}", pixels.len());
+    }
+}

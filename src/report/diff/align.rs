@@ -1,0 +1,200 @@
+//! Which step of one log is which of the other: by what a step is and where it stands, never by a counter.
+//!
+//! Both trees are walked together. In a node a step is known by what it is (a quantity's key, an input's, the question that a
+//! decision answers, what a node inside is) and by how many of that kind stand before it in the node. So tests may come in another
+//! order, and a step that only one log has shifts no other.
+
+use crate::log::{Decision, Event, Name, Skippable, Step, What};
+use crate::report::provenance;
+use crate::report::side_by_side::Run;
+use std::collections::{HashMap, VecDeque};
+
+/// A thing in a log that can be compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Thing {
+    /// What an event says: a value, a decision, the result.
+    Event(usize),
+    /// An input of an event: the event, and its number among the event's inputs.
+    Input(usize, usize),
+    /// A node with all that it holds.
+    Node(usize),
+}
+
+/// A thing of either log, or both: the first is that of A.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Spot {
+    /// In both.
+    Both(Thing, Thing),
+    /// In A only.
+    OnlyA(Thing),
+    /// In B only.
+    OnlyB(Thing),
+}
+
+/// The alignment of two logs.
+#[derive(Debug, Default)]
+pub(super) struct Alignment {
+    /// Every thing of both logs in the order of A, those of B alone after what stands before them in B. A node stands here only if
+    /// one log has it alone; what it holds doesn't. An input doesn't if what it hands on was computed before.
+    pub spots: Vec<Spot>,
+    /// For each of them, the node of A in which it stands or would stand.
+    pub homes: Vec<usize>,
+    /// By the events of A, those of B in their places.
+    pub partners: Vec<Option<usize>>,
+    /// By the nodes of A, those of B in their places.
+    pub nodes: Vec<Option<usize>>,
+    /// By the nodes of B, whether A has one in their places.
+    pub is_shared: Vec<bool>,
+}
+
+/// Aligns two logs whose objects and lights have the same numbers.
+pub(super) fn align(a: Run, b: Run) -> Alignment {
+    let mut alignment = Alignment {
+        spots: Vec::new(),
+        homes: Vec::new(),
+        partners: vec![None; a.log.events.len()],
+        nodes: vec![None; a.tree.nodes().len()],
+        is_shared: vec![false; b.tree.nodes().len()],
+    };
+    alignment.node(a, 0, b, 0);
+    alignment
+}
+
+impl Alignment {
+    fn node(&mut self, a: Run, node_a: usize, b: Run, node_b: usize) {
+        self.nodes[node_a] = Some(node_b);
+        self.is_shared[node_b] = true;
+        let (ours, theirs) = (things(a, node_a), things(b, node_b));
+        let mut places: HashMap<Key, VecDeque<usize>> = HashMap::new();
+        for (place, thing) in theirs.iter().enumerate() {
+            places.entry(key(b, *thing)).or_default().push_back(place);
+        }
+        let partners: Vec<Option<usize>> =
+            ours.iter().map(|thing| places.get_mut(&key(a, *thing)).and_then(VecDeque::pop_front)).collect();
+        let mut is_shared = vec![false; theirs.len()];
+        partners.iter().flatten().for_each(|place| is_shared[*place] = true);
+        let mut told = 0;
+        for (thing, partner) in ours.into_iter().zip(partners) {
+            let Some(place) = partner else {
+                self.tell_alone(node_a, a, Spot::OnlyA, thing);
+                continue;
+            };
+            for earlier in (told..place).filter(|place| !is_shared[*place]) {
+                self.tell_alone(node_a, b, Spot::OnlyB, theirs[earlier]);
+            }
+            told = told.max(place);
+            self.pair(a, thing, b, theirs[place]);
+        }
+        for place in (told..theirs.len()).filter(|place| !is_shared[*place]) {
+            self.tell_alone(node_a, b, Spot::OnlyB, theirs[place]);
+        }
+    }
+
+    fn tell_alone(&mut self, home: usize, run: Run, spot: fn(Thing) -> Spot, thing: Thing) {
+        if computed(run, thing).is_none() {
+            self.tell(home, spot(thing));
+        }
+    }
+
+    fn tell(&mut self, home: usize, spot: Spot) {
+        self.spots.push(spot);
+        self.homes.push(home);
+    }
+
+    fn pair(&mut self, a: Run, ours: Thing, b: Run, theirs: Thing) {
+        let home = match ours {
+            Thing::Event(event) | Thing::Input(event, _) => a.tree.owner(event),
+            Thing::Node(node) => node,
+        };
+        match (ours, theirs) {
+            (Thing::Node(ours), Thing::Node(theirs)) => self.node(a, ours, b, theirs),
+            (Thing::Event(event_a), Thing::Event(event_b)) => {
+                self.partners[event_a] = Some(event_b);
+                self.tell(home, Spot::Both(ours, theirs));
+            }
+            // Both were compared where they were computed.
+            (Thing::Input(..), Thing::Input(..)) if computed(a, ours).is_some() && computed(b, theirs).is_some() => {}
+            _ => self.tell(home, Spot::Both(ours, theirs)),
+        }
+    }
+}
+
+/// The event that computed what an input hands on.
+pub(super) fn computed(run: Run, thing: Thing) -> Option<usize> {
+    let Thing::Input(event, number) = thing else { return None };
+    let (name, value) = run.log.events[event].given[number];
+    provenance::handed_on_from(run.log, run.tree, event, name, &value)
+}
+
+/// What a node holds, in order.
+fn things(run: Run, node: usize) -> Vec<Thing> {
+    let Run { log, tree } = run;
+    let mut things: Vec<(usize, Thing)> = Vec::new();
+    for event in tree.own_events(node) {
+        let Event { what, given, .. } = &log.events[event];
+        things.extend((0..given.len()).map(|number| (event, Thing::Input(event, number))));
+        if !matches!(what, What::Enter { .. } | What::Leave) {
+            things.push((event, Thing::Event(event)));
+        }
+    }
+    things.extend(tree.children(node).map(|child| (tree.nodes()[child].events.start, Thing::Node(child))));
+    // Stable: an event's inputs stay before it.
+    things.sort_by_key(|(event, _)| *event);
+    things.into_iter().map(|(_, thing)| thing).collect()
+}
+
+/// What a thing is, apart from what it says.
+#[derive(PartialEq, Eq, Hash)]
+enum Key {
+    /// Noted or an input: the ray of the middle pixel has as an input what others compute.
+    Quantity(&'static str),
+    Decision(Question),
+    Node(Option<Step>),
+    Result,
+}
+
+/// What a decision answers.
+#[derive(PartialEq, Eq, Hash)]
+enum Question {
+    IsHit,
+    OnWhichSide,
+    WhatIsNearest,
+    WhatBlocks,
+    WhatPasses(u32),
+    HasValue(Name),
+    IsTraced(Skippable),
+    Leaks(Skippable),
+    Rejected(Skippable),
+    /// The cell by its bits; `None` for the pixel.
+    IsEnough(Option<[u64; 3]>),
+}
+
+fn key(run: Run, thing: Thing) -> Key {
+    match thing {
+        Thing::Node(node) => Key::Node(run.tree.nodes()[node].step),
+        Thing::Input(event, number) => Key::Quantity(run.log.events[event].given[number].0.key()),
+        Thing::Event(event) => match run.log.events[event].what {
+            What::Note { name, .. } => Key::Quantity(name.key()),
+            What::Mark(decision) => Key::Decision(question(decision)),
+            What::Enter { .. } | What::Leave | What::Result { .. } => Key::Result,
+        },
+    }
+}
+
+fn question(decision: Decision) -> Question {
+    match decision {
+        Decision::Hit | Decision::Miss { .. } => Question::IsHit,
+        Decision::Outside | Decision::Inside => Question::OnWhichSide,
+        Decision::Nearest { .. } | Decision::Background => Question::WhatIsNearest,
+        Decision::Occluded { .. } => Question::WhatBlocks,
+        Decision::Attenuated { object, .. } => Question::WhatPasses(object),
+        Decision::Undefined { quantity } => Question::HasValue(quantity),
+        Decision::TotalInternalReflection => Question::IsTraced(Skippable::Transmitted),
+        Decision::DepthLimit { what } | Decision::Skipped { what, .. } => Question::IsTraced(what),
+        Decision::LeakGuard { what } => Question::Leaks(what),
+        Decision::Rejected { what } => Question::Rejected(what),
+        Decision::Subdivided { cell, .. } => Question::IsEnough(Some(cell.map(f64::to_bits))),
+        Decision::Accepted { cell, .. } => Question::IsEnough(cell.map(|cell| cell.map(f64::to_bits))),
+        Decision::MoreSamples { .. } => Question::IsEnough(None),
+    }
+}

@@ -1,0 +1,157 @@
+//! What stands before a difference and may be why it is there, for what no formula explains: decisions, and steps that only one log
+//! has.
+
+use super::align::{Alignment, Spot, Thing};
+use super::tolerance::Tolerance;
+use crate::log::{Decision, Step, Value, What};
+use crate::report::side_by_side::Run;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// The things of two aligned logs, in their order.
+pub(super) struct Before<'a> {
+    a: Run<'a>,
+    b: Run<'a>,
+    alignment: Rc<Alignment>,
+    places: HashMap<Spot, usize>,
+    /// By the nodes of A, the decisions in them that differ.
+    decisions: HashMap<usize, Vec<usize>>,
+}
+
+impl<'a> Before<'a> {
+    pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>) -> Before<'a> {
+        let places = alignment.spots.iter().enumerate().map(|(place, spot)| (*spot, place)).collect();
+        let mut before = Before { a, b, alignment, places, decisions: HashMap::new() };
+        for place in 0..before.alignment.spots.len() {
+            if before.decides_otherwise(place) {
+                before.decisions.entry(before.alignment.homes[place]).or_default().push(place);
+            }
+        }
+        before
+    }
+
+    /// What this may come from: for a step that only one log has, what is decided otherwise in its node; else, and for a decision,
+    /// the last value before it in its node that differs; else what differs last before it in its ray: decisions, then steps that
+    /// only one log has, then values.
+    pub fn of_spot(&self, spot: Spot) -> Option<Spot> {
+        let place = *self.places.get(&spot)?;
+        let home = self.alignment.homes[place];
+        let is_decision = self.decides_otherwise(place);
+        let is_step_alone = !matches!(spot, Spot::Both(..)) && !is_decision;
+        let decided_here = self.decisions.get(&home).and_then(|places| places.first().copied());
+        let found = decided_here.filter(|_| is_step_alone).or_else(|| {
+            let is_here = |other: &usize| self.alignment.homes[*other] == home;
+            let value_here = self.earlier(place).find(|other| is_here(other) && self.value_differs(*other));
+            let decided = || self.decided_before(place);
+            // What only one log has follows from a decision, and not the decision from it.
+            let may_follow = !is_step_alone && !is_decision;
+            let alone = || self.earlier(place).find(|other| may_follow && self.is_node_alone(*other));
+            let value = || self.earlier(place).find(|other| self.value_differs(*other));
+            value_here.or_else(decided).or_else(alone).or_else(value)
+        });
+        found.map(|place| self.alignment.spots[place])
+    }
+
+    /// The last decision before this in its ray that differs.
+    pub fn decision_before(&self, spot: Spot) -> Option<Spot> {
+        let place = *self.places.get(&spot)?;
+        self.decided_before(place).map(|place| self.alignment.spots[place])
+    }
+
+    /// The last decision before a place that differs: of its ray itself, or else of the rays that this one sent out.
+    fn decided_before(&self, place: usize) -> Option<usize> {
+        let ray = self.ray_around(self.alignment.homes[place]);
+        let decides = |other: &usize| self.decides_otherwise(*other);
+        let is_own = |other: &usize| self.ray_around(self.alignment.homes[*other]) == ray;
+        let own = self.earlier(place).find(|other| decides(other) && is_own(other));
+        own.or_else(|| self.earlier(place).find(decides))
+    }
+
+    /// Whether the alignment has this: a step that only one log has, for one.
+    pub fn has(&self, spot: Spot) -> bool {
+        self.places.contains_key(&spot)
+    }
+
+    /// What stands before a place in its ray, the last first.
+    fn earlier(&self, place: usize) -> impl Iterator<Item = usize> + '_ {
+        let ray = self.ray_around(self.alignment.homes[place]);
+        let within = ray..self.a.tree.nodes()[ray].subtree_end;
+        // The order is that of A's tree: what belongs to a ray stands together.
+        (0..place).rev().take_while(move |other| within.contains(&self.alignment.homes[*other]))
+    }
+
+    /// The node in A of the ray in which a node stands; the root if it stands in none.
+    fn ray_around(&self, node: usize) -> usize {
+        let nodes = self.a.tree.nodes();
+        let is_ray = |node: usize| matches!(nodes[node].step, Some(Step::Ray { .. }));
+        let mut around = std::iter::successors(Some(node), |node| Some(nodes[*node].parent));
+        around.find(|node| *node == 0 || is_ray(*node)).unwrap_or(0)
+    }
+
+    /// Whether a decision differs here, or is in one log only.
+    fn decides_otherwise(&self, place: usize) -> bool {
+        let is_decision = |run: Run, thing: Thing| match thing {
+            Thing::Event(event) => matches!(run.log.events[event].what, What::Mark(_)),
+            Thing::Input(..) | Thing::Node(_) => false,
+        };
+        match self.alignment.spots[place] {
+            Spot::Both(Thing::Event(a), Thing::Event(b)) => differ_as_decisions(self.a, a, self.b, b),
+            Spot::Both(..) => false,
+            Spot::OnlyA(thing) => is_decision(self.a, thing),
+            Spot::OnlyB(thing) => is_decision(self.b, thing),
+        }
+    }
+
+    /// Whether a ray or another part of the computation is in one log only.
+    fn is_node_alone(&self, place: usize) -> bool {
+        let spot = self.alignment.spots[place];
+        matches!(spot, Spot::OnlyA(Thing::Node(_)) | Spot::OnlyB(Thing::Node(_))) && !self.is_test_alone(spot)
+    }
+
+    /// Whether this is a test that only one log has. It decides nothing by itself: which tests a tracer needs depends on its
+    /// arithmetic, and on what it was asked to log.
+    pub fn is_test_alone(&self, spot: Spot) -> bool {
+        let step = match spot {
+            Spot::OnlyA(Thing::Node(node)) => self.a.tree.nodes()[node].step,
+            Spot::OnlyB(Thing::Node(node)) => self.b.tree.nodes()[node].step,
+            _ => None,
+        };
+        matches!(step, Some(Step::Test { .. } | Step::Motion { .. }))
+    }
+
+    fn value_differs(&self, place: usize) -> bool {
+        values_of(self.a, self.b, self.alignment.spots[place])
+            .is_some_and(|(ours, theirs)| Tolerance::default().tells_apart(&ours, &theirs))
+    }
+}
+
+/// Whether two events are different decisions. How much light a surface lets pass is a value.
+pub(super) fn differ_as_decisions(a: Run, event_a: usize, b: Run, event_b: usize) -> bool {
+    match (&a.log.events[event_a].what, &b.log.events[event_b].what) {
+        (What::Mark(Decision::Attenuated { .. }), What::Mark(Decision::Attenuated { .. })) => false,
+        (What::Mark(ours), What::Mark(theirs)) => ours != theirs,
+        _ => false,
+    }
+}
+
+/// The values of something that both logs have; `None` for decisions.
+pub(super) fn values_of(a: Run, b: Run, spot: Spot) -> Option<(Value, Value)> {
+    match spot {
+        Spot::Both(ours, theirs) => Some((value(a, ours)?, value(b, theirs)?)),
+        Spot::OnlyA(_) | Spot::OnlyB(_) => None,
+    }
+}
+
+/// The value of a thing, if it has one.
+pub(super) fn value(run: Run, thing: Thing) -> Option<Value> {
+    match thing {
+        Thing::Event(event) => match run.log.events[event].what {
+            What::Note { value, .. } => Some(value),
+            What::Result { color } => Some(Value::Triple(color)),
+            What::Mark(Decision::Attenuated { factor, .. }) => Some(Value::Triple(factor)),
+            _ => None,
+        },
+        Thing::Input(event, number) => Some(run.log.events[event].given[number].1),
+        Thing::Node(_) => None,
+    }
+}

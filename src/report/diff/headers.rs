@@ -1,0 +1,130 @@
+//! What two logs say about themselves, and how the same object gets the same number in both.
+
+use crate::log::{Decision, Event, Header, Step, Subject, What};
+use crate::report::words;
+use std::collections::HashMap;
+
+/// Something that the headers of two logs say differently.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HeaderDifference {
+    /// What it is about, as the header calls it: `arithmetic`, `tracing.max_depth`.
+    pub field: &'static str,
+    /// What A says.
+    pub a: String,
+    /// What B says.
+    pub b: String,
+}
+
+/// A field of a header, and what a header says in it.
+type Field = (&'static str, fn(&Header) -> String);
+
+const FIELDS: [Field; 16] = [
+    ("subject", subject),
+    ("version", |header| words::plain(&header.version)),
+    ("scene.name", |header| words::plain(&header.scene.name)),
+    ("scene.digest", |header| words::plain(&header.scene.digest)),
+    ("arithmetic", |header| words::plain(&header.arithmetic)),
+    ("tracing.algorithm", |header| words::plain(&header.tracing.algorithm)),
+    ("tracing.max_depth", |header| header.tracing.max_depth.to_string()),
+    ("tracing.specular", |header| words::plain(&header.tracing.specular)),
+    ("tracing.sphere_method", |header| words::plain(&header.tracing.sphere_method)),
+    ("tracing.cutoff", |header| header.tracing.cutoff.to_string()),
+    ("tracing.two_sided", |header| header.tracing.two_sided.to_string()),
+    ("sampling", |header| words::sampling(header).unwrap_or_else(|| "none".to_owned())),
+    ("seed", |header| header.seed.to_string()),
+    ("frame", |header| words::frame(header).unwrap_or_else(|| "none".to_owned())),
+    ("objects", |header| words::plain(&header.objects.join(", "))),
+    ("lights", |header| words::plain(&header.lights.join(", "))),
+];
+
+/// What the headers say differently, in the order of a header.
+pub fn header_differences(a: &Header, b: &Header) -> Vec<HeaderDifference> {
+    let said = FIELDS.iter().map(|(field, say)| HeaderDifference { field, a: say(a), b: say(b) });
+    said.filter(|said| said.a != said.b).collect()
+}
+
+fn subject(header: &Header) -> String {
+    match header.subject {
+        // As many digits as tell them apart.
+        Subject::Ray(ray) => format!("ray {}", ray.map(|x| x.to_string()).join(",")),
+        _ => words::subject(header),
+    }
+}
+
+/// How the numbers of B's objects and lights become those of A, by their names; those that only B has follow A's.
+#[derive(Clone, Debug)]
+pub struct Numbering {
+    objects: Vec<u32>,
+    lights: Vec<u32>,
+    is_same: bool,
+}
+
+impl Numbering {
+    /// The numbering that makes `b` agree with `a`; `b` gets the names in their new order.
+    pub fn unify(a: &Header, b: &mut Header) -> Numbering {
+        let is_same = a.objects == b.objects && a.lights == b.lights;
+        let objects = renumbered(&a.objects, &mut b.objects);
+        let lights = renumbered(&a.lights, &mut b.lights);
+        Numbering { objects, lights, is_same }
+    }
+
+    /// Gives the events of B the numbers.
+    pub fn apply(&self, events: &mut [Event]) {
+        if self.is_same {
+            return;
+        }
+        for event in events {
+            match &mut event.what {
+                What::Enter { step, .. } => self.step(step),
+                What::Mark(decision) => self.decision(decision),
+                _ => {}
+            }
+        }
+    }
+
+    fn step(&self, step: &mut Step) {
+        match step {
+            Step::Motion { object } | Step::Test { object, .. } | Step::Shade { object } => self.object(object),
+            Step::Light { light, .. } => self.light(light),
+            Step::Ray { kind: crate::log::RayKind::Shadow { light }, .. } => self.light(light),
+            _ => {}
+        }
+    }
+
+    fn decision(&self, decision: &mut Decision) {
+        match decision {
+            Decision::Nearest { object }
+            | Decision::Occluded { object }
+            | Decision::Attenuated { object, .. }
+            | Decision::Subdivided { object: Some(object), .. } => self.object(object),
+            _ => {}
+        }
+    }
+
+    fn object(&self, object: &mut u32) {
+        *object = self.objects.get(*object as usize).copied().unwrap_or(*object);
+    }
+
+    fn light(&self, light: &mut u32) {
+        *light = self.lights.get(*light as usize).copied().unwrap_or(*light);
+    }
+}
+
+/// The numbers that these names get beside those that are there; the names become all of them.
+fn renumbered(there: &[String], names: &mut Vec<String>) -> Vec<u32> {
+    let mut all = there.to_vec();
+    let mut numbers: HashMap<String, u32> = HashMap::new();
+    for (number, name) in (0..).zip(there) {
+        // The first of equal names wins, as it does in a scene.
+        numbers.entry(name.clone()).or_insert(number);
+    }
+    let numbered = names.iter().map(|name| {
+        *numbers.entry(name.clone()).or_insert_with(|| {
+            all.push(name.clone());
+            all.len() as u32 - 1
+        })
+    });
+    let numbered = numbered.collect();
+    *names = all;
+    numbered
+}

@@ -1,0 +1,296 @@
+//! What differs between two logs, where first, and why.
+//!
+//! Logs are compared a pixel at a time, so that a region takes the memory of its largest pixel. `align` says which step of one log is
+//! which of the other, `tolerance` which values count as different, `cause` where a difference comes from; `text` and `json` show it.
+
+mod align;
+mod before;
+mod cause;
+mod headers;
+mod json;
+mod operands;
+mod rows;
+mod summary;
+mod text;
+mod tolerance;
+
+pub use align::{Spot, Thing};
+pub use cause::Why;
+pub use headers::{HeaderDifference, Numbering, header_differences};
+pub use json::Json;
+pub use rows::{Row, Rows};
+pub use summary::{Pixel, Summary};
+pub use text::Text;
+pub use tolerance::{Distance, Tolerance, distance};
+
+use super::side_by_side::Run;
+use super::{Style, computation, words};
+use crate::log::{Name, Step, Value, What};
+use cause::{Causes, Contribution};
+use std::rc::Rc;
+
+/// What differs in a pixel, or between two rays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// How many values both logs have, inputs among them.
+    pub values: usize,
+    /// What differs, in the order of the computation.
+    pub differences: Vec<Difference>,
+    /// More about the first difference; about a test that only one log has only where nothing else differs.
+    pub first: Option<First>,
+    /// From where the difference of the colour comes, up to the colour: always along the largest effect. Empty if the colour is the
+    /// same.
+    pub way: Vec<Entry>,
+}
+
+/// Something in the logs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// The path of its ray, such as `C R S1`.
+    pub path: String,
+    /// The node in which it stands, such as `test sphere`; empty for the ray's own.
+    pub node: String,
+    /// What it is.
+    pub what: Told,
+}
+
+/// What two logs say in one place.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Told {
+    /// A value.
+    Value {
+        /// The quantity; `None` for the result and for how much light a surface lets pass.
+        name: Option<Name>,
+        /// Whether it is an input, which no step computed.
+        is_input: bool,
+        /// Its value in A.
+        a: Value,
+        /// Its value in B.
+        b: Value,
+        /// How far they are apart.
+        distance: Distance,
+    },
+    /// A decision, as a sentence.
+    Decision {
+        /// That of A.
+        a: String,
+        /// That of B.
+        b: String,
+    },
+    /// What only one log has.
+    Only {
+        /// Which log.
+        side: Side,
+        /// What it is, such as `test sphere` or `sphere.t = 10.718`.
+        what: String,
+        /// How many values it holds.
+        values: usize,
+    },
+}
+
+/// One of the two logs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The first.
+    A,
+    /// The second.
+    B,
+}
+
+/// A difference and its cause.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// What differs.
+    pub entry: Entry,
+    /// Why.
+    pub why: Why,
+    /// What it comes from directly, the largest effect first: each with how far the value moves when only this is taken from B.
+    pub from: Vec<(Entry, f64)>,
+    /// How far the values are apart for other reasons.
+    pub own: f64,
+    /// Where that comes from in the end; `None` if it is the difference itself.
+    pub origin: Option<Entry>,
+}
+
+/// The first difference in full.
+#[derive(Clone, Debug, PartialEq)]
+pub struct First {
+    /// How A and B compute it, with the numbers put in; `None` for what isn't computed.
+    pub computations: Option<[String; 2]>,
+    /// The way back to where it comes from; the difference itself is the first.
+    pub way: Vec<Entry>,
+    /// Why the last of them differs.
+    pub why: Why,
+}
+
+/// Compares the logs of a pixel or ray. Their objects and lights must have the same numbers, see [`Numbering`].
+pub fn compare(a: Run, b: Run, tolerance: &Tolerance) -> Comparison {
+    let alignment = Rc::new(align::align(a, b));
+    let comparing = Comparing { causes: Causes::of(a, b, alignment.clone()), tolerance: *tolerance };
+    let spots: Vec<Spot> = alignment.spots.iter().copied().filter(|spot| comparing.differs(*spot)).collect();
+    let values = alignment.spots.iter().filter(|spot| before::values_of(a, b, **spot).is_some()).count();
+    // A test that the other tracer didn't need is the first to be told only where nothing else differs.
+    let first = spots.iter().find(|spot| !comparing.causes.is_test_alone(**spot)).or(spots.first());
+    Comparison {
+        values,
+        differences: spots.iter().map(|spot| comparing.difference(*spot)).collect(),
+        first: first.map(|spot| comparing.first(*spot)),
+        way: comparing.way_to_the_color(&spots),
+    }
+}
+
+struct Comparing<'a> {
+    causes: Causes<'a>,
+    tolerance: Tolerance,
+}
+
+impl Comparing<'_> {
+    fn differs(&self, spot: Spot) -> bool {
+        let (a, b) = (self.causes.a, self.causes.b);
+        match (before::values_of(a, b, spot), spot) {
+            (Some((ours, theirs)), _) => self.tolerance.tells_apart(&ours, &theirs),
+            (None, Spot::Both(Thing::Event(ours), Thing::Event(theirs))) => {
+                before::differ_as_decisions(a, ours, b, theirs)
+            }
+            (None, Spot::Both(..)) => false,
+            (None, Spot::OnlyA(_) | Spot::OnlyB(_)) => true,
+        }
+    }
+
+    fn difference(&self, spot: Spot) -> Difference {
+        let attribution = self.causes.attribution(spot);
+        let from = match (&attribution.operands[..], attribution.from) {
+            ([], Some(from)) => vec![(self.entry(from), 0.0)],
+            (operands, _) => {
+                operands.iter().map(|Contribution { spot, effect }| (self.entry(*spot), *effect)).collect()
+            }
+        };
+        let origin = self.causes.way_back(spot).last().filter(|last| **last != spot).map(|last| self.entry(*last));
+        Difference { entry: self.entry(spot), why: attribution.why, from, own: attribution.own, origin }
+    }
+
+    fn first(&self, spot: Spot) -> First {
+        let way = self.causes.way_back(spot);
+        let why = way.last().map_or(Why::First, |last| self.causes.attribution(*last).why);
+        First {
+            computations: self.computations(spot),
+            way: way.into_iter().map(|spot| self.entry(spot)).collect(),
+            why,
+        }
+    }
+
+    fn way_to_the_color(&self, differing: &[Spot]) -> Vec<Entry> {
+        let is_result = |spot: &&Spot| match spot {
+            Spot::Both(Thing::Event(a), _) => matches!(self.causes.a.log.events[*a].what, What::Result { .. }),
+            _ => false,
+        };
+        let Some(result) = differing.iter().rev().find(is_result) else { return Vec::new() };
+        let way = self.causes.way_back(*result);
+        way.into_iter().rev().map(|spot| self.entry(spot)).collect()
+    }
+
+    /// How both logs compute a quantity, with as many digits as tell the two apart.
+    fn computations(&self, spot: Spot) -> Option<[String; 2]> {
+        let Spot::Both(Thing::Event(ours), Thing::Event(theirs)) = spot else { return None };
+        let (value_a, value_b) = before::values_of(self.causes.a, self.causes.b, spot)?;
+        let attribution = self.causes.attribution(spot);
+        let operands = attribution.operands.iter();
+        let operands = operands.filter_map(|operand| before::values_of(self.causes.a, self.causes.b, operand.spot));
+        let values: Vec<_> = operands.chain([(value_a, value_b)]).collect();
+        // The numbers put in must tell what the result is from.
+        let digits = values.iter().map(|(a, b)| telling_apart(a, b, self.tolerance.digits).digits).max();
+        let style = digits.map_or(Style::default(), |digits| Style { digits });
+        let line = |run: Run, event| computation(run.log, run.tree, event, style).map(|computation| computation.line());
+        Some([line(self.causes.a, ours)?, line(self.causes.b, theirs)?])
+    }
+
+    fn entry(&self, spot: Spot) -> Entry {
+        let (a, b) = (self.causes.a, self.causes.b);
+        match spot {
+            Spot::Both(ours, theirs) => {
+                let what = match (before::values_of(a, b, spot), ours, theirs) {
+                    (Some((value_a, value_b)), ..) => Told::Value {
+                        name: quantity(a, ours),
+                        is_input: matches!((ours, theirs), (Thing::Input(..), Thing::Input(..))),
+                        a: value_a,
+                        b: value_b,
+                        distance: distance(&value_a, &value_b),
+                    },
+                    (None, Thing::Event(ours), Thing::Event(theirs)) => {
+                        Told::Decision { a: decision(a, ours), b: decision(b, theirs) }
+                    }
+                    (None, ..) => Told::Decision { a: String::new(), b: String::new() },
+                };
+                entry_in(a, ours, what)
+            }
+            Spot::OnlyA(thing) => entry_in(a, thing, alone(a, Side::A, thing)),
+            Spot::OnlyB(thing) => entry_in(b, thing, alone(b, Side::B, thing)),
+        }
+    }
+}
+
+/// The style with the fewest decimals, at least those that are asked for, or else 3, that show two values differently.
+pub fn telling_apart(a: &Value, b: &Value, digits: Option<u32>) -> Style {
+    const MOST: u32 = 15;
+    let fewest = digits.unwrap_or(Style::default().digits);
+    let styles = (fewest..=MOST).map(|digits| Style { digits });
+    let shows = |style: &Style| super::number::value(a, *style) != super::number::value(b, *style);
+    let is_same = !Tolerance::default().tells_apart(a, b);
+    styles.into_iter().find(|style| is_same || shows(style)).unwrap_or(Style { digits: MOST })
+}
+
+fn entry_in(run: Run, thing: Thing, what: Told) -> Entry {
+    let nodes = run.tree.nodes();
+    let node = match thing {
+        Thing::Event(event) | Thing::Input(event, _) => run.tree.owner(event),
+        // A node stands in the one around it; a ray says its own path.
+        Thing::Node(node) if matches!(nodes[node].step, Some(Step::Ray { .. })) => node,
+        Thing::Node(node) => nodes[node].parent,
+    };
+    let title = match nodes[node].step {
+        None | Some(Step::Ray { .. } | Step::Sample { .. }) => String::new(),
+        Some(_) => words::title(run.log, run.tree, node),
+    };
+    Entry { path: run.tree.path(node), node: title, what }
+}
+
+fn quantity(run: Run, thing: Thing) -> Option<Name> {
+    match thing {
+        Thing::Event(event) => match run.log.events[event].what {
+            What::Note { name, .. } => Some(name),
+            _ => None,
+        },
+        Thing::Input(event, number) => Some(run.log.events[event].given[number].0),
+        Thing::Node(_) => None,
+    }
+}
+
+fn decision(run: Run, event: usize) -> String {
+    match &run.log.events[event].what {
+        What::Mark(decision) => words::decision(&run.log.header, decision, Style::default()),
+        _ => String::new(),
+    }
+}
+
+fn alone(run: Run, side: Side, thing: Thing) -> Told {
+    let (what, values) = only(run, thing);
+    Told::Only { side, what, values }
+}
+
+/// What only one log has, in a few words, and how many values it holds.
+fn only(run: Run, thing: Thing) -> (String, usize) {
+    let is_value = |event: &usize| matches!(run.log.events[*event].what, What::Note { .. });
+    match (thing, quantity(run, thing), before::value(run, thing)) {
+        (Thing::Node(node), ..) => {
+            let events = run.tree.nodes()[node].events.clone();
+            (words::title(run.log, run.tree, node), events.filter(is_value).count())
+        }
+        (_, Some(name), Some(value)) => {
+            (format!("{} = {}", name.key(), super::number::value(&value, Style::default())), 1)
+        }
+        (Thing::Event(event), ..) if matches!(run.log.events[event].what, What::Result { .. }) => {
+            ("result".to_owned(), 1)
+        }
+        (Thing::Event(event) | Thing::Input(event, _), ..) => (decision(run, event), 0),
+    }
+}

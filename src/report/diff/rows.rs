@@ -1,0 +1,142 @@
+//! Two aligned logs row by row, the same and the different, for walking through both at once.
+
+use super::align::{self, Alignment, Spot, Thing};
+use super::cause::Causes;
+use super::{Comparing, Text, Tolerance, before, decision, only, quantity, telling_apart};
+use crate::log::{Decision, Step, Value, What};
+use crate::report::side_by_side::Run;
+use crate::report::{Style, number, words};
+use std::rc::Rc;
+
+/// Two logs beside each other. A node that both have, and each thing in it, has a row.
+pub struct Rows<'a> {
+    comparing: Comparing<'a>,
+    rows: Vec<Row>,
+}
+
+/// A row of two logs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// How many nodes are around it.
+    pub level: usize,
+    /// What stands in it.
+    place: Place,
+    /// Whether the two logs differ in it.
+    pub differs: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Place {
+    /// A node of A, which B has too.
+    Node(usize),
+    Thing(Spot),
+}
+
+impl<'a> Rows<'a> {
+    /// Those of two logs whose objects and lights have the same numbers.
+    pub fn of(a: Run<'a>, b: Run<'a>, tolerance: Tolerance) -> Rows<'a> {
+        let alignment = Rc::new(align::align(a, b));
+        let comparing = Comparing { causes: Causes::of(a, b, alignment.clone()), tolerance };
+        let rows = rows(a, &alignment, |spot| comparing.differs(spot));
+        Rows { comparing, rows }
+    }
+
+    /// The rows, from the top.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// What a row is a node of, if it is that of a node.
+    pub fn step(&self, row: &Row) -> Option<Step> {
+        let (a, b) = (self.comparing.causes.a, self.comparing.causes.b);
+        match row.place {
+            Place::Node(node) | Place::Thing(Spot::OnlyA(Thing::Node(node))) => a.tree.nodes()[node].step,
+            Place::Thing(Spot::OnlyB(Thing::Node(node))) => b.tree.nodes()[node].step,
+            Place::Thing(_) => None,
+        }
+    }
+
+    /// What A and B say in a row; `None` for the log that has nothing there.
+    pub fn cells(&self, row: &Row) -> [Option<String>; 2] {
+        let (a, b) = (self.comparing.causes.a, self.comparing.causes.b);
+        match row.place {
+            Place::Node(node) => {
+                let theirs = self.comparing.causes.partner(node).map(|node| words::title(b.log, b.tree, node));
+                [Some(words::title(a.log, a.tree, node)), theirs]
+            }
+            Place::Thing(spot @ Spot::Both(ours, theirs)) => match before::values_of(a, b, spot) {
+                Some((value_a, value_b)) => {
+                    let style = self.style(row, &value_a, &value_b);
+                    [Some(named(a, ours, &value_a, style)), Some(named(b, theirs, &value_b, style))]
+                }
+                None => [Some(decision_of(a, ours)), Some(decision_of(b, theirs))],
+            },
+            Place::Thing(Spot::OnlyA(thing)) => [Some(alone(a, thing)), None],
+            Place::Thing(Spot::OnlyB(thing)) => [None, Some(alone(b, thing))],
+        }
+    }
+
+    /// How both logs compute what stands in a row, and where a difference comes from; a line each.
+    pub fn explanation(&self, row: &Row) -> Vec<String> {
+        let Place::Thing(spot) = row.place else { return Vec::new() };
+        if row.differs {
+            let (a, b) = (self.comparing.causes.a, self.comparing.causes.b);
+            let text = Text::new(self.comparing.tolerance.digits, false).between(&a.log.header, &b.log.header);
+            return text.explanation(&self.comparing.first(spot));
+        }
+        let computations = self.comparing.computations(spot);
+        computations.map_or_else(Vec::new, |[a, b]| vec![format!("A: {a}"), format!("B: {b}")])
+    }
+
+    fn style(&self, row: &Row, a: &Value, b: &Value) -> Style {
+        let digits = self.comparing.tolerance.digits;
+        if row.differs {
+            telling_apart(a, b, digits)
+        } else {
+            digits.map_or(Style::default(), |digits| Style { digits })
+        }
+    }
+}
+
+/// The things in their order, each node before the first thing in it.
+fn rows(a: Run, alignment: &Alignment, differs: impl Fn(Spot) -> bool) -> Vec<Row> {
+    let nodes = a.tree.nodes();
+    let mut rows = Vec::new();
+    let shared = (0..nodes.len()).filter(|node| alignment.nodes[*node].is_some());
+    let mut shared = shared.peekable();
+    for (spot, home) in alignment.spots.iter().zip(&alignment.homes) {
+        // Nodes before the one in which the thing stands, and that one, have begun.
+        while let Some(node) = shared.next_if(|node| node <= home) {
+            rows.push(Row { level: nodes[node].level, place: Place::Node(node), differs: false });
+        }
+        rows.push(Row { level: nodes[*home].level + 1, place: Place::Thing(*spot), differs: differs(*spot) });
+    }
+    rows
+}
+
+fn named(run: Run, thing: Thing, value: &Value, style: Style) -> String {
+    let shown = number::value(value, style);
+    match quantity(run, thing) {
+        Some(name) => format!("{} = {shown}", name.symbol()),
+        None => match thing {
+            Thing::Event(event) if is_filter(run, event) => decision_of(run, thing),
+            _ => format!("result: {shown}"),
+        },
+    }
+}
+
+fn alone(run: Run, thing: Thing) -> String {
+    let value = quantity(run, thing).and_then(|_| before::value(run, thing));
+    value.map_or_else(|| only(run, thing).0, |value| named(run, thing, &value, Style::default()))
+}
+
+fn is_filter(run: Run, event: usize) -> bool {
+    matches!(run.log.events[event].what, What::Mark(Decision::Attenuated { .. }))
+}
+
+fn decision_of(run: Run, thing: Thing) -> String {
+    match thing {
+        Thing::Event(event) => decision(run, event),
+        Thing::Input(..) | Thing::Node(_) => String::new(),
+    }
+}

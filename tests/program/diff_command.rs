@@ -1,0 +1,202 @@
+//! `raywalk diff` as its users meet it: logs, regions, pictures, and what can't be compared.
+
+use crate::calls::{prints, raywalk, says};
+use serde_json::Value;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// A folder with files that are written by calls.
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Folder {
+        Folder(tempfile::tempdir().expect("a folder"))
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.path().join(name).to_str().expect("UTF-8").to_owned()
+    }
+
+    /// Writes a file by a call; gives its path.
+    fn made(&self, name: &str, call: &[&str]) -> String {
+        let path = self.path(name);
+        let quiet: &[&str] = if call[0] == "render" { &["-q"] } else { &[] };
+        prints(&[call, &["-o", &path], quiet].concat());
+        path
+    }
+
+    fn textbook(&self, name: &str, options: &[&str]) -> String {
+        self.made(name, &[&["trace", "textbook", "--pixel", "160,120"], options].concat())
+    }
+}
+
+/// What a comparison prints, and its exit code.
+fn diff(arguments: &[&str]) -> (String, i32) {
+    let answer = raywalk(&[&["diff"], arguments].concat()).output().expect("it runs");
+    let out = String::from_utf8(answer.stdout).expect("UTF-8");
+    (out, answer.status.code().expect("an exit code"))
+}
+
+#[track_caller]
+fn summary(arguments: &[&str]) -> Value {
+    let (out, code) = diff(&[arguments, &["--format", "json"]].concat());
+    let document: Value = serde_json::from_str(&out).unwrap_or_else(|error| panic!("{error}: {out}"));
+    let summary = document.get("summary").cloned().unwrap_or(document);
+    assert_eq!(summary["same"].as_bool(), Some(code == 0), "{summary}");
+    summary
+}
+
+#[test]
+fn the_same_logs_are_the_same_in_every_form() {
+    let folder = Folder::new();
+    let lines = folder.textbook("a.ndjson", &[]);
+    for other in [folder.textbook("b.json", &["--format", "json"]), folder.textbook("b.ndjson.gz", &[])] {
+        let (out, code) = diff(&[&lines, &other]);
+        assert_eq!(code, 0, "{out}");
+        assert!(out.ends_with("The same: 93 values compared, none differs\n"), "{out}");
+    }
+    // Tests that the tracer didn't need say nothing about the computation; they are still steps that one log lacks.
+    let hand = folder.textbook("hand.ndjson", &["--arithmetic", "decimal:3"]);
+    assert_eq!(diff(&[&lines, &hand]).1, 1);
+}
+
+#[test]
+fn one_of_two_logs_comes_from_standard_input() {
+    let folder = Folder::new();
+    let log = folder.textbook("a.ndjson", &[]);
+    let bytes = std::fs::read(&log).expect("the log");
+    let piped = raywalk(&["diff", &log, "-"]).write_stdin(bytes).output().expect("it runs");
+    assert_eq!(piped.status.code(), Some(0));
+    says(2, &["diff", "-", "-"], "only one of the two");
+}
+
+#[test]
+fn tolerances_let_pass_what_they_say() {
+    let folder = Folder::new();
+    let f64 = folder.textbook("a.ndjson", &[]);
+    let f32 = folder.textbook("b.ndjson", &["--arithmetic", "f32"]);
+    let differing = |options: &[&str]| {
+        let summary = summary(&[&[&*f64, &*f32], options].concat());
+        summary["values"]["differ"].as_u64().expect("a count")
+    };
+    let exactly = differing(&[]);
+    let by_relative = differing(&["--rel", "1e-7"]);
+    assert!(exactly > by_relative && by_relative > 0, "{exactly} {by_relative}");
+    assert_eq!(differing(&["--rel", "0.01"]), 0);
+    assert_eq!(differing(&["--abs", "0.001"]), 0);
+    // Beyond both: the colours are large, and near in proportion.
+    assert_eq!(differing(&["--abs", "1e-9", "--rel", "0.01"]), 0);
+    assert_eq!(differing(&["--digits", "3"]), 0);
+    says(2, &["diff", &f64, &f32, "--abs", "-1"], "-1");
+    says(2, &["diff", &f64, &f32, "--rel", "inf"], "expected a number from 0 on");
+}
+
+#[test]
+fn regions_are_compared_pixel_by_pixel() {
+    let folder = Folder::new();
+    let region = |name: &str, corners: &str, options: &[&str]| {
+        folder.made(name, &[&["trace", "textbook", "--region", corners], options].concat())
+    };
+    let a = region("a.ndjson", "158,119,162,121", &[]);
+    let b = region("b.ndjson.gz", "159,119,163,122", &[]);
+    let pixels = summary(&[&a, &b])["pixels"].clone();
+    let counts = ["compared", "differ", "only_in_a", "only_in_b"].map(|key| pixels[key].as_u64().expect("a count"));
+    assert_eq!(counts, [6, 0, 2, 6]);
+    let (out, code) = diff(&[&a, &b]);
+    assert_eq!(code, 1);
+    assert!(out.contains("\nOnly in A: pixel 158,119\n") && out.contains("\nOnly in B: pixel 162,121\n"), "{out}");
+    // A pixel finds its place in a region.
+    let pixel = folder.textbook("pixel.ndjson", &[]);
+    assert_eq!(summary(&[&pixel, &a])["pixels"]["only_in_b"], 7);
+    // In the other arithmetic the first divergence names its pixel.
+    let hand = region("hand.json", "158,119,162,121", &["--arithmetic", "decimal:3", "--format", "json"]);
+    let (out, _) = diff(&[&a, &hand, "--brief"]);
+    assert!(out.contains("\nFirst divergence in pixel 158,119, C: camera.length\n"), "{out}");
+    assert!(out.contains("\n  pixels: 8 compared, 8 differ; 0 only in A, 0 only in B\n"), "{out}");
+    let ray = folder.made("ray.ndjson", &["trace", "textbook", "--ray", "16,2,7,-12,4,1"]);
+    says(2, &["diff", &ray, &a], "expected two of a kind");
+    assert_eq!(diff(&[&ray, &pixel]).1, 0);
+}
+
+#[test]
+fn what_is_no_log_says_what_would_be_one() {
+    let folder = Folder::new();
+    let log = folder.textbook("a.ndjson", &[]);
+    says(2, &["diff", &folder.path("none.ndjson"), &log], "no such file, expected a log or a picture");
+    let scene = folder.path("scene.json");
+    std::fs::write(&scene, raywalk::scene::builtin::text("textbook").expect("a scene")).expect("written");
+    says(2, &["diff", &scene, &log], "found a scene; `raywalk trace` writes the log of one of its pixels");
+    let other = folder.path("other");
+    std::fs::write(&other, "").expect("written");
+    says(2, &["diff", &log, &other], "found an empty file");
+    std::fs::write(&other, "{\"log\":\"raywalk-log/9\"}\n").expect("written");
+    says(2, &["diff", &log, &other], "this program reads `raywalk-log/1`");
+    says(2, &["diff", &log, &log, "-o", &other], "a heat map is made of two pictures");
+}
+
+#[test]
+fn a_log_that_was_cut_off_is_compared_up_to_there() {
+    let folder = Folder::new();
+    let log = folder.textbook("a.ndjson", &[]);
+    let bytes = std::fs::read(&log).expect("the log");
+    let cut = folder.path("cut.ndjson");
+    std::fs::write(&cut, &bytes[..bytes.len() / 2]).expect("written");
+    let answer = raywalk(&["diff", &cut, &log]).output().expect("it runs");
+    assert_eq!(answer.status.code(), Some(1));
+    let message = String::from_utf8_lossy(&answer.stderr);
+    assert!(message.contains("warning: ") && message.contains("cut off"), "{message}");
+    assert_eq!(summary(&[&cut, &log])["values"]["differ"], 0);
+}
+
+#[test]
+fn pictures_are_compared_pixel_by_pixel() {
+    let folder = Folder::new();
+    let picture = |name: &str, options: &[&str]| {
+        folder.made(name, &[&["render", "textbook", "--size", "40x30"], options].concat())
+    };
+    let (png, ppm, png16) = (picture("a.png", &[]), picture("a.ppm", &[]), picture("b.png", &["--png16"]));
+    assert_eq!(diff(&[&png, &ppm]), ("the same: 1200 pixels, none differs\n".to_owned(), 0));
+    let by_hand = picture("hand.png", &["--arithmetic", "decimal:1"]);
+    let heat = folder.path("heat.png");
+    let found = summary(&[&png, &by_hand, "-o", &heat]);
+    let largest = &found["largest"];
+    assert!(found["rmse"].as_f64() > Some(0.0) && largest["difference"].as_f64() > Some(0.0), "{found}");
+    // 8 and 16 bits differ by no more than half a level of 8 bits.
+    assert_eq!(diff(&[&png, &png16, "--abs", "0.00197"]).1, 0);
+    assert_eq!(diff(&[&png, &png16]).1, 1);
+    // White stands where the difference is largest, black where there is none.
+    let [x, y] = [0, 1].map(|axis| largest["pixel"][axis].as_u64().expect("a number") as u32);
+    let heat = raywalk::render::export::read(&std::fs::read(&heat).expect("the heat map")).expect("a picture");
+    assert_eq!((heat.size(), heat.pixel([x, y])), ([40, 30], [1.0; 3]));
+    assert!((0..30).any(|y| (0..40).any(|x| heat.pixel([x, y]) == [0.0; 3])));
+    let (float, single) = (picture("a.pfm", &[]), picture("b.pfm", &["--arithmetic", "f32"]));
+    assert_eq!(diff(&[&float, &float]).1, 0);
+    assert_eq!((diff(&[&float, &single]).1, diff(&[&float, &single, "--rel", "1e-4"]).1), (1, 0));
+    says(2, &["diff", &png, &float], "expected two of a kind");
+    let log = folder.textbook("a.ndjson", &[]);
+    says(2, &["diff", &png, &log], "is a log and");
+    says(2, &["diff", &png, &ppm, "--digits", "3"], "is for logs");
+    says(2, &["diff", &png, &ppm, "-o", &folder.path("heat.ppm")], "expected a name that ends in .png");
+    assert!(!Path::new(&folder.path("heat.ppm")).exists());
+}
+
+#[test]
+fn the_known_difference_of_two_known_pictures() {
+    let folder = Folder::new();
+    let [a, b, wide] = ["a.ppm", "b.ppm", "wide.ppm"].map(|name| folder.path(name));
+    std::fs::write(&a, b"P6\n# two pixels\n2 1\n255\n\x00\x00\x00\xff\xff\xff").expect("written");
+    std::fs::write(&b, b"P6 2 1 255\n\x00\x33\x00\xff\xff\xff").expect("written");
+    std::fs::write(&wide, b"P6 3 1 255\n\0\0\0\0\0\0\0\0\0").expect("written");
+    let found = summary(&[&a, &b]);
+    assert_eq!(found["differing_pixels"], 1);
+    assert_eq!((&found["largest"]["pixel"], &found["largest"]["channel"]), (&serde_json::json!([0, 0]), &1.into()));
+    assert_eq!(found["largest"]["difference"], 0.2);
+    // √(0.2² / 6)
+    assert!((found["rmse"].as_f64().expect("a number") - 0.081_649_658_092_772_6).abs() < 1e-15, "{found}");
+    let (out, code) = diff(&[&a, &wide]);
+    assert_eq!(code, 1);
+    assert!(out.starts_with("different sizes: ") && out.contains("2 x 1") && out.contains("3 x 1"), "{out}");
+    assert_eq!(summary(&[&a, &wide])["sizes"], serde_json::json!([[2, 1], [3, 1]]));
+    std::fs::write(&wide, b"P6 3 1 255\n\0\0\0\0").expect("written");
+    says(2, &["diff", &a, &wide], "expected 9 bytes behind the header, found 4");
+}

@@ -1,0 +1,95 @@
+//! Damaged pictures and logs are compared or refused, and nothing panics.
+
+use crate::mutator::{changed, changes};
+use crate::support::scene;
+use proptest::prelude::*;
+use raywalk::log::file::{PixelReader, to_ndjson};
+use raywalk::log::{Log, Tree};
+use raywalk::record::{self, Arithmetic};
+use raywalk::render::difference::difference;
+use raywalk::render::export::{Picture, read};
+use raywalk::report::diff::{Numbering, Summary, Text, Tolerance, compare};
+use raywalk::report::side_by_side::Run;
+use std::sync::LazyLock;
+
+/// A picture of 3 × 2 pixels in each of the formats.
+fn picture(which: usize) -> Vec<u8> {
+    let floats: Vec<u8> = (0..18_u8).flat_map(|k| f32::from(k).to_le_bytes()).collect();
+    let levels: Vec<u8> = (0..18).map(|k| k * 14).collect();
+    match which {
+        0 => raywalk::render::export::png_of_levels(&levels, [3, 2]).expect("memory"),
+        1 => [b"P6\n# a comment\n3 2\n255\n", &levels[..]].concat(),
+        2 => [b"P6 3 2 65535\n", &levels[..], &levels[..]].concat(),
+        3 => [b"PF\n3 2\n-1.0\n", &floats[..]].concat(),
+        _ => [b"Pf\n3 6\n-1.0\n", &floats[..]].concat(),
+    }
+}
+
+fn picture_answers(bytes: &[u8]) -> Result<(), TestCaseError> {
+    match read(bytes) {
+        Ok(picture) => {
+            let [width, height] = picture.size();
+            let found = difference(&picture, &picture, |a, b| a != b && !(a.is_nan() && b.is_nan()));
+            prop_assert_eq!((found.differing, found.rmse), (0, 0.0), "{} x {}", width, height);
+        }
+        Err(error) => {
+            let message = error.to_string();
+            let has_control = message.chars().any(|c| c.is_control());
+            prop_assert!(message.len() < 500 && !has_control, "{:?}", message);
+        }
+    }
+    Ok(())
+}
+
+static LOG: LazyLock<Log> = LazyLock::new(|| record::pixel(&scene("transmission"), [150, 130], Arithmetic::F64));
+
+/// Compares what can be read of a log with the log that it was, in both directions.
+fn log_answers(bytes: &[u8]) -> Result<(), TestCaseError> {
+    let Ok(mut reader) = PixelReader::open(bytes) else { return Ok(()) };
+    let mut header = reader.header().clone();
+    let numbering = Numbering::unify(&LOG.header, &mut header);
+    while let Ok(Some(mut pixel)) = reader.next_pixel() {
+        numbering.apply(&mut pixel.events);
+        let damaged = Log { header: header.clone(), events: pixel.events };
+        let (tree, damaged_tree) = (Tree::of(&LOG.events), Tree::of(&damaged.events));
+        let good = Run { log: &LOG, tree: &tree };
+        let damaged = Run { log: &damaged, tree: &damaged_tree };
+        for (a, b) in [(good, damaged), (damaged, good)] {
+            let found = compare(a, b, &Tolerance::default());
+            let mut summary = Summary::default();
+            summary.add(None, &found);
+            let is_same = found.differences.is_empty();
+            prop_assert_eq!(summary.is_same(), is_same);
+            prop_assert_eq!(Text::new(None, false).pixel(None, &found).is_empty(), is_same);
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(10_000) })]
+
+    #[test]
+    fn pictures(changes in changes(&["0", "-1", "1e999", "nan", "4294967296", "99999", "\n", "#", "P6", "PF", "IDAT"]), which in 0..5_usize) {
+        picture_answers(&changed(&picture(which), &changes))?;
+    }
+}
+
+proptest! {
+    // Each is compared, which takes longer than to read it.
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1000) })]
+
+    #[test]
+    fn compared_logs(changes in changes(&["\"leave\":{}", "\"node\":", "1e150", "0", "-0", "\"hit\"", "\"miss\"", "\n", "{\"at\":1,"])) {
+        log_answers(&changed(&to_ndjson(&LOG).expect("memory"), &changes))?;
+    }
+}
+
+#[test]
+fn what_is_damaged_was_whole() {
+    let pictures: Vec<Picture> = (0..5).map(|which| read(&picture(which)).expect("a picture")).collect();
+    assert_eq!(pictures.iter().map(Picture::size).collect::<Vec<_>>(), [[3, 2], [3, 2], [3, 2], [3, 2], [3, 6]]);
+    assert_eq!((0..2).map(|which| pictures[which].pixel([2, 1])[2]).collect::<Vec<_>>(), [238.0 / 255.0; 2]);
+    // Rows of a PFM go from the bottom up, and one channel is grey.
+    assert_eq!((pictures[3].pixel([0, 1]), pictures[4].pixel([1, 5])), ([0.0, 1.0, 2.0], [1.0; 3]));
+}
