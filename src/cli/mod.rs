@@ -21,6 +21,7 @@ mod signals;
 mod stress;
 mod textbook;
 mod trace;
+mod views;
 mod walk;
 mod zstd;
 

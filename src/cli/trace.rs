@@ -8,13 +8,14 @@ use super::output::{self, Output, Sink};
 use super::progress::ProgressOptions;
 use super::region::{self, Traced};
 use super::scene_argument;
+use super::views::{Lang, TreeOf, View};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
 use raywalk::log::{Log, file as log_file};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::render;
-use raywalk::report::{self, Style};
+use raywalk::report::Style;
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
 use raywalk::scene::file::visible;
@@ -35,11 +36,17 @@ pub struct Trace {
     /// What to write; without it ndjson, and text with --causes
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<TraceFormat>,
+    /// The language of views for people (text, markdown, latex, html, dot, svg, mermaid)
+    #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
+    lang: Lang,
     /// Instead of the log, show which roundings of decimal:N or f32 caused the error of the result: the result with only
     /// one quantity rounded, and with all but it, for every quantity (as text or json)
     #[arg(long)]
     causes: bool,
-    /// Decimals in the text
+    /// What dot, svg and mermaid draw: rays with all that they meet, or the calls of the algorithm (figure 9)
+    #[arg(long, value_enum, value_name = "OF", default_value = "rays")]
+    tree: TreeOf,
+    /// Decimals in views for people
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
     /// Which frame of an animation, from 1; without it the first
@@ -67,13 +74,27 @@ pub struct Subject {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum TraceFormat {
+pub enum TraceFormat {
     /// One event a line.
     Ndjson,
     /// One document.
     Json,
     /// The walk as text.
     Text,
+    /// A worked solution: numbered steps, formulas in TeX's notation, figures as Mermaid and text.
+    Markdown,
+    /// A worked solution for pdflatex.
+    Latex,
+    /// A worked solution as one page by itself, its steps to be folded, its values linked.
+    Html,
+    /// The ray tree for Graphviz.
+    Dot,
+    /// The ray tree as a picture.
+    Svg,
+    /// The ray tree for Mermaid.
+    Mermaid,
+    /// The rays as lines in space, for 3D viewers (Wavefront OBJ).
+    Obj,
 }
 
 impl Trace {
@@ -84,6 +105,7 @@ impl Trace {
             return Err(Failure::caller(format!("trace: expected {expected}")));
         }
         let rounding = self.rounding()?;
+        self.check_format()?;
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let inputs = loaded.inputs(&self.scene);
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
@@ -104,10 +126,12 @@ impl Trace {
             }
             (None, None | Some(TraceFormat::Ndjson)) => match arithmetic {
                 // Its runs are compared before there are digits to write.
-                Arithmetic::Perturbed(_) => self.view(&short_log(&scene, part, arithmetic)?, TraceFormat::Ndjson)?,
+                Arithmetic::Perturbed(_) => {
+                    self.view(&scene, &short_log(&scene, part, arithmetic)?, TraceFormat::Ndjson)?
+                }
                 _ => return output.stream(|out| write_as_it_grows(&scene, part, arithmetic, out)),
             },
-            (None, Some(format)) => self.view(&short_log(&scene, part, arithmetic)?, format)?,
+            (None, Some(format)) => self.view(&scene, &short_log(&scene, part, arithmetic)?, format)?,
         };
         output.commit(&bytes)
     }
@@ -127,7 +151,7 @@ impl Trace {
         }
         if let Some(format) = self.format.filter(|format| *format != TraceFormat::Ndjson) {
             let log = record::region::bounded(scene, region, arithmetic).map_err(|why| too_long(why, arithmetic))?;
-            return output.commit(&self.view(&log, format)?);
+            return output.commit(&self.view(scene, &log, format)?);
         }
         let threads = render::threads(self.tracing.threads.into());
         let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
@@ -140,13 +164,10 @@ impl Trace {
     }
 
     /// A log that is in memory, in this format.
-    fn view(&self, log: &Log, format: TraceFormat) -> Result<Vec<u8>, Failure> {
-        let in_memory = |error: io::Error| Failure::machine(format!("cannot write the log: {error}"));
-        match format {
-            TraceFormat::Ndjson => log_file::to_ndjson(log).map_err(in_memory),
-            TraceFormat::Json => log_file::to_json(log).map_err(in_memory),
-            TraceFormat::Text => Ok(report::text::text(log, Style { digits: self.digits }).into_bytes()),
-        }
+    fn view(&self, scene: &Scene, log: &Log, format: TraceFormat) -> Result<Vec<u8>, Failure> {
+        let style = Style { digits: self.digits };
+        let view = View { format, tree: self.tree, language: self.lang.into(), style };
+        view.bytes(scene, log).map_err(|error| Failure::machine(format!("cannot write the log: {error}")))
     }
 }
 
@@ -155,9 +176,33 @@ impl Trace {
     fn rounding(&self) -> Result<Option<Rounding>, Failure> {
         match self.format {
             _ if !self.causes => Ok(None),
-            Some(TraceFormat::Ndjson) => Err(Failure::caller("--causes: expected --format text or json, found ndjson")),
-            _ => causes::rounding(self.tracing.arithmetic).map(Some),
+            None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic).map(Some),
+            Some(format) => {
+                let found = format.word();
+                Err(Failure::caller(format!("--causes: expected --format text or json, found {found}")))
+            }
         }
+    }
+
+    /// A page or a figure is of one pixel or ray.
+    fn check_format(&self) -> Result<(), Failure> {
+        match self.format {
+            Some(format) if self.region.is_some() && !format.is_of_regions() => Err(Failure::caller(format!(
+                "--format {}: expected --pixel X,Y or --ray, found --region; a region is written as ndjson, json, text or obj",
+                format.word()
+            ))),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl TraceFormat {
+    fn word(self) -> String {
+        self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
+    }
+
+    fn is_of_regions(self) -> bool {
+        matches!(self, TraceFormat::Ndjson | TraceFormat::Json | TraceFormat::Text | TraceFormat::Obj)
     }
 }
 

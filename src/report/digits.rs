@@ -1,19 +1,26 @@
 //! How many digits can be trusted, in words.
 
+use super::language::Language;
 use crate::log::{Digits, Event, What};
 
 /// What stands behind a value or a decision of several perturbed runs, such as ` (14 digits)`; nothing otherwise.
 pub fn marker(event: &Event) -> String {
+    marker_in(Language::English, event)
+}
+
+/// The marker in a language.
+pub fn marker_in(language: Language, event: &Event) -> String {
+    let texts = language.texts();
     match (event.digits.as_deref(), &event.what) {
         (None, _) => String::new(),
-        (Some(Digits::DecisionDiffers), What::Mark(_)) => " (the decision differs between runs)".to_owned(),
-        (Some(Digits::DecisionDiffers), _) => " (0 digits: a decision differs between runs)".to_owned(),
+        (Some(Digits::DecisionDiffers), What::Mark(_)) => format!(" ({})", texts.decision_differs),
+        (Some(Digits::DecisionDiffers), _) => format!(" ({})", texts.no_digits),
         (Some(Digits::Significant(count)), _) => {
             // Whole digits; a part of one can't be read off a number.
             let counts: Vec<_> = count.components().iter().map(|count| format!("{:.0}", count.floor())).collect();
             let is_plain = counts.iter().all(|count| *count == counts[0]);
             let counts = if is_plain { counts[0].clone() } else { counts.join(", ") };
-            format!(" ({counts} {})", if counts == "1" { "digit" } else { "digits" })
+            format!(" ({})", (texts.digits)(&counts, counts == "1"))
         }
     }
 }

@@ -71,6 +71,13 @@ pub(super) fn superscript(exponent: i32) -> String {
     exponent.to_string().chars().map(raised).collect()
 }
 
+/// The ordinary digits of a raised number: `-12` of `⁻¹²`.
+pub(super) fn lowered(raised: &str) -> String {
+    let digit = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c);
+    let lowered = |c: char| digit(c).map_or('-', |digit| char::from(b"0123456789"[digit]));
+    raised.chars().map(lowered).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

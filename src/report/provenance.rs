@@ -7,6 +7,7 @@
 mod handed;
 mod uses;
 
+pub use handed::origin;
 pub use uses::uses;
 
 use crate::log::formula::{self, Formula};

@@ -144,9 +144,19 @@ pub struct Call {
     pub line: usize,
 }
 
+/// The call that traces the ray with this path, at this depth of the ray tree: `TR(C R, 1)`.
+pub fn call(header: &Header, path: &str, depth: u32) -> String {
+    let (procedure, first) = if calls_too_deep(header) { ("TR", 0) } else { ("RT_trace", 1) };
+    format!("{procedure}({path}, {})", u64::from(depth) + first)
+}
+
+/// Whether the algorithm asks for the depth in the call, and not before it.
+pub fn calls_too_deep(header: &Header) -> bool {
+    header.tracing.algorithm == "recursive"
+}
+
 /// The calls around an event, the outermost first: the way through the tree of calls (figure 9). A shadow ray is the last.
 pub fn stack(log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
-    let (procedure, first) = if log.header.tracing.algorithm == "recursive" { ("TR", 0) } else { ("RT_trace", 1) };
     let owner = tree.owner(event);
     let around = std::iter::successors(Some(owner), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
     let calls = around.filter_map(|node| match tree.nodes()[node].step {
@@ -163,7 +173,7 @@ pub fn stack(log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
         let path = tree.path(node);
         let text = match kind {
             RayKind::Shadow { .. } => format!("shadow ray {path}"),
-            _ => format!("{procedure}({path}, {})", depth + first),
+            _ => call(&log.header, &path, depth),
         };
         stack.push(Call { node, text, line });
         inner = Some(kind);

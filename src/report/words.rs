@@ -1,41 +1,52 @@
-//! The words for nodes and decisions.
+//! The words for nodes and decisions. The plain functions speak English, as the viewer does; those that end in `_in`, any
+//! [`Language`].
 
-use super::{Style, number};
-use crate::log::{
-    Acceptance, Decision, Event, Header, Log, Miss, Name, RayKind, SkipReason, Skippable, Split, Step, Subject, Tree,
-    Value,
-};
+use super::Style;
+use super::contributions::{Ended, Origin, Why};
+use super::language::Language;
+use crate::log::{Decision, Event, Header, Log, Name, RayKind, SkipReason, Step, Subject, Tree, Value, What};
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
 pub fn title(log: &Log, tree: &Tree, node: usize) -> String {
-    let header = &log.header;
+    title_in(Language::English, log, tree, node)
+}
+
+/// What a node is, in a language.
+pub fn title_in(language: Language, log: &Log, tree: &Tree, node: usize) -> String {
+    let (header, texts) = (&log.header, language.texts());
+    let object = |object| plain(header.object(object));
     match tree.nodes()[node].step {
-        None => subject(header),
-        Some(Step::Pixel([x, y])) => format!("pixel {x},{y}"),
-        Some(Step::Sample { number }) => format!("sample {number}"),
-        Some(Step::Ray { kind, .. }) => format!("ray {}, {}", tree.path(node), ray_kind(header, kind)),
-        Some(Step::Test { object, triangle: None }) => format!("test {}", plain(header.object(object))),
-        Some(Step::Test { object, triangle: Some(triangle) }) => {
-            format!("test {}, triangle {triangle}", plain(header.object(object)))
+        None => subject_in(language, header),
+        Some(Step::Pixel(pixel)) => (texts.pixel)(pixel),
+        Some(Step::Sample { number }) => (texts.sample)(number),
+        Some(Step::Ray { kind, .. }) => (texts.ray)(&tree.path(node), &ray_kind_in(language, header, kind)),
+        Some(Step::Test { object: tested, triangle: None }) => (texts.test)(&object(tested)),
+        Some(Step::Test { object: tested, triangle: Some(triangle) }) => {
+            (texts.test_triangle)(&object(tested), triangle)
         }
-        Some(Step::Shade { object }) => format!("local model on {}", plain(header.object(object))),
-        Some(Step::Light { light, split: 0 }) => format!("light {}", plain(header.light(light))),
-        Some(Step::Light { light, split }) => format!("light {}, point {split}", plain(header.light(light))),
-        Some(Step::Motion { object }) => format!("{} where it is at this time", plain(header.object(object))),
-        Some(Step::Zone { what: Skippable::Transmitted, number }) => format!("zone {number} of the transmission"),
-        Some(Step::Zone { number, .. }) => format!("zone {number} of the reflection"),
-        Some(Step::Combine) => "weighted sum".to_owned(),
+        Some(Step::Shade { object: shaded }) => (texts.local_model)(&object(shaded)),
+        Some(Step::Light { light, split: 0 }) => (texts.light)(&plain(header.light(light))),
+        Some(Step::Light { light, split }) => (texts.light_point)(&plain(header.light(light)), split),
+        Some(Step::Motion { object: moving }) => (texts.motion)(&object(moving)),
+        Some(Step::Zone { what, number }) => (texts.zone)(what, number),
+        Some(Step::Combine) => texts.weighted_sum.to_owned(),
     }
 }
 
 /// What a log is about, such as `pixel 160,120`.
 pub fn subject(header: &Header) -> String {
+    subject_in(Language::English, header)
+}
+
+/// What a log is about, in a language.
+pub fn subject_in(language: Language, header: &Header) -> String {
+    let texts = language.texts();
     match header.subject {
-        Subject::Pixel([x, y]) => format!("pixel {x},{y}"),
-        Subject::Region([x0, y0, x1, y1]) => format!("region {x0},{y0} to {x1},{y1}"),
+        Subject::Pixel(pixel) => (texts.pixel)(pixel),
+        Subject::Region(region) => (texts.region)(region),
         Subject::Ray([ox, oy, oz, dx, dy, dz]) => {
-            let triple = |xyz| number::value(&Value::Triple(xyz), Style::default());
-            format!("ray from {} along {}", triple([ox, oy, oz]), triple([dx, dy, dz]))
+            let triple = |xyz| language.value(&Value::Triple(xyz), Style::default());
+            (texts.ray_along)(&triple([ox, oy, oz]), &triple([dx, dy, dz]))
         }
     }
 }
@@ -49,126 +60,121 @@ pub fn sampling(header: &Header) -> Option<String> {
 
 /// Which frame of an animation a log is about, such as `frame 7`; nothing where there is one only.
 pub fn frame(header: &Header) -> Option<String> {
-    header.frame.map(|frame| format!("frame {}", frame.number))
+    frame_in(Language::English, header)
+}
+
+/// Which frame of an animation a log is about, in a language.
+pub fn frame_in(language: Language, header: &Header) -> Option<String> {
+    header.frame.map(|frame| (language.texts().frame)(frame.number))
 }
 
 /// What a ray is for.
 pub fn ray_kind(header: &Header, kind: RayKind) -> String {
+    ray_kind_in(Language::English, header, kind)
+}
+
+/// What a ray is for, in a language.
+pub fn ray_kind_in(language: Language, header: &Header, kind: RayKind) -> String {
+    let texts = language.texts();
     match kind {
-        RayKind::Camera => "from the eye".to_owned(),
-        RayKind::Shadow { light } => format!("shadow ray to {}", plain(header.light(light))),
-        RayKind::Reflected => "reflected".to_owned(),
-        RayKind::Transmitted => "transmitted".to_owned(),
+        RayKind::Camera => texts.from_the_eye.to_owned(),
+        RayKind::Shadow { light } => (texts.shadow_ray_to)(&plain(header.light(light))),
+        RayKind::Reflected => texts.reflected.to_owned(),
+        RayKind::Transmitted => texts.transmitted.to_owned(),
     }
 }
 
 /// A decision as a sentence.
 pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
+    decision_in(Language::English, header, decision, style)
+}
+
+/// A decision as a sentence in a language.
+pub fn decision_in(language: Language, header: &Header, decision: &Decision, style: Style) -> String {
+    let texts = language.texts();
+    let object = |object: &u32| plain(header.object(*object));
+    let cell = |cell: &[f64; 3]| self::cell(language, cell, style);
     match decision {
-        Decision::Hit => "hit".to_owned(),
-        Decision::Miss { why } => format!("miss: {}", miss(*why)),
-        Decision::Outside => "the ray begins outside".to_owned(),
-        Decision::Inside => "the ray begins inside".to_owned(),
-        Decision::Nearest { object } => format!("nearest: {}", plain(header.object(*object))),
-        Decision::Background => "nothing is hit: background".to_owned(),
-        Decision::Occluded { object } => format!("blocked by {}", plain(header.object(*object))),
-        Decision::Attenuated { object, factor } => {
-            format!(
-                "passes {}, which keeps {}",
-                plain(header.object(*object)),
-                number::value(&Value::Triple(*factor), style)
-            )
+        Decision::Hit => texts.hit.to_owned(),
+        Decision::Miss { why } => (texts.miss)(*why),
+        Decision::Outside => texts.outside.to_owned(),
+        Decision::Inside => texts.inside.to_owned(),
+        Decision::Nearest { object: nearest } => (texts.nearest)(&object(nearest)),
+        Decision::Background => texts.background.to_owned(),
+        Decision::Occluded { object: blocking } => (texts.blocked_by)(&object(blocking)),
+        Decision::Attenuated { object: passed, factor } => {
+            (texts.passes)(&object(passed), &language.value(&Value::Triple(*factor), style))
         }
-        Decision::Undefined { quantity: Name::PatternCell } => {
-            format!("{} has no value: the pattern is finer than numbers are here", Name::PatternCell.symbol())
+        Decision::Undefined { quantity: Name::PatternCell } => (texts.too_fine)(Name::PatternCell.symbol()),
+        Decision::Undefined { quantity } => (texts.undefined)(quantity.symbol()),
+        Decision::TotalInternalReflection => texts.total_reflection.to_owned(),
+        Decision::DepthLimit { what } => (texts.depth_limit)(*what),
+        Decision::Skipped { why: SkipReason::Blocked, .. } => texts.rest_skipped.to_owned(),
+        Decision::LeakGuard { what } => (texts.leak_guard)(*what),
+        Decision::Rejected { what } => (texts.rejected)(*what),
+        Decision::Skipped { what, why } => (texts.skipped)(*what, *why),
+        Decision::Subdivided { cell: cut, why, object: small } => {
+            let small = small.map_or(texts.an_object, |small| header.object(small));
+            (texts.subdivided)(&cell(cut), *why, &plain(small))
         }
-        Decision::Undefined { quantity } => {
-            format!("{} has no value in this arithmetic: it would be divided by zero", quantity.symbol())
+        Decision::Accepted { cell: kept, why } => {
+            (texts.accepted)(&kept.as_ref().map_or(texts.mean.to_owned(), cell), *why)
         }
-        Decision::TotalInternalReflection => "total internal reflection".to_owned(),
-        Decision::DepthLimit { what } => format!("depth limit: no {}", skippable(*what)),
-        Decision::Skipped { why: SkipReason::Blocked, .. } => "the rest is skipped".to_owned(),
-        Decision::LeakGuard { what } => {
-            format!("no leak: the {} lies beyond the surface and brings nothing", skippable(*what))
-        }
-        Decision::Rejected { what } => format!("rejected: the {} would run on the wrong side", skippable(*what)),
-        Decision::Skipped { what, why } => format!("skipped: {} ({})", skippable(*what), skip_reason(*why)),
-        Decision::Subdivided { cell, why, object } => {
-            let object = object.map_or("an object", |object| header.object(object));
-            format!("{} is subdivided: {}", self::cell(cell, style), split(*why, &plain(object)))
-        }
-        Decision::Accepted { cell, why } => {
-            let what = cell.map_or("the mean".to_owned(), |cell| self::cell(&cell, style));
-            format!("{what} is accepted: {}", acceptance(*why))
-        }
-        Decision::MoreSamples { from, to } => {
-            format!("{from} samples are too few, the interval of their mean is too wide: {to} are taken")
-        }
+        Decision::MoreSamples { from, to } => (texts.more_samples)(*from, *to),
     }
 }
 
 /// What a decision cost at most, where it cost anything: `at most (0.1, 0, 0) of the sample was lost`.
 pub fn lost(event: &Event, style: Style) -> Option<String> {
+    lost_in(Language::English, event, style)
+}
+
+/// What a decision cost at most, in a language.
+pub fn lost_in(language: Language, event: &Event, style: Style) -> Option<String> {
     let (_, bound) = event.given.iter().find(|(name, _)| *name == Name::CutoffLoss)?;
-    Some(format!("at most {} of the sample was lost", number::value(bound, style)))
+    Some((language.texts().lost)(&language.value(bound, style)))
 }
 
-fn cell([x, y, side]: &[f64; 3], style: Style) -> String {
-    let number = |x: f64| number::value(&Value::Number(x), style);
+/// Where the light of a path comes from.
+pub fn origin_in(language: Language, header: &Header, origin: Origin) -> String {
+    let texts = language.texts();
+    match origin {
+        Origin::Light { light, object } => (texts.light_on)(&plain(header.light(light)), &plain(header.object(object))),
+        Origin::Ambient { object } => (texts.ambient_on)(&plain(header.object(object))),
+        Origin::Background => texts.from_background.to_owned(),
+        Origin::Rounding => texts.from_rounding.to_owned(),
+    }
+}
+
+/// Why a path brings nothing.
+pub fn ended_in(language: Language, log: &Log, ended: &Ended, style: Style) -> String {
+    let (header, texts) = (&log.header, language.texts());
+    let light = |light: u32| plain(header.light(light));
+    let event = &log.events[ended.event];
+    let decision = match event.what {
+        What::Mark(decision) => Some(decision),
+        _ => None,
+    };
+    match (ended.why, decision) {
+        (Why::LightBehind { light: number }, _) => (texts.light_behind)(&light(number)),
+        (Why::LogEnds, _) => texts.log_ends.to_owned(),
+        (Why::Blocked { light: number }, Some(Decision::Occluded { object })) => {
+            (texts.light_blocked)(&light(number), &plain(header.object(object)))
+        }
+        (_, Some(decision)) => {
+            let lost = lost_in(language, event, style).map_or(String::new(), |lost| format!("; {lost}"));
+            format!("{}{lost}", decision_in(language, header, &decision, style))
+        }
+        (_, None) => texts.nothing.to_owned(),
+    }
+}
+
+fn cell(language: Language, [x, y, side]: &[f64; 3], style: Style) -> String {
+    let number = |x: f64| language.number(x, style);
     if *side == 1.0 {
-        return "the pixel".to_owned();
+        return language.texts().whole_pixel.to_owned();
     }
-    format!("the cell at ({}, {}) with side {}", number(*x), number(*y), number(*side))
-}
-
-fn split(why: Split, object: &str) -> String {
-    match why {
-        Split::Color => "the colours at its corners differ by more than the threshold".to_owned(),
-        Split::Objects => "its corners see different objects".to_owned(),
-        Split::SmallObject => format!("{object} may lie in it, and no corner sees that"),
-    }
-}
-
-fn acceptance(why: Acceptance) -> &'static str {
-    match why {
-        Acceptance::Alike => "the samples agree",
-        Acceptance::Depth => "it may not be cut further",
-        Acceptance::Interval => "its interval is narrow enough",
-        Acceptance::Max => "there may be no more samples",
-    }
-}
-
-fn miss(why: Miss) -> &'static str {
-    match why {
-        Miss::Parallel => "the ray runs parallel to it",
-        Miss::Behind => "it lies behind the ray",
-        Miss::Beside => "the ray passes beside it",
-        Miss::Beyond => "it lies beyond the light",
-        Miss::FacesAway => "it turns its back to the ray",
-    }
-}
-
-fn skippable(what: Skippable) -> &'static str {
-    match what {
-        Skippable::Reflected => "reflected ray",
-        Skippable::Transmitted => "transmitted ray",
-        Skippable::Shadow => "shadow ray",
-        Skippable::Local => "local model",
-        Skippable::Specular => "specular term",
-    }
-}
-
-fn skip_reason(why: SkipReason) -> &'static str {
-    match why {
-        SkipReason::ZeroWeight => "its weight is zero",
-        SkipReason::NoLocalTerm => "no coefficient could use the light",
-        SkipReason::Blocked => "already fully blocked",
-        SkipReason::Cutoff => "its weight is below the cutoff",
-        SkipReason::ZeroPath => "the weights on its path leave nothing of any channel",
-        SkipReason::ZeroLocal => "its weight is zero",
-        SkipReason::ZeroTerm => "its coefficient is zero",
-        SkipReason::Behind => "the light stands behind the surface",
-    }
+    (language.texts().cell)(&number(*x), &number(*y), &number(*side))
 }
 
 /// A name from a file with its control characters escaped, so that it can't command a terminal.

@@ -111,6 +111,11 @@ impl Camera {
         along(self.position, vector, probe)
     }
 
+    /// Which way is up in the picture: a unit vector.
+    pub fn up(&self) -> DVec3 {
+        self.up
+    }
+
     /// The eye, or the lens's centre.
     pub fn position(&self) -> DVec3 {
         self.position

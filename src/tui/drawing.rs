@@ -3,6 +3,7 @@
 use super::keys::Action;
 use super::model::{Model, Pane};
 use super::update::Effect;
+pub use crate::report::schematic::Thing;
 use std::fmt;
 use std::sync::Arc;
 
@@ -23,15 +24,6 @@ pub struct Drawing {
 
 /// From a point to its place in the picture.
 pub type PlaceOf = Arc<dyn Fn([f64; 3]) -> Option<[f64; 2]> + Send + Sync>;
-
-/// Something in the scene.
-#[derive(Clone, Debug)]
-pub struct Thing {
-    /// Its name.
-    pub name: String,
-    /// Its lines.
-    pub lines: Vec<Vec<[f64; 3]>>,
-}
 
 /// From where the schematic is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,9 @@ use super::list::{self, CELL_END, Column, Entry, Kind, Listing};
 use super::model::Model;
 use super::theme::Role;
 use super::update::Effect;
-use crate::log::{Decision, Digits, Log, Tree, Value, What};
-use crate::report::contributions::{self, Account, Ended, Group, Origin, Why};
+use crate::log::{Digits, Log, Tree, Value, What};
+use crate::report::contributions::{self, Account, Ended, Group};
+use crate::report::language::Language;
 use crate::report::side_by_side::{self, Row, Run};
 use crate::report::{number, path_class, provenance, words};
 use std::collections::{HashMap, HashSet};
@@ -182,14 +183,7 @@ const SHARES: &[Column] = &[
 /// So much of the colour, and of each of its channels, and where it comes from.
 fn contribution(model: &Model, account: &Account, Group { sum: part, count }: &Group) -> Entry {
     let header = &model.log.header;
-    let origin = match part.origin {
-        Origin::Light { light, object } => {
-            format!("{} on {}", words::plain(header.light(light)), words::plain(header.object(object)))
-        }
-        Origin::Ambient { object } => format!("ambient on {}", words::plain(header.object(object))),
-        Origin::Background => "background".to_owned(),
-        Origin::Rounding => "rounding of the values".to_owned(),
-    };
+    let origin = words::origin_in(Language::English, header, part.origin);
     let color = number::value(&Value::Triple(part.color), model.numbers);
     let times = if *count == 1 { String::new() } else { format!("×{count}") };
     let weight = (part.weight != [1.0; 3] && *count == 1).then(|| {
@@ -222,25 +216,7 @@ fn percent(share: f64) -> String {
 }
 
 fn ended(model: &Model, ended: &Ended) -> Entry {
-    let header = &model.log.header;
-    let light = |light: u32| words::plain(header.light(light));
-    let decision = match model.log.events[ended.event].what {
-        What::Mark(decision) => Some(decision),
-        _ => None,
-    };
-    let why = match (ended.why, decision) {
-        (Why::LightBehind { light: number }, _) => format!("{} stands behind the surface", light(number)),
-        (Why::LogEnds, _) => "the log ends before this ray does".to_owned(),
-        (Why::Blocked { light: number }, Some(Decision::Occluded { object })) => {
-            format!("{} is blocked by {}", light(number), words::plain(header.object(object)))
-        }
-        (_, Some(decision)) => {
-            let lost = words::lost(&model.log.events[ended.event], model.numbers);
-            let lost = lost.map_or(String::new(), |lost| format!("; {lost}"));
-            format!("{}{lost}", words::decision(header, &decision, model.numbers))
-        }
-        (_, None) => "nothing".to_owned(),
-    };
+    let why = words::ended_in(Language::English, &model.log, ended, model.numbers);
     Entry { role: Role::Blocked, ..Entry::to(ended.event, format!("  {}  {why}", ended.path)) }
 }
 

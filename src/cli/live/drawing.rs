@@ -15,19 +15,24 @@ pub fn of(scene: &Arc<Scene>) -> Drawing {
     let eye = scene.camera.position();
     let lights: Vec<Thing> =
         scene.lights.iter().map(|light| Thing { name: light.name.clone(), lines: light_lines(&light.kind) }).collect();
-    let around = around(scene, eye);
-    let objects = scene.objects.iter().take(MOST_OBJECTS).map(|object| {
-        let lines = object.shape.outline(&around);
-        Thing { name: object.name.clone(), lines: lines.into_iter().map(arrays).collect() }
-    });
     let seen_by = Arc::clone(scene);
     Drawing {
-        objects: objects.collect(),
+        objects: objects(scene),
         lights,
         eye: eye.to_array(),
         place_of: Arc::new(move |point| seen_by.camera.place_of(point.into())),
         size: scene.camera.resolution,
     }
+}
+
+/// The objects of a scene as lines.
+pub fn objects(scene: &Scene) -> Vec<Thing> {
+    let around = around(scene, scene.camera.position());
+    let objects = scene.objects.iter().take(MOST_OBJECTS).map(|object| {
+        let lines = object.shape.outline(&around);
+        Thing { name: object.name.clone(), lines: lines.into_iter().map(arrays).collect() }
+    });
+    objects.collect()
 }
 
 /// A box around all that has an end, with the eye and the lights at places.

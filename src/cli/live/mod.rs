@@ -1,6 +1,6 @@
 //! The scene behind the viewer, which is traced while one looks.
 
-mod drawing;
+pub mod drawing;
 mod picture;
 
 use glam::DVec3;

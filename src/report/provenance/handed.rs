@@ -6,7 +6,7 @@ use crate::log::{Log, Name, RayKind, Skippable, Step, Tree, Value};
 
 /// The event that computed the input `name` of `event`; `None` for what the scene states. A value that was handed on has the same
 /// bits, and nothing else counts.
-pub(super) fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -> Option<usize> {
+pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -> Option<usize> {
     let node = tree.owner(event);
     let found = match name {
         Name::RayOrigin => latest(log, tree, event, &["P"], value),

@@ -5,6 +5,7 @@
 
 use super::{put, title};
 use crate::log::{RayKind, Step};
+use crate::report::schematic::clip;
 use crate::report::segments::{Segment, segment, segments};
 use crate::tui::drawing::{Drawing, Projection, Thing};
 use crate::tui::layout::Layout;
@@ -260,25 +261,6 @@ impl<'m> Stage<'m> {
     }
 }
 
-/// The part of a line inside a rectangle (Liang and Barsky, 1984).
-fn clip([from, to]: [[f64; 2]; 2], x: [f64; 2], y: [f64; 2]) -> Option<[[f64; 2]; 2]> {
-    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-    for (axis, [low, high]) in [x, y].into_iter().enumerate() {
-        let along = to[axis] - from[axis];
-        if along == 0.0 {
-            if !(low..=high).contains(&from[axis]) {
-                return None;
-            }
-            continue;
-        }
-        let [one, other] = [low, high].map(|side| (side - from[axis]) / along);
-        enters = enters.max(one.min(other));
-        leaves = leaves.min(one.max(other));
-    }
-    let at = |part: f64| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * part);
-    (enters <= leaves).then(|| [at(enters), at(leaves)])
-}
-
 /// The rectangle around these places.
 fn around_all(places: impl Iterator<Item = [f64; 2]>) -> Option<([f64; 2], [f64; 2])> {
     places.fold(None, |around: Option<([f64; 2], [f64; 2])>, [x, y]| {
@@ -294,26 +276,4 @@ fn spread(points: &[[f64; 3]]) -> f64 {
         values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
     };
     (0..3).map(along).fold(0.0, f64::max)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[track_caller]
-    fn clips(line: [[f64; 2]; 2], expected: Option<[[f64; 2]; 2]>) {
-        assert_eq!(clip(line, [0.0, 4.0], [0.0, 2.0]), expected, "{line:?}");
-    }
-
-    #[test]
-    fn lines_are_clipped_at_all_sides() {
-        clips([[1.0, 1.0], [3.0, 2.0]], Some([[1.0, 1.0], [3.0, 2.0]]));
-        clips([[2.0, 1.0], [6.0, 1.0]], Some([[2.0, 1.0], [4.0, 1.0]]));
-        clips([[6.0, 1.0], [-2.0, 1.0]], Some([[4.0, 1.0], [0.0, 1.0]]));
-        clips([[1.0, -1.0], [1.0, 5.0]], Some([[1.0, 0.0], [1.0, 2.0]]));
-        clips([[-1.0, 1.0], [1.0, 3.0]], Some([[0.0, 2.0], [0.0, 2.0]]));
-        clips([[-2.0, 1.0], [1.0, 4.0]], None);
-        clips([[5.0, 1.0], [9.0, 1.0]], None);
-        clips([[1.0, 3.0], [2.0, 3.0]], None);
-    }
 }

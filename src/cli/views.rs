@@ -1,0 +1,88 @@
+//! A log in the formats of `raywalk trace`.
+
+use super::live::drawing;
+use super::trace::TraceFormat;
+use clap::ValueEnum;
+use raywalk::log::{Log, Tree, file as log_file};
+use raywalk::report::language::Language;
+use raywalk::report::ray_tree::{self, Figure};
+use raywalk::report::schematic::Stage;
+use raywalk::report::solution::{self, Task};
+use raywalk::report::{Style, obj, text};
+use raywalk::scene::Scene;
+use std::io;
+
+/// The languages of views for people.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Lang {
+    /// English.
+    En,
+    /// Spanish, with decimal commas and the terms of the source text.
+    Es,
+}
+
+impl From<Lang> for Language {
+    fn from(lang: Lang) -> Language {
+        match lang {
+            Lang::En => Language::English,
+            Lang::Es => Language::Spanish,
+        }
+    }
+}
+
+/// What a tree is of.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TreeOf {
+    /// Rays, with what they meet.
+    Rays,
+    /// Calls of the algorithm.
+    Calls,
+}
+
+/// How a log is to be seen.
+pub struct View {
+    /// The format.
+    pub format: TraceFormat,
+    /// What a tree is of.
+    pub tree: TreeOf,
+    /// The language of views for people.
+    pub language: Language,
+    /// How they show numbers.
+    pub style: Style,
+}
+
+impl View {
+    /// The bytes of a log.
+    pub fn bytes(&self, scene: &Scene, log: &Log) -> io::Result<Vec<u8>> {
+        let text = match self.format {
+            TraceFormat::Ndjson => return log_file::to_ndjson(log),
+            TraceFormat::Json => return log_file::to_json(log),
+            TraceFormat::Text => text::text_in(self.language, log, self.style),
+            TraceFormat::Obj => obj::obj(log),
+            TraceFormat::Markdown => self.of_solution(scene, log, solution::markdown),
+            TraceFormat::Latex => self.of_solution(scene, log, solution::latex),
+            TraceFormat::Html => self.of_solution(scene, log, solution::html),
+            TraceFormat::Dot => self.of_tree(log, ray_tree::dot),
+            TraceFormat::Svg => self.of_tree(log, ray_tree::svg),
+            TraceFormat::Mermaid => self.of_tree(log, ray_tree::mermaid),
+        };
+        Ok(text.into_bytes())
+    }
+
+    fn of_solution(&self, scene: &Scene, log: &Log, write: impl FnOnce(&Task) -> String) -> String {
+        let (tree, things) = (Tree::of(&log.events), drawing::objects(scene));
+        let up = scene.camera.up().abs();
+        let stage = Stage { things: &things, upright: if up.z > up.y { 2 } else { 1 } };
+        write(&Task { log, tree: &tree, stage, language: self.language, style: self.style })
+    }
+
+    fn of_tree(&self, log: &Log, write: impl FnOnce(&Figure) -> String) -> String {
+        let tree = Tree::of(&log.events);
+        let rays = ray_tree::branches(log, &tree, 0);
+        let branches = match self.tree {
+            TreeOf::Rays => rays,
+            TreeOf::Calls => ray_tree::calls(log, &tree, rays),
+        };
+        write(&Figure { log, branches: &branches, language: self.language, style: self.style })
+    }
+}

@@ -1,0 +1,233 @@
+//! A formula ready to be written in any format: with its symbols, or with the numbers put in.
+
+use super::provenance::Operand;
+use super::{Style, number};
+use crate::log::formula::{Extreme, Formula, Operator};
+use crate::log::{Log, Tree, Value, scope};
+
+/// A formula with symbols or numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expression {
+    /// A number that the formula itself has.
+    Number(f64),
+    /// The symbol of a quantity.
+    Symbol(&'static str),
+    /// The value of a quantity, and the event that computed it, if one did and it is known.
+    Value(Value, Option<usize>),
+    /// `−a`
+    Negated(Box<Expression>),
+    /// `√a`
+    Root(Box<Expression>),
+    /// `a²`
+    Squared(Box<Expression>),
+    /// `a⁺`
+    Positive(Box<Expression>),
+    /// `|a|`
+    Length(Box<Expression>),
+    /// `⌊a⌋`
+    Floor(Box<Expression>),
+    /// `(a)`
+    Grouped(Box<Expression>),
+    /// `Σ(a)`
+    OverLights(Box<Expression>),
+    /// `min(a, b)`
+    Extreme(Extreme, Box<Expression>, Box<Expression>),
+    /// `min(a)`
+    ExtremeComponent(Extreme, Box<Expression>),
+    /// Two operands.
+    Binary(Operator, Box<Expression>, Box<Expression>),
+}
+
+impl Expression {
+    /// The formula with its symbols.
+    pub fn symbolic(formula: &Formula) -> Expression {
+        let of = |inner: &Formula| Box::new(Expression::symbolic(inner));
+        match formula {
+            Formula::Number(x) => Expression::Number(*x),
+            Formula::Symbol(symbol) => Expression::Symbol(symbol),
+            Formula::Negated(inner) => Expression::Negated(of(inner)),
+            Formula::Root(inner) => Expression::Root(of(inner)),
+            Formula::Squared(inner) => Expression::Squared(of(inner)),
+            Formula::Positive(inner) => Expression::Positive(of(inner)),
+            Formula::Length(inner) => Expression::Length(of(inner)),
+            Formula::Floor(inner) => Expression::Floor(of(inner)),
+            Formula::Grouped(inner) => Expression::Grouped(of(inner)),
+            Formula::OverLights(inner) => Expression::OverLights(of(inner)),
+            Formula::Extreme(extreme, first, second) => Expression::Extreme(*extreme, of(first), of(second)),
+            Formula::ExtremeComponent(extreme, inner) => Expression::ExtremeComponent(*extreme, of(inner)),
+            Formula::Binary(operator, left, right) => Expression::Binary(*operator, of(left), of(right)),
+        }
+    }
+
+    /// Whether its text begins with a minus sign, so that behind an operator it needs parentheses.
+    pub fn begins_negative(&self) -> bool {
+        match self {
+            Expression::Number(x) | Expression::Value(Value::Number(x), _) => *x < 0.0,
+            Expression::Negated(_) => true,
+            Expression::Symbol(symbol) => symbol.starts_with('−'),
+            Expression::Binary(operator, left, _) => *operator != Operator::Power && left.begins_negative(),
+            _ => false,
+        }
+    }
+
+    /// Without the parentheses around it, where the format has another sign for what they do.
+    pub fn ungrouped(&self) -> &Expression {
+        match self {
+            Expression::Grouped(inner) => inner.ungrouped(),
+            other => other,
+        }
+    }
+}
+
+/// The formula of an event with the numbers put in; `links` are the operands of the event where it should be known what computed them.
+pub fn substituted(
+    log: &Log,
+    tree: &Tree,
+    event: usize,
+    formula: &Formula,
+    style: Style,
+    links: &[Operand],
+) -> Option<Expression> {
+    Substitution { log, tree, event, light: None, style, links }.part(formula).shown()
+}
+
+/// Puts numbers into the formula of one event.
+#[derive(Clone, Copy)]
+struct Substitution<'a> {
+    log: &'a Log,
+    tree: &'a Tree,
+    event: usize,
+    /// The light whose part of a sum is written.
+    light: Option<usize>,
+    style: Style,
+    links: &'a [Operand],
+}
+
+/// A part of a formula with its numbers.
+enum Part {
+    There(Expression),
+    /// An absent factor: it changes nothing.
+    One,
+    /// An absent term: what it multiplies is left out.
+    Zero,
+}
+
+impl Part {
+    fn shown(self) -> Option<Expression> {
+        match self {
+            Part::There(expression) => Some(expression),
+            Part::One => None,
+            Part::Zero => Some(Expression::Number(0.0)),
+        }
+    }
+
+    /// What an operator can be put to.
+    fn operand(self) -> Option<Box<Expression>> {
+        match self {
+            Part::There(expression) => Some(Box::new(expression)),
+            Part::One | Part::Zero => None,
+        }
+    }
+}
+
+impl Substitution<'_> {
+    fn part(&self, formula: &Formula) -> Part {
+        match formula {
+            Formula::Number(x) => Part::There(Expression::Number(*x)),
+            Formula::Symbol(symbol) => self.symbol(symbol),
+            Formula::Negated(inner) => self.around(inner, Expression::Negated),
+            Formula::Root(inner) => self.around(inner, Expression::Root),
+            Formula::Squared(inner) => self.around(inner, Expression::Squared),
+            Formula::Length(inner) => self.around_shown(inner, Expression::Length),
+            Formula::Floor(inner) => self.around_shown(inner, Expression::Floor),
+            Formula::Positive(inner) => self.positive(inner),
+            Formula::Grouped(inner) => match (self.part(inner), &**inner) {
+                // A number needs no parentheses of its own.
+                (part, Formula::Symbol(_) | Formula::Positive(_)) => part,
+                (Part::There(inside), _) => Part::There(Expression::Grouped(Box::new(inside))),
+                (absent, _) => absent,
+            },
+            Formula::Extreme(extreme, first, second) => match (self.part(first).shown(), self.part(second).shown()) {
+                (Some(first), Some(second)) => {
+                    Part::There(Expression::Extreme(*extreme, Box::new(first), Box::new(second)))
+                }
+                _ => Part::Zero,
+            },
+            Formula::ExtremeComponent(extreme, inner) => {
+                self.around_shown(inner, |inner| Expression::ExtremeComponent(*extreme, inner))
+            }
+            Formula::OverLights(inner) => self.over_lights(inner),
+            Formula::Binary(operator, left, right) => self.binary(*operator, left, right),
+        }
+    }
+
+    fn symbol(&self, symbol: &str) -> Part {
+        let operand = match self.light {
+            Some(light) => scope::operand_of_light(&self.log.events, self.tree, light, symbol),
+            None => scope::operand(&self.log.events, self.tree, self.event, symbol),
+        };
+        match operand {
+            Some(operand) => {
+                let link = self.links.iter().find(|link| link.symbol == symbol && link.event == operand.event);
+                Part::There(Expression::Value(operand.value, link.and_then(|link| link.computed)))
+            }
+            None if scope::is_one_when_absent(symbol) => Part::One,
+            None => Part::Zero,
+        }
+    }
+
+    fn around(&self, inner: &Formula, outer: impl FnOnce(Box<Expression>) -> Expression) -> Part {
+        self.part(inner).operand().map_or(Part::Zero, |inner| Part::There(outer(inner)))
+    }
+
+    fn around_shown(&self, inner: &Formula, outer: impl FnOnce(Box<Expression>) -> Expression) -> Part {
+        self.part(inner).shown().map_or(Part::Zero, |inner| Part::There(outer(Box::new(inner))))
+    }
+
+    /// `x⁺` as the number that it is.
+    fn positive(&self, inner: &Formula) -> Part {
+        let part = self.part(inner);
+        let Part::There(Expression::Value(Value::Number(x), _)) = part else { return part };
+        let is_above_one = number::number(x, self.style).parse::<f64>().is_ok_and(|shown| shown > 1.0);
+        match x {
+            x if x <= 0.0 => Part::Zero,
+            // Only rounding takes a cosine past 1.
+            _ if is_above_one => Part::There(Expression::Number(1.0)),
+            _ => part,
+        }
+    }
+
+    fn over_lights(&self, inner: &Formula) -> Part {
+        let lights = scope::lights(self.tree, self.event).filter(|light| !self.is_dark(*light));
+        let parts = lights.filter_map(|light| Substitution { light: Some(light), ..*self }.part(inner).operand());
+        let sum = parts.reduce(|sum, part| Box::new(Expression::Binary(Operator::Plus, sum, part)));
+        sum.map_or(Part::Zero, |sum| Part::There(*sum))
+    }
+
+    fn is_dark(&self, light: usize) -> bool {
+        let passed = scope::operand_of_light(&self.log.events, self.tree, light, "τ");
+        passed.is_some_and(|operand| operand.value == Value::Triple([0.0; 3]))
+    }
+
+    fn binary(&self, operator: Operator, left: &Formula, right: &Formula) -> Part {
+        let (left, right) = (self.part(left), self.part(right));
+        match (operator, left, right) {
+            (Operator::Plus, Part::Zero, right) => right,
+            (Operator::Plus | Operator::Minus, left, Part::Zero) => left,
+            (Operator::Plus | Operator::Minus, left, right) => joined(operator, left, right),
+            (_, Part::Zero, _) | (_, _, Part::Zero) => Part::Zero,
+            (operator, Part::One, part) if operator != Operator::Over => part,
+            (_, part, Part::One) => part,
+            (operator, left, right) => joined(operator, left, right),
+        }
+    }
+}
+
+fn joined(operator: Operator, left: Part, right: Part) -> Part {
+    match (left.shown(), right.operand()) {
+        (Some(left), Some(right)) => Part::There(Expression::Binary(operator, Box::new(left), right)),
+        (Some(part), None) => Part::There(part),
+        (None, Some(part)) => Part::There(*part),
+        (None, None) => Part::One,
+    }
+}

@@ -1,0 +1,85 @@
+//! What the problem states, gathered from where the steps put it in: the objects with their materials, the lights, the ambient light.
+
+use super::Task;
+use crate::log::{Log, Name, Step, Tree, Value};
+use crate::report::words;
+
+/// Whose data it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Owner {
+    Everywhere,
+    Object(u32),
+    Light(u32),
+}
+
+/// What is the same wherever it is put in.
+pub(super) struct Data {
+    pub groups: Vec<(Owner, Vec<(Name, Value)>)>,
+}
+
+/// Inputs that don't belong to the object or light at whose node they stand.
+const OF_THE_STEP: &[Name] = &[Name::RayOrigin, Name::RayDirection];
+
+impl Data {
+    pub(super) fn of(log: &Log, tree: &Tree) -> Data {
+        let mut data = Data { groups: Vec::new() };
+        // What has another value elsewhere, as the points of an area light have, is told where it is put in.
+        let mut varying: Vec<(Owner, Name)> = Vec::new();
+        for (index, event) in log.events.iter().enumerate() {
+            for (name, value) in &event.given {
+                let Some(owner) = owner(tree, index, *name) else { continue };
+                match data.find(owner, *name) {
+                    Some(known) if known.same_bits(value) => {}
+                    Some(_) => varying.push((owner, *name)),
+                    None => data.put(owner, *name, *value),
+                }
+            }
+        }
+        for (owner, names) in &mut data.groups {
+            names.retain(|(name, _)| !varying.contains(&(*owner, *name)));
+        }
+        data.groups.retain(|(_, names)| !names.is_empty());
+        data
+    }
+
+    fn find(&self, owner: Owner, name: Name) -> Option<Value> {
+        let (_, names) = self.groups.iter().find(|(group, _)| *group == owner)?;
+        names.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
+    }
+
+    fn put(&mut self, owner: Owner, name: Name, value: Value) {
+        match self.groups.iter_mut().find(|(group, _)| *group == owner) {
+            Some((_, names)) => names.push((name, value)),
+            None => self.groups.push((owner, vec![(name, value)])),
+        }
+    }
+
+    /// Whether the data have this input of an event, so that the step needn't.
+    pub(super) fn has(&self, tree: &Tree, event: usize, name: Name) -> bool {
+        owner(tree, event, name).is_some_and(|owner| self.find(owner, name).is_some())
+    }
+}
+
+fn owner(tree: &Tree, event: usize, name: Name) -> Option<Owner> {
+    if OF_THE_STEP.contains(&name) {
+        return None;
+    }
+    if name == Name::AmbientLight {
+        return Some(Owner::Everywhere);
+    }
+    match tree.nodes()[tree.owner(event)].step? {
+        Step::Test { object, triangle: None } | Step::Shade { object } => Some(Owner::Object(object)),
+        Step::Light { light, split: 0 } => Some(Owner::Light(light)),
+        _ => None,
+    }
+}
+
+/// The heading of a group.
+pub(super) fn heading(task: &Task, owner: Owner) -> String {
+    let (texts, header) = (&task.language.texts().solution, &task.log.header);
+    match owner {
+        Owner::Everywhere => texts.everywhere.to_owned(),
+        Owner::Object(object) => (texts.object)(&words::plain(header.object(object))),
+        Owner::Light(light) => (texts.source)(&words::plain(header.light(light))),
+    }
+}

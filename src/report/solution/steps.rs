@@ -1,0 +1,156 @@
+//! The events of a log as numbered steps: what a ray does one after the other, each with its formulas.
+
+use super::data::Data;
+use super::{Item, Kind, Section, Task, capitalized};
+use crate::log::{Decision, Event, Name, Skippable, Step, What};
+use crate::report::{provenance, words};
+
+/// All steps of a log.
+pub(super) fn steps(task: &Task, data: &Data) -> Section {
+    let mut maker = Maker { task, data, number: 0 };
+    maker.container(0)
+}
+
+/// What the events of a ray itself do.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Phase {
+    Aim,
+    Point,
+    Reflection,
+    Transmission,
+    Blur,
+    Sampling,
+}
+
+struct Maker<'a> {
+    task: &'a Task<'a>,
+    data: &'a Data,
+    number: usize,
+}
+
+impl Maker<'_> {
+    /// A pixel, a sample, a zone or a ray: its own events make steps, and so do the nodes inside.
+    fn container(&mut self, node: usize) -> Section {
+        let tree = self.task.tree;
+        let title = capitalized(&words::title_in(self.task.language, self.task.log, tree, node));
+        let mut section = Section { kind: Kind::Ray, title, items: Vec::new() };
+        let is_ray = matches!(tree.nodes()[node].step, Some(Step::Ray { .. }));
+        let mut phase = if is_ray { Phase::Aim } else { Phase::Sampling };
+        let mut open: Option<(Phase, Section)> = None;
+        let mut at = tree.nodes()[node].events.start;
+        while at < tree.nodes()[node].events.end {
+            let owner = tree.owner(at);
+            if owner != node {
+                section.items.extend(open.take().map(|(_, step)| Item::Section(step)));
+                section.items.push(Item::Section(self.child(owner)));
+                at = tree.nodes()[owner].events.end;
+                continue;
+            }
+            let items = self.items(at);
+            phase = next_phase(phase, &self.task.log.events[at]);
+            if !items.is_empty() {
+                if open.as_ref().is_some_and(|(of, _)| *of != phase) {
+                    section.items.extend(open.take().map(|(_, step)| Item::Section(step)));
+                }
+                let (_, step) = open.get_or_insert_with(|| (phase, self.numbered(phase)));
+                items.into_iter().for_each(|item| step.push(item));
+            }
+            at += 1;
+        }
+        section.items.extend(open.map(|(_, step)| Item::Section(step)));
+        section
+    }
+
+    fn numbered(&mut self, phase: Phase) -> Section {
+        let texts = &self.task.language.texts().solution;
+        let title = match phase {
+            Phase::Aim => texts.aim,
+            Phase::Point => texts.point,
+            Phase::Reflection => texts.reflection,
+            Phase::Transmission => texts.transmission,
+            Phase::Blur => texts.blur,
+            Phase::Sampling => texts.sampling,
+        };
+        self.number += 1;
+        Section { kind: Kind::Step(self.number), title: title.to_owned(), items: Vec::new() }
+    }
+
+    /// A node inside a container.
+    fn child(&mut self, node: usize) -> Section {
+        let (task, texts) = (self.task, &self.task.language.texts().solution);
+        let object = |object: u32| words::plain(task.log.header.object(object));
+        let title = match task.tree.nodes()[node].step {
+            Some(Step::Test { object: tested, triangle: None }) => (texts.intersection)(&object(tested)),
+            Some(Step::Test { object: tested, triangle: Some(triangle) }) => {
+                (texts.intersection_triangle)(&object(tested), triangle)
+            }
+            Some(Step::Motion { object: moving }) => (texts.intersection_moving)(&object(moving)),
+            Some(Step::Shade { object: shaded }) => (texts.local)(&object(shaded)),
+            Some(Step::Combine) => (texts.combine)(&task.tree.path(node)),
+            _ => return self.container(node),
+        };
+        self.number += 1;
+        let number = self.number;
+        self.part(node, Kind::Step(number), title)
+    }
+
+    /// A step, or a part of one, with all that is inside.
+    fn part(&mut self, node: usize, kind: Kind, title: String) -> Section {
+        let (task, tree) = (self.task, self.task.tree);
+        let mut section = Section { kind, title, items: Vec::new() };
+        let mut at = tree.nodes()[node].events.start;
+        while at < tree.nodes()[node].events.end {
+            let owner = tree.owner(at);
+            if owner == node {
+                self.items(at).into_iter().for_each(|item| section.push(item));
+                at += 1;
+                continue;
+            }
+            let title = capitalized(&words::title_in(task.language, task.log, tree, owner));
+            section.items.push(Item::Section(self.part(owner, Kind::Part, title)));
+            at = tree.nodes()[owner].events.end;
+        }
+        section
+    }
+
+    /// What an event says, with its inputs before it.
+    fn items(&self, event: usize) -> Vec<Item> {
+        let (log, tree) = (self.task.log, self.task.tree);
+        let happening = &log.events[event];
+        let mut items = Vec::new();
+        let needed = happening.given.iter().filter(|(name, _)| !self.data.has(tree, event, *name));
+        let needed: Vec<_> = needed.filter(|(name, _)| *name != Name::CutoffLoss).copied().collect();
+        if !needed.is_empty() {
+            let source = |name: Name, value| (name, value, provenance::origin(log, tree, event, name, &value));
+            items.push(Item::Given(needed.into_iter().map(|(name, value)| source(name, value)).collect()));
+        }
+        match happening.what {
+            What::Note { .. } => items.push(Item::Equations(vec![event])),
+            What::Mark(_) => items.push(Item::Decision(event)),
+            _ => {}
+        }
+        items
+    }
+}
+
+fn next_phase(phase: Phase, event: &Event) -> Phase {
+    let of_bounce = |what: Skippable| match what {
+        Skippable::Reflected => Phase::Reflection,
+        Skippable::Transmitted => Phase::Transmission,
+        _ => phase,
+    };
+    match event.what {
+        What::Mark(Decision::Nearest { .. } | Decision::Background) => Phase::Point,
+        What::Mark(Decision::TotalInternalReflection) => Phase::Transmission,
+        What::Mark(
+            Decision::DepthLimit { what }
+            | Decision::LeakGuard { what }
+            | Decision::Skipped { what, .. }
+            | Decision::Rejected { what },
+        ) => of_bounce(what),
+        What::Note { name, .. } if name.key().starts_with("reflect.") => Phase::Reflection,
+        What::Note { name, .. } if name.key().starts_with("refract.") => Phase::Transmission,
+        What::Note { name, .. } if name.key().starts_with("lobe.") => Phase::Blur,
+        _ => phase,
+    }
+}
