@@ -220,7 +220,7 @@ fn wrong_calls_say_what_to_change() {
     says(2, &["walk", "--screenshot", "a.txt"], "ends in .svg");
     says(2, &["trace", "textbok", "--pixel", "1,1"], "did you mean the built-in scene `textbook`?");
     says(2, &["trace", "no/such.json", "--pixel", "1,1"], "no such file or built-in scene");
-    says(2, &["render", "textbook", "-o", "a.gif"], "ends in .png, .ppm or .pfm");
+    says(2, &["render", "textbook", "-o", "a.gif"], "ends in .png, .ppm, .pfm or .exr");
     says(2, &["render", "textbook", "-o", "src"], "unknown picture format");
     says(2, &["render", "textbook", "-o", "a.png", "--crop", "5,5,5,9"], "expected X0 < X1 <= 321");
     says(2, &["render", "textbook", "-o", "a.png", "--size", "0x9"], "each from 1 to 65535");

@@ -49,7 +49,7 @@ fn layers_belong_to_the_picture() {
 /// What the layers say of a pixel is what its log says.
 #[test]
 fn layers_say_what_the_log_says() {
-    for name in ["glass-and-mirror", "mesh", "spoked-wheel"] {
+    for name in ["glass-and-mirror", "mesh", "motion-blur"] {
         let mut scene = support::scene(name);
         scene.sampling = Sampling::Center;
         let layered = layered(&scene);
@@ -168,5 +168,5 @@ fn what_is_named_zst_is_packed_and_read() {
     prints(&["scene", "check", scene.to_str().unwrap()]);
     fs::write(&packed, &bytes[..bytes.len() / 2]).unwrap();
     let output = raywalk(&["diff", packed.to_str().unwrap(), plain.to_str().unwrap()]).output().unwrap();
-    assert!(String::from_utf8_lossy(&output.stderr).contains("zstd data end too early"), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("the log was cut off"), "{output:?}");
 }

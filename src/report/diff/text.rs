@@ -6,6 +6,7 @@ use crate::log::Header;
 use crate::log::escape::shortened;
 use crate::report::number::{self, size};
 use crate::report::words;
+use std::cmp::Ordering;
 
 /// Writes a comparison piece by piece: what the logs are, then each pixel, then the summary.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +20,12 @@ pub struct Text {
     has_first: bool,
     /// Whether the logs are of different arithmetics, so that the same operands give different values.
     is_rounded_otherwise: bool,
+    /// How many pixels only A had so far, and only B.
+    alone: [u64; 2],
 }
+
+/// So many pixels that only one log has are named; the summary counts all of them.
+const MOST_ALONE: u64 = 5;
 
 /// The columns of a table: where, which quantity, its symbol, A, B, the absolute and the relative difference, the cause.
 type Row = [String; 8];
@@ -28,7 +34,7 @@ impl Text {
     /// Begins a comparison. Values are shown with `digits` decimals, or with as many as tell them apart; a brief comparison has no
     /// tables.
     pub fn new(digits: Option<u32>, is_brief: bool) -> Text {
-        Text { digits, is_brief, has_first: false, is_rounded_otherwise: false }
+        Text { digits, is_brief, has_first: false, is_rounded_otherwise: false, alone: [0; 2] }
     }
 
     /// The same between these logs.
@@ -83,8 +89,15 @@ impl Text {
     }
 
     /// A pixel that only one log has.
-    pub fn alone(&self, pixel: Pixel, side: Side) -> String {
-        format!("Only in {}: {}\n", side.letter(), called(pixel).unwrap_or_else(|| "a ray".to_owned()))
+    pub fn alone(&mut self, pixel: Pixel, side: Side) -> String {
+        let count = &mut self.alone[side as usize];
+        *count += 1;
+        let letter = side.letter();
+        match (*count).cmp(&(MOST_ALONE + 1)) {
+            Ordering::Less => format!("Only in {letter}: {}\n", called(pixel).unwrap_or_else(|| "a ray".to_owned())),
+            Ordering::Equal => format!("Only in {letter}: further pixels, counted below\n"),
+            Ordering::Greater => String::new(),
+        }
     }
 
     /// The counts.
