@@ -35,7 +35,7 @@ Examples:
 #[derive(Args)]
 #[command(after_long_help = MORE)]
 pub struct Diff {
-    /// A log or a picture, also packed by gzip; `-` for standard input
+    /// A log or a picture, also packed by gzip or zstd; `-` for standard input
     a: PathBuf,
     /// The one that it is compared with
     b: PathBuf,

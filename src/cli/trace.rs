@@ -11,11 +11,11 @@ use super::scene_argument;
 use super::views::{Lang, TreeOf, View};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
-use raywalk::log::{Log, file as log_file};
+use raywalk::log::{Log, Subject as Of, file as log_file};
 use raywalk::probe::CutOff;
-use raywalk::record::{self, Arithmetic, Part};
+use raywalk::record::{self, Arithmetic, MAX_EVENTS, Part};
 use raywalk::render;
-use raywalk::report::Style;
+use raywalk::report::{Style, obj};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
 use raywalk::scene::file::visible;
@@ -149,6 +149,9 @@ impl Trace {
         if let (false, Some(warning)) = (self.progress.quiet, warning_of_sampling(scene)) {
             output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
         }
+        if self.format == Some(TraceFormat::Obj) {
+            return output.commit(self.rays_of(scene, region)?.as_bytes());
+        }
         if let Some(format) = self.format.filter(|format| *format != TraceFormat::Ndjson) {
             let log = record::region::bounded(scene, region, arithmetic).map_err(|why| too_long(why, arithmetic))?;
             return output.commit(&self.view(scene, &log, format)?);
@@ -161,6 +164,35 @@ impl Trace {
             output.stream(|out| Traced { scene, region, arithmetic }.write(&threads, out, || progress.advance(1)));
         progress.finish();
         written
+    }
+
+    /// The rays of a region as lines in space; of each pixel's log only they are kept.
+    fn rays_of(&self, scene: &Scene, region: [u32; 4]) -> Result<String, Failure> {
+        let arithmetic = self.tracing.arithmetic;
+        let threads = render::threads(self.tracing.threads.into());
+        let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
+        let header = record::header(scene, Of::Region(region), arithmetic);
+        let make = |pixel| {
+            let events = record::region::of_pixel(scene, pixel, arithmetic, MAX_EVENTS)?;
+            Ok(obj::rays(&Log { header: header.clone(), events }))
+        };
+        let mut rays = Vec::new();
+        let mut cut_off = None;
+        let kept = record::region::in_order(region, &threads, make, |_, made: Result<Vec<_>, CutOff>| match made {
+            Ok(made) => {
+                rays.extend(made);
+                Ok(())
+            }
+            Err(why) => {
+                cut_off = Some(why);
+                Err(io::ErrorKind::Other.into())
+            }
+        });
+        match (cut_off, kept) {
+            (Some(why), _) => Err(too_long(why, arithmetic)),
+            (None, Err(error)) => Err(Failure::machine(error.to_string())),
+            (None, Ok(())) => Ok(obj::obj_of(&header, &rays)),
+        }
     }
 
     /// A log that is in memory, in this format.
@@ -176,6 +208,7 @@ impl Trace {
     fn rounding(&self) -> Result<Option<Rounding>, Failure> {
         match self.format {
             _ if !self.causes => Ok(None),
+            _ if self.lang != Lang::En => Err(Failure::caller("--causes: is told in English, expected no --lang")),
             None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic).map(Some),
             Some(format) => {
                 let found = format.word();

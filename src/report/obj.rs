@@ -3,7 +3,7 @@
 use super::escape::line;
 use super::segments::{Segment, segment};
 use crate::log::escape::visible;
-use crate::log::{Log, RayKind, Tree};
+use crate::log::{Header, Log, RayKind, Tree};
 use std::fmt::Write;
 
 /// The groups, in the order of the file.
@@ -11,11 +11,20 @@ const GROUPS: [&str; 5] = ["camera", "reflected", "transmitted", "shadow", "shad
 
 /// All rays of a log, grouped by kind; those that meet nothing have a length that the file states.
 pub fn obj(log: &Log) -> String {
+    obj_of(&log.header, &rays(log))
+}
+
+/// The rays of a log.
+pub fn rays(log: &Log) -> Vec<Segment> {
     let tree = Tree::of(&log.events);
-    let rays: Vec<Segment> = (0..tree.nodes().len()).filter_map(|node| segment(log, &tree, node, usize::MAX)).collect();
-    let far = far(&rays);
+    (0..tree.nodes().len()).filter_map(|node| segment(log, &tree, node, usize::MAX)).collect()
+}
+
+/// The same file from rays that are known already, of many pixels perhaps.
+pub fn obj_of(header: &Header, rays: &[Segment]) -> String {
+    let far = far(rays);
     let mut out = String::new();
-    line!(out, "# rays of {}, traced by raywalk {}", visible(&log.header.scene.name), visible(&log.header.version));
+    line!(out, "# rays of {}, traced by raywalk {}", visible(&header.scene.name), visible(&header.version));
     line!(out, "# rays that meet nothing are drawn {} long", number(far));
     let mut vertices = 0;
     for (group, name) in GROUPS.iter().enumerate() {

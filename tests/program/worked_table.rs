@@ -60,6 +60,9 @@ fn a_slip_is_told_once_and_what_follows_from_it_agrees() {
     assert_eq!(red.rows[0].verdict, Verdict::Agrees);
     let digits = checked("quantity,printed\nhalf.length,1.66\n");
     assert_eq!(digits.rows[0].verdict, Verdict::Format);
+    // A discriminant of the second test that is no longer negative: the walk goes another way.
+    let elsewhere = checked("quantity,printed\nplane.v_d,0\nplane.t,12.685\n");
+    assert!(elsewhere.rows[1].recomputed.is_empty() && elsewhere.text().contains("goes another way"), "{elsewhere:?}");
     let passed_over = checked("quantity,printed\nhit.point,\nhit.point,\"(14.139, 9.372, 8.849)\"\n");
     assert_eq!((passed_over.rows.len(), &*passed_over.rows[0].path), (1, "C R"));
 }
@@ -70,6 +73,9 @@ fn what_is_wrong_with_a_table_is_told_with_its_line() {
     refuses("name,value\n", "found `name`, `value`");
     refuses("quantity,printed\n", "expected at least one row");
     refuses("quantity,printed\nhit.pont,3\n", "line 2: unknown quantity `hit.pont`, did you mean `hit.point`?");
+    refuses("quantity,printed\nhit.point,\n", "expected at least one row with a printed value");
+    refuses("quantity,printed\nsphere.l2_oc,1e308\n", "line 2: `1e308` is no value");
+    refuses(&format!("quantity,printed\n{}", "hit.point,\n".repeat(5000)), "line 4098: expected at most 4096 rows");
     refuses("quantity,printed\nray.length,x\n", "line 2: `x` is no value");
     refuses("quantity,printed\nray.length,inf\n", "line 2: `inf` is no value");
     refuses("quantity,printed\nhit.point,\"(1, 2)\"\n", "line 2: `(1, 2)` is no value");

@@ -38,7 +38,9 @@ impl<'a> Before<'a> {
         let home = self.alignment.homes[place];
         let is_decision = self.decides_otherwise(place);
         let is_step_alone = !matches!(spot, Spot::Both(..)) && !is_decision;
-        let decided_here = self.decisions.get(&home).and_then(|places| places.first().copied());
+        // A decision that one log has alone is no cause of what stands before it: the other log may have been cut off.
+        let may_cause = |other: &usize| *other < place || matches!(self.alignment.spots[*other], Spot::Both(..));
+        let decided_here = self.decisions.get(&home).and_then(|places| places.iter().copied().find(may_cause));
         let found = decided_here.filter(|_| is_step_alone).or_else(|| {
             let is_here = |other: &usize| self.alignment.homes[*other] == home;
             let value_here = self.earlier(place).find(|other| is_here(other) && self.value_differs(*other));

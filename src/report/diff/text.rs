@@ -90,6 +90,9 @@ impl Text {
 
     /// A pixel that only one log has.
     pub fn alone(&mut self, pixel: Pixel, side: Side) -> String {
+        if self.is_brief {
+            return String::new();
+        }
         let count = &mut self.alone[side as usize];
         *count += 1;
         let letter = side.letter();
@@ -148,6 +151,7 @@ impl Text {
         let from =
             if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { self.reason(*why).to_owned() };
         let mut lines = match &first.what {
+            Told::Value { .. } if symbol.is_empty() => vec![format!("{a} against {b}: {from}")],
             Told::Value { .. } => vec![format!("{symbol}: {a} against {b}: {from}")],
             Told::Decision { a, b } => vec![format!("A: {a}"), format!("B: {b}"), from],
             Told::Only { side, .. } => vec![format!("only in {}: {from}", side.letter())],

@@ -22,6 +22,13 @@ enum Phase {
     Sampling,
 }
 
+/// The title of a node, with a capital; one that begins with the name of an object stays as it is.
+fn titled(task: &Task, node: usize) -> String {
+    let title = words::title_in(task.language, task.log, task.tree, node);
+    let begins_with_a_name = matches!(task.tree.nodes()[node].step, Some(Step::Motion { .. }));
+    if begins_with_a_name { title } else { capitalized(&title) }
+}
+
 struct Maker<'a> {
     task: &'a Task<'a>,
     data: &'a Data,
@@ -32,7 +39,7 @@ impl Maker<'_> {
     /// A pixel, a sample, a zone or a ray: its own events make steps, and so do the nodes inside.
     fn container(&mut self, node: usize) -> Section {
         let tree = self.task.tree;
-        let title = capitalized(&words::title_in(self.task.language, self.task.log, tree, node));
+        let title = titled(self.task, node);
         let mut section = Section { kind: Kind::Ray, title, items: Vec::new() };
         let is_ray = matches!(tree.nodes()[node].step, Some(Step::Ray { .. }));
         let mut phase = if is_ray { Phase::Aim } else { Phase::Sampling };
@@ -106,7 +113,7 @@ impl Maker<'_> {
                 at += 1;
                 continue;
             }
-            let title = capitalized(&words::title_in(task.language, task.log, tree, owner));
+            let title = titled(task, owner);
             section.items.push(Item::Section(self.part(owner, Kind::Part, title)));
             at = tree.nodes()[owner].events.end;
         }

@@ -82,8 +82,12 @@ impl Checked {
 }
 
 fn departure(row: &CheckedRow) -> String {
-    let CheckedRow { line, quantity, path, text, recomputed, .. } = row;
-    format!("line {line}: {quantity} of the ray {path} departs: printed {text}, the rules give {}", shown(recomputed))
+    let CheckedRow { line, quantity, path, text, recomputed, verdict, .. } = row;
+    let rules = match verdict {
+        Verdict::Departs { why } if recomputed.is_empty() => (*why).to_owned(),
+        _ => format!("the rules give {}", shown(recomputed)),
+    };
+    format!("line {line}: {quantity} of the ray {path} departs: printed {text}, {rules}")
 }
 
 fn cells(row: &Row) -> [String; 7] {
@@ -112,6 +116,9 @@ fn checked_cells(row: &CheckedRow) -> [String; 7] {
 
 /// A number or a triple as people read it.
 fn shown(values: &[f64]) -> String {
+    if values.is_empty() {
+        return "–".to_owned();
+    }
     let numbers: Vec<_> = values.iter().map(|x| number::number(*x, Style { digits: DIGITS })).collect();
     if numbers.len() == 1 { numbers.concat() } else { format!("({})", numbers.join(", ")) }
 }
@@ -139,16 +146,20 @@ fn piped(heads: [&str; 7], rows: impl Iterator<Item = [String; 7]>, below: impl 
 }
 
 fn checked_object(row: &CheckedRow) -> Value {
-    json!({
+    let mut object = json!({
         "line": row.line,
         "quantity": row.quantity,
         "path": row.path,
         "printed": components(&row.printed),
-        "recomputed": components(&row.recomputed),
         "strict": components(&row.strict),
         "exact": components(&row.exact),
         "verdict": row.verdict.word(),
-    })
+    });
+    // Absent where the walk doesn't come to it.
+    if !row.recomputed.is_empty() {
+        object["recomputed"] = components(&row.recomputed);
+    }
+    object
 }
 
 fn object(row: &Row) -> Value {

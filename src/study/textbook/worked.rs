@@ -13,6 +13,12 @@ use std::borrow::Cow;
 /// The largest table that is read.
 pub const MAX_TABLE_BYTES: u64 = 1 << 20;
 
+/// The largest number in one: its square is finite.
+pub const MAX_PRINTED: f64 = 1e100;
+
+/// The most rows of one.
+pub const MAX_ROWS: usize = 4096;
+
 /// A table of quantities and the values that are printed for them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worked {
@@ -45,9 +51,15 @@ pub enum TableError {
         /// The columns that are there.
         found: String,
     },
-    /// There is no row in it.
-    #[error("expected at least one row below the heads `quantity,printed`")]
+    /// There is nothing in it to check.
+    #[error("expected at least one row with a printed value below the heads `quantity,printed`")]
     Empty,
+    /// There are too many rows.
+    #[error("line {line}: expected at most {MAX_ROWS} rows")]
+    Rows {
+        /// The line of the first that is too many.
+        line: u64,
+    },
     /// There is no quantity of this name.
     #[error("line {line}: unknown quantity `{found}`{hint}")]
     Unknown {
@@ -157,6 +169,9 @@ impl Worked {
         for record in reader.records() {
             let record = record.map_err(unreadable)?;
             let line = record.position().map_or(0, csv::Position::line);
+            if rows.len() == MAX_ROWS {
+                return Err(TableError::Rows { line });
+            }
             let path = path.and_then(|column| record.get(column)).filter(|path| !path.is_empty()).map(str::to_owned);
             let key = key(record.get(quantity).unwrap_or_default(), line)?;
             let text = record.get(printed).unwrap_or_default().to_owned();
@@ -164,7 +179,7 @@ impl Worked {
             let nth = rows.iter().filter(|row| row.key == key && row.path == path).count();
             rows.push(Stated { line, key, path, nth, text, components });
         }
-        if rows.is_empty() { Err(TableError::Empty) } else { Ok(Worked { rows }) }
+        if rows.iter().all(|row| row.components.is_empty()) { Err(TableError::Empty) } else { Ok(Worked { rows }) }
     }
 
     /// Checks the table on the scene of the example.
@@ -189,7 +204,11 @@ impl Worked {
         let row = |(row, place): (&Stated, Place)| {
             let of = |values: &Values| values.components(&place, row.components.len());
             let recomputed = of(&recomputed);
-            let verdict = if row.components == recomputed { agreement(&row.text) } else { DEPARTS };
+            let verdict = match () {
+                _ if recomputed.is_empty() => NOT_REACHED,
+                _ if row.components == recomputed => agreement(&row.text),
+                _ => DEPARTS,
+            };
             let (strict, exact) = (of(strict), of(exact));
             let (text, printed) = (row.text.clone(), row.components.clone());
             CheckedRow {
@@ -208,6 +227,10 @@ impl Worked {
         Ok(Checked { order, rows: rows.map(row).collect() })
     }
 }
+
+/// A value before it led the walk another way.
+const NOT_REACHED: Verdict =
+    Verdict::Departs { why: "with the values before it the walk goes another way and doesn't come to this one" };
 
 const DEPARTS: Verdict = Verdict::Departs { why: "the rules give another number from those before it" };
 
@@ -272,7 +295,7 @@ fn components(text: &str) -> Option<Vec<f64>> {
     let number = |part: &str| {
         // The sign of books.
         let part: Cow<str> = part.trim().replace('−', "-").into();
-        part.parse::<f64>().ok().filter(|x| x.is_finite())
+        part.parse::<f64>().ok().filter(|x| x.abs() <= MAX_PRINTED)
     };
     let numbers: Vec<f64> = inner.split(',').map(number).collect::<Option<_>>()?;
     matches!(numbers.len(), 1 | 3).then_some(numbers)
