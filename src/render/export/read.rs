@@ -1,4 +1,4 @@
-//! Pictures read back: PNG, binary PPM and PFM.
+//! Pictures read back: PNG, binary PPM, PFM and OpenEXR.
 
 use image::{DynamicImage, ImageError, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
@@ -29,7 +29,7 @@ enum Samples {
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// It begins with something else.
-    #[error("expected a PNG, a binary PPM (P6) or a PFM")]
+    #[error("expected a PNG, a binary PPM (P6), a PFM or an OpenEXR file")]
     Unknown,
     /// Its header makes no sense.
     #[error("the header of the picture is damaged: expected {0}")]
@@ -42,6 +42,9 @@ pub enum PictureError {
         /// As many are.
         found: u64,
     },
+    /// An OpenEXR file that can't be decoded.
+    #[error("the picture is damaged: {0}")]
+    Exr(::exr::error::Error),
     /// A PNG that can't be decoded.
     #[error("the picture is damaged: {0}")]
     Png(ImageError),
@@ -74,9 +77,12 @@ impl Picture {
     }
 }
 
+/// What an OpenEXR file begins with.
+const EXR: &[u8] = b"\x76\x2f\x31\x01";
+
 /// Whether what begins like this is a picture that can be read.
 pub fn is_picture(beginning: &[u8]) -> bool {
-    [&b"\x89PNG"[..], b"P6", b"PF\n", b"PF ", b"PF\r", b"Pf\n", b"Pf ", b"Pf\r"]
+    [EXR, b"\x89PNG", b"P6", b"PF\n", b"PF ", b"PF\r", b"Pf\n", b"Pf ", b"Pf\r"]
         .iter()
         .any(|magic| beginning.starts_with(magic))
 }
@@ -91,6 +97,7 @@ pub fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
         [b'P', b'6', ..] => ppm(bytes),
         [b'P', b'F', ..] => pfm(bytes, 3),
         [b'P', b'f', ..] => pfm(bytes, 1),
+        _ if bytes.starts_with(EXR) => exr(bytes),
         _ => Err(PictureError::Unknown),
     }
 }
@@ -117,6 +124,14 @@ fn png(bytes: &[u8]) -> Result<Picture, PictureError> {
 fn is_of_8_bits(image: &DynamicImage) -> bool {
     use DynamicImage::{ImageLuma8, ImageLumaA8, ImageRgb8, ImageRgba8};
     matches!(image, ImageLuma8(_) | ImageLumaA8(_) | ImageRgb8(_) | ImageRgba8(_))
+}
+
+/// Of several layers the first that has red, green and blue.
+fn exr(bytes: &[u8]) -> Result<Picture, PictureError> {
+    const BYTES_PER_PIXEL: u64 = 12;
+    let read = super::exr::read(bytes, MAX_PICTURE_BYTES * 2 / BYTES_PER_PIXEL).map_err(PictureError::Exr)?;
+    let (width, height, floats) = read.ok_or(PictureError::Memory)?;
+    Ok(Picture { width, height, samples: Samples::Floats(floats) })
 }
 
 fn ppm(bytes: &[u8]) -> Result<Picture, PictureError> {
