@@ -38,8 +38,12 @@ impl<'a> Before<'a> {
         let home = self.alignment.homes[place];
         let is_decision = self.decides_otherwise(place);
         let is_step_alone = !matches!(spot, Spot::Both(..)) && !is_decision;
-        // A decision that one log has alone is no cause of what stands before it: the other log may have been cut off.
-        let may_cause = |other: &usize| *other < place || matches!(self.alignment.spots[*other], Spot::Both(..));
+        // A decision is no cause of what stands before it in the same log: the other one may have been cut off.
+        let is_of_same_log = |other: usize| {
+            let spots = (self.alignment.spots[other], spot);
+            matches!(spots, (Spot::OnlyA(_), Spot::OnlyA(_)) | (Spot::OnlyB(_), Spot::OnlyB(_)))
+        };
+        let may_cause = |other: &usize| *other < place || !is_of_same_log(*other);
         let decided_here = self.decisions.get(&home).and_then(|places| places.iter().copied().find(may_cause));
         let found = decided_here.filter(|_| is_step_alone).or_else(|| {
             let is_here = |other: &usize| self.alignment.homes[*other] == home;

@@ -25,7 +25,7 @@ pub struct Text {
 }
 
 /// So many pixels that only one log has are named; the summary counts all of them.
-const MOST_ALONE: u64 = 5;
+const MOST_ALONE: u64 = 8;
 
 /// The columns of a table: where, which quantity, its symbol, A, B, the absolute and the relative difference, the cause.
 type Row = [String; 8];
