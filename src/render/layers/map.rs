@@ -6,7 +6,6 @@ use crate::render::{Film, export};
 use crate::scene::{self, Color};
 use font8x8::UnicodeFonts;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// The side of a letter.
 const LETTER: u32 = 8;
@@ -27,8 +26,7 @@ const MOST_TIMES: f64 = 0.995;
 const GRAY: Color = Color::new(0.35, 0.35, 0.35);
 
 /// A layer in false colours from 0 to 1, with its legend.
-#[derive(Clone, Debug)]
-pub struct Map {
+struct Map {
     width: u32,
     colors: Vec<Color>,
 }
@@ -185,9 +183,7 @@ impl Map {
             self.write(start, 4 + 2 * LETTER, &format!("{count} {name}"));
         }
         if most.len() > MOST_NAMED {
-            let mut text = String::new();
-            let _ = write!(text, "and {} more", most.len() - MOST_NAMED);
-            self.text(&text);
+            self.text(&format!("and {} more", most.len() - MOST_NAMED));
         }
     }
 

@@ -3,7 +3,7 @@
 mod map;
 mod observer;
 
-pub use map::{Map, false_colors};
+pub use map::false_colors;
 
 use super::export::{Channel, ExrLayer};
 use super::{Film, RenderError, Settings, TILE, ask_for_memory, threads, tiles};
