@@ -1,5 +1,7 @@
 //! English.
 
+mod viewer;
+
 use super::{Figure, Solution, Texts};
 use crate::log::{Acceptance, Miss, SkipReason, Skippable, Split};
 
@@ -125,6 +127,7 @@ pub(super) const TEXTS: Texts = Texts {
         adds: |share, color| format!("{share} of the intensity, {color}"),
         no_rays: "The log has no rays that can be drawn.",
     },
+    viewer: viewer::VIEWER,
 };
 
 fn miss(why: Miss) -> &'static str {

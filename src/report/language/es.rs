@@ -1,5 +1,7 @@
 //! Spanish, with the terms of the source text.
 
+mod viewer;
+
 use super::{Figure, Solution, Texts};
 use crate::log::{Acceptance, Miss, SkipReason, Skippable, Split};
 
@@ -129,6 +131,7 @@ pub(super) const TEXTS: Texts = Texts {
         adds: |share, color| format!("{share} de la intensidad, {color}"),
         no_rays: "El registro no tiene rayos que se puedan dibujar.",
     },
+    viewer: viewer::VIEWER,
 };
 
 fn miss(why: Miss) -> &'static str {

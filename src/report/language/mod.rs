@@ -5,6 +5,7 @@
 
 mod en;
 mod es;
+pub mod viewer;
 
 use super::{Style, number};
 use crate::log::{Acceptance, Miss, SkipReason, Skippable, Split, Value};
@@ -57,7 +58,8 @@ impl Language {
         self.marked(format!("{:.1} %", 100.0 * share + 0.0))
     }
 
-    fn marked(self, text: String) -> String {
+    /// A number that is written already, with the language's decimal mark.
+    pub fn marked(self, text: String) -> String {
         if self.texts().decimal_mark == '.' { text } else { text.replace('.', &self.texts().decimal_mark.to_string()) }
     }
 }
@@ -198,6 +200,8 @@ pub struct Texts {
     pub solution: Solution,
     /// What figures say.
     pub figure: Figure,
+    /// What the viewer says.
+    pub viewer: viewer::Viewer,
 }
 
 /// The texts of a worked solution.
