@@ -136,7 +136,7 @@ fn scene(name: &str) -> Option<Scene> {
 
 fn options() -> Options {
     let theme = Theme::new(Palette::True, false);
-    Options { theme, start: None, warning: None, note: None, numbers: Style::default() }
+    Options { theme, start: None, warning: None, note: None, numbers: Style::default(), language: Default::default() }
 }
 
 /// The bytes that the process holds (`VmRSS:`) or has held at most (`VmHWM:`); 0 where the system doesn't say.

@@ -6,6 +6,7 @@ use super::scene_argument::Loaded;
 use clap::{Args, ValueEnum};
 use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;
+use raywalk::report::language::Language;
 use raywalk::scene::builtin;
 use raywalk::scene::file::nff::{Angle, Import};
 use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
@@ -178,15 +179,14 @@ impl TracingOptions {
 
 /// What to warn of before a scene is sampled.
 pub fn warning_of_sampling(scene: &Scene) -> Option<String> {
+    biased_effects(scene).map(|effects| (Language::English.texts().viewer.messages.warnings.biased)(&effects))
+}
+
+/// The effects with which the scene's sampling is biased, if it is.
+pub fn biased_effects(scene: &Scene) -> Option<String> {
     let effects = scene.effects.names();
     let is_biased = matches!(scene.sampling, scene::Sampling::Adaptive { .. }) && !effects.is_empty();
-    is_biased.then(|| {
-        format!(
-            "adaptive sampling is biased with {}: cells whose corners agree by chance are not cut; expected another \
-             sampling, such as sobol:64",
-            effects.join(", ")
-        )
-    })
+    is_biased.then(|| effects.join(", "))
 }
 
 /// `none` becomes `shared:1`; other samplings have their own places.

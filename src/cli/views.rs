@@ -13,9 +13,10 @@ use raywalk::scene::Scene;
 use std::io;
 
 /// The languages of views for people.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub enum Lang {
     /// English.
+    #[default]
     En,
     /// Spanish, with decimal commas and the terms of the source text.
     Es,

@@ -3,15 +3,18 @@
 use super::failure::{Failure, INTERRUPTED, TERMINATED};
 use super::frames;
 use super::live::Session;
-use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
+use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
 use super::saved_log::{self, MAX_LOG_BYTES};
 use super::scene_argument::{self, Input, Named};
 use super::trace::{Subject, short_log};
+use super::views::Lang;
 use clap::Args;
 use raywalk::log::Log;
 use raywalk::log::file as log_file;
+use raywalk::report::language::Language;
+use raywalk::report::language::viewer::Warnings;
 use raywalk::report::{self, Style};
 use raywalk::scene::file::{Opened, visible};
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
@@ -40,6 +43,9 @@ pub struct Walk {
     /// Draw the viewer with ASCII characters only
     #[arg(long)]
     ascii: bool,
+    /// The language of the viewer and of the walk as text; `:lang` in the viewer changes it
+    #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
+    lang: Lang,
     /// Decimals
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
@@ -104,9 +110,12 @@ impl Walk {
         if self.plain || !has_terminal() {
             // That a log is damaged is no advice: it is told in any case.
             if let Some(warning) = warning.filter(|_| was_log || !self.progress.quiet) {
-                output::tell(&format!("warning: {name}: {warning}"));
+                let before = Language::from(self.lang).texts().viewer.status.warning;
+                output::tell(&format!("{before}{name}: {warning}"));
             }
-            return output::print(report::text::text(&log, Style { digits: self.digits }).as_bytes());
+            return output::print(
+                report::text::text_in(self.lang.into(), &log, Style { digits: self.digits }).as_bytes(),
+            );
         }
         // From here on the viewer minds its signals itself: it has a terminal to give back.
         if let Some(signals) = signals {
@@ -128,7 +137,7 @@ impl Walk {
         let size = opened.size();
         let input = self.progress.reading(opened.stream(MAX_LOG_BYTES), size);
         let read = log_file::read_from(input).map_err(|error| saved_log::failure(&name, &error))?;
-        Ok(Walked { name, log: read.log, warning: read.ending.warning(), session: None })
+        Ok(Walked { name, log: read.log, warning: (self.warnings().ending)(&read.ending), session: None })
     }
 
     /// The log of what is traced now.
@@ -141,15 +150,20 @@ impl Walk {
         let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;
-        let warning = warning_of_sampling(&scene).filter(|_| self.subject.ray.is_none());
+        let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
+        let warning = warning.map(|effects| (self.warnings().biased)(&effects));
         let log = short_log(&scene, part, self.tracing.arithmetic)?;
         let session = Some(Session::new(scene, self.tracing.arithmetic));
         Ok(Walked { name: visible(&input.name).to_string(), log, warning, session })
     }
 
+    fn warnings(&self) -> &'static Warnings {
+        &Language::from(self.lang).texts().viewer.messages.warnings
+    }
+
     fn options(&self, palette: Palette, warning: Option<String>) -> tui::Options {
-        let numbers = Style { digits: self.digits };
-        tui::Options { theme: Theme::new(palette, self.ascii), start: self.at, warning, note: None, numbers }
+        let (numbers, language) = (Style { digits: self.digits }, self.lang.into());
+        tui::Options { theme: Theme::new(palette, self.ascii), start: self.at, warning, note: None, numbers, language }
     }
 
     /// The call that leads back to the place where the viewer was left: this one, with the pixel and the step.
@@ -157,7 +171,8 @@ impl Walk {
         let words: Vec<String> = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
         let walked = self.walked.is_none().then(|| walked.to_string_lossy().into_owned());
         let pixel = outcome.position.pixel.filter(|_| !was_log);
-        let words = words_back(words, walked, pixel, outcome.position.at);
+        let language = Some(outcome.language).filter(|language| *language != self.lang.into());
+        let words = words_back(words, walked, pixel, language, outcome.position.at);
         let words: Vec<_> = words.iter().map(|word| quoted(word)).collect();
         format!("raywalk {}", words.join(" "))
     }
@@ -189,13 +204,21 @@ impl Walk {
         if walked == Path::new("-") || self.progress.quiet {
             return Ok(());
         }
-        output::print(format!("back here: {}\n", self.call_back(walked, was_log, outcome)).as_bytes())
+        let call = self.call_back(walked, was_log, outcome);
+        let back_here = (outcome.language.texts().viewer.messages.back_here)(&call);
+        output::print(format!("{back_here}\n").as_bytes())
     }
 }
 
-/// The words of a call, so that they lead to a pixel (if it isn't that of a ray or a log) and a step. `walked` is the scene if the
-/// call named none.
-fn words_back(words: Vec<String>, walked: Option<String>, pixel: Option<[u32; 2]>, at: u32) -> Vec<String> {
+/// The words of a call, so that they lead to a pixel (if it isn't that of a ray or a log), a language (if it was changed) and a step.
+/// `walked` is the scene if the call named none.
+fn words_back(
+    words: Vec<String>,
+    walked: Option<String>,
+    pixel: Option<[u32; 2]>,
+    language: Option<Language>,
+    at: u32,
+) -> Vec<String> {
     let mut options = words;
     // What stands behind `--` is no option.
     let end = options.iter().position(|word| word == "--").unwrap_or(options.len());
@@ -207,6 +230,9 @@ fn words_back(words: Vec<String>, walked: Option<String>, pixel: Option<[u32; 2]
         options.retain(|word| !word.starts_with(&format!("{option}=")));
     };
     forget("--at");
+    if language.is_some() {
+        forget("--lang");
+    }
     if pixel.is_some() {
         forget("--pixel");
         forget("--ray");
@@ -219,6 +245,9 @@ fn words_back(words: Vec<String>, walked: Option<String>, pixel: Option<[u32; 2]
     }
     if let Some([x, y]) = pixel {
         options.extend(["--pixel".to_owned(), format!("{x},{y}")]);
+    }
+    if let Some(language) = language {
+        options.extend(["--lang".to_owned(), language.code().to_owned()]);
     }
     options.extend(["--at".to_owned(), at.to_string()]);
     options.extend(rest);
@@ -258,7 +287,7 @@ mod tests {
     #[track_caller]
     fn leads(call: &str, walked: Option<&str>, pixel: Option<[u32; 2]>, expected: &str) {
         let words = call.split_whitespace().map(str::to_owned).collect();
-        assert_eq!(words_back(words, walked.map(str::to_owned), pixel, 7).join(" "), expected, "after {call}");
+        assert_eq!(words_back(words, walked.map(str::to_owned), pixel, None, 7).join(" "), expected, "after {call}");
     }
 
     #[test]
@@ -272,6 +301,9 @@ mod tests {
         leads("", Some("textbook"), there, "walk textbook --pixel 10,20 --at 7");
         let options = "--color never walk --arithmetic f32";
         leads(options, Some("textbook"), there, "--color never walk textbook --arithmetic f32 --pixel 10,20 --at 7");
+        let words = "walk a.json --lang en".split(' ').map(str::to_owned).collect();
+        let back = words_back(words, None, None, Some(Language::Spanish), 7);
+        assert_eq!(back.join(" "), "walk a.json --lang es --at 7");
         leads("walk -- a.json", None, there, "walk --pixel 10,20 --at 7 -- a.json");
     }
 }

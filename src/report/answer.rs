@@ -12,17 +12,26 @@ pub enum Verdict {
     Off(f64),
 }
 
+/// Why a line is no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unreadable {
+    /// It isn't a number.
+    NoNumber,
+    /// It isn't three numbers.
+    NoTriple,
+}
+
 /// The number or triple in a line: `-0.946`, `−0,946`, `(1, 2, 3)`, `1 2 3`, `0,9 0,143 0,412`, `2.147·10⁻¹²`.
-pub fn parse(line: &str, is_triple: bool) -> Result<Value, &'static str> {
-    // No value of the numeric example, which would be answered by it.
-    const NO_NUMBER: &str = "that is no number: type it like 12.5";
-    const NO_TRIPLE: &str = "that is no triple: type three numbers, like (1, 2, 3) or 1 2 3";
+///
+/// # Errors
+/// [`Unreadable`].
+pub fn parse(line: &str, is_triple: bool) -> Result<Value, Unreadable> {
     let line = line.trim().trim_start_matches(['(', '[']).trim_end_matches([')', ']']);
     let words: Vec<&str> =
         line.split([' ', ';', '\t']).map(|word| word.trim_matches(',')).filter(|word| !word.is_empty()).collect();
     if !is_triple {
-        let [word] = words[..] else { return Err(NO_NUMBER) };
-        return number_of(word).map(Value::Number).ok_or(NO_NUMBER);
+        let [word] = words[..] else { return Err(Unreadable::NoNumber) };
+        return number_of(word).map(Value::Number).ok_or(Unreadable::NoNumber);
     }
     let words = match words[..] {
         // Commas without spaces can only part the three.
@@ -32,7 +41,7 @@ pub fn parse(line: &str, is_triple: bool) -> Result<Value, &'static str> {
     let numbers: Option<Vec<f64>> = words.iter().map(|word| number_of(word)).collect();
     match numbers.as_deref() {
         Some([x, y, z]) => Ok(Value::Triple([*x, *y, *z])),
-        _ => Err(NO_TRIPLE),
+        _ => Err(Unreadable::NoTriple),
     }
 }
 

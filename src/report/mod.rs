@@ -26,7 +26,7 @@ mod terms;
 pub mod text;
 pub mod words;
 
-pub use computation::{Computation, computation};
+pub use computation::{Computation, computation, computation_in};
 
 /// How numbers are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,6 +8,7 @@ mod place;
 
 pub use place::{Place, place};
 
+use super::language::Language;
 use crate::log::{Header, Log, RayKind, Step, Tree};
 use Place::*;
 
@@ -157,6 +158,11 @@ pub fn calls_too_deep(header: &Header) -> bool {
 
 /// The calls around an event, the outermost first: the way through the tree of calls (figure 9). A shadow ray is the last.
 pub fn stack(log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
+    stack_in(Language::English, log, tree, event)
+}
+
+/// The calls around an event in a language.
+pub fn stack_in(language: Language, log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
     let owner = tree.owner(event);
     let around = std::iter::successors(Some(owner), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
     let calls = around.filter_map(|node| match tree.nodes()[node].step {
@@ -172,7 +178,7 @@ pub fn stack(log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
         };
         let path = tree.path(node);
         let text = match kind {
-            RayKind::Shadow { .. } => format!("shadow ray {path}"),
+            RayKind::Shadow { .. } => (language.texts().viewer.panes.shadow_ray)(&path),
             _ => call(&log.header, &path, depth),
         };
         stack.push(Call { node, text, line });

@@ -4,7 +4,7 @@
 use super::breakpoints::kind;
 use super::describe;
 use super::guide;
-use super::list::{Column, Entry};
+use super::list::Entry;
 use super::model::Model;
 use super::theme::Role;
 use crate::log::{Log, Step, Tree, What};
@@ -74,11 +74,11 @@ pub struct Bookmark {
 /// Sets a bookmark at the current step.
 pub(super) fn set(model: &mut Model, letter: char) {
     if model.log.events.is_empty() {
-        return model.say("no step to remember");
+        return model.say(model.texts().messages.no_step_to_remember);
     }
     let address = Address::of(&model.log, &model.tree, model.event);
     let text = if model.hides_name(model.event) { describe::event(model, model.event) } else { address.text() };
-    model.say(&format!("bookmark {letter}: {text}"));
+    model.say(&(model.texts().messages.bookmark)(letter, &text));
     let bookmarks = &mut model.guide.bookmarks;
     bookmarks.retain(|known| known.letter != letter);
     bookmarks.push(Bookmark { letter, address, event: Some(model.event) });
@@ -88,13 +88,13 @@ pub(super) fn set(model: &mut Model, letter: char) {
 /// Goes to a bookmark.
 pub(super) fn go(model: &mut Model, letter: char) {
     match model.guide.bookmarks.iter().find(|bookmark| bookmark.letter == letter) {
-        None => model.say(&format!("no bookmark {letter}; m{letter} sets it, M lists all")),
+        None => model.say(&(model.texts().messages.no_bookmark)(letter)),
         Some(Bookmark { event: Some(event), .. }) => {
             let event = *event;
             guide::jump(model, event);
         }
         Some(bookmark) => {
-            let text = format!("bookmark {letter}: this log has no {}", bookmark.address.text());
+            let text = (model.texts().messages.bookmark_elsewhere)(letter, &bookmark.address.text());
             model.say(&text);
         }
     }
@@ -107,15 +107,13 @@ pub(super) fn renew(model: &mut Model) {
     }
 }
 
-/// What the list of the bookmarks says of each.
-pub(super) const COLUMNS: &[Column] = &[Column::text("key"), Column::text("address"), Column::text("what is there")];
-
 /// The list of the bookmarks.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
+    let lists = &model.texts().lists;
     let entry = |bookmark: &Bookmark| {
         let text = format!("{}\t{}", bookmark.letter, bookmark.address.text());
         let place = |event: usize| match model.pixel_of(event) {
-            Some([x, y]) => format!("in {x},{y}: {}", describe::event(model, event)),
+            Some(pixel) => (lists.in_pixel)(pixel, &describe::event(model, event)),
             None => describe::event(model, event),
         };
         match bookmark.event {
@@ -123,7 +121,7 @@ pub(super) fn entries(model: &Model) -> Vec<Entry> {
                 Entry::to(event, format!("{}\t\t{}", bookmark.letter, place(event)))
             }
             Some(event) => Entry::to(event, format!("{text}\t{}", place(event))),
-            None => Entry::plain(format!("{text}\t(not in this log)"), Role::Faint),
+            None => Entry::plain(format!("{text}\t{}", lists.not_in_this_log), Role::Faint),
         }
     };
     model.guide.bookmarks.iter().map(entry).collect()

@@ -9,7 +9,7 @@ mod tests;
 pub use condition::Condition;
 pub use parse::{parse, words};
 
-use super::list::{Column, Entry};
+use super::list::Entry;
 use super::model::{Model, Overlay};
 use super::run;
 use super::theme::Role;
@@ -40,12 +40,9 @@ impl Breakpoint {
     }
 }
 
-/// What is said where a quiz may have kept a run from stopping.
-pub(super) const HIDDEN: &str = "a quiz hides where that stops; Q ends it";
-
 /// Sets the breakpoint that a text asks for, or says what is wrong with it.
 pub(super) fn add(model: &mut Model, text: &str) -> Result<(), String> {
-    let condition = parse(text, &model.log)?;
+    let condition = parse(text, &model.log, &model.texts().breakpoints)?;
     set(model, condition, text.trim());
     Ok(())
 }
@@ -56,7 +53,7 @@ fn set(model: &mut Model, condition: Condition, text: &str) {
         Some(known) => known.is_on = true,
         None => model.guide.breakpoints.push(Breakpoint { condition, text: text.to_owned(), is_on: true }),
     }
-    model.say(&format!("breakpoint: {text}; r runs to it, B lists all"));
+    model.say(&(model.texts().breakpoints.set)(text));
 }
 
 /// Sets a breakpoint on every event of the kind of the current one (a value of that quantity, that decision, such a
@@ -64,7 +61,7 @@ fn set(model: &mut Model, condition: Condition, text: &str) {
 pub(super) fn toggle_here(model: &mut Model) {
     let Some(event) = model.log.events.get(model.event) else { return };
     if model.hides_name(model.event) {
-        return model.say("that would tell the decision; = answers, Q ends the quiz");
+        return model.say(model.texts().quiz.tells_decision);
     }
     // The end of a node stands for the node.
     let begins = model.tree.nodes()[model.tree.owner(model.event)].events.start;
@@ -73,26 +70,24 @@ pub(super) fn toggle_here(model: &mut Model) {
         What::Note { name, .. } => (Condition::of_quantity(name.key()), name.key()),
         what => match kind::of(what).last() {
             Some(kind) => (Condition::Kind(kind), *kind),
-            None => return model.say("nothing here that a run could stop at"),
+            None => return model.say(model.texts().breakpoints.nothing_here),
         },
     };
     let breakpoints = &mut model.guide.breakpoints;
     match breakpoints.iter().position(|known| known.condition == condition) {
         Some(known) => {
             breakpoints.remove(known);
-            model.say(&format!("no breakpoint any more: {text}"));
+            model.say(&(model.texts().breakpoints.deleted)(text));
         }
         None => set(model, condition, text),
     }
 }
 
-/// What stands in the list of the breakpoints.
-pub(super) const COLUMNS: &[Column] = &[Column::text("state"), Column::text("stops at")];
-
 /// The list of all.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
+    let lists = &model.texts().lists;
     let entry = |breakpoint: &Breakpoint| {
-        let (state, role) = if breakpoint.is_on { ("on", Role::Text) } else { ("off", Role::Faint) };
+        let (state, role) = if breakpoint.is_on { (lists.on, Role::Text) } else { (lists.off, Role::Faint) };
         Entry::plain(format!("{state}\t{}", crate::report::words::plain(&breakpoint.text)), role)
     };
     model.guide.breakpoints.iter().map(entry).collect()
@@ -129,7 +124,7 @@ pub(super) fn go_to_next(model: &mut Model, selected: usize) {
             model.overlay = None;
             run::stop(model, event, text);
         }
-        None if is_hidden => model.say(HIDDEN),
-        None => model.say(&format!("nowhere in this log: {text}")),
+        None if is_hidden => model.say(model.texts().breakpoints.hidden),
+        None => model.say(&(model.texts().breakpoints.nowhere)(&text)),
     }
 }

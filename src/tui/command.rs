@@ -9,32 +9,62 @@ use super::suggest::nearest;
 use super::update::{Effect, Exit, update};
 use super::{address, breakpoints, search};
 use crate::log::{Step, Subject};
+use crate::report::language::Language;
+use crate::report::language::viewer::Commands;
 use crate::report::words::plain;
 
 /// A command.
 struct Command {
     name: &'static str,
-    /// What follows it.
-    argument: &'static str,
+    argument: Argument,
     run: fn(&mut Model, &str) -> Done,
+}
+
+/// What follows a command.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Argument {
+    Nothing,
+    Letter,
+    Condition,
+    Text,
+    Pixel,
+    Language,
+}
+
+impl Argument {
+    /// How it is written where commands are listed.
+    fn word(self, texts: &Commands) -> &'static str {
+        match self {
+            Argument::Nothing => "",
+            Argument::Letter => texts.letter,
+            Argument::Condition => texts.condition,
+            Argument::Text => texts.text,
+            Argument::Pixel => "X,Y",
+            Argument::Language => "en|es",
+        }
+    }
 }
 
 /// Every command; a beginning that only one of them has stands for it.
 const COMMANDS: &[Command] = &[
-    Command { name: "bookmark", argument: "LETTER", run: bookmark },
-    Command { name: "bookmarks", argument: "", run: |model, _| walk(model, Walk::Marks) },
-    Command { name: "break", argument: "CONDITION", run: |model, text| plainly(breakpoints::add(model, text)) },
-    Command { name: "breakpoints", argument: "", run: |model, _| walk(model, Walk::Breakpoints) },
-    Command { name: "filter", argument: "TEXT", run: |model, text| plainly(search::filter(model, text)) },
-    Command { name: "grow", argument: "", run: |model, _| walk(model, Walk::Grow) },
-    Command { name: "help", argument: "", run: help },
-    Command { name: "mouse", argument: "", run: |model, _| walk(model, Walk::Mouse) },
-    Command { name: "pixel", argument: "X,Y", run: pixel },
-    Command { name: "play", argument: "", run: |model, _| walk(model, Walk::Play) },
-    Command { name: "quit", argument: "", run: |_, _| Ok(Effect::Leave(Exit::Quit)) },
-    Command { name: "search", argument: "TEXT", run: |model, text| plainly(search::begin(model, text)) },
-    Command { name: "stops", argument: "", run: |model, _| walk(model, Walk::Stops) },
+    Command { name: "bookmark", argument: Argument::Letter, run: bookmark },
+    Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Marks) },
+    Command { name: "break", argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
+    Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Breakpoints) },
+    Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
+    Command { name: "grow", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Grow) },
+    Command { name: "help", argument: Argument::Nothing, run: help },
+    Command { name: LANG, argument: Argument::Language, run: language },
+    Command { name: "mouse", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Mouse) },
+    Command { name: "pixel", argument: Argument::Pixel, run: pixel },
+    Command { name: "play", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Play) },
+    Command { name: "quit", argument: Argument::Nothing, run: |_, _| Ok(Effect::Leave(Exit::Quit)) },
+    Command { name: "search", argument: Argument::Text, run: |model, text| plainly(search::begin(model, text)) },
+    Command { name: "stops", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Stops) },
 ];
+
+/// The command for the language.
+const LANG: &str = "lang";
 
 /// Does what was typed.
 pub(super) fn run(model: &mut Model, text: &str) -> Done {
@@ -46,9 +76,10 @@ pub(super) fn run(model: &mut Model, text: &str) -> Done {
         return step(model, number);
     }
     let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
-    let command = find(word)?;
-    if command.argument.is_empty() && !rest.is_empty() {
-        return Err(format!("nothing stands behind :{}", command.name));
+    let texts = &model.texts().commands;
+    let command = find(word, texts)?;
+    if command.argument == Argument::Nothing && !rest.is_empty() {
+        return Err((texts.nothing_behind)(command.name));
     }
     (command.run)(model, rest.trim())
 }
@@ -60,7 +91,7 @@ fn number(text: &str) -> Option<f64> {
 }
 
 /// The command that a word or the beginning of one stands for.
-fn find(word: &str) -> Result<&'static Command, String> {
+fn find(word: &str, texts: &Commands) -> Result<&'static Command, String> {
     let begun: Vec<_> = COMMANDS.iter().filter(|command| command.name.starts_with(word)).collect();
     if let Some(exact) = begun.iter().find(|command| command.name == word) {
         return Ok(exact);
@@ -68,20 +99,20 @@ fn find(word: &str) -> Result<&'static Command, String> {
     match begun[..] {
         [command] => Ok(command),
         [] => Err(match nearest(word, COMMANDS.iter().map(|command| command.name)) {
-            Some(near) => format!("no command :{}; did you mean :{near}?", plain(word)),
-            None => format!("expected a step or a command: {}", usages(COMMANDS.iter())),
+            Some(near) => (texts.like)(&plain(word), near),
+            None => (texts.expected)(&usages(COMMANDS.iter(), texts)),
         }),
-        _ => Err(format!(":{} may be {}", plain(word), usages(begun.into_iter()))),
+        _ => Err((texts.may_be)(&plain(word), &usages(begun.into_iter(), texts))),
     }
 }
 
-/// Every command with what follows it: for the help.
-pub(super) fn usage() -> String {
-    format!(":42 (a step), {}", usages(COMMANDS.iter()))
+/// Every command with what follows it: for the help, which has a line of its own for the language.
+pub(super) fn usage(texts: &Commands) -> String {
+    format!("{}, {}", texts.step, usages(COMMANDS.iter().filter(|command| command.name != LANG), texts))
 }
 
-fn usages(commands: impl Iterator<Item = &'static Command>) -> String {
-    let usage = |command: &Command| format!(":{} {}", command.name, command.argument).trim_end().to_owned();
+fn usages(commands: impl Iterator<Item = &'static Command>, texts: &Commands) -> String {
+    let usage = |command: &Command| format!(":{} {}", command.name, command.argument.word(texts)).trim_end().to_owned();
     commands.map(usage).collect::<Vec<_>>().join(", ")
 }
 
@@ -102,7 +133,7 @@ fn help(model: &mut Model, _: &str) -> Done {
 /// Goes to a step, or to the one at that end of the log beyond which the number lies.
 fn step(model: &mut Model, number: f64) -> Done {
     let count = model.log.events.len();
-    let what_there_is = format!("there are steps 1 to {count}");
+    let what_there_is = (model.texts().commands.steps)(count);
     if number.fract() != 0.0 {
         return Err(what_there_is);
     }
@@ -115,11 +146,23 @@ fn step(model: &mut Model, number: f64) -> Done {
     Ok(Effect::None)
 }
 
+/// Speaks the language with this code.
+fn language(model: &mut Model, code: &str) -> Done {
+    match Language::ALL.into_iter().find(|language| language.code() == code) {
+        Some(language) => {
+            model.speak(language);
+            model.say(model.texts().messages.language);
+            Ok(Effect::None)
+        }
+        None => Err(model.texts().commands.expected_language.to_owned()),
+    }
+}
+
 fn bookmark(model: &mut Model, text: &str) -> Done {
     let mut characters = text.chars();
     match (characters.next(), characters.next()) {
         (Some(letter), None) if letter.is_alphanumeric() => address::set(model, letter),
-        _ => return Err("expected one letter, such as :bookmark a".to_owned()),
+        _ => return Err(model.texts().commands.expected_letter.to_owned()),
     }
     Ok(Effect::None)
 }
@@ -128,7 +171,7 @@ fn bookmark(model: &mut Model, text: &str) -> Done {
 fn pixel(model: &mut Model, text: &str) -> Done {
     let numbers: Vec<_> = text.split([',', ' ']).filter(|part| !part.is_empty()).map(str::parse).collect();
     let [Ok(x), Ok(y)] = numbers[..] else {
-        return Err("expected a column and a row, such as :pixel 160,120".to_owned());
+        return Err(model.texts().commands.expected_pixel.to_owned());
     };
     let is_it = |step: Option<Step>| step == Some(Step::Pixel([x, y]));
     let found = model.tree.children(0).find(|node| is_it(model.tree.nodes()[*node].step));
@@ -141,16 +184,12 @@ fn pixel(model: &mut Model, text: &str) -> Done {
         return Ok(Effect::None);
     }
     if let Subject::Region([left, top, right, bottom]) = model.log.header.subject {
-        let found = format!(
-            "the log has columns {left} to {} and rows {top} to {}",
-            right.saturating_sub(1),
-            bottom.saturating_sub(1)
-        );
-        return Err(found);
+        let last = [left, top, right.saturating_sub(1), bottom.saturating_sub(1)];
+        return Err((model.texts().commands.log_has)(last));
     }
     match model.picture.as_ref().map(|view| view.image.size) {
         Some([width, height]) if x >= width || y >= height => {
-            Err(format!("the picture has columns 0 to {} and rows 0 to {}", width - 1, height - 1))
+            Err((model.texts().commands.picture_has)([width - 1, height - 1]))
         }
         _ => {
             jumps::remember(model);
@@ -170,7 +209,7 @@ pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<St
         (Purpose::Command, Some(condition)) => of_break("break ", condition),
         (Purpose::Command, None) => {
             let begun = COMMANDS.iter().filter(|command| command.name.starts_with(text));
-            let gap = |command: &Command| if command.argument.is_empty() { "" } else { " " };
+            let gap = |command: &Command| if command.argument == Argument::Nothing { "" } else { " " };
             begun.map(|command| format!("{}{}", command.name, gap(command))).collect()
         }
         _ => Vec::new(),

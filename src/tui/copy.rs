@@ -14,7 +14,7 @@ pub(super) fn value(model: &mut Model) -> Effect {
     if model.hides(model.event)
         || (model.understanding.quiz.is_some() && of_node().is_some_and(|event| model.hides(event)))
     {
-        model.say("that would tell the result; = answers, Q ends the quiz");
+        model.say(model.texts().quiz.tells_result);
         return Effect::None;
     }
     let what = match &event.what {
@@ -35,7 +35,7 @@ pub(super) fn path(model: &mut Model) -> Effect {
         return Effect::None;
     }
     if model.hides_name(model.event) {
-        model.say("that would tell the decision; = answers, Q ends the quiz");
+        model.say(model.texts().quiz.tells_decision);
         return Effect::None;
     }
     let text = Address::of(&model.log, &model.tree, model.event).text();
@@ -43,7 +43,7 @@ pub(super) fn path(model: &mut Model) -> Effect {
 }
 
 fn copied(model: &mut Model, text: String) -> Effect {
-    model.say(&format!("copied: {}", plain(&text)));
+    model.say(&(model.texts().messages.copied)(&plain(&text)));
     Effect::Copy(text)
 }
 

@@ -3,6 +3,7 @@
 use super::keys::Action;
 use super::model::{Model, Pane};
 use super::update::Effect;
+use crate::report::language::Language;
 pub use crate::report::schematic::Thing;
 use std::fmt;
 use std::sync::Arc;
@@ -43,12 +44,13 @@ impl fmt::Debug for Drawing {
 }
 
 impl Projection {
-    /// What it is called.
-    pub fn word(self) -> &'static str {
+    /// What the schematic is called that is seen so.
+    pub fn title(self, language: Language) -> &'static str {
+        let [top, front, camera] = language.texts().viewer.panes.schematic.views;
         match self {
-            Projection::Top => "from above",
-            Projection::Front => "from the front",
-            Projection::Camera => "from the eye",
+            Projection::Top => top,
+            Projection::Front => front,
+            Projection::Camera => camera,
         }
     }
 

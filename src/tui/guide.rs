@@ -156,11 +156,11 @@ pub(super) fn open_help(model: &mut Model) {
 fn toggle_growing(model: &mut Model) {
     if model.guide.grown.take().is_some() {
         model.fold.visible.end_before(usize::MAX);
-        model.say("the whole tree is shown");
+        model.say(model.texts().messages.whole_tree);
     } else {
         model.guide.grown = Some(model.event);
         grow(model);
-        model.say("the tree grows with the steps; t shows all of it");
+        model.say(model.texts().messages.tree_grows);
     }
 }
 
@@ -190,14 +190,14 @@ impl Guide {
 
 /// The modes that are on, in words for the bottom line.
 pub fn modes(model: &Model) -> Vec<String> {
-    let guide = &model.guide;
-    let search = guide.search.as_ref().map(|search| search.place(model.event));
+    let (guide, status) = (&model.guide, &model.texts().status);
+    let search = guide.search.as_ref().map(|search| search.place(model.event, status));
     let modes = [
-        play::words(guide.pace),
-        guide.grown.map(|_| "growing".to_owned()),
+        play::words(guide.pace, status),
+        guide.grown.map(|_| status.growing.to_owned()),
         search,
-        guide.filter.as_ref().map(|_| "filtered".to_owned()),
-        guide.has_mouse.then(|| "mouse".to_owned()),
+        guide.filter.as_ref().map(|_| status.filtered.to_owned()),
+        guide.has_mouse.then(|| status.mouse.to_owned()),
     ];
     modes.into_iter().flatten().collect()
 }

@@ -70,7 +70,7 @@ pub(super) fn back(model: &mut Model) -> Effect {
             return go(model, spot);
         }
     }
-    model.say("nowhere to go back to: nothing was jumped from");
+    model.say(model.texts().messages.nowhere_back);
     Effect::None
 }
 
@@ -86,7 +86,7 @@ pub(super) fn over(model: &mut Model) -> Effect {
             go(model, spot)
         }
         None => {
-            model.say("no jump to come back from");
+            model.say(model.texts().messages.no_jump);
             Effect::None
         }
     }
@@ -97,7 +97,7 @@ pub(super) fn go(model: &mut Model, spot: Spot) -> Effect {
     match spot.pixel {
         _ if spot.is_shown(model) => arrive(model, &spot),
         Some(pixel) => return Effect::Revisit(pixel, spot),
-        None => model.say("where one was before the first pixel isn't traced again"),
+        None => model.say(model.texts().messages.not_traced_again),
     }
     Effect::None
 }
@@ -107,7 +107,7 @@ pub(super) fn arrive(model: &mut Model, spot: &Spot) {
     let found = spot.place.found_in(&model.log, &model.tree);
     model.go_to_event(found);
     if Place::of(&model.log, &model.tree, found) != spot.place {
-        model.say("that step isn't in this log; this is the nearest");
+        model.say(model.texts().messages.nearest_step);
     }
 }
 

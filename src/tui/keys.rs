@@ -10,6 +10,7 @@ pub use script::{Typed, script, sequence, unknown_name};
 use super::guide::Walk;
 use super::list;
 use super::model::{Model, Overlay, Pending};
+use crate::report::language::viewer::{Groups, Keys};
 use Action::*;
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
@@ -82,81 +83,108 @@ pub enum Action {
 /// Some keys, what they do, and how the help says it.
 #[derive(Debug)]
 pub struct Row {
-    /// The heading in the help under which the row stands.
-    pub group: &'static str,
+    /// What it is for.
+    pub group: Group,
     /// The keys: a character, `^` and a letter, two characters in a row, or a name such as `PgUp`.
     pub keys: &'static [&'static str],
     /// What they do.
     pub action: Action,
-    /// What the help says.
-    pub help: &'static str,
+    /// What the help says of them.
+    pub help: Said,
 }
 
-const fn row(group: &'static str, keys: &'static [&'static str], action: Action, help: &'static str) -> Row {
+/// What the help says of keys, among its texts.
+type Said = fn(&Keys) -> &'static str;
+
+const fn row(group: Group, keys: &'static [&'static str], action: Action, help: Said) -> Row {
     Row { group, keys, action, help }
 }
 
-const STEP: &str = "Step through the computation";
-const MOVE: &str = "Move in the tree";
-const FOLD: &str = "Fold";
-const PICTURE: &str = "In the picture and the schematic";
-const UNDERSTAND: &str = "Understand";
-const VIEWER: &str = "The viewer";
+/// What keys are for: the headings of the help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Group {
+    Step,
+    Tree,
+    Fold,
+    Picture,
+    Understand,
+    Viewer,
+    Nesting,
+    Run,
+    Find,
+    Keep,
+    Breakpoints,
+}
+
+impl Group {
+    /// The heading.
+    pub fn title(self, groups: &Groups) -> &'static str {
+        match self {
+            Group::Step => groups.step,
+            Group::Tree => groups.tree,
+            Group::Fold => groups.fold,
+            Group::Picture => groups.picture,
+            Group::Understand => groups.understand,
+            Group::Viewer => groups.viewer,
+            Group::Nesting => groups.nesting,
+            Group::Run => groups.run,
+            Group::Find => groups.find,
+            Group::Keep => groups.keep,
+            Group::Breakpoints => groups.breakpoints,
+        }
+    }
+}
 
 /// The keys that move in the panes, and those of the viewer itself.
 const TABLE: &[Row] = &[
-    row(STEP, &["n"], NextValue, "to the next computed value"),
-    row(STEP, &["N", "p"], PreviousValue, "to the previous computed value"),
-    row(STEP, &["]"], NextEvent, "to the next event"),
-    row(STEP, &["["], PreviousEvent, "to the previous event"),
-    row(STEP, &["}"], NextRay, "to the next ray"),
-    row(STEP, &["{"], PreviousRay, "to the previous ray"),
-    row(MOVE, &["j", "Down"], Down, "down"),
-    row(MOVE, &["k", "Up"], Up, "up"),
-    row(MOVE, &["h", "Left"], Out, "close the node, or go to the one around it"),
-    row(MOVE, &["l", "Right"], In, "open the node, go into it, then to its computation"),
-    row(MOVE, &["Enter"], Enter, "the same; in the picture: to the tree of the pixel"),
-    row(MOVE, &["J"], NextSibling, "to the next node of the same parent"),
-    row(MOVE, &["K"], PreviousSibling, "to the previous node of the same parent"),
-    row(MOVE, &["g", "Home"], First, "to the first row"),
-    row(MOVE, &["G", "End"], Last, "to the last row; with a count, to that step"),
-    row(MOVE, &["^d"], HalfPageDown, "half a page down"),
-    row(MOVE, &["^u"], HalfPageUp, "half a page up"),
-    row(MOVE, &["PgDn", "^f"], PageDown, "a page down"),
-    row(MOVE, &["PgUp", "^b"], PageUp, "a page up"),
-    row(MOVE, &["zz"], Center, "put the row into the middle"),
-    row(FOLD, &["Space"], Toggle, "open or close the node"),
-    row(FOLD, &["e"], OpenSiblings, "open the node and its siblings"),
-    row(FOLD, &["c"], CloseSiblings, "close the node and its siblings"),
-    row(FOLD, &["E"], OpenAll, "open everything inside the node"),
-    row(FOLD, &["C"], CloseAll, "close everything inside the node"),
-    row(PICTURE, &["i"], ZoomIn, "larger"),
-    row(PICTURE, &["I"], ZoomOut, "smaller"),
-    row(PICTURE, &[")"], Brighter, "brighter by half a stop"),
-    row(PICTURE, &["("], Darker, "darker by half a stop"),
-    row(PICTURE, &["v"], NextView, "another view: colours, depth, rays, samples; top, front, camera"),
-    row(UNDERSTAND, &["d"], Operands, "what this value is made of; Enter goes to an operand"),
-    row(UNDERSTAND, &["D"], Uses, "which steps take this value"),
-    row(UNDERSTAND, &["^o"], Back, "back to before the last jump, then to before the one before it"),
-    row(UNDERSTAND, &["w"], Contributions, "why the pixel has this colour"),
-    row(UNDERSTAND, &["a"], Arithmetics, "the node's values by hand, in f32 and in f64, with the digits to trust"),
-    row(UNDERSTAND, &["Q"], Quiz, "begin or end a quiz, which hides results and decisions"),
-    row(UNDERSTAND, &["="], Answer, "answer in the quiz (Enter in the computation, too)"),
-    row(VIEWER, &["Tab"], SwitchPane, "to the next pane; in the computation j and k move too"),
-    row(VIEWER, &["Shift-Tab"], PreviousPane, "to the pane before"),
-    row(VIEWER, &["zo"], OnlyPane, "only this pane, or all again"),
-    row(VIEWER, &[">"], Wider, "a wider tree; in a list, on to the right"),
-    row(VIEWER, &["<"], Narrower, "a narrower tree; in a list, back to the left"),
-    row(VIEWER, &["?", "F1"], Help, "this help"),
-    row(
-        VIEWER,
-        &["Esc"],
-        Close,
-        "close what lies over the panes; else dismiss the message, stop playing, end the search, then the filter",
-    ),
-    row(VIEWER, &["q"], Quit, "quit (or close the help)"),
-    row(VIEWER, &["^c"], Interrupt, "quit at once"),
-    row(VIEWER, &["^z"], Suspend, "to the shell; fg comes back"),
+    row(Group::Step, &["n"], NextValue, |keys| keys.next_value),
+    row(Group::Step, &["N", "p"], PreviousValue, |keys| keys.previous_value),
+    row(Group::Step, &["]"], NextEvent, |keys| keys.next_event),
+    row(Group::Step, &["["], PreviousEvent, |keys| keys.previous_event),
+    row(Group::Step, &["}"], NextRay, |keys| keys.next_ray),
+    row(Group::Step, &["{"], PreviousRay, |keys| keys.previous_ray),
+    row(Group::Tree, &["j", "Down"], Down, |keys| keys.down),
+    row(Group::Tree, &["k", "Up"], Up, |keys| keys.up),
+    row(Group::Tree, &["h", "Left"], Out, |keys| keys.out),
+    row(Group::Tree, &["l", "Right"], In, |keys| keys.r#in),
+    row(Group::Tree, &["Enter"], Enter, |keys| keys.enter),
+    row(Group::Tree, &["J"], NextSibling, |keys| keys.next_sibling),
+    row(Group::Tree, &["K"], PreviousSibling, |keys| keys.previous_sibling),
+    row(Group::Tree, &["g", "Home"], First, |keys| keys.first),
+    row(Group::Tree, &["G", "End"], Last, |keys| keys.last),
+    row(Group::Tree, &["^d"], HalfPageDown, |keys| keys.half_page_down),
+    row(Group::Tree, &["^u"], HalfPageUp, |keys| keys.half_page_up),
+    row(Group::Tree, &["PgDn", "^f"], PageDown, |keys| keys.page_down),
+    row(Group::Tree, &["PgUp", "^b"], PageUp, |keys| keys.page_up),
+    row(Group::Tree, &["zz"], Center, |keys| keys.center),
+    row(Group::Fold, &["Space"], Toggle, |keys| keys.toggle),
+    row(Group::Fold, &["e"], OpenSiblings, |keys| keys.open_siblings),
+    row(Group::Fold, &["c"], CloseSiblings, |keys| keys.close_siblings),
+    row(Group::Fold, &["E"], OpenAll, |keys| keys.open_all),
+    row(Group::Fold, &["C"], CloseAll, |keys| keys.close_all),
+    row(Group::Picture, &["i"], ZoomIn, |keys| keys.zoom_in),
+    row(Group::Picture, &["I"], ZoomOut, |keys| keys.zoom_out),
+    row(Group::Picture, &[")"], Brighter, |keys| keys.brighter),
+    row(Group::Picture, &["("], Darker, |keys| keys.darker),
+    row(Group::Picture, &["v"], NextView, |keys| keys.next_view),
+    row(Group::Understand, &["d"], Operands, |keys| keys.operands),
+    row(Group::Understand, &["D"], Uses, |keys| keys.uses),
+    row(Group::Understand, &["^o"], Back, |keys| keys.back),
+    row(Group::Understand, &["w"], Contributions, |keys| keys.contributions),
+    row(Group::Understand, &["a"], Arithmetics, |keys| keys.arithmetics),
+    row(Group::Understand, &["Q"], Quiz, |keys| keys.quiz),
+    row(Group::Understand, &["="], Answer, |keys| keys.answer),
+    row(Group::Viewer, &["Tab"], SwitchPane, |keys| keys.switch_pane),
+    row(Group::Viewer, &["Shift-Tab"], PreviousPane, |keys| keys.previous_pane),
+    row(Group::Viewer, &["zo"], OnlyPane, |keys| keys.only_pane),
+    row(Group::Viewer, &[">"], Wider, |keys| keys.wider),
+    row(Group::Viewer, &["<"], Narrower, |keys| keys.narrower),
+    row(Group::Viewer, &["?", "F1"], Help, |keys| keys.help),
+    row(Group::Viewer, &["Esc"], Close, |keys| keys.close),
+    row(Group::Viewer, &["q"], Quit, |keys| keys.quit),
+    row(Group::Viewer, &["^c"], Interrupt, |keys| keys.interrupt),
+    row(Group::Viewer, &["^z"], Suspend, |keys| keys.suspend),
 ];
 
 /// Every key of the viewer, in the order of the help.

@@ -11,6 +11,7 @@ use super::understanding;
 use super::update::{Effect, Exit};
 use super::view;
 use super::{address, breakpoints, run};
+use crate::report::language::viewer::Hints;
 
 /// What a list is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,14 +34,9 @@ pub enum Kind {
 
 impl Kind {
     /// What the keys do in it, if that is more than in every list; from the longest way to say it to the shortest.
-    pub fn hints(self) -> &'static [&'static str] {
+    pub fn hints(self, hints: &'static Hints) -> &'static [&'static str] {
         match self {
-            Kind::Breakpoints => &[
-                "Space on/off, d deletes, Enter next place, Esc closes",
-                "Space on/off, d deletes, Enter next",
-                "Space on/off, d del, Enter next",
-                "Space on/off, d deletes",
-            ],
+            Kind::Breakpoints => &hints.breakpoints,
             _ => &[],
         }
     }
@@ -52,7 +48,7 @@ pub struct Listing {
     /// What it is of.
     pub title: String,
     /// What stands in the cells of its entries, if they have any.
-    pub columns: &'static [Column],
+    pub columns: Vec<Column>,
     /// Its entries.
     pub entries: Vec<Entry>,
     /// What is said where it has none.
@@ -69,14 +65,10 @@ pub struct Column {
 }
 
 impl Column {
-    /// A column of texts.
-    pub const fn text(title: &'static str) -> Column {
-        Column { title, is_number: false }
-    }
-
-    /// A column of numbers.
-    pub const fn number(title: &'static str) -> Column {
-        Column { title, is_number: true }
+    /// Columns with these titles; those with these numbers, from 0, are columns of numbers.
+    pub fn all(titles: &[&'static str], numbers: &[usize]) -> Vec<Column> {
+        let column = |(at, title): (usize, &&'static str)| Column { title, is_number: numbers.contains(&at) };
+        titles.iter().enumerate().map(column).collect()
     }
 }
 
@@ -120,24 +112,25 @@ impl Entry {
 
 /// The list of this kind.
 pub fn listing(model: &Model, kind: Kind) -> Listing {
+    let texts = &model.texts().lists;
     match kind {
         Kind::Breakpoints => Listing {
-            title: "Breakpoints".to_owned(),
-            columns: breakpoints::COLUMNS,
+            title: texts.breakpoints.title.to_owned(),
+            columns: Column::all(&texts.breakpoints.columns, &[]),
             entries: breakpoints::entries(model),
-            nothing: "none: b types one, x sets one here",
+            nothing: texts.breakpoints.nothing,
         },
         Kind::Stops => Listing {
-            title: "Where runs stopped".to_owned(),
-            columns: run::COLUMNS,
+            title: texts.stops.title.to_owned(),
+            columns: Column::all(&texts.stops.columns, &[0]),
             entries: run::entries(model),
-            nothing: "nowhere yet: r runs to a breakpoint",
+            nothing: texts.stops.nothing,
         },
         Kind::Bookmarks => Listing {
-            title: "Bookmarks".to_owned(),
-            columns: address::COLUMNS,
+            title: texts.bookmarks.title.to_owned(),
+            columns: Column::all(&texts.bookmarks.columns, &[]),
             entries: address::entries(model),
-            nothing: "none: m and a letter set one",
+            nothing: texts.bookmarks.nothing,
         },
         Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => understanding::listing(model, kind),
     }

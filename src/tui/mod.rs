@@ -43,6 +43,7 @@ mod tests;
 mod tests_picture;
 #[cfg(test)]
 mod tests_understanding;
+mod texts;
 pub mod theme;
 mod understanding;
 mod update;
@@ -54,7 +55,7 @@ pub use guide::{Guide, Walk};
 pub use jumps::Spot;
 pub use keys::Action;
 pub use list::{Entry, Kind, Listing};
-pub use live::Live;
+pub use live::{Live, Refusal};
 pub use model::{Item, Message, Model, Overlay, Pane, Pending};
 pub use picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
 pub use prompt::{Prompt, Purpose};
@@ -65,6 +66,7 @@ pub use update::{Effect, Exit, update};
 
 use crate::log::{Log, Step, Subject};
 use crate::report::Style as Numbers;
+use crate::report::language::Language;
 use keys::Typed;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -84,6 +86,8 @@ pub struct Options {
     pub note: Option<String>,
     /// How numbers are shown.
     pub numbers: Numbers,
+    /// What it speaks at first.
+    pub language: Language,
 }
 
 /// How the viewer ended.
@@ -93,6 +97,8 @@ pub struct Outcome {
     pub exit: Exit,
     /// Where it was left.
     pub position: Position,
+    /// What it spoke then.
+    pub language: Language,
 }
 
 /// A place in a log that a link can lead back to.
@@ -119,7 +125,7 @@ pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::R
         let mut input = Some(terminal.next(waits, play::interval(&model))?);
         while let Some(now) = input {
             if let Some(exit) = react(&mut model, &mut terminal, &mut live, now)? {
-                return Ok(Outcome { exit, position: position(&model) });
+                return Ok(Outcome { exit, position: position(&model), language: model.language });
             }
             input = terminal.next_at_once()?;
         }
@@ -130,6 +136,7 @@ pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::R
 pub fn opened(log: Log, options: &Options) -> Model {
     let mut model = Model::new(log);
     model.numbers = options.numbers;
+    model.language = options.language;
     if let Some(note) = &options.note {
         model.say(note);
     }
@@ -140,7 +147,7 @@ pub fn opened(log: Log, options: &Options) -> Model {
         let count = model.log.events.len();
         model.go_to_event(step.saturating_sub(1));
         if step > count {
-            model.say(&format!("there are {count} steps; this is the last"));
+            model.say(&(model.texts().messages.last_step)(count));
         }
     }
     model
@@ -237,7 +244,7 @@ fn react(
 
 fn suspend(model: &mut Model, terminal: &mut Terminal, asked_by: Asker) -> io::Result<()> {
     if !terminal.suspend(asked_by)? {
-        model.say("there is no shell to go to");
+        model.say(model.texts().messages.no_shell);
     }
     resized(model, terminal)
 }

@@ -7,7 +7,7 @@ use super::guide::{self, Guide};
 use super::jumps;
 use super::layout::{Arrangement, Layout};
 use super::list;
-use super::live::Live;
+use super::live::{Live, Refusal};
 use super::picture::PictureView;
 use super::place::Place;
 use super::prompt::Prompt;
@@ -15,6 +15,7 @@ use super::understanding::{self, Understanding};
 use super::update::Effect;
 use crate::log::{Log, Step, Subject, Tree};
 use crate::report::Style as Numbers;
+use crate::report::language::Language;
 use std::mem;
 use std::sync::Arc;
 
@@ -63,6 +64,8 @@ pub struct Model {
     pub message: Option<Message>,
     /// How numbers are shown.
     pub numbers: Numbers,
+    /// What the viewer speaks.
+    pub language: Language,
     /// What is shown, in other arithmetics, once somebody asked for it.
     pub others: Vec<Log>,
     /// Breakpoints, the search, bookmarks and what else helps to find one's way.
@@ -156,6 +159,7 @@ impl Model {
             prompt: None,
             message: None,
             numbers: Numbers::default(),
+            language: Language::default(),
             others: Vec::new(),
             guide: Guide::default(),
             understanding: Understanding::default(),
@@ -182,7 +186,7 @@ impl Model {
     pub fn answer(&mut self, effect: Effect, live: &mut Option<&mut dyn Live>) {
         let asked = match (effect, live) {
             (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_), _) => return,
-            (_, None) => Err("a saved log has no scene to trace".to_owned()),
+            (_, None) => Err(Refusal::NoScene),
             (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| self.show(log)),
             (Effect::Revisit(pixel, spot), Some(live)) => live.trace(pixel).map(|log| {
                 self.show(log);
@@ -194,7 +198,7 @@ impl Model {
             }),
         };
         if let Err(why) = asked {
-            self.say(&why);
+            self.say(&why.text(self.language));
         }
     }
 

@@ -34,11 +34,8 @@ pub(super) fn meant(model: &Model, event: MouseEvent) -> Option<Action> {
 /// Takes the mouse, or gives it back.
 pub(super) fn toggle(model: &mut Model) {
     model.guide.has_mouse = !model.guide.has_mouse;
-    let now = if model.guide.has_mouse {
-        "the mouse selects and scrolls; ^t gives it back"
-    } else {
-        "the mouse is the terminal's"
-    };
+    let messages = &model.texts().messages;
+    let now = if model.guide.has_mouse { messages.mouse_is_ours } else { messages.mouse_is_the_terminals };
     model.say(now);
 }
 

@@ -3,6 +3,7 @@
 use super::keys::Action;
 use super::model::{Model, Pane};
 use super::update::Effect;
+use crate::report::language::Language;
 use std::fmt;
 use std::sync::Arc;
 
@@ -131,13 +132,14 @@ impl Layer {
     pub const ALL: [Layer; 5] = [Layer::Colors, Layer::Depth, Layer::Rays, Layer::Samples, Layer::Error];
 
     /// What it is called.
-    pub fn word(self) -> &'static str {
+    pub fn word(self, language: Language) -> &'static str {
+        let [colors, depth, rays, samples, error] = language.texts().viewer.panes.picture.layers;
         match self {
-            Layer::Colors => "picture",
-            Layer::Depth => "depth",
-            Layer::Rays => "rays per pixel",
-            Layer::Samples => "samples per pixel",
-            Layer::Error => "error of f32",
+            Layer::Colors => colors,
+            Layer::Depth => depth,
+            Layer::Rays => rays,
+            Layer::Samples => samples,
+            Layer::Error => error,
         }
     }
 
@@ -243,7 +245,7 @@ pub(super) fn update(model: &mut Model, action: Action, count: Option<u32>) -> O
     let moved = |at: u32, by: i64, size: u32| (i64::from(at) + by).clamp(0, i64::from(size) - 1) as u32;
     let target = [0, 1].map(|axis| moved(view.cursor[axis], by[axis], view.image.size[axis]));
     if target == view.cursor && model.log.header.subject == crate::log::Subject::Pixel(target) {
-        model.say("the picture ends here");
+        model.say(model.texts().panes.picture.ends);
         return Some(Effect::None);
     }
     // The cursor goes there with the log, if there is one.

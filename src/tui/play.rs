@@ -3,6 +3,7 @@
 use super::model::Model;
 use super::run;
 use super::steps::{self, Stop};
+use crate::report::language::viewer::Status;
 use std::time::Duration;
 
 /// Whether it plays, and how fast.
@@ -31,7 +32,7 @@ pub(super) fn interval(model: &Model) -> Option<Duration> {
 pub(super) fn toggle(model: &mut Model) {
     let is_end = steps::after(&model.log.events, model.event, Stop::Value, 1).is_none();
     if !model.guide.pace.is_playing && is_end {
-        return model.say("no more computed values to play; 0 goes to the first step");
+        return model.say(model.texts().messages.nothing_to_play);
     }
     model.guide.pace.is_playing = !model.guide.pace.is_playing;
 }
@@ -40,8 +41,7 @@ pub(super) fn toggle(model: &mut Model) {
 pub(super) fn change(model: &mut Model, to: fn(u32) -> u32) {
     let rate = to(model.guide.pace.rate()).clamp(1, 32);
     model.guide.pace.doublings = rate.ilog2();
-    let hint = if model.guide.pace.is_playing { "" } else { "; P plays" };
-    model.say(&format!("{rate} steps a second{hint}"));
+    model.say(&(model.texts().messages.rate)(rate, model.guide.pace.is_playing));
 }
 
 /// The next step. A breakpoint on the way stops the play.
@@ -61,12 +61,12 @@ pub(super) fn tick(model: &mut Model) {
         Some(next) => model.go_to_event(next),
         None => {
             model.guide.pace.is_playing = false;
-            model.say("played to the last computed value");
+            model.say(model.texts().messages.played);
         }
     }
 }
 
 /// Said on the bottom line while it plays.
-pub(super) fn words(pace: Pace) -> Option<String> {
-    pace.is_playing.then(|| format!("playing {}/s", pace.rate()))
+pub(super) fn words(pace: Pace, status: &Status) -> Option<String> {
+    pace.is_playing.then(|| (status.playing)(pace.rate()))
 }

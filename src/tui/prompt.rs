@@ -3,6 +3,7 @@
 use super::model::{Message, Model};
 use super::update::Effect;
 use super::{breakpoints, command, quiz, search};
+use crate::report::language::viewer::Status;
 use crate::report::words::plain;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use std::collections::HashMap;
@@ -47,14 +48,14 @@ pub enum Purpose {
 
 impl Purpose {
     /// What stands before the line.
-    pub fn sign(self) -> &'static str {
+    pub fn sign(self, status: &Status) -> &'static str {
         match self {
             Purpose::Search => "/",
-            Purpose::Filter => "filter: ",
-            Purpose::Break => "break at: ",
+            Purpose::Filter => status.filter,
+            Purpose::Break => status.break_at,
             Purpose::Command => ":",
-            Purpose::Help => "keys with: ",
-            Purpose::Answer => "your answer: ",
+            Purpose::Help => status.keys_with,
+            Purpose::Answer => status.answer,
         }
     }
 }

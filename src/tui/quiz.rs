@@ -5,8 +5,7 @@ use super::model::Model;
 use super::prompt::{Prompt, Purpose};
 use super::search;
 use crate::log::{Decision, Value, What};
-use crate::report::answer::{self, Verdict};
-use crate::report::{number, words};
+use crate::report::answer::{self, Unreadable, Verdict};
 
 /// A quiz that is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,18 +56,18 @@ impl Model {
 
     /// What the status line says of the quiz.
     pub fn score(&self) -> Option<String> {
-        self.understanding.quiz.map(|quiz| format!("quiz {} of {}", quiz.right, quiz.asked))
+        self.understanding.quiz.map(|quiz| (self.texts().status.quiz)(quiz.right, quiz.asked))
     }
 }
 
 /// Begins the quiz, or ends it.
 pub(super) fn toggle(model: &mut Model) {
     match model.understanding.quiz.take() {
-        Some(quiz) => model.say(&format!("the quiz is over: {} of {} right", quiz.right, quiz.asked)),
+        Some(quiz) => model.say(&(model.texts().quiz.ends)(quiz.right, quiz.asked)),
         None => {
             model.understanding.quiz = Some(Quiz::default());
             model.understanding.answered.clear();
-            model.say("quiz: n goes to the next value, = answers it, Q ends");
+            model.say(model.texts().quiz.begins);
         }
     }
     // What the quiz hides isn't found, and is again after it.
@@ -78,13 +77,13 @@ pub(super) fn toggle(model: &mut Model) {
 /// Asks for the result of the current step.
 pub(super) fn ask(model: &mut Model) {
     if model.understanding.quiz.is_none() {
-        return model.say("no quiz is on; Q begins one");
+        return model.say(model.texts().quiz.none);
     }
     if !model.hides(model.event) {
-        return model.say("this step hides no result; n goes to the next");
+        return model.say(model.texts().quiz.nothing_hidden);
     }
     if model.hides_name(model.event) {
-        model.say("what is decided? hit, miss, inside, background, an object's name, ...");
+        model.say(model.texts().quiz.what_is_decided);
     }
     model.prompt = Some(Prompt::new(Purpose::Answer));
 }
@@ -107,13 +106,14 @@ pub(super) fn answer(model: &mut Model, line: &str) -> Result<(), String> {
     let is_known = match judged {
         Judged::Right => {
             quiz.right += 1;
-            model.say("right");
+            model.say(model.texts().quiz.right);
             true
         }
         Judged::Wrong { off, truth } => {
             quiz.misses += 1;
             let is_last = quiz.misses >= MOST_MISSES;
-            model.say(&if is_last { format!("{off}; it is {truth}") } else { format!("{off}; try again") });
+            let texts = &model.texts().quiz;
+            model.say(&if is_last { (texts.it_is)(&off, &truth) } else { (texts.try_again)(&off) });
             is_last
         }
     };
@@ -137,13 +137,16 @@ enum Judged {
 }
 
 fn judged_value(model: &Model, line: &str, truth: &Value) -> Result<Judged, String> {
-    let given = answer::parse(line, matches!(truth, Value::Triple(_)))?;
+    let texts = &model.texts().quiz;
+    let given = answer::parse(line, matches!(truth, Value::Triple(_))).map_err(|why| match why {
+        Unreadable::NoNumber => texts.no_number.to_owned(),
+        Unreadable::NoTriple => texts.no_triple.to_owned(),
+    })?;
     Ok(match answer::judge(&given, truth, model.numbers) {
         Verdict::Right => Judged::Right,
-        Verdict::Off(by) => Judged::Wrong {
-            off: format!("off by {}", number::number(by, model.numbers)),
-            truth: number::value(truth, model.numbers),
-        },
+        Verdict::Off(by) => {
+            Judged::Wrong { off: (texts.off)(&model.value(&Value::Number(by))), truth: model.value(truth) }
+        }
     })
 }
 
@@ -160,9 +163,9 @@ fn judged_decision(model: &Model, line: &str, truth: &Decision) -> Result<Judged
     let kind = kind::find(line);
     let is_object = header.objects.iter().any(|name| name == line);
     if kind.is_none() && !is_object {
-        return Err("that is no decision: type it like hit, miss, nearest, background, or an object's name".to_owned());
+        return Err(model.texts().quiz.no_decision.to_owned());
     }
     let is_right = chosen == Some(line) || kind.is_some_and(|kind| kind::of(&What::Mark(*truth)).contains(&kind));
-    let truth = words::decision(header, truth, model.numbers);
-    Ok(if is_right { Judged::Right } else { Judged::Wrong { off: "it isn't".to_owned(), truth } })
+    let truth = model.decision(truth);
+    Ok(if is_right { Judged::Right } else { Judged::Wrong { off: model.texts().quiz.not_it.to_owned(), truth } })
 }

@@ -1,10 +1,10 @@
 //! Running to the next breakpoint, and the log of where that stopped.
 
-use super::breakpoints::{Breakpoint, HIDDEN};
+use super::breakpoints::Breakpoint;
 use super::describe;
 use super::guide;
 use super::jumps::{self, Spot};
-use super::list::{Column, Entry, Kind};
+use super::list::{Entry, Kind};
 use super::model::{Model, Overlay};
 use super::update::Effect;
 use crate::report::words::plain;
@@ -27,11 +27,8 @@ const MOST: usize = 1000;
 pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
     if model.guide.breakpoints.iter().all(|breakpoint| !breakpoint.is_on) {
         let has_some = !model.guide.breakpoints.is_empty();
-        return model.say(if has_some {
-            "all breakpoints are off; B lists them"
-        } else {
-            "no breakpoints; b sets one"
-        });
+        let texts = &model.texts().breakpoints;
+        return model.say(if has_some { texts.all_off } else { texts.none });
     }
     for done in 0..times {
         let (here, count) = (model.event, model.log.events.len());
@@ -48,14 +45,12 @@ pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
 
 /// Says that no breakpoint stops any more, after so many stops of so many.
 fn say_no_more(model: &mut Model, is_forward: bool, (done, times): (usize, usize)) {
-    let side = if is_forward { "after" } else { "before" };
+    let texts = &model.texts().breakpoints;
     let hides = |one: &Breakpoint| one.is_on && one.is_hidden_in(model);
-    if done > 0 {
-        model.say(&format!("stopped {done} of {times} times; no breakpoint stops {side} this step"));
-    } else if is_forward && model.guide.breakpoints.iter().any(hides) {
-        model.say(HIDDEN);
+    if done == 0 && is_forward && model.guide.breakpoints.iter().any(hides) {
+        model.say(texts.hidden);
     } else {
-        model.say(&format!("no breakpoint stops {side} this step"));
+        model.say(&(texts.no_more)(done, times, is_forward));
     }
 }
 
@@ -75,7 +70,7 @@ pub(super) fn first_stop(model: &Model, mut events: impl Iterator<Item = usize>)
 pub(super) fn stop(model: &mut Model, event: usize, breakpoint: String) {
     guide::jump(model, event);
     let what = describe::event(model, event);
-    model.say(&format!("stopped by {}: {what}", plain(&breakpoint)));
+    model.say(&(model.texts().breakpoints.stopped)(&plain(&breakpoint), &what));
     model.guide.stops.push(Stopped { spot: Spot::of(model, event), what, breakpoint });
     let excess = model.guide.stops.len().saturating_sub(MOST);
     model.guide.stops.drain(..excess);
@@ -87,11 +82,7 @@ pub(super) fn open(model: &mut Model) {
     model.overlay = Some(Overlay::List { kind: Kind::Stops, selected, shift: 0 });
 }
 
-/// What stands in the list of the stops; a pixel only if it isn't the one that is shown.
-pub(super) const COLUMNS: &[Column] =
-    &[Column::number("step"), Column::text("pixel"), Column::text("stopped at"), Column::text("what is there")];
-
-/// The list of the stops, with the pixels of those in others and in a region.
+/// The list of the stops, with the pixels of those in a region and in pixels that aren't the one that is shown.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |Stopped { spot, what, breakpoint }: &Stopped| {
         let is_shown = spot.is_shown(model);

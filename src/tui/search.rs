@@ -7,8 +7,10 @@
 use super::guide;
 use super::model::Model;
 use super::view::ascii;
-use crate::log::{Log, Name, RayKind, Step, Tree, Value, What};
-use crate::report::{Style, number, words};
+use crate::log::{Log, Name, Step, Tree, Value, What};
+use crate::report::language::Language;
+use crate::report::language::viewer::Status;
+use crate::report::{Style, words};
 use std::collections::HashMap;
 
 /// A text to look for. Capitals count if it has any.
@@ -85,7 +87,7 @@ impl Search {
 
     /// Looks at so many more events.
     fn look(&mut self, model: &Model, most: usize) {
-        let mut matcher = Matcher::new(&model.log, &model.tree, model.numbers, &self.pattern);
+        let mut matcher = Matcher::new(model, &self.pattern);
         // A search for values or decisions would find out what a quiz hides.
         matcher.in_quiz = model.understanding.quiz.is_some().then_some(model);
         let until = self.looked_at.saturating_add(most).min(self.count);
@@ -103,15 +105,13 @@ impl Search {
     }
 
     /// Which of how many matches an event is, such as `match 3/17`.
-    pub fn place(&self, event: usize) -> String {
+    pub fn place(&self, event: usize, status: &Status) -> String {
         if !self.is_complete() {
-            return "counting matches".to_owned();
+            return status.counting.to_owned();
         }
-        let count = self.found.len();
-        match self.found.binary_search(&(event as u32)) {
-            Ok(index) => format!("match {}/{count}", index + 1),
-            Err(_) => format!("match -/{count}"),
-        }
+        let count = self.found.len().to_string();
+        let number = self.found.binary_search(&(event as u32)).map_or("-".to_owned(), |index| (index + 1).to_string());
+        (status.matches)(&number, &count)
     }
 
     /// The next match after an event, as far as that is known before all events were looked at.
@@ -147,6 +147,7 @@ struct Matcher<'a> {
     log: &'a Log,
     tree: &'a Tree,
     numbers: Style,
+    language: Language,
     pattern: &'a Pattern,
     names: HashMap<Name, bool>,
     steps: HashMap<Step, bool>,
@@ -157,16 +158,17 @@ struct Matcher<'a> {
 }
 
 impl Matcher<'_> {
-    fn new<'a>(log: &'a Log, tree: &'a Tree, numbers: Style, pattern: &'a Pattern) -> Matcher<'a> {
+    fn new<'a>(model: &'a Model, pattern: &'a Pattern) -> Matcher<'a> {
         Matcher {
-            log,
-            tree,
-            numbers,
+            log: &model.log,
+            tree: &model.tree,
+            numbers: model.numbers,
+            language: model.language,
             pattern,
             names: HashMap::new(),
             steps: HashMap::new(),
             in_quiz: None,
-            could_be_number: pattern.is_made_of("0123456789.-·⁰¹²³⁴⁵⁶⁷⁸⁹⁻(), naNif"),
+            could_be_number: pattern.is_made_of("0123456789.-·⁰¹²³⁴⁵⁶⁷⁸⁹⁻(),; naNif"),
             could_be_path: pattern.is_made_of("CRTScrts0123456789. ay"),
         }
     }
@@ -174,9 +176,13 @@ impl Matcher<'_> {
     fn matches(&mut self, event: usize) -> bool {
         match &self.log.events[event].what {
             What::Note { name, value } => self.has_name(*name) || self.has_value(event, value),
-            What::Result { color } => self.pattern.is_in("result") || self.has_value(event, &Value::Triple(*color)),
+            What::Result { color } => {
+                self.pattern.is_in(self.language.texts().result) || self.has_value(event, &Value::Triple(*color))
+            }
             What::Mark(_) if self.is_hidden(event) => false,
-            What::Mark(decision) => self.pattern.is_in(&words::decision(&self.log.header, decision, self.numbers)),
+            What::Mark(decision) => {
+                self.pattern.is_in(&words::decision_in(self.language, &self.log.header, decision, self.numbers))
+            }
             What::Enter { step, .. } => self.has_step(self.tree.owner(event), *step),
             What::Leave => false,
         }
@@ -196,27 +202,24 @@ impl Matcher<'_> {
     }
 
     fn has_value(&self, event: usize, value: &Value) -> bool {
-        self.could_be_number && !self.is_hidden(event) && self.pattern.is_in(&number::value(value, self.numbers))
+        self.could_be_number && !self.is_hidden(event) && self.pattern.is_in(&self.language.value(value, self.numbers))
     }
 
     fn has_step(&mut self, node: usize, step: Step) -> bool {
-        let (log, tree, pattern) = (self.log, self.tree, self.pattern);
-        let title = || words::title(log, tree, node);
+        let (log, tree, pattern, language) = (self.log, self.tree, self.pattern, self.language);
+        let title = || words::title_in(language, log, tree, node);
         match step {
             // The title of a ray has its path, which no other ray has.
             Step::Ray { .. } if self.could_be_path && pattern.is_in(&title()) => true,
             Step::Ray { kind, .. } => {
                 let alike = Step::Ray { kind, depth: 0, split: 0 };
-                let is_in = || pattern.is_in(&format!("ray {}", ray_words(log, kind)));
+                let ray = language.texts().viewer.panes.ray;
+                let is_in = || pattern.is_in(&ray(&words::ray_kind_in(language, &log.header, kind)));
                 *self.steps.entry(alike).or_insert_with(is_in)
             }
             step => *self.steps.entry(step).or_insert_with(|| pattern.is_in(&title())),
         }
     }
-}
-
-fn ray_words(log: &Log, kind: RayKind) -> String {
-    words::ray_kind(&log.header, kind)
 }
 
 /// Searches for a text and goes to the first match after the current step; no text ends the search.
@@ -227,7 +230,7 @@ pub(super) fn begin(model: &mut Model, text: &str) -> Result<(), String> {
     }
     let search = begun(model, text);
     if search.found.is_empty() {
-        return Err(not_found(text));
+        return Err(not_found(model, text));
     }
     model.guide.search = Some(search);
     go_on(model, true, 1);
@@ -243,8 +246,8 @@ fn begun(model: &Model, text: &str) -> Search {
     search
 }
 
-fn not_found(text: &str) -> String {
-    format!("not found: {}", words::plain(text))
+fn not_found(model: &Model, text: &str) -> String {
+    (model.texts().messages.not_found)(&words::plain(text))
 }
 
 /// So many events are looked at while one waits: some hundredths of a second where values are looked for.
@@ -297,17 +300,18 @@ pub(super) fn go(model: &mut Model, is_forward: bool, times: usize) {
 
 fn go_on(model: &mut Model, is_forward: bool, times: usize) {
     let found = next(model, is_forward, times);
-    let Some(search) = &model.guide.search else { return model.say("nothing is searched for; / searches") };
+    let Some(search) = &model.guide.search else { return model.say(model.texts().messages.no_search) };
     match found {
         None => {
-            let text = not_found(&search.pattern.text);
+            let text = not_found(model, &search.pattern.text);
             model.guide.search = None;
             model.say(&text);
         }
         Some((event, goes_around)) => {
             guide::jump(model, event);
             if goes_around {
-                model.say(if is_forward { "from the beginning again" } else { "from the end again" });
+                let messages = &model.texts().messages;
+                model.say(if is_forward { messages.from_the_beginning } else { messages.from_the_end });
             }
         }
     }
@@ -321,7 +325,7 @@ pub(super) fn filter(model: &mut Model, text: &str) -> Result<(), String> {
     }
     let search = Search::of(model, text);
     if search.found.is_empty() {
-        return Err(format!("no row matches: {}", words::plain(text)));
+        return Err((model.texts().messages.no_row)(&words::plain(text)));
     }
     let nodes: Vec<_> = search.found.iter().map(|event| model.tree.owner(*event as usize)).collect();
     for node in &nodes {

@@ -2,6 +2,7 @@
 
 use super::model::Model;
 use crate::log::{self, Event, Tree, What};
+use crate::report::language::viewer::Messages;
 use std::ops::Range;
 
 /// What one steps to.
@@ -25,12 +26,12 @@ impl Stop {
         }
     }
 
-    /// What it is called at the ends of the log.
-    pub fn word(self) -> &'static str {
+    /// What is said at the ends of the log.
+    pub fn end(self, messages: &Messages) -> &'static str {
         match self {
-            Stop::Event => "step",
-            Stop::Value => "computed value",
-            Stop::Ray => "ray",
+            Stop::Event => messages.no_steps,
+            Stop::Value => messages.no_values,
+            Stop::Ray => messages.no_rays,
         }
     }
 }
@@ -77,11 +78,11 @@ impl Step {
     }
 
     /// What is said where it leads nowhere.
-    fn end(self) -> &'static str {
+    fn end(self, messages: &Messages) -> &'static str {
         match self {
-            Step::Into | Step::IntoBack => "no more steps in this direction",
-            Step::Over | Step::OverBack => "no more steps here or around it in this direction",
-            Step::Out | Step::OutBack => "nothing around it to step out to in this direction",
+            Step::Into | Step::IntoBack => messages.no_steps,
+            Step::Over | Step::OverBack => messages.no_step_over,
+            Step::Out | Step::OutBack => messages.no_step_out,
         }
     }
 }
@@ -122,7 +123,7 @@ pub(super) fn go(model: &mut Model, step: Step, times: usize) {
     let way = std::iter::successors(Some(model.event), |event| step.from(&model.tree, *event));
     match way.skip(1).take(times).last() {
         Some(event) => model.go_to_event(event),
-        None => model.say(step.end()),
+        None => model.say(step.end(&model.texts().messages)),
     }
 }
 

@@ -134,6 +134,7 @@ fn warnings_stay_until_they_are_dismissed() {
         warning: Some("cut off".to_owned()),
         note: None,
         numbers: Default::default(),
+        language: Default::default(),
     };
     let mut model = opened(textbook(), &options);
     assert_eq!(model.step(), model.log.events.len());
@@ -249,6 +250,7 @@ fn pictures_show_the_viewer_after_some_keys() {
         warning: None,
         note: None,
         numbers: Default::default(),
+        language: Default::default(),
     };
     let svg = picture(textbook(), &options, None, "3n", (80, 24));
     assert!(svg.contains("step 5/96"), "{svg}");
@@ -298,5 +300,7 @@ fn large_logs_stay_usable() {
     (0..8).for_each(|_| search::look_on(&mut model));
     assert!(!is_counting(&model));
     // The search and the filter have found the one quantity that the log has, twice in each of its parts.
-    assert!(model.guide.search.as_ref().is_some_and(|search| search.place(0).ends_with("/340000")));
+    assert!(
+        model.guide.search.as_ref().is_some_and(|search| search.place(0, &model.texts().status).ends_with("/340000"))
+    );
 }

@@ -16,9 +16,9 @@ struct Fake {
 }
 
 impl Live for Fake {
-    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, String> {
+    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, Refusal> {
         if pixel == [7, 5] {
-            return Err("too long".to_owned());
+            return Err(Refusal::Other("too long".to_owned()));
         }
         self.traced.push(pixel);
         Ok(of_pixel(glass(), pixel))
@@ -48,7 +48,7 @@ impl Live for Fake {
         }))
     }
 
-    fn compare(&mut self, _subject: Subject) -> Result<Vec<Log>, String> {
+    fn compare(&mut self, _subject: Subject) -> Result<Vec<Log>, Refusal> {
         Ok(vec![textbook()])
     }
 }

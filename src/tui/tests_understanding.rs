@@ -57,10 +57,10 @@ fn arithmetics_are_asked_for_and_then_shown() {
     assert_eq!(model.overlay, None);
     struct Others;
     impl Live for Others {
-        fn trace(&mut self, _: [u32; 2]) -> Result<Log, String> {
-            Err("no".to_owned())
+        fn trace(&mut self, _: [u32; 2]) -> Result<Log, Refusal> {
+            Err(Refusal::Other("no".to_owned()))
         }
-        fn compare(&mut self, _: Subject) -> Result<Vec<Log>, String> {
+        fn compare(&mut self, _: Subject) -> Result<Vec<Log>, Refusal> {
             Ok(vec![textbook()])
         }
     }

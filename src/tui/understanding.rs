@@ -8,9 +8,8 @@ use super::theme::Role;
 use super::update::Effect;
 use crate::log::{Digits, Log, Tree, Value, What};
 use crate::report::contributions::{self, Account, Ended, Group};
-use crate::report::language::Language;
 use crate::report::side_by_side::{self, Row, Run};
-use crate::report::{number, path_class, provenance, words};
+use crate::report::{path_class, provenance, words};
 use std::collections::{HashMap, HashSet};
 
 /// The most entries of a list: nobody reads more, and a frame must not wait for them.
@@ -31,7 +30,7 @@ pub struct Understanding {
 pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
     let tells_results = matches!(kind, Kind::Contributions | Kind::Arithmetics);
     if tells_results && model.understanding.quiz.is_some() {
-        model.say("that would tell the results; Q ends the quiz");
+        model.say(model.texts().quiz.tells_results);
         return Effect::None;
     }
     if let Some(why) = is_to_come(model, kind) {
@@ -49,16 +48,15 @@ pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
 /// What to say where a list would tell what is to come while the tree grows. Operands never are: they come before their values.
 fn is_to_come(model: &Model, kind: Kind) -> Option<&'static str> {
     model.guide.grown?;
+    let texts = &model.texts().lists.to_come;
     let own = |node: usize| model.tree.own_events(node).next_back();
     match kind {
         // The colour is the last that a pixel comes to, and says of what was computed before what it brings.
         Kind::Contributions => own(contributions::pixel_around(&model.tree, model.cursor))
             .filter(|last| !model.guide.is_known(*last))
-            .map(|_| "the colour isn't computed yet; t shows the whole tree"),
-        Kind::Arithmetics => own(model.cursor)
-            .filter(|last| !model.guide.is_known(*last))
-            .map(|_| "this node isn't computed yet to its end; t shows the whole tree"),
-        Kind::Uses => Some("what takes a value comes after it; t shows the whole tree"),
+            .map(|_| texts.color),
+        Kind::Arithmetics => own(model.cursor).filter(|last| !model.guide.is_known(*last)).map(|_| texts.node),
+        Kind::Uses => Some(texts.uses),
         _ => None,
     }
 }
@@ -84,7 +82,7 @@ fn make(model: &Model, kind: Kind) -> Listing {
 fn subject(model: &Model) -> String {
     match model.log.events.get(model.event).map(|event| &event.what) {
         Some(What::Note { name, .. }) => name.symbol().to_owned(),
-        _ => format!("step {}", model.step()),
+        _ => (model.texts().lists.step)(model.step()),
     }
 }
 
@@ -94,31 +92,28 @@ fn whereabouts(model: &Model, event: usize) -> String {
     let path = if path.is_empty() { path } else { format!(", {path}") };
     let what = match &model.log.events[event].what {
         What::Note { name, .. } => name.key().to_owned(),
-        _ => words::title(&model.log, &model.tree, model.tree.owner(event)),
+        _ => model.title(model.tree.owner(event)),
     };
-    format!("step {}{path}, {what}", event + 1)
+    format!("{}{path}, {what}", (model.texts().lists.step)(event + 1))
 }
 
-const OPERANDS: &[Column] = &[Column::text("operand"), Column::text("value"), Column::text("from")];
-const USES: &[Column] = &[Column::text("value"), Column::text("computed in")];
-
 fn operands(model: &Model) -> Listing {
+    let texts = &model.texts().lists;
     let found = provenance::operands(&model.log, &model.tree, model.event);
     let entry = |operand: &provenance::Operand| {
-        let value = number::value(&operand.value, model.numbers);
-        let light =
-            operand.light.map_or(String::new(), |light| format!(" ({})", words::title(&model.log, &model.tree, light)));
+        let value = model.value(&operand.value);
+        let light = operand.light.map_or(String::new(), |light| format!(" ({})", model.title(light)));
         let from = match operand.computed {
             Some(event) => whereabouts(model, event),
-            None => format!("given in {}", whereabouts(model, operand.event)),
+            None => (texts.given_in)(&whereabouts(model, operand.event)),
         };
         Entry::to(operand.computed.unwrap_or(operand.event), format!("{}{light}\t{value}\t{from}", operand.symbol))
     };
     Listing {
-        title: format!("What {} is made of", subject(model)),
-        columns: OPERANDS,
+        title: (texts.operands.title)(&subject(model)),
+        columns: Column::all(&texts.operands.columns, &[]),
         entries: found.iter().take(MOST).map(entry).collect(),
-        nothing: "this step takes nothing that the log names",
+        nothing: texts.operands.nothing,
     }
 }
 
@@ -126,74 +121,63 @@ fn uses(model: &Model) -> Listing {
     let entry = |event: usize| {
         let shown = match &model.log.events[event].what {
             What::Note { name, value } if !model.hides(event) => {
-                format!("{} = {}", name.symbol(), number::value(value, model.numbers))
+                format!("{} = {}", name.symbol(), model.value(value))
             }
             What::Note { name, .. } => {
                 name.formula().map_or(name.symbol().to_owned(), |formula| format!("{} = {formula}", name.symbol()))
             }
-            _ => words::title(&model.log, &model.tree, model.tree.owner(event)),
+            _ => model.title(model.tree.owner(event)),
         };
         Entry::to(event, format!("{shown}\t{}", whereabouts(model, event)))
     };
     let found = provenance::uses(&model.log, &model.tree, model.event, MOST);
+    let texts = &model.texts().lists.uses;
     Listing {
-        title: format!("What takes {}", subject(model)),
-        columns: USES,
+        title: (texts.title)(&subject(model)),
+        columns: Column::all(&texts.columns, &[]),
         entries: found.into_iter().map(entry).collect(),
-        nothing: "no later step takes it",
+        nothing: texts.nothing,
     }
 }
 
 fn account(model: &Model) -> Listing {
     let account = contributions::account(&model.log, &model.tree, model.cursor);
-    let color = number::value(&Value::Triple(account.color), model.numbers);
+    let (texts, color) = (&model.texts().lists.account, model.color(account.color));
     let groups = contributions::groups(&account.contributions);
     let mut entries: Vec<_> = groups.iter().take(MOST).map(|group| contribution(model, &account, group)).collect();
     if let Some(rest) = groups.get(MOST..).filter(|rest| !rest.is_empty()) {
         let share: f64 = rest.iter().map(|group| group.sum.share).sum();
-        let rest = format!("{}\t\t\t{} smaller ones together", percent(share), rest.len());
+        let rest = format!("{}\t\t\t{}", model.language.percent(share), (texts.smaller)(rest.len()));
         entries.push(Entry::plain(rest, Role::Faint));
     }
     if !account.ended.is_empty() {
-        entries.push(Entry::heading(format!("What brings nothing ({}):", account.ended.len())));
+        entries.push(Entry::heading((texts.brings_nothing)(account.ended.len())));
     }
     entries.extend(account.ended.iter().take(MOST).map(|ended| self::ended(model, ended)));
     let class = path_class::of_ray(&model.log, &model.tree, model.cursor);
-    let class = class.map_or(String::new(), |class| format!(" - here {class}"));
+    let class = class.map_or(String::new(), |class| (texts.here)(&class));
     let title = match account.is_whole {
-        true => format!("Why the colour is {color}{class}"),
-        false => format!("The log ends before the colour; so far {color}{class}"),
+        true => (texts.list.title)(&color),
+        false => (texts.so_far)(&color),
     };
-    Listing { title, columns: SHARES, entries, nothing: "no light is accounted for yet" }
+    // What matters most comes first: the share.
+    let columns = Column::all(&texts.list.columns, &[0]);
+    Listing { title: title + &class, columns, entries, nothing: texts.list.nothing }
 }
-
-/// The columns of why a pixel has its colour: first what matters most.
-const SHARES: &[Column] = &[
-    Column::number("share"),
-    Column::text("path"),
-    Column::text("times"),
-    Column::text("from"),
-    Column::text("class"),
-    Column::text("figure 14"),
-    Column::text("% of r g b"),
-    Column::text("brings"),
-    Column::text("= own colour * weight"),
-];
 
 /// So much of the colour, and of each of its channels, and where it comes from.
 fn contribution(model: &Model, account: &Account, Group { sum: part, count }: &Group) -> Entry {
     let header = &model.log.header;
-    let origin = words::origin_in(Language::English, header, part.origin);
-    let color = number::value(&Value::Triple(part.color), model.numbers);
+    let origin = words::origin_in(model.language, header, part.origin);
+    let color = model.color(part.color);
     let times = if *count == 1 { String::new() } else { format!("×{count}") };
-    let weight = (part.weight != [1.0; 3] && *count == 1).then(|| {
-        format!("= {} * {}", number::value(&Value::Triple(part.own), model.numbers), triple(model, &part.weight))
-    });
+    let weight = (part.weight != [1.0; 3] && *count == 1)
+        .then(|| format!("= {} * {}", model.color(part.own), triple(model, &part.weight)));
     let channel = |channel| {
         part.share_of(channel, &account.color).map_or("-".to_owned(), |x| format!("{:.0}", (100.0 * x).round() + 0.0))
     };
     let channels = format!("[{}]", [0, 1, 2].map(channel).join(" "));
-    let (share, cases) = (percent(part.share), part.cases.to_owned());
+    let (share, cases) = (model.language.percent(part.share), part.cases.to_owned());
     let weight = weight.unwrap_or_default();
     let text = cells([share, part.path.clone(), times, origin, part.class.clone(), cases, channels, color, weight]);
     Entry { target: part.event, ..Entry::plain(text, Role::Text) }
@@ -208,26 +192,13 @@ fn cells<const N: usize>(cells: [String; N]) -> String {
 fn triple(model: &Model, weight: &[f64; 3]) -> String {
     let is_grey = weight[0] == weight[1] && weight[1] == weight[2];
     let value = if is_grey { Value::Number(weight[0]) } else { Value::Triple(*weight) };
-    number::value(&value, model.numbers)
-}
-
-fn percent(share: f64) -> String {
-    format!("{:.1} %", 100.0 * share)
+    model.value(&value)
 }
 
 fn ended(model: &Model, ended: &Ended) -> Entry {
-    let why = words::ended_in(Language::English, &model.log, ended, model.numbers);
+    let why = words::ended_in(model.language, &model.log, ended, model.numbers);
     Entry { role: Role::Blocked, ..Entry::to(ended.event, format!("  {}  {why}", ended.path)) }
 }
-
-/// The columns of the comparison. The digits that can be trusted are those of f64; it is the widest, and so the last.
-const COMPARISON: &[Column] = &[
-    Column::text(""),
-    Column::number("by hand"),
-    Column::number("f32"),
-    Column::number("digits"),
-    Column::number("f64"),
-];
 
 fn arithmetics(model: &Model) -> Listing {
     let trees: Vec<Tree> = model.others.iter().map(|log| Tree::of(&log.events)).collect();
@@ -239,37 +210,42 @@ fn arithmetics(model: &Model) -> Listing {
     let is_of = |log: &Log, start: &str| log.header.arithmetic.starts_with(start);
     let column = |start: &str| runs.iter().position(|run| is_of(run.log, start));
     let [hand, single, double] = ["decimal", "f32", "f64"].map(column);
+    let texts = &model.texts().lists.arithmetics;
     let mut entries = Vec::new();
     for row in table.rows.iter().take(MOST) {
-        entries.extend(row_entries(row, [hand, single, double]));
+        entries.extend(row_entries(model, row, [hand, single, double]));
     }
-    for (number, name) in [(hand, "by hand"), (single, "in f32"), (double, "in f64")] {
+    for (number, name) in [hand, single, double].into_iter().zip(texts.names) {
         let Some(number) = number else { continue };
         if !table.reaches[number] {
-            entries.push(Entry::plain(format!("not reached {name}: it decides otherwise before"), Role::Blocked));
+            entries.push(Entry::plain((texts.never_reached)(name), Role::Blocked));
         } else if !table.agrees[number] {
-            entries.push(Entry::plain(format!("other decisions {name} in this node"), Role::Blocked));
+            entries.push(Entry::plain((texts.other_decisions)(name), Role::Blocked));
         }
     }
-    let title = format!("{} in three arithmetics", words::title(&model.log, &model.tree, model.cursor));
-    Listing { title, columns: COMPARISON, entries, nothing: "this node computes nothing itself" }
+    let title = (texts.list.title)(&model.title(model.cursor));
+    // The digits that can be trusted are those of f64; it is the widest, and so the last.
+    let columns = Column::all(&texts.list.columns, &[1, 2, 3, 4]);
+    Listing { title, columns, entries, nothing: texts.list.nothing }
 }
 
 /// A line a component.
-fn row_entries(row: &Row, columns: [Option<usize>; 3]) -> Vec<Entry> {
+fn row_entries(model: &Model, row: &Row, columns: [Option<usize>; 3]) -> Vec<Entry> {
+    let texts = &model.texts().lists.arithmetics;
     let values = columns.map(|column| column.and_then(|column| row.values[column]));
     let count = values.iter().flatten().map(|value| value.components().len()).max().unwrap_or(1);
     let component = |index: usize| {
         let number = |value: Option<Value>| value.and_then(|value| value.components().get(index).copied());
         let [hand, single, double] = values.map(number);
-        let absent = || "not reached".to_owned();
+        let absent = || texts.not_reached.to_owned();
+        let marked = |text: String| model.language.marked(text);
         let axis = if count == 1 { "" } else { [" 1", " 2", " 3"][index.min(2)] };
         let text = cells([
             format!("{}{axis}", row.name.symbol()),
-            hand.map_or_else(absent, |x| shortest(x, |x| x.to_string())),
-            single.map_or_else(absent, |x| shortest(x, |x| (x as f32).to_string())),
-            digits(row.digits, index),
-            double.map_or_else(absent, |x| shortest(x, |x| x.to_string())),
+            hand.map_or_else(absent, |x| marked(shortest(x, |x| x.to_string()))),
+            single.map_or_else(absent, |x| marked(shortest(x, |x| (x as f32).to_string()))),
+            digits(row.digits, index, texts.decided_otherwise),
+            double.map_or_else(absent, |x| marked(shortest(x, |x| x.to_string()))),
         ]);
         match row.event {
             Some(event) => Entry::to(event, text),
@@ -286,12 +262,12 @@ fn shortest(x: f64, plain: impl Fn(f64) -> String) -> String {
     if text.len() <= ROOM { text } else { format!("{x:e}") }
 }
 
-fn digits(digits: Option<Digits>, component: usize) -> String {
+fn digits(digits: Option<Digits>, component: usize, decided_otherwise: &str) -> String {
     match digits {
         Some(Digits::Significant(count)) => {
             count.components().get(component).map_or(String::new(), |count| format!("{:.0}", count.floor()))
         }
-        Some(Digits::DecisionDiffers) => "0: decided otherwise".to_owned(),
+        Some(Digits::DecisionDiffers) => decided_otherwise.to_owned(),
         None => String::new(),
     }
 }

@@ -144,9 +144,9 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
         Action::ZoomIn | Action::ZoomOut | Action::Brighter | Action::Darker | Action::NextView => {
-            model.say("that is for the picture and the schematic; Tab goes there");
+            model.say(model.texts().messages.other_pane);
         }
-        Action::Unknown => model.say("no such key; ? shows the keys"),
+        Action::Unknown => model.say(model.texts().messages.no_key),
         Action::Digit(_) | Action::Prefix(_) | Action::Resize(..) | Action::Typed(_) => {}
     }
     Effect::None
@@ -241,7 +241,7 @@ fn go_along(model: &mut Model, times: usize, next: impl Fn(&Model, usize) -> Opt
     let siblings = std::iter::successors(Some(model.cursor), |node| next(model, *node));
     match siblings.skip(1).filter(|node| model.fold.visible.is(*node)).take(times).last() {
         Some(node) => model.go_to_node(node),
-        None => model.say("no more nodes in this one's parent"),
+        None => model.say(model.texts().messages.no_siblings),
     }
 }
 
@@ -275,7 +275,7 @@ pub(super) fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
             return;
         }
     }
-    model.say(&format!("no more {}s in this direction", stop.word()));
+    model.say(stop.end(&model.texts().messages));
 }
 
 /// After every action the selected node is a row, and on the screen.

@@ -10,7 +10,14 @@ fn by_hand() -> Log {
 }
 
 fn options(palette: Palette, ascii: bool) -> Options {
-    Options { theme: Theme::new(palette, ascii), start: None, warning: None, note: None, numbers: Default::default() }
+    Options {
+        theme: Theme::new(palette, ascii),
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Default::default(),
+        language: Default::default(),
+    }
 }
 
 /// Text and styles of the frame after these keys.

@@ -258,10 +258,10 @@ fn the_cursor_walks_over_the_picture() {
 fn panicking_viewer() {
     struct Panics;
     impl raywalk::tui::Live for Panics {
-        fn trace(&mut self, _: [u32; 2]) -> Result<raywalk::log::Log, String> {
+        fn trace(&mut self, _: [u32; 2]) -> Result<raywalk::log::Log, raywalk::tui::Refusal> {
             panic!("the tracer gave up")
         }
-        fn compare(&mut self, _: raywalk::log::Subject) -> Result<Vec<raywalk::log::Log>, String> {
+        fn compare(&mut self, _: raywalk::log::Subject) -> Result<Vec<raywalk::log::Log>, raywalk::tui::Refusal> {
             panic!("the tracer gave up")
         }
     }
@@ -271,7 +271,8 @@ fn panicking_viewer() {
     let log = raywalk::record::pixel(&scene, [160, 120], raywalk::record::Arithmetic::F64);
     let theme = raywalk::tui::Theme::new(raywalk::tui::Palette::None, false);
     let numbers = raywalk::report::Style::default();
-    let options = raywalk::tui::Options { theme, start: None, warning: None, note: None, numbers };
+    let options =
+        raywalk::tui::Options { theme, start: None, warning: None, note: None, numbers, language: Default::default() };
     raywalk::tui::run(log, options, Some(&mut Panics)).expect("a terminal");
 }
 

@@ -3,26 +3,36 @@
 use crate::support::{scene, snapshots};
 use raywalk::log::{Log, Subject};
 use raywalk::record::{self, Arithmetic, Part};
-use raywalk::tui::{self, Live, Options, Palette, Theme, dump::dump};
+use raywalk::tui::{self, Live, Options, Palette, Refusal, Theme, dump::dump};
 
 /// The numeric example, traced as often as somebody asks.
 struct Example;
 
 impl Live for Example {
-    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, String> {
+    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, Refusal> {
         Ok(record::pixel(&scene("textbook"), pixel, Arithmetic::Decimal(3)))
     }
 
-    fn compare(&mut self, _: Subject) -> Result<Vec<Log>, String> {
+    fn compare(&mut self, _: Subject) -> Result<Vec<Log>, Refusal> {
         let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::F64, Arithmetic::Perturbed(0)];
         let log = |arithmetic| record::bounded(&scene("textbook"), Part::Pixel([160, 120]), arithmetic);
-        arithmetics.into_iter().map(|arithmetic| log(arithmetic).map_err(|cut_off| cut_off.to_string())).collect()
+        arithmetics
+            .into_iter()
+            .map(|arithmetic| log(arithmetic).map_err(|cut_off| Refusal::Other(cut_off.to_string())))
+            .collect()
     }
 }
 
 fn frame_after(keys: &str, width: u16, height: u16) -> String {
     let theme = Theme::new(Palette::Indexed, false);
-    let options = Options { theme, start: None, warning: None, note: None, numbers: Default::default() };
+    let options = Options {
+        theme,
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Default::default(),
+        language: Default::default(),
+    };
     let log = record::pixel(&scene("textbook"), [160, 120], Arithmetic::Decimal(3));
     let model = tui::opened_with_keys(log, &options, Some(&mut Example), keys, (width, height));
     dump(&tui::frame(&model, width, height, &theme))

@@ -6,9 +6,10 @@ mod picture;
 use glam::DVec3;
 use picture::Rendering;
 use raywalk::log::{Log, Subject};
+use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::scene::Scene;
-use raywalk::tui::{Drawing, Image, Live};
+use raywalk::tui::{Drawing, Image, Live, Refusal};
 use std::sync::Arc;
 
 /// A scene and the arithmetic that it is shown in.
@@ -25,15 +26,19 @@ impl Session {
         Session { scene: Arc::new(scene), arithmetic, rendering: None }
     }
 
-    fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, String> {
-        record::bounded(&self.scene, part, arithmetic).map_err(|cut_off| cut_off.to_string())
+    fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
+        record::bounded(&self.scene, part, arithmetic).map_err(|cut_off| match cut_off {
+            CutOff::TooLong { most } => Refusal::TooLong(most),
+            CutOff::Memory => Refusal::NoMemory,
+            CutOff::Io(error) => Refusal::Other(error.to_string()),
+        })
     }
 }
 
 impl Live for Session {
-    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, String> {
+    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, Refusal> {
         if self.arithmetic == Arithmetic::Printed {
-            return Err("the book prints one pixel only".to_owned());
+            return Err(Refusal::OnePixelPrinted);
         }
         self.log(Part::Pixel(pixel), self.arithmetic)
     }
@@ -53,13 +58,13 @@ impl Live for Session {
         Some(Arc::new(drawing::of(&self.scene)))
     }
 
-    fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, String> {
+    fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, Refusal> {
         let part = match subject {
             Subject::Pixel(pixel) => Part::Pixel(pixel),
             Subject::Ray([ox, oy, oz, dx, dy, dz]) => {
                 Part::Ray { origin: DVec3::new(ox, oy, oz), direction: DVec3::new(dx, dy, dz) }
             }
-            Subject::Region(_) => return Err("only pixels and rays are compared".to_owned()),
+            Subject::Region(_) => return Err(Refusal::RegionsNotCompared),
         };
         // The perturbed runs say how many digits of f64 can be trusted.
         let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::F64, Arithmetic::Perturbed(0)];

@@ -4,6 +4,7 @@
 use super::condition::{Condition, Operator, Part, Quantity};
 use super::kind;
 use crate::log::{Log, Name, Value, What};
+use crate::report::language::viewer::Breakpoints;
 use crate::report::words::plain;
 use crate::tui::suggest::nearest;
 use crate::tui::view::ascii;
@@ -25,7 +26,7 @@ const OPERATORS: &[(&str, Operator)] = &[
 ];
 
 /// The condition that a text stands for, in a log that has these objects, lights and quantities.
-pub fn parse(text: &str, log: &Log) -> Result<Condition, String> {
+pub fn parse(text: &str, log: &Log, texts: &Breakpoints) -> Result<Condition, String> {
     let text = text.trim();
     if let Some(kind) = kind::find(text) {
         return Ok(Condition::Kind(kind));
@@ -34,16 +35,22 @@ pub fn parse(text: &str, log: &Log) -> Result<Condition, String> {
     let rest = rest.trim();
     let begins_name = !rest.is_empty() && operator(rest).is_none_or(|(before, ..)| !before.is_empty());
     match first.to_lowercase().as_str() {
-        "" => Err("expected a breakpoint: hit, shadow, object NAME, light NAME, depth 2 or T2_A < 0".to_owned()),
-        "kind" => kind_of(rest),
-        "object" if begins_name || rest.is_empty() => named("object", &log.header.objects, rest).map(Condition::Object),
-        "light" if begins_name => named("light", &log.header.lights, rest).map(Condition::Light),
+        "" => Err(texts.expected.to_owned()),
+        "kind" => kind_of(rest, texts),
+        "object" if begins_name || rest.is_empty() => {
+            let unknown = Unknown { none: texts.no_objects, like: texts.object_like, others: texts.other_objects };
+            named(&log.header.objects, rest, &unknown).map(Condition::Object)
+        }
+        "light" if begins_name => {
+            let unknown = Unknown { none: texts.no_lights, like: texts.light_like, others: texts.other_lights };
+            named(&log.header.lights, rest, &unknown).map(Condition::Light)
+        }
         "depth"
             if operator(rest).is_none_or(|(before, operator, _)| before.is_empty() && operator == Operator::Equal) =>
         {
-            depth(rest)
+            depth(rest, texts)
         }
-        _ => quantity(text, log).map(Condition::Quantity),
+        _ => quantity(text, log, texts).map(Condition::Quantity),
     }
 }
 
@@ -58,15 +65,22 @@ pub fn words(log: &Log) -> Vec<String> {
     words
 }
 
-fn kind_of(word: &str) -> Result<Condition, String> {
+fn kind_of(word: &str, texts: &Breakpoints) -> Result<Condition, String> {
     kind::find(word).map(Condition::Kind).ok_or_else(|| match nearest(word, kind::WORDS.iter().copied()) {
-        Some(near) => format!("no kind of event is called `{}`; did you mean `{near}`?", plain(word)),
-        None => "expected a kind of event such as shadow, hit, occluded or total-internal-reflection".to_owned(),
+        Some(near) => (texts.kind_like)(&plain(word), near),
+        None => texts.expected_kind.to_owned(),
     })
 }
 
+/// What to say where a log has no object, or no light, of a name.
+struct Unknown {
+    none: &'static str,
+    like: fn(&str, &str) -> String,
+    others: fn(&str, &str, usize) -> String,
+}
+
 /// The numbers of the objects or lights with a name.
-fn named(what: &str, names: &[String], name: &str) -> Result<Vec<u32>, String> {
+fn named(names: &[String], name: &str, unknown: &Unknown) -> Result<Vec<u32>, String> {
     let name = name.trim_matches('"');
     let numbers = |is: &dyn Fn(&str) -> bool| -> Vec<u32> {
         (0..).zip(names).filter(|(_, known)| is(known)).map(|(number, _)| number).collect()
@@ -78,41 +92,36 @@ fn named(what: &str, names: &[String], name: &str) -> Result<Vec<u32>, String> {
     }
     let all = names.iter().map(String::as_str);
     Err(match nearest(name, all.clone()) {
-        Some(near) => format!("there is no {what} `{}`; did you mean `{}`?", plain(name), plain(near)),
-        None if names.is_empty() => format!("there is no {what} in this log"),
+        Some(near) => (unknown.like)(&plain(name), &plain(near)),
+        None if names.is_empty() => unknown.none.to_owned(),
         None => {
             const SOME: usize = 5;
             let some: Vec<_> = all.take(SOME).map(plain).collect();
-            let more = names.len().saturating_sub(SOME);
-            let more = if more == 0 { String::new() } else { format!(" and {more} more") };
-            format!("there is no {what} `{}`, but {}{more}", plain(name), some.join(", "))
+            (unknown.others)(&plain(name), &some.join(", "), names.len().saturating_sub(SOME))
         }
     })
 }
 
-fn depth(text: &str) -> Result<Condition, String> {
+fn depth(text: &str, texts: &Breakpoints) -> Result<Condition, String> {
     let number = text.trim_start_matches('=').trim();
-    let depth = number.parse().map_err(|_| "expected a level of the ray tree, such as depth 2".to_owned())?;
+    let depth = number.parse().map_err(|_| texts.expected_depth.to_owned())?;
     Ok(Condition::Depth(depth))
 }
 
-fn quantity(text: &str, log: &Log) -> Result<Quantity, String> {
+fn quantity(text: &str, log: &Log, texts: &Breakpoints) -> Result<Quantity, String> {
     let (operand, test) = match operator(text) {
         None => (text, None),
-        Some((before, operator, after)) => (before, Some((operator, number(after)?))),
+        Some((before, operator, after)) => (before, Some((operator, number(after, texts)?))),
     };
-    let (names, part) = operand_of(operand)?;
+    let (names, part) = operand_of(operand, texts)?;
     let value = log.events.iter().find_map(|event| match &event.what {
         What::Note { name, value } if names.contains(name) => Some(value),
         _ => None,
     });
     if let Some(value) = value.filter(|value| test.is_some() && part.of(value).is_none()) {
         return Err(match value {
-            Value::Number(_) => format!("{} is a number and has no components", names[0].symbol()),
-            Value::Triple(_) => {
-                let key = names[0].key();
-                format!("{key} has three numbers: compare {key}.x, .y or .z (.r, .g or .b), or the length |{key}|")
-            }
+            Value::Number(_) => (texts.no_components)(names[0].symbol()),
+            Value::Triple(_) => (texts.three_numbers)(names[0].key()),
         });
     }
     Ok(Quantity { names, part, test })
@@ -126,19 +135,20 @@ fn operator(text: &str) -> Option<(&str, Operator, &str)> {
     })
 }
 
-fn number(text: &str) -> Result<f64, String> {
-    let number = text.replace('−', "-").parse::<f64>().ok().filter(|number| number.is_finite());
-    number.ok_or_else(|| format!("expected a number such as 0 or -1.5e-3, not `{}`", plain(text)))
+/// A number, with a decimal point or a decimal comma.
+fn number(text: &str, texts: &Breakpoints) -> Result<f64, String> {
+    let number = text.replace('−', "-").replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());
+    number.ok_or_else(|| (texts.expected_number)(&plain(text)))
 }
 
 /// The quantities that a text names, and which number of them.
-fn operand_of(text: &str) -> Result<(Vec<Name>, Part), String> {
+fn operand_of(text: &str, texts: &Breakpoints) -> Result<(Vec<Name>, Part), String> {
     let whole = called(text);
     if !whole.is_empty() {
         return Ok((whole, Part::Whole));
     }
     if let Some(inner) = text.strip_prefix('|').and_then(|text| text.strip_suffix('|')) {
-        return operand_of(inner.trim()).map(|(names, _)| (names, Part::Length));
+        return operand_of(inner.trim(), texts).map(|(names, _)| (names, Part::Length));
     }
     if let Some((before, letter)) = text.rsplit_once('.')
         && let Some(component) = ["xr", "yg", "zb"].iter().position(|both| letter.len() == 1 && both.contains(letter))
@@ -152,11 +162,8 @@ fn operand_of(text: &str) -> Result<(Vec<Name>, Part), String> {
     // A kind of event has no value to compare.
     let known = known.filter(|word| *word != text);
     Err(match nearest(text, known) {
-        Some(near) => format!("nothing is called `{}`; did you mean `{near}`?", plain(text)),
-        None => format!(
-            "nothing is called `{}`: expected a kind of event (hit), object NAME, light NAME, depth 2 or a quantity (T2_A < 0)",
-            plain(text)
-        ),
+        Some(near) => (texts.name_like)(&plain(text), near),
+        None => (texts.no_name)(&plain(text)),
     })
 }
 

@@ -4,11 +4,17 @@ use super::condition::{Operator, Part, Quantity};
 use super::*;
 use crate::log::{Event, Log, Name, Value};
 use crate::report::Style;
+use crate::report::language::Language;
+use crate::report::language::viewer::Breakpoints;
 use crate::tui::testing::{glass, textbook};
+
+fn texts() -> &'static Breakpoints {
+    &Language::English.texts().viewer.breakpoints
+}
 
 #[track_caller]
 fn condition(text: &str) -> Condition {
-    parse(text, &glass()).unwrap_or_else(|why| panic!("{text}: {why}"))
+    parse(text, &glass(), texts()).unwrap_or_else(|why| panic!("{text}: {why}"))
 }
 
 #[track_caller]
@@ -66,7 +72,7 @@ fn quantities() {
 
 #[track_caller]
 fn refuses(text: &str, expected: &str) {
-    let said = parse(text, &glass()).err().unwrap_or_default();
+    let said = parse(text, &glass(), texts()).err().unwrap_or_default();
     assert!(said.contains(expected), "{text}: {said}");
 }
 

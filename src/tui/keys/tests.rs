@@ -27,7 +27,7 @@ fn every_key_of_the_table_does_what_its_row_says() {
                 // A letter of one's choice stands behind it.
                 "m+letter" => does("m", "q", Walk(Walk::Mark('q'))),
                 "'+letter" => does("'", "q", Walk(Walk::GoTo('q'))),
-                key if row.group == walk::IN_LISTS => assert_eq!(key, "d"),
+                key if row.group == Group::Breakpoints => assert_eq!(key, "d"),
                 key => does("", key, row.action),
             }
         }
@@ -37,7 +37,7 @@ fn every_key_of_the_table_does_what_its_row_says() {
 #[test]
 fn no_key_stands_in_two_rows() {
     // In a list a key may mean something of its own.
-    let mut keys: Vec<_> = rows().filter(|row| row.group != walk::IN_LISTS).flat_map(|row| row.keys).collect();
+    let mut keys: Vec<_> = rows().filter(|row| row.group != Group::Breakpoints).flat_map(|row| row.keys).collect();
     let count = keys.len();
     keys.sort();
     keys.dedup();

@@ -4,55 +4,43 @@
 //! `N` step; so the matches of a search are `;` and `,`.
 
 use super::Action::{self, Search};
-use super::{Row, row};
+use super::{Group, Row, row};
 use crate::tui::guide::Walk;
 use crate::tui::steps::Step;
 
-const STEP: &str = "Step into, over and out";
-const RUN: &str = "Run and play";
-const FIND: &str = "Find";
-const KEEP: &str = "Remember and copy";
-/// The group of the keys that only a list has.
-pub(super) const IN_LISTS: &str = "In the list of breakpoints";
-
 /// The keys of [`Walk`].
 pub(super) const TABLE: &[Row] = &[
-    row(STEP, &["s"], Action::Walk(Walk::Step(Step::Into)), "into: to the next event, wherever it is"),
-    row(STEP, &["S"], Action::Walk(Walk::Step(Step::IntoBack)), "into, backward"),
-    row(STEP, &["o"], Action::Walk(Walk::Step(Step::Over)), "over: to the next event of this node or one around it"),
-    row(STEP, &["O"], Action::Walk(Walk::Step(Step::OverBack)), "over, backward"),
-    row(STEP, &["u"], Action::Walk(Walk::Step(Step::Out)), "out: past the end of this node, to one around it"),
-    row(STEP, &["U"], Action::Walk(Walk::Step(Step::OutBack)), "out, backward: to before this node"),
-    row(STEP, &["0"], Action::Walk(Walk::FirstStep), "to the first step (42G goes to step 42)"),
-    row(STEP, &["$"], Action::Walk(Walk::LastStep), "to the last step"),
-    row(RUN, &["b"], Action::Walk(Walk::Break), "type a breakpoint: hit, object NAME, depth 2, T2_A < 0"),
-    row(RUN, &["x"], Action::Walk(Walk::ToggleBreak), "set or clear a breakpoint on what happens here"),
-    row(RUN, &["B"], Action::Walk(Walk::Breakpoints), "list the breakpoints"),
-    row(RUN, &["r"], Action::Walk(Walk::Run), "run to the next breakpoint (c folds)"),
-    row(RUN, &["R"], Action::Walk(Walk::RunBack), "run back to the previous breakpoint"),
-    row(RUN, &["L"], Action::Walk(Walk::Stops), "list where the runs stopped"),
-    row(RUN, &["P"], Action::Walk(Walk::Play), "play, value by value; again to stop"),
-    row(RUN, &["+"], Action::Walk(Walk::Faster), "play twice as fast"),
-    row(RUN, &["-"], Action::Walk(Walk::Slower), "play half as fast"),
-    row(RUN, &["t"], Action::Walk(Walk::Grow), "let the tree grow with the steps; again to see all of it"),
-    row(FIND, &["/"], Search, "search names, symbols, words and values; capitals count if there are any"),
-    row(FIND, &[";"], Action::Walk(Walk::NextMatch), "to the next match (n steps)"),
-    row(FIND, &[","], Action::Walk(Walk::PreviousMatch), "to the previous match"),
-    row(FIND, &["f"], Action::Walk(Walk::Filter), "show only rows that match; nothing typed shows all"),
-    row(KEEP, &["m+letter"], Action::Walk(Walk::Mark('a')), "set a bookmark here"),
-    row(KEEP, &["'+letter"], Action::Walk(Walk::GoTo('a')), "go to a bookmark"),
-    row(KEEP, &["''"], Action::Walk(Walk::GoTo('\'')), "go back to before the last jump"),
-    row(KEEP, &["M"], Action::Walk(Walk::Marks), "list the bookmarks"),
-    row(KEEP, &["y"], Action::Walk(Walk::CopyValue), "copy the value with all its digits"),
-    row(KEEP, &["Y"], Action::Walk(Walk::CopyPath), "copy the address, such as C R S1 shade.n_dot_l"),
-    row(KEEP, &[":"], Action::Walk(Walk::Command), "type a command; :help lists them"),
-    row(KEEP, &["^t"], Action::Walk(Walk::Mouse), "let the mouse select and scroll, or not"),
-    row(
-        IN_LISTS,
-        &["d"],
-        Action::Walk(Walk::Delete),
-        "delete it; Space turns it on or off, Enter goes to its next place",
-    ),
+    row(Group::Nesting, &["s"], Action::Walk(Walk::Step(Step::Into)), |keys| keys.step_into),
+    row(Group::Nesting, &["S"], Action::Walk(Walk::Step(Step::IntoBack)), |keys| keys.step_into_back),
+    row(Group::Nesting, &["o"], Action::Walk(Walk::Step(Step::Over)), |keys| keys.step_over),
+    row(Group::Nesting, &["O"], Action::Walk(Walk::Step(Step::OverBack)), |keys| keys.step_over_back),
+    row(Group::Nesting, &["u"], Action::Walk(Walk::Step(Step::Out)), |keys| keys.step_out),
+    row(Group::Nesting, &["U"], Action::Walk(Walk::Step(Step::OutBack)), |keys| keys.step_out_back),
+    row(Group::Nesting, &["0"], Action::Walk(Walk::FirstStep), |keys| keys.first_step),
+    row(Group::Nesting, &["$"], Action::Walk(Walk::LastStep), |keys| keys.last_step),
+    row(Group::Run, &["b"], Action::Walk(Walk::Break), |keys| keys.r#break),
+    row(Group::Run, &["x"], Action::Walk(Walk::ToggleBreak), |keys| keys.toggle_break),
+    row(Group::Run, &["B"], Action::Walk(Walk::Breakpoints), |keys| keys.breakpoints),
+    row(Group::Run, &["r"], Action::Walk(Walk::Run), |keys| keys.run),
+    row(Group::Run, &["R"], Action::Walk(Walk::RunBack), |keys| keys.run_back),
+    row(Group::Run, &["L"], Action::Walk(Walk::Stops), |keys| keys.stops),
+    row(Group::Run, &["P"], Action::Walk(Walk::Play), |keys| keys.play),
+    row(Group::Run, &["+"], Action::Walk(Walk::Faster), |keys| keys.faster),
+    row(Group::Run, &["-"], Action::Walk(Walk::Slower), |keys| keys.slower),
+    row(Group::Run, &["t"], Action::Walk(Walk::Grow), |keys| keys.grow),
+    row(Group::Find, &["/"], Search, |keys| keys.search),
+    row(Group::Find, &[";"], Action::Walk(Walk::NextMatch), |keys| keys.next_match),
+    row(Group::Find, &[","], Action::Walk(Walk::PreviousMatch), |keys| keys.previous_match),
+    row(Group::Find, &["f"], Action::Walk(Walk::Filter), |keys| keys.filter),
+    row(Group::Keep, &["m+letter"], Action::Walk(Walk::Mark('a')), |keys| keys.mark),
+    row(Group::Keep, &["'+letter"], Action::Walk(Walk::GoTo('a')), |keys| keys.go_to_mark),
+    row(Group::Keep, &["''"], Action::Walk(Walk::GoTo('\'')), |keys| keys.jump_back),
+    row(Group::Keep, &["M"], Action::Walk(Walk::Marks), |keys| keys.marks),
+    row(Group::Keep, &["y"], Action::Walk(Walk::CopyValue), |keys| keys.copy_value),
+    row(Group::Keep, &["Y"], Action::Walk(Walk::CopyPath), |keys| keys.copy_path),
+    row(Group::Keep, &[":"], Action::Walk(Walk::Command), |keys| keys.command),
+    row(Group::Keep, &["^t"], Action::Walk(Walk::Mouse), |keys| keys.mouse),
+    row(Group::Breakpoints, &["d"], Action::Walk(Walk::Delete), |keys| keys.delete),
 ];
 
 /// Whether a character is the first of two keys of which the second is anybody's choice.

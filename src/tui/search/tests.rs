@@ -1,6 +1,7 @@
 //! What a search finds, and in which order.
 
 use super::*;
+use crate::log::RayKind;
 use crate::tui::testing::{glass, nested, textbook};
 
 fn search(log: &Log, text: &str) -> Search {
@@ -59,7 +60,8 @@ fn matches_follow_one_another_around_the_end() {
     assert_eq!([previous(0, 1), previous(1, 2), previous(2, 3)], [Some((3, true)), Some((3, true)), Some((3, true))]);
     assert_eq!(search.next(0, true, usize::MAX).map(|(_, around)| around), Some(true));
     assert_eq!(search.next(0, false, usize::MAX).map(|(_, around)| around), Some(true));
-    assert_eq!((search.place(1), search.place(2)), ("match 2/3".to_owned(), "match -/3".to_owned()));
+    let status = &Language::English.texts().viewer.status;
+    assert_eq!((search.place(1, status), search.place(2, status)), ("match 2/3".to_owned(), "match -/3".to_owned()));
 }
 
 /// Wherever a search begins and however far it has looked, what it knows of the next match is so.

@@ -140,7 +140,8 @@ fn breakpoints_are_listed() {
     assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1, shift: 0 }));
     // Enter goes to the next place of one that is off, too, and around the end.
     let places = |model: &Model, text: &str| {
-        let condition = crate::tui::breakpoints::parse(text, &model.log).unwrap_or_else(|why| panic!("{why}"));
+        let condition = crate::tui::breakpoints::parse(text, &model.log, &model.texts().breakpoints)
+            .unwrap_or_else(|why| panic!("{why}"));
         let holds = |event: &&crate::log::Event| condition.holds(event, model.numbers);
         let held = model.log.events.iter().filter(holds);
         held.map(|event| event.at as usize).collect::<Vec<_>>()

@@ -2,7 +2,7 @@
 
 use super::text::{shown, wrap};
 use super::{put_all, title, title_rule};
-use crate::report::pseudocode::{current_line, lines, stack};
+use crate::report::pseudocode::{current_line, lines, stack_in};
 use crate::report::words;
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
@@ -19,11 +19,12 @@ pub(in crate::tui) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mu
     if area.is_empty() {
         return;
     }
-    let calls = stack(&model.log, &model.tree, model.event);
+    let texts = &model.texts().panes;
+    let calls = stack_in(model.language, &model.log, &model.tree, model.event);
     let rows = calls.len().min(MOST_CALLS).min(usize::from(area.height / 3)) as u16;
     let below = if rows == 0 { 0 } else { rows + 1 };
     let code = Rect { height: area.height - below, ..area };
-    let name = shown(&format!("{} algorithm", words::plain(&model.log.header.tracing.algorithm)), theme);
+    let name = shown(&(texts.algorithm)(&words::plain(&model.log.header.tracing.algorithm)), theme);
     title(model, Pane::Code, name, "", theme, code, buffer);
     let body = Layout::body(code);
     put_all(buffer, body, code_lines(model, theme, usize::from(body.width), usize::from(body.height)));
@@ -31,7 +32,7 @@ pub(in crate::tui) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mu
         return;
     }
     let place = Rect { y: code.bottom(), height: below, ..area };
-    title_rule("calls", theme, place, buffer);
+    title_rule(texts.calls, theme, place, buffer);
     let texts = lines(&model.log.header);
     let from = calls.len() - usize::from(rows);
     let shown_calls = calls.iter().enumerate().skip(from).map(|(level, call)| {

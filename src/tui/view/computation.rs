@@ -4,8 +4,8 @@ use super::highlight;
 use super::label::label;
 use super::text::{Piece, shown, width_of, wrap};
 use super::{put_all, title};
-use crate::log::{Decision, Event, Value, What};
-use crate::report::{self, number, path_class, words};
+use crate::log::{Decision, Event, What};
+use crate::report::{self, path_class};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Item, Model, Pane};
 use crate::tui::theme::{Role, Theme};
@@ -14,7 +14,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let name = words::title(&model.log, &model.tree, model.cursor);
+    let name = model.title(model.cursor);
     let is_ray = matches!(model.tree.nodes()[model.cursor].step, Some(crate::log::Step::Ray { .. }));
     // The class tells whether the ray meets anything.
     let is_told =
@@ -82,7 +82,8 @@ fn block(model: &Model, item: Item, width: usize, theme: &Theme) -> (Vec<Line<'s
 
 /// An event without its inputs.
 fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
-    let marker = report::digits::marker(&model.log.events[event]);
+    let texts = &model.texts().panes;
+    let marker = report::digits::marker_in(model.language, &model.log.events[event]);
     let pieces = match &model.log.events[event].what {
         What::Note { .. } => return note(model, event, theme, width),
         What::Enter { .. } => label(model, model.tree.owner(event), theme),
@@ -94,11 +95,11 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
             pieces.push((marker, theme.style(Role::Faint)));
             pieces
         }
-        What::Leave => vec![("end".to_owned(), theme.style(Role::Faint))],
-        What::Result { .. } if model.hides(event) => vec![("result: ?".to_owned(), theme.style(Role::Text))],
+        What::Leave => vec![(texts.end.to_owned(), theme.style(Role::Faint))],
+        What::Result { .. } if model.hides(event) => vec![(format!("{}?", texts.result_is), theme.style(Role::Text))],
         What::Result { color } => vec![
-            ("result: ".to_owned(), theme.style(Role::Text)),
-            (shown(&number::value(&Value::Triple(*color), model.numbers), theme), theme.style(Role::Value)),
+            (texts.result_is.to_owned(), theme.style(Role::Text)),
+            (shown(&model.color(*color), theme), theme.style(Role::Value)),
             (marker, theme.style(Role::Faint)),
         ],
     };
@@ -107,7 +108,8 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
 
 /// `symbol = formula = numbers put in = result`: in one line, or one below the other when that is too long.
 fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
-    let Some(computation) = report::computation(&model.log, &model.tree, event, model.numbers) else {
+    let Some(computation) = report::computation_in(model.language, &model.log, &model.tree, event, model.numbers)
+    else {
         return Vec::new();
     };
     let text = theme.style(Role::Text);
@@ -119,7 +121,7 @@ fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'s
     let result = if model.hides(event) {
         "?".to_owned()
     } else {
-        shown(&computation.result, theme) + &report::digits::marker(&model.log.events[event])
+        shown(&computation.result, theme) + &report::digits::marker_in(model.language, &model.log.events[event])
     };
     let parts: Vec<Piece> = parts.chain([(result, theme.style(Role::Value))]).collect();
 
@@ -157,7 +159,7 @@ fn decision_pieces(model: &Model, decision: &Decision, theme: &Theme) -> Vec<Pie
         Decision::Attenuated { .. } => (glyphs.shade, Role::Light),
         _ => (glyphs.leaf, Role::Text),
     };
-    let words = words::decision(&model.log.header, decision, model.numbers);
+    let words = model.decision(decision);
     vec![(format!("{glyph} {}", shown(&words, theme)), theme.style(role))]
 }
 
@@ -168,10 +170,10 @@ fn given(model: &Model, event: &Event, theme: &Theme) -> Option<Vec<Piece>> {
     }
     let faint = theme.style(Role::Faint);
     let last = event.given.len() - 1;
-    let mut pieces = vec![("given ".to_owned(), faint)];
+    let mut pieces = vec![(model.texts().panes.given.to_owned(), faint)];
     for (index, (name, value)) in event.given.iter().enumerate() {
         let comma = if index == last { "" } else { ", " };
-        let text = format!("{} = {}{comma}", name.symbol(), number::value(value, model.numbers));
+        let text = format!("{} = {}{comma}", name.symbol(), model.value(value));
         pieces.push((shown(&text, theme), faint));
     }
     Some(pieces)

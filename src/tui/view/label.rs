@@ -2,7 +2,7 @@
 
 use super::text::{Piece, shown};
 use crate::log::{Decision, RayKind, Step, What};
-use crate::report::{number, words};
+use crate::report::words;
 use crate::tui::model::Model;
 use crate::tui::theme::{Role, Theme};
 
@@ -27,9 +27,9 @@ fn name(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
     let (glyph, role) = theme.of_step(step);
     let title = match step {
         Some(Step::Ray { kind, .. }) => {
-            format!("{} {}", end_of_path(model, node), words::ray_kind(&model.log.header, kind))
+            format!("{} {}", end_of_path(model, node), words::ray_kind_in(model.language, &model.log.header, kind))
         }
-        _ => words::title(&model.log, &model.tree, node),
+        _ => model.title(node),
     };
     let title = shown(&title, theme);
     vec![(format!("{glyph} "), theme.style(role)), (title, theme.style(role))]
@@ -52,12 +52,8 @@ fn hidden_rays(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
     if model.fold.is_open(&model.tree, node) || inside.is_empty() {
         return None;
     }
-    let text = match model.facts.rays(inside) {
-        0 => return None,
-        1 => "  [1 ray]".to_owned(),
-        count => format!("  [{count} rays]"),
-    };
-    Some((text, theme.style(Role::Faint)))
+    let count = Some(model.facts.rays(inside)).filter(|count| *count > 0)?;
+    Some((format!("  [{}]", (model.texts().panes.hidden_rays)(count)), theme.style(Role::Faint)))
 }
 
 /// What a node came to: each state has a glyph and a word.
@@ -77,7 +73,7 @@ fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
         && decision.is_none()
         && has_ended == Some(&What::Leave)
         && model.guide.is_known(model.tree.nodes()[node].events.end - 1);
-    pieces.extend(if is_free_shadow { Some(lit(theme)) } else { decided(model, decision, theme) });
+    pieces.extend(if is_free_shadow { Some(lit(model, theme)) } else { decided(model, decision, theme) });
     pieces.extend(limited(model, node, theme));
     if !matches!(decision, Some(Decision::Miss { .. })) && !matches!(step, Some(Step::Light { .. })) {
         pieces.extend(value(model, node, step, theme));
@@ -103,29 +99,27 @@ fn unknown(model: &Model, node: usize, theme: &Theme) -> Option<Vec<Piece>> {
 }
 
 /// What a shadow ray comes to that met nothing, which no decision says.
-fn lit(theme: &Theme) -> Piece {
-    (format!("  {} lit", theme.glyphs.hit), theme.style(Role::Hit))
+fn lit(model: &Model, theme: &Theme) -> Piece {
+    (format!("  {} {}", theme.glyphs.hit, model.texts().panes.outcomes.lit), theme.style(Role::Hit))
 }
 
 fn decided(model: &Model, decision: Option<Decision>, theme: &Theme) -> Option<Piece> {
     let glyphs = theme.glyphs;
-    let header = &model.log.header;
-    let object = |object| shown(&words::plain(header.object(object)), theme);
+    let (header, texts) = (&model.log.header, &model.texts().panes.outcomes);
+    let object = |object| words::plain(header.object(object));
     let (glyph, words, role) = match decision? {
-        Decision::Hit => (glyphs.hit, "hit".to_owned(), Role::Hit),
-        Decision::Miss { .. } => (glyphs.miss, "miss".to_owned(), Role::Faint),
+        Decision::Hit => (glyphs.hit, texts.hit.to_owned(), Role::Hit),
+        Decision::Miss { .. } => (glyphs.miss, texts.miss.to_owned(), Role::Faint),
         Decision::Nearest { object: nearest } => (glyphs.hit, object(nearest), Role::Hit),
-        Decision::Background => (glyphs.miss, "background".to_owned(), Role::Faint),
-        Decision::Occluded { object: blocker } => {
-            (glyphs.blocked, format!("blocked by {}", object(blocker)), Role::Blocked)
-        }
-        Decision::Rejected { .. } => (glyphs.blocked, "rejected".to_owned(), Role::Blocked),
+        Decision::Background => (glyphs.miss, texts.background.to_owned(), Role::Faint),
+        Decision::Occluded { object: blocker } => (glyphs.blocked, (texts.blocked_by)(&object(blocker)), Role::Blocked),
+        Decision::Rejected { .. } => (glyphs.blocked, texts.rejected.to_owned(), Role::Blocked),
         Decision::Attenuated { object: filter, .. } => {
-            (glyphs.shade, format!("weakened by {}", object(filter)), Role::Light)
+            (glyphs.shade, (texts.weakened_by)(&object(filter)), Role::Light)
         }
         _ => return None,
     };
-    Some((format!("  {glyph} {words}"), theme.style(role)))
+    Some((format!("  {glyph} {}", shown(&words, theme)), theme.style(role)))
 }
 
 fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Option<Piece> {
@@ -135,11 +129,11 @@ fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Optio
     }
     let text = match model.log.events[event].what {
         What::Note { name, value } => {
-            let number = number::value(&value, model.numbers);
+            let number = model.value(&value);
             // A test's value is the distance; all other nodes come to a colour.
             if matches!(step, Some(Step::Test { .. })) { format!("{} = {number}", name.symbol()) } else { number }
         }
-        What::Result { color } => number::value(&crate::log::Value::Triple(color), model.numbers),
+        What::Result { color } => model.color(color),
         _ => return None,
     };
     Some((format!("  {}", shown(&text, theme)), theme.style(Role::Text)))
@@ -148,9 +142,10 @@ fn value(model: &Model, node: usize, step: Option<Step>, theme: &Theme) -> Optio
 fn limited(model: &Model, node: usize, theme: &Theme) -> Option<Piece> {
     let event = model.facts.limit(node).filter(|event| model.guide.is_known(*event) && !model.hides(*event))?;
     let What::Mark(decision) = model.log.events[event].what else { return None };
+    let texts = &model.texts().panes.outcomes;
     let words = match decision {
-        Decision::DepthLimit { .. } => "depth limit",
-        _ => "total reflection",
+        Decision::DepthLimit { .. } => texts.depth_limit,
+        _ => texts.total_reflection,
     };
-    Some((format!("  {} {words}", theme.glyphs.blocked), theme.style(Role::Blocked)))
+    Some((format!("  {} {}", theme.glyphs.blocked, shown(words, theme)), theme.style(Role::Blocked)))
 }

@@ -3,6 +3,7 @@
 use super::table::{Table, cut};
 use super::text::{shown, width_of};
 use super::{clear, inner, put, put_all};
+use crate::report::language::viewer::Hints;
 use crate::tui::list::{Kind, Listing, listing};
 use crate::tui::model::Model;
 use crate::tui::theme::{Palette, Role, Theme};
@@ -11,26 +12,21 @@ use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 
-/// What the keys do in a list, from the longest way to say it to the shortest.
-const USUAL: [&str; 2] = ["j k select, Enter goes there, Esc closes", "Enter goes, Esc closes"];
-/// What they do where lines are cut.
-const CUT: [&str; 2] = ["j k select, < > scroll, Enter goes there, Esc closes", "< > scroll, Enter goes, Esc closes"];
-/// And where besides no line leads anywhere.
-const CUT_PLAIN: &str = "< > scroll, Esc closes";
-
 /// Draws a list with its selected entry in view, from the column `shift` on.
 pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize), theme: &Theme, buffer: &mut Buffer) {
     let listing = listing(model, kind);
     let table = Table::of(&listing, theme);
-    let place = Place::of(&listing, &table, kind, (buffer.area.width, buffer.area.height));
+    let hints = &model.texts().lists.hints;
+    let place = Place::of(&listing, &table, kind.hints(hints).first().unwrap_or(&hints.usual[0]), buffer.area);
     clear(place.area, buffer);
     let last_shift = place.last_shift(&table);
-    let has_targets = !kind.hints().is_empty() || listing.entries.iter().any(|entry| entry.target.is_some());
-    draw_frame(&listing.title, hint(kind, &place, has_targets, last_shift > 0), theme, place.area, buffer);
+    let has_targets = !kind.hints(hints).is_empty() || listing.entries.iter().any(|entry| entry.target.is_some());
+    let hint = hint(kind, hints, &place, has_targets, last_shift > 0);
+    draw_frame(&listing.title, hint, theme, place.area, buffer);
     let (head, body) = (place.head, place.body);
     let faint = theme.style(Role::Faint);
     if table.rows.is_empty() {
-        let nothing = cut(listing.nothing, 0, usize::from(body.width), theme);
+        let nothing = cut(&shown(listing.nothing, theme), 0, usize::from(body.width), theme);
         return put(buffer, body, Line::styled(nothing, faint));
     }
     let shift = shift.min(last_shift);
@@ -73,27 +69,29 @@ fn draw_frame(title: &str, hint: &str, theme: &Theme, area: Rect, buffer: &mut B
     let title = cut(&shown(title, theme), 0, usize::from(inner(area, 0).width).saturating_sub(2), theme);
     put(buffer, inner(area, 0), Line::styled(format!(" {title} "), theme.style(Role::Title)));
     put(buffer, bottom, Line::styled(rule, faint));
-    put(buffer, inner(bottom, 0), Line::styled(format!(" {hint} "), faint));
+    put(buffer, inner(bottom, 0), Line::styled(format!(" {} ", shown(hint, theme)), faint));
 }
 
 /// What to say about keys.
-fn hint(kind: Kind, place: &Place, has_targets: bool, is_cut: bool) -> &'static str {
+fn hint(kind: Kind, hints: &'static Hints, place: &Place, has_targets: bool, is_cut: bool) -> &'static str {
     let room = usize::from(inner(place.area, 0).width).saturating_sub(2);
     let usual: &[&str] = match (has_targets, is_cut) {
-        (true, true) => &[CUT[0], CUT[1], USUAL[1]],
-        (true, false) => &USUAL,
-        (false, true) => &[CUT_PLAIN],
+        (true, true) => &[hints.cut[0], hints.cut[1], hints.usual[1]],
+        (true, false) => &hints.usual,
+        (false, true) => &[hints.cut_plain],
         (false, false) => &[],
     };
-    let ways = kind.hints().iter().chain(usual);
-    ways.copied().find(|hint| width_of(hint) <= room).unwrap_or("Esc closes")
+    let ways = kind.hints(hints).iter().chain(usual);
+    ways.copied().find(|hint| width_of(hint) <= room).unwrap_or(hints.closes)
 }
 
 /// The last column from which on a list can be seen.
 pub(in crate::tui) fn last_shift(model: &Model, listing: &Listing, kind: Kind) -> usize {
     // Text is widest in ASCII.
     let table = Table::of(listing, &Theme::new(Palette::None, true));
-    Place::of(listing, &table, kind, model.size).last_shift(&table)
+    let hints = &model.texts().lists.hints;
+    let hint = kind.hints(hints).first().unwrap_or(&hints.usual[0]);
+    Place::of(listing, &table, hint, Rect::new(0, 0, model.size.0, model.size.1)).last_shift(&table)
 }
 
 /// Where a list lies: in the middle of the screen, as large as it need be.
@@ -105,15 +103,11 @@ struct Place {
 }
 
 impl Place {
-    fn of(listing: &Listing, table: &Table, kind: Kind, (width, height): (u16, u16)) -> Place {
+    /// The place of a list on a screen; `hint` is the longest that is said about keys.
+    fn of(listing: &Listing, table: &Table, hint: &str, screen: Rect) -> Place {
         let has_head = !table.head.is_empty() && !table.rows.is_empty();
-        let hint = kind.hints().first().unwrap_or(&USUAL[0]);
         let said = [listing.nothing, &listing.title, hint].map(width_of).into_iter().max().unwrap_or(0);
-        let area = middle(
-            Rect::new(0, 0, width, height),
-            table.width().max(said) + 6,
-            table.rows.len().max(1) + 2 + usize::from(has_head),
-        );
+        let area = middle(screen, table.width().max(said) + 6, table.rows.len().max(1) + 2 + usize::from(has_head));
         let whole = inner(area, 1);
         // A row is worth more than its titles.
         let head_height = u16::from(has_head && usize::from(whole.height) > table.rows.len().min(2));

@@ -18,7 +18,7 @@ const MOST_ROWS: usize = 3;
 pub(super) fn draw(model: &Model, theme: &Theme, status: Rect, buffer: &mut Buffer) {
     let Some(message) = &model.message else { return };
     let style = theme.style(if message.is_warning { Role::Warning } else { Role::Text });
-    let before = if message.is_warning { "warning: " } else { "" };
+    let before = if message.is_warning { model.texts().status.warning } else { "" };
     let text = shown(&format!("{before}{}", message.text), theme);
     let width = usize::from(status.width);
     // The line that is being typed stays where it is.

@@ -32,7 +32,7 @@ pub fn draw(model: &Model, theme: &Theme, buffer: &mut Buffer) {
     let screen = buffer.area;
     let layout = model.layout((screen.width, screen.height));
     if layout.is_too_small {
-        return too_small(screen, buffer);
+        return too_small(model, theme, screen, buffer);
     }
     tree::draw(model, theme, layout.area(Pane::Tree), buffer);
     layout.dividers.iter().for_each(|divider| draw_divider(*divider, theme, buffer));
@@ -123,7 +123,6 @@ fn title_rule(name: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     put(buffer, area, Span::styled(format!("{rule} {name} "), faint).into());
 }
 
-fn too_small(screen: Rect, buffer: &mut Buffer) {
-    let words = ["too small:", "needs 20x6", "(q quits)"];
-    put_all(buffer, screen, words.map(Line::from));
+fn too_small(model: &Model, theme: &Theme, screen: Rect, buffer: &mut Buffer) {
+    put_all(buffer, screen, model.texts().status.too_small.map(|words| Line::from(shown(words, theme))));
 }

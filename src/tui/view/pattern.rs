@@ -1,6 +1,6 @@
 //! The samples of a pixel as a picture: where they lie in its square, and how the square was cut.
 
-use super::{put, title_rule};
+use super::{put, shown, title_rule};
 use crate::log::{Decision, Name, Step, Value, What};
 use crate::tui::model::Model;
 use crate::tui::theme::{Role, Theme};
@@ -40,9 +40,8 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
     let places: Vec<_> = samples(model).take(MOST_SAMPLES).collect();
     let current = places.iter().find(|(node, _)| *node == model.cursor).map(|(_, place)| *place);
-    let count = places.len();
-    let name = if count == 1 { "1 sample in the pixel".to_owned() } else { format!("{count} samples in the pixel") };
-    title_rule(&name, theme, area, buffer);
+    let name = (model.texts().panes.samples)(places.len());
+    title_rule(&shown(&name, theme), theme, area, buffer);
     // A character is twice as high as it is wide.
     let height = area.height - 1;
     let square = Rect { x: area.x + 2, y: area.y + 1, width: (2 * height).min(area.width - 2), height };

@@ -3,7 +3,6 @@
 use super::text::{shown, width_of};
 use super::{put, title};
 use crate::log::Value;
-use crate::report::number;
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
 use crate::tui::picture::{Dot, Layer, PictureView};
@@ -16,7 +15,7 @@ use ratatui::text::Line;
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let Some(view) = model.picture.as_ref().filter(|_| !area.is_empty()) else { return };
     let range = view.image.range(view.layer);
-    title(model, Pane::Picture, name(view, range, theme), &remark(view), theme, area, buffer);
+    title(model, Pane::Picture, name(model, view, range, theme), &remark(view), theme, area, buffer);
     let body = Layout::body(area);
     let dots = dots_of_picture(area);
     let brush = Brush { view, range, theme, screen: [dots.width.into(), 2 * u32::from(dots.height)] };
@@ -36,13 +35,15 @@ pub(in crate::tui) fn dots_of_picture(area: Rect) -> Rect {
     Rect { height: body.height.saturating_sub(u16::from(body.height > 3)), ..body }
 }
 
-fn name(view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {
-    let mut name = view.layer.word().to_owned();
+fn name(model: &Model, view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {
+    let figure = |value| model.language.marked(figure(value));
+    let mut name = view.layer.word(model.language).to_owned();
     if let Some([least, greatest]) = range {
         name += &format!(" {} … {}", figure(least), figure(greatest));
     }
     if view.exposure != 0 && view.layer == Layer::Colors {
-        name += &format!(" {:+.1} stops", f64::from(view.exposure) / 2.0);
+        let stops = model.language.marked(format!("{:+.1}", f64::from(view.exposure) / 2.0));
+        name += &format!(" {}", (model.texts().panes.picture.exposure)(&stops));
     }
     shown(&name, theme)
 }
@@ -65,14 +66,16 @@ fn under_cursor(model: &Model, view: &PictureView, room: usize) -> String {
     // The colour is what a quiz asks for.
     let Some(dot) = view.image.at(view.cursor).filter(|_| model.understanding.quiz.is_none()) else { return place };
     let place = match view.layer.of(dot) {
-        Some(value) => format!("{place}  {} {}", view.layer.word(), figure(value)),
+        Some(value) => {
+            format!("{place}  {} {}", view.layer.word(model.language), model.language.marked(figure(value)))
+        }
         None => place,
     };
-    let linear = number::value(&Value::Triple(dot.color), model.numbers);
-    let [r, g, b] = (view.image.levels)(dot.color, 0.0);
-    let levels = format!("8-bit {r} {g} {b}");
-    let depth = dot.depth.map(|depth| format!("  depth {}", number::value(&Value::Number(depth), model.numbers)));
-    let counts = format!("{}  rays {}", depth.unwrap_or_default(), dot.rays);
+    let texts = &model.texts().panes.picture;
+    let linear = model.color(dot.color);
+    let levels = (texts.levels)((view.image.levels)(dot.color, 0.0));
+    let depth = dot.depth.map(|depth| format!("  {}", (texts.depth)(&model.value(&Value::Number(depth)))));
+    let counts = format!("{}  {}", depth.unwrap_or_default(), (texts.rays)(dot.rays));
     let texts = [
         format!("{place}  {linear}  {levels}{counts}"),
         format!("{place}  {linear}  {levels}"),

@@ -3,7 +3,7 @@
 //! The current ray is drawn over the others and has its letter at its end; each kind has its colour and its letter: C from the
 //! eye, R reflected, T transmitted, S to a light.
 
-use super::{put, title};
+use super::{put, shown, title};
 use crate::log::{RayKind, Step};
 use crate::report::schematic::clip;
 use crate::report::segments::{Segment, segment, segments};
@@ -29,7 +29,9 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     if area.is_empty() {
         return;
     }
-    title(model, Pane::Schematic, format!("schematic {}", model.projection.word()), "v turns", theme, area, buffer);
+    let texts = &model.texts().panes.schematic;
+    let name = shown(model.projection.title(model.language), theme);
+    title(model, Pane::Schematic, name, texts.turns, theme, area, buffer);
     let body = Layout::body(area);
     if body.height < 2 || body.width < 4 {
         return;
@@ -40,8 +42,8 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
         // A ray that meets nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
-        let why = if rays.is_empty() { "the log has no rays here" } else { "the rays reach too far to be drawn" };
-        return put(buffer, body, Span::styled(why, theme.style(Role::Faint)).into());
+        let why = if rays.is_empty() { texts.no_rays } else { texts.too_far };
+        return put(buffer, body, Span::styled(shown(why, theme), theme.style(Role::Faint)).into());
     };
     // Rays that are to come have their room already, so that nothing jumps.
     if last != usize::MAX {
@@ -120,7 +122,7 @@ fn label(
     let mut write = |place: Option<[f64; 2]>, text: &str, style: Style| {
         if let Some((x, y)) = place.and_then(|place| stage.cell(place, body)) {
             let area = Rect { x, y, width: body.right() - x, height: 1 };
-            put(buffer, area, Span::styled(super::text::shown(text, theme), style).into());
+            put(buffer, area, Span::styled(shown(text, theme), style).into());
         }
     };
     if let Some(drawing) = &model.drawing {

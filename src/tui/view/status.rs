@@ -21,7 +21,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     put(buffer, area, position);
 
     let room = usize::from(area.width).saturating_sub(used + 2);
-    if let Some(hint) = hints(model).into_iter().find(|hint| width_of(hint) <= room) {
+    if let Some(hint) = hints(model).into_iter().map(|hint| shown(&hint, theme)).find(|hint| width_of(hint) <= room) {
         let width = width_of(&hint) as u16;
         let place = Rect { x: area.right() - width, width, ..area };
         put(buffer, place, Line::styled(hint, theme.style(Role::Faint)));
@@ -30,7 +30,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
 
 /// The step, with the modes that are on and without.
 pub(super) fn positions(model: &Model) -> [String; 2] {
-    let step = format!("step {}/{}", model.step(), model.log.events.len());
+    let step = (model.texts().status.step)(model.step(), model.log.events.len());
     let score = model.score().map(|score| format!("  {score}")).unwrap_or_default();
     let modes: String = guide::modes(model).iter().map(|mode| format!("  {mode}")).collect();
     [format!("{step}{score}{modes}"), step]
@@ -41,7 +41,7 @@ pub(super) fn draw_prompt(model: &Model, theme: &Theme, area: Rect, buffer: &mut
     let Some(prompt) = &model.prompt else { return };
     let blank = " ".repeat(usize::from(area.width));
     put(buffer, area, Line::raw(blank));
-    let sign = prompt.purpose.sign();
+    let sign = prompt.purpose.sign(&model.texts().status);
     let room = usize::from(area.width).saturating_sub(width_of(sign) + 1);
     let scrolled = prompt.line.visual_scroll(room);
     // Blank where the cursor stands at the end.
@@ -66,7 +66,8 @@ fn places(model: &Model) -> [String; 3] {
     match model.log.events.get(model.event).map(|event| &event.what) {
         Some(What::Note { name, .. }) => {
             let key = name.key();
-            [format!("{path}  {key}  section {}", name.section()), format!("{path}  {key}"), format!("  {key}")]
+            let section = (model.texts().status.section)(name.section());
+            [format!("{path}  {key}  {section}"), format!("{path}  {key}"), format!("  {key}")]
         }
         _ => [path, String::new(), String::new()],
     }
@@ -79,11 +80,8 @@ fn hints(model: &Model) -> Vec<String> {
         let count = pending.count.map(|count| count.to_string()).unwrap_or_default();
         return vec![format!("{count}{}", pending.prefix.map(String::from).unwrap_or_default())];
     }
-    let move_keys = if model.focus == Pane::Tree { "j k move  Space fold" } else { "j k move  Tab tree" };
-    vec![
-        format!("n next value  p previous  {move_keys}  ? help  q quit"),
-        "n next value  p previous  ? help  q quit".to_owned(),
-        "n next  ? help  q quit".to_owned(),
-        "? help".to_owned(),
-    ]
+    let status = &model.texts().status;
+    let moves = status.moves[usize::from(model.focus != Pane::Tree)];
+    let shorter = status.hints.iter().map(|hint| (*hint).to_owned());
+    std::iter::once((status.all_hints)(moves)).chain(shorter).collect()
 }

@@ -34,7 +34,7 @@ impl Table {
         let line = |cells: &[String]| match cells {
             [whole] => whole.clone(),
             _ => {
-                let places = cells.iter().zip(&widths).zip(listing.columns).filter(|((_, width), _)| **width > 0);
+                let places = cells.iter().zip(&widths).zip(&listing.columns).filter(|((_, width), _)| **width > 0);
                 let texts = places.map(|((cell, width), column)| {
                     let blank = " ".repeat(width.saturating_sub(width_of(cell)));
                     if column.is_number { blank + cell } else { cell.clone() + &blank }
@@ -105,13 +105,13 @@ mod tests {
 
     #[test]
     fn columns_stand_under_their_titles_in_any_characters() {
-        const COLUMNS: &[Column] = &[Column::number("share"), Column::text("none"), Column::text("value")];
         let entries = vec![
             Entry::to(0, "9 %\t\t10⁻⁵".to_owned()),
             Entry::heading("Others, of which there are some:".to_owned()),
             Entry::plain("10 %\t\t1".to_owned(), Role::Text),
         ];
-        let listing = Listing { columns: COLUMNS, entries, ..Listing::default() };
+        let columns = Column::all(&["share", "none", "value"], &[0]);
+        let listing = Listing { columns, entries, ..Listing::default() };
         let table = Table::of(&listing, &Theme::new(Palette::None, true));
         assert_eq!(table.head, "share  value");
         assert_eq!(table.rows, ["  9 %  10^-5", "Others, of which there are some:", " 10 %  1"]);

@@ -145,6 +145,19 @@ fn plain(character: char) -> Option<&'static str> {
         '“' | '”' => "\"",
         '×' => "x",
         '…' => "~",
+        'á' => "a",
+        'é' => "e",
+        'í' => "i",
+        'ó' => "o",
+        'ú' | 'ü' => "u",
+        'ñ' => "n",
+        'Á' => "A",
+        'É' => "E",
+        'Í' => "I",
+        'Ó' => "O",
+        'Ú' => "U",
+        'Ñ' => "N",
+        '¿' | '¡' => "",
         _ => "?",
     })
 }
@@ -184,6 +197,7 @@ mod tests {
     #[test]
     fn formulas_in_ascii() {
         assert_eq!(ascii("√(η² − |d|²)/10⁻¹²"), "sqrt(eta^2 - |d|^2)/10^-12");
-        assert_eq!(ascii("ñ→x"), "?->x");
+        assert_eq!(ascii("ж→x"), "?->x");
+        assert_eq!(ascii("¿decisión? píxel, señal"), "decision? pixel, senal");
     }
 }

@@ -73,6 +73,10 @@ pub struct Messages {
     pub one_pixel_printed: &'static str,
     /// A region has too many values to be compared.
     pub regions_not_compared: &'static str,
+    /// The log of a pixel would have more events than this.
+    pub too_long: fn(usize) -> String,
+    /// There is no memory for it.
+    pub no_memory: &'static str,
     /// It is shown in this language now.
     pub language: &'static str,
     /// The call that leads back to where the viewer was left.

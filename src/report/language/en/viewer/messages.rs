@@ -37,6 +37,8 @@ pub(super) const MESSAGES: Messages = Messages {
     mouse_is_the_terminals: "the mouse is the terminal's",
     one_pixel_printed: "the book prints one pixel only",
     regions_not_compared: "only pixels and rays are compared",
+    too_long: |most| format!("the log would have more than {most} events"),
+    no_memory: "not enough memory for the log",
     language: "in English",
     back_here: |call| format!("back here: {call}"),
     warnings: Warnings {

@@ -38,6 +38,8 @@ pub(super) const MESSAGES: Messages = Messages {
     mouse_is_the_terminals: "el ratón es del terminal",
     one_pixel_printed: "el libro solo imprime un píxel",
     regions_not_compared: "solo se comparan píxeles y rayos",
+    too_long: |most| format!("el registro tendría más de {most} sucesos"),
+    no_memory: "no hay memoria para el registro",
     language: "en español",
     back_here: |call| format!("para volver aquí: {call}"),
     warnings: Warnings {
