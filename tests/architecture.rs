@@ -32,6 +32,10 @@ const NARROW: &[(&str, &[&str])] = &[
 /// Where input and output happen.
 const DOORS: &[&str] = &["main.rs", "cli/", "scene/file/", "log/file/", "render/export/", "tui/terminal.rs"];
 
+/// Files of the viewer with texts of their own: the comparison of two logs, which is told in English all through, pictures in SVG, and
+/// what `Debug` writes.
+const OWN_PROSE: &[&str] = &["tui/beside/view.rs", "tui/screenshot.rs", "tui/picture.rs", "tui/drawing.rs"];
+
 /// What input and output look like. Its error type may travel through the house.
 const INPUT_AND_OUTPUT: &[&str] = &[
     "std::fs",
@@ -127,6 +131,22 @@ fn only_doors_do_input_and_output() {
     assert!(!occurrences(&doors, INPUT_AND_OUTPUT).is_empty(), "files are read somewhere, and the scanner is blind");
 }
 
+/// What the viewer says is said in `report/language`, in every language. Of a single word nobody can tell whether it is shown or typed.
+#[test]
+fn the_viewer_has_no_prose_of_its_own() {
+    let is_viewer =
+        |file: &SourceFile| file.path.starts_with("tui/") && !OWN_PROSE.iter().any(|own| file.path.starts_with(own));
+    let mut wrong = Vec::new();
+    for file in program().iter().filter(|file| is_viewer(file)) {
+        let prose = file.strings().into_iter().filter(|(_, text)| is_prose(text));
+        wrong.extend(prose.map(|(at, text)| format!("{}: \"{text}\"", file.place(at))));
+    }
+    assert_none("texts of the viewer outside `report/language`", &wrong);
+    let table: Vec<_> = program().into_iter().filter(|file| file.path.starts_with("report/language/e")).collect();
+    let found = table.iter().flat_map(SourceFile::strings).filter(|(_, text)| is_prose(text)).count();
+    assert!(found > 300, "{found} texts in the tables of the languages, and the scanner is blind");
+}
+
 #[test]
 fn no_code_is_unsafe() {
     assert_none("unsafe code", &occurrences(&program(), &["unsafe"]));
@@ -216,6 +236,16 @@ fn the_scanner_resolves_paths() {
 }
 
 #[test]
+fn the_scanner_reads_strings() {
+    let text = "f(\"one two\", '\"', r#\"a \"b\"#); // \"comment\"\nlet c = \"\\\"x\";";
+    let file = SourceFile::new("room/part.rs".to_owned(), text);
+    let strings: Vec<_> = file.strings().into_iter().map(|(_, text)| text).collect();
+    assert_eq!(strings, ["one two", "a \"b", "\\\"x"]);
+    assert!(is_prose("no such key") && is_prose("{x}: played to {y}"));
+    assert!(!is_prose("object {name}") && !is_prose("  {a} {b}") && !is_prose("j k") && !is_prose("{first word}"));
+}
+
+#[test]
 fn the_scanner_finds_whole_words() {
     let file = SourceFile::new("room/part.rs".to_owned(), "eprintln!(); MyFile::new(); File::open(); a.expect(\"b\")");
     assert_eq!(file.find("println!").count(), 0);
@@ -239,6 +269,26 @@ fn is_in(path: &str, part: &str) -> bool {
 fn states_an_invariant(argument: &str) -> bool {
     let message = argument.trim_start().strip_prefix('"').and_then(|text| text.split_once('"'));
     message.is_some_and(|(message, _)| message.split_whitespace().count() >= 4)
+}
+
+/// Whether a text, without what is put into it, has two words with a space between them.
+fn is_prose(text: &str) -> bool {
+    let mut own = String::new();
+    let mut depth = 0;
+    for character in text.chars() {
+        match character {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ if depth == 0 => own.push(character),
+            _ => {}
+        }
+        if character == '}' {
+            own.push('_');
+        }
+    }
+    let is_word = |word: &str| word.chars().filter(|c| c.is_alphabetic()).count() > 1 && !word.contains('_');
+    let words: Vec<_> = own.split(' ').collect();
+    words.windows(2).any(|pair| pair.iter().all(|word| is_word(word)))
 }
 
 fn occurrences(files: &[SourceFile], texts: &[&str]) -> Vec<String> {

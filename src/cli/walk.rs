@@ -283,6 +283,7 @@ pub fn has_terminal() -> bool {
 #[cfg(test)]
 mod tests {
     use super::words_back;
+    use raywalk::report::language::Language;
 
     #[track_caller]
     fn leads(call: &str, walked: Option<&str>, pixel: Option<[u32; 2]>, expected: &str) {

@@ -1,5 +1,4 @@
-//! The words for nodes and decisions. The plain functions speak English, as the viewer does; those that end in `_in`, any
-//! [`Language`].
+//! The words for nodes and decisions. The plain functions speak English; those that end in `_in`, any [`Language`].
 
 use super::Style;
 use super::contributions::{Ended, Origin, Why};

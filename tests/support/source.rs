@@ -94,6 +94,14 @@ impl SourceFile {
         })
     }
 
+    /// What stands between the quotes of each string of the code, as it is written there, with its place.
+    pub fn strings(&self) -> Vec<(usize, &str)> {
+        // Of the contents of strings and characters the code keeps nothing, and so no quote but those around strings.
+        let quotes: Vec<usize> = self.code.match_indices('"').map(|(at, _)| at).collect();
+        let between = |ends: &[usize]| ends.get(1).map(|end| (ends[0], &self.with_strings[ends[0] + 1..*end]));
+        quotes.chunks(2).filter_map(between).collect()
+    }
+
     /// A place of the file for a message.
     pub fn place(&self, at: usize) -> String {
         let line = self.code[..at].matches('\n').count() + 1;

@@ -2,12 +2,15 @@
 
 #[path = "../support/session.rs"]
 mod session;
+#[path = "../support/source.rs"]
+mod source;
 #[path = "../support/mod.rs"]
 mod support;
 
 mod beside;
 mod frames;
 mod pictures;
+mod spanish;
 #[cfg(unix)]
 mod terminal;
 mod understanding;

@@ -33,14 +33,17 @@ pub(in crate::tui) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mu
     }
     let place = Rect { y: code.bottom(), height: below, ..area };
     title_rule(texts.calls, theme, place, buffer);
-    let texts = lines(&model.log.header);
+    let lines_of = lines(&model.log.header);
     let from = calls.len() - usize::from(rows);
     let shown_calls = calls.iter().enumerate().skip(from).map(|(level, call)| {
         let before = if level == from && from > 0 { theme.glyphs.more } else { "" };
         let indent = " ".repeat((level - from) * 2);
         Line::from(vec![
             Span::styled(shown(&format!("{indent}{before}{}", call.text), theme), theme.style(Role::Text)),
-            Span::styled(shown(&format!("  {}", texts[call.line].text.trim()), theme), theme.style(Role::Faint)),
+            Span::styled(
+                shown(&format!("  {}", lines_of[call.line].text_in(model.language).trim()), theme),
+                theme.style(Role::Faint),
+            ),
         ])
     });
     put_all(buffer, Layout::body(place), shown_calls.collect::<Vec<_>>());
@@ -59,7 +62,7 @@ fn code_lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<
         if is_current {
             marked = drawn.len();
         }
-        let pieces = [(before, theme.style(role)), (shown(line.text, theme), theme.style(role))];
+        let pieces = [(before, theme.style(role)), (shown(line.text_in(model.language), theme), theme.style(role))];
         drawn.extend(wrap(&pieces, width, indent + 2));
     }
     let skipped = marked.saturating_sub(height / 2).min(drawn.len().saturating_sub(height));

@@ -82,7 +82,7 @@ fn block(model: &Model, item: Item, width: usize, theme: &Theme) -> (Vec<Line<'s
 
 /// An event without its inputs.
 fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
-    let texts = &model.texts().panes;
+    let (end, result) = (model.texts().panes.end, model.language.texts().result);
     let marker = report::digits::marker_in(model.language, &model.log.events[event]);
     let pieces = match &model.log.events[event].what {
         What::Note { .. } => return note(model, event, theme, width),
@@ -95,10 +95,10 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
             pieces.push((marker, theme.style(Role::Faint)));
             pieces
         }
-        What::Leave => vec![(texts.end.to_owned(), theme.style(Role::Faint))],
-        What::Result { .. } if model.hides(event) => vec![(format!("{}?", texts.result_is), theme.style(Role::Text))],
+        What::Leave => vec![(end.to_owned(), theme.style(Role::Faint))],
+        What::Result { .. } if model.hides(event) => vec![(format!("{result}: ?"), theme.style(Role::Text))],
         What::Result { color } => vec![
-            (texts.result_is.to_owned(), theme.style(Role::Text)),
+            (format!("{result}: "), theme.style(Role::Text)),
             (shown(&model.color(*color), theme), theme.style(Role::Value)),
             (marker, theme.style(Role::Faint)),
         ],
@@ -170,7 +170,7 @@ fn given(model: &Model, event: &Event, theme: &Theme) -> Option<Vec<Piece>> {
     }
     let faint = theme.style(Role::Faint);
     let last = event.given.len() - 1;
-    let mut pieces = vec![(model.texts().panes.given.to_owned(), faint)];
+    let mut pieces = vec![(format!("{} ", model.language.texts().given), faint)];
     for (index, (name, value)) in event.given.iter().enumerate() {
         let comma = if index == last { "" } else { ", " };
         let text = format!("{} = {}{comma}", name.symbol(), model.value(value));

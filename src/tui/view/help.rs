@@ -72,7 +72,7 @@ fn lines(filter: &Pattern, texts: &'static Viewer, width: usize, theme: &Theme) 
             continue;
         }
         if group.replace(row.group) != Some(row.group) {
-            lines.push(Line::from(Span::styled(title, theme.style(Role::Title))));
+            lines.push(Line::from(Span::styled(shown(title, theme), theme.style(Role::Title))));
         }
         let keys = format!("{keys:column$}");
         let pieces = [(keys, theme.style(Role::Camera)), (shown(said, theme), Style::new())];

@@ -24,7 +24,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, status: Rect, buffer: &mut Buff
     // The line that is being typed stays where it is.
     let bottom = if model.prompt.is_some() { status.y } else { status.bottom() };
     let is_beside = |position: &String| model.prompt.is_none() && width_of(position) + 2 + width_of(&text) <= width;
-    if let Some(position) = positions(model).into_iter().find(is_beside) {
+    if let Some(position) = positions(model, theme).into_iter().find(is_beside) {
         clear(status, buffer);
         let spans = [Span::styled(position, theme.style(Role::Title)), Span::raw("  "), Span::styled(text, style)];
         return put(buffer, status, Line::from_iter(spans));

@@ -12,7 +12,7 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let [step, _] = positions(model);
+    let [step, _] = positions(model, theme);
     let room = usize::from(area.width).saturating_sub(width_of(&step));
     let places = places(model).map(|place| shown(&place, theme));
     let place = places.into_iter().find(|place| width_of(place) <= room).unwrap_or_default();
@@ -29,11 +29,11 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
 }
 
 /// The step, with the modes that are on and without.
-pub(super) fn positions(model: &Model) -> [String; 2] {
+pub(super) fn positions(model: &Model, theme: &Theme) -> [String; 2] {
     let step = (model.texts().status.step)(model.step(), model.log.events.len());
     let score = model.score().map(|score| format!("  {score}")).unwrap_or_default();
     let modes: String = guide::modes(model).iter().map(|mode| format!("  {mode}")).collect();
-    [format!("{step}{score}{modes}"), step]
+    [format!("{step}{score}{modes}"), step].map(|position| shown(&position, theme))
 }
 
 /// The line that is being typed, with its cursor; of a long one the part around the cursor.
@@ -41,7 +41,7 @@ pub(super) fn draw_prompt(model: &Model, theme: &Theme, area: Rect, buffer: &mut
     let Some(prompt) = &model.prompt else { return };
     let blank = " ".repeat(usize::from(area.width));
     put(buffer, area, Line::raw(blank));
-    let sign = prompt.purpose.sign(&model.texts().status);
+    let sign = &shown(prompt.purpose.sign(&model.texts().status), theme);
     let room = usize::from(area.width).saturating_sub(width_of(sign) + 1);
     let scrolled = prompt.line.visual_scroll(room);
     // Blank where the cursor stands at the end.
@@ -50,7 +50,7 @@ pub(super) fn draw_prompt(model: &Model, theme: &Theme, area: Rect, buffer: &mut
     let part = |range: std::ops::Range<usize>| shown(&text[range].iter().collect::<String>(), theme);
     let cursor_style = Style::reset().add_modifier(Modifier::REVERSED);
     let line = Line::from(vec![
-        Span::styled(sign, theme.style(Role::Title)),
+        Span::styled(sign.as_str(), theme.style(Role::Title)),
         Span::raw(part(scrolled.min(cursor)..cursor)),
         Span::styled(part(cursor..cursor + 1), cursor_style),
         Span::raw(part((cursor + 1).min(text.len())..text.len())),

@@ -62,10 +62,6 @@ pub struct Panes {
     pub not_computed: &'static str,
     /// A colour as the result.
     pub result: OfName,
-    /// Before the colour as the result, in the computation.
-    pub result_is: &'static str,
-    /// Before inputs.
-    pub given: &'static str,
     /// A ray by what it is for, without its path.
     pub ray: OfName,
     /// How many rays a closed node hides.

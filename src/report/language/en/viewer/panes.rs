@@ -33,8 +33,6 @@ pub(super) const PANES: Panes = Panes {
     hidden_result: "result ?",
     not_computed: "not computed yet",
     result: |color| format!("result {color}"),
-    result_is: "result: ",
-    given: "given ",
     ray: |kind| format!("ray {kind}"),
     hidden_rays: |count| if count == 1 { "1 ray".to_owned() } else { format!("{count} rays") },
     outcomes: Outcomes {

@@ -33,8 +33,6 @@ pub(super) const PANES: Panes = Panes {
     hidden_result: "¿resultado?",
     not_computed: "no calculado aún",
     result: |color| format!("resultado {color}"),
-    result_is: "resultado: ",
-    given: "con ",
     ray: |kind| format!("rayo {kind}"),
     hidden_rays: |count| if count == 1 { "1 rayo".to_owned() } else { format!("{count} rayos") },
     outcomes: Outcomes {

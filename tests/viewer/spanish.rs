@@ -1,0 +1,319 @@
+//! The viewer in Spanish: its frames, and that none of them says anything in English.
+
+use crate::source::{SourceFile, files_below};
+use crate::support::{scene, snapshots};
+use raywalk::log::{Log, Subject};
+use raywalk::record::{self, Arithmetic, Part};
+use raywalk::report::language::Language;
+use raywalk::tui::{self, Dot, Image, Live, Options, Palette, Refusal, Theme, dump::dump};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// The numeric example with a picture, in Spanish.
+struct Example;
+
+impl Live for Example {
+    fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, Refusal> {
+        match pixel {
+            [160, 120] => Ok(by_hand()),
+            [0, _] => Err(Refusal::OnePixelPrinted),
+            [1, _] => Err(Refusal::TooLong(1 << 20)),
+            [_, 0] => Err(Refusal::NoMemory),
+            _ => Err(Refusal::RegionsNotCompared),
+        }
+    }
+
+    fn picture(&mut self, _: bool) -> Option<Arc<Image>> {
+        let mut image = Image::empty([320, 240], Arc::new(|color, _| color.map(|part| (255.0 * part) as u8)));
+        image.dots.fill(Some(Dot { color: [0.25; 3], depth: Some(12.75), rays: 3, samples: 1, error: Some(1.5e-7) }));
+        Some(Arc::new(image))
+    }
+
+    fn compare(&mut self, _: Subject) -> Result<Vec<Log>, Refusal> {
+        let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::F64, Arithmetic::Perturbed(0)];
+        let log = |arithmetic| record::bounded(&scene("textbook"), Part::Pixel([160, 120]), arithmetic);
+        arithmetics.into_iter().map(|arithmetic| log(arithmetic).map_err(|_| Refusal::NoMemory)).collect()
+    }
+}
+
+fn by_hand() -> Log {
+    record::pixel(&scene("textbook"), [160, 120], Arithmetic::Decimal(3))
+}
+
+fn options(palette: Palette, ascii: bool) -> Options {
+    let theme = Theme::new(palette, ascii);
+    let language = Language::Spanish;
+    Options { theme, start: None, warning: None, note: None, numbers: Default::default(), language }
+}
+
+/// The frame of a log after these keys, with a scene behind it or without.
+fn frame_of(log: Log, live: bool, keys: &str, size: (u16, u16), options: &Options) -> String {
+    let mut example = Example;
+    let live = live.then_some(&mut example as &mut dyn Live);
+    let model = tui::opened_with_keys(log, options, live, keys, size);
+    dump(&tui::frame(&model, size.0, size.1, &options.theme))
+}
+
+/// The frame of the numeric example after these keys.
+fn frame_after(keys: &str, size: (u16, u16)) -> String {
+    frame_of(by_hand(), false, keys, size, &options(Palette::Indexed, false))
+}
+
+#[test]
+fn frames_in_spanish() {
+    snapshots().bind(|| {
+        insta::assert_snapshot!("viewer_es_80x24", frame_after("28n", (80, 24)));
+        insta::assert_snapshot!("viewer_es_200x60", frame_after("28n", (200, 60)));
+        insta::assert_snapshot!("viewer_es_40x12", frame_after("28n", (40, 12)));
+        insta::assert_snapshot!("viewer_es_help", frame_after("?", (100, 120)));
+        let lines = "bhit Enter bT2_A<0,5 Enter bobject sphere Enter";
+        insta::assert_snapshot!("viewer_es_breakpoints", frame_after(&format!("{lines} B j Space"), (80, 24)));
+        insta::assert_snapshot!("viewer_es_stops", frame_after(&format!("{lines} 3r L"), (80, 24)));
+        insta::assert_snapshot!("viewer_es_why", frame_after("w", (120, 24)));
+        insta::assert_snapshot!("viewer_es_operands", frame_after("31n d", (80, 24)));
+        insta::assert_snapshot!("viewer_es_quiz", frame_after("Q 4n = 12,5 Enter = 1 Enter", (80, 24)));
+        let live = |keys: &str| frame_of(by_hand(), true, keys, (80, 24), &options(Palette::Indexed, false));
+        insta::assert_snapshot!("viewer_es_arithmetics", live("3n a"));
+    });
+}
+
+#[test]
+fn ascii_keeps_the_letters_of_spanish_words() {
+    let options = options(Palette::None, true);
+    for keys in ["28n", "?", "w", "B", "Q", ":x Enter"] {
+        let frame = frame_of(by_hand(), true, keys, (100, 40), &options);
+        assert!(frame.is_ascii(), "{frame}");
+    }
+    let help = frame_of(by_hand(), true, "?", (100, 40), &options);
+    assert!(help.contains("Recorrer el calculo paso a paso"), "{help}");
+}
+
+#[test]
+fn the_language_is_changed_while_one_looks() {
+    let text = |keys: &str| frame_after(keys, (80, 24)).split("styles:").next().map(str::to_owned).unwrap_or_default();
+    assert_eq!(text(":lang en Enter :lang es Enter Esc"), text(""));
+    assert!(text(":lang en Enter").contains("in English"));
+    assert!(text(":lang fr Enter").contains("se espera un idioma"));
+    // A search looks for the words and the numbers of the other language then.
+    let searched = "/13,24 Enter";
+    assert!(text(searched).contains("coincidencia 1/"), "{}", text(searched));
+    assert!(text(&format!("{searched} :lang en Enter")).contains("match -/0"));
+}
+
+/// Keys that lead to every pane, list, line and message; each is tried at several sizes.
+const EVERYWHERE: [&str; 71] = [
+    "",
+    "28n",
+    "j",
+    "3j",
+    "G",
+    "g",
+    "h",
+    "Tab",
+    "Tab Tab",
+    "Tab Tab v",
+    "Tab Tab v v",
+    "Shift-Tab",
+    "Shift-Tab v",
+    "Shift-Tab v v",
+    "Shift-Tab v v v",
+    "Shift-Tab v v v v",
+    "Shift-Tab ) l",
+    "Shift-Tab g",
+    "Shift-Tab 999k",
+    "zo",
+    "? ",
+    "? 22j",
+    "? 44j",
+    "? 66j",
+    "? /zzz",
+    "31n d",
+    "2n D",
+    "0 d",
+    "$ D",
+    "w",
+    "3n a",
+    "3n a 9j",
+    "B",
+    "bhit Enter B",
+    "bhit Enter bmiss Enter 5r L",
+    "bhit Enter 99r",
+    "bhit Enter B Space Esc r",
+    "x",
+    "n x",
+    "n x x",
+    "L",
+    "M",
+    "ma M",
+    "ma 'a",
+    "'x",
+    "''",
+    "^o",
+    "t",
+    "t t",
+    "t w",
+    "t a",
+    "t n D",
+    "P",
+    "$ P",
+    "+",
+    "^t",
+    "^t ^t",
+    "v",
+    "F",
+    "30J",
+    "$ n",
+    "N",
+    "{",
+    "$ }",
+    "$ o",
+    "U",
+    "Q",
+    "Q Q",
+    "= ",
+    "Q w",
+    "Y",
+];
+
+/// Lines that are typed, right and wrong.
+const LINES: [&str; 41] = [
+    "/",
+    "/zzz Enter",
+    "/sphere Enter 9;",
+    "/sphere Enter,",
+    ";",
+    "f",
+    "fzzz Enter",
+    "fsphere Enter",
+    ":",
+    ":zzz Enter",
+    ":book Enter",
+    ":pixel Enter",
+    ":hlep Enter",
+    ":help x Enter",
+    ":999 Enter",
+    ":bookmark ab Enter",
+    ":pixel 0,5 Enter",
+    ":pixel 1,5 Enter",
+    ":pixel 5,0 Enter",
+    ":pixel 5,5 Enter",
+    ":pixel 999,5 Enter",
+    "b",
+    "b Enter",
+    "bkind Enter",
+    "bkind shadwo Enter",
+    "bobject spher Enter",
+    "bobject zzz Enter",
+    "blight zzz Enter",
+    "bdepth x Enter",
+    "bray.direction<0 Enter",
+    "bshade.n_dot_l.x<0 Enter",
+    "bT2_A<x Enter",
+    "bshade.n_dot_k Enter",
+    "bzzzzzz Enter",
+    "Q = x Enter",
+    "Q n = x Enter",
+    "Q n = 9 Enter",
+    "Q n = 9 Enter = 9 Enter",
+    "Q 0 =",
+    "Q s s s s s s s = x Enter",
+    "Q ] ] ] ] ] ] ] ] ] ] ] y",
+];
+
+#[test]
+fn no_frame_says_anything_in_english() {
+    let foreign = Foreign::new();
+    for keys in EVERYWHERE.into_iter().chain(LINES) {
+        for size in [(19, 5), (40, 12), (80, 24), (110, 30), (200, 60)] {
+            let options = options(Palette::None, false);
+            for live in [false, true] {
+                foreign.check(&frame_of(by_hand(), live, keys, size, &options), keys, size);
+            }
+        }
+    }
+}
+
+#[test]
+fn other_logs_say_nothing_in_english_either() {
+    for (name, pixel) in [("glass-and-mirror", None), ("figure-19", Some([20, 8])), ("figure-6", None)] {
+        let scene = scene(name);
+        let pixel = pixel.unwrap_or(scene.camera.resolution.map(|side| side / 2));
+        let log = record::pixel(&scene, pixel, Arithmetic::F64);
+        let foreign = Foreign::beside_names_of(&log);
+        for keys in ["", "g", "g C", "40n", "80s", "200s", "300s o", "w", "31n d", "40n D", "Tab Tab", "t 60s", "Q 60s"]
+        {
+            let options = options(Palette::None, false);
+            foreign.check(&frame_of(log.clone(), false, keys, (200, 60), &options), keys, (200, 60));
+        }
+    }
+}
+
+/// What would be English.
+struct Foreign {
+    /// The words of the English texts that no Spanish text has.
+    words: BTreeSet<String>,
+}
+
+impl Foreign {
+    fn new() -> Foreign {
+        let is_of = |file: &SourceFile, code: &str| {
+            file.path == format!("{code}.rs") || file.path.starts_with(&format!("{code}/"))
+        };
+        let files = files_below("src/report/language");
+        let words = |code: &str| -> BTreeSet<String> {
+            let texts = files.iter().filter(|file| is_of(file, code)).flat_map(SourceFile::strings);
+            texts.flat_map(|(_, text)| words_of(&without_names(text))).collect()
+        };
+        let (english, spanish) = (words("en"), words("es"));
+        assert!(english.len() > 300 && spanish.len() > 300, "{} and {}", english.len(), spanish.len());
+        let is_shown = |word: &String| word.chars().count() > 3 && !TYPED.contains(&word.as_str());
+        Foreign { words: english.difference(&spanish).filter(|word| is_shown(word)).cloned().collect() }
+    }
+
+    /// The same, but for the names in a log.
+    fn beside_names_of(log: &Log) -> Foreign {
+        let header = &log.header;
+        let names: BTreeSet<_> = header.objects.iter().chain(&header.lights).flat_map(|name| words_of(name)).collect();
+        Foreign { words: &Foreign::new().words - &names }
+    }
+
+    #[track_caller]
+    fn check(&self, frame: &str, keys: &str, size: (u16, u16)) {
+        let text = frame.split("styles:").next().unwrap_or_default();
+        let english: Vec<_> = words_of(text).into_iter().filter(|word| self.words.contains(word)).collect();
+        assert!(english.is_empty(), "{english:?} after {keys} at {size:?}:\n{text}");
+        let points: Vec<_> = text.lines().filter(|line| has_decimal_point(line)).collect();
+        assert!(points.is_empty(), "after {keys} at {size:?}: {points:#?}");
+    }
+}
+
+/// The names of keys, and words of breakpoints that are proposed.
+const TYPED: [&str; 6] = ["down", "left", "right", "home", "space", "enter"];
+
+/// A format string without the names of what is put into it.
+fn without_names(text: &str) -> String {
+    let mut pieces = text.split('{');
+    let first = pieces.next().unwrap_or_default().to_owned();
+    first + &pieces.filter_map(|piece| piece.split_once('}')).map(|(_, rest)| format!(" {rest}")).collect::<String>()
+}
+
+/// The words of a text in lower case; names of quantities and files, which have a `.` or `_` in them, are none.
+fn words_of(text: &str) -> Vec<String> {
+    let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '-' | '\'');
+    let words = text.split(|c: char| !is_part(c)).map(|word| word.trim_matches(['.', '-', '\'']));
+    let is_word = |word: &&str| !word.is_empty() && word.chars().all(char::is_alphabetic);
+    words.filter(is_word).map(str::to_lowercase).collect()
+}
+
+/// Whether a line has a point between two digits that isn't in the number of a section, nor in a path such as `S1.4`.
+fn has_decimal_point(line: &str) -> bool {
+    let words = line.split(|c: char| c.is_whitespace() || matches!(c, '(' | ')' | ';' | '='));
+    let mut before = "";
+    words.filter(|word| !word.is_empty()).any(|word| {
+        let is_section = std::mem::replace(&mut before, word) == "sección";
+        let letters: Vec<char> = word.chars().collect();
+        let has_point =
+            letters.windows(3).any(|three| three[0].is_ascii_digit() && three[1] == '.' && three[2].is_ascii_digit());
+        has_point && !is_section && !letters[0].is_alphabetic()
+    })
+}
