@@ -2,6 +2,7 @@
 
 use crate::source::{SourceFile, files_below};
 use crate::support::{scene, snapshots};
+use assert_cmd::Command;
 use raywalk::log::{Log, Subject};
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::language::Language;
@@ -100,6 +101,17 @@ fn the_language_is_changed_while_one_looks() {
     assert!(text(&format!("{searched} :lang en Enter")).contains("match -/0"));
 }
 
+#[test]
+fn the_walk_as_text_is_the_log_as_text() {
+    let said = |arguments: &[&str]| {
+        let output = Command::new(assert_cmd::cargo::cargo_bin!("raywalk")).args(arguments).assert().success();
+        String::from_utf8(output.get_output().stdout.clone()).expect("text")
+    };
+    let walk = said(&["walk", "textbook", "--plain", "--lang", "es"]);
+    assert_eq!(walk, said(&["trace", "textbook", "--pixel", "160,120", "--format", "text", "--lang", "es"]));
+    assert!(walk.contains("rayo de sombra hacia F"), "{walk}");
+}
+
 /// Keys that lead to every pane, list, line and message; each is tried at several sizes.
 const EVERYWHERE: [&str; 71] = [
     "",
@@ -180,7 +192,7 @@ const LINES: [&str; 41] = [
     "/",
     "/zzz Enter",
     "/sphere Enter 9;",
-    "/sphere Enter,",
+    "/sphere Enter ,",
     ";",
     "f",
     "fzzz Enter",
