@@ -242,7 +242,13 @@ fn the_scanner_reads_strings() {
     let strings: Vec<_> = file.strings().into_iter().map(|(_, text)| text).collect();
     assert_eq!(strings, ["one two", "a \"b", "\\\"x"]);
     assert!(is_prose("no such key") && is_prose("{x}: played to {y}"));
-    assert!(!is_prose("object {name}") && !is_prose("  {a} {b}") && !is_prose("j k") && !is_prose("{first word}"));
+    assert!(
+        !is_prose("object {name}")
+            && !is_prose("  {a} {b}")
+            && !is_prose("j k")
+            && !is_prose("CRT0123. ay")
+            && !is_prose("{first word}")
+    );
 }
 
 #[test]
@@ -286,7 +292,10 @@ fn is_prose(text: &str) -> bool {
             own.push('_');
         }
     }
-    let is_word = |word: &str| word.chars().filter(|c| c.is_alphabetic()).count() > 1 && !word.contains('_');
+    let is_word = |word: &str| {
+        let letters = word.trim_matches(|c: char| c.is_ascii_punctuation() && c != '_');
+        letters.chars().count() > 1 && letters.chars().all(|c| c.is_alphabetic() || c == '\'')
+    };
     let words: Vec<_> = own.split(' ').collect();
     words.windows(2).any(|pair| pair.iter().all(|word| is_word(word)))
 }

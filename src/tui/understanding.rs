@@ -177,7 +177,8 @@ fn contribution(model: &Model, account: &Account, Group { sum: part, count }: &G
         part.share_of(channel, &account.color).map_or("-".to_owned(), |x| format!("{:.0}", (100.0 * x).round() + 0.0))
     };
     let channels = format!("[{}]", [0, 1, 2].map(channel).join(" "));
-    let (share, cases) = (model.language.percent(part.share), part.cases.to_owned());
+    let (share, cases) =
+        (model.language.percent(part.share), (model.texts().lists.account.cases)(part.cases).to_owned());
     let weight = weight.unwrap_or_default();
     let text = cells([share, part.path.clone(), times, origin, part.class.clone(), cases, channels, color, weight]);
     Entry { target: part.event, ..Entry::plain(text, Role::Text) }

@@ -229,7 +229,7 @@ fn string_ahead(text: &[u8], before: Option<u8>) -> Option<(usize, usize)> {
             }
             let close = [&b"\""[..], &b"#".repeat(hashes)].concat();
             let length = text[open..].windows(close.len()).position(|window| window == close)?;
-            Some((open, open + length + hashes))
+            Some((open, open + length))
         }
         [b'"', ..] => Some((1, 1 + end_of_quoted(&text[1..], b'"')?)),
         [b'\'', b'\\', ..] => Some((1, 1 + end_of_quoted(&text[1..], b'\'')?)),

@@ -68,6 +68,8 @@ pub struct Account {
     pub so_far: OfName,
     /// Behind the title, the class of the path of the selected ray.
     pub here: OfName,
+    /// The ways of figure 14 as [`cases`](crate::report::path_class::cases) has them, with its words in the language.
+    pub cases: fn(&str) -> &str,
     /// So many smaller contributions in one.
     pub smaller: fn(usize) -> String,
     /// The heading of so many paths that bring nothing.

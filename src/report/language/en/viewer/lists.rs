@@ -64,6 +64,7 @@ pub(super) const LISTS: Lists = Lists {
         },
         so_far: |color| format!("The log ends before the colour; so far {color}"),
         here: |class| format!(" - here {class}"),
+        cases: |cases| cases,
         smaller: |count| format!("{count} smaller ones together"),
         brings_nothing: |count| format!("What brings nothing ({count}):"),
     },

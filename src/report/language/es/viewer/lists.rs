@@ -64,6 +64,11 @@ pub(super) const LISTS: Lists = Lists {
         },
         so_far: |color| format!("El registro termina antes del color; hasta aquí {color}"),
         here: |class| format!(" - aquí {class}"),
+        cases: |cases| match cases {
+            "direct" => "directa",
+            "for a" => "por a",
+            _ => cases,
+        },
         smaller: |count| format!("otras {count} menores en total"),
         brings_nothing: |count| format!("Lo que no aporta nada ({count}):"),
     },
