@@ -236,18 +236,21 @@ const LINES: [&str; 41] = [
 fn no_frame_says_anything_in_english() {
     let log = by_hand();
     let foreign = Foreign::beside_names_of(&log);
+    let mut wrong = Vec::new();
     for keys in EVERYWHERE.into_iter().chain(LINES) {
         for (size, live) in
             [((19, 5), false), ((40, 12), false), ((80, 24), true), ((200, 60), false), ((200, 60), true)]
         {
             let options = options(Palette::None, false);
-            foreign.check(&frame_of(log.clone(), live, keys, size, &options), keys, size);
+            wrong.extend(foreign.check(&frame_of(log.clone(), live, keys, size, &options), keys, size));
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
 fn other_logs_say_nothing_in_english_either() {
+    let mut wrong = Vec::new();
     for (name, pixel) in [("glass-and-mirror", None), ("figure-19", Some([20, 8])), ("figure-6", None)] {
         let scene = scene(name);
         let pixel = pixel.unwrap_or(scene.camera.resolution.map(|side| side / 2));
@@ -256,14 +259,15 @@ fn other_logs_say_nothing_in_english_either() {
         for keys in ["", "g", "g C", "40n", "80s", "200s", "300s o", "w", "31n d", "40n D", "Tab Tab", "t 60s", "Q 60s"]
         {
             let options = options(Palette::None, false);
-            foreign.check(&frame_of(log.clone(), false, keys, (200, 60), &options), keys, (200, 60));
+            wrong.extend(foreign.check(&frame_of(log.clone(), false, keys, (200, 60), &options), keys, (200, 60)));
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// What would be English.
 struct Foreign {
-    /// The words of the English texts that no Spanish text has.
+    /// The words of the English texts that no Spanish text has, nor a part of one at its beginning or end.
     words: BTreeSet<String>,
 }
 
@@ -279,7 +283,9 @@ impl Foreign {
         };
         let (english, spanish) = (words("en"), words("es"));
         assert!(english.len() > 300 && spanish.len() > 300, "{} and {}", english.len(), spanish.len());
-        let is_shown = |word: &String| word.chars().count() > 3 && !TYPED.contains(&word.as_str());
+        // Beside a list that lies over it a Spanish word may look like an English one: `model` of `modelo`.
+        let is_cut = |word: &str| spanish.iter().any(|whole| whole.starts_with(word) || whole.ends_with(word));
+        let is_shown = |word: &String| word.chars().count() > 3 && !is_cut(word) && !TYPED.contains(&word.as_str());
         Foreign { words: english.difference(&spanish).filter(|word| is_shown(word)).cloned().collect() }
     }
 
@@ -292,18 +298,18 @@ impl Foreign {
         foreign
     }
 
-    #[track_caller]
-    fn check(&self, frame: &str, keys: &str, size: (u16, u16)) {
+    /// What is wrong with a frame, if anything is.
+    fn check(&self, frame: &str, keys: &str, size: (u16, u16)) -> Option<String> {
         let text = frame.split("styles:").next().unwrap_or_default();
         let english: Vec<_> = words_of(text).into_iter().filter(|word| self.words.contains(word)).collect();
-        assert!(english.is_empty(), "{english:?} after {keys} at {size:?}:\n{text}");
         let points: Vec<_> = text.lines().filter(|line| has_decimal_point(line)).collect();
-        assert!(points.is_empty(), "after {keys} at {size:?}: {points:#?}");
+        let is_fine = english.is_empty() && points.is_empty();
+        (!is_fine).then(|| format!("{english:?} after {keys} at {size:?}, with points {points:#?}"))
     }
 }
 
 /// The names of keys, and words of breakpoints that are proposed.
-const TYPED: [&str; 6] = ["down", "left", "right", "home", "space", "enter"];
+const TYPED: [&str; 8] = ["down", "left", "right", "home", "space", "enter", "camera", "kind"];
 
 /// A format string without the names of what is put into it.
 fn without_names(text: &str) -> String {
