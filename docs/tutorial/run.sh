@@ -31,6 +31,14 @@ says hand.txt 'result: (394.134, 312.306, 370.850)'
 raywalk textbook > textbook.txt
 says textbook.txt 'I_global (red)   394.028                   394.028                   394.134                   393.054'
 
+walk_by_hand() { raywalk walk --arithmetic decimal:3 --screen 140,40 --screenshot "$1" --keys "/sphere.t2_a<Enter> ; ; $2"; }
+walk_by_hand found.svg ''
+says found.svg 'match 3/3'
+walk_by_hand operands.svg 'd'
+says operands.svg 'What T2_A is made of'
+walk_by_hand arithmetics.svg 'a'
+says arithmetics.svg '13.24025482481689'
+
 # 3 As a worked solution
 raywalk trace hand.ndjson --format html -o solution.html
 raywalk trace hand.ndjson --format markdown -o solution.md
@@ -67,8 +75,15 @@ says wrong.txt 'given η_1 = 1.500, η_2 = 0.667'
 says wrong.txt 'η = η_2/η_1 = 0.667/1.500 = 0.445   [refract.eta 1.2.1]'
 says wrong.txt '→ total internal reflection'
 says wrong.txt 'result: (0.091, 0.109, 0.145)'
-raywalk walk wrong-bubble.json --pixel 93,40 --screenshot why.svg --screen 140,40 --keys 'w'
-says why.svg 'total internal reflection'
+walk_wrong() { raywalk walk wrong-bubble.json --pixel 93,40 --screen 140,40 --screenshot "$1" --keys "$2"; }
+walk_wrong why.svg 'w'
+says why.svg 'C T  total internal reflection'
+walk_wrong there.svg 'w G <Enter>'
+says there.svg 'cosφ_1'
+walk_wrong stopped.svg 'b total-internal-reflection<Enter> r r'
+says stopped.svg 'stopped by total-internal-reflection'
+walk_wrong moved.svg 'Shift-Tab l'
+says moved.svg 'pixel 94,40'
 
 # 7 Mended
 [ "$(diff wrong-bubble.json bubble.json | grep -c '^>')" = 1 ]
