@@ -23,6 +23,7 @@ pub fn log(bytes: &[u8]) {
     comes_pixel_by_pixel(bytes, &log.events, &found.ending);
     is_written_as_it_is(&log);
     is_seen(&log);
+    is_walked_through(&log, bytes.len());
     differs_in_nothing_from_itself(log);
 }
 
@@ -76,17 +77,17 @@ fn is_seen(log: &Log) {
     for event in 0..log.events.len() {
         provenance::operands(log, &tree, event);
     }
-    is_walked_through(log);
 }
 
-/// The viewer, with keys that open its panes and go through the log.
-fn is_walked_through(log: &Log) {
+/// The viewer, after keys that open its panes and go through the log: which ones, the length of the file says, since each
+/// takes longer than all other views together.
+fn is_walked_through(log: &Log, length: usize) {
+    const KEYS: [&str; 8] =
+        ["", "nnnnlljjj<Space>nNp", "GGkkkhhg", "/a<Enter>nnn", "?", "<Tab>jj<Enter>", "tttvvvccc", "bbbnnn"];
     let theme = Theme::new(Palette::None, false);
     let options = Options { theme, start: None, warning: None, note: None, numbers: Style::default() };
-    for keys in ["", "nnnnlljjj<Space>nNpq", "GGkkkhhg", "/a<Enter>nnn", "?", "<Tab>jj<Enter>", "tttvvvccc", "bbbnnn"] {
-        let picture = tui::picture(log.clone(), &options, None, keys, (80, 24));
-        assert!(picture.contains("</svg>"));
-    }
+    let picture = tui::picture(log.clone(), &options, None, KEYS[length % KEYS.len()], (80, 24));
+    assert!(picture.contains("</svg>"));
 }
 
 /// Names of a log may hold nothing that drives a terminal, and no view may add it.
