@@ -29,6 +29,7 @@ Examples:
   raywalk diff hand.ndjson f64.ndjson --digits 3
   raywalk diff a.ndjson.gz b.json --rel 1e-9 --brief
   raywalk diff a.ndjson b.ndjson --walk
+  raywalk diff pinned.ndjson all.ndjson --common
   raywalk diff a.png b.png --abs 0.01 -o heat.png";
 
 /// Compare two logs or two pictures.
@@ -48,6 +49,9 @@ pub struct Diff {
     /// The difference that is let pass, in proportion to the largest component of the two values
     #[arg(long, value_name = "E", value_parser = tolerance)]
     rel: Option<f64>,
+    /// Of logs, compare only what both have: one of them may lack pixels, steps or quantities
+    #[arg(long)]
+    common: bool,
     /// How to print the differences
     #[arg(long, value_enum, default_value = "text")]
     format: DiffFormat,
@@ -95,7 +99,12 @@ impl Diff {
                 if self.walk && has_terminal() { self.walk(a, b, colors, signals) } else { self.logs(a, b) }
             }
             (Compared::Picture(a_name, a), Compared::Picture(b_name, b)) => {
-                let options = [("--digits", self.digits.is_some()), ("--brief", self.brief), ("--walk", self.walk)];
+                let options = [
+                    ("--digits", self.digits.is_some()),
+                    ("--brief", self.brief),
+                    ("--walk", self.walk),
+                    ("--common", self.common),
+                ];
                 if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given) {
                     return Err(Failure::caller(format!("{option}: is for logs, found two pictures")));
                 }
@@ -110,7 +119,7 @@ impl Diff {
     }
 
     fn tolerance(&self) -> Tolerance {
-        Tolerance { digits: self.digits, absolute: self.abs, relative: self.rel }
+        Tolerance { digits: self.digits, absolute: self.abs, relative: self.rel, is_of_common: self.common }
     }
 }
 

@@ -1,11 +1,39 @@
 //! Logs that were saved.
 
 use super::failure::Failure;
-use raywalk::log::file::LogError;
+use super::progress::ProgressOptions;
+use raywalk::log::Log;
+use raywalk::log::file::{self, LogError};
+use raywalk::scene::file::{Opened, visible};
 use std::io::ErrorKind;
 
 /// The longest log: some forty million events.
 pub const MAX_LOG_BYTES: u64 = 4 << 30;
+
+/// A log that was read.
+pub struct Saved {
+    /// Its name in messages.
+    pub name: String,
+    /// The log.
+    pub log: Log,
+    /// That it is damaged or was cut off, which is told in any case.
+    pub warning: Option<String>,
+}
+
+/// Reads a log.
+pub fn read(opened: Opened, progress: &ProgressOptions) -> Result<Saved, Failure> {
+    let name = visible(opened.name()).into_owned();
+    let size = opened.size();
+    let input = progress.reading(opened.stream(MAX_LOG_BYTES), size);
+    let read = file::read_from(input).map_err(|error| failure(&name, &error))?;
+    Ok(Saved { name, log: read.log, warning: read.ending.warning() })
+}
+
+/// A log was named with options that only a scene has a use for.
+pub fn is_traced_already(opened: &Opened) -> Failure {
+    let name = visible(opened.name());
+    Failure::caller(format!("{name}: is a log, which is traced already; expected no options of tracing"))
+}
 
 /// Why a log can't be read, as messages call it by its name.
 pub fn failure(name: &str, error: &LogError) -> Failure {

@@ -1,21 +1,24 @@
-//! `raywalk trace`: the log of a pixel, a ray or a region.
+//! `raywalk trace`: the log of a pixel, a ray or a region, or a view of a saved one.
+
+mod of_log;
+mod of_region;
 
 use super::causes;
 use super::failure::Failure;
 use super::frames;
-use super::options::{ColorChoice, TracingOptions, numbers, pixel_in, region_in, warning_of_sampling};
+use super::options::{ColorChoice, TracingOptions, numbers, pixel_in, warning_of_sampling};
 use super::output::{self, Output, Sink};
 use super::progress::ProgressOptions;
-use super::region::{self, Traced};
-use super::scene_argument;
+use super::region;
+use super::scene_argument::{self, Input, Named};
 use super::views::{Lang, TreeOf, View};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
-use raywalk::log::{Log, Subject as Of, file as log_file};
+use raywalk::log::{Header, Log, file as log_file};
 use raywalk::probe::CutOff;
-use raywalk::record::{self, Arithmetic, MAX_EVENTS, Part};
-use raywalk::render;
-use raywalk::report::{Style, obj};
+use raywalk::record::{self, Arithmetic, Part};
+use raywalk::report::segments::Segment;
+use raywalk::report::{Style, lines};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
 use raywalk::scene::file::visible;
@@ -23,10 +26,11 @@ use raywalk::study::rounding::Rounding;
 use std::io;
 use std::path::PathBuf;
 
-/// Write the log of a pixel, a ray or a region.
+/// Write the log of a pixel, a ray or a region, or views of it.
 #[derive(Args)]
 pub struct Trace {
-    /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also packed by gzip or zstd), a saved log, `-` for standard input, or a built-in scene
+    #[arg(value_name = "SCENE or LOG")]
     scene: PathBuf,
     #[command(flatten)]
     subject: Subject,
@@ -95,18 +99,28 @@ pub enum TraceFormat {
     Mermaid,
     /// The rays as lines in space, for 3D viewers (Wavefront OBJ).
     Obj,
+    /// The same in the colours of their kinds (Polygon File Format).
+    Ply,
 }
 
 impl Trace {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        match scene_argument::open(&self.scene, colors)? {
+            Named::Scene(input) => self.of_scene(&input, colors),
+            Named::Log(opened) => self.of_log(opened),
+        }
+    }
+
+    /// The log of what is traced now.
+    fn of_scene(&self, input: &Input, colors: ColorChoice) -> Result<(), Failure> {
         if self.subject.pixel.is_none() && self.subject.ray.is_none() && self.region.is_none() {
             let expected = "--pixel X,Y, --ray OX,OY,OZ,DX,DY,DZ or --region X0,Y0,X1,Y1";
             return Err(Failure::caller(format!("trace: expected {expected}")));
         }
         let rounding = self.rounding()?;
-        self.check_format()?;
-        let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
+        self.check_format(self.region.is_some())?;
+        let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
         let inputs = loaded.inputs(&self.scene);
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         if let Some(region) = self.region {
@@ -122,81 +136,23 @@ impl Trace {
         let bytes = match (rounding, self.format) {
             (Some(rounding), format) => {
                 let study = causes::study_of(&scene, part, rounding)?;
-                if format == Some(TraceFormat::Json) { study.json() } else { study.text(style) }.into_bytes()
+                let is_json = format == Some(TraceFormat::Json);
+                if is_json { study.json() } else { study.text(self.lang.into(), style) }.into_bytes()
             }
             (None, None | Some(TraceFormat::Ndjson)) => match arithmetic {
                 // Its runs are compared before there are digits to write.
                 Arithmetic::Perturbed(_) => {
-                    self.view(&scene, &short_log(&scene, part, arithmetic)?, TraceFormat::Ndjson)?
+                    self.view(Some(&scene), &short_log(&scene, part, arithmetic)?, TraceFormat::Ndjson)?
                 }
                 _ => return output.stream(|out| write_as_it_grows(&scene, part, arithmetic, out)),
             },
-            (None, Some(format)) => self.view(&scene, &short_log(&scene, part, arithmetic)?, format)?,
+            (None, Some(format)) => self.view(Some(&scene), &short_log(&scene, part, arithmetic)?, format)?,
         };
         output.commit(&bytes)
     }
 
-    /// The log of a region: in NDJSON as it grows, otherwise of at most so many events as memory holds.
-    fn of_region(&self, scene: &Scene, region: [u32; 4], output: Output) -> Result<(), Failure> {
-        let arithmetic = self.tracing.arithmetic;
-        let region = region_in(scene, "--region", region)?;
-        if self.causes {
-            return Err(Failure::caller("--causes: expected --pixel or --ray, found --region"));
-        }
-        if arithmetic == Arithmetic::Printed {
-            return Err(not_printed());
-        }
-        if let (false, Some(warning)) = (self.progress.quiet, warning_of_sampling(scene)) {
-            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
-        }
-        if self.format == Some(TraceFormat::Obj) {
-            return output.commit(self.rays_of(scene, region)?.as_bytes());
-        }
-        if let Some(format) = self.format.filter(|format| *format != TraceFormat::Ndjson) {
-            let log = record::region::bounded(scene, region, arithmetic).map_err(|why| too_long(why, arithmetic))?;
-            return output.commit(&self.view(scene, &log, format)?);
-        }
-        let threads = render::threads(self.tracing.threads.into());
-        let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
-        let [left, top, right, bottom] = region;
-        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
-        let written =
-            output.stream(|out| Traced { scene, region, arithmetic }.write(&threads, out, || progress.advance(1)));
-        progress.finish();
-        written
-    }
-
-    /// The rays of a region as lines in space; of each pixel's log only they are kept.
-    fn rays_of(&self, scene: &Scene, region: [u32; 4]) -> Result<String, Failure> {
-        let arithmetic = self.tracing.arithmetic;
-        let threads = render::threads(self.tracing.threads.into());
-        let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
-        let header = record::header(scene, Of::Region(region), arithmetic);
-        let make = |pixel| {
-            let events = record::region::of_pixel(scene, pixel, arithmetic, MAX_EVENTS)?;
-            Ok(obj::rays(&Log { header: header.clone(), events }))
-        };
-        let mut rays = Vec::new();
-        let mut cut_off = None;
-        let kept = record::region::in_order(region, &threads, make, |_, made: Result<Vec<_>, CutOff>| match made {
-            Ok(made) => {
-                rays.extend(made);
-                Ok(())
-            }
-            Err(why) => {
-                cut_off = Some(why);
-                Err(io::ErrorKind::Other.into())
-            }
-        });
-        match (cut_off, kept) {
-            (Some(why), _) => Err(too_long(why, arithmetic)),
-            (None, Err(error)) => Err(Failure::machine(error.to_string())),
-            (None, Ok(())) => Ok(obj::obj_of(&header, &rays)),
-        }
-    }
-
     /// A log that is in memory, in this format.
-    fn view(&self, scene: &Scene, log: &Log, format: TraceFormat) -> Result<Vec<u8>, Failure> {
+    fn view(&self, scene: Option<&Scene>, log: &Log, format: TraceFormat) -> Result<Vec<u8>, Failure> {
         let style = Style { digits: self.digits };
         let view = View { format, tree: self.tree, language: self.lang.into(), style };
         view.bytes(scene, log).map_err(|error| Failure::machine(format!("cannot write the log: {error}")))
@@ -208,7 +164,6 @@ impl Trace {
     fn rounding(&self) -> Result<Option<Rounding>, Failure> {
         match self.format {
             _ if !self.causes => Ok(None),
-            _ if self.lang != Lang::En => Err(Failure::caller("--causes: is told in English, expected no --lang")),
             None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic).map(Some),
             Some(format) => {
                 let found = format.word();
@@ -218,10 +173,10 @@ impl Trace {
     }
 
     /// A page or a figure is of one pixel or ray.
-    fn check_format(&self) -> Result<(), Failure> {
+    fn check_format(&self, is_region: bool) -> Result<(), Failure> {
         match self.format {
-            Some(format) if self.region.is_some() && !format.is_of_regions() => Err(Failure::caller(format!(
-                "--format {}: expected --pixel X,Y or --ray, found --region; a region is written as ndjson, json, text or obj",
+            Some(format) if is_region && !format.is_of_regions() => Err(Failure::caller(format!(
+                "--format {}: expected a pixel or a ray, found a region, which is written as ndjson, json, text, obj or ply",
                 format.word()
             ))),
             _ => Ok(()),
@@ -235,7 +190,16 @@ impl TraceFormat {
     }
 
     fn is_of_regions(self) -> bool {
-        matches!(self, TraceFormat::Ndjson | TraceFormat::Json | TraceFormat::Text | TraceFormat::Obj)
+        matches!(self, TraceFormat::Ndjson | TraceFormat::Json | TraceFormat::Text) || self.lines().is_some()
+    }
+
+    /// How rays are written as lines in space, if this is a format for them.
+    fn lines(self) -> Option<fn(&Header, &[Segment]) -> String> {
+        match self {
+            TraceFormat::Obj => Some(lines::obj),
+            TraceFormat::Ply => Some(lines::ply),
+            _ => None,
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use raywalk::report::language::Language;
 use raywalk::report::ray_tree::{self, Figure};
 use raywalk::report::schematic::Stage;
 use raywalk::report::solution::{self, Task};
-use raywalk::report::{Style, obj, text};
+use raywalk::report::{Style, lines, text};
 use raywalk::scene::Scene;
 use std::io;
 
@@ -52,13 +52,14 @@ pub struct View {
 }
 
 impl View {
-    /// The bytes of a log.
-    pub fn bytes(&self, scene: &Scene, log: &Log) -> io::Result<Vec<u8>> {
+    /// The bytes of a log; of a saved one the scene isn't known, nor therefore what the objects look like.
+    pub fn bytes(&self, scene: Option<&Scene>, log: &Log) -> io::Result<Vec<u8>> {
         let text = match self.format {
             TraceFormat::Ndjson => return log_file::to_ndjson(log),
             TraceFormat::Json => return log_file::to_json(log),
             TraceFormat::Text => text::text_in(self.language, log, self.style),
-            TraceFormat::Obj => obj::obj(log),
+            TraceFormat::Obj => lines::obj(&log.header, &lines::rays(log)),
+            TraceFormat::Ply => lines::ply(&log.header, &lines::rays(log)),
             TraceFormat::Markdown => self.of_solution(scene, log, solution::markdown),
             TraceFormat::Latex => self.of_solution(scene, log, solution::latex),
             TraceFormat::Html => self.of_solution(scene, log, solution::html),
@@ -69,10 +70,10 @@ impl View {
         Ok(text.into_bytes())
     }
 
-    fn of_solution(&self, scene: &Scene, log: &Log, write: impl FnOnce(&Task) -> String) -> String {
-        let (tree, things) = (Tree::of(&log.events), drawing::objects(scene));
-        let up = scene.camera.up().abs();
-        let stage = Stage { things: &things, upright: if up.z > up.y { 2 } else { 1 } };
+    fn of_solution(&self, scene: Option<&Scene>, log: &Log, write: impl FnOnce(&Task) -> String) -> String {
+        let (tree, things) = (Tree::of(&log.events), scene.map(drawing::objects).unwrap_or_default());
+        let is_z_up = scene.map(|scene| scene.camera.up().abs()).is_some_and(|up| up.z > up.y);
+        let stage = Stage { things: &things, upright: if is_z_up { 2 } else { 1 } };
         write(&Task { log, tree: &tree, stage, language: self.language, style: self.style })
     }
 

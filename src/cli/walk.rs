@@ -6,12 +6,11 @@ use super::live::Session;
 use super::options::{ColorChoice, TracingOptions, numbers, warning_of_sampling};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
-use super::saved_log::{self, MAX_LOG_BYTES};
+use super::saved_log::{self, Saved};
 use super::scene_argument::{self, Input, Named};
 use super::trace::{Subject, short_log};
 use clap::Args;
 use raywalk::log::Log;
-use raywalk::log::file as log_file;
 use raywalk::report::{self, Style};
 use raywalk::scene::file::{Opened, visible};
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
@@ -119,16 +118,12 @@ impl Walk {
 
     /// A log that was saved.
     fn of_log(&self, opened: Opened) -> Result<Walked, Failure> {
-        let name = visible(opened.name()).to_string();
         let has_options = self.tracing != TracingOptions::default() || self.subject != Subject::default();
         if has_options || self.frames.is_some() {
-            let message = format!("{name}: is a log, which is traced already; expected no options of tracing");
-            return Err(Failure::caller(message));
+            return Err(saved_log::is_traced_already(&opened));
         }
-        let size = opened.size();
-        let input = self.progress.reading(opened.stream(MAX_LOG_BYTES), size);
-        let read = log_file::read_from(input).map_err(|error| saved_log::failure(&name, &error))?;
-        Ok(Walked { name, log: read.log, warning: read.ending.warning(), session: None })
+        let Saved { name, log, warning } = saved_log::read(opened, &self.progress)?;
+        Ok(Walked { name, log, warning, session: None })
     }
 
     /// The log of what is traced now.

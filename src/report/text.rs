@@ -19,7 +19,7 @@ pub fn text_in(language: Language, log: &Log, style: Style) -> String {
         words::frame_in(language, header).into_iter().chain([words::subject_in(language, header)]).collect();
     let subject = subject.join(", ");
     let algorithm = format!("{}, {} {}", header.tracing.algorithm, language.texts().depth, header.tracing.max_depth);
-    let sampling = words::sampling(header).map_or(String::new(), |sampling| format!(" · {sampling}"));
+    let sampling = words::sampling_in(language, header).map_or(String::new(), |sampling| format!(" · {sampling}"));
     let scene = words::plain(&header.scene.name);
     // Writing to a String can't fail.
     let _ = writeln!(out, "{scene} · {subject} · {} · {algorithm}{sampling}", header.arithmetic);

@@ -4,7 +4,9 @@
 use super::Style;
 use super::contributions::{Ended, Origin, Why};
 use super::language::Language;
-use crate::log::{Decision, Event, Header, Log, Name, RayKind, SkipReason, Step, Subject, Tree, Value, What};
+use crate::log::{
+    Decision, Event, Header, Log, Name, Parameter, RayKind, SkipReason, Step, Subject, Tree, Value, What,
+};
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
 pub fn title(log: &Log, tree: &Tree, node: usize) -> String {
@@ -53,9 +55,18 @@ pub fn subject_in(language: Language, header: &Header) -> String {
 
 /// How pixels were sampled, such as `shared: n = 1`; nothing for one ray through the centre.
 pub fn sampling(header: &Header) -> Option<String> {
+    sampling_in(Language::English, header)
+}
+
+/// How pixels were sampled, in a language.
+pub fn sampling_in(language: Language, header: &Header) -> Option<String> {
+    let texts = language.texts();
     let (method, parameters) = header.sampling.iter().find(|(method, _)| *method != "none")?;
-    let parameters: Vec<_> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    Some(format!("{}: {}", plain(method), plain(&parameters.join(", "))))
+    let parameter = |(name, value): (&String, &Parameter)| {
+        format!("{} = {}", (texts.sampling_word)(name), language.parameter(*value))
+    };
+    let parameters: Vec<_> = parameters.iter().map(parameter).collect();
+    Some(format!("{}: {}", plain((texts.sampling_word)(method)), plain(&parameters.join(texts.separator))))
 }
 
 /// Which frame of an animation a log is about, such as `frame 7`; nothing where there is one only.

@@ -118,6 +118,59 @@ fn regions_are_compared_pixel_by_pixel() {
     assert_eq!(diff(&[&ray, &pixel]).1, 0);
 }
 
+/// The log of a tracer that doesn't record a quantity.
+fn without(log: &str, quantity: &str) -> String {
+    log.lines()
+        .filter(|line| !line.contains(&format!("\"note\":\"{quantity}\"")))
+        .map(|line| format!("{line}\n"))
+        .collect()
+}
+
+#[test]
+fn only_what_both_have_is_compared_on_demand() {
+    let folder = Folder::new();
+    let log = folder.textbook("a.ndjson", &[]);
+    let fewer = folder.path("fewer.ndjson");
+    let text = std::fs::read_to_string(&log).expect("the log");
+    std::fs::write(&fewer, without(&text, "hit.point")).expect("written");
+    assert_eq!(diff(&[&log, &fewer]).1, 1);
+    let (out, code) = diff(&[&log, &fewer, "--common"]);
+    // Of 93 two are missing, the points of both rays; three inputs that they are count by themselves now.
+    assert!(code == 0 && out.ends_with("The same: 94 values compared, none differs\n"), "{out}");
+    // What both have still counts.
+    let hand = folder.textbook("hand.ndjson", &["--arithmetic", "decimal:3"]);
+    assert_eq!(diff(&[&hand, &fewer, "--common"]).1, 1);
+    // Of regions, what both show.
+    let region = |name: &str, corners: &str| folder.made(name, &["trace", "textbook", "--region", corners]);
+    let [large, small] = [region("large.ndjson", "158,119,162,121"), region("small.ndjson", "160,119,163,120")];
+    assert_eq!((diff(&[&large, &small]).1, diff(&[&large, &small, "--common"]).1), (1, 0));
+    let away = region("away.ndjson", "10,10,11,11");
+    let answer = raywalk(&["diff", &large, &away, "--common"]).output().expect("it runs");
+    let message = String::from_utf8_lossy(&answer.stderr);
+    assert!(answer.status.code() == Some(2) && message.contains("have no value in common"), "{message}");
+    assert!(!String::from_utf8_lossy(&answer.stdout).contains("The same"));
+}
+
+#[test]
+fn pixels_in_another_order_are_told() {
+    let folder = Folder::new();
+    let log = folder.made("a.ndjson", &["trace", "textbook", "--region", "158,119,160,120"]);
+    let text = std::fs::read_to_string(&log).expect("the log");
+    let lines: Vec<&str> = text.lines().collect();
+    let second = lines.iter().rposition(|line| line.contains("{\"pixel\":[159,119]}")).expect("a pixel");
+    // The header, the second pixel, the first one; no end.
+    let swapped = [&lines[..1], &lines[second..lines.len() - 1], &lines[1..second]].concat().join("\n") + "\n";
+    let other = folder.path("b.ndjson");
+    std::fs::write(&other, swapped).expect("written");
+    let answer = raywalk(&["diff", &log, &other]).output().expect("it runs");
+    let message = String::from_utf8_lossy(&answer.stderr);
+    let expected =
+        "b.ndjson: its pixels don't follow one another row by row, so they can't all be found in the other log";
+    assert!(answer.status.code() == Some(1) && message.contains(expected), "{message}");
+    let same = raywalk(&["diff", &log, &log]).output().expect("it runs");
+    assert_eq!((same.status.code(), &*same.stderr), (Some(0), &b""[..]));
+}
+
 #[test]
 fn what_is_no_log_says_what_would_be_one() {
     let folder = Folder::new();

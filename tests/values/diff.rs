@@ -10,7 +10,7 @@ use raywalk::report::diff::{
 use raywalk::report::side_by_side::Run;
 use raywalk::scene::file::schema::SceneFile;
 
-const EXACT: Tolerance = Tolerance { digits: None, absolute: None, relative: None };
+const EXACT: Tolerance = Tolerance { digits: None, absolute: None, relative: None, is_of_common: false };
 const BY_THREE: Tolerance = Tolerance { digits: Some(3), ..EXACT };
 
 fn textbook(arithmetic: Arithmetic) -> Log {

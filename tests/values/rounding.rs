@@ -4,6 +4,7 @@ use crate::support::{middle, scene, scene_of, snapshots};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::Style;
+use raywalk::report::language::Language;
 use raywalk::scene::{Sampling, Scene};
 use raywalk::study::rounding::{self, Cause, Change, MAX_CAUSES, Rounding, Study};
 
@@ -88,7 +89,7 @@ fn a_ray_tree_that_changes_is_told() {
     let changed = |change: &Change| change.decides_otherwise;
     assert!(changed(&cause(&study, "C", "ray.direction").only));
     assert!(!changed(&cause(&study, "C", "sphere.oc").only));
-    let text = study.text(Style::default());
+    let text = study.text(Language::English, Style::default());
     assert!(text.contains("Rounding changes the ray tree") && text.contains(") *"), "{text}");
 }
 
@@ -96,7 +97,9 @@ fn a_ray_tree_that_changes_is_told() {
 fn the_table() {
     let textbook = scene("textbook");
     let study = study(&textbook, Rounding::Decimal(3));
-    snapshots().bind(|| insta::assert_snapshot!("causes_textbook", study.text(Style::default())));
+    snapshots().bind(|| insta::assert_snapshot!("causes_textbook", study.text(Language::English, Style::default())));
+    snapshots()
+        .bind(|| insta::assert_snapshot!("causes_textbook_es", study.text(Language::Spanish, Style { digits: 2 })));
     let json: serde_json::Value = serde_json::from_str(&study.json()).expect("JSON");
     assert_eq!(json["causes"].as_array().expect("causes").len(), study.causes.len());
     assert_eq!(json["causes"][0]["quantity"], "ray.direction");

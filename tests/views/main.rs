@@ -10,7 +10,8 @@ mod shared;
 mod support;
 
 mod figures;
-mod obj;
+mod lines;
+mod saved;
 mod solutions;
 mod tags;
 mod tools;

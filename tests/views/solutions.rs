@@ -153,7 +153,7 @@ fn digits_are_those_that_are_asked_for() {
 fn a_page_is_of_one_pixel() {
     for format in ["markdown", "latex", "html", "dot", "svg", "mermaid"] {
         let call = ["trace", "textbook", "--region", "0,0,2,2", "--format", format];
-        says(2, &call, &format!("--format {format}: expected --pixel X,Y or --ray, found --region"));
+        says(2, &call, &format!("--format {format}: expected a pixel or a ray, found a region"));
     }
     says(2, &["trace", "textbook", "--pixel", "0,0", "--format", "pdf"], "invalid value 'pdf'");
 }

@@ -32,6 +32,7 @@ impl Diff {
         let mut summary = Summary::default();
         while let Some((pixel, there)) = pairs.next()? {
             let told = match there {
+                There::In(_) if self.common => continue,
                 There::In(side) => {
                     summary.add_alone(side);
                     view.alone(pixel, side)
@@ -44,6 +45,11 @@ impl Diff {
                 }
             };
             output::print(told.as_bytes())?;
+        }
+        // Such logs would always be the same.
+        if self.common && summary.values == 0 {
+            let [a, b] = [&pairs.a.name, &pairs.b.name];
+            return Err(Failure::caller(format!("--common: {a} and {b} have no value in common")));
         }
         output::print(view.end(&summary).as_bytes())?;
         pairs.a.warn();
@@ -63,7 +69,7 @@ impl Diff {
         let tolerance = self.tolerance();
         let (mut walked, mut is_same) = (None::<(Pixel, Log, Log)>, true);
         while let Some((pixel, there)) = pairs.next()? {
-            is_same &= there == There::InBoth;
+            is_same &= self.common || there == There::InBoth;
             if there == There::InBoth {
                 let [tree_a, tree_b] = pairs.trees();
                 let found = diff::compare(pairs.a.run(&tree_a), pairs.b.run(&tree_b), &tolerance);
@@ -120,6 +126,11 @@ struct Pairs {
     is_region: bool,
 }
 
+/// Where a pixel stands among those of a region.
+fn row_by_row([x, y]: [u32; 2]) -> [u32; 2] {
+    [y, x]
+}
+
 /// Which of the logs has a pixel.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum There {
@@ -148,7 +159,7 @@ impl Pairs {
         let pixel = |found: &PixelEvents| found.pixel.filter(|_| is_region);
         let (a, b) = (self.a.next.as_ref().map(pixel), self.b.next.as_ref().map(pixel));
         // Row by row, as the log of a region goes.
-        let place = |pixel: Pixel| pixel.map(|[x, y]| [y, x]);
+        let place = |pixel: Pixel| pixel.map(row_by_row);
         let there = match (a, b) {
             (None, None) => return Ok(None),
             (Some(_), None) => There::In(Side::A),
@@ -182,6 +193,10 @@ struct Source {
     /// Its header, and the events of the current pixel.
     log: Log,
     next: Option<PixelEvents>,
+    /// Where the pixel of `next` stands.
+    last: Option<[u32; 2]>,
+    /// Whether every pixel so far stood after the one before it, row by row.
+    is_in_order: bool,
 }
 
 impl Source {
@@ -190,7 +205,7 @@ impl Source {
         let input: Box<dyn Read> = Box::new(opened.stream(MAX_LOG_BYTES));
         let reader = PixelReader::open(input).map_err(|error| saved_log::failure(&name, &error))?;
         let log = Log { header: reader.header().clone(), events: Vec::new() };
-        let mut source = Source { name, reader, log, next: None };
+        let mut source = Source { name, reader, log, next: None, last: None, is_in_order: true };
         source.advance()?;
         Ok(source)
     }
@@ -206,12 +221,24 @@ impl Source {
     }
 
     fn advance(&mut self) -> Result<(), Failure> {
-        self.next = self.reader.next_pixel().map_err(|error| saved_log::failure(&self.name, &error))?;
+        let next = self.reader.next_pixel().map_err(|error| saved_log::failure(&self.name, &error))?;
+        let place = |pixel: &PixelEvents| pixel.pixel.map(row_by_row);
+        if let (Some(before), Some(next)) = (&self.last, next.as_ref().and_then(place)) {
+            self.is_in_order &= *before < next;
+        }
+        self.last = next.as_ref().and_then(place);
+        self.next = next;
         Ok(())
     }
 
-    /// That a log is damaged or was cut off is told in any case.
+    /// That a log is damaged or was cut off is told in any case, and why pixels may seem to be missing.
     fn warn(&self) {
+        if !self.is_in_order {
+            output::tell(&format!(
+                "warning: {}: its pixels don't follow one another row by row, so they can't all be found in the other log",
+                self.name
+            ));
+        }
         if let Some(warning) = self.reader.ending().and_then(Ending::warning) {
             output::tell(&format!("warning: {}: {warning}", self.name));
         }

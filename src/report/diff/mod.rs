@@ -153,7 +153,7 @@ impl Comparing<'_> {
                 before::differ_as_decisions(a, ours, b, theirs)
             }
             (None, Spot::Both(..)) => false,
-            (None, Spot::OnlyA(_) | Spot::OnlyB(_)) => true,
+            (None, Spot::OnlyA(_) | Spot::OnlyB(_)) => !self.tolerance.is_of_common,
         }
     }
 

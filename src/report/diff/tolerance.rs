@@ -15,6 +15,8 @@ pub struct Tolerance {
     pub absolute: Option<f64>,
     /// The relative tolerance.
     pub relative: Option<f64>,
+    /// Whether what only one log has is let pass, as where one tracer records fewer quantities than the other.
+    pub is_of_common: bool,
 }
 
 /// How far two values are apart.
@@ -40,12 +42,17 @@ impl Tolerance {
         if a == b || (a.is_nan() && b.is_nan()) {
             return false;
         }
-        let distance = (a - b).abs();
-        let exceeds = |tolerance: Option<f64>, scale: f64| {
-            // A distance that is no number is beyond every tolerance.
-            tolerance.is_none_or(|tolerance| distance.is_nan() || distance > tolerance * scale)
+        // Without bounds, or no number: beyond every tolerance.
+        if !a.is_finite() || !b.is_finite() {
+            return true;
+        }
+        // Between finite numbers a quarter of the distance doesn't overflow, nor does such a part of the scale.
+        let exceeds = |tolerance: f64, scale: f64| match scale > f64::MAX / 4.0 {
+            true => (a / 4.0 - b / 4.0).abs() > tolerance * (scale / 4.0),
+            false => (a - b).abs() > tolerance * scale,
         };
-        exceeds(self.absolute, 1.0) && exceeds(self.relative, scale)
+        self.absolute.is_none_or(|tolerance| exceeds(tolerance, 1.0))
+            && self.relative.is_none_or(|tolerance| exceeds(tolerance, scale))
     }
 }
 
@@ -69,8 +76,16 @@ pub fn distance(a: &Value, b: &Value) -> Distance {
     if a.len() != b.len() {
         return Distance { absolute: f64::INFINITY, relative: 2.0 };
     }
-    let absolute = a.iter().zip(b).fold(0.0, |farthest: f64, (a, b)| farthest.max((a - b).abs()));
-    Distance { absolute, relative: if scale > 0.0 { absolute / scale } else { 0.0 } }
+    let farthest =
+        |part: f64| a.iter().zip(b).fold(0.0, |farthest: f64, (a, b)| farthest.max((a * part - b * part).abs()));
+    let absolute = farthest(1.0);
+    let relative = match scale {
+        0.0 => 0.0,
+        // Of numbers so large a quarter doesn't overflow.
+        _ if scale > f64::MAX / 4.0 && scale.is_finite() => farthest(0.25) / (scale / 4.0),
+        _ => absolute / scale,
+    };
+    Distance { absolute, relative }
 }
 
 #[cfg(test)]
@@ -83,7 +98,7 @@ mod tests {
         assert_eq!(tolerance.tells_apart(&Value::Number(b), &Value::Number(a)), expected);
     }
 
-    const EXACT: Tolerance = Tolerance { digits: None, absolute: None, relative: None };
+    const EXACT: Tolerance = Tolerance { digits: None, absolute: None, relative: None, is_of_common: false };
 
     #[test]
     fn without_tolerance_the_last_bit_counts() {
@@ -106,6 +121,25 @@ mod tests {
         differ(both, 0.25, 0.5, false);
         differ(both, 100.0, 99.0, false);
         differ(both, 100.0, 70.0, true);
+    }
+
+    #[test]
+    fn the_largest_numbers_overflow_nothing() {
+        const LARGE: f64 = 1.5e308;
+        let relative = |relative| Tolerance { relative: Some(relative), ..EXACT };
+        differ(relative(1e-6), LARGE, 1.4e308, true);
+        differ(relative(0.1), LARGE, 1.4e308, false);
+        differ(relative(1.5), LARGE, -LARGE, true);
+        differ(relative(2.0), LARGE, -LARGE, false);
+        differ(relative(1e308), LARGE, 1.0, false);
+        differ(relative(2.0), f64::INFINITY, 1.0, true);
+        differ(relative(2.0), f64::INFINITY, f64::NEG_INFINITY, true);
+        differ(relative(2.0), f64::INFINITY, f64::INFINITY, false);
+        let absolute = Tolerance { absolute: Some(1e307), ..EXACT };
+        differ(absolute, LARGE, 1.4e308, false);
+        differ(absolute, LARGE, 1.3e308, true);
+        differ(absolute, LARGE, -LARGE, true);
+        assert_eq!(distance(&Value::Number(LARGE), &Value::Number(-LARGE)).relative, 2.0);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! English.
 
-use super::{Figure, Solution, Texts};
+use super::{Causes, Figure, Solution, Texts};
 use crate::log::{Acceptance, Miss, SkipReason, Skippable, Split};
 
 pub(super) const TEXTS: Texts = Texts {
@@ -9,6 +9,7 @@ pub(super) const TEXTS: Texts = Texts {
     pixel: |[x, y]| format!("pixel {x},{y}"),
     region: |[x0, y0, x1, y1]| format!("region {x0},{y0} to {x1},{y1}"),
     ray_along: |origin, direction| format!("ray from {origin} along {direction}"),
+    sampling_word: |word| word,
     depth: "depth",
     given: "given",
     result: "result",
@@ -107,6 +108,20 @@ pub(super) const TEXTS: Texts = Texts {
         section: |section| format!("section {section} of the source text"),
         open_all: "Open all",
         close_all: "Close all",
+    },
+    causes: Causes {
+        rounded: "rounded",
+        exact: "in f64",
+        off: "off by",
+        expected: "to expect",
+        of_runs: |runs| format!("from {runs} runs that round up or down at random"),
+        other_tree: "Rounding changes the ray tree: what is computed only there isn't listed here.",
+        columns: ["only it rounded", "all but it", "quantity", "where"],
+        idle: |quantities| match quantities {
+            1 => "1 further quantity changes nothing when only it is rounded.".to_owned(),
+            _ => format!("{quantities} further quantities change nothing when only they are rounded."),
+        },
+        star: "*  The ray tree is another than in f64.",
     },
     figure: Figure {
         ray_tree: "Ray tree",

@@ -1,6 +1,6 @@
 //! Spanish, with the terms of the source text.
 
-use super::{Figure, Solution, Texts};
+use super::{Causes, Figure, Solution, Texts};
 use crate::log::{Acceptance, Miss, SkipReason, Skippable, Split};
 
 pub(super) const TEXTS: Texts = Texts {
@@ -9,6 +9,23 @@ pub(super) const TEXTS: Texts = Texts {
     pixel: |[x, y]| format!("píxel {x},{y}"),
     region: |[x0, y0, x1, y1]| format!("región de {x0},{y0} a {x1},{y1}"),
     ray_along: |origin, direction| format!("rayo desde {origin} en la dirección {direction}"),
+    sampling_word: |word| match word {
+        "none" => "ninguno",
+        "regular" => "sobremuestreo regular",
+        "shared" => "sobremuestreo de esquinas compartidas",
+        "adaptive" => "sobremuestreo adaptativo",
+        "stochastic" => "sobremuestreo estocástico",
+        "random" => "sobremuestreo aleatorio",
+        "sobol" => "sobremuestreo de Sobol",
+        "statistical" => "sobremuestreo estadístico",
+        "threshold" => "umbral",
+        "depth" => "profundidad",
+        "confidence" => "confianza",
+        "tolerance" => "tolerancia",
+        "min" => "mínimo",
+        "max" => "máximo",
+        _ => word,
+    },
     depth: "profundidad",
     given: "con",
     result: "resultado",
@@ -111,6 +128,20 @@ pub(super) const TEXTS: Texts = Texts {
         section: |section| format!("sección {section} del texto"),
         open_all: "Abrir todo",
         close_all: "Cerrar todo",
+    },
+    causes: Causes {
+        rounded: "redondeado",
+        exact: "en f64",
+        off: "diferencia",
+        expected: "esperada",
+        of_runs: |runs| format!("de {runs} ejecuciones que redondean hacia arriba o hacia abajo al azar"),
+        other_tree: "El redondeo cambia el árbol de rayos: lo que solo se calcula en él no figura aquí.",
+        columns: ["solo ella redondeada", "todas menos ella", "magnitud", "dónde"],
+        idle: |quantities| match quantities {
+            1 => "Otra magnitud no cambia nada cuando solo se redondea ella.".to_owned(),
+            _ => format!("Otras {quantities} magnitudes no cambian nada cuando solo se redondea una de ellas."),
+        },
+        star: "*  El árbol de rayos es otro que en f64.",
     },
     figure: Figure {
         ray_tree: "Árbol de rayos",

@@ -7,7 +7,7 @@ mod en;
 mod es;
 
 use super::{Style, number};
-use crate::log::{Acceptance, Miss, SkipReason, Skippable, Split, Value};
+use crate::log::{Acceptance, Miss, Parameter, SkipReason, Skippable, Split, Value};
 
 /// The language of a view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,6 +52,11 @@ impl Language {
         }
     }
 
+    /// A parameter of sampling, as exactly as the scene states it.
+    pub fn parameter(self, parameter: Parameter) -> String {
+        self.marked(parameter.to_string())
+    }
+
     /// A part of a whole, such as `12.5 %`.
     pub fn percent(self, share: f64) -> String {
         self.marked(format!("{:.1} %", 100.0 * share + 0.0))
@@ -81,6 +86,8 @@ pub struct Texts {
     pub region: fn([u32; 4]) -> String,
     /// A ray by its origin and direction.
     pub ray_along: OfNames,
+    /// A method of sampling or one of its parameters by its name in scene files; what isn't known stays as it is.
+    pub sampling_word: fn(&str) -> &str,
     /// The depth limit, before its number.
     pub depth: &'static str,
     /// Before inputs, in text.
@@ -196,6 +203,8 @@ pub struct Texts {
 
     /// What a worked solution says beyond that.
     pub solution: Solution,
+    /// What a study of roundings says.
+    pub causes: Causes,
     /// What figures say.
     pub figure: Figure,
 }
@@ -268,6 +277,28 @@ pub struct Solution {
     pub open_all: &'static str,
     /// Closes them.
     pub close_all: &'static str,
+}
+
+/// The texts of a study of roundings.
+pub struct Causes {
+    /// The result of the arithmetic that rounds.
+    pub rounded: &'static str,
+    /// The result in f64.
+    pub exact: &'static str,
+    /// How far the two are apart.
+    pub off: &'static str,
+    /// How far they may be expected to be.
+    pub expected: &'static str,
+    /// From how many runs that is known.
+    pub of_runs: fn(u32) -> String,
+    /// Rounding changes the ray tree.
+    pub other_tree: &'static str,
+    /// The columns: only the quantity rounded, all but it, its name, where it stands.
+    pub columns: [&'static str; 4],
+    /// So many quantities have no effect.
+    pub idle: fn(usize) -> String,
+    /// What the star behind a change means.
+    pub star: &'static str,
 }
 
 /// The texts of figures.

@@ -90,7 +90,7 @@ impl Solution {
         let tracing = &header.tracing;
         let (arithmetic, algorithm) = (words::plain(&header.arithmetic), words::plain(&tracing.algorithm));
         let mut conditions = vec![(texts.solution.conditions)(&arithmetic, &algorithm, tracing.max_depth)];
-        conditions.extend(words::sampling(header).map(|method| (texts.solution.sampled)(&method)));
+        conditions.extend(words::sampling_in(task.language, header).map(|method| (texts.solution.sampled)(&method)));
         let data = Data::of(log, tree);
         let result = tree.own_events(pixel).rev().find_map(|event| match log.events[event].what {
             What::Result { color } => Some((color, event)),

@@ -5,10 +5,9 @@ mod views;
 
 pub use rounded::Rounding;
 
-use crate::log::{Header, Log, Name, Tree, What};
+use crate::log::{Log, Name, Tree, What};
 use crate::probe::{Altered, CutOff, Position, RayTree, Recorder, Silent, until_cut_off};
 use crate::record::{self, Arithmetic, Computation, Part, PartOf};
-use crate::report::words;
 use crate::scene::Scene;
 use rounded::{Rounded, Which};
 
@@ -21,8 +20,8 @@ pub const RUNS: u32 = 100;
 /// The error of a result, and what caused it.
 #[derive(Clone, Debug)]
 pub struct Study {
-    /// What was traced, in which arithmetic.
-    pub header: Header,
+    /// What was traced, in which arithmetic; its events are those of the computation with nothing rounded.
+    pub log: Log,
     /// The result in that arithmetic.
     pub rounded: [f64; 3],
     /// The result in f64.
@@ -42,8 +41,8 @@ pub struct Study {
 pub struct Cause {
     /// The path of the ray around it, such as `C R`.
     pub path: String,
-    /// The node that it belongs to, such as `test sphere`.
-    pub node: String,
+    /// The node that it belongs to.
+    pub node: usize,
     /// The quantity.
     pub name: Name,
     /// Which one of that name in its node, from 1.
@@ -112,7 +111,7 @@ pub fn study(scene: &Scene, part: Part, rounding: Rounding) -> Result<Study, Cut
     causes.sort_by(|one, other| other.only.size().total_cmp(&one.only.size()));
     let (rounded, tree) = experiments.run(Which::All);
     Ok(Study {
-        header: log.header,
+        log,
         rounded,
         exact: experiments.exact,
         spread: experiments.spread(),
@@ -188,7 +187,7 @@ fn occurrences(log: &Log) -> Vec<(Cause, u64)> {
                 let is_same = |before: &usize| matches!(log.events[*before].what, What::Note { name: other, .. } if other == name);
                 let cause = Cause {
                     path: tree.path(node),
-                    node: words::title(log, &tree, node),
+                    node,
                     name,
                     number: tree.own_events_before(node, at).filter(is_same).count() + 1,
                     only: NOTHING,

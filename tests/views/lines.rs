@@ -1,4 +1,4 @@
-//! Rays as lines in space.
+//! Rays as lines in space, as OBJ and as PLY.
 
 use crate::calls::prints;
 use crate::support::snapshots;
@@ -69,4 +69,63 @@ fn of_a_ray_and_of_a_region() {
     for ray in &region.groups[0].1 {
         assert_eq!(region.vertices[ray[0] - 1], [16.0, 2.0, 7.0]);
     }
+}
+
+/// A vertex of a PLY file and its colour.
+type Vertex = ([f64; 3], [u8; 3]);
+
+/// The vertices of a PLY file, and its edges.
+#[track_caller]
+fn read_ply(text: &str) -> (Vec<Vertex>, Vec<[usize; 2]>) {
+    let (header, body) = text.split_once("end_header\n").expect("a header");
+    let count = |element: &str| -> usize {
+        let line = header.lines().find_map(|line| line.strip_prefix("element ")?.strip_prefix(element));
+        line.expect(element).trim().parse().expect(element)
+    };
+    let vertices: Vec<_> = body.lines().take(count("vertex")).map(vertex).collect();
+    let edges = body.lines().skip(count("vertex"));
+    let edges: Vec<[usize; 2]> = edges
+        .map(|line| {
+            let (from, to) = line.split_once(' ').expect(line);
+            [from, to].map(|end| end.parse().expect(line))
+        })
+        .collect();
+    assert_eq!((vertices.len(), edges.len()), (count("vertex"), count("edge")));
+    (vertices, edges)
+}
+
+fn vertex(line: &str) -> Vertex {
+    let words: Vec<&str> = line.split(' ').collect();
+    let [x, y, z, red, green, blue] = words[..] else { panic!("{line}") };
+    ([x, y, z].map(|word| word.parse().expect(line)), [red, green, blue].map(|word| word.parse().expect(line)))
+}
+
+#[test]
+fn both_formats_have_the_same_lines() {
+    let calls: [&[&str]; 3] = [
+        &["trace", "figure-6", "--pixel", "160,120"],
+        &["trace", "textbook", "--region", "160,120,162,122"],
+        &["trace", "textbook", "--ray", "0,0,0,-3,0,-4"],
+    ];
+    for call in calls {
+        let obj = read(&prints(&[call, &["--format", "obj"]].concat()));
+        let text = prints(&[call, &["--format", "ply"]].concat());
+        let (vertices, edges) = read_ply(&text);
+        assert_eq!(vertices.iter().map(|(place, _)| *place).collect::<Vec<_>>(), obj.vertices);
+        let lines = obj.groups.iter().flat_map(|(_, lines)| lines);
+        assert_eq!(edges, lines.map(|[from, to]| [from - 1, to - 1]).collect::<Vec<_>>());
+        // A kind has a colour, which the header names.
+        for (name, rays) in &obj.groups {
+            for end in rays.iter().flatten() {
+                let [red, green, blue] = vertices[end - 1].1;
+                assert!(text.contains(&format!("comment color {red} {green} {blue}: {name}\n")), "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_numeric_example_as_ply() {
+    let text = prints(&["trace", "textbook", "--pixel", "160,120", "--arithmetic", "decimal:3", "--format", "ply"]);
+    snapshots().bind(|| assert_snapshot!("rays_textbook_ply", text));
 }

@@ -1,0 +1,26 @@
+//! Views of a log that was saved.
+
+use super::{Subject, Trace, TraceFormat};
+use crate::cli::failure::Failure;
+use crate::cli::options::TracingOptions;
+use crate::cli::output::{self, Output};
+use crate::cli::saved_log;
+use raywalk::log;
+use raywalk::scene::file::Opened;
+
+impl Trace {
+    /// Writes a saved log in another format, or as another file.
+    pub(super) fn of_log(&self, opened: Opened) -> Result<(), Failure> {
+        let has_subject = self.region.is_some() || self.subject != Subject::default();
+        if has_subject || self.causes || self.frames.is_some() || self.tracing != TracingOptions::default() {
+            return Err(saved_log::is_traced_already(&opened));
+        }
+        let saved = saved_log::read(opened, &self.progress)?;
+        self.check_format(matches!(saved.log.header.subject, log::Subject::Region(_)))?;
+        let output = Output::create(self.output.as_deref(), std::slice::from_ref(&self.scene))?;
+        if let Some(warning) = &saved.warning {
+            output::tell(&format!("warning: {}: {warning}", saved.name));
+        }
+        output.commit(&self.view(None, &saved.log, self.format.unwrap_or(TraceFormat::Ndjson))?)
+    }
+}

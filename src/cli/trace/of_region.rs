@@ -1,0 +1,77 @@
+//! The log of a region.
+
+use super::{Trace, TraceFormat, not_printed, too_long};
+use crate::cli::failure::Failure;
+use crate::cli::options::{region_in, warning_of_sampling};
+use crate::cli::output::{self, Output};
+use crate::cli::region::Traced;
+use raywalk::log::{Header, Log, Subject};
+use raywalk::probe::CutOff;
+use raywalk::record::{self, Arithmetic, MAX_EVENTS};
+use raywalk::render;
+use raywalk::report::lines;
+use raywalk::report::segments::Segment;
+use raywalk::scene::Scene;
+use raywalk::scene::file::visible;
+use std::io;
+
+impl Trace {
+    /// The log of a region: in NDJSON as it grows, otherwise of at most so many events as memory holds.
+    pub(super) fn of_region(&self, scene: &Scene, region: [u32; 4], output: Output) -> Result<(), Failure> {
+        let arithmetic = self.tracing.arithmetic;
+        let region = region_in(scene, "--region", region)?;
+        if self.causes {
+            return Err(Failure::caller("--causes: expected --pixel or --ray, found --region"));
+        }
+        if arithmetic == Arithmetic::Printed {
+            return Err(not_printed());
+        }
+        if let (false, Some(warning)) = (self.progress.quiet, warning_of_sampling(scene)) {
+            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+        }
+        if let Some(write) = self.format.and_then(TraceFormat::lines) {
+            let header = record::header(scene, Subject::Region(region), arithmetic);
+            return output.commit(write(&header, &self.rays_of(scene, &header, region)?).as_bytes());
+        }
+        if let Some(format) = self.format.filter(|format| *format != TraceFormat::Ndjson) {
+            let log = record::region::bounded(scene, region, arithmetic).map_err(|why| too_long(why, arithmetic))?;
+            return output.commit(&self.view(Some(scene), &log, format)?);
+        }
+        let threads = render::threads(self.tracing.threads.into());
+        let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
+        let [left, top, right, bottom] = region;
+        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
+        let written =
+            output.stream(|out| Traced { scene, region, arithmetic }.write(&threads, out, || progress.advance(1)));
+        progress.finish();
+        written
+    }
+
+    /// The rays of a region as lines in space; of each pixel's log only they are kept.
+    fn rays_of(&self, scene: &Scene, header: &Header, region: [u32; 4]) -> Result<Vec<Segment>, Failure> {
+        let arithmetic = self.tracing.arithmetic;
+        let threads = render::threads(self.tracing.threads.into());
+        let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
+        let make = |pixel| {
+            let events = record::region::of_pixel(scene, pixel, arithmetic, MAX_EVENTS)?;
+            Ok(lines::rays(&Log { header: header.clone(), events }))
+        };
+        let mut rays = Vec::new();
+        let mut cut_off = None;
+        let kept = record::region::in_order(region, &threads, make, |_, made: Result<Vec<_>, CutOff>| match made {
+            Ok(made) => {
+                rays.extend(made);
+                Ok(())
+            }
+            Err(why) => {
+                cut_off = Some(why);
+                Err(io::ErrorKind::Other.into())
+            }
+        });
+        match (cut_off, kept) {
+            (Some(why), _) => Err(too_long(why, arithmetic)),
+            (None, Err(error)) => Err(Failure::machine(error.to_string())),
+            (None, Ok(())) => Ok(rays),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! The Polygon File Format (PLY), as text.
+
+use super::{far, grouped, number};
+use crate::log::Header;
+use crate::log::escape::visible;
+use crate::report::escape::line;
+use crate::report::segments::Segment;
+use std::fmt::Write;
+
+/// Rays, of one pixel or many, as edges between vertices that have the colour of their kind; those that meet nothing have a length
+/// that the file states.
+pub fn ply(header: &Header, rays: &[Segment]) -> String {
+    let far = far(rays);
+    let mut out = String::new();
+    line!(out, "ply");
+    line!(out, "format ascii 1.0");
+    line!(out, "comment rays of {}, traced by raywalk {}", visible(&header.scene.name), visible(&header.version));
+    line!(out, "comment rays that meet nothing are drawn {} long", number(far));
+    for (group, _) in grouped(rays) {
+        let [red, green, blue] = group.color();
+        line!(out, "comment color {red} {green} {blue}: {}", group.name());
+    }
+    line!(out, "element vertex {}", 2 * rays.len());
+    ["x", "y", "z"].iter().for_each(|axis| line!(out, "property double {axis}"));
+    ["red", "green", "blue"].iter().for_each(|channel| line!(out, "property uchar {channel}"));
+    line!(out, "element edge {}", rays.len());
+    line!(out, "property int vertex1");
+    line!(out, "property int vertex2");
+    line!(out, "end_header");
+    for (group, rays) in grouped(rays) {
+        let [red, green, blue] = group.color();
+        for [x, y, z] in rays.iter().flat_map(|ray| [ray.from, ray.end(far)]) {
+            line!(out, "{} {} {} {red} {green} {blue}", number(x), number(y), number(z));
+        }
+    }
+    for ray in 0..rays.len() {
+        line!(out, "{} {}", 2 * ray, 2 * ray + 1);
+    }
+    out
+}
