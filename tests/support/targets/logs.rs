@@ -9,7 +9,7 @@ use raywalk::report::ray_tree::{self, Figure};
 use raywalk::report::schematic::Stage;
 use raywalk::report::side_by_side::Run;
 use raywalk::report::solution::{self, Task};
-use raywalk::report::{Style, contributions, obj, outline, provenance, segments, text};
+use raywalk::report::{Style, contributions, lines, outline, provenance, segments, text};
 use raywalk::tui::{self, Options, Palette, Theme};
 
 /// A log as lines or as a document.
@@ -59,7 +59,9 @@ fn is_seen(log: &Log) {
         is_text(&text::text_in(language, log, style));
     }
     is_text(&outline::outline(log, style));
-    is_text(&obj::obj(log));
+    let drawn = lines::rays(log);
+    is_text(&lines::obj(&log.header, &drawn));
+    is_text(&lines::ply(&log.header, &drawn));
     let rays = ray_tree::branches(log, &tree, 0);
     let calls = ray_tree::calls(log, &tree, rays.clone());
     for branches in [&rays, &calls] {
