@@ -5,14 +5,19 @@
 
 #![cfg(unix)]
 
+#[path = "../support/mutator.rs"]
+mod mutator;
 #[path = "../support/shared.rs"]
 mod shared;
+#[path = "../support/targets/mod.rs"]
+mod targets;
 
 mod run;
 mod scenes;
 
 mod catalogue;
 
+mod corpus;
 mod logs;
 mod machine;
 mod meshes;

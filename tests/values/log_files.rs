@@ -69,6 +69,40 @@ fn what_stands_after_the_end_is_said() {
 }
 
 #[test]
+fn what_stands_after_a_document_is_said() {
+    let document = to_json(&textbook_log()).expect("memory");
+    assert_eq!(read(&[&document[..], b" \n"].concat()).expect("a log").ending, Ending::Complete);
+    for behind in [&b"{}"[..], b"]", b"\0"] {
+        let found = read(&[&document[..], behind].concat()).expect("a log");
+        assert_eq!(found.log, textbook_log());
+        assert_eq!(found.ending, Ending::Mismatch { what: "other text stands after the document".into() });
+    }
+}
+
+/// Logs that no raywalk wrote, as other programs may: nodes are left that weren't entered, pixels open while nodes are.
+#[test]
+fn nodes_that_do_not_match_are_written_and_read_back() {
+    let lines = String::from_utf8(to_ndjson(&textbook_log()).expect("memory")).expect("UTF-8");
+    let header = lines.lines().next().expect("a header");
+    let enter = |number: u32| format!(r#"{{"at":{number},"node":{number},"enter":{{"combine":{{}}}}}}"#);
+    let pixel = r#"{"at":0,"node":0,"enter":{"pixel":[1,2]},"parent":7}"#.to_owned();
+    let leave = r#"{"at":9,"node":9,"leave":{}}"#.to_owned();
+    let logs = [
+        vec![leave.clone(), enter(1), leave.clone(), leave.clone(), leave.clone(), enter(2)],
+        vec![pixel.clone(), enter(1), enter(2), pixel.clone(), leave.clone(), leave.clone(), pixel.clone()],
+    ];
+    for events in logs {
+        let text = format!("{header}\n{}\n", events.join("\n"));
+        let log = read(text.as_bytes()).expect("a log").log;
+        assert_eq!(log.events.len(), events.len());
+        for written in [to_ndjson(&log).expect("memory"), to_json(&log).expect("memory")] {
+            let again = read(&written).expect("a log");
+            assert_eq!((again.ending, &again.log), (Ending::Complete, &log), "{}", String::from_utf8_lossy(&written));
+        }
+    }
+}
+
+#[test]
 fn names_are_escaped() {
     let text = scene_text_with_names("a \\\"quoted\\\" \\\\ name", "lámpara");
     let scene = scene_of(text.as_bytes(), "names");

@@ -61,6 +61,7 @@ fn parse(bytes: &[u8]) -> Result<ReadLog, LogError> {
     let log = Log { events: reader.events, header: document.header };
     // The digest is that of the same log as lines.
     let ending = match document.end {
+        _ if json.end().is_err() => Ending::Mismatch { what: "other text stands after the document".into() },
         None => Ending::Missing { incomplete_record: false },
         Some(end) => {
             let lines = super::to_ndjson(&log)?;

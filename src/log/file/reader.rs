@@ -34,7 +34,10 @@ impl Reader {
         let at = line.at.ok_or_else(|| missing("at"))?;
         let node = line.node.ok_or_else(|| missing("node"))?;
         let what = if let Some(enter) = line.enter {
-            What::Enter { parent: line.parent, step: self.step(enter).map_err(damaged)? }
+            let step = self.step(enter).map_err(damaged)?;
+            // Nothing is around a pixel, whatever its line says.
+            let parent = if matches!(step, Step::Pixel(_)) { 0 } else { line.parent };
+            What::Enter { parent, step }
         } else if let Some(key) = line.note {
             let name = Name::find(&key, &line.form).ok_or_else(|| damaged(unknown("quantity", &key)))?;
             What::Note { name, value: line.value.ok_or_else(|| missing("value"))? }

@@ -111,17 +111,20 @@ pub fn to_json(log: &Log) -> io::Result<Vec<u8>> {
     for event in &log.events {
         // Pixels of a region log are opened but never left: the next one ends it.
         if matches!(event.what, What::Enter { step: Step::Pixel(_), .. }) && !paths.is_empty() {
-            out.extend_from_slice(b"]}");
+            // In a log that was cut off nodes inside it may be open, too.
+            out.extend(b"]}".repeat(paths.len()));
             paths.clear();
             first_child = false;
         }
+        let is_inside = !paths.is_empty();
         out.extend_from_slice(if first_child { b"\n" } else { b",\n" });
         out.resize(out.len() + paths.len() + 1, b' ');
         event_fields(&mut out, &log.header, event, &mut paths);
         first_child = matches!(event.what, What::Enter { .. });
         match event.what {
             What::Enter { .. } => out.extend_from_slice(b",\"children\":["),
-            What::Leave => out.extend_from_slice(b"}]}"),
+            // A log from elsewhere may leave what it didn't enter.
+            What::Leave if is_inside => out.extend_from_slice(b"}]}"),
             _ => out.push(b'}'),
         }
     }

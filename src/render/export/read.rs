@@ -42,6 +42,14 @@ pub enum PictureError {
         /// As many are.
         found: u64,
     },
+    /// A level is above the highest that its header allows: its colour would be beyond white.
+    #[error("the picture is damaged: its highest level is {highest}, found {found}")]
+    Level {
+        /// The highest that may be.
+        highest: u16,
+        /// The first above it.
+        found: u16,
+    },
     /// An OpenEXR file that can't be decoded.
     #[error("the picture is damaged: {0}")]
     Exr(::exr::error::Error),
@@ -145,9 +153,12 @@ fn ppm(bytes: &[u8]) -> Result<Picture, PictureError> {
     let each = if highest > 255 { 2 } else { 1 };
     check_length(body, [width, height], 3 * each)?;
     let levels = match each {
-        1 => body.iter().map(|level| u16::from(*level)).collect(),
+        1 => body.iter().map(|level| u16::from(*level)).collect::<Vec<_>>(),
         _ => body.as_chunks().0.iter().map(|level| u16::from_be_bytes(*level)).collect(),
     };
+    if let Some(found) = levels.iter().copied().find(|level| *level > highest) {
+        return Err(PictureError::Level { highest, found });
+    }
     Ok(Picture { width, height, samples: Samples::Levels { levels, highest } })
 }
 

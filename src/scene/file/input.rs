@@ -76,8 +76,12 @@ impl Wanted {
         self.begin(file, metadata.len(), name)
     }
 
-    /// Looks at the beginning, which tells what it is.
-    fn begin(self, mut input: impl Read + 'static, size: u64, name: String) -> Result<Opened, SceneError> {
+    /// Begins to read such a file of `size` bytes (0 where nobody knows) from anywhere: looks at the beginning, which tells what it
+    /// is.
+    ///
+    /// # Errors
+    /// Those of [`Wanted::open`].
+    pub fn begin(self, mut input: impl Read + 'static, size: u64, name: String) -> Result<Opened, SceneError> {
         let mut beginning = Vec::new();
         let read = input.by_ref().take(BEGINNING).read_to_end(&mut beginning);
         read.map_err(|error| self.failure(&name, error))?;
