@@ -55,7 +55,7 @@ says causes.txt 'off by       (+1.080, +0.640, +0.540)'
 
 # 5 A scene of one's own
 raywalk scene check ball.json > check.txt 2> warnings.txt
-says check.txt 'ball: ok, 2 objects, 1 lights, 2 materials'
+says check.txt 'ball: ok, 2 objects, 1 light, 2 materials'
 says warnings.txt 'lights[0]: stands outside the field of view, which it lights all the same'
 sed 's/"center"/"centre"/; s/"radius": 1}/"radius": -1}/' ball.json > typos.json
 ends_with 2 raywalk scene check typos.json 2> typos.txt
@@ -68,7 +68,7 @@ done
 
 # 6 Something is wrong
 raywalk scene check wrong-bubble.json > check.txt 2> /dev/null
-says check.txt 'wrong-bubble: ok, 4 objects, 1 lights, 4 materials'
+says check.txt 'wrong-bubble: ok, 4 objects, 1 light, 4 materials'
 raywalk trace wrong-bubble.json --pixel 93,40 -o wrong.ndjson
 raywalk trace wrong.ndjson --format text > wrong.txt
 says wrong.txt 'given η_1 = 1.500, η_2 = 0.667'

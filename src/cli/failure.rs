@@ -18,6 +18,11 @@ pub const INTERRUPTED: u8 = 130;
 /// Terminated (SIGTERM).
 pub const TERMINATED: u8 = 143;
 
+/// A path as messages show it: whatever its name has in it, it is text.
+pub fn shown(path: &Path) -> String {
+    visible(&path.to_string_lossy()).into_owned()
+}
+
 /// Why a command ends early.
 #[derive(Debug)]
 pub struct Failure {
@@ -49,8 +54,7 @@ impl Failure {
 
     /// A file that can't be read or written.
     pub fn io(path: &Path, doing: &str, error: &io::Error) -> Failure {
-        let path = path.to_string_lossy();
-        Failure::machine(format!("{}: cannot {doing}: {error}", visible(&path)))
+        Failure::machine(format!("{}: cannot {doing}: {error}", shown(path)))
     }
 
     /// Writing to standard output. A closed pipe ends the program quietly.

@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::scene_argument::Loaded;
 use raywalk::scene::file::schema::SceneFile;
+use raywalk::scene::file::visible;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -49,7 +50,7 @@ pub fn frames(scene: &SceneFile, wanted: Option<FrameRange>, path: &Path) -> Res
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if first < last && !name.contains('#') {
         let expected = "expected #### in the name of the picture for the frame's number";
-        return Err(Failure::caller(format!("{option}: {expected}, found {name}")));
+        return Err(Failure::caller(format!("{option}: {expected}, found {}", visible(&name))));
     }
     let path = |number: u32| path.with_file_name(numbered(&name, number));
     let frame = |number: u32| Frame { number, is_first: number == first, path: path(number) };
@@ -92,7 +93,7 @@ pub fn at(mut loaded: Loaded, frame: u32) -> Loaded {
 }
 
 /// The first run of `#` in a name as a number of as many digits at least.
-fn numbered(name: &str, number: u32) -> String {
+pub fn numbered(name: &str, number: u32) -> String {
     let Some(start) = name.find('#') else { return name.to_owned() };
     let rest = name[start..].trim_start_matches('#');
     let width = name.len() - start - rest.len();

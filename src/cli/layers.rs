@@ -1,10 +1,9 @@
 //! `render --layers`: what pixels cost and what they see, in the picture's own file or beside it.
 
-use super::failure::Failure;
+use super::failure::{Failure, shown};
 use super::output::Output;
 use raywalk::render::export::{self, Encoded, Format};
 use raywalk::render::layers::{Layer, Layered, false_colors};
-use raywalk::scene::Scene;
 use std::path::{Path, PathBuf};
 
 /// The layers that are wanted, each once, in the order of the list.
@@ -34,27 +33,39 @@ impl std::str::FromStr for Layers {
 }
 
 impl Layers {
+    /// Those with these names, as a part has them; `None` if there is one that isn't known or is there twice.
+    pub fn named(names: &[String]) -> Option<Layers> {
+        if names.is_empty() { Some(Layers(Vec::new())) } else { names.join(",").parse().ok() }
+    }
+
+    /// Their names.
+    pub fn names(&self) -> Vec<String> {
+        self.0.iter().map(|layer| layer.word().to_owned()).collect()
+    }
+
     /// Refuses formats that have no place for layers.
     pub fn check(&self, format: Format) -> Result<(), Failure> {
         match format {
             Format::Exr | Format::Png8 | Format::Png16 => Ok(()),
             Format::Ppm | Format::Pfm => {
-                Err(Failure::caller("render: --layers: expected a picture in .exr, which holds them, or in .png"))
+                Err(Failure::caller("layers: expected a picture in .exr, which holds them, or in .png"))
             }
         }
     }
 
     /// The files for them beside a picture; none where the picture's file holds them.
     pub fn files(&self, picture: &Path, format: Format, inputs: &[PathBuf]) -> Result<Files, Failure> {
-        if format == Format::Exr {
-            return Ok(Files(Vec::new()));
-        }
-        let file = |layer: &Layer| {
-            let path = picture.with_extension(format!("{}.png", layer.word()));
+        let file = |(layer, path): (&Layer, PathBuf)| {
             let output = Output::create(Some(&path), inputs)?;
             Ok((*layer, path, output))
         };
-        self.0.iter().map(file).collect::<Result<_, Failure>>().map(Files)
+        self.0.iter().zip(self.paths(picture, format)).map(file).collect::<Result<_, Failure>>().map(Files)
+    }
+
+    /// Where they stand beside a picture; nowhere if the picture's file holds them.
+    pub fn paths(&self, picture: &Path, format: Format) -> Vec<PathBuf> {
+        let path = |layer: &Layer| picture.with_extension(format!("{}.png", layer.word()));
+        if format == Format::Exr { Vec::new() } else { self.0.iter().map(path).collect() }
     }
 
     /// The bytes of an OpenEXR file with them.
@@ -65,13 +76,16 @@ impl Layers {
 }
 
 impl Files {
-    /// Writes each layer in false colours.
-    pub fn write(self, layered: &Layered, scene: &Scene) -> Result<(), Failure> {
-        let names: Vec<String> = scene.objects.iter().map(|object| object.name.clone()).collect();
+    /// No layers.
+    pub fn none() -> Files {
+        Files(Vec::new())
+    }
+
+    /// Writes each layer in false colours; a legend names the objects of the scene.
+    pub fn write(self, layered: &Layered, objects: &[String]) -> Result<(), Failure> {
         for (layer, path, output) in self.0 {
-            let bytes = false_colors(layered, layer, &names);
-            let bytes =
-                bytes.map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", path.display())))?;
+            let bytes = false_colors(layered, layer, objects);
+            let bytes = bytes.map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", shown(&path))))?;
             output.commit(&bytes)?;
         }
         Ok(())

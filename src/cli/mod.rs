@@ -7,8 +7,11 @@ mod failure;
 mod frames;
 mod layers;
 mod live;
+mod merge;
 mod options;
 mod output;
+mod packaging;
+mod picture;
 mod progress;
 mod rays;
 mod region;
@@ -49,10 +52,12 @@ struct Cli {
 enum Command {
     /// Walk through a pixel, a ray or a saved log in the terminal
     Walk(walk::Walk),
-    /// Write the log of a pixel or a ray
+    /// Write the log of a pixel, a ray or a region, or a view of one
     Trace(trace::Trace),
     /// Render a picture
     Render(render::Render),
+    /// Join the parts that shards rendered, or the logs that they traced
+    Merge(merge::Merge),
     /// Compare two logs or two pictures
     Diff(diff::Diff),
     /// Answer ray queries from standard input
@@ -67,6 +72,10 @@ enum Command {
     /// Check, show, convert or list scenes
     #[command(subcommand)]
     Scene(scene::SceneCommand),
+    /// Print what a shell needs to complete commands and options
+    Completions(packaging::Completions),
+    /// Print the manual page, or write those of all commands into a folder
+    Man(packaging::Manual),
 }
 
 /// Runs the command line; gives the exit code of the process.
@@ -83,6 +92,7 @@ pub fn run() -> ExitCode {
         Some(Command::Walk(walk)) => walk.run(colors, signals),
         Some(Command::Trace(trace)) => trace.run(colors),
         Some(Command::Render(render)) => render.run(colors),
+        Some(Command::Merge(merge)) => merge.run(colors),
         Some(Command::Diff(diff)) => match diff.run(colors, signals) {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
@@ -98,6 +108,8 @@ pub fn run() -> ExitCode {
         },
         Some(Command::Bench(bench)) => bench.run(colors),
         Some(Command::Scene(command)) => command.run(colors),
+        Some(Command::Completions(completions)) => completions.run(),
+        Some(Command::Man(manual)) => manual.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,6 +1,6 @@
 //! Where results go: standard output, or a file that is there whole or not at all.
 
-use super::failure::Failure;
+use super::failure::{Failure, shown};
 use super::{signals, zstd};
 use flate2::Compression;
 use flate2::write::GzEncoder;
@@ -38,11 +38,11 @@ impl Output {
             Err(error) => return Err(cannot_write(&error)),
         };
         if metadata.as_ref().is_some_and(fs::Metadata::is_dir) {
-            let path = path.display();
+            let path = shown(path);
             return Err(Failure::caller(format!("{path}: is a directory, expected the name of a file")));
         }
         if metadata.is_some() && inputs.iter().any(|input| is_same(path, input.as_ref())) {
-            return Err(Failure::caller(format!("{}: is the input, which would be overwritten", path.display())));
+            return Err(Failure::caller(format!("{}: is the input, which would be overwritten", shown(path))));
         }
         if metadata.as_ref().is_some_and(|metadata| !metadata.is_file()) {
             let file = fs::OpenOptions::new().write(true).open(path).map_err(|error| cannot_write(&error))?;
@@ -64,6 +64,11 @@ impl Output {
         let begun = signals::unfinished(|| builder.tempfile_in(folder));
         let file = begun.map_err(|error| cannot_write(&plain(error)))?;
         Ok(Output::File { file, place, named: path.to_owned() })
+    }
+
+    /// Whether it is a file, and neither standard output nor a device.
+    pub fn is_file(&self) -> bool {
+        matches!(self, Output::File { .. })
     }
 
     /// Writes the whole result.

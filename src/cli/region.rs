@@ -1,8 +1,8 @@
 //! The log of a region, written as it grows: threads make the lines of pixels, which are written in order.
 
 use super::output::Sink;
-use raywalk::log::Header;
 use raywalk::log::file::{Lines, Writer};
+use raywalk::log::{Header, Shard, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::region::{self, Region};
 use raywalk::record::{self, Arithmetic, MAX_EVENTS, Part};
@@ -18,6 +18,8 @@ pub struct Traced<'s> {
     pub region: Region,
     /// In which arithmetic.
     pub arithmetic: Arithmetic,
+    /// Which part of the region, if it is not all of it.
+    pub shard: Option<Shard>,
 }
 
 /// The most text that waits to be written: a pixel with more than there is room for is traced where it is written.
@@ -32,13 +34,24 @@ enum Made<'h> {
 }
 
 impl Traced<'_> {
+    /// What the log says about itself.
+    pub fn header(&self) -> Header {
+        let header = record::header(self.scene, Subject::Region(self.region), self.arithmetic);
+        Header { shard: self.shard, ..header }
+    }
+
+    /// Its pixels.
+    pub fn pixels(&self) -> impl Iterator<Item = [u32; 2]> + use<> {
+        region::pixels_of(self.region, self.shard.unwrap_or(Shard::WHOLE))
+    }
+
     /// Writes the log; `advance` is told of each pixel.
     pub fn write(&self, threads: &rayon::ThreadPool, out: &mut Sink, advance: impl Fn()) -> io::Result<()> {
-        let header = record::header(self.scene, raywalk::log::Subject::Region(self.region), self.arithmetic);
+        let header = self.header();
         let mut writer = Writer::new(out, &header)?;
         let waiting = AtomicUsize::new(0);
         let make = |pixel| self.lines(&header, pixel, &waiting);
-        region::in_order(self.region, threads, make, |pixel, made| {
+        region::in_order(self.pixels(), threads, make, |pixel, made| {
             match made {
                 Made::Lines(lines) => {
                     writer.append(&lines)?;

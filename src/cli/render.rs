@@ -1,23 +1,30 @@
 //! `raywalk render`: all pixels, on all cores.
 
+mod checkpoint;
+mod parts;
+
+pub use parts::MAX_PART_BYTES;
+
 use super::bench::peak_bytes;
 use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
-use super::layers::{self, Layers};
+use super::layers::Layers;
 use super::options::{ColorChoice, TracingOptions, numbers, region_in, warning_of_sampling};
-use super::output::{self, Output};
+use super::output;
+use super::picture::{Place, Rendered, Shown, format_of};
 use super::progress::ProgressOptions;
 use super::scene_argument::{self, Loaded};
 use clap::{Args, ValueEnum};
+use raywalk::log::Shard;
 use raywalk::record::Arithmetic;
-use raywalk::render::digits::{Summary, false_colors, render_digits};
-use raywalk::render::export::{self, EncodeError, Encoded, Format};
+use raywalk::render::digits::render_digits;
+use raywalk::render::export::Format;
 use raywalk::render::layers::render_layers;
 use raywalk::render::statistics::{Seconds, Statistics};
-use raywalk::render::{Film, Rendered, Settings, TileOrder, render};
+use raywalk::render::{Counter, RenderError, Settings, TileOrder, render};
+use raywalk::scene::Scene;
 use raywalk::scene::file::visible;
-use raywalk::scene::{self, Scene};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
@@ -26,7 +33,7 @@ use std::time::Instant;
 pub struct Render {
     /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
-    /// The picture: .png, .ppm, .pfm or .exr by its ending
+    /// The picture: .png, .ppm, .pfm or .exr by its ending; with --shard a part for `raywalk merge`, whatever its ending
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     /// Only a part: left, top, right and bottom in pixels, the last two exclusive
@@ -45,6 +52,13 @@ pub struct Render {
     /// The frames of an animation, the last inclusive; #### in the picture's name becomes the frame's number
     #[arg(long, value_name = "A-B")]
     frames: Option<FrameRange>,
+    /// Render only the I-th of N shards into a part, from which `raywalk merge` makes the picture together with the others; one that
+    /// is there already and whole isn't rendered again
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
+    /// Keep what is rendered in FILE.checkpoint until the picture is there, and go on from there if the same call was ended early
+    #[arg(long, conflicts_with = "stats")]
+    resume: bool,
     /// Write PNG with 16 bits a channel
     #[arg(long)]
     png16: bool,
@@ -65,11 +79,41 @@ enum StatsFormat {
     Json,
 }
 
+/// What is rendered: a scene with all options, and the files that no result may overwrite.
+struct Task {
+    scene: Scene,
+    settings: Settings,
+    inputs: Vec<PathBuf>,
+    /// Where it goes.
+    path: PathBuf,
+}
+
 impl Render {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        self.check()?;
+        let load = Instant::now();
+        let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
+        let load = load.elapsed().as_secs_f64();
+        let mut frames = frames::frames(&loaded.scene, self.frames, &self.output)?;
+        let last = frames.pop();
+        // Those of finished frames stay until all are: a picture alone doesn't say of what it is.
+        let mut finished = Vec::new();
+        for frame in frames {
+            let seconds = Seconds { load, ..Seconds::default() };
+            finished.extend(self.render_frame(loaded.clone(), &frame, seconds)?);
+        }
+        if let Some(last) = last {
+            let seconds = Seconds { load, ..Seconds::default() };
+            finished.extend(self.render_frame(loaded, &last, seconds)?);
+        }
+        finished.iter().try_for_each(|path| checkpoint::remove(path))
+    }
+
+    /// Refuses what can't be done before anything is read.
+    fn check(&self) -> Result<(), Failure> {
         let format = self.format()?;
-        if let Some(layers) = &self.layers {
+        if let (Some(layers), Some(format)) = (&self.layers, format) {
             layers.check(format)?;
         }
         if self.tracing.arithmetic == Arithmetic::Printed {
@@ -77,21 +121,11 @@ impl Render {
                 "render: --arithmetic printed is for the walk of the numeric example's one pixel",
             ));
         }
-        // Before anything is read.
-        self.digits_seed()?;
-        let load = Instant::now();
-        let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
-        let load = load.elapsed().as_secs_f64();
-        let mut frames = frames::frames(&loaded.scene, self.frames, &self.output)?;
-        let last = frames.pop();
-        for frame in frames {
-            self.render_frame(loaded.clone(), &frame, format, Seconds { load, ..Seconds::default() })?;
-        }
-        last.map_or(Ok(()), |last| self.render_frame(loaded, &last, format, Seconds { load, ..Seconds::default() }))
+        self.digits_seed().map(|_| ())
     }
 
-    /// Renders one frame into its file.
-    fn render_frame(&self, loaded: Loaded, frame: &Frame, format: Format, mut seconds: Seconds) -> Result<(), Failure> {
+    /// Renders one frame into its file; gives the path of a finished picture's checkpoint.
+    fn render_frame(&self, loaded: Loaded, frame: &Frame, mut seconds: Seconds) -> Result<Option<PathBuf>, Failure> {
         let inputs = loaded.inputs(&self.scene);
         let build = Instant::now();
         let scene = self.tracing.apply(frames::at(loaded, frame.number))?;
@@ -106,84 +140,61 @@ impl Render {
             counts_rays: self.stats.is_some(),
             order: TileOrder::Rows,
         };
-        let output = Output::create(Some(&frame.path), &inputs)?;
-        if let Some(layers) = &self.layers {
-            let files = layers.files(&frame.path, format, &inputs)?;
-            return self.render_layers(layers, &scene, &settings, (&frame.path, format), (output, files));
+        let task = Task { scene, settings, inputs, path: frame.path.clone() };
+        match self.format()? {
+            Some(format) if !self.resume => self.whole_picture(&task, format, seconds).map(|()| None),
+            Some(format) => self.resumed_picture(&task, format).map(Some),
+            None => self.part(&task, seconds).map(|()| None),
         }
+    }
+
+    /// Renders a picture in one go.
+    fn whole_picture(&self, task: &Task, format: Format, mut seconds: Seconds) -> Result<(), Failure> {
+        let place = self.place(task, format)?;
         let start = Instant::now();
-        let rendered = self.picture(&scene, &settings)?;
+        let (rendered, counts) = self.rendered(task)?;
         seconds.render = start.elapsed().as_secs_f64();
-        let clipped_pixels = self.save(&rendered.film, &scene, (&frame.path, format), output)?;
-        match (self.stats, rendered.counts) {
-            (Some(stats), Some(counts)) => {
-                let share = scene.sampling.largest_share();
-                print_statistics(
-                    &counts.statistics_of(share, clipped_pixels, seconds, peak_bytes().unwrap_or(0)),
-                    stats,
-                )
-            }
-            _ => Ok(()),
-        }
+        let written = place.write(&rendered, &self.shown(task, &names_of(&task.scene)))?;
+        self.print_statistics(task, counts, seconds, written.clipped_pixels)
     }
 
-    /// The picture of colours or of digits.
-    fn picture(&self, scene: &Scene, settings: &Settings) -> Result<Rendered, Failure> {
+    /// The picture of colours, of digits, or with layers.
+    fn rendered(&self, Task { scene, settings, .. }: &Task) -> Result<(Rendered, Option<Counter>), Failure> {
         let [left, top, right, bottom] = settings.crop;
         let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
-        let advance = |pixels| progress.advance(pixels);
-        let rendered = match self.digits_seed()? {
-            None => render(scene, settings, advance, &AtomicBool::new(false)),
-            Some(seed) => render_digits(scene, settings, seed, advance, &AtomicBool::new(false)),
+        let (advance, never) = (|pixels| progress.advance(pixels), AtomicBool::new(false));
+        let rendered = match (&self.layers, self.digits_seed()?) {
+            (Some(layers), _) => render_layers(scene, settings, advance, &never)
+                .map(|layered| (Rendered::Layers(layered, layers.clone()), None)),
+            (None, Some(seed)) => render_digits(scene, settings, seed, advance, &never)
+                .map(|rendered| (Rendered::Digits(rendered.film), rendered.counts)),
+            (None, None) => render(scene, settings, advance, &never)
+                .map(|rendered| (Rendered::Colors(rendered.film), rendered.counts)),
         };
         progress.finish();
-        rendered.map_err(|error| Failure::machine(error.to_string()))
+        rendered.map_err(|error| failed(&error))
     }
 
-    /// Renders a picture with layers into its file, or files.
-    fn render_layers(
+    fn place(&self, task: &Task, format: Format) -> Result<Place, Failure> {
+        Place::create(&task.path, format, self.layers.as_ref(), &task.inputs)
+    }
+
+    fn shown<'s>(&self, task: &Task, objects: &'s [String]) -> Shown<'s> {
+        Shown { output: task.scene.output, objects, is_quiet: self.progress.quiet }
+    }
+
+    /// Prints the counts, if they are asked for.
+    fn print_statistics(
         &self,
-        layers: &Layers,
-        scene: &Scene,
-        settings: &Settings,
-        (path, format): (&Path, Format),
-        (output, files): (Output, layers::Files),
+        task: &Task,
+        counts: Option<Counter>,
+        seconds: Seconds,
+        clipped_pixels: u64,
     ) -> Result<(), Failure> {
-        let [left, top, right, bottom] = settings.crop;
-        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
-        let layered = render_layers(scene, settings, |pixels| progress.advance(pixels), &AtomicBool::new(false));
-        progress.finish();
-        let layered = layered.map_err(|error| Failure::machine(error.to_string()))?;
-        let encoded = match format {
-            Format::Exr => layers.encode(&layered),
-            _ => export::encode(&layered.film(), format, &scene.output),
-        };
-        self.write(encoded, path, output)?;
-        files.write(&layered, scene)
-    }
-
-    /// Writes the picture into its file; says how many pixels were clipped.
-    fn save(&self, film: &Film, scene: &Scene, place: (&Path, Format), output: Output) -> Result<u64, Failure> {
-        let (path, format) = place;
-        let encoded =
-            if self.digits { encode_digits(film, format) } else { export::encode(film, format, &scene.output) };
-        let clipped_pixels = self.write(encoded, path, output)?;
-        if self.digits && !self.progress.quiet {
-            let Summary { fewest, median, without } = Summary::of(film);
-            output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
-        }
-        Ok(clipped_pixels)
-    }
-
-    /// Writes what was encoded, and tells about pixels that were clipped.
-    fn write(&self, encoded: Result<Encoded, EncodeError>, path: &Path, output: Output) -> Result<u64, Failure> {
-        let Encoded { bytes, clipped_pixels } =
-            encoded.map_err(|error| Failure::machine(format!("{}: cannot encode: {error}", path.display())))?;
-        output.commit(&bytes)?;
-        if clipped_pixels > 0 && !self.progress.quiet {
-            output::tell(&format!("note: {clipped_pixels} pixels were brighter than white and clipped"));
-        }
-        Ok(clipped_pixels)
+        let (Some(format), Some(counts)) = (self.stats, counts) else { return Ok(()) };
+        let share = task.scene.sampling.largest_share();
+        let statistics = counts.statistics_of(share, clipped_pixels, seconds, peak_bytes().unwrap_or(0));
+        print_statistics(&statistics, format)
     }
 
     /// The seed of the first run, if digits are asked for.
@@ -198,12 +209,9 @@ impl Render {
         }
     }
 
-    fn format(&self) -> Result<Format, Failure> {
-        let ending = self.output.extension().unwrap_or_default().to_string_lossy();
-        Format::of_ending(&ending, self.png16).ok_or_else(|| {
-            let path = self.output.display();
-            Failure::caller(format!("{path}: unknown picture format, expected a name that ends in {}", Format::ENDINGS))
-        })
+    /// The format of the picture; `None` for a part, which has its own.
+    fn format(&self) -> Result<Option<Format>, Failure> {
+        self.shard.is_none().then(|| format_of(&self.output, self.png16)).transpose()
     }
 
     fn crop_in(&self, scene: &Scene) -> Result<[u32; 4], Failure> {
@@ -212,13 +220,12 @@ impl Render {
     }
 }
 
-/// Digits as numbers where the format has numbers, else in false colours, whatever white the scene has.
-fn encode_digits(digits: &Film, format: Format) -> Result<Encoded, EncodeError> {
-    let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
-    match format {
-        Format::Pfm | Format::Exr => export::encode(digits, format, &plain),
-        Format::Png8 | Format::Png16 | Format::Ppm => export::encode(&false_colors(digits), format, &plain),
-    }
+fn names_of(scene: &Scene) -> Vec<String> {
+    scene.objects.iter().map(|object| object.name.clone()).collect()
+}
+
+fn failed(error: &RenderError) -> Failure {
+    Failure::machine(error.to_string())
 }
 
 fn print_statistics(statistics: &Statistics, format: StatsFormat) -> Result<(), Failure> {

@@ -2,10 +2,11 @@
 
 use super::failure::Failure;
 use super::progress::ProgressOptions;
-use raywalk::log::Log;
-use raywalk::log::file::{self, Ending, LogError};
-use raywalk::scene::file::{Opened, visible};
-use std::io::ErrorKind;
+use raywalk::log::file::{self, Ending, LogError, ShardLog};
+use raywalk::log::{Header, Log};
+use raywalk::scene::file::{Opened, Wanted, visible};
+use std::io::{self, ErrorKind};
+use std::path::Path;
 
 /// The longest log: some forty million events.
 pub const MAX_LOG_BYTES: u64 = 4 << 30;
@@ -27,6 +28,17 @@ pub fn read(opened: Opened, progress: &ProgressOptions) -> Result<Saved, Failure
     let input = progress.reading(opened.stream(MAX_LOG_BYTES), size);
     let read = file::read_from(input).map_err(|error| failure(&name, &error))?;
     Ok(Saved { name, log: read.log, ending: read.ending })
+}
+
+/// Whether the whole log with this header stands in a file.
+pub fn is_whole(path: &Path, header: &Header) -> bool {
+    if path == Path::new("-") || !path.is_file() {
+        return false;
+    }
+    let Ok(opened) = (Wanted { what: "a log", max_bytes: MAX_LOG_BYTES }).open(path) else { return false };
+    let Ok(log) = ShardLog::open(opened.stream(MAX_LOG_BYTES)) else { return false };
+    let nowhere = file::Writer::new(io::sink(), header);
+    log.header() == header && nowhere.is_ok_and(|mut nowhere| log.add_to(&mut nowhere).is_ok())
 }
 
 /// A log was named with options that only a scene has a use for.

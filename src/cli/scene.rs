@@ -83,9 +83,14 @@ impl SceneCommand {
                 let Loaded { scene: file, meshes, .. } = loaded;
                 let built = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
                 lights::tell(&input, built, colors);
-                let (objects, lights, materials) = (file.objects.len(), file.lights.len(), file.materials.len());
                 let name = visible(&file.name).into_owned();
-                let counts = format!("{objects} objects, {lights} lights, {materials} materials");
+                let counted = |count: usize, what| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+                let counts = [
+                    counted(file.objects.len(), "object"),
+                    counted(file.lights.len(), "light"),
+                    counted(file.materials.len(), "material"),
+                ];
+                let counts = counts.join(", ");
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())
             }
             SceneCommand::Show(scene) => output::print(scene.without_meshes(colors)?.to_json().as_bytes()),

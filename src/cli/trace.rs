@@ -14,7 +14,7 @@ use super::scene_argument::{self, Input, Named};
 use super::views::{Lang, TreeOf, View};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
-use raywalk::log::{Header, Log, file as log_file};
+use raywalk::log::{Header, Log, Shard, file as log_file};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::segments::Segment;
@@ -56,6 +56,10 @@ pub struct Trace {
     /// Which frame of an animation, from 1; without it the first
     #[arg(long, value_name = "K", value_parser = frames::number)]
     frames: Option<u32>,
+    /// Of a region, write only the I-th of N shards, which `raywalk merge` joins; one that is there already and whole isn't
+    /// written again
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
     /// Where to write; standard output without it. What is named `.gz` or `.zst` is packed
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -124,7 +128,7 @@ impl Trace {
         let inputs = loaded.inputs(&self.scene);
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         if let Some(region) = self.region {
-            return self.of_region(&scene, region, Output::create(self.output.as_deref(), &inputs)?);
+            return self.of_region(&scene, region, &inputs);
         }
         let part = self.subject.part(&scene, self.tracing.arithmetic)?;
         if let (Part::Pixel(_), false, Some(warning)) = (part, self.progress.quiet, warning_of_sampling(&scene)) {
@@ -174,6 +178,9 @@ impl Trace {
 
     /// A page or a figure is of one pixel or ray.
     fn check_format(&self, is_region: bool) -> Result<(), Failure> {
+        if self.shard.is_some() && !(is_region && matches!(self.format, None | Some(TraceFormat::Ndjson))) {
+            return Err(Failure::caller("--shard: expected --region and the format ndjson, which can be joined"));
+        }
         match self.format {
             Some(format) if is_region && !format.is_of_regions() => Err(Failure::caller(format!(
                 "--format {}: expected a pixel or a ray, found a region, which is written as ndjson, json, text, obj or ply",

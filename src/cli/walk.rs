@@ -1,6 +1,6 @@
 //! `raywalk walk`: the viewer; without a terminal the same walk as text.
 
-use super::failure::{Failure, INTERRUPTED, TERMINATED};
+use super::failure::{Failure, INTERRUPTED, TERMINATED, shown};
 use super::frames;
 use super::live::Session;
 use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
@@ -174,7 +174,7 @@ impl Walk {
 
     fn check_screenshot(&self, path: &Path) -> Result<(), Failure> {
         if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("svg")) {
-            return Err(Failure::caller(format!("{}: expected a name that ends in .svg", path.display())));
+            return Err(Failure::caller(format!("{}: expected a name that ends in .svg", shown(path))));
         }
         if let Some(name) = tui::keys::unknown_name(&self.keys) {
             let message = format!("--keys: no key is called `<{}>`; `?` in the viewer lists them", visible(name));

@@ -1,5 +1,6 @@
 //! What a log says about itself: enough to replay it without the scene.
 
+use super::shard::Shard;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -31,6 +32,9 @@ pub struct Header {
     /// Which frame of an animation was traced; not written where there is one only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frame: Option<FrameId>,
+    /// Which part of a region's pixels the log has; not written where it has all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<Shard>,
     /// The names of the objects, by number.
     pub objects: Vec<String>,
     /// The names of the lights, by number.
@@ -117,6 +121,12 @@ pub struct TracingId {
     pub cutoff: f64,
     /// Whether faces are seen from behind.
     pub two_sided: bool,
+    /// The rules by which work is left out, with commas between them; not written where all are in force.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub skip: Option<String>,
+    /// `all` where a log shows every intersection test; not written where it shows those that the tracer ran.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tests: Option<String>,
 }
 
 impl Header {

@@ -11,12 +11,14 @@ pub mod header;
 pub mod name;
 pub mod rounding;
 pub mod scope;
+pub mod shard;
 pub mod tree;
 
 pub use event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, Value, What};
 pub use header::{FrameId, Header, Parameter, Subject};
 pub use name::Name;
 pub use rounding::round_half_away;
+pub use shard::Shard;
 pub use tree::{Node, Tree};
 
 /// A whole log: what it says about itself, and its events.

@@ -8,10 +8,10 @@ pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 
 use crate::geometry::Ray;
 use crate::log::header::{FORMAT, SceneId, TracingId};
-use crate::log::{Event, Header, Log, Parameter, Subject};
+use crate::log::{Event, Header, Log, Parameter, SkipReason, Subject};
 use crate::probe::{CutOff, Outlet, Probe, Recorder, Silent, until_cut_off};
 use crate::sampling;
-use crate::scene::{Algorithm, Color, Sampling, Scene, Specular, camera};
+use crate::scene::{Algorithm, Color, Sampling, Scene, Skip, Specular, camera};
 use crate::trace::camera_ray;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -111,13 +111,25 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
             sphere_method: tracing.sphere_method.word().to_owned(),
             cutoff: tracing.cutoff,
             two_sided: tracing.two_sided,
+            skip: skip_id(tracing.skip),
+            tests: scene.index.shows_all().then(|| "all".to_owned()),
         },
         sampling: sampling_id(scene.sampling),
         seed: scene.seed,
         frame: scene.frame,
+        shard: None,
         objects: scene.objects.iter().map(|object| object.name.clone()).collect(),
         lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
     }
+}
+
+/// The rules that are in force; `None` if it is all of them.
+fn skip_id(skip: Skip) -> Option<String> {
+    let words = || SkipReason::ALL.iter().filter(|rule| skip.has(**rule)).map(|rule| rule.word());
+    let has_all = words().count() == SkipReason::ALL.len();
+    (!has_all)
+        .then(|| words().collect::<Vec<_>>().join(","))
+        .map(|words| if words.is_empty() { "none".to_owned() } else { words })
 }
 
 fn sampling_id(sampling: Sampling) -> BTreeMap<String, BTreeMap<String, Parameter>> {

@@ -4,7 +4,7 @@
 //! A pixel's log doesn't depend on other pixels, so that they may be made on several threads; they come in order all the same.
 
 use super::{Arithmetic, MAX_EVENTS, Part, digits, header, record};
-use crate::log::{Event, Log, Step, Subject, What};
+use crate::log::{Event, Log, Shard, Step, Subject, What};
 use crate::probe::{CutOff, Recorder, until_cut_off};
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -24,6 +24,13 @@ pub fn opening(pixel: [u32; 2]) -> Event {
 /// The pixels of a region in the order of its log.
 pub fn pixels([left, top, right, bottom]: Region) -> impl Iterator<Item = [u32; 2]> {
     (top..bottom).flat_map(move |y| (left..right).map(move |x| [x, y]))
+}
+
+/// The pixels of a region that a shard has: a stretch of them, so that the logs of all shards in order are that of the region.
+pub fn pixels_of(region: Region, shard: Shard) -> impl Iterator<Item = [u32; 2]> {
+    let [left, top, right, bottom] = region;
+    let (across, down) = (u64::from(right - left), u64::from(bottom - top));
+    shard.stretch(across * down).map(move |place| [left + (place % across) as u32, top + (place / across) as u32])
 }
 
 /// The log of a region, if it has at most [`MAX_EVENTS`] events.
@@ -58,7 +65,7 @@ pub fn of_pixel(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic, room: us
 /// # Errors
 /// The first of `take`, after which nothing more is made, or that no thread can be started.
 pub fn in_order<T: Send>(
-    region: Region,
+    pixels: impl Iterator<Item = [u32; 2]> + Send,
     threads: &rayon::ThreadPool,
     make: impl Fn([u32; 2]) -> T + Sync,
     mut take: impl FnMut([u32; 2], T) -> io::Result<()>,
@@ -70,7 +77,7 @@ pub fn in_order<T: Send>(
         let (sender, receiver) = sync_channel::<Vec<([u32; 2], T)>>(1);
         thread::Builder::new().spawn_scoped(scope, || {
             let sender = sender;
-            let mut left = pixels(region);
+            let mut left = pixels;
             loop {
                 let piece: Vec<_> = left.by_ref().take(EACH * threads.current_num_threads()).collect();
                 if piece.is_empty() {

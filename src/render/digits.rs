@@ -22,6 +22,17 @@ pub fn render_digits(
     progress: impl Fn(u64) + Sync,
     stop: &AtomicBool,
 ) -> Result<Rendered, RenderError> {
+    on_threads(settings, || digits_in(scene, settings, seed, &progress, stop))
+}
+
+/// The same on the threads of the pool that this is called in; `None` when the work is to stop.
+pub(super) fn digits_in(
+    scene: &Scene,
+    settings: &Settings,
+    seed: u64,
+    progress: &(impl Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Option<(Film, Counter)> {
     let of_pixel = |pixel: [u32; 2], counter: &mut Counter| {
         let pixel = Pixel { scene, pixel };
         if !settings.counts_rays {
@@ -31,7 +42,7 @@ pub fn render_digits(
         *counter = counted;
         Color::splat(digits)
     };
-    on_threads(settings, || by_pixels(settings, of_pixel, &progress, stop))
+    by_pixels(settings, of_pixel, progress, stop)
 }
 
 /// A picture of digits in false colours, from 0 to 1: bright yellow is none, then orange, red, violet, and black all digits. The place on

@@ -8,6 +8,8 @@ pub mod film;
 mod grid;
 pub mod layers;
 pub mod losses;
+pub mod part;
+pub mod pieces;
 pub mod preview;
 pub mod reach;
 mod scale;
@@ -21,6 +23,7 @@ use crate::random::permutation::permuted;
 use crate::record::{Arithmetic, Computation, Pixel};
 use crate::scene::{Color, Sampling, Scene};
 use rayon::prelude::*;
+use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// In which order threads take up the tiles. Nothing depends on it.
@@ -69,6 +72,9 @@ pub enum RenderError {
     /// There is no room for the stacks of so many threads.
     #[error("cannot start threads: not enough memory for {0} of them")]
     Stacks(usize),
+    /// What was rendered can't be kept.
+    #[error(transparent)]
+    Io(#[from] io::Error),
     /// There is no memory to be had.
     #[error("not enough memory for a picture of {0} x {1} pixels")]
     Memory(u32, u32),
@@ -98,14 +104,22 @@ pub fn render(
     progress: impl Fn(u64) + Sync,
     stop: &AtomicBool,
 ) -> Result<Rendered, RenderError> {
+    on_threads(settings, || colors_in(scene, settings, &progress, stop))
+}
+
+/// The picture, on the threads of the pool that this is called in; `None` when the work is to stop.
+fn colors_in(
+    scene: &Scene,
+    settings: &Settings,
+    progress: &(impl Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Option<(Film, Counter)> {
     let of_pixel = |pixel: [u32; 2], counter: &mut Counter| color_of(settings, Pixel { scene, pixel }, counter);
-    on_threads(settings, || match scene.sampling {
-        Sampling::Shared { n } => grid::by_corners(scene, settings, n, &progress, stop),
-        Sampling::Adaptive { threshold, depth } => {
-            cells::by_cells(scene, settings, (threshold, depth), &progress, stop)
-        }
-        _ => by_pixels(settings, of_pixel, &progress, stop),
-    })
+    match scene.sampling {
+        Sampling::Shared { n } => grid::by_corners(scene, settings, n, progress, stop),
+        Sampling::Adaptive { threshold, depth } => cells::by_cells(scene, settings, (threshold, depth), progress, stop),
+        _ => by_pixels(settings, of_pixel, progress, stop),
+    }
 }
 
 /// Makes sure, as far as that goes, that there is room for the stacks: a thread that has begun and finds no memory could only

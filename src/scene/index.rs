@@ -14,6 +14,8 @@ pub struct Index {
     tree: Bvh,
     /// What is known of each object, in the order of the scene; nothing where there is a tree.
     extents: Vec<Extent>,
+    /// Whether it was asked to show every ray all objects.
+    shows_all: bool,
 }
 
 /// Where an object is.
@@ -78,16 +80,21 @@ impl Index {
         if bounded.len() <= WITHOUT_TREE {
             let extents =
                 if objects.len() <= MOST_BETWEEN { objects.iter().map(Extent::of).collect() } else { Vec::new() };
-            return Index { extents, ..Index::of_all(objects) };
+            return Index { extents, shows_all: false, ..Index::of_all(objects) };
         }
         let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
-        Index { tree: Bvh::new(unbounded, &bounded, form), extents: Vec::new() }
+        Index { tree: Bvh::new(unbounded, &bounded, form), extents: Vec::new(), shows_all: false }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
     pub fn of_all(objects: &[Object]) -> Index {
         let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
-        Index { tree, extents: Vec::new() }
+        Index { tree, extents: Vec::new(), shows_all: true }
+    }
+
+    /// Whether it was asked to show every ray all objects.
+    pub fn shows_all(&self) -> bool {
+        self.shows_all
     }
 
     /// The objects that can stand between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known

@@ -24,5 +24,6 @@ mod meshes;
 mod numbers;
 mod obj;
 mod output;
+mod resume;
 mod signals;
 mod text;

@@ -224,7 +224,7 @@ fn samples() -> (tempfile::TempDir, String, String) {
 #[test]
 fn every_command_takes_nff_packed_or_not() {
     let (folder, plain, packed) = samples();
-    assert_eq!(prints(&["scene", "check", &packed]), "sample: ok, 2 objects, 1 lights, 2 materials\n");
+    assert_eq!(prints(&["scene", "check", &packed]), "sample: ok, 2 objects, 1 light, 2 materials\n");
     let shown = prints(&["scene", "show", &plain]);
     assert_eq!(prints(&["scene", "show", &packed]), shown);
     assert_eq!(prints(&["scene", "convert", &packed]), shown);

@@ -1,7 +1,7 @@
 //! Two pictures, pixel by pixel.
 
 use super::{Diff, DiffFormat};
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, shown};
 use crate::cli::output::{self, Output};
 use raywalk::log::Value;
 use raywalk::render::difference::{Difference, difference};
@@ -52,7 +52,7 @@ impl Diff {
     fn heat_map(&self, path: &std::path::Path, a: &Picture, b: &Picture, found: &Difference) -> Result<(), Failure> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         if Format::of_ending(&ending, false) != Some(Format::Png8) {
-            let path = path.display();
+            let path = shown(path);
             return Err(Failure::caller(format!("{path}: a heat map is a PNG, expected a name that ends in .png")));
         }
         let output = Output::create(Some(path), &[&self.a, &self.b])?;

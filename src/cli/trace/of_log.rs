@@ -12,7 +12,12 @@ impl Trace {
     /// Writes a saved log in another format, or as another file.
     pub(super) fn of_log(&self, opened: Opened) -> Result<(), Failure> {
         let has_subject = self.region.is_some() || self.subject != Subject::default();
-        if has_subject || self.causes || self.frames.is_some() || self.tracing != TracingOptions::default() {
+        if has_subject
+            || self.shard.is_some()
+            || self.causes
+            || self.frames.is_some()
+            || self.tracing != TracingOptions::default()
+        {
             return Err(saved_log::is_traced_already(&opened));
         }
         let saved = saved_log::read(opened, &self.progress)?;

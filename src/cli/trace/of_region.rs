@@ -5,6 +5,7 @@ use crate::cli::failure::Failure;
 use crate::cli::options::{region_in, warning_of_sampling};
 use crate::cli::output::{self, Output};
 use crate::cli::region::Traced;
+use crate::cli::saved_log;
 use raywalk::log::{Header, Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, MAX_EVENTS};
@@ -14,10 +15,11 @@ use raywalk::report::segments::Segment;
 use raywalk::scene::Scene;
 use raywalk::scene::file::visible;
 use std::io;
+use std::path::PathBuf;
 
 impl Trace {
     /// The log of a region: in NDJSON as it grows, otherwise of at most so many events as memory holds.
-    pub(super) fn of_region(&self, scene: &Scene, region: [u32; 4], output: Output) -> Result<(), Failure> {
+    pub(super) fn of_region(&self, scene: &Scene, region: [u32; 4], inputs: &[PathBuf]) -> Result<(), Failure> {
         let arithmetic = self.tracing.arithmetic;
         let region = region_in(scene, "--region", region)?;
         if self.causes {
@@ -26,6 +28,16 @@ impl Trace {
         if arithmetic == Arithmetic::Printed {
             return Err(not_printed());
         }
+        let traced = Traced { scene, region, arithmetic, shard: self.shard };
+        if let (Some(path), Some(_)) = (&self.output, self.shard)
+            && saved_log::is_whole(path, &traced.header())
+        {
+            if !self.progress.quiet {
+                output::tell(&format!("note: {}: is there already and whole", visible(&path.to_string_lossy())));
+            }
+            return Ok(());
+        }
+        let output = Output::create(self.output.as_deref(), inputs)?;
         if let (false, Some(warning)) = (self.progress.quiet, warning_of_sampling(scene)) {
             output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
         }
@@ -39,10 +51,8 @@ impl Trace {
         }
         let threads = render::threads(self.tracing.threads.into());
         let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
-        let [left, top, right, bottom] = region;
-        let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
-        let written =
-            output.stream(|out| Traced { scene, region, arithmetic }.write(&threads, out, || progress.advance(1)));
+        let progress = self.progress.start(traced.pixels().count() as u64);
+        let written = output.stream(|out| traced.write(&threads, out, || progress.advance(1)));
         progress.finish();
         written
     }
@@ -58,16 +68,21 @@ impl Trace {
         };
         let mut rays = Vec::new();
         let mut cut_off = None;
-        let kept = record::region::in_order(region, &threads, make, |_, made: Result<Vec<_>, CutOff>| match made {
-            Ok(made) => {
-                rays.extend(made);
-                Ok(())
-            }
-            Err(why) => {
-                cut_off = Some(why);
-                Err(io::ErrorKind::Other.into())
-            }
-        });
+        let kept = record::region::in_order(
+            record::region::pixels(region),
+            &threads,
+            make,
+            |_, made: Result<Vec<_>, CutOff>| match made {
+                Ok(made) => {
+                    rays.extend(made);
+                    Ok(())
+                }
+                Err(why) => {
+                    cut_off = Some(why);
+                    Err(io::ErrorKind::Other.into())
+                }
+            },
+        );
         match (cut_off, kept) {
             (Some(why), _) => Err(too_long(why, arithmetic)),
             (None, Err(error)) => Err(Failure::machine(error.to_string())),

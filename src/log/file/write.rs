@@ -77,6 +77,13 @@ impl<'h, W: Write> Writer<'h, W> {
         Ok(())
     }
 
+    /// Writes the text of so many events.
+    pub(super) fn append_text(&mut self, text: &[u8], events: usize) -> io::Result<()> {
+        self.put(text)?;
+        self.events += events as u64;
+        Ok(())
+    }
+
     /// Ends the log with its count and digest, and gives the output back.
     pub fn finish(mut self) -> io::Result<W> {
         let end = end_object(self.events, &self.hasher);

@@ -74,7 +74,7 @@ pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Resu
 fn number_of(layer: Layer, seen: &Seen) -> Option<f64> {
     match layer {
         Layer::Rays => Some(seen.rays as f64),
-        Layer::Tests => Some((seen.primitive_tests + seen.bounds_tests) as f64),
+        Layer::Tests => Some(seen.primitive_tests.saturating_add(seen.bounds_tests) as f64),
         Layer::Depth => seen.depth,
         Layer::Samples => Some(seen.samples as f64),
         Layer::Error => seen.error,

@@ -125,25 +125,39 @@ pub fn render_layers(
     let [left, top, right, bottom] = settings.crop;
     ask_for_memory(settings.crop)?;
     let (width, height) = (right - left, bottom - top);
-    let mut pixels: Vec<Seen> = Vec::new();
-    let count = width as usize * height as usize;
-    pixels.try_reserve_exact(count).map_err(|_| RenderError::Memory(width, height))?;
-    pixels.resize(count, Seen::default());
+    let is_room = Vec::<Seen>::new().try_reserve_exact(width as usize * height as usize).is_ok();
+    if !is_room {
+        return Err(RenderError::Memory(width, height));
+    }
     let threads = threads(settings.threads.min(tiles(settings.crop).len()))?;
+    let pixels = threads.install(|| layers_in(scene, settings, &progress, stop)).ok_or(RenderError::Interrupted)?;
+    Ok(Layered { width, height, pixels })
+}
+
+/// The pixels on the threads of the pool that this is called in; `None` when the work is to stop.
+pub(super) fn layers_in(
+    scene: &Scene,
+    settings: &Settings,
+    progress: &(impl Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Option<Vec<Seen>> {
+    let [left, top, right, bottom] = settings.crop;
+    let width = right - left;
+    let mut pixels = vec![Seen::default(); width as usize * (bottom - top) as usize];
     let band = width.max(1) as usize * TILE as usize;
     let of_band = |(number, band): (usize, &mut [Seen])| {
         for (place, seen) in (0_u32..).zip(band.iter_mut()) {
             if stop.load(Ordering::Relaxed) {
-                return Err(RenderError::Interrupted);
+                return None;
             }
             let row = top + number as u32 * TILE + place / width;
             *seen = see(scene, settings, [left + place % width, row]);
         }
         progress(band.len() as u64);
-        Ok(())
+        Some(())
     };
-    threads.install(|| pixels.par_chunks_mut(band).enumerate().try_for_each(of_band))?;
-    Ok(Layered { width, height, pixels })
+    pixels.par_chunks_mut(band).enumerate().try_for_each(of_band)?;
+    Some(pixels)
 }
 
 fn see(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Seen {

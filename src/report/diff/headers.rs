@@ -18,7 +18,7 @@ pub struct HeaderDifference {
 /// A field of a header, and what a header says in it.
 type Field = (&'static str, fn(&Header) -> String);
 
-const FIELDS: [Field; 16] = [
+const FIELDS: [Field; 19] = [
     ("subject", subject),
     ("version", |header| words::plain(&header.version)),
     ("scene.name", |header| words::plain(&header.scene.name)),
@@ -30,9 +30,12 @@ const FIELDS: [Field; 16] = [
     ("tracing.sphere_method", |header| words::plain(&header.tracing.sphere_method)),
     ("tracing.cutoff", |header| header.tracing.cutoff.to_string()),
     ("tracing.two_sided", |header| header.tracing.two_sided.to_string()),
+    ("tracing.skip", |header| words::plain(header.tracing.skip.as_deref().unwrap_or("all"))),
+    ("tracing.tests", |header| words::plain(header.tracing.tests.as_deref().unwrap_or("visited"))),
     ("sampling", |header| words::sampling(header).unwrap_or_else(|| "none".to_owned())),
     ("seed", |header| header.seed.to_string()),
     ("frame", |header| words::frame(header).unwrap_or_else(|| "none".to_owned())),
+    ("shard", |header| header.shard.map_or("none".to_owned(), |shard| shard.to_string())),
     ("objects", |header| words::plain(&header.objects.join(", "))),
     ("lights", |header| words::plain(&header.lights.join(", "))),
 ];

@@ -87,7 +87,14 @@ fn is_walked_through(log: &Log, length: usize) {
     const KEYS: [&str; 8] =
         ["", "nnnnlljjj<Space>nNp", "GGkkkhhg", "/a<Enter>nnn", "?", "<Tab>jj<Enter>", "tttvvvccc", "bbbnnn"];
     let theme = Theme::new(Palette::None, false);
-    let options = Options { theme, start: None, warning: None, note: None, numbers: Style::default() };
+    let options = Options {
+        theme,
+        start: None,
+        warning: None,
+        note: None,
+        numbers: Style::default(),
+        language: Language::default(),
+    };
     let picture = tui::picture(log.clone(), &options, None, KEYS[length % KEYS.len()], (80, 24));
     assert!(picture.contains("</svg>"));
 }

@@ -1,0 +1,100 @@
+//! `raywalk merge`: parts of a picture, or logs of a region's shards, become what one run would have made.
+
+mod logs;
+mod pictures;
+
+use super::failure::{Failure, shown};
+use super::options::ColorChoice;
+use super::render::MAX_PART_BYTES;
+use clap::Args;
+use raywalk::log::file::is_log;
+use raywalk::render::part::is_part;
+use raywalk::scene::file::{Opened, Wanted};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What `--help` says behind the options.
+const MORE: &str = "\
+The parts may be named in any order. Together they must be the whole of one picture or region: what is missing, there twice, or of another \
+scene, call or version of the program is refused (exit code 2). The result has the bytes that one run without shards would have \
+written.
+
+Examples:
+  raywalk render scene.json -o 1.part --shard 1/2
+  raywalk render scene.json -o 2.part --shard 2/2
+  raywalk merge 1.part 2.part -o picture.png
+  raywalk merge frame-*.part -o frame-####.png
+  raywalk merge logs/*.ndjson.gz -o region.ndjson.gz";
+
+/// Join the parts that shards rendered, or the logs that they traced.
+#[derive(Args)]
+#[command(after_long_help = MORE)]
+pub struct Merge {
+    /// The parts that `render --shard` wrote, or the logs that `trace --region --shard` wrote
+    #[arg(required = true, value_name = "PART")]
+    parts: Vec<PathBuf>,
+    /// The picture: .png, .ppm, .pfm or .exr by its ending, with #### for the number of the frame where there are several; or the log
+    #[arg(long, short, value_name = "FILE")]
+    output: PathBuf,
+    /// Write PNG with 16 bits a channel
+    #[arg(long)]
+    png16: bool,
+    /// Say nothing but errors
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// What can be joined.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Part,
+    Log,
+}
+
+impl Merge {
+    /// Runs the command.
+    pub fn run(&self, colors: ColorChoice) -> Result<(), Failure> {
+        let mut kinds = Vec::new();
+        for path in &self.parts {
+            kinds.push(kind(path, &open(path, colors)?)?);
+        }
+        let other = kinds.iter().position(|kind| *kind != kinds[0]);
+        match (kinds[0], other) {
+            (_, Some(other)) => {
+                let [first, other] = [&self.parts[0], &self.parts[other]].map(|path| shown(path));
+                Err(Failure::caller(format!("{first} and {other}: a part of a picture and a log; expected one kind")))
+            }
+            (Kind::Part, None) => self.pictures(colors),
+            (Kind::Log, None) => self.logs(colors),
+        }
+    }
+}
+
+/// Opens a part, which is read by the way.
+fn open(path: &Path, colors: ColorChoice) -> Result<Opened, Failure> {
+    let what = "a part that `render --shard` wrote or a log";
+    if path == Path::new("-") {
+        return Err(Failure::caller(format!("-: expected the name of {what}")));
+    }
+    let wanted = Wanted { what, max_bytes: MAX_PART_BYTES };
+    wanted.open(path).map_err(|error| Failure::scene(&error, colors.applies_to(&io::stderr())))
+}
+
+fn kind(path: &Path, opened: &Opened) -> Result<Kind, Failure> {
+    match opened.beginning() {
+        beginning if is_part(beginning) => Ok(Kind::Part),
+        beginning if is_log(beginning) => Ok(Kind::Log),
+        _ => Err(Failure::caller(format!(
+            "{}: expected a part that `render --shard` wrote, or the log of a shard",
+            shown(path)
+        ))),
+    }
+}
+
+/// Names of things that are missing: the first few.
+fn some_of(names: &[String]) -> String {
+    const MOST: usize = 8;
+    let more = names.len().saturating_sub(MOST);
+    let named = names[..names.len() - more].join(", ");
+    if more > 0 { format!("{named} and {more} more") } else { named }
+}

@@ -1,0 +1,85 @@
+//! Logs of a region's shards.
+
+use super::{Merge, open, some_of};
+use crate::cli::failure::{Failure, shown};
+use crate::cli::options::ColorChoice;
+use crate::cli::output::Output;
+use crate::cli::saved_log::{self, MAX_LOG_BYTES};
+use raywalk::log::file::{LogError, ShardLog, Writer};
+use raywalk::log::{Header, Shard};
+use raywalk::report::diff::header_differences;
+use std::collections::BTreeMap;
+use std::io::{self, Read};
+use std::path::Path;
+
+impl Merge {
+    /// Joins logs.
+    pub(super) fn logs(&self, colors: ColorChoice) -> Result<(), Failure> {
+        if self.png16 {
+            return Err(Failure::caller("--png16: is for pictures, found logs"));
+        }
+        let mut found: Vec<(&Path, Header, Shard)> = Vec::new();
+        for path in &self.parts {
+            let header = log_in(path, colors)?.header().clone();
+            let shard = header.shard.ok_or_else(|| {
+                Failure::caller(format!("{}: is no shard; expected a log that `trace --shard` wrote", shown(path)))
+            })?;
+            found.push((path, header, shard));
+        }
+        let in_order = in_order(&found)?;
+        let header = Header { shard: None, ..found[0].1.clone() };
+        let output = Output::create(Some(&self.output), &self.parts)?;
+        let mut failed = None;
+        let written = output.stream(|out| {
+            let mut writer = Writer::new(out, &header)?;
+            for path in in_order {
+                let added = log_in(path, colors)
+                    .and_then(|log| log.add_to(&mut writer).map_err(|error| saved_log::failure(&shown(path), &error)));
+                if let Err(failure) = added {
+                    failed = Some(failure);
+                    return Err(io::ErrorKind::Other.into());
+                }
+            }
+            writer.finish().map(|_| ())
+        });
+        failed.map_or(written, Err)
+    }
+}
+
+fn log_in(path: &Path, colors: ColorChoice) -> Result<ShardLog<impl Read + use<>>, Failure> {
+    let input = open(path, colors)?.stream(MAX_LOG_BYTES);
+    ShardLog::open(input).map_err(|error: LogError| saved_log::failure(&shown(path), &error))
+}
+
+/// The logs in the order of their shards, if together they are the whole of one region.
+fn in_order<'p>(found: &[(&'p Path, Header, Shard)]) -> Result<Vec<&'p Path>, Failure> {
+    let (first, header, shard) = &found[0];
+    let mut shards: BTreeMap<u32, &Path> = BTreeMap::new();
+    for (path, other, at) in found {
+        let unsharded = |header: &Header| Header { shard: None, ..header.clone() };
+        if let Some(difference) = header_differences(&unsharded(header), &unsharded(other)).into_iter().next() {
+            let (field, [a, b]) = (difference.field, [difference.a, difference.b]);
+            return Err(Failure::caller(format!(
+                "{} and {}: are of different regions, {field}: {a} against {b}",
+                shown(first),
+                shown(path)
+            )));
+        }
+        if shard.of() != at.of() {
+            return Err(Failure::caller(format!(
+                "{} and {}: are of different divisions, shard {shard} and shard {at}",
+                shown(first),
+                shown(path)
+            )));
+        }
+        if let Some(before) = shards.insert(at.number(), path) {
+            return Err(Failure::caller(format!("{} and {}: are both shard {at}", shown(before), shown(path))));
+        }
+    }
+    if shards.len() < shard.of() as usize {
+        let missing = (1..=shard.of()).filter(|number| !shards.contains_key(number));
+        let missing: Vec<_> = missing.map(|number| format!("{number}/{}", shard.of())).collect();
+        return Err(Failure::caller(format!("merge: shards are missing: {}", some_of(&missing))));
+    }
+    Ok(shards.into_values().collect())
+}

@@ -1,0 +1,128 @@
+//! A picture and the files that it goes into: one that was rendered, or put together from parts.
+
+use super::failure::{Failure, shown};
+use super::layers::{Files, Layers};
+use super::output::{self, Output};
+use raywalk::render::Film;
+use raywalk::render::digits::{Summary, false_colors};
+use raywalk::render::export::{self, EncodeError, Encoded, Format};
+use raywalk::render::layers::Layered;
+use raywalk::render::pieces::Canvas;
+use raywalk::scene;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// What was rendered.
+pub enum Rendered {
+    /// Colours.
+    Colors(Film),
+    /// How many digits of each pixel can be trusted.
+    Digits(Film),
+    /// Colours with layers.
+    Layers(Layered, Layers),
+}
+
+/// How it is shown.
+pub struct Shown<'s> {
+    /// How values become numbers.
+    pub output: scene::Output,
+    /// The names of the scene's objects, for the legend of a layer.
+    pub objects: &'s [String],
+    /// Whether nothing is said about it.
+    pub is_quiet: bool,
+}
+
+/// What was written.
+pub struct Written {
+    /// How many pixels were brighter than white.
+    pub clipped_pixels: u64,
+}
+
+/// Where a picture goes, made sure of before the work begins.
+pub struct Place {
+    path: PathBuf,
+    format: Format,
+    output: Output,
+    /// What stands beside it.
+    files: Files,
+}
+
+impl Rendered {
+    /// What was put together from pieces.
+    pub fn of(canvas: Canvas, layers: Option<Layers>, is_digits: bool) -> Rendered {
+        match (canvas, layers) {
+            (Canvas::Layers(layered), Some(layers)) => Rendered::Layers(layered, layers),
+            (Canvas::Layers(layered), None) => Rendered::Colors(layered.film()),
+            (Canvas::Colors(film), _) if is_digits => Rendered::Digits(film),
+            (Canvas::Colors(film), _) => Rendered::Colors(film),
+        }
+    }
+}
+
+/// The digest of a picture's files in this format, those of layers beside it among them.
+pub fn digest(path: &Path, format: Format, layers: Option<&Layers>) -> io::Result<blake3::Hash> {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(format!("{format:?}").as_bytes());
+    for path in [path.to_owned()].into_iter().chain(layers.map_or_else(Vec::new, |layers| layers.paths(path, format))) {
+        let bytes = fs::read(path)?;
+        hasher.update(&bytes.len().to_le_bytes()).update(&bytes);
+    }
+    Ok(hasher.finalize())
+}
+
+/// The format that a name asks for.
+pub fn format_of(path: &Path, png16: bool) -> Result<Format, Failure> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    Format::of_ending(&ending, png16).ok_or_else(|| {
+        let path = shown(path);
+        Failure::caller(format!("{path}: unknown picture format, expected a name that ends in {}", Format::ENDINGS))
+    })
+}
+
+impl Place {
+    /// Begins the files of a picture, none of which may be one of the inputs.
+    pub fn create(path: &Path, format: Format, layers: Option<&Layers>, inputs: &[PathBuf]) -> Result<Place, Failure> {
+        let output = Output::create(Some(path), inputs)?;
+        let files = layers.map_or_else(|| Ok(Files::none()), |layers| layers.files(path, format, inputs))?;
+        Ok(Place { path: path.to_owned(), format, output, files })
+    }
+
+    /// Whether the picture is a file that nobody sees before it is whole.
+    pub fn is_file(&self) -> bool {
+        self.output.is_file()
+    }
+
+    /// Writes a picture, and says what there is to say about it.
+    pub fn write(self, rendered: &Rendered, how: &Shown) -> Result<Written, Failure> {
+        let encoded = match rendered {
+            Rendered::Colors(film) => export::encode(film, self.format, &how.output),
+            Rendered::Digits(film) => encode_digits(film, self.format),
+            Rendered::Layers(layered, layers) if self.format == Format::Exr => layers.encode(layered),
+            Rendered::Layers(layered, _) => export::encode(&layered.film(), self.format, &how.output),
+        };
+        let cannot_encode = |error| Failure::machine(format!("{}: cannot encode: {error}", shown(&self.path)));
+        let Encoded { bytes, clipped_pixels } = encoded.map_err(cannot_encode)?;
+        // The layers first: where the picture is, they are.
+        if let Rendered::Layers(layered, _) = rendered {
+            self.files.write(layered, how.objects)?;
+        }
+        self.output.commit(&bytes)?;
+        if clipped_pixels > 0 && !how.is_quiet {
+            output::tell(&format!("note: {clipped_pixels} pixels were brighter than white and clipped"));
+        }
+        if let (Rendered::Digits(film), false) = (rendered, how.is_quiet) {
+            let Summary { fewest, median, without } = Summary::of(film);
+            output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
+        }
+        Ok(Written { clipped_pixels })
+    }
+}
+
+/// Digits as numbers where the format has numbers, else in false colours, whatever white the scene has.
+fn encode_digits(digits: &Film, format: Format) -> Result<Encoded, EncodeError> {
+    let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
+    match format {
+        Format::Pfm | Format::Exr => export::encode(digits, format, &plain),
+        Format::Png8 | Format::Png16 | Format::Ppm => export::encode(&false_colors(digits), format, &plain),
+    }
+}

@@ -1,0 +1,161 @@
+//! What is rendered already, kept beside a picture until it is there: whatever ends the program, the next one goes on from there.
+
+use crate::cli::failure::{Failure, shown};
+use raywalk::render::part::{PartError, PartHeader, Reader, Record, Writer};
+use raywalk::render::pieces::Pixels;
+use raywalk::scene::file::visible;
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, BufReader, ErrorKind, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// How often it is made sure that even a loss of power doesn't lose it.
+const SYNCED_EVERY: Duration = Duration::from_secs(10);
+
+/// A file of pieces.
+pub struct Checkpoint {
+    path: PathBuf,
+    writer: Writer<File>,
+    /// The same file, to be synced.
+    file: File,
+    synced: Instant,
+    /// Into which picture it went already.
+    went_into: Option<blake3::Hash>,
+}
+
+/// The pixels of pieces by their numbers.
+pub type Kept = BTreeMap<u32, Pixels>;
+
+impl Checkpoint {
+    /// The checkpoint of a picture's file, and what it has of it: nothing if it is begun now.
+    pub fn open(picture: &Path, header: &PartHeader) -> Result<(Checkpoint, Kept), Failure> {
+        let path = path_of(picture);
+        let cannot = |error: &io::Error| Failure::io(&path, "keep what is rendered", error);
+        if let Ok(metadata) = fs::metadata(&path)
+            && !metadata.is_file()
+        {
+            return Err(Failure::caller(format!("{}: is no regular file", shown(&path))));
+        }
+        let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
+        let file = file.map_err(|error| cannot(&error))?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => {
+                return Err(Failure::machine(format!("{}: another raywalk is at work on it", shown(&path))));
+            }
+            // Some file systems have no locks.
+            Err(TryLockError::Error(_)) | Ok(()) => {}
+        }
+        let found = read(&file, &path, header)?;
+        // What was cut off behind what is good is written again.
+        let good = found.as_ref().map_or(0, |found| found.good);
+        let begin = || -> io::Result<Writer<File>> {
+            file.set_len(good)?;
+            let mut out = file.try_clone()?;
+            out.seek(SeekFrom::Start(good))?;
+            if found.is_some() { Ok(Writer::going_on(out)) } else { Writer::new(out, header) }
+        };
+        let writer = begin().map_err(|error| cannot(&error))?;
+        let Found { kept, went_into, .. } = found.unwrap_or_default();
+        Ok((Checkpoint { path, writer, file, synced: Instant::now(), went_into }, kept))
+    }
+
+    /// Keeps a piece.
+    pub fn keep(&mut self, number: u32, pixels: &Pixels) -> io::Result<()> {
+        self.writer.piece(number, pixels)?;
+        if self.synced.elapsed() >= SYNCED_EVERY {
+            self.file.sync_data()?;
+            self.synced = Instant::now();
+        }
+        Ok(())
+    }
+
+    /// Says that files with this digest were made of it; the pieces themselves are of no more use. Gives its path, to be removed when
+    /// it isn't asked for any more.
+    pub fn went_into(self, header: &PartHeader, files: &blake3::Hash) -> Result<PathBuf, Failure> {
+        let note = || -> io::Result<()> {
+            self.file.set_len(0)?;
+            let mut out = self.file.try_clone()?;
+            out.rewind()?;
+            Writer::new(out, header)?.went_into(files)
+        };
+        note().map_err(|error| self.failure(&error))?;
+        Ok(self.path)
+    }
+
+    /// Whether it went into files with this digest.
+    pub fn is_in(&self, files: Option<blake3::Hash>) -> bool {
+        self.went_into.is_some() && self.went_into == files
+    }
+
+    /// Where it is.
+    pub fn into_path(self) -> PathBuf {
+        self.path
+    }
+
+    /// Why nothing more can be kept.
+    pub fn failure(&self, error: &io::Error) -> Failure {
+        Failure::io(&self.path, "keep what is rendered", error)
+    }
+}
+
+/// Removes a checkpoint, as the picture is there; somebody else may have done so.
+pub fn remove(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::io(path, "remove", &error)),
+        _ => Ok(()),
+    }
+}
+
+/// What a checkpoint holds.
+#[derive(Default)]
+struct Found {
+    kept: Kept,
+    went_into: Option<blake3::Hash>,
+    /// How many bytes of it are good.
+    good: u64,
+}
+
+/// What an earlier run left; `None` if there is nothing of use.
+fn read(file: &File, path: &Path, header: &PartHeader) -> Result<Option<Found>, Failure> {
+    let is_empty = file.metadata().is_ok_and(|metadata| metadata.len() == 0);
+    if is_empty {
+        return Ok(None);
+    }
+    let mut reader = match Reader::open(BufReader::new(file)) {
+        Ok(reader) => reader,
+        Err(PartError::Io(error)) => return Err(Failure::io(path, "read", &error)),
+        // One whose header was cut off has nothing; anything else isn't ours to overwrite.
+        Err(PartError::CutOff) => return Ok(None),
+        Err(error) => return Err(Failure::caller(format!("{}: {error}", shown(path)))),
+    };
+    if reader.header() != header {
+        let theirs = reader.header();
+        let reason = match header.picture.difference(&theirs.picture) {
+            Some((what, [ours, found])) => format!("{what}: {} there, {} here", visible(&found), visible(&ours)),
+            None => format!("shard {} there, {} here", theirs.shard, header.shard),
+        };
+        let expected = "expected the same call, or to remove the file and begin anew";
+        return Err(Failure::caller(format!("{}: is of another picture ({reason}); {expected}", shown(path))));
+    }
+    let mut found = Found::default();
+    loop {
+        match reader.next_record().map_err(|error| Failure::io(path, "read", &error))? {
+            Some(Record::Piece(number, pixels)) => {
+                found.kept.insert(number, pixels);
+            }
+            Some(Record::WentInto(digest)) => found.went_into = Some(digest),
+            Some(Record::End) | None => break,
+        }
+    }
+    found.good = reader.good();
+    Ok(Some(found))
+}
+
+/// `FILE.checkpoint`.
+fn path_of(picture: &Path) -> PathBuf {
+    let mut name = OsString::from(picture);
+    name.push(".checkpoint");
+    name.into()
+}

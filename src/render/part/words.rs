@@ -1,0 +1,122 @@
+//! Pixels as words of 64 bits.
+
+use super::Content;
+use crate::render::layers::Seen;
+use crate::render::pieces::Pixels;
+use crate::scene::Color;
+
+/// The words of a colour.
+const OF_COLOR: usize = 3;
+
+/// The words of a pixel with what it costs and sees.
+const OF_SEEN: usize = 14;
+
+/// No object: a number that none has.
+const NONE: u64 = u64::MAX;
+
+/// The words of a pixel.
+pub fn count(content: &Content) -> usize {
+    match content {
+        Content::Colors | Content::Digits { .. } => OF_COLOR,
+        Content::Layers { .. } => OF_SEEN,
+    }
+}
+
+/// Pixels as bytes.
+pub fn to_bytes(pixels: &Pixels) -> Vec<u8> {
+    match pixels {
+        Pixels::Colors(colors) => colors.iter().flat_map(|color| bytes(&of_color(*color))).collect(),
+        Pixels::Layers(seen) => seen.iter().flat_map(|seen| bytes(&of_seen(seen))).collect(),
+    }
+}
+
+/// Pixels of a part with this content from bytes, whose number is right.
+pub fn from_bytes(content: &Content, bytes: &[u8]) -> Pixels {
+    let (words, _) = bytes.as_chunks::<8>();
+    let words: Vec<u64> = words.iter().map(|word| u64::from_le_bytes(*word)).collect();
+    match content {
+        Content::Colors | Content::Digits { .. } => {
+            Pixels::Colors(words.as_chunks::<OF_COLOR>().0.iter().map(|words| color(*words)).collect())
+        }
+        Content::Layers { .. } => Pixels::Layers(words.as_chunks::<OF_SEEN>().0.iter().map(seen).collect()),
+    }
+}
+
+fn bytes(words: &[u64]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
+}
+
+fn of_color(color: Color) -> [u64; OF_COLOR] {
+    color.to_array().map(f64::to_bits)
+}
+
+fn color(words: [u64; OF_COLOR]) -> Color {
+    Color::from(words.map(f64::from_bits))
+}
+
+/// What isn't known isn't a number.
+fn of_option(known: Option<f64>) -> u64 {
+    known.unwrap_or(f64::NAN).to_bits()
+}
+
+fn option(word: u64) -> Option<f64> {
+    Some(f64::from_bits(word)).filter(|known| !known.is_nan())
+}
+
+fn of_seen(seen: &Seen) -> [u64; OF_SEEN] {
+    let [red, green, blue] = of_color(seen.color);
+    let [x, y, z] = of_color(seen.normal);
+    [
+        red,
+        green,
+        blue,
+        seen.rays,
+        seen.primitive_tests,
+        seen.bounds_tests,
+        of_option(seen.depth),
+        x,
+        y,
+        z,
+        seen.object.map_or(NONE, u64::from),
+        seen.samples,
+        of_option(seen.error),
+        seen.seconds.to_bits(),
+    ]
+}
+
+fn seen(words: &[u64; OF_SEEN]) -> Seen {
+    let [red, green, blue, rays, primitive_tests, bounds_tests, depth, x, y, z, object, samples, error, seconds] =
+        *words;
+    Seen {
+        color: color([red, green, blue]),
+        rays,
+        primitive_tests,
+        bounds_tests,
+        depth: option(depth),
+        normal: color([x, y, z]),
+        object: u32::try_from(object).ok(),
+        samples,
+        error: option(error),
+        seconds: f64::from_bits(seconds),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_come_back_bit_for_bit() {
+        let color = Color::new(-0.0, 5e-324, 1e300);
+        let colors = Pixels::Colors(vec![color, Color::ONE]);
+        assert_eq!(from_bytes(&Content::Colors, &to_bytes(&colors)), colors);
+        let seen =
+            Seen { color, rays: u64::MAX, primitive_tests: 2, bounds_tests: 3, depth: Some(0.1), ..Seen::default() };
+        let other = Seen { object: Some(u32::MAX), error: Some(0.0), seconds: 1e-9, samples: 7, ..seen };
+        let layers = Pixels::Layers(vec![seen, other, Seen::default()]);
+        let content = Content::Layers { names: Vec::new(), objects: Vec::new() };
+        let bytes = to_bytes(&layers);
+        assert_eq!(bytes.len(), 3 * 8 * count(&content));
+        assert_eq!(from_bytes(&content, &bytes), layers);
+    }
+}
