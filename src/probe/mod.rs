@@ -5,6 +5,7 @@
 //! every method does nothing, so that [`Silent`] compiles to nothing.
 
 mod altered;
+mod erased;
 mod perturbed;
 mod position;
 mod printed;
@@ -14,6 +15,7 @@ mod silent;
 
 pub use crate::log::round_half_away;
 pub use altered::{Alteration, Altered, Decimal, Single};
+pub use erased::Erased;
 pub use perturbed::Perturbed;
 pub use position::{Position, mixed_with};
 pub use printed::{Printed, PrintedValue};

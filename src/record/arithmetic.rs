@@ -1,6 +1,6 @@
 //! The arithmetics, by name, and how a computation is run in one of them.
 
-use crate::probe::{Alteration, Altered, Decimal, Perturbed, Printed, Probe, Single};
+use crate::probe::{Alteration, Altered, Decimal, Erased, Perturbed, Printed, Probe, Single};
 use crate::scene::Color;
 use std::fmt;
 use std::str::FromStr;
@@ -59,7 +59,8 @@ impl Arithmetic {
 
 fn altered<A: Alteration, P: Probe, C: Computation>(alteration: A, probe: P, computation: C) -> (Color, P) {
     let mut altered = Altered { alteration, probe };
-    (computation.run(&mut altered), altered.probe)
+    let color = computation.run(&mut Erased::of(&mut altered));
+    (color, altered.probe)
 }
 
 impl fmt::Display for Arithmetic {

@@ -1,7 +1,7 @@
 //! A picture that is coarse at first and grows finer, with what else is known of its pixels.
 
 use crate::log::{Name, RayKind, Step};
-use crate::probe::{Probe, Quantity, Silent};
+use crate::probe::{Erased, Probe, Quantity, Silent};
 use crate::record::{Arithmetic, Pixel};
 use crate::scene::{Color, Scene};
 use glam::DVec3;
@@ -23,7 +23,8 @@ pub struct Dot {
 
 /// The dot of a pixel.
 pub fn dot(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Dot {
-    let (color, gauge) = arithmetic.run(Gauge::default(), Pixel { scene, pixel });
+    let mut gauge = Gauge::default();
+    let (color, _) = arithmetic.run(Erased::of(&mut gauge), Pixel { scene, pixel });
     let depth = gauge.first_hit.map(|point| (point - scene.camera.position()).length());
     Dot { color, depth, rays: gauge.rays, samples: gauge.samples.max(1) }
 }

@@ -1,7 +1,7 @@
 //! Which lights reach anything that the camera sees.
 
 use crate::log::{Decision, RayKind, Step};
-use crate::probe::Probe;
+use crate::probe::{Erased, Probe};
 use crate::sampling;
 use crate::scene::{Sampling, Scene};
 
@@ -34,7 +34,7 @@ pub fn reach(mut scene: Scene) -> Reach {
             break;
         }
         let pixel = [place(column, across, size[0]), place(row, down, size[1])];
-        sampling::pixel(&scene, pixel, &mut probe);
+        sampling::pixel(&scene, pixel, &mut Erased::of(&mut probe));
         pixels += 1;
     }
     Reach { lights: probe.lights, pixels }

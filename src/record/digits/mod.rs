@@ -8,7 +8,7 @@ pub use significant::{ALL_DIGITS, RUNS, significant};
 
 use super::{Arithmetic, Computation};
 use crate::log::{Digits, Event, Value, What};
-use crate::probe::{CutOff, Perturbed, Probe, RayTree};
+use crate::probe::{CutOff, Erased, Perturbed, Probe, RayTree};
 use align::{Alignment, Run, components};
 
 /// The arithmetics of the runs, the first with `seed` itself.
@@ -22,7 +22,8 @@ pub fn of_color<P: Probe, C: Computation + Copy>(computation: C, seed: u64, mut 
     let mut colors = [[0.0; 3]; RUNS];
     let mut digests = [0; RUNS];
     for (run, arithmetic) in arithmetics(seed).into_iter().enumerate() {
-        let (color, tree) = arithmetic.run(RayTree::before(probe), computation);
+        let mut tree = RayTree::before(probe);
+        let (color, _) = arithmetic.run(Erased::of(&mut tree), computation);
         (colors[run], digests[run]) = (color.to_array(), tree.digest());
         probe = tree.probe;
     }

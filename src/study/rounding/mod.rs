@@ -6,7 +6,7 @@ mod views;
 pub use rounded::Rounding;
 
 use crate::log::{Log, Name, Tree, What};
-use crate::probe::{Altered, CutOff, Position, RayTree, Recorder, Silent, until_cut_off};
+use crate::probe::{Altered, CutOff, Erased, Position, RayTree, Recorder, Silent, until_cut_off};
 use crate::record::{self, Arithmetic, Computation, Part, PartOf};
 use crate::scene::Scene;
 use rounded::{Rounded, Which};
@@ -139,7 +139,7 @@ impl<'s> Experiments<'s> {
     fn run(&self, which: Which) -> ([f64; 3], u64) {
         let alteration = Rounded::new(self.rounding, which);
         let mut probe = Altered { alteration, probe: RayTree::before(Silent) };
-        let color = self.computation.run(&mut probe);
+        let color = self.computation.run(&mut Erased::of(&mut probe));
         (color.to_array(), probe.probe.digest())
     }
 
@@ -166,7 +166,7 @@ impl<'s> Experiments<'s> {
         until_cut_off(|| {
             let alteration = Rounded::new(self.rounding, Which::None);
             let mut probe = Altered { alteration, probe: Recorder::of_at_most(record::MAX_EVENTS) };
-            let color = self.computation.run(&mut probe);
+            let color = self.computation.run(&mut Erased::of(&mut probe));
             probe.probe.finish(color.to_array())
         })
     }

@@ -4,7 +4,7 @@ use super::question::{Thing, Triple, any, any_number, input};
 use super::stage::{self, Watch};
 use crate::geometry::{Ray, Shape};
 use crate::log::Name;
-use crate::probe::Silent;
+use crate::probe::{Erased, Silent};
 use crate::scene::file;
 use crate::scene::{Color, Light, LightKind};
 use crate::trace::query::Query;
@@ -156,7 +156,7 @@ fn half(case: &Map<String, Value>) -> Result<&'static str, String> {
         case.insert(key.to_owned(), value);
     }
     let mut watch = Watch::default();
-    let half = if eta == 1.0 { None } else { transmitted_half(light.into(), view.into(), eta, &mut watch) };
+    let half = if eta == 1.0 { None } else { transmitted_half(light.into(), view.into(), eta, &mut Erased::of(&mut watch)) };
     let length = watch.number(Name::TransmitLength);
     let parts = super::optics::local(&case)?;
     let is_finite = half.is_none_or(DVec3::is_finite) && length.is_none_or(f64::is_finite) && has_numbers(&parts);

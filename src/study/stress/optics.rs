@@ -4,7 +4,7 @@ use super::question::{MaterialInput, RayInput, SceneInput, Triple, input};
 use super::stage::{self, Watch};
 use crate::geometry::{Ray, Side, Surface};
 use crate::log::Name;
-use crate::probe::Silent;
+use crate::probe::{Erased, Silent};
 use crate::random::{Arrangement, Draws};
 use crate::sampling::mean::Sum;
 use crate::scene::{Color, Light, LightKind, Scene, Specular};
@@ -33,7 +33,7 @@ pub(super) fn refraction(case: &Map<String, Value>) -> Result<Value, String> {
     let (ray, normal) = (along(d), DVec3::from(n));
     let k = transmitted_cosine(&ray, normal, eta, -normal.dot(ray.direction), &mut Silent).squared;
     let mut watch = Watch::default();
-    Ok(match refract(&ray, normal, 1.0, eta, &mut watch) {
+    Ok(match refract(&ray, normal, 1.0, eta, &mut Erased::of(&mut watch)) {
         Some(direction) => {
             json!({"tir": false, "cos2": watch.number(Name::RefractCos2), "T": direction.to_array(), "k": k})
         }
@@ -55,10 +55,10 @@ pub(super) fn refraction_and_half(case: &Map<String, Value>) -> Result<Value, St
     let Interface { d, n, eta, L: light, V: view } = input(case)?;
     let (ray, normal) = (along(d), DVec3::from(n));
     let mut watch = Watch::default();
-    let direction = refract(&ray, normal, 1.0, eta, &mut watch);
+    let direction = refract(&ray, normal, 1.0, eta, &mut Erased::of(&mut watch));
     let (light, view) = (DVec3::from(light), DVec3::from(view));
     // Without an interface the lobe is the straight line from the light.
-    let half = if eta == 1.0 { Some(light) } else { transmitted_half(light, view, eta, &mut watch) };
+    let half = if eta == 1.0 { Some(light) } else { transmitted_half(light, view, eta, &mut Erased::of(&mut watch)) };
     Ok(json!({
         "T": direction.map(|direction| direction.to_array()),
         "cos2": watch.number(Name::RefractCos2),
@@ -128,7 +128,7 @@ fn through_spheres(input: &RayInput, radii: &[f64], iors: &[f64]) -> Value {
     scene.tracing.max_depth = 2 * radii.len() as u32 + 2;
     let mut watch = Watch::default();
     let ray = stage::ray(&scene, input);
-    camera_ray(&scene, |_| Some(ray), &mut watch);
+    camera_ray(&scene, |_| Some(ray), &mut Erased::of(&mut watch));
     json!({
         "T": watch.triple(Name::RefractDirection),
         "p": watch.triple(Name::HitPoint),

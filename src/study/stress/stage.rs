@@ -6,7 +6,7 @@ use super::question::{
 use crate::geometry::shape::{Ellipsoid, Plane, Sphere, SphereMethod, Triangle, TriangleMesh};
 use crate::geometry::{Leaving, Ray, Shape, Surface};
 use crate::log::{Name, RayKind, Step, Value};
-use crate::probe::{Probe, Quantity, Silent};
+use crate::probe::{Erased, Probe, Quantity, Silent};
 use crate::scene::{
     Algorithm, Camera, Effects, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip,
     Specular, Tracing, Transfer, Weights,
@@ -138,7 +138,7 @@ pub(super) fn ray(scene: &Scene, input: &RayInput) -> Ray {
 
 /// What a ray meets first, and the surface there.
 pub(super) fn meet(scene: &Scene, ray: &Ray, watch: &mut Watch) -> Option<(Hit, Surface)> {
-    let hit = closest_hit(scene, ray, watch)?;
+    let hit = closest_hit(scene, ray, &mut Erased::of(watch))?;
     let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, &mut Silent);
     Some((hit, surface))
 }

@@ -3,7 +3,7 @@
 use super::DIGITS;
 use crate::log::tree::path_of_child;
 use crate::log::{Log, Name, Step, Tree, Value, What};
-use crate::probe::{Alteration, Altered, Quantity, Silent, round_half_away};
+use crate::probe::{Alteration, Altered, Erased, Quantity, Silent, round_half_away};
 use crate::sampling;
 use crate::scene::Scene;
 use std::collections::HashMap;
@@ -47,7 +47,7 @@ impl Values {
     pub fn following(scene: &Scene, pixel: [u32; 2], listed: &Listed) -> Values {
         let alteration = Following { listed, paths: Vec::new(), recomputed: Values::default() };
         let mut following = Altered { alteration, probe: Silent };
-        sampling::pixel(scene, pixel, &mut following);
+        sampling::pixel(scene, pixel, &mut Erased::of(&mut following));
         following.alteration.recomputed
     }
 
