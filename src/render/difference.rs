@@ -69,7 +69,7 @@ impl Difference {
     ///
     /// # Errors
     /// Those of the encoder.
-    pub fn heat_map(&self, a: &Picture, b: &Picture) -> Result<Vec<u8>, image::ImageError> {
+    pub fn heat_map(&self, a: &Picture, b: &Picture) -> Result<Vec<u8>, png::EncodingError> {
         let most = self.largest.map_or(1.0, |largest| largest.difference);
         let [width, height] = a.size();
         let mut levels = Vec::with_capacity(width as usize * height as usize * 3);

@@ -1,46 +1,39 @@
 //! The plates of the gallery in `docs/pictures/` show what the program renders. `UPDATE_GALLERY=1 cargo test --test program gallery` makes
 //! them anew.
 
-use image::{Rgb, RgbImage};
+use crate::bitmap::Bitmap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The picture of a scene by the program.
-fn picture(folder: &Path, scene: &str, options: &[&str]) -> RgbImage {
+fn picture(folder: &Path, scene: &str, options: &[&str]) -> Bitmap {
     let file = folder.join("plate.png");
     let mut command = Command::new(env!("CARGO_BIN_EXE_raywalk"));
     command.args(["render", scene, "-q", "-o"]).arg(&file).args(options);
     assert!(command.status().expect("it runs").success(), "{scene} {options:?}");
-    image::open(&file).expect("a picture").into_rgb8()
-}
-
-/// Each pixel as a square of this side, so that it can be seen.
-fn enlarged(picture: &RgbImage, side: u32) -> RgbImage {
-    RgbImage::from_fn(picture.width() * side, picture.height() * side, |x, y| *picture.get_pixel(x / side, y / side))
+    Bitmap::open(&file)
 }
 
 /// Pictures of one size, from left to right and from top to bottom, on white.
-fn plate(pictures: &[RgbImage], across: u32) -> RgbImage {
+fn plate(pictures: &[Bitmap], across: u32) -> Bitmap {
     const GAP: u32 = 6;
-    let (width, height) = pictures[0].dimensions();
+    let [width, height] = pictures[0].size();
     let down = (pictures.len() as u32).div_ceil(across);
-    let mut plate =
-        RgbImage::from_pixel(across * (width + GAP) - GAP, down * (height + GAP) - GAP, Rgb([255, 255, 255]));
+    let mut plate = Bitmap::filled([across * (width + GAP) - GAP, down * (height + GAP) - GAP], [255; 3]);
     for (number, picture) in (0..).zip(pictures) {
-        let (left, top) = (number % across * (width + GAP), number / across * (height + GAP));
-        picture.enumerate_pixels().for_each(|(x, y, pixel)| plate.put_pixel(left + x, top + y, *pixel));
+        plate.put(picture, [number % across * (width + GAP), number / across * (height + GAP)]);
     }
     plate
 }
 
 /// Compares a plate with the one in the gallery, or puts it there.
 #[track_caller]
-fn is_in_gallery(name: &str, plate: &RgbImage) {
+fn is_in_gallery(name: &str, plate: &Bitmap) {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/pictures").join(format!("{name}.png"));
     if std::env::var_os("UPDATE_GALLERY").is_some() {
-        plate.save(&path).expect("a place for the plate");
+        plate.save(&path);
     }
-    let shown = image::open(&path).expect("the plate").into_rgb8();
+    let shown = Bitmap::open(&path);
     assert!(shown == *plate, "{name} isn't what is rendered: UPDATE_GALLERY=1 makes it anew");
 }
 
@@ -48,7 +41,7 @@ fn is_in_gallery(name: &str, plate: &RgbImage) {
 fn figures_16_to_20() {
     let folder = tempfile::tempdir().expect("a folder");
     for figure in ["figure-16", "figure-17", "figure-18", "figure-19", "figure-20"] {
-        let by = |sampling: &str| enlarged(&picture(folder.path(), figure, &["--sampling", sampling]), 4);
+        let by = |sampling: &str| picture(folder.path(), figure, &["--sampling", sampling]).enlarged(4);
         is_in_gallery(figure, &plate(&[by("none"), by("adaptive:threshold=0.02,depth=4")], 2));
     }
 }

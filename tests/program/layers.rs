@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use crate::bitmap::Bitmap;
 use crate::calls::{prints, raywalk, says};
 use crate::support;
 use exr::prelude::*;
@@ -139,8 +140,8 @@ fn png_files_of_layers_stand_beside_the_picture() {
     expected.push("out.png".to_owned());
     expected.sort();
     assert_eq!(files, expected);
-    let depth = image::open(folder.path().join("out.depth.png")).unwrap();
-    assert!(depth.width() >= 20 && depth.height() > 18, "a legend stands below");
+    let [width, height] = Bitmap::open(&folder.path().join("out.depth.png")).size();
+    assert!(width >= 20 && height > 18, "a legend stands below");
     says(2, &["render", "textbook", "-o", "x.pfm", "--layers", "depth"], "expected a picture in .exr");
     says(2, &["render", "textbook", "-o", "x.png", "--layers", "deep"], "unknown layer `deep`");
     says(2, &["render", "textbook", "-o", "x.png", "--layers", "depth,depth"], "stands there twice");

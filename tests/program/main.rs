@@ -1,5 +1,9 @@
 //! The program's commands, the files that they read, and the pages that describe them.
 
+// Each test program uses a part of it.
+#[allow(dead_code)]
+#[path = "../support/bitmap.rs"]
+mod bitmap;
 #[path = "../support/calls.rs"]
 mod calls;
 #[path = "../support/mutator.rs"]

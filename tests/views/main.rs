@@ -1,5 +1,9 @@
 //! Views of a log for people: worked solutions, ray trees, rays as geometry; and that the tools for them take them.
 
+// Each test program uses a part of it.
+#[allow(dead_code)]
+#[path = "../support/bitmap.rs"]
+mod bitmap;
 #[path = "../support/calls.rs"]
 mod calls;
 // The place of data of others is for other tests.

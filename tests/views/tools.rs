@@ -1,5 +1,6 @@
 //! What other programs say of the views. A program that isn't there is told, and its test is skipped.
 
+use crate::bitmap::Bitmap;
 use crate::calls::prints;
 use crate::shared::skipped;
 use crate::{log, nasty_log, solution, tree};
@@ -67,8 +68,8 @@ fn librsvg_draws_ray_trees() {
     for log in examples() {
         fs::write(folder.path().join("tree.svg"), tree(&log, Language::English, svg)).expect("written");
         takes(folder.path(), "rsvg-convert", &["tree.svg", "-o", "tree.png"]);
-        let picture = image::open(folder.path().join("tree.png")).expect("a picture").into_rgb8();
-        let dark = picture.pixels().filter(|pixel| pixel.0.iter().all(|channel| *channel < 100)).count();
+        let picture = Bitmap::open(&folder.path().join("tree.png"));
+        let dark = picture.pixels.iter().filter(|pixel| pixel.iter().all(|channel| *channel < 100)).count();
         assert!(dark > 100, "something is drawn: {dark}");
     }
 }

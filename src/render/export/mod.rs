@@ -61,7 +61,7 @@ impl Format {
 pub enum EncodeError {
     /// The encoder of PNG says so.
     #[error(transparent)]
-    Png(#[from] image::ImageError),
+    Png(#[from] ::png::EncodingError),
     /// The encoder of OpenEXR says so.
     #[error(transparent)]
     Exr(#[from] ::exr::error::Error),

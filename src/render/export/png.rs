@@ -1,29 +1,131 @@
-//! PNG.
+//! PNG, written and read.
 
+use super::read::{MAX_PICTURE_BYTES, PictureError};
 use crate::render::Film;
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageError};
+use png::{BitDepth, ColorType, Compression, DecodingError, EncodingError, Filter, Limits, Transformations};
+use std::io::Cursor;
 
-pub(super) fn png8(film: &Film, levels: &[u16]) -> Result<Vec<u8>, ImageError> {
+pub(super) fn png8(film: &Film, levels: &[u16]) -> Result<Vec<u8>, EncodingError> {
     let bytes: Vec<u8> = levels.iter().map(|level| *level as u8).collect();
-    encode(film, &bytes, ExtendedColorType::Rgb8)
+    of_levels(&bytes, [film.width(), film.height()])
 }
 
-pub(super) fn png16(film: &Film, levels: &[u16]) -> Result<Vec<u8>, ImageError> {
-    // The encoder takes native bytes and writes big-endian ones.
-    let bytes: Vec<u8> = levels.iter().flat_map(|level| level.to_ne_bytes()).collect();
-    encode(film, &bytes, ExtendedColorType::Rgb16)
+pub(super) fn png16(film: &Film, levels: &[u16]) -> Result<Vec<u8>, EncodingError> {
+    let bytes: Vec<u8> = levels.iter().flat_map(|level| level.to_be_bytes()).collect();
+    encode(&bytes, [film.width(), film.height()], BitDepth::Sixteen)
 }
 
 /// A PNG with 8 bits a channel from the levels of each pixel, row by row from the top.
-pub fn of_levels(levels: &[u8], [width, height]: [u32; 2]) -> Result<Vec<u8>, ImageError> {
+pub fn of_levels(levels: &[u8], size: [u32; 2]) -> Result<Vec<u8>, EncodingError> {
+    encode(levels, size, BitDepth::Eight)
+}
+
+fn encode(bytes: &[u8], [width, height]: [u32; 2], depth: BitDepth) -> Result<Vec<u8>, EncodingError> {
     let mut out = Vec::new();
-    PngEncoder::new(&mut out).write_image(levels, width, height, ExtendedColorType::Rgb8)?;
+    let mut encoder = png::Encoder::new(&mut out, width, height);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(depth);
+    encoder.set_compression(Compression::Fast);
+    encoder.set_filter(Filter::Adaptive);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(bytes)?;
+    writer.finish()?;
     Ok(out)
 }
 
-fn encode(film: &Film, bytes: &[u8], color: ExtendedColorType) -> Result<Vec<u8>, ImageError> {
-    let mut out = Vec::new();
-    PngEncoder::new(&mut out).write_image(bytes, film.width(), film.height(), color)?;
-    Ok(out)
+/// What a PNG holds.
+pub(super) struct Decoded {
+    pub size: [u32; 2],
+    /// Red, green and blue of each pixel, row by row from the top.
+    pub levels: Vec<u16>,
+    pub highest: u16,
+}
+
+/// Reads a PNG of any kind: palettes and fewer than 8 bits are expanded, of grey all three channels are made, transparency is left
+/// out, and of an animation the first frame is taken.
+pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, PictureError> {
+    // What unpacks to more than a picture of the greatest size would need isn't begun.
+    const MOST: usize = MAX_PICTURE_BYTES as usize * 2;
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), Limits { bytes: MOST });
+    decoder.set_transformations(Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(damaged)?;
+    let (color, depth) = reader.output_color_type();
+    let needed = reader.output_buffer_size().filter(|needed| *needed <= MOST).ok_or(PictureError::Memory)?;
+    let mut unpacked = Vec::new();
+    unpacked.try_reserve_exact(needed).map_err(|_| PictureError::Memory)?;
+    unpacked.resize(needed, 0);
+    let frame = reader.next_frame(&mut unpacked).map_err(damaged)?;
+    let (samples, highest) = match depth {
+        BitDepth::Sixteen => {
+            (unpacked.as_chunks().0.iter().map(|level| u16::from_be_bytes(*level)).collect(), u16::MAX)
+        }
+        _ => (unpacked.into_iter().map(u16::from).collect::<Vec<_>>(), u8::MAX.into()),
+    };
+    let is_grey = matches!(color, ColorType::Grayscale | ColorType::GrayscaleAlpha);
+    let pixels = samples.chunks_exact(color.samples());
+    let levels = match is_grey {
+        true => pixels.flat_map(|pixel| [pixel[0]; 3]).collect(),
+        false => pixels.flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect(),
+    };
+    Ok(Decoded { size: [frame.width, frame.height], levels, highest })
+}
+
+fn damaged(error: DecodingError) -> PictureError {
+    match error {
+        DecodingError::LimitsExceeded => PictureError::Memory,
+        error => PictureError::Png(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A picture of two by one pixels in this encoding.
+    fn of_two_pixels(color: ColorType, depth: BitDepth, data: &[u8]) -> Decoded {
+        let mut out = Vec::new();
+        let mut encoder = png::Encoder::new(&mut out, 2, 1);
+        encoder.set_color(color);
+        encoder.set_depth(depth);
+        if color == ColorType::Indexed {
+            encoder.set_palette(vec![1, 2, 3, 4, 5, 6]);
+        }
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(data).expect("the pixels");
+        writer.finish().expect("the end");
+        decode(&out).unwrap_or_else(|error| panic!("{color:?} {depth:?}: {error}"))
+    }
+
+    #[test]
+    fn every_kind_is_read() {
+        use BitDepth::{Eight, Four, One, Sixteen, Two};
+        use ColorType::{Grayscale, GrayscaleAlpha, Indexed, Rgb, Rgba};
+        let kinds: [(_, _, &[u8], _, _); 11] = [
+            (Grayscale, One, &[0b0100_0000], [0, 0, 0, 255, 255, 255], 255),
+            (Grayscale, Two, &[0b0110_0000], [85, 85, 85, 170, 170, 170], 255),
+            (Grayscale, Four, &[0x1f], [17, 17, 17, 255, 255, 255], 255),
+            (Grayscale, Eight, &[7, 9], [7, 7, 7, 9, 9, 9], 255),
+            (Grayscale, Sixteen, &[1, 2, 3, 4], [258, 258, 258, 772, 772, 772], 65535),
+            (GrayscaleAlpha, Eight, &[7, 0, 9, 255], [7, 7, 7, 9, 9, 9], 255),
+            (Indexed, One, &[0b0100_0000], [1, 2, 3, 4, 5, 6], 255),
+            (Indexed, Eight, &[1, 0], [4, 5, 6, 1, 2, 3], 255),
+            (Rgb, Eight, &[1, 2, 3, 4, 5, 6], [1, 2, 3, 4, 5, 6], 255),
+            (Rgba, Eight, &[1, 2, 3, 0, 4, 5, 6, 128], [1, 2, 3, 4, 5, 6], 255),
+            (Rgb, Sixteen, &[0, 1, 0, 2, 0, 3, 1, 4, 1, 5, 1, 6], [1, 2, 3, 260, 261, 262], 65535),
+        ];
+        for (color, depth, data, levels, highest) in kinds {
+            let decoded = of_two_pixels(color, depth, data);
+            assert_eq!((decoded.size, decoded.highest), ([2, 1], highest), "{color:?} {depth:?}");
+            assert_eq!(decoded.levels, levels, "{color:?} {depth:?}");
+        }
+    }
+
+    #[test]
+    fn what_unpacks_to_too_much_is_not_begun() {
+        // 2³⁰ by 2³⁰ pixels in a file of 57 bytes.
+        let mut out = Vec::new();
+        let writer = png::Encoder::new(&mut out, 1 << 30, 1 << 30).write_header().expect("a header");
+        drop(writer);
+        assert!(matches!(decode(&out), Err(PictureError::Memory | PictureError::Png(_))));
+    }
 }

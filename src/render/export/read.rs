@@ -1,7 +1,6 @@
 //! Pictures read back: PNG, binary PPM, PFM and OpenEXR.
 
-use image::{DynamicImage, ImageError, ImageFormat, ImageReader, Limits};
-use std::io::Cursor;
+use super::png::Decoded;
 
 /// The largest picture file that is read: 1 GiB.
 pub const MAX_PICTURE_BYTES: u64 = 1 << 30;
@@ -55,7 +54,7 @@ pub enum PictureError {
     Exr(::exr::error::Error),
     /// A PNG that can't be decoded.
     #[error("the picture is damaged: {0}")]
-    Png(ImageError),
+    Png(::png::DecodingError),
     /// There is no memory for it.
     #[error("no memory for the picture")]
     Memory,
@@ -111,27 +110,8 @@ pub fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
 }
 
 fn png(bytes: &[u8]) -> Result<Picture, PictureError> {
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Png);
-    // What unpacks to more than a picture of the greatest size would need isn't begun.
-    let mut limits = Limits::default();
-    limits.max_alloc = Some(MAX_PICTURE_BYTES * 2);
-    reader.limits(limits);
-    let decoded = reader.decode().map_err(|error| match error {
-        ImageError::Limits(_) => PictureError::Memory,
-        error => PictureError::Png(error),
-    })?;
-    let (width, height) = (decoded.width(), decoded.height());
-    let highest = if is_of_8_bits(&decoded) { 255 } else { 65535 };
-    let levels = match highest {
-        255 => decoded.into_rgb8().into_raw().into_iter().map(u16::from).collect(),
-        _ => decoded.into_rgb16().into_raw(),
-    };
+    let Decoded { size: [width, height], levels, highest } = super::png::decode(bytes)?;
     Ok(Picture { width, height, samples: Samples::Levels { levels, highest } })
-}
-
-fn is_of_8_bits(image: &DynamicImage) -> bool {
-    use DynamicImage::{ImageLuma8, ImageLumaA8, ImageRgb8, ImageRgba8};
-    matches!(image, ImageLuma8(_) | ImageLumaA8(_) | ImageRgb8(_) | ImageRgba8(_))
 }
 
 /// Of several layers the first that has red, green and blue.
