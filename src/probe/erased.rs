@@ -123,3 +123,52 @@ impl Probe for Erased<'_> {
         self.probe.leave();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::probe::{Altered, Decimal, Recorder};
+    use crate::render::Counter;
+    use crate::sampling;
+    use crate::scene::{Scene, build, builtin, file};
+
+    fn scenes() -> impl Iterator<Item = Scene> {
+        ["textbook", "glass-and-mirror", "motion-blur"].into_iter().map(|name| {
+            let text = builtin::text(name).unwrap_or_default();
+            let loaded = file::check(text.as_bytes(), name).unwrap_or_else(|error| panic!("{}", error.report(false)));
+            build(&loaded.scene, &Default::default()).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+        })
+    }
+
+    #[test]
+    fn a_probe_sees_the_same_with_its_type_erased() {
+        for scene in scenes() {
+            let pixel = scene.camera.resolution.map(|side| side / 2);
+            let (mut typed, mut erased) = (Recorder::default(), Recorder::default());
+            let color = sampling::pixel(&scene, pixel, &mut typed);
+            assert_eq!(sampling::pixel(&scene, pixel, &mut Erased::of(&mut erased)), color);
+            assert!(erased.finish([0.0; 3]) == typed.finish([0.0; 3]));
+
+            let (mut typed, mut erased) = (Counter::default(), Counter::default());
+            sampling::pixel(&scene, pixel, &mut typed);
+            sampling::pixel(&scene, pixel, &mut Erased::of(&mut erased));
+            assert!(typed.rays() > 0 && typed.bounds_tests() + typed.primitive_tests() > 0);
+            assert_eq!(
+                (erased.rays(), erased.bounds_tests(), erased.primitive_tests(), erased.samples()),
+                (typed.rays(), typed.bounds_tests(), typed.primitive_tests(), typed.samples())
+            );
+        }
+    }
+
+    #[test]
+    fn the_computation_goes_on_with_what_a_probe_returns() {
+        for scene in scenes() {
+            let pixel = scene.camera.resolution.map(|side| side / 2);
+            let by_hand = || Altered { alteration: Decimal::new(2), probe: Recorder::default() };
+            let (mut typed, mut erased) = (by_hand(), by_hand());
+            let color = sampling::pixel(&scene, pixel, &mut typed);
+            assert_eq!(sampling::pixel(&scene, pixel, &mut Erased::of(&mut erased)), color);
+            assert!(erased.probe.finish([0.0; 3]) == typed.probe.finish([0.0; 3]));
+        }
+    }
+}
