@@ -67,7 +67,8 @@ for scene in ball wrong-bubble bubble; do
 done
 
 # 6 Something is wrong
-raywalk scene check wrong-bubble.json > check.txt 2> /dev/null
+raywalk scene check wrong-bubble.json > check.txt 2> warnings.txt
+says warnings.txt 'wrong-bubble.json:14:20: materials.air.ior: should be the index of the medium itself, 1 or more'
 says check.txt 'wrong-bubble: ok, 4 objects, 1 light, 4 materials'
 raywalk trace wrong-bubble.json --pixel 93,40 -o wrong.ndjson
 raywalk trace wrong.ndjson --format text > wrong.txt

@@ -9,6 +9,7 @@ use super::walk::has_terminal;
 use clap::{Args, ValueEnum};
 use raywalk::log::file::is_log;
 use raywalk::render::export::{self, MAX_PICTURE_BYTES, is_picture};
+use raywalk::render::part::is_part;
 use raywalk::report::diff::Tolerance;
 use raywalk::scene::file::{Opened, Wanted, visible};
 use signal_hook::iterator::Handle;
@@ -148,6 +149,7 @@ fn found(beginning: &[u8]) -> String {
     let is_scene = String::from_utf8_lossy(beginning).contains("\"raywalk-scene/");
     match beginning.trim_ascii().is_empty() {
         true => "found an empty file".to_owned(),
+        false if is_part(beginning) => "found a part of a picture; `raywalk merge` joins parts".to_owned(),
         false if is_scene => "found a scene; `raywalk trace` writes the log of one of its pixels".to_owned(),
         false => {
             let start: String =

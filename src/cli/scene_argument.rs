@@ -4,6 +4,8 @@ use super::failure::Failure;
 use super::options::ColorChoice;
 use super::output;
 use raywalk::log::file::is_log;
+use raywalk::render::export::is_picture;
+use raywalk::render::part::is_part;
 use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
@@ -100,8 +102,24 @@ fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, 
 
 fn whole(opened: file::Opened, argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
     let name = opened.name().to_owned();
+    if let Some(what) = no_scene(opened.beginning()) {
+        return Err(Failure::caller(format!("{}: expected a scene, found {what}", visible(&name))));
+    }
     let bytes = opened.bytes().map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     Ok(Input { bytes, name, path: Some(argument.to_owned()) })
+}
+
+/// What else of ours begins like this, and what to do with it.
+fn no_scene(beginning: &[u8]) -> Option<&'static str> {
+    if is_part(beginning) {
+        Some("a part of a picture; `raywalk merge` joins parts")
+    } else if is_log(beginning) {
+        Some("a log; `raywalk walk` and `raywalk trace` show it")
+    } else if is_picture(beginning) {
+        Some("a picture; `raywalk diff` compares two")
+    } else {
+        None
+    }
 }
 
 /// Checks a scene that was read, and reads its meshes; prints their warnings.

@@ -9,6 +9,7 @@ pub mod mesh;
 pub mod motion;
 pub mod ray;
 pub mod shape;
+pub(crate) mod size;
 pub(crate) mod unit;
 
 pub use bounds::Bounds;

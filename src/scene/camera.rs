@@ -2,6 +2,7 @@
 
 use super::lens::Lens;
 use crate::geometry::Ray;
+use crate::geometry::size::unit;
 use crate::geometry::unit::middling;
 use crate::log::{Decision, Name};
 use crate::probe::Probe;
@@ -33,7 +34,9 @@ impl Camera {
     /// A camera at `position` that looks along `direction`, of any length, with `up` not parallel to it, and
     /// `vertical_fov` degrees from the picture's top edge to its bottom edge.
     pub fn new(position: DVec3, direction: DVec3, up: DVec3, vertical_fov: f64, resolution: [u32; 2]) -> Camera {
-        let to_right = direction.cross(up);
+        // Of middling size, so that no product of them vanishes or overflows; the digits are the same.
+        let (along, upward) = (middling(direction), middling(up));
+        let to_right = along.cross(upward);
         let half_height = libm::tan(vertical_fov.to_radians() / 2.0);
         Camera {
             position,
@@ -41,7 +44,7 @@ impl Camera {
             up_as_given: up,
             length: direction.length(),
             right: unit(to_right),
-            up: unit(to_right.cross(direction)),
+            up: unit(to_right.cross(along)),
             pixel_side: 2.0 * half_height / f64::from(resolution[1]),
             resolution,
             shutter: None,
@@ -179,10 +182,6 @@ fn time_within<P: Probe>([open, close]: [f64; 2], draws: &Draws, probe: &mut P) 
     probe.note(Name::RayTimeSampled, open + part * (close - open))
 }
 
-fn unit(vector: DVec3) -> DVec3 {
-    vector / vector.length()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,5 +200,25 @@ mod tests {
             assert_eq!(camera.place_of(eye - ray.direction), None);
         }
         assert_eq!(camera.place_of(eye), None);
+    }
+
+    #[test]
+    fn the_axes_need_no_middling_size() {
+        let of_size = |along: f64, up: f64| {
+            let camera = Camera::new(
+                DVec3::ZERO,
+                DVec3::new(2.0, -1.0, 0.5) * along,
+                DVec3::new(0.1, 1.0, 0.0) * up,
+                50.0,
+                [3, 2],
+            );
+            (camera.right, camera.up)
+        };
+        let plain = of_size(1.0, 1.0);
+        assert!((plain.0.length() - 1.0).abs() < 1e-15 && plain.0.dot(plain.1).abs() < 1e-15);
+        let power = |exponent: i32| f64::from_bits(((1023 + exponent) as u64) << 52);
+        for [along, up] in [[-490, -490], [330, 330], [-490, 330], [330, -490]] {
+            assert_eq!(of_size(power(along), power(up)), plain, "2^{along}, 2^{up}");
+        }
     }
 }

@@ -168,6 +168,18 @@ fn frames_have_parts_of_their_own() {
     refused(&all, &folder.path("m.png"), "of several frames (2, 3, 4)");
     refused(&all[1..], &folder.path("n-#.png"), "shards are missing: 2/2");
     assert!(!fs::exists(folder.path("n-2.png")).unwrap(), "nothing is written before all is known to be there");
+    let still = folder.made("still.part", &["render", "spoked-wheel", "--size", "40x40", "--shard", "1/2"]);
+    let mixed = [&all[..], &[still.as_str()]].concat();
+    refused(&mixed, &folder.path("n-#.png"), "the one of no animation, the other its frame 2");
+    for call in [&["render", &still, "-o", "x.png"][..], &["walk", &still], &["scene", "check", &still]] {
+        says(2, call, "expected a scene, found a part of a picture; `raywalk merge` joins parts");
+    }
+    says(
+        2,
+        &["diff", &still, &still],
+        "expected a log or a picture, found a part of a picture; `raywalk merge` joins parts",
+    );
+    says(2, &["walk", &folder.path("one.png")], "expected a scene, found a picture");
 }
 
 #[test]

@@ -26,7 +26,8 @@ impl Bitmap {
     }
 
     pub fn save(&self, path: &Path) {
-        fs::write(path, png_of_levels(self.pixels.as_flattened(), self.size()).expect("a PNG")).expect("a place for it");
+        fs::write(path, png_of_levels(self.pixels.as_flattened(), self.size()).expect("a PNG"))
+            .expect("a place for it");
     }
 
     pub fn size(&self) -> [u32; 2] {

@@ -39,6 +39,13 @@ impl Merge {
                 visible(&name)
             )));
         }
+        let of_frames = frames.iter().find_map(|(frame, parts)| frame.map(|number| (number, &parts[0])));
+        if let (Some(of_none), Some((number, of_one))) = (frames.get(&None), of_frames) {
+            let [without, with] = [&of_none[0], of_one].map(|part| shown(part.path));
+            return Err(Failure::caller(format!(
+                "{without} and {with}: are of different pictures, the one of no animation, the other its frame {number}"
+            )));
+        }
         // All of them, before the first one is written.
         frames.values().try_for_each(|parts| check(parts))?;
         for path in &self.parts {

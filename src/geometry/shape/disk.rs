@@ -2,10 +2,10 @@
 
 use super::flat::{PlaneNames, meet_plane_certainly, refined, toward};
 use super::{Approach, Kernel, decide};
-use crate::geometry::area_normal::unit;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Surface};
+use crate::geometry::size::unit;
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use glam::DVec3;

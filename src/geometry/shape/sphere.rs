@@ -5,11 +5,11 @@
 
 use super::doubled_chord::{DoubledChord, Doubt, corrected};
 use super::{Approach, Kernel, decide};
-use crate::geometry::area_normal::length;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::Form;
 use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::geometry::size::length;
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use arrayvec::ArrayVec;

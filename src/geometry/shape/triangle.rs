@@ -10,11 +10,12 @@
 use super::edge::{LEAST_SIZE, OF_EDGE, edge_function};
 use super::flat::{BoxNames, PlaneHit, PlaneNames, is_in_doubt_along, kept_in_box, meet_plane, toward, unaltered};
 use super::{Approach, Kernel, decide};
-use crate::geometry::area_normal::{area_normal, unit};
+use crate::geometry::area_normal::area_normal;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::{Doubled, Doubled3, exponent, length};
 use crate::geometry::exact::triple_product;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::geometry::size::unit;
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use glam::DVec3;

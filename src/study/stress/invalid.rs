@@ -156,7 +156,8 @@ fn half(case: &Map<String, Value>) -> Result<&'static str, String> {
         case.insert(key.to_owned(), value);
     }
     let mut watch = Watch::default();
-    let half = if eta == 1.0 { None } else { transmitted_half(light.into(), view.into(), eta, &mut Erased::of(&mut watch)) };
+    let half =
+        if eta == 1.0 { None } else { transmitted_half(light.into(), view.into(), eta, &mut Erased::of(&mut watch)) };
     let length = watch.number(Name::TransmitLength);
     let parts = super::optics::local(&case)?;
     let is_finite = half.is_none_or(DVec3::is_finite) && length.is_none_or(f64::is_finite) && has_numbers(&parts);

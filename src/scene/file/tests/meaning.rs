@@ -115,6 +115,18 @@ fn unused_materials() {
 }
 
 #[test]
+fn indices_of_refraction_that_are_quotients() {
+    let air = |weights: &str| {
+        let air = format!("\"air\": {{\"ior\": 0.667, \"weights\": {weights}}}");
+        textbook_with("\"materials\": {", &format!("\"materials\": {{{air},"))
+    };
+    let doubt = "materials.air.ior: should be the index of the medium itself, 1 or more, and not its quotient";
+    warns(&air(r#"{"transmitted": 0.9}"#), doubt);
+    let opaque = loads(&air(r#"{"reflected": 0.9}"#)).warnings;
+    assert!(opaque.iter().all(|warning| !warning.report(Severity::Warning, false).contains(".ior:")), "{opaque:?}");
+}
+
+#[test]
 fn negative_colours() {
     refuses_value(textbook_with("[180, 160, 190]", "[180, -1, 190]"), "ambient[1]: must be 0 or more, found -1");
     refuses_value(textbook_with("[220, 200, 255]", "[-1, 0, 0]"), "lights[0].color[0]: must be 0 or more, found -1");
@@ -207,6 +219,14 @@ fn cylinders_and_cones() {
     refuses_value(
         shape(r#"{"cylinder": {"base": [1, 1, 1], "apex": [1, 1, 1], "radius": 1}}"#),
         "objects[0].shape.cylinder.apex: must not be the base, found [1, 1, 1]",
+    );
+    refuses_value(
+        shape(r#"{"cylinder": {"base": [0, 0, 0], "apex": [0, 3e-319, 0], "radius": 1}}"#),
+        "objects[0].shape.cylinder.apex: must be at least 1e-150 from the base, found 3e-319",
+    );
+    refuses_value(
+        shape(r#"{"cone": {"base": [0, 0, 0], "base_radius": 2, "apex": [0, 1e-60, 0], "apex_radius": 0}}"#),
+        "objects[0].shape.cone: must be at most 1e50 times as wide as long, found 2e60",
     );
     refuses_value(
         shape(r#"{"cone": {"base": [0, 0, 0], "base_radius": 0, "apex": [0, 1, 0], "apex_radius": 0}}"#),

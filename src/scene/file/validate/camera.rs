@@ -4,7 +4,7 @@ use crate::scene::file::schema::{Aim, Camera};
 
 use super::checker::{Checker, triple};
 use super::limits::{MAX_PIXELS, MAX_SIDE};
-use super::vector::{are_parallel, size};
+use super::vector::are_parallel;
 
 /// Checks the camera.
 pub fn camera(mut check: Checker<'_>, camera: &Camera) {
@@ -31,15 +31,7 @@ pub fn camera(mut check: Checker<'_>, camera: &Camera) {
 fn aim(check: &mut Checker<'_>, camera: &Camera) -> bool {
     match camera.aim {
         Aim::Direction(direction) => check.direction("direction", direction),
-        Aim::LookAt(point) => {
-            check.point("look_at", point);
-            let distance = size(camera.direction());
-            if distance == 0.0 {
-                let message = format!("must not be the camera's position, found {}", triple(point));
-                check.at("look_at").error(message);
-            }
-            distance > 0.0 && distance.is_finite()
-        }
+        Aim::LookAt(point) => check.point_away("look_at", point, camera.position, "the camera's position"),
     }
 }
 

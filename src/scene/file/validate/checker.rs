@@ -4,7 +4,7 @@ use crate::scene::file::key_path::{KeyPath, Step};
 use crate::scene::file::schema::{Rgb, Vec3};
 
 use super::limits::{MAX_COORDINATE, MAX_PROBLEMS, MAX_RATIO, MIN_LENGTH};
-use super::vector::size;
+use super::vector::{minus, size};
 use super::{Finding, Findings};
 
 /// Findings of a whole scene and the way to where they are being made.
@@ -183,6 +183,25 @@ impl Checker<'_> {
             return true;
         };
         self.at(step).error(format!("{problem}, found {}", triple(value)));
+        false
+    }
+
+    /// A point away from another one, so that there is a direction from that to it; says whether there is.
+    pub fn point_away(&mut self, step: impl Into<Step>, point: Vec3, from: Vec3, other: &str) -> bool {
+        let step = step.into();
+        self.point(step.clone(), point);
+        let distance = size(minus(point, from));
+        if !distance.is_finite() {
+            return false;
+        }
+        let problem = if distance == 0.0 {
+            format!("must not be {other}, found {}", triple(point))
+        } else if distance < MIN_LENGTH {
+            format!("must be at least {MIN_LENGTH:e} from {other}, found {}", number(distance))
+        } else {
+            return true;
+        };
+        self.at(step).error(problem);
         false
     }
 

@@ -27,13 +27,13 @@ pub const MAX_FRAMES: u32 = 1_000_000;
 /// The largest exposure in stops, up or down.
 pub const MAX_EXPOSURE: f64 = 100.0;
 
-/// The shortest vector that is a direction: its square must not vanish.
+/// The shortest vector that is a direction, and the shortest axis of a cylinder or cone: its square must not vanish.
 pub const MIN_LENGTH: f64 = 1e-150;
 
 /// The largest coordinate or size: squares, and squares of their products with directions, must stay finite.
 pub const MAX_COORDINATE: f64 = 1e100;
 
-/// The largest refractive index, and 1 over the smallest.
+/// The largest refractive index, and 1 over the smallest; and how much the radius of a cone may gain per unit along its axis.
 pub const MAX_RATIO: f64 = 1e50;
 
 /// How many problems are kept; further ones are counted.

@@ -4,7 +4,7 @@ use crate::scene::file::escape::shortened;
 use crate::scene::file::schema::{Material, Materials, Pattern, Weight};
 use crate::scene::file::suggest::suggest;
 
-use super::checker::Checker;
+use super::checker::{Checker, number};
 use super::limits::MAX_SAMPLES;
 
 /// How many names a message lists.
@@ -19,6 +19,7 @@ pub fn material(check: &mut Checker<'_>, material: &Material) {
     check.not_negative("shininess", material.shininess);
     check.not_negative("transmission_exponent", material.transmission_exponent);
     check.ratio("ior", material.ior);
+    refraction(check.at("ior"), material);
     let mut weights = check.at("weights");
     weight(&mut weights, "local", material.weights.local);
     weight(&mut weights, "reflected", material.weights.reflected);
@@ -37,6 +38,16 @@ pub fn material(check: &mut Checker<'_>, material: &Material) {
         check.colour("a", checker.a);
         check.colour("b", checker.b);
         check.positive("size", checker.size);
+    }
+}
+
+/// Quotients of two media are what formulas have; a scene has the media.
+fn refraction(mut check: Checker<'_>, material: &Material) {
+    let transmits = material.weights.transmitted.rgb().iter().any(|weight| *weight > 0.0);
+    if transmits && material.ior > 0.0 && material.ior < 1.0 {
+        let message =
+            "should be the index of the medium itself, 1 or more, and not its quotient with what is around it";
+        check.warning(format!("{message}; found {}", number(material.ior)));
     }
 }
 

@@ -3,8 +3,8 @@
 use crate::scene::file::mesh_path::check_as_written;
 use crate::scene::file::schema::{AxisBox, Cone, Ellipsoid, Motion, Polygon, Shape, Triangle, Vec3};
 
-use super::checker::{Checker, number, triple};
-use super::limits::MAX_COORDINATE;
+use super::checker::{Checker, number};
+use super::limits::{MAX_COORDINATE, MAX_RATIO};
 use super::vector::{dot, has_area, is_proper_rotation, length, minus, over, size, twice_area};
 
 /// How exactly the rows of a rotation must be orthonormal.
@@ -136,20 +136,23 @@ fn axis_box(mut check: Checker<'_>, axis_box: &AxisBox) {
 }
 
 fn cone(mut check: Checker<'_>, cone: &Cone) {
-    axis(&mut check, cone.base, cone.apex);
+    let has_axis = axis(&mut check, cone.base, cone.apex);
     check.not_negative("base_radius", cone.base_radius);
     check.not_negative("apex_radius", cone.apex_radius);
     if cone.base_radius == 0.0 && cone.apex_radius == 0.0 {
         check.error("`base_radius` and `apex_radius` must not both be 0".to_string());
     }
+    let (gain, along) = ((cone.apex_radius - cone.base_radius).abs(), size(minus(cone.apex, cone.base)));
+    if has_axis && gain / along > MAX_RATIO {
+        let message = format!("must be at most {MAX_RATIO:e} times as wide as long, found {}", number(gain / along));
+        check.error(message);
+    }
 }
 
-fn axis(check: &mut Checker<'_>, base: Vec3, apex: Vec3) {
+/// Whether there is a direction from base to apex.
+fn axis(check: &mut Checker<'_>, base: Vec3, apex: Vec3) -> bool {
     check.point("base", base);
-    check.point("apex", apex);
-    if base == apex {
-        check.at("apex").error(format!("must not be the base, found {}", triple(apex)));
-    }
+    check.point_away("apex", apex, base, "the base")
 }
 
 /// Whether all points are finite.

@@ -16,7 +16,10 @@ pub(super) const MESSAGES: Messages = Messages {
     no_step_out: "nothing around it to step out to in this direction",
     whole_tree: "the whole tree is shown",
     tree_grows: "the tree grows with the steps; t shows all of it",
-    rate: |rate, is_playing| format!("{rate} steps a second{}", if is_playing { "" } else { "; P plays" }),
+    rate: |rate, is_playing| {
+        let steps = if rate == 1 { "step" } else { "steps" };
+        format!("{rate} {steps} a second{}", if is_playing { "" } else { "; P plays" })
+    },
     nothing_to_play: "no more computed values to play; 0 goes to the first step",
     played: "played to the last computed value",
     nowhere_back: "nowhere to go back to: nothing was jumped from",

@@ -17,7 +17,10 @@ pub(super) const MESSAGES: Messages = Messages {
     no_step_out: "no hay nada alrededor a lo que salir en esta dirección",
     whole_tree: "se muestra el árbol entero",
     tree_grows: "el árbol crece con los pasos; t lo muestra entero",
-    rate: |rate, is_playing| format!("{rate} pasos por segundo{}", if is_playing { "" } else { "; P reproduce" }),
+    rate: |rate, is_playing| {
+        let steps = if rate == 1 { "paso" } else { "pasos" };
+        format!("{rate} {steps} por segundo{}", if is_playing { "" } else { "; P reproduce" })
+    },
     nothing_to_play: "no hay más valores calculados que reproducir; 0 va al primer paso",
     played: "reproducido hasta el último valor calculado",
     nowhere_back: "no hay adónde volver: no ha habido saltos",
