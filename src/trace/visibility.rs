@@ -1,5 +1,6 @@
 //! What a ray meets first, and how much light gets through.
 
+use super::MAX_WEIGHT;
 use crate::geometry::{Crossing, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
@@ -142,7 +143,7 @@ fn attenuation<P: Probe>(scene: &Scene, mut crossed: Vec<(f64, u32)>, probe: &mu
     for (_, object) in crossed {
         let factor = scene.material_of(object).weights.transmitted;
         probe.mark(Decision::Attenuated { object, factor: factor.to_array() });
-        part *= factor;
+        part = (part * factor).min(Color::splat(MAX_WEIGHT));
         if part == Color::ZERO {
             // Filters of different colours let nothing through together.
             probe.mark(Decision::Occluded { object });

@@ -11,6 +11,7 @@ mod diff;
 mod digits;
 mod formulas;
 mod log_files;
+mod overflow;
 mod regions;
 mod rounding;
 mod skips;

@@ -33,6 +33,9 @@ fn encode(bytes: &[u8], [width, height]: [u32; 2], depth: BitDepth) -> Result<Ve
     Ok(out)
 }
 
+/// As many bytes come from one at the most: a match of 258 bytes takes 2 bits or more (RFC 1951).
+const DEFLATE_RATIO: usize = 1032;
+
 /// What a PNG holds.
 pub(super) struct Decoded {
     pub size: [u32; 2],
@@ -51,6 +54,10 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, PictureError> {
     let mut reader = decoder.read_info().map_err(damaged)?;
     let (color, depth) = reader.output_color_type();
     let needed = reader.output_buffer_size().filter(|needed| *needed <= MOST).ok_or(PictureError::Memory)?;
+    // Nor what its bytes can't be unpacked to: a header costs nothing to write.
+    if reader.info().raw_bytes() / DEFLATE_RATIO > bytes.len() {
+        return Err(PictureError::Header("a size that fits the bytes behind it"));
+    }
     let mut unpacked = Vec::new();
     unpacked.try_reserve_exact(needed).map_err(|_| PictureError::Memory)?;
     unpacked.resize(needed, 0);
@@ -126,6 +133,13 @@ mod tests {
         let mut out = Vec::new();
         let writer = png::Encoder::new(&mut out, 1 << 30, 1 << 30).write_header().expect("a header");
         drop(writer);
-        assert!(matches!(decode(&out), Err(PictureError::Memory | PictureError::Png(_))));
+        assert!(matches!(decode(&out), Err(PictureError::Memory)));
+        // 2¹⁴ by 2¹⁴: it could be held, and isn't there.
+        let mut out = Vec::new();
+        drop(png::Encoder::new(&mut out, 1 << 14, 1 << 14).write_header().expect("a header"));
+        assert!(matches!(decode(&out), Err(PictureError::Header(_))));
+        // What is all black is packed to a thousandth.
+        let black = of_levels(&vec![0; 3 << 20], [1 << 10, 1 << 10]).expect("a PNG");
+        assert!(black.len() < 50_000 && decode(&black).expect("a picture").levels == vec![0; 3 << 20]);
     }
 }
