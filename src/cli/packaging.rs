@@ -9,8 +9,20 @@ use clap_mangen::Man;
 use std::io;
 use std::path::PathBuf;
 
+const COMPLETIONS: &str = "\
+Examples:
+  raywalk completions bash > ~/.local/share/bash-completion/completions/raywalk
+  raywalk completions zsh > /usr/local/share/zsh/site-functions/_raywalk
+  raywalk completions fish > ~/.config/fish/completions/raywalk.fish";
+
+const MANUAL: &str = "\
+Examples:
+  raywalk man | man -l -
+  raywalk man -o /usr/local/share/man/man1";
+
 /// Print what a shell needs to complete commands and options.
 #[derive(Args)]
+#[command(after_long_help = COMPLETIONS)]
 pub struct Completions {
     /// The shell
     shell: Shell,
@@ -18,6 +30,7 @@ pub struct Completions {
 
 /// Print the manual page, or write those of all commands into a folder.
 #[derive(Args)]
+#[command(after_long_help = MANUAL)]
 pub struct Manual {
     /// The folder for the pages of all commands, such as /usr/local/share/man/man1; it must be there
     #[arg(long, short, value_name = "FOLDER")]

@@ -16,10 +16,20 @@ use std::collections::HashMap;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 use std::path::PathBuf;
 
-/// Answer ray queries from standard input, a JSON object a line
-///
-/// Moving objects are where they are when the shutter opens.
+const MORE: &str = "\
+A query is a JSON object in a line of its own: `o` the origin, `d` the direction (of any length), and where wanted `id` (comes back \
+with the answer), `tmin` and `tmax` (between which t counts; the point is o + t·d), `from` and `from_primitive` (the object that the \
+ray leaves, which it doesn't meet again there). The answer is a line, too. What can't be read is answered with an `error`, and the \
+next line goes on. Moving objects are where they are when the shutter opens.
+
+Examples:
+  $ echo '{\"id\": 1, \"o\": [16, 2, 7], \"d\": [-12, 4, 1]}' | raywalk rays textbook
+  {\"id\":1,\"hit\":{\"object\":\"plane\",\"primitive\":0,\"t\":1.0,\"point\":[4.0,6.0,8.0],\"normal\":[1.0,0.0,0.0],\"side\":\"front\"}}
+  $ raywalk rays textbook --occlusion < queries.ndjson > answers.ndjson";
+
+/// Answer ray queries from standard input.
 #[derive(Args)]
+#[command(after_long_help = MORE)]
 pub struct Rays {
     /// A scene file or a built-in scene
     scene: PathBuf,

@@ -132,3 +132,15 @@ fn unusable_lines_say_why() {
         "from_primitive: `sphere` has primitive 0 only, found 33",
     );
 }
+
+/// What the help shows is what comes.
+#[test]
+fn the_example_of_the_help() {
+    let raywalk = || Command::new(env!("CARGO_BIN_EXE_raywalk"));
+    let help = String::from_utf8(raywalk().args(["rays", "--help"]).output().expect("it runs").stdout).expect("UTF-8");
+    let example = help.split_once("$ echo '").expect("an example").1;
+    let (query, rest) = example.split_once("' | raywalk rays textbook\n").expect("a query");
+    let answer = rest.lines().next().expect("an answer").trim();
+    let said = raywalk().args(["rays", "textbook"]).write_stdin(query).output().expect("it runs").stdout;
+    assert_eq!(String::from_utf8_lossy(&said).trim(), answer);
+}
