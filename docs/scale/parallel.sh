@@ -20,7 +20,7 @@ render() {
         # A machine that dies, once.
         touch "$folder/was-killed"
         "$@" &
-        sleep 0.3
+        until [ -e "$part.checkpoint" ] || [ -e "$part" ]; do sleep 0.01; done
         kill -KILL $! && wait $!
     else
         "$@"

@@ -215,7 +215,10 @@ pub fn numbers<T: std::str::FromStr + Copy + Default, const N: usize>(text: &str
     }
     let mut numbers = [T::default(); N];
     for (number, part) in numbers.iter_mut().zip(parts) {
-        *number = part.trim().parse().map_err(|_| format!("{}, found `{part}`", expected()))?;
+        *number = part.trim().parse().map_err(|_| match part.trim().parse::<f64>() {
+            Ok(_) => format!("expected {N} whole numbers from 0 on, found `{part}`"),
+            Err(_) => format!("{}, found `{part}`", expected()),
+        })?;
     }
     Ok(numbers)
 }

@@ -32,7 +32,7 @@ pub struct Completions {
 #[derive(Args)]
 #[command(after_long_help = MANUAL)]
 pub struct Manual {
-    /// The folder for the pages of all commands, such as /usr/local/share/man/man1; it must be there
+    /// The folder for the pages of all commands, such as /usr/local/share/man/man1; it is made if it isn't there
     #[arg(long, short, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }
@@ -53,6 +53,7 @@ impl Manual {
         let mut command = Cli::command();
         command.build();
         let Some(folder) = &self.output else { return output::print(&page(command)?) };
+        std::fs::create_dir_all(folder).map_err(|error| Failure::io(folder, "create", &error))?;
         for command in with_all_below(command) {
             let path = folder.join(format!("{}.1", command.get_display_name().unwrap_or(command.get_name())));
             Output::create(Some(&path), &[] as &[PathBuf])?.commit(&page(command)?)?;

@@ -37,7 +37,7 @@ pub struct Render {
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     /// Only a part: left, top, right and bottom in pixels, the last two exclusive
-    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>)]
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>, allow_hyphen_values = true)]
     crop: Option<[u32; 4]>,
     /// Show where few digits can be trusted instead of the colours: the fewest significant digits of a pixel's channels
     /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In .png and .ppm black is all

@@ -153,10 +153,11 @@ pub(super) fn is_colored(colors: ColorChoice) -> bool {
 }
 
 fn nothing_of(name: &str) -> Failure {
-    let near = file::suggest(name, builtin::names());
-    let hint = match near {
-        Some(near) => format!("did you mean the built-in scene `{near}`?"),
-        None => format!("the built-in scenes are {}", builtin::names().collect::<Vec<_>>().join(", ")),
+    let hint = match file::suggest(name, builtin::names()) {
+        Some(near) => format!("; did you mean the built-in scene `{near}`?"),
+        // The name of a file.
+        None if name.contains(['.', '/', '\\']) => String::new(),
+        None => format!("; the built-in scenes are {}", builtin::names().collect::<Vec<_>>().join(", ")),
     };
-    Failure::caller(format!("{}: no such file or built-in scene; {hint}", visible(name)))
+    Failure::caller(format!("{}: no such file or built-in scene{hint}", visible(name)))
 }

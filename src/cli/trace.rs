@@ -4,7 +4,7 @@ mod of_log;
 mod of_region;
 
 use super::causes;
-use super::failure::Failure;
+use super::failure::{Failure, shown};
 use super::frames;
 use super::options::{ColorChoice, TracingOptions, numbers, pixel_in, warning_of_sampling};
 use super::output::{self, Output, Sink};
@@ -24,7 +24,7 @@ use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
 use raywalk::scene::file::visible;
 use raywalk::study::rounding::Rounding;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Write the log of a pixel, a ray or a region, or views of it.
 #[derive(Args)]
@@ -35,7 +35,7 @@ pub struct Trace {
     #[command(flatten)]
     subject: Subject,
     /// The pixels of a rectangle: its left, top, right and bottom side, the last two exclusive
-    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>, group = "Subject")]
+    #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>, group = "Subject", allow_hyphen_values = true)]
     region: Option<[u32; 4]>,
     /// What to write; without it ndjson, and text with --causes
     #[arg(long, value_enum, value_name = "FORMAT")]
@@ -74,7 +74,7 @@ pub struct Trace {
 #[group(multiple = false)]
 pub struct Subject {
     /// A pixel: column and row from the top left
-    #[arg(long, value_name = "X,Y", value_parser = numbers::<u32, 2>)]
+    #[arg(long, value_name = "X,Y", value_parser = numbers::<u32, 2>, allow_hyphen_values = true)]
     pub pixel: Option<[u32; 2]>,
     /// A ray: its origin and its direction
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", value_parser = finite_ray, allow_hyphen_values = true)]
@@ -107,9 +107,36 @@ pub enum TraceFormat {
     Ply,
 }
 
+impl TraceFormat {
+    /// The view that a file's name stands for, before the ending of what packs it.
+    fn of_name(path: &Path) -> Option<TraceFormat> {
+        let name = path.file_name()?.to_str()?;
+        let plain = name.strip_suffix(".gz").or_else(|| name.strip_suffix(".zst")).unwrap_or(name);
+        Some(match plain.rsplit_once('.')?.1 {
+            "html" => TraceFormat::Html,
+            "md" => TraceFormat::Markdown,
+            "tex" => TraceFormat::Latex,
+            "dot" => TraceFormat::Dot,
+            "svg" => TraceFormat::Svg,
+            "obj" => TraceFormat::Obj,
+            "ply" => TraceFormat::Ply,
+            _ => return None,
+        })
+    }
+}
+
 impl Trace {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        if let (None, false, Some(path)) = (self.format, self.causes, &self.output)
+            && let Some(format) = TraceFormat::of_name(path)
+        {
+            let word = format.word();
+            output::tell(&format!(
+                "note: {} gets a log as ndjson; --format {word} writes what its name says",
+                shown(path)
+            ));
+        }
         match scene_argument::open(&self.scene, colors)? {
             Named::Scene(input) => self.of_scene(&input, colors),
             Named::Log(opened) => self.of_log(opened),

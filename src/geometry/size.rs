@@ -21,7 +21,7 @@ pub fn length(vector: DVec3) -> f64 {
 }
 
 /// The vector divided by a power of two, which is exact, so that no square overflows or vanishes; and that power.
-pub fn scaled(vector: DVec3) -> Option<(DVec3, f64)> {
+fn scaled(vector: DVec3) -> Option<(DVec3, f64)> {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     let largest = vector.abs().max_element().to_bits();
     // A subnormal number has no exponent: its highest bit is the power.

@@ -4,7 +4,7 @@
 //! whoever needs it first traces it, and others wait for that. What a corner sees depends on its place alone, so that it
 //! doesn't matter who was first, and every corner is counted once.
 
-use super::{Counter, Film, Settings, TILE, color_of, tiles_of};
+use super::{Counter, Film, Progress, Settings, TILE, color_of, tiles_of};
 use crate::probe::Probe;
 use crate::random::hash;
 use crate::record::Computation;
@@ -27,7 +27,7 @@ pub(super) fn by_cells(
     scene: &Scene,
     settings: &Settings,
     (threshold, depth): (f64, u32),
-    progress: &(impl Fn(u64) + Sync),
+    progress: Progress,
     stop: &AtomicBool,
 ) -> Option<(Film, Counter)> {
     let [left, top, right, bottom] = settings.crop;
@@ -72,7 +72,7 @@ struct Tile<'s> {
 
 impl Tile<'_> {
     /// The pixels row by row; `None` when the work is to stop.
-    fn render(&self, progress: &impl Fn(u64), stop: &AtomicBool) -> Option<(Vec<Color>, Counter)> {
+    fn render(&self, progress: Progress, stop: &AtomicBool) -> Option<(Vec<Color>, Counter)> {
         let [left, top, right, bottom] = self.area;
         let mut counter = Counter::default();
         let mut colors = Vec::with_capacity(((right - left) * (bottom - top)) as usize);

@@ -1,7 +1,7 @@
 //! Pictures of how many digits of each pixel can be trusted.
 
 use super::scale::inferno;
-use super::{Counter, Film, RenderError, Rendered, Settings, by_pixels, on_threads};
+use super::{Counter, Film, Progress, RenderError, Rendered, Settings, by_pixels, on_threads};
 use crate::probe::Silent;
 use crate::record::Pixel;
 use crate::record::digits::{ALL_DIGITS, of_color};
@@ -30,7 +30,7 @@ pub(super) fn digits_in(
     scene: &Scene,
     settings: &Settings,
     seed: u64,
-    progress: &(impl Fn(u64) + Sync),
+    progress: Progress,
     stop: &AtomicBool,
 ) -> Option<(Film, Counter)> {
     let of_pixel = |pixel: [u32; 2], counter: &mut Counter| {

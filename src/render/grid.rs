@@ -1,6 +1,6 @@
 //! Pixels from corners that they share: each corner of the grid is traced once.
 
-use super::{Settings, TILE, color_of, tiles_of};
+use super::{Progress, Settings, TILE, color_of, tiles_of};
 use crate::record::Corner;
 use crate::render::{Counter, Film};
 use crate::sampling::mean::Sum;
@@ -20,7 +20,7 @@ pub(super) fn by_corners(
     scene: &Scene,
     settings: &Settings,
     n: u32,
-    progress: &(impl Fn(u64) + Sync),
+    progress: Progress,
     stop: &AtomicBool,
 ) -> Option<(Film, Counter)> {
     let [left, top, right, bottom] = settings.crop;
@@ -64,7 +64,7 @@ impl Grid<'_> {
         &self,
         strip: [u32; 4],
         counter: &mut Counter,
-        progress: &(impl Fn(u64) + Sync),
+        progress: Progress,
         stop: &AtomicBool,
     ) -> Option<Vec<Color>> {
         let tiles = tiles_of(strip, self.settings.order);
@@ -81,7 +81,7 @@ impl Grid<'_> {
     fn tile(
         &self,
         tile @ [left, top, right, bottom]: [u32; 4],
-        progress: &impl Fn(u64),
+        progress: Progress,
         stop: &AtomicBool,
     ) -> Option<(Vec<Color>, Counter)> {
         let mut counter = Counter::default();

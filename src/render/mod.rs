@@ -80,6 +80,9 @@ pub enum RenderError {
     Memory(u32, u32),
 }
 
+/// Is told how many pixels each finished tile had. Behind a pointer, so that the tracer isn't compiled again for each one.
+pub(crate) type Progress<'p> = &'p (dyn Fn(u64) + Sync);
+
 /// The side of a tile. Tiles are what threads take turns on, and what progress counts.
 const TILE: u32 = 16;
 
@@ -108,12 +111,7 @@ pub fn render(
 }
 
 /// The picture, on the threads of the pool that this is called in; `None` when the work is to stop.
-fn colors_in(
-    scene: &Scene,
-    settings: &Settings,
-    progress: &(impl Fn(u64) + Sync),
-    stop: &AtomicBool,
-) -> Option<(Film, Counter)> {
+fn colors_in(scene: &Scene, settings: &Settings, progress: Progress, stop: &AtomicBool) -> Option<(Film, Counter)> {
     let of_pixel = |pixel: [u32; 2], counter: &mut Counter| color_of(settings, Pixel { scene, pixel }, counter);
     match scene.sampling {
         Sampling::Shared { n } => grid::by_corners(scene, settings, n, progress, stop),
@@ -156,7 +154,7 @@ fn on_threads(
 fn by_pixels(
     settings: &Settings,
     of_pixel: impl Fn([u32; 2], &mut Counter) -> Color + Sync,
-    progress: &(impl Fn(u64) + Sync),
+    progress: Progress,
     stop: &AtomicBool,
 ) -> Option<(Film, Counter)> {
     let tiles = tiles_of(settings.crop, settings.order);
@@ -191,7 +189,7 @@ fn tiles_of(area: [u32; 4], order: TileOrder) -> Vec<[u32; 4]> {
 fn tile_of(
     of_pixel: &impl Fn([u32; 2], &mut Counter) -> Color,
     [left, top, right, bottom]: [u32; 4],
-    progress: &impl Fn(u64),
+    progress: Progress,
     stop: &AtomicBool,
 ) -> Option<(Vec<Color>, Counter)> {
     let mut counter = Counter::default();

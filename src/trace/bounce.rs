@@ -2,7 +2,7 @@
 
 use super::shade::give_ray;
 use super::zones::{self, Lobe};
-use super::{MAX_INTENSITY, MAX_WEIGHT, Media, Meeting, Path, Via, radiance};
+use super::{Media, Meeting, Path, Via, in_range, radiance};
 use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
@@ -186,7 +186,7 @@ fn give_loss<P: Probe>(scene: &Scene, path: &Path, weight: Color, probe: &mut P)
     // A product that became too small for a number is at least seen not to be zero.
     let product = (path.weight * weight).max(Color::splat(f64::MIN_POSITIVE));
     let product = Color::select(dead_channels(path, weight), Color::ZERO, product);
-    probe.given(Name::CutoffLoss, rounded_up((product * ceiling).min(Color::splat(MAX_INTENSITY))));
+    probe.given(Name::CutoffLoss, rounded_up(in_range(product * ceiling)));
 }
 
 /// A bounce, whatever its direction.
@@ -210,8 +210,7 @@ impl Bounce<'_> {
         split: u32,
         probe: &mut P,
     ) -> Color {
-        let level = meeting.path.level + 1;
-        let weight = (meeting.path.weight * self.weight).min(Color::splat(MAX_WEIGHT));
+        let (level, weight) = (meeting.path.level + 1, meeting.path.weight * self.weight);
         let is_transmitted = self.kind == RayKind::Transmitted;
         let via = Via { path: meeting.path, is_transmitted, split, material: meeting.material };
         let path = Path { level, media: self.media, weight, draws: meeting.path.draws, via: Some(via) };

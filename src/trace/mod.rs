@@ -24,12 +24,9 @@ use crate::random::{Arrangement, Draws, Route};
 use crate::scene::{Color, Material, Scene, Weights};
 use glam::DVec3;
 
-/// The most that a ray brings: what is brighter is made as bright as this, so that no sum of colours and no square of one overflows.
-/// Weights above 1 multiply at every level.
+/// The largest channel of a colour that a surface sends out, by itself or with all that its rays bring: what is larger counts as this. Weights
+/// and coefficients are at most 1e100, so no product of one with such a colour overflows, however often weights above 1 have multiplied it.
 pub const MAX_INTENSITY: f64 = 1e150;
-
-/// The largest product of weights along a path, and of what crossed surfaces make of light.
-pub const MAX_WEIGHT: f64 = 1e100;
 
 /// What a ray carries with it down the ray tree.
 #[derive(Clone, Copy, Debug)]
@@ -147,30 +144,23 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
 /// I = W_l·I_local + W_r·I_reflected + W_t·I_transmitted (Ramos, section 1.2.3).
 fn combine<P: Probe>(weights: &Weights, local: Color, reflected: Color, transmitted: Color, probe: &mut P) -> Color {
     probe.within(Step::Combine, |probe| {
-        let mut parts = [weights.local * local, weights.reflected * reflected, weights.transmitted * transmitted];
-        // For most probes this sum is the one below.
-        let is_in_range = (parts[0] + parts[1] + parts[2]).max_element() <= MAX_INTENSITY;
-        if !is_in_range {
-            dim(&mut parts);
-        }
         probe.given(Name::WeightLocal, weights.local);
         probe.given(Name::ShadeLocal, local);
-        let local = probe.note(Name::CombineLocal, parts[0]);
+        let local = probe.note(Name::CombineLocal, weights.local * local);
         probe.given(Name::WeightReflected, weights.reflected);
         probe.given(Name::IncomingReflected, reflected);
-        let reflected = probe.note(Name::CombineReflected, parts[1]);
+        let reflected = probe.note(Name::CombineReflected, weights.reflected * reflected);
         probe.given(Name::WeightTransmitted, weights.transmitted);
         probe.given(Name::IncomingTransmitted, transmitted);
-        let transmitted = probe.note(Name::CombineTransmitted, parts[2]);
-        probe.note(Name::CombineColor, local + reflected + transmitted)
+        let transmitted = probe.note(Name::CombineTransmitted, weights.transmitted * transmitted);
+        probe.note(Name::CombineColor, in_range(local + reflected + transmitted))
     })
 }
 
-/// Makes parts of a colour so much darker that their sum is in range, too.
-#[cold]
-#[inline(never)]
-fn dim(parts: &mut [Color; 3]) {
-    parts.iter_mut().for_each(|part| *part = part.min(Color::splat(MAX_INTENSITY / 4.0)));
+/// A colour in which no channel is above [`MAX_INTENSITY`].
+#[inline(always)]
+pub(crate) fn in_range(color: Color) -> Color {
+    color.min(Color::splat(MAX_INTENSITY))
 }
 
 impl Meeting<'_> {

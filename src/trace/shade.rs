@@ -1,7 +1,7 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
 use super::bounce::unless_it_leaks;
-use super::{Meeting, light_points, pattern, visibility::transmittance_among};
+use super::{Meeting, in_range, light_points, pattern, visibility::transmittance_among};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
 use crate::probe::Probe;
@@ -49,7 +49,7 @@ pub(super) fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe:
             from_light(scene, meeting, view, &source, arrival, probe)
         });
     }
-    probe.note(local_name(scene, material), sum)
+    probe.note(local_name(scene, material), in_range(sum))
 }
 
 /// A light, or a point of one.

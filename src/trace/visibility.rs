@@ -1,6 +1,6 @@
 //! What a ray meets first, and how much light gets through.
 
-use super::MAX_WEIGHT;
+use super::in_range;
 use crate::geometry::{Crossing, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
@@ -143,12 +143,13 @@ fn attenuation<P: Probe>(scene: &Scene, mut crossed: Vec<(f64, u32)>, probe: &mu
     for (_, object) in crossed {
         let factor = scene.material_of(object).weights.transmitted;
         probe.mark(Decision::Attenuated { object, factor: factor.to_array() });
-        part = (part * factor).min(Color::splat(MAX_WEIGHT));
+        // Not infinite, so that a surface behind that lets nothing through still does so.
+        part = (part * factor).min(Color::MAX);
         if part == Color::ZERO {
             // Filters of different colours let nothing through together.
             probe.mark(Decision::Occluded { object });
             break;
         }
     }
-    part
+    in_range(part)
 }

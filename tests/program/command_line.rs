@@ -219,7 +219,10 @@ fn wrong_calls_say_what_to_change() {
     says(2, &["trace", "textbook", "--ray", "1e300,0,0,1,0,0"], "coordinates up to 1e100");
     says(2, &["walk", "--screenshot", "a.txt"], "ends in .svg");
     says(2, &["trace", "textbok", "--pixel", "1,1"], "did you mean the built-in scene `textbook`?");
-    says(2, &["trace", "no/such.json", "--pixel", "1,1"], "no such file or built-in scene");
+    says(2, &["trace", "no/such.json", "--pixel", "1,1"], "no/such.json: no such file or built-in scene\n");
+    says(2, &["walk", "textbok"], "no such file or built-in scene; did you mean the built-in scene `textbook`?");
+    says(2, &["walk", "textbook", "--pixel", "-1,5"], "expected 2 whole numbers from 0 on, found `-1`");
+    says(2, &["trace", "textbook", "--region", "-1,0,5,5"], "expected 4 whole numbers from 0 on, found `-1`");
     says(2, &["render", "textbook", "-o", "a.gif"], "ends in .png, .ppm, .pfm or .exr");
     says(2, &["render", "textbook", "-o", "src"], "unknown picture format");
     says(2, &["render", "textbook", "-o", "a.png", "--crop", "5,5,5,9"], "expected X0 < X1 <= 321");

@@ -168,9 +168,17 @@ fn frames_have_parts_of_their_own() {
     refused(&all, &folder.path("m.png"), "of several frames (2, 3, 4)");
     refused(&all[1..], &folder.path("n-#.png"), "shards are missing: 2/2");
     assert!(!fs::exists(folder.path("n-2.png")).unwrap(), "nothing is written before all is known to be there");
-    let still = folder.made("still.part", &["render", "spoked-wheel", "--size", "40x40", "--shard", "1/2"]);
-    let mixed = [&all[..], &[still.as_str()]].concat();
-    refused(&mixed, &folder.path("n-#.png"), "the one of no animation, the other its frame 2");
+    let still = folder.made("still.part", &["render", "textbook", "--size", "40x40", "--shard", "1/2"]);
+    let other = ["render", "spoked-wheel-open-shutter", "--size", "40x40", "--frames", "5", "--shard", "1/2"];
+    let smaller = ["render", "spoked-wheel", "--size", "20x20", "--frames", "5", "--shard", "1/2"];
+    let (other, smaller) = (folder.made("other.part", &other), folder.made("smaller.part", &smaller));
+    for (stranger, difference) in [
+        (&still, "are of different pictures, scene: textbook against spoked-wheel"),
+        (&other, "are of different pictures, scene: spoked-wheel against spoked-wheel-open-shutter"),
+        (&smaller, "are of different pictures, crop: 0,0,40,40 against 0,0,20,20"),
+    ] {
+        refused(&[&all[..], &[stranger.as_str()]].concat(), &folder.path("n-#.png"), difference);
+    }
     for call in [&["render", &still, "-o", "x.png"][..], &["walk", &still], &["scene", "check", &still]] {
         says(2, call, "expected a scene, found a part of a picture; `raywalk merge` joins parts");
     }

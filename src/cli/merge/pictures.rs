@@ -30,6 +30,7 @@ impl Merge {
             let frame = header.picture.frame.map(|frame| frame.number);
             frames.entry(frame).or_default().push(Part { path, header });
         }
+        of_one_animation(frames.values().map(|parts| &parts[0]))?;
         let name = self.output.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if frames.len() > 1 && !name.contains('#') {
             let several = frames.keys().map(|frame| frame.map_or("none".to_owned(), |frame| frame.to_string()));
@@ -37,13 +38,6 @@ impl Merge {
             return Err(Failure::caller(format!(
                 "merge: the parts are of several frames ({several}); expected #### in the name of the picture, found {}",
                 visible(&name)
-            )));
-        }
-        let of_frames = frames.iter().find_map(|(frame, parts)| frame.map(|number| (number, &parts[0])));
-        if let (Some(of_none), Some((number, of_one))) = (frames.get(&None), of_frames) {
-            let [without, with] = [&of_none[0], of_one].map(|part| shown(part.path));
-            return Err(Failure::caller(format!(
-                "{without} and {with}: are of different pictures, the one of no animation, the other its frame {number}"
             )));
         }
         // All of them, before the first one is written.
@@ -84,17 +78,26 @@ fn part_in(path: &Path, colors: ColorChoice) -> Result<Reader<impl BufRead + use
     })
 }
 
+/// Refuses frames that aren't of one animation, of which these are parts.
+fn of_one_animation<'p>(mut frames: impl Iterator<Item = &'p Part<'p>>) -> Result<(), Failure> {
+    let Some(first) = frames.next() else { return Ok(()) };
+    frames
+        .try_for_each(|other| same(first, other, first.header.picture.difference_of_animations(&other.header.picture)))
+}
+
+/// Refuses two parts that differ in something, said as the two have it.
+fn same(first: &Part, other: &Part, difference: Option<(&str, [String; 2])>) -> Result<(), Failure> {
+    let Some((what, [a, b])) = difference else { return Ok(()) };
+    let [first, other] = [first, other].map(|part| shown(part.path));
+    let [a, b] = [a, b].map(|said| visible(&said).into_owned());
+    Err(Failure::caller(format!("{first} and {other}: are of different pictures, {what}: {a} against {b}")))
+}
+
 /// Refuses parts that aren't the whole of one picture, each piece once.
 fn check(parts: &[Part]) -> Result<(), Failure> {
     let (first, rest) = (&parts[0], &parts[1..]);
     for other in rest {
-        if let Some((what, [a, b])) = first.header.picture.difference(&other.header.picture) {
-            let [first, other] = [first, other].map(|part| shown(part.path));
-            let [a, b] = [a, b].map(|said| visible(&said).into_owned());
-            return Err(Failure::caller(format!(
-                "{first} and {other}: are of different pictures, {what}: {a} against {b}"
-            )));
-        }
+        same(first, other, first.header.picture.difference(&other.header.picture))?;
     }
     let count = pieces(first.header.picture.crop).count();
     let mut owners: Vec<Option<&Part>> = vec![None; count];

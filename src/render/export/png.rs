@@ -45,7 +45,7 @@ pub(super) struct Decoded {
 }
 
 /// Reads a PNG of any kind: palettes and fewer than 8 bits are expanded, of grey all three channels are made, transparency is left
-/// out, and of an animation the first frame is taken.
+/// out, and of an animation the picture is taken that readers without animations show.
 pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, PictureError> {
     // What unpacks to more than a picture of the greatest size would need isn't begun.
     const MOST: usize = MAX_PICTURE_BYTES as usize * 2;
@@ -58,23 +58,35 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, PictureError> {
     if reader.info().raw_bytes() / DEFLATE_RATIO > bytes.len() {
         return Err(PictureError::Header("a size that fits the bytes behind it"));
     }
-    let mut unpacked = Vec::new();
-    unpacked.try_reserve_exact(needed).map_err(|_| PictureError::Memory)?;
-    unpacked.resize(needed, 0);
+    // The decoder takes a palette in pieces of three.
+    if reader.info().palette.as_ref().is_some_and(|palette| !palette.len().is_multiple_of(3)) {
+        return Err(PictureError::Header("a palette of whole colours"));
+    }
+    let mut unpacked = with_room_for(needed)?;
+    unpacked.resize(needed, 0_u8);
     let frame = reader.next_frame(&mut unpacked).map_err(damaged)?;
-    let (samples, highest) = match depth {
-        BitDepth::Sixteen => {
-            (unpacked.as_chunks().0.iter().map(|level| u16::from_be_bytes(*level)).collect(), u16::MAX)
-        }
-        _ => (unpacked.into_iter().map(u16::from).collect::<Vec<_>>(), u8::MAX.into()),
-    };
+    let mut levels = with_room_for(frame.width as usize * frame.height as usize * 3)?;
     let is_grey = matches!(color, ColorType::Grayscale | ColorType::GrayscaleAlpha);
-    let pixels = samples.chunks_exact(color.samples());
-    let levels = match is_grey {
-        true => pixels.flat_map(|pixel| [pixel[0]; 3]).collect(),
-        false => pixels.flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect(),
+    let channels = if is_grey { [0; 3] } else { [0, 1, 2] };
+    let highest = match depth {
+        BitDepth::Sixteen => {
+            let of_pixel = |pixel: &[u8]| channels.map(|at| u16::from_be_bytes([pixel[2 * at], pixel[2 * at + 1]]));
+            levels.extend(unpacked.chunks_exact(2 * color.samples()).flat_map(of_pixel));
+            u16::MAX
+        }
+        _ => {
+            let of_pixel = |pixel: &[u8]| channels.map(|at| u16::from(pixel[at]));
+            levels.extend(unpacked.chunks_exact(color.samples()).flat_map(of_pixel));
+            u8::MAX.into()
+        }
     };
     Ok(Decoded { size: [frame.width, frame.height], levels, highest })
+}
+
+fn with_room_for<T>(count: usize) -> Result<Vec<T>, PictureError> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count).map_err(|_| PictureError::Memory)?;
+    Ok(list)
 }
 
 fn damaged(error: DecodingError) -> PictureError {
@@ -128,16 +140,30 @@ mod tests {
     }
 
     #[test]
+    fn a_palette_that_ends_within_a_colour() {
+        let mut out = Vec::new();
+        let mut encoder = png::Encoder::new(&mut out, 1, 1);
+        encoder.set_color(ColorType::Indexed);
+        encoder.set_palette(vec![1, 2, 3, 4]);
+        let mut writer = encoder.write_header().expect("a header");
+        writer.write_image_data(&[0]).expect("the pixel");
+        writer.finish().expect("the end");
+        assert!(matches!(decode(&out), Err(PictureError::Header("a palette of whole colours"))));
+    }
+
+    #[test]
     fn what_unpacks_to_too_much_is_not_begun() {
-        // 2³⁰ by 2³⁰ pixels in a file of 57 bytes.
-        let mut out = Vec::new();
-        let writer = png::Encoder::new(&mut out, 1 << 30, 1 << 30).write_header().expect("a header");
-        drop(writer);
-        assert!(matches!(decode(&out), Err(PictureError::Memory)));
-        // 2¹⁴ by 2¹⁴: it could be held, and isn't there.
-        let mut out = Vec::new();
-        drop(png::Encoder::new(&mut out, 1 << 14, 1 << 14).write_header().expect("a header"));
-        assert!(matches!(decode(&out), Err(PictureError::Header(_))));
+        // Some bytes that say they are so many pixels.
+        let claim = |side: u32| {
+            let mut out = Vec::new();
+            let mut writer = png::Encoder::new(&mut out, side, side).write_header().expect("a header");
+            writer.write_chunk(png::chunk::IDAT, b"\x78\x9c\x01").expect("a chunk");
+            drop(writer);
+            decode(&out)
+        };
+        assert!(matches!(claim(1 << 30), Err(PictureError::Memory)));
+        // They could be held, and aren't there.
+        assert!(matches!(claim(1 << 14), Err(PictureError::Header("a size that fits the bytes behind it"))));
         // What is all black is packed to a thousandth.
         let black = of_levels(&vec![0; 3 << 20], [1 << 10, 1 << 10]).expect("a PNG");
         assert!(black.len() < 50_000 && decode(&black).expect("a picture").levels == vec![0; 3 << 20]);

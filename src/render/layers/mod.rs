@@ -6,7 +6,7 @@ mod observer;
 pub use map::false_colors;
 
 use super::export::{Channel, ExrLayer};
-use super::{Film, RenderError, Settings, TILE, ask_for_memory, threads, tiles};
+use super::{Film, Progress, RenderError, Settings, TILE, ask_for_memory, threads, tiles};
 use crate::record::Pixel;
 use crate::scene::{Color, Scene};
 use observer::Observer;
@@ -138,7 +138,7 @@ pub fn render_layers(
 pub(super) fn layers_in(
     scene: &Scene,
     settings: &Settings,
-    progress: &(impl Fn(u64) + Sync),
+    progress: Progress,
     stop: &AtomicBool,
 ) -> Option<Vec<Seen>> {
     let [left, top, right, bottom] = settings.crop;

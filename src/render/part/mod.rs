@@ -114,6 +114,17 @@ impl Picture {
         Picture { version, scene, frame, arithmetic, tracing, crop, content, output: output.into() }
     }
 
+    /// In what two pictures differ that can't be two frames of one animation; `None` if they may be. The scene of each frame has a
+    /// digest of its own.
+    pub fn difference_of_animations(&self, other: &Picture) -> Option<(&'static str, [String; 2])> {
+        let mut here = other.clone();
+        here.scene.digest.clone_from(&self.scene.digest);
+        if let (Some(frame), Some(_)) = (self.frame, other.frame) {
+            here.frame = Some(frame);
+        }
+        self.difference(&here)
+    }
+
     /// In what two pictures differ first, and what each says; `None` if they are the same.
     pub fn difference(&self, other: &Picture) -> Option<(&'static str, [String; 2])> {
         let both = |name, of: &dyn Fn(&Picture) -> String| {

@@ -226,7 +226,7 @@ fn cylinders_and_cones() {
     );
     refuses_value(
         shape(r#"{"cone": {"base": [0, 0, 0], "base_radius": 2, "apex": [0, 1e-60, 0], "apex_radius": 0}}"#),
-        "objects[0].shape.cone: must be at most 1e50 times as wide as long, found 2e60",
+        "objects[0].shape.cone: its radius must change by at most 1e50 a unit of its axis, found 2e60",
     );
     refuses_value(
         shape(r#"{"cone": {"base": [0, 0, 0], "base_radius": 0, "apex": [0, 1, 0], "apex_radius": 0}}"#),

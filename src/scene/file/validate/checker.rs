@@ -157,7 +157,7 @@ impl Checker<'_> {
         self.each(step, value, |check, axis, coordinate| check.finite(axis, coordinate));
     }
 
-    /// Channels from 0; there is no upper limit.
+    /// Channels from 0 to the limit of all numbers.
     pub fn colour(&mut self, step: impl Into<Step>, value: Rgb) {
         self.each(step, value, |check, channel, value| check.not_negative(channel, value));
     }

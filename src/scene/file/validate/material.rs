@@ -43,7 +43,8 @@ pub fn material(check: &mut Checker<'_>, material: &Material) {
 
 /// Quotients of two media are what formulas have; a scene has the media.
 fn refraction(mut check: Checker<'_>, material: &Material) {
-    let transmits = material.weights.transmitted.rgb().iter().any(|weight| *weight > 0.0);
+    let of_light = material.weights.transmitted.rgb().into_iter().chain(material.transmission);
+    let transmits = of_light.into_iter().any(|part| part > 0.0);
     if transmits && material.ior > 0.0 && material.ior < 1.0 {
         let message =
             "should be the index of the medium itself, 1 or more, and not its quotient with what is around it";

@@ -137,15 +137,16 @@ fn axis_box(mut check: Checker<'_>, axis_box: &AxisBox) {
 
 fn cone(mut check: Checker<'_>, cone: &Cone) {
     let has_axis = axis(&mut check, cone.base, cone.apex);
-    check.not_negative("base_radius", cone.base_radius);
-    check.not_negative("apex_radius", cone.apex_radius);
+    let radii = [("base_radius", cone.base_radius), ("apex_radius", cone.apex_radius)];
+    radii.into_iter().for_each(|(key, radius)| check.not_negative(key, radius));
     if cone.base_radius == 0.0 && cone.apex_radius == 0.0 {
         check.error("`base_radius` and `apex_radius` must not both be 0".to_string());
     }
-    let (gain, along) = ((cone.apex_radius - cone.base_radius).abs(), size(minus(cone.apex, cone.base)));
-    if has_axis && gain / along > MAX_RATIO {
-        let message = format!("must be at most {MAX_RATIO:e} times as wide as long, found {}", number(gain / along));
-        check.error(message);
+    let has_radii = radii.iter().all(|(_, radius)| (0.0..=MAX_COORDINATE).contains(radius));
+    let slope = (cone.apex_radius - cone.base_radius).abs() / size(minus(cone.apex, cone.base));
+    if has_axis && has_radii && slope > MAX_RATIO {
+        let found = number(slope);
+        check.error(format!("its radius must change by at most {MAX_RATIO:e} a unit of its axis, found {found}"));
     }
 }
 
