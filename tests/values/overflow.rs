@@ -42,11 +42,11 @@ fn largest(log: &Log) -> f64 {
 }
 
 fn result(log: &Log) -> [f64; 3] {
-    let results = log.events.iter().filter_map(|event| match event.what {
+    let of_event = |event: &Event| match event.what {
         What::Result { color } => Some(color),
         _ => None,
-    });
-    results.last().expect("a result")
+    };
+    log.events.iter().rev().find_map(of_event).expect("a result")
 }
 
 /// Two mirrors face each other.
