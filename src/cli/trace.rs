@@ -128,19 +128,20 @@ impl TraceFormat {
 impl Trace {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        match scene_argument::open(&self.scene, colors)? {
+            Named::Scene(input) => self.of_scene(&input, colors)?,
+            Named::Log(opened) => self.of_log(opened)?,
+        }
         if let (None, false, Some(path)) = (self.format, self.causes, &self.output)
             && let Some(format) = TraceFormat::of_name(path)
         {
             let word = format.word();
             output::tell(&format!(
-                "note: {} gets a log as ndjson; --format {word} writes what its name says",
+                "note: {} is a log in ndjson; --format {word} writes what its name says",
                 shown(path)
             ));
         }
-        match scene_argument::open(&self.scene, colors)? {
-            Named::Scene(input) => self.of_scene(&input, colors),
-            Named::Log(opened) => self.of_log(opened),
-        }
+        Ok(())
     }
 
     /// The log of what is traced now.

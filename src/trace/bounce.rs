@@ -18,7 +18,7 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
     if !material.reflects() || is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
         return Color::ZERO;
     }
-    let direction = mirror(meeting.ray.direction, meeting.surface.normal, probe);
+    let Some(direction) = mirror(meeting.ray.direction, meeting.surface.normal, probe) else { return Color::ZERO };
     // Made where it is used, so that a sharp bounce isn't put in memory.
     let bounce =
         || Bounce { kind: RayKind::Reflected, leaving: meeting.leaving_here(), weight, media: meeting.path.media };
@@ -63,11 +63,22 @@ pub(super) fn unless_it_leaks<P: Probe>(color: Color, leaks: bool, what: Skippab
 }
 
 /// R = d − 2N(d·N). It isn't normalised again.
-fn mirror<P: Probe>(direction: DVec3, normal: DVec3, probe: &mut P) -> DVec3 {
-    probe.note(Name::ReflectDirection, direction - normal * 2.0 * direction.dot(normal))
+fn mirror<P: Probe>(direction: DVec3, normal: DVec3, probe: &mut P) -> Option<DVec3> {
+    let mirrored = probe.note(Name::ReflectDirection, direction - normal * 2.0 * direction.dot(normal));
+    unless_lost(mirrored, Name::ReflectDirection, probe)
 }
 
-/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None`, marked, at a total internal reflection.
+/// The direction of a bounce; `None`, marked, where nothing is left of it: in arithmetics with few digits, and at a quotient of
+/// refractive indices beyond those of f64.
+fn unless_lost<P: Probe>(direction: DVec3, name: Name, probe: &mut P) -> Option<DVec3> {
+    if direction != DVec3::ZERO {
+        return Some(direction);
+    }
+    probe.mark(Decision::Undefined { quantity: name });
+    None
+}
+
+/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None`, marked, at a total internal reflection and where nothing is left of it.
 pub(crate) fn refract<P: Probe>(ray: &Ray, normal: DVec3, eta_1: f64, eta_2: f64, probe: &mut P) -> Option<DVec3> {
     probe.given(Name::RefractEta1, eta_1);
     probe.given(Name::RefractEta2, eta_2);
@@ -82,7 +93,8 @@ pub(crate) fn refract<P: Probe>(ray: &Ray, normal: DVec3, eta_1: f64, eta_2: f64
         probe.mark(Decision::TotalInternalReflection);
         return None;
     };
-    Some(probe.note(Name::RefractDirection, ray.direction / eta - normal * (cos_2 - cos_1 / eta)))
+    let refracted = probe.note(Name::RefractDirection, ray.direction / eta - normal * (cos_2 - cos_1 / eta));
+    unless_lost(refracted, Name::RefractDirection, probe)
 }
 
 /// What Snell's law says of the transmitted ray's angle.

@@ -1,7 +1,7 @@
 //! Weights above 1 multiply at every level; what comes of them stays a number.
 
 use crate::support::scene_of;
-use raywalk::log::{Event, Log, Value, What};
+use raywalk::log::{Decision, Event, Log, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::{Scene, Skip, builtin};
 use serde_json::{Value as Json, json};
@@ -130,4 +130,30 @@ fn a_cutoff_asks_for_the_whole_product() {
     });
     let brought = result(&log(&scene_of(text.to_string().as_bytes(), "panes")));
     assert!(brought.iter().all(|channel| (channel / 1e10 - 1.0).abs() < 1e-15), "{brought:?}");
+}
+
+/// Against an index of 1e17 nothing is left of a refracted direction, in any arithmetic; nor by hand of a mirrored one without decimals.
+#[test]
+fn directions_of_which_nothing_is_left() {
+    let scene = |weights: Json, direction: [f64; 3]| {
+        let text = json!({
+            "format": "raywalk-scene/1",
+            "camera": {"position": [0, 0, 9], "direction": direction, "up": [0, 1, 0], "resolution": [1, 1]},
+            "materials": {"glass": {"ior": 1e17, "weights": weights}},
+            "objects": [
+                {"shape": {"sphere": {"center": [0, 0, 0], "radius": 2}}, "material": "glass"},
+                {"shape": {"cone": {"base": [4e9, 0, 0], "base_radius": 1, "apex": [0, 20, 0], "apex_radius": 6}}}
+            ]
+        });
+        scene_of(text.to_string().as_bytes(), "dense")
+    };
+    let glass = scene(json!({"transmitted": 1}), [0.0, 0.0, -1.0]);
+    for arithmetic in [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(3)] {
+        let log = record::pixel(&glass, [0, 0], arithmetic);
+        assert!(largest(&log).is_finite(), "{arithmetic}");
+        let is_lost = |event: &Event| matches!(event.what, What::Mark(Decision::Undefined { quantity }) if quantity.key() == "refract.direction");
+        assert!(log.events.iter().any(is_lost), "{arithmetic}");
+    }
+    let mirror = scene(json!({"reflected": 1}), [0.1, 0.1, -1.0]);
+    assert!(largest(&record::pixel(&mirror, [0, 0], Arithmetic::Decimal(0))).is_finite());
 }
