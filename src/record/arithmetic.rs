@@ -1,6 +1,6 @@
 //! The arithmetics, by name, and how a computation is run in one of them.
 
-use crate::probe::{Alteration, Altered, Decimal, Erased, Perturbed, Printed, Probe, Single};
+use crate::probe::{Alteration, Altered, Decimal, Erased, Perturbed, Printed, Probe, Silent, Single};
 use crate::scene::Color;
 use std::fmt;
 use std::str::FromStr;
@@ -45,6 +45,15 @@ pub struct ArithmeticError {
 }
 
 impl Arithmetic {
+    /// The colour of a computation that nobody sees. Single precision isn't erased here: renders and the viewer's picture ask for it by the
+    /// million.
+    pub fn color<C: Computation>(self, computation: C) -> Color {
+        match self {
+            Arithmetic::F32 => computation.run(&mut Altered { alteration: Single, probe: Silent }),
+            _ => self.run(Silent, computation).0,
+        }
+    }
+
     /// Runs a computation before `probe`, and gives its colour and the probe.
     pub fn run<P: Probe, C: Computation>(self, mut probe: P, computation: C) -> (Color, P) {
         match self {

@@ -9,7 +9,7 @@ pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 use crate::geometry::Ray;
 use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Event, Header, Log, Parameter, SkipReason, Subject};
-use crate::probe::{CutOff, Outlet, Probe, Recorder, Silent, until_cut_off};
+use crate::probe::{CutOff, Outlet, Probe, Recorder, until_cut_off};
 use crate::sampling;
 use crate::scene::{Algorithm, Color, Sampling, Scene, Skip, Specular, camera};
 use crate::trace::camera_ray;
@@ -63,7 +63,7 @@ pub fn stream(scene: &Scene, part: Part, arithmetic: Arithmetic, outlet: &mut Ou
 
 /// The colour of a pixel, without a log.
 pub fn pixel_color(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Color {
-    arithmetic.run(Silent, Pixel { scene, pixel }).0
+    arithmetic.color(Pixel { scene, pixel })
 }
 
 fn whole(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Log {

@@ -18,7 +18,6 @@ pub mod statistics;
 pub use film::Film;
 pub use statistics::{Counter, Statistics};
 
-use crate::probe::Silent;
 use crate::random::permutation::permuted;
 use crate::record::{Arithmetic, Computation, Pixel};
 use crate::scene::{Color, Sampling, Scene};
@@ -209,7 +208,7 @@ fn tile_of(
 /// The colour of a computation, which is counted if rays are.
 fn color_of(settings: &Settings, computation: impl Computation, counter: &mut Counter) -> Color {
     if !settings.counts_rays {
-        return settings.arithmetic.run(Silent, computation).0;
+        return settings.arithmetic.color(computation);
     }
     let (color, counted) = settings.arithmetic.run(std::mem::take(counter), computation);
     *counter = counted;

@@ -1,7 +1,7 @@
 //! A picture that is coarse at first and grows finer, with what else is known of its pixels.
 
 use crate::log::{Name, RayKind, Step};
-use crate::probe::{Erased, Probe, Quantity, Silent};
+use crate::probe::{Probe, Quantity};
 use crate::record::{Arithmetic, Pixel};
 use crate::scene::{Color, Scene};
 use glam::DVec3;
@@ -23,16 +23,14 @@ pub struct Dot {
 
 /// The dot of a pixel.
 pub fn dot(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Dot {
-    let mut gauge = Gauge::default();
-    let (color, _) = arithmetic.run(Erased::of(&mut gauge), Pixel { scene, pixel });
+    let (color, gauge) = arithmetic.run(Gauge::default(), Pixel { scene, pixel });
     let depth = gauge.first_hit.map(|point| (point - scene.camera.position()).length());
     Dot { color, depth, rays: gauge.rays, samples: gauge.samples.max(1) }
 }
 
 /// By how much single precision misses the colour of a pixel, in the worst channel.
 pub fn error_of_single(scene: &Scene, pixel: [u32; 2], color: Color) -> f64 {
-    let (single, Silent) = Arithmetic::F32.run(Silent, Pixel { scene, pixel });
-    (single - color).abs().max_element()
+    (Arithmetic::F32.color(Pixel { scene, pixel }) - color).abs().max_element()
 }
 
 /// Reckons something for the dots of a grid of pixels, every `step`-th of each row and column, in passes that halve their
