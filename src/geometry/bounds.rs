@@ -53,6 +53,11 @@ impl Bounds {
         self.min * 0.5 + self.max * 0.5
     }
 
+    /// Its greatest coordinate.
+    pub fn size(self) -> f64 {
+        self.min.abs().max(self.max.abs()).max_element()
+    }
+
     /// Half the area of the box's surface; 0 for the empty one.
     pub fn half_area(&self) -> f64 {
         let side = (self.max - self.min).max(DVec3::ZERO);

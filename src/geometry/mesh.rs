@@ -2,6 +2,7 @@
 
 use super::bounds::Bounds;
 use glam::DVec3;
+use std::collections::HashMap;
 
 pub use super::shape::polygon::triangulate;
 
@@ -26,7 +27,60 @@ pub struct CornerNormals {
     pub faces: Vec<[u32; 3]>,
 }
 
+/// How the triangles of a mesh are wound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Winding {
+    /// The mesh is closed, and its fronts face outward.
+    Outward,
+    /// The mesh is closed, and its fronts face inward: it is inside out.
+    Inward,
+    /// The mesh is closed, but fronts face both ways.
+    Mixed,
+    /// The mesh has edges without a triangle on the other side.
+    Open,
+}
+
 impl Mesh {
+    /// Whether the triangles enclose a solid, and on which side of them it lies.
+    ///
+    /// Corners are compared by their places, since files repeat them where normals or textures differ. A mesh is closed where
+    /// each edge is run an even number of times, and wound consistently where it is run as often either way. The sign of its volume says which
+    /// way its fronts face.
+    pub fn winding(&self) -> Winding {
+        let mut places: HashMap<[u64; 3], u32> = HashMap::new();
+        // Adding zero makes −0 the same place as 0.
+        let place = |position: &DVec3| (*position + DVec3::ZERO).to_array().map(f64::to_bits);
+        let welded: Vec<u32> = self
+            .positions
+            .iter()
+            .map(|position| {
+                let next = places.len() as u32;
+                *places.entry(place(position)).or_insert(next)
+            })
+            .collect();
+        // How often each edge is run from its lower to its higher end, and the other way.
+        let mut edges: HashMap<(u32, u32), [u32; 2]> = HashMap::new();
+        let mut six_volumes = 0.0;
+        let Some(origin) = self.positions.first() else { return Winding::Open };
+        for triangle in 0..self.faces.len() as u32 {
+            let corners = self.faces[triangle as usize].map(|corner| welded[corner as usize]);
+            let sides = [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (corners[from], corners[to]));
+            for (from, to) in sides.into_iter().filter(|(from, to)| from != to) {
+                edges.entry((from.min(to), from.max(to))).or_default()[usize::from(from > to)] += 1;
+            }
+            let [a, b, c] = self.corners(triangle).map(|corner| corner - *origin);
+            six_volumes += a.dot(b.cross(c));
+        }
+        let is_closed = !edges.is_empty() && edges.values().all(|[up, down]| (up + down) % 2 == 0);
+        let is_consistent = edges.values().all(|[up, down]| up == down);
+        match (is_closed, is_consistent) {
+            (false, _) => Winding::Open,
+            (true, false) => Winding::Mixed,
+            (true, true) if six_volumes < 0.0 => Winding::Inward,
+            (true, true) => Winding::Outward,
+        }
+    }
+
     /// The corners of a triangle.
     #[inline(always)]
     pub fn corners(&self, triangle: u32) -> [DVec3; 3] {

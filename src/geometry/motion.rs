@@ -1,7 +1,7 @@
 //! Rigid motions: a turn about an axis, and then a shift, both proportional to time.
 
 use super::bounds::Bounds;
-use super::ray::{Ray, Surface};
+use super::ray::{Leaving, Ray, Surface};
 use super::unit::unit;
 use crate::log::Name;
 use crate::probe::Probe;
@@ -77,6 +77,12 @@ fn cos_sin(degrees: f64) -> [f64; 2] {
 }
 
 impl Motion {
+    /// The size of its numbers: how far the object moves in a unit of time, and where it turns.
+    pub fn size(&self) -> f64 {
+        let pivot = self.turn.map_or(DVec3::ZERO, |turn| turn.point);
+        self.translation.abs().max_element() + pivot.abs().max_element()
+    }
+
     /// Where the object is at a time.
     pub fn at<P: Probe>(&self, time: f64, probe: &mut P) -> Pose {
         probe.given(Name::RayTime, time);
@@ -152,12 +158,24 @@ impl Pose {
     /// The ray as the object sees it in its own frame. Distances are the same.
     pub fn own_ray<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Ray {
         let Some(turned) = &self.turned else {
-            return Ray { origin: probe.note(Name::RayOriginShifted, ray.origin - self.shift), ..*ray };
+            let origin = probe.note(Name::RayOriginShifted, ray.origin - self.shift);
+            return Ray { origin, leaving: self.own_leaving(ray, probe), ..*ray };
         };
         let arm = probe.note(Name::MotionArm, ray.origin - self.shift - turned.point);
         let origin = probe.note(Name::RayOriginTurned, turned.back(arm) + turned.point);
         let direction = probe.note(Name::RayDirectionTurned, turned.back(ray.direction));
-        Ray { origin, direction, vector: direction, ..*ray }
+        Ray { origin, direction, vector: direction, leaving: self.own_leaving(ray, probe), ..*ray }
+    }
+
+    /// The surface that the ray leaves, with the roundings of the way into the object's own frame.
+    fn own_leaving<P: Probe>(&self, ray: &Ray, probe: &P) -> Option<Leaving> {
+        let leaving = ray.leaving?;
+        if leaving.slack == 0.0 {
+            return Some(leaving);
+        }
+        let pivot = self.turned.as_ref().map_or(DVec3::ZERO, |turned| turned.point);
+        let size = ray.origin.abs().element_sum() + self.shift.abs().element_sum() + 2.0 * pivot.abs().element_sum();
+        Some(Leaving { slack: leaving.slack + probe.slack(size), ..leaving })
     }
 
     /// A point of the moved object where it was before, for its pattern.

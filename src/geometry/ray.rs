@@ -1,6 +1,7 @@
 //! A ray, and what it meets.
 
 use super::unit::unit;
+use crate::probe::Probe;
 use glam::DVec3;
 
 /// A half line from `origin` along `direction`, of which `t_min < t < t_max` counts.
@@ -27,8 +28,8 @@ pub struct Ray {
     pub time: f64,
 }
 
-/// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive instead.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive, and how well its origin is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leaving {
     /// The object, by its number in the scene.
     pub object: u32,
@@ -36,6 +37,9 @@ pub struct Leaving {
     pub primitive: u32,
     /// The side of the surface on which the ray sets off.
     pub side: Side,
+    /// How far the origin may lie from where exact arithmetic would put it, in units of length: the ray begins on every
+    /// surface so near, and doesn't cross it there. 0 for an origin that was given, which is exact.
+    pub slack: f64,
 }
 
 impl Leaving {
@@ -119,6 +123,12 @@ impl Ray {
     /// The same ray, of which it is asked only whether it meets anything.
     pub fn without_distance(&self) -> Ray {
         Ray { wants_distance: false, ..*self }
+    }
+
+    /// How far rounding may have moved a point that was found on this ray, in units of length. The point is off by the roundings of its
+    /// distance, of the product and the sum, and of the surface that it was put back onto.
+    pub fn slack_at<P: Probe>(&self, point: DVec3, probe: &P) -> f64 {
+        probe.slack(2.0 * (self.origin.abs() + point.abs()).element_sum())
     }
 
     /// Whether a distance needs no more digits if half of them are right: it is certainly not that of a hit, or only a hit

@@ -165,6 +165,18 @@ pub enum Decision {
         /// The object.
         object: u32,
     },
+    /// Another surface lies in the same place as the nearest one. It comes later in the scene, so it counts as lying just behind.
+    Coincident {
+        /// The object.
+        object: u32,
+        /// The triangle, for a mesh.
+        triangle: Option<u32>,
+    },
+    /// The ray begins inside this medium; of several the innermost comes last.
+    Immersed {
+        /// The object.
+        object: u32,
+    },
     /// The ray leaves the scene and gets the background colour.
     Background,
     /// The shadow ray ends at an opaque object.
@@ -194,6 +206,11 @@ pub enum Decision {
     /// What was traced counts as black: the interpolated normal put it on a side of the surface where it isn't.
     LeakGuard {
         /// Which ray.
+        what: Skippable,
+    },
+    /// The direction by the interpolated normal ran below the surface, and was bent up to the nearest one above it.
+    Bent {
+        /// Which bounce.
         what: Skippable,
     },
     /// A direction of a blurred bounce lies on the wrong side of the surface. No ray goes there, and the mean is over the others.
@@ -270,6 +287,8 @@ words! {
         Beyond = "beyond",
         /// The surface shows its back, which isn't there.
         FacesAway = "faces_away",
+        /// The ray begins on the surface, as far as rounding can tell.
+        BeginsThere = "begins_there",
     }
 }
 

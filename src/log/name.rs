@@ -39,6 +39,9 @@ with_effects! { names! {
     // What was computed with more digits than f64 has: no formula of its operands in the log gives it to the last bit.
     PlaneTDoubled: "plane.t", "doubled", "t", "", "1.3 (2)";
 
+    // A ray that begins on a surface and goes through it.
+    TouchT: "touch.t", "", "t", "0", "";
+
     // Sphere: the geometric method of the source text, and the robust one (Haines et al., Ray Tracing Gems, chapter 7).
     SphereCenter: "sphere.center", "", "S_c", "", "1.3 (5a)";
     SphereRadius: "sphere.radius", "", "r", "", "1.3 (5c)";

@@ -84,6 +84,11 @@ pub fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -
         What::Mark(Decision::Nearest { object }) => Some(object),
         _ => None,
     })?;
+    // Triangles that only lie in the same place are told by marks.
+    let is_behind = |number: Option<u32>| {
+        let mark = What::Mark(Decision::Coincident { object: nearest, triangle: number });
+        number.is_some() && tree.own_events_before(node, before).any(|event| events[event].what == mark)
+    };
     let triangle_of = |child: usize| match tree.nodes()[child].step {
         Some(Step::Test { object, triangle }) if object == nearest => Some(triangle),
         _ => None,
@@ -93,7 +98,7 @@ pub fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -
     let is_moving = |child: &usize| tree.nodes()[*child].step == Some(Step::Motion { object: nearest });
     let moving = tree.children(node).filter(is_moving).flat_map(|motion| tree.children(motion));
     let tests = tree.children(node).chain(moving).filter_map(|child| Some((child, triangle_of(child)?)));
-    let found = tests.filter(|(child, triangle)| triangle.is_none() || is_hit(*child));
+    let found = tests.filter(|(child, triangle)| triangle.is_none() || (is_hit(*child) && !is_behind(*triangle)));
     let key = |(child, triangle): &(usize, Option<u32>)| {
         // Everything else has one test, so that its distance doesn't matter.
         let distance = triangle.and_then(|_| distance(events, tree, *child)).unwrap_or(f64::INFINITY);

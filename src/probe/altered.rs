@@ -1,6 +1,6 @@
 //! Probes that alter what the computation goes on with: other arithmetics, with or without a recording.
 
-use super::{Probe, Quantity};
+use super::{Probe, Quantity, ROUNDINGS};
 use crate::log::{Decision, Name, Step, round_half_away};
 
 /// Alters every named quantity, then shows it to `probe`.
@@ -16,6 +16,11 @@ pub struct Altered<A, P> {
 pub trait Alteration {
     /// The value that the computation goes on with instead.
     fn alter<Q: Quantity>(&mut self, name: Name, value: Q) -> Q;
+
+    /// How far this arithmetic may move a point of this size (see [`Probe::slack`]).
+    fn slack(&self, size: f64) -> f64 {
+        ROUNDINGS * size
+    }
 
     /// A node begins.
     fn enter(&mut self, _step: Step) {}
@@ -50,6 +55,10 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
 
     fn certifies(&self) -> bool {
         false
+    }
+
+    fn slack(&self, size: f64) -> f64 {
+        self.alteration.slack(size)
     }
 
     fn aim(&mut self, place: [f64; 2]) {
@@ -93,6 +102,13 @@ impl Alteration for Decimal {
     fn alter<Q: Quantity>(&mut self, _name: Name, value: Q) -> Q {
         value.map(|_, x| round_half_away(x, self.digits))
     }
+
+    /// What a point is off by as a rule, and not the bound for all 64 roundings: with few digits that would close gaps that a
+    /// reader sees.
+    fn slack(&self, size: f64) -> f64 {
+        let step = (0..self.digits).fold(1.0, |step, _| step / 10.0);
+        step * (1.0 + size) / 8.0
+    }
 }
 
 /// What single precision would do: every named quantity is rounded to f32, and to the greatest one where it would overflow,
@@ -103,5 +119,9 @@ pub struct Single;
 impl Alteration for Single {
     fn alter<Q: Quantity>(&mut self, _name: Name, value: Q) -> Q {
         value.map(|_, x| f64::from((x as f32).clamp(f32::MIN, f32::MAX)))
+    }
+
+    fn slack(&self, size: f64) -> f64 {
+        32.0 * f64::from(f32::EPSILON) * size
     }
 }

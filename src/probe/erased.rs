@@ -25,6 +25,7 @@ trait Methods {
     fn mark(&mut self, decision: Decision);
     fn bounds_tested(&mut self, count: u64);
     fn certifies(&self) -> bool;
+    fn slack(&self, size: f64) -> f64;
     fn fallback(&mut self);
     fn aim(&mut self, place: [f64; 2]);
     fn aimed(&mut self);
@@ -57,6 +58,10 @@ impl<P: Probe> Methods for P {
 
     fn certifies(&self) -> bool {
         Probe::certifies(self)
+    }
+
+    fn slack(&self, size: f64) -> f64 {
+        Probe::slack(self, size)
     }
 
     fn fallback(&mut self) {
@@ -101,6 +106,10 @@ impl Probe for Erased<'_> {
 
     fn certifies(&self) -> bool {
         self.probe.certifies()
+    }
+
+    fn slack(&self, size: f64) -> f64 {
+        self.probe.slack(size)
     }
 
     fn fallback(&mut self) {

@@ -26,6 +26,10 @@ pub use silent::Silent;
 use crate::log::{Decision, Name, Step, Value};
 use glam::DVec3;
 
+/// The bound of what rounding does to a computed point, and to a surface through its numbers, as a part of their sizes:
+/// 64 roundings of f64 (`docs/numerics.md`, "Surfaces in the same place").
+pub const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
+
 /// Sees a computation as it happens.
 pub trait Probe: Sized {
     /// Whether nothing is seen, so that what doesn't change a result needn't happen.
@@ -58,6 +62,13 @@ pub trait Probe: Sized {
     #[inline(always)]
     fn certifies(&self) -> bool {
         true
+    }
+
+    /// How far rounding may move a computed point whose coordinates, with all that it was computed from, are of this size. Surfaces so
+    /// near to each other are in the same place.
+    #[inline(always)]
+    fn slack(&self, size: f64) -> f64 {
+        ROUNDINGS * size
     }
 
     /// f64 left something in doubt, and more digits were taken. It is counted, not logged.

@@ -1,7 +1,7 @@
 //! The probe of CESTAC: every named quantity is moved by one ulp, up or down at random.
 
 use super::position::{Position, mixed_with};
-use super::{Alteration, Quantity};
+use super::{Alteration, Quantity, ROUNDINGS};
 use crate::log::{Name, Step};
 use crate::random::{GOLDEN, mix};
 
@@ -42,6 +42,11 @@ impl Alteration for Perturbed {
             return value;
         }
         value.map(|component, x| neighbour(x, mixed_with(key, component as u64) & 1 == 1))
+    }
+
+    /// An ulp up or down is twice the error of rounding to the nearest.
+    fn slack(&self, size: f64) -> f64 {
+        2.0 * ROUNDINGS * size
     }
 
     fn enter(&mut self, step: Step) {

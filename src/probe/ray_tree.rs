@@ -58,6 +58,10 @@ impl<P: Probe> Probe for RayTree<P> {
         self.probe.certifies()
     }
 
+    fn slack(&self, size: f64) -> f64 {
+        self.probe.slack(size)
+    }
+
     fn fallback(&mut self) {
         self.probe.fallback();
     }
@@ -85,6 +89,11 @@ fn words_of(decision: Decision) -> [u64; 3] {
         Decision::Outside => [32, 0, 0],
         Decision::Inside => [33, 0, 0],
         Decision::Nearest { object } => [34, object.into(), 0],
+        Decision::Coincident { object, triangle } => {
+            [47, object.into(), triangle.map_or(0, |number| u64::from(number) + 1)]
+        }
+        Decision::Immersed { object } => [48, object.into(), 0],
+        Decision::Bent { what } => [49, what as u64, 0],
         Decision::Background => [35, 0, 0],
         Decision::Occluded { .. } => [36, 0, 0],
         Decision::Attenuated { object, .. } => [37, object.into(), 0],

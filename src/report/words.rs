@@ -110,6 +110,9 @@ pub fn decision_in(language: Language, header: &Header, decision: &Decision, sty
         Decision::Outside => texts.outside.to_owned(),
         Decision::Inside => texts.inside.to_owned(),
         Decision::Nearest { object: nearest } => (texts.nearest)(&object(nearest)),
+        Decision::Coincident { object: other, triangle } => (texts.coincident)(&object(other), *triangle),
+        Decision::Immersed { object: medium } => (texts.immersed)(&object(medium)),
+        Decision::Bent { what } => (texts.bent)(*what),
         Decision::Background => texts.background.to_owned(),
         Decision::Occluded { object: blocking } => (texts.blocked_by)(&object(blocking)),
         Decision::Attenuated { object: passed, factor } => {

@@ -30,9 +30,11 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
     let object = |(index, object): (usize, &file::Object)| {
         let named = |name: &String| scene.materials.index_of(name);
         let material = object.material.as_ref().and_then(named).unwrap_or(default_material);
+        let shape = shape(&object.shape, sphere_method, index, &mut trees)?;
         Ok(Object {
             name: object.name.clone(),
-            shape: moving(shape(&object.shape, sphere_method, index, &mut trees)?, object, index, scene.camera.shutter),
+            inside: if materials[material].transmits() { shape.inside() } else { None },
+            shape: moving(shape, object, index, scene.camera.shutter),
             one_sided: !scene.tracing.two_sided && !materials[material].lets_light_through(),
             material,
         })

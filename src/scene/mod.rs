@@ -38,7 +38,7 @@ pub use tracing::{Algorithm, Shadows, Skip, Specular, Tracing};
 
 pub use unsupported::Unsupported;
 
-use crate::geometry::Shape;
+use crate::geometry::{Shape, Side};
 use crate::log::FrameId;
 use glam::DVec3;
 
@@ -93,6 +93,8 @@ pub struct Object {
     pub material: usize,
     /// Whether it is absent for rays that arrive at its back.
     pub one_sided: bool,
+    /// The side of its surface on which its medium lies; `None` where it transmits nothing, or encloses nothing.
+    pub inside: Option<Side>,
 }
 
 /// How traced values become the numbers of a picture file.

@@ -1,5 +1,6 @@
 //! The two bounces: the mirrored and the refracted ray (Ramos, section 1.2.2).
 
+use super::place::Place;
 use super::shade::give_ray;
 use super::zones::{self, Lobe};
 use super::{Media, Meeting, Path, Via, in_range, radiance};
@@ -14,14 +15,16 @@ use glam::{BVec3, DVec3};
 /// What the reflected ray brings; nothing where there is none.
 pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
-    let weight = material.weights.reflected;
+    let weight = meeting.weights.reflected;
     if !material.reflects() || is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
         return Color::ZERO;
     }
     let Some(direction) = mirror(meeting.ray.direction, meeting.surface.normal, probe) else { return Color::ZERO };
     // Made where it is used, so that a sharp bounce isn't put in memory.
+    let place = meeting.place.and_then(Place::turned_back);
+    let leaving = meeting.leaving_here();
     let bounce =
-        || Bounce { kind: RayKind::Reflected, leaving: meeting.leaving_here(), weight, media: meeting.path.media };
+        || Bounce { kind: RayKind::Reflected, leaving, weight, media: meeting.path.media, place: place.as_deref() };
     if let Some(exponent) = material.gloss_exponent {
         let lobe = Lobe { what: Skippable::Reflected, middle: direction, exponent };
         return zones::mean(scene, meeting, &lobe, &bounce(), probe);
@@ -33,18 +36,20 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
 /// What the transmitted ray brings; nothing where there is none, as at a total internal reflection.
 pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
-    let weight = material.weights.transmitted;
+    let weight = meeting.weights.transmitted;
     if !material.transmits() || is_left_out(scene, meeting, Skippable::Transmitted, weight, probe) {
         return Color::ZERO;
     }
     let inside = meeting.path.media;
-    let crossed = (meeting.object, material.ior, meeting.surface.side);
-    let eta = [inside.ior(), inside.ior_beyond(crossed)];
+    let interface = meeting.interface(scene);
+    let eta = [inside.ior(), inside.ior_beyond(interface, scene)];
     let Some(direction) = refract(meeting.ray, meeting.surface.normal, eta[0], eta[1], probe) else {
         return Color::ZERO;
     };
-    let beyond = inside.beyond(crossed);
-    let bounce = || Bounce { kind: RayKind::Transmitted, leaving: meeting.leaving_beyond(), weight, media: &beyond };
+    let beyond = inside.beyond(interface, scene);
+    let place = meeting.place.and_then(|place| place.beyond_interface(scene));
+    let leaving = meeting.leaving_beyond();
+    let bounce = || Bounce { kind: RayKind::Transmitted, leaving, weight, media: &beyond, place: place.as_deref() };
     if let Some(exponent) = material.translucency_exponent {
         let lobe = Lobe { what: Skippable::Transmitted, middle: direction, exponent };
         return zones::mean(scene, meeting, &lobe, &bounce(), probe);
@@ -187,7 +192,7 @@ fn is_zero_path(scene: &Scene, path: &Path, weight: Color) -> bool {
 /// too small for a number, while a light is so bright that something would be left of it.
 fn dead_channels(path: &Path, weight: Color) -> BVec3 {
     let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());
-    bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight().cmpeq(Color::ZERO))
+    bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight.cmpeq(Color::ZERO))
 }
 
 /// What a bounce with this weight could at the most add to the colour of its sample, for the log and the statistics; nothing where
@@ -208,6 +213,8 @@ pub(super) struct Bounce<'a> {
     pub weight: Color,
     /// The media that the ray will be inside.
     pub media: &'a Media,
+    /// Where the ray begins, if there are surfaces in that place which it has still to cross.
+    pub place: Option<&'a Place>,
 }
 
 impl Bounce<'_> {
@@ -224,8 +231,9 @@ impl Bounce<'_> {
     ) -> Color {
         let (level, weight) = (meeting.path.level + 1, meeting.path.weight * self.weight);
         let is_transmitted = self.kind == RayKind::Transmitted;
-        let via = Via { path: meeting.path, is_transmitted, split, material: meeting.material };
-        let path = Path { level, media: self.media, weight, draws: meeting.path.draws, via: Some(via) };
+        let via = Via { path: meeting.path, is_transmitted, split, weight: self.weight };
+        let draws = meeting.path.draws;
+        let path = Path { level, media: self.media, weight, draws, via: Some(via), place: self.place };
         let ray =
             Ray { leaving: Some(self.leaving), time: meeting.ray.time, ..Ray::new(meeting.surface.point, direction) };
         give_ray(&ray, probe);

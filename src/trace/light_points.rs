@@ -26,7 +26,7 @@ pub(super) fn add<P: Probe>(
     let color = light.share();
     // What can't shadow any point of the light isn't asked for each; whoever counts or logs tests sees them all.
     let among =
-        if P::IS_SILENT { scene.index.between(meeting.surface.point, area.ball(), meeting.object) } else { None };
+        if P::IS_SILENT { scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object) } else { None };
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
         let source = Source { light, number, split, color: &color, among: among.as_deref() };

@@ -6,16 +6,20 @@ mod bounce;
 mod light_points;
 mod media;
 mod pattern;
+mod place;
 pub mod query;
 mod shade;
 mod visibility;
 mod zones;
 
+pub use crate::geometry::Hit;
 pub(crate) use bounce::{refract, transmitted_cosine};
 pub use media::Media;
+pub use place::{Layer, Place};
 pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};
 pub(crate) use visibility::all_crossings;
-pub use visibility::{Hit, closest_hit, is_any_hit, transmittance};
+use visibility::nearest_place;
+pub use visibility::{closest_hit, is_any_hit, transmittance};
 
 use crate::geometry::{Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
@@ -41,6 +45,8 @@ pub struct Path<'a> {
     pub draws: &'a Draws,
     /// The bounce that the ray came by; `None` for the camera's.
     pub via: Option<Via<'a>>,
+    /// Where the ray begins, if there are surfaces in that place which it has still to cross.
+    pub place: Option<&'a Place>,
 }
 
 /// The last bounce of a path.
@@ -52,22 +58,14 @@ pub struct Via<'a> {
     pub is_transmitted: bool,
     /// Its number, from 1, among several; 0 if it is alone.
     pub split: u32,
-    /// The material of the surface that it left, which has its weight.
-    pub material: &'a Material,
-}
-
-impl Via<'_> {
     /// The bounce's weight.
-    fn weight(&self) -> Color {
-        let weights = &self.material.weights;
-        if self.is_transmitted { weights.transmitted } else { weights.reflected }
-    }
+    pub weight: Color,
 }
 
 impl<'a> Path<'a> {
     /// The path of a camera ray.
     pub fn of_camera(media: &'a Media, draws: &'a Draws) -> Path<'a> {
-        Path { level: 0, media, weight: Color::ONE, draws, via: None }
+        Path { level: 0, media, weight: Color::ONE, draws, via: None, place: None }
     }
 
     /// The way from the eye, which names the random decisions at the ray's end. Reckoned where it is asked for, so that rays which
@@ -81,14 +79,19 @@ impl<'a> Path<'a> {
     }
 }
 
-/// Where a ray has met a surface, and how it came there.
+/// Where a ray hits a surface, and how it came there.
 pub(crate) struct Meeting<'a> {
-    pub object: u32,
-    pub primitive: u32,
+    pub layer: Layer,
+    /// All surfaces in the same place, if there are several.
+    pub place: Option<&'a Place>,
     pub ray: &'a Ray,
     pub surface: Surface,
     pub material: &'a Material,
+    /// The material's weights; that of the transmitted ray counts for all that it crosses in this place.
+    pub weights: &'a Weights,
     pub path: &'a Path<'a>,
+    /// How far the point may lie from where exact arithmetic would put it.
+    pub slack: f64,
 }
 
 /// What a ray saw.
@@ -127,17 +130,41 @@ pub fn see<P: Probe>(scene: &Scene, draws: &Draws, aim: impl FnOnce(&mut P) -> O
 /// What a ray sees: the recursion of the source text.
 // One function with the search for the nearest hit in it: a hit handed over, here or to the camera, would be a copy a ray.
 fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> Seen {
-    let Some(hit) = closest_hit(scene, ray, probe) else {
+    if let Some(place) = path.place {
+        let hit = visibility::touched(scene, ray, place, probe);
+        return in_place(scene, ray, path, &hit, place, probe);
+    }
+    let Some(found) = nearest_place(scene, ray, probe) else {
         probe.mark(Decision::Background);
         return Seen { color: scene.background, object: None };
     };
+    match found.all {
+        None => shaded(scene, ray, path, &found.hit, None, probe),
+        Some(all) => in_place(scene, ray, path, &found.hit, &Place::of(&all), probe),
+    }
+}
+
+/// What a ray sees that hits the first of several surfaces in the same place.
+// Kept apart, so that a surface that is alone doesn't pay for it.
+#[cold]
+#[inline(never)]
+fn in_place<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: &Place, probe: &mut P) -> Seen {
+    shaded(scene, ray, path, hit, Some(place), probe)
+}
+
+/// What a ray sees that hits a surface, which may be one of several in the same place.
+#[inline(always)]
+fn shaded<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: Option<&Place>, probe: &mut P) -> Seen {
     let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);
     let material = scene.material_of(hit.object);
-    let meeting = Meeting { object: hit.object, primitive: hit.crossing.primitive, ray, surface, material, path };
+    let merged = place.filter(|_| material.transmits()).map(|place| place.merged(&material.weights, scene));
+    let weights = merged.as_ref().unwrap_or(&material.weights);
+    let slack = ray.slack_at(surface.point, probe);
+    let meeting = Meeting { layer: Layer::of(hit), place, ray, surface, material, weights, path, slack };
     let local = shade::local_intensity(scene, &meeting, probe);
     let reflected = bounce::reflected(scene, &meeting, probe);
     let transmitted = bounce::transmitted(scene, &meeting, probe);
-    let color = combine(&material.weights, local, reflected, transmitted, probe);
+    let color = combine(weights, local, reflected, transmitted, probe);
     Seen { color, object: Some(hit.object) }
 }
 
@@ -166,12 +193,21 @@ pub(crate) fn in_range(color: Color) -> Color {
 impl Meeting<'_> {
     /// The surface, for a ray that leaves it on the side where `ray` arrived.
     fn leaving_here(&self) -> Leaving {
-        Leaving { object: self.object, primitive: self.primitive, side: self.surface.side }
+        let Layer { object, primitive, .. } = self.layer;
+        Leaving { object, primitive, side: self.surface.side, slack: self.slack }
     }
 
     /// The surface, for a ray that leaves it on the other side.
     fn leaving_beyond(&self) -> Leaving {
         Leaving { side: self.surface.side.opposite(), ..self.leaving_here() }
+    }
+
+    /// The surfaces that a transmitted ray crosses here at once.
+    fn interface(&self, scene: &Scene) -> &[Layer] {
+        match self.place {
+            None => std::slice::from_ref(&self.layer),
+            Some(place) => place.interface(scene),
+        }
     }
 
     /// Whether a ray that by the interpolated normal sets off on this side of the surface lies on the other side by the

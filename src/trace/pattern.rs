@@ -58,7 +58,7 @@ fn color<P: Probe>(scene: &Scene, meeting: &Meeting, checker: &Checker, probe: &
 
 /// Where a moving object is; it takes its pattern along.
 fn pose<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Option<Pose> {
-    match &scene.objects[meeting.object as usize].shape {
+    match &scene.objects[meeting.layer.object as usize].shape {
         Shape::Moving(moving) => Some(moving.at(meeting.ray.time, probe)),
         _ => None,
     }
@@ -73,7 +73,7 @@ fn own_point<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Optio
 /// 1 on the axes along which cubes are counted. On a flat surface the one nearest to its normal is left out, of equals the
 /// first: such a surface often lies exactly between two layers of cubes, where rounding would mix their colours.
 fn axes(scene: &Scene, meeting: &Meeting) -> DVec3 {
-    if !scene.objects[meeting.object as usize].shape.is_flat(meeting.primitive) {
+    if !scene.objects[meeting.layer.object as usize].shape.is_flat(meeting.layer.primitive) {
         return DVec3::ONE;
     }
     let normal = meeting.surface.geometric_normal();

@@ -1,6 +1,7 @@
 //! Single ray queries: what a ray meets, without any shading, at the time when the shutter opens.
 
-use super::visibility::{Hit, closest_hit, is_any_hit};
+use super::visibility::{closest_hit, is_any_hit};
+use crate::geometry::Hit;
 use crate::geometry::unit::{unit, with_unit};
 use crate::geometry::{Leaving, Ray, Side};
 use crate::probe::Silent;
@@ -143,7 +144,7 @@ impl Query {
     fn ray_along(&self, direction: DVec3, vector: DVec3, length: f64, scene: &Scene) -> Ray {
         let leaving = self.from.map(|(object, primitive)| {
             let side = scene.objects[object as usize].shape.returning_side();
-            Leaving { object, primitive, side }
+            Leaving { object, primitive, side, slack: 0.0 }
         });
         let t_min = if self.t_min == 0.0 { 0.0 } else { -first_beyond(-self.t_min, length) };
         let t_max = if self.t_max == f64::INFINITY { self.t_max } else { first_beyond(self.t_max, length) };

@@ -1,8 +1,9 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
 use super::bounce::unless_it_leaks;
-use super::{Meeting, in_range, light_points, pattern, visibility::transmittance_among};
-use crate::geometry::{Leaving, Ray};
+use super::visibility::{Obstacles, transmittance_among};
+use super::{Meeting, in_range, light_points, pattern};
+use crate::geometry::Ray;
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
 use crate::probe::Probe;
 use crate::scene::{Arrival, Color, Light, LightKind, Material, Scene, Specular};
@@ -11,11 +12,11 @@ use glam::DVec3;
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead. Nothing where its weight is zero.
 pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
-    if meeting.material.weights.local == Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroLocal) {
+    if meeting.weights.local == Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroLocal) {
         probe.mark(Decision::Skipped { what: Skippable::Local, why: SkipReason::ZeroLocal });
         return Color::ZERO;
     }
-    probe.within(Step::Shade { object: meeting.object }, |probe| match &meeting.material.pattern {
+    probe.within(Step::Shade { object: meeting.layer.object }, |probe| match &meeting.material.pattern {
         None => from_all_lights(scene, meeting, probe),
         Some(pattern) => pattern::local_intensity(scene, meeting, pattern, probe),
     })
@@ -83,23 +84,16 @@ pub(super) fn from_light<P: Probe>(
 
     let is_in_front = n_dot_l > 0.0;
     let is_behind = n_dot_l < 0.0;
-    let leaving = match () {
-        _ if is_in_front => meeting.leaving_here(),
-        _ if is_behind && material.uses_light_behind() => meeting.leaving_beyond(),
-        _ => {
-            // The algorithm itself sends no shadow ray there, whatever rules are in force.
-            probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind });
-            return Color::ZERO;
-        }
-    };
+    if !is_in_front && !(is_behind && material.uses_light_behind()) {
+        // The algorithm itself sends no shadow ray there, whatever rules are in force.
+        probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind });
+        return Color::ZERO;
+    }
     if is_in_front && !material.uses_light_in_front() && scene.tracing.skip.has(SkipReason::NoLocalTerm) {
         probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm });
         return Color::ZERO;
     }
-    let leaks = meeting.leaks(arrival.direction, is_in_front);
-    let step =
-        Step::Ray { kind: RayKind::Shadow { light: source.number }, depth: meeting.path.level, split: source.split };
-    let passed = shadow_ray(scene, meeting, (step, source.among), arrival, leaving, leaks, probe);
+    let passed = shadow_ray(scene, meeting, source, &arrival, is_in_front, probe);
     if passed == Color::ZERO {
         return Color::ZERO;
     }
@@ -107,7 +101,7 @@ pub(super) fn from_light<P: Probe>(
     let reflectance = if is_in_front {
         material.diffuse * cosine(n_dot_l) + specular(scene, material, normal, view, arrival.direction, n_dot_l, probe)
     } else {
-        transmission(meeting, material, view, arrival.direction, probe)
+        transmission(scene, meeting, material, view, arrival.direction, probe)
     };
     arriving * reflectance
 }
@@ -117,16 +111,25 @@ pub(super) fn from_light<P: Probe>(
 fn shadow_ray<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
-    (step, among): (Step, Option<&[u32]>),
-    arrival: Arrival,
-    leaving: Leaving,
-    leaks: bool,
+    source: &Source,
+    arrival: &Arrival,
+    is_in_front: bool,
     probe: &mut P,
 ) -> Color {
+    let leaving = if is_in_front { meeting.leaving_here() } else { meeting.leaving_beyond() };
+    let touched = match meeting.place {
+        None => &[],
+        Some(place) if is_in_front => &*place.crossed,
+        Some(place) => place.ahead.get(1..).unwrap_or_default(),
+    };
     let time = meeting.ray.time;
-    let ray = Ray { leaving: Some(leaving), time, ..segment_to_light(meeting.surface.point, &arrival) };
+    let ray = Ray { leaving: Some(leaving), time, ..segment_to_light(meeting.surface.point, arrival) };
+    let step =
+        Step::Ray { kind: RayKind::Shadow { light: source.number }, depth: meeting.path.level, split: source.split };
     give_ray(&ray, probe);
-    let passed = probe.within(step, |probe| transmittance_among(scene, &ray, among, probe));
+    let obstacles = Obstacles { among: source.among, touched };
+    let passed = probe.within(step, |probe| transmittance_among(scene, &ray, &obstacles, probe));
+    let leaks = meeting.leaks(arrival.direction, is_in_front);
     let passed = unless_it_leaks(passed, leaks, Skippable::Shadow, probe);
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
 }
@@ -173,10 +176,17 @@ fn specular<P: Probe>(
 /// K_t ((−N·H′)⁺)^n_t with H′ = (−L − ηV)/(η − 1), normalised; the light's side is medium 1, the viewer's medium 2.
 ///
 /// The sum is written as −(L + V)/(η − 1) − V, which keeps its digits where η is near 1.
-fn transmission<P: Probe>(meeting: &Meeting, material: &Material, view: DVec3, light: DVec3, probe: &mut P) -> Color {
+fn transmission<P: Probe>(
+    scene: &Scene,
+    meeting: &Meeting,
+    material: &Material,
+    view: DVec3,
+    light: DVec3,
+    probe: &mut P,
+) -> Color {
     let media = meeting.path.media;
     let exponent = material.transmission_exponent;
-    let eta_light = media.ior_beyond((meeting.object, material.ior, meeting.surface.side));
+    let eta_light = media.ior_beyond(meeting.interface(scene), scene);
     probe.given(Name::RefractEta1, eta_light);
     probe.given(Name::RefractEta2, media.ior());
     let eta = probe.note(Name::TransmitEta, media.ior() / eta_light);

@@ -1,20 +1,11 @@
-//! What a ray meets first, and how much light gets through.
+//! What a ray hits first, and how much light gets through.
 
-use super::in_range;
-use crate::geometry::{Crossing, Ray};
+use super::{Layer, Place, in_range};
+use crate::geometry::{Contenders, Crossing, Found, Hit, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
 use crate::scene::{Color, Scene, Shadows};
 use std::cmp::Ordering;
-
-/// The nearest thing on a ray.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// The object.
-    pub object: u32,
-    /// Where the ray crosses its surface.
-    pub crossing: Crossing,
-}
 
 /// Two distances nearer to each other than so many parts of them are compared with more digits.
 const NEAR_TIE: f64 = 8.0 * f64::EPSILON;
@@ -52,29 +43,54 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
     hits
 }
 
-/// The nearest hit. Of several at the same distance the object that comes first in the scene wins.
-// A part of the recursion, which would have to take the hit out of memory.
+/// The nearest hit. Of surfaces in the same place the first in the scene is the nearest, then the lowest primitive.
 #[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
+    nearest_place(scene, ray, probe).map(|found| found.hit)
+}
+
+/// The nearest hit, with all surfaces in the same place if there are several.
+// A part of the recursion, which would have to take the hit out of memory.
+#[inline(always)]
+pub(super) fn nearest_place<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Found> {
     let mut nearest: Option<Hit> = None;
+    let mut contenders = Contenders::default();
     scene.index.nearest_first(
         ray,
         probe,
         #[inline(always)]
         |object, probe| {
             let thing = &scene.objects[object as usize];
-            if let Some(crossing) = thing.shape.first_crossing(object, thing.one_sided, ray, probe)
-                && nearest.is_none_or(|hit| order(scene, ray, Hit { object, crossing }, hit, probe).is_lt())
-            {
-                nearest = Some(Hit { object, crossing });
+            if let Some(crossing) = thing.shape.nearest(object, thing.one_sided, ray, &mut contenders, probe) {
+                nearest = Some(contenders.nearer(nearest, Hit { object, crossing }, ray, probe));
             }
             nearest.map_or(ray.t_max, |hit| hit.crossing.t)
         },
     );
-    if let Some(hit) = nearest {
-        probe.mark(Decision::Nearest { object: hit.object });
+    let found = contenders.place(nearest?, ray, |object| &scene.objects[object as usize].shape, probe);
+    probe.mark(Decision::Nearest { object: found.hit.object });
+    if let Some(all) = &found.all {
+        mark_coincident(scene, all, probe);
     }
-    nearest
+    Some(found)
+}
+
+#[cold]
+fn mark_coincident<P: Probe>(scene: &Scene, all: &[Hit], probe: &mut P) {
+    for other in all.iter().skip(1) {
+        let is_mesh = scene.objects[other.object as usize].shape.is_mesh();
+        let triangle = is_mesh.then_some(other.crossing.primitive);
+        probe.mark(Decision::Coincident { object: other.object, triangle });
+    }
+}
+
+/// The hit of a ray that begins just in front of a surface, which is therefore the nearest. There is one in a place that a ray begins in.
+#[cold]
+pub(super) fn touched<P: Probe>(scene: &Scene, ray: &Ray, place: &Place, probe: &mut P) -> Hit {
+    let layer = place.ahead[0];
+    scene.objects[layer.object as usize].shape.touch(layer.object, layer.primitive, ray, probe);
+    probe.mark(Decision::Nearest { object: layer.object });
+    layer.touched()
 }
 
 /// Whether the ray meets anything at all.
@@ -92,23 +108,41 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
 /// straight line; zero as soon as an opaque one is crossed (Ramos, section 1.2.5).
 pub fn transmittance<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Color {
-    transmittance_among(scene, ray, None, probe)
+    transmittance_among(scene, ray, &Obstacles::default(), probe)
 }
 
-/// The same where all objects that the ray can meet are known.
+/// What is known of the surfaces that a shadow ray crosses before they are searched for.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Obstacles<'a> {
+    /// All objects that the ray can intersect, where they are known.
+    pub among: Option<&'a [u32]>,
+    /// The surfaces that the ray crosses where it begins.
+    pub touched: &'a [Layer],
+}
+
+/// The same where something is known before the search.
 #[inline(always)]
-pub(super) fn transmittance_among<P: Probe>(scene: &Scene, ray: &Ray, among: Option<&[u32]>, probe: &mut P) -> Color {
-    if among.is_some_and(<[u32]>::is_empty) { Color::ONE } else { searched(scene, ray, among, probe) }
+pub(super) fn transmittance_among<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &mut P) -> Color {
+    let has_none = obstacles.among.is_some_and(<[u32]>::is_empty) && obstacles.touched.is_empty();
+    if has_none { Color::ONE } else { searched(scene, ray, obstacles, probe) }
 }
 
 // Kept out of the shading around it, whose values would crowd this loop's out of the registers.
 #[inline(never)]
-fn searched<P: Probe>(scene: &Scene, ray: &Ray, among: Option<&[u32]>, probe: &mut P) -> Color {
+fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);
     let lets_light_pass = scene.tracing.shadows == Shadows::PerSurface;
     let mut crossed: Vec<(f64, u32)> = Vec::new();
     let mut crossings: Vec<Crossing> = Vec::new();
     let mut is_blocked = false;
+    for layer in obstacles.touched {
+        if lets_light_pass && scene.material_of(layer.object).transmits() {
+            crossed.push((0.0, layer.object));
+        } else {
+            probe.mark(Decision::Occluded { object: layer.object });
+            return Color::ZERO;
+        }
+    }
     let mut meet = |object: u32, probe: &mut P| {
         let thing = &scene.objects[object as usize];
         if lets_light_pass && scene.materials[thing.material].transmits() {
@@ -126,7 +160,7 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, among: Option<&[u32]>, probe: &m
         }
         ray.t_max
     };
-    match among {
+    match obstacles.among {
         None => scene.index.in_any_order(ray, probe, meet),
         Some(objects) => {
             // One that blocks the ray ends the search.

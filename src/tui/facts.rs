@@ -63,6 +63,7 @@ impl Facts {
             What::Result { .. } => fact.value = number,
             What::Mark(decision) => match decision {
                 Decision::Outside | Decision::Inside | Decision::Skipped { .. } | Decision::LeakGuard { .. } => {}
+                Decision::Coincident { .. } | Decision::Immersed { .. } | Decision::Bent { .. } => {}
                 Decision::Subdivided { .. } | Decision::Accepted { .. } | Decision::MoreSamples { .. } => {}
                 Decision::DepthLimit { .. } | Decision::TotalInternalReflection => fact.limit = number,
                 _ => fact.outcome = number,

@@ -154,9 +154,11 @@ fn judged_value(model: &Model, line: &str, truth: &Value) -> Result<Judged, Stri
 fn judged_decision(model: &Model, line: &str, truth: &Decision) -> Result<Judged, String> {
     let header = &model.log.header;
     let chosen = match truth {
-        Decision::Nearest { object } | Decision::Occluded { object } | Decision::Attenuated { object, .. } => {
-            Some(header.object(*object))
-        }
+        Decision::Nearest { object }
+        | Decision::Coincident { object, .. }
+        | Decision::Immersed { object }
+        | Decision::Occluded { object }
+        | Decision::Attenuated { object, .. } => Some(header.object(*object)),
         _ => None,
     };
     let line = line.trim();

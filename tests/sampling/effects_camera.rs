@@ -230,7 +230,12 @@ fn rays_leave_moving_surfaces() {
         let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
         let normal = surface.geometric_normal();
         let aside = normal.cross(DVec3::new(a, c, d));
-        let leaving = Leaving { object: hit.object, primitive: hit.crossing.primitive, side: surface.side };
+        let leaving = Leaving {
+            object: hit.object,
+            primitive: hit.crossing.primitive,
+            side: surface.side,
+            slack: ray.slack_at(surface.point, &Silent),
+        };
         let away = Ray { time, leaving: Some(leaving), ..Ray::along(surface.point, normal * 0.05 + aside) };
         let again = closest_hit(&scene, &away, &mut Silent).filter(|again| again.object == hit.object);
         assert!(

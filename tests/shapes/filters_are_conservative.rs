@@ -26,7 +26,7 @@ struct World {
     shapes: Vec<Shape>,
     tree: Bvh,
     /// The same triangles as a mesh, if there is nothing else.
-    mesh: Option<TriangleMesh>,
+    mesh: Option<Shape>,
     /// Points where the tests are hardest: corners, and points of edges and surfaces.
     targets: Vec<DVec3>,
     middle: DVec3,
@@ -216,11 +216,11 @@ fn world(number: u64) -> World {
     World { shapes, tree, mesh, targets, middle: offset, size: scale }
 }
 
-fn mesh_of(shapes: &[Shape]) -> Option<TriangleMesh> {
+fn mesh_of(shapes: &[Shape]) -> Option<Shape> {
     let corners: Option<Vec<[DVec3; 3]>> = shapes.iter().map(corners_of).collect();
     let corners = corners?;
     let faces = (0..corners.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
-    Some(TriangleMesh::new(Arc::new(Mesh { positions: corners.concat(), normals: None, faces })))
+    Some(Shape::Mesh(Arc::new(TriangleMesh::new(Arc::new(Mesh { positions: corners.concat(), normals: None, faces })))))
 }
 
 /// A ray that is hard on the tests.
@@ -274,7 +274,8 @@ fn spawned(world: &World, from: &Ray, object: u32, crossing: Crossing, random: &
     let way = random.unit();
     let is_back = way.dot(surface.normal) < 0.0;
     let side = if is_back { crossing.side.opposite() } else { crossing.side };
-    let leaving = Some(Leaving { object, primitive: crossing.primitive, side });
+    let leaving =
+        Some(Leaving { object, primitive: crossing.primitive, side, slack: from.slack_at(surface.point, &Silent) });
     Ray { leaving, ..Ray::along(surface.point, way) }
 }
 

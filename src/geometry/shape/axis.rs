@@ -158,6 +158,13 @@ impl Axis {
         disk(self.base, base_radius).union(disk(self.apex, apex_radius))
     }
 
+    /// The size of the numbers that define the solid with this greatest radius. Roundings of the ends turn a short axis, and that
+    /// moves a wide cap by more than themselves.
+    pub fn size(&self, radius: f64) -> f64 {
+        let ends = self.base.abs().max(self.apex.abs()).max_element();
+        ends * (1.0 + radius / self.length) + radius
+    }
+
     /// The corners of the squares around the circles at both ends.
     pub fn corners(&self, base_radius: f64, apex_radius: f64) -> [DVec3; 8] {
         let across = self.direction.any_orthonormal_vector();

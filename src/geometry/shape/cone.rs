@@ -39,6 +39,11 @@ impl Cone {
         Cone { axis, base_radius: base.1, apex_radius: apex.1, slope, has_caps: caps, outer }
     }
 
+    /// The side on which the solid lies; open at its ends it is none.
+    pub(super) fn solid_side(&self) -> Option<Side> {
+        self.has_caps.then(|| self.outer.opposite())
+    }
+
     /// Points whose convex hull holds it.
     pub fn corners(&self) -> [DVec3; 8] {
         self.axis.corners(self.base_radius, self.apex_radius)
@@ -179,12 +184,12 @@ impl Kernel for Cone {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        self.roots(ray, probe)?.first(ray, approach, probe)
+        self.roots(ray, probe)?.first(ray, approach, |crossing| self.begins_at(ray, approach, crossing), probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         if let Some(roots) = self.roots(ray, probe) {
-            roots.all(ray, approach, found, probe);
+            roots.all(ray, approach, |crossing| self.begins_at(ray, approach, crossing), found, probe);
         }
     }
 
@@ -222,6 +227,10 @@ impl Kernel for Cone {
             LATERAL => Doubled::from(crossing.t),
             _ => self.axis.refined(ray, crossing),
         }
+    }
+
+    fn size(&self) -> f64 {
+        self.axis.size(self.base_radius.max(self.apex_radius))
     }
 
     fn can_be_met_again(&self, sets_off: Side) -> bool {

@@ -32,6 +32,11 @@ impl Cylinder {
         Cylinder { axis: Axis::new(base, apex), radius, radius_squared: radius * radius, has_caps: caps, outer }
     }
 
+    /// The side on which the solid lies; open at its ends it is none.
+    pub(super) fn solid_side(&self) -> Option<Side> {
+        self.has_caps.then(|| self.outer.opposite())
+    }
+
     /// Points whose convex hull holds it.
     pub fn corners(&self) -> [DVec3; 8] {
         self.axis.corners(self.radius, self.radius)
@@ -111,12 +116,12 @@ impl Kernel for Cylinder {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        self.roots(ray, probe)?.first(ray, approach, probe)
+        self.roots(ray, probe)?.first(ray, approach, |crossing| self.begins_at(ray, approach, crossing), probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         if let Some(roots) = self.roots(ray, probe) {
-            roots.all(ray, approach, found, probe);
+            roots.all(ray, approach, |crossing| self.begins_at(ray, approach, crossing), found, probe);
         }
     }
 
@@ -153,6 +158,10 @@ impl Kernel for Cylinder {
         }
         let Some(chord) = self.doubled_chord(ray) else { return Doubled::from(crossing.t) };
         if crossing.side == self.outer { chord.near } else { chord.far }
+    }
+
+    fn size(&self) -> f64 {
+        self.axis.size(self.radius)
     }
 
     fn can_be_met_again(&self, sets_off: Side) -> bool {

@@ -48,7 +48,8 @@ impl Kernel for Disk {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
         }
-        decide(ray, approach, Crossing { t: plane.t, side: plane.side, primitive: 0 }, probe)
+        let crossing = Crossing { t: plane.t, side: plane.side, primitive: 0 };
+        decide(ray, approach, crossing, || self.begins_at(ray, approach, crossing), probe)
     }
 
     #[inline]
@@ -59,11 +60,11 @@ impl Kernel for Disk {
         Surface::plain(point, normal, crossing.side)
     }
 
-    /// Along an axis the disk reaches as far as its radius times the sine between the axis and the normal.
     fn refined(&self, ray: &Ray, _crossing: Crossing) -> Doubled {
         refined(ray, self.normal, self.center)
     }
 
+    /// Along an axis the disk reaches as far as its radius times the sine between the axis and the normal.
     fn bounds(&self) -> Option<Bounds> {
         let squares = self.unit_normal * self.unit_normal;
         let sine = |others: f64| others.sqrt();
@@ -82,7 +83,7 @@ mod tests {
     fn meets(x: f64) -> Option<Crossing> {
         let disk = Disk::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.0, 0.0, -2.0), 0.5);
         let ray = Ray::new(DVec3::new(x, 2.0, 0.0), DVec3::Z);
-        disk.first_crossing(&ray, Approach { leaving: None, one_sided: false }, &mut Silent)
+        disk.first_crossing(&ray, Approach { leaving: None, slack: 0.0, one_sided: false }, &mut Silent)
     }
 
     #[test]

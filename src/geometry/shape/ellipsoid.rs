@@ -187,12 +187,13 @@ impl Kernel for Ellipsoid {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        self.roots(ray, approach.leaving.is_some(), probe)?.first(ray, approach, probe)
+        let begins_at = |crossing| self.begins_at(ray, approach, crossing);
+        self.roots(ray, approach.leaving.is_some(), probe)?.first(ray, approach, begins_at, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         if let Some(roots) = self.roots(ray, approach.leaving.is_some(), probe) {
-            roots.all(ray, approach, found, probe);
+            roots.all(ray, approach, |crossing| self.begins_at(ray, approach, crossing), found, probe);
         }
     }
 

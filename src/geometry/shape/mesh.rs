@@ -1,23 +1,25 @@
 //! A mesh of triangles with a tree over them.
 //!
-//! Each triangle is met by the kernel of a triangle, in a test of its own. The tree narrows down and decides nothing: of
-//! several triangles at the same distance the first in the mesh file wins, whatever the order of the tests.
+//! Each triangle is intersected by the kernel of a triangle, in a test of its own. The tree narrows down and decides nothing: of
+//! several triangles in the same place the first in the mesh file wins, whatever the order of the tests.
 
 mod left;
 
-use super::Approach;
 use super::triangle::Facet;
+use super::{Approach, touched};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
-use crate::geometry::mesh::Mesh;
-use crate::geometry::ray::{Crossing, Ray, Surface};
+use crate::geometry::mesh::{Mesh, Winding};
+use crate::geometry::nearest::{Contenders, Hit};
+use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::geometry::size::unit;
 use crate::log::Step;
 use crate::probe::Probe;
 use glam::DVec3;
-use left::LeftTriangle;
+use left::{LeftTriangle, corners_in_common};
 use rayon::prelude::*;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A mesh, ready to be met by rays. A crossing's primitive is the triangle's number in the mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +28,8 @@ pub struct TriangleMesh {
     tree: Bvh,
     /// The normals of the triangles, as [`Facet`] has them.
     normals: Vec<DVec3>,
+    /// What [`TriangleMesh::inside`] found; only media need it.
+    inside: OnceLock<Option<Side>>,
 }
 
 const NEAREST_FIRST: bool = true;
@@ -42,7 +46,7 @@ impl TriangleMesh {
             Facet::new(a, b, c).normal
         };
         let normals = (0..mesh.faces.len() as u32).into_par_iter().map(normal).collect();
-        TriangleMesh { mesh, tree, normals }
+        TriangleMesh { mesh, tree, normals, inside: OnceLock::new() }
     }
 
     /// The triangles.
@@ -50,22 +54,57 @@ impl TriangleMesh {
         &self.mesh
     }
 
-    /// The first point where the ray crosses object `object` of this shape; of several triangles there, on the first.
-    pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        let mut nearest: Option<Crossing> = None;
-        self.visit(object, one_sided, ray, NEAREST_FIRST, probe, |crossing| {
-            if nearest.is_none_or(|best| (crossing.t, crossing.primitive) < (best.t, best.primitive)) {
-                nearest = Some(crossing);
-            }
-            nearest.map_or(ray.t_max, |best| best.t)
+    /// The side of the triangles on which the solid lies that they enclose: the back, or the front where the mesh is wound inside out.
+    /// `None` where they enclose none.
+    pub fn inside(&self) -> Option<Side> {
+        let side = || match self.mesh.winding() {
+            Winding::Outward => Some(Side::Back),
+            Winding::Inward => Some(Side::Front),
+            Winding::Mixed | Winding::Open => None,
+        };
+        *self.inside.get_or_init(side)
+    }
+
+    /// The nearest of the points where the ray crosses object `object` of this shape, and those that may be in the same place.
+    // Kept apart from the search among objects, as the kernels of other shapes are.
+    #[inline(never)]
+    pub fn nearest<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        contenders: &mut Contenders,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        let mut nearest: Option<Hit> = None;
+        self.visit(object, one_sided, ray, NEAREST_FIRST, probe, |crossing, probe| {
+            let hit = contenders.nearer(nearest, Hit { object, crossing }, ray, probe);
+            nearest = Some(hit);
+            hit.crossing.t
         });
-        nearest
+        nearest.map(|hit| hit.crossing)
+    }
+
+    /// Shows the log the crossing of a ray that begins on a triangle and goes through it.
+    pub fn touch<P: Probe>(&self, object: u32, triangle: u32, probe: &mut P) {
+        self.facet(triangle).give(probe);
+        probe.within(Step::Test { object, triangle: Some(triangle) }, touched);
+    }
+
+    /// Whether two triangles have one or two corners in common. With all three they are in the same place.
+    pub fn are_neighbours(&self, one: u32, other: u32) -> bool {
+        matches!(corners_in_common(self.mesh.corners(one), self.mesh.corners(other)), 1 | 2)
+    }
+
+    /// The greatest coordinate of a triangle.
+    pub fn size(&self, triangle: u32) -> f64 {
+        self.facet(triangle).bounds().size()
     }
 
     /// Whether the ray crosses the object at all. Ends with the first triangle that is found.
     pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> bool {
         let mut is_crossed = false;
-        self.visit(object, one_sided, ray, IN_ANY_ORDER, probe, |_| {
+        self.visit(object, one_sided, ray, IN_ANY_ORDER, probe, |_, _| {
             is_crossed = true;
             -1.0
         });
@@ -82,7 +121,7 @@ impl TriangleMesh {
         probe: &mut P,
     ) {
         let before = found.len();
-        self.visit(object, one_sided, ray, IN_ANY_ORDER, probe, |crossing| {
+        self.visit(object, one_sided, ray, IN_ANY_ORDER, probe, |crossing, _| {
             found.push(crossing);
             ray.t_max
         });
@@ -114,11 +153,12 @@ impl TriangleMesh {
         ray: &Ray,
         nearest_first: bool,
         probe: &mut P,
-        mut meet: impl FnMut(Crossing) -> f64,
+        mut meet: impl FnMut(Crossing, &P) -> f64,
     ) {
         let left = ray.leaving.filter(|leaving| leaving.object == object);
         let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, &self.normals, leaving.primitive, ray));
-        let approach = Approach { leaving: None, one_sided };
+        let slack = ray.leaving.map_or(0.0, |leaving| leaving.slack);
+        let approach = Approach { leaving: None, slack, one_sided };
         let mut t_max = ray.t_max;
         let search = Search { nearest_first, one_by_one: probe.certifies() };
         let tested = self.tree.visit::<P>(
@@ -128,8 +168,10 @@ impl TriangleMesh {
             |triangle| {
                 let is_out_of_reach =
                     left.as_ref().is_some_and(|left| left.bars(&self.mesh, &self.normals, triangle, ray));
-                if !is_out_of_reach && let Some(crossing) = self.test(object, triangle, ray, approach, probe) {
-                    t_max = meet(crossing);
+                if !is_out_of_reach
+                    && let Some(crossing) = self.test(object, triangle, ray, approach, left.as_ref(), probe)
+                {
+                    t_max = meet(crossing, probe);
                 }
                 t_max
             },
@@ -144,16 +186,34 @@ impl TriangleMesh {
         triangle: u32,
         ray: &Ray,
         approach: Approach,
+        left: Option<&LeftTriangle>,
         probe: &mut P,
     ) -> Option<Crossing> {
         let facet = self.facet(triangle);
+        let begins_there =
+            |crossing: Crossing| approach.is_near(crossing.t) && self.begins_at(ray, approach, crossing, left);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
         probe.within(
             step,
             #[inline(always)]
-            |probe| facet.crossing(ray, approach, triangle, probe),
+            |probe| facet.crossing(ray, approach, triangle, begins_there, probe),
         )
+    }
+
+    /// Whether a crossing near the ray's origin is where the ray begins. Neighbours of the triangle that it leaves are told by their
+    /// wedge, and by their distance, unless they lie in the same plane.
+    #[cold]
+    #[inline(never)]
+    fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing, left: Option<&LeftTriangle>) -> bool {
+        let facet = self.facet(crossing.primitive);
+        let normal = unit(facet.normal);
+        let is_on = |point: DVec3| approach.holds(normal.dot(point - facet.a), facet.bounds().size());
+        let is_apart = |left: &LeftTriangle| {
+            matches!(corners_in_common(left.corners, [facet.a, facet.b, facet.c]), 1 | 2)
+                && !left.corners.into_iter().all(is_on)
+        };
+        is_on(ray.origin) && !left.is_some_and(is_apart)
     }
 
     #[inline(always)]

@@ -35,9 +35,10 @@ pub use triangle::Triangle;
 use super::bounds::Bounds;
 use super::bvh::Form;
 use super::doubled::Doubled;
+use super::nearest::{Contenders, Hit};
 use super::ray::{Crossing, Ray, Side, Surface};
-use crate::log::{Decision, Miss, Step};
-use crate::probe::Probe;
+use crate::log::{Decision, Miss, Name, Step};
+use crate::probe::{Probe, ROUNDINGS, Silent};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -90,10 +91,12 @@ macro_rules! kernel {
 }
 
 /// What a kernel has to know beside the ray.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
     /// The side of this very surface on which the ray sets off, if it leaves it.
     pub leaving: Option<Side>,
+    /// How far the ray's origin may lie from where it belongs, if it leaves another surface.
+    pub slack: f64,
     /// Whether the surface is absent for rays that arrive at its back.
     pub one_sided: bool,
 }
@@ -127,6 +130,29 @@ pub trait Kernel {
         Doubled::from(crossing.t)
     }
 
+    /// The size of the numbers that define the surface, whose roundings move it: its greatest coordinate.
+    fn size(&self) -> f64 {
+        self.bounds().map_or(0.0, Bounds::size)
+    }
+
+    /// The part of the ray's direction that is along the normal at a crossing: how fast the ray leaves the surface.
+    fn slope(&self, ray: &Ray, crossing: Crossing) -> f64 {
+        self.surface(ray, crossing, &mut Silent).geometric_normal().dot(ray.direction).abs()
+    }
+
+    /// Whether this crossing is where the ray begins, as far as rounding can tell.
+    #[inline(always)]
+    fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
+        approach.is_near(crossing.t) && self.holds_origin(ray, approach, crossing)
+    }
+
+    /// The rest of [`Kernel::begins_at`], for crossings near the origin.
+    #[cold]
+    #[inline(never)]
+    fn holds_origin(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
+        approach.holds(crossing.t * self.slope(ray, crossing), self.size())
+    }
+
     /// The first point where the ray crosses object `object` of this shape.
     // Each kernel is a function of its own: together in one they would crowd each other out of the registers.
     #[inline(never)]
@@ -156,24 +182,84 @@ pub trait Kernel {
         probe: &mut P,
         body: impl FnOnce(Approach, &mut P) -> T,
     ) -> Option<T> {
-        let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
+        let (leaving, slack) = match ray.leaving {
+            Some(leaving) if leaving.object == object => (Some(leaving.side), 0.0),
+            Some(leaving) => (None, leaving.slack),
+            None => (None, 0.0),
+        };
         if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
             return None;
         }
+        let approach = Approach { leaving, slack, one_sided };
         self.give(probe);
-        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(Approach { leaving, one_sided }, probe)))
+        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(approach, probe)))
     }
+
+    /// Shows the log the crossing of a ray that begins on the surface and goes through it.
+    fn touch<P: Probe>(&self, object: u32, probe: &mut P) {
+        self.give(probe);
+        probe.within(Step::Test { object, triangle: None }, touched);
+    }
+}
+
+/// A test whose answer is known before: the ray begins on the surface.
+fn touched<P: Probe>(probe: &mut P) {
+    probe.note(Name::TouchT, 0.0);
+    probe.mark(Decision::Hit);
 }
 
 impl Shape {
     /// The first point where the ray crosses object `object` of this shape.
-    #[inline(always)]
     pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        kernel!(
-            self,
-            kernel => kernel.first_of(object, one_sided, ray, probe),
-            mesh => mesh.first_crossing(object, one_sided, ray, probe)
-        )
+        let mut contenders = Contenders::default();
+        let crossing = self.nearest(object, one_sided, ray, &mut contenders, probe)?;
+        Some(contenders.place(Hit { object, crossing }, ray, |_| self, probe).hit.crossing)
+    }
+
+    /// The nearest of the points where the ray crosses object `object` of this shape, and those of a mesh that may be in the same
+    /// place.
+    #[inline(always)]
+    pub fn nearest<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        contenders: &mut Contenders,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        match self {
+            Shape::Mesh(mesh) => mesh.nearest(object, one_sided, ray, contenders, probe),
+            Shape::Moving(moving) => moving.nearest(object, one_sided, ray, contenders, probe),
+            _ => kernel!(self, kernel => kernel.first_of(object, one_sided, ray, probe), _mesh => None),
+        }
+    }
+
+    /// Shows the log the crossing of a ray that begins on the object and goes through it.
+    pub fn touch<P: Probe>(&self, object: u32, primitive: u32, ray: &Ray, probe: &mut P) {
+        match self {
+            Shape::Mesh(mesh) => mesh.touch(object, primitive, probe),
+            Shape::Moving(moving) => moving.touch(object, primitive, ray, probe),
+            _ => kernel!(self, kernel => kernel.touch(object, probe), _mesh => ()),
+        }
+    }
+
+    /// The size of the numbers that define a part of the surface, whose roundings move it.
+    pub(in crate::geometry) fn size(&self, primitive: u32) -> f64 {
+        kernel!(self, kernel => kernel.size(), mesh => mesh.size(primitive))
+    }
+
+    /// How fast the ray leaves the surface at a crossing: the part of its direction that is along the normal.
+    pub(in crate::geometry) fn slope(&self, ray: &Ray, crossing: Crossing) -> f64 {
+        self.surface(ray, crossing, &mut Silent).geometric_normal().dot(ray.direction).abs()
+    }
+
+    /// Whether two parts of the surface touch without lying in the same place: the triangles of a mesh that share an edge or a
+    /// corner. Which of them a ray meets first is told by their distances alone.
+    pub(in crate::geometry) fn are_neighbours(&self, one: u32, other: u32) -> bool {
+        match self.at_rest() {
+            Shape::Mesh(mesh) => mesh.are_neighbours(one, other),
+            _ => true,
+        }
     }
 
     /// Whether the ray crosses the object at all.
@@ -182,7 +268,7 @@ impl Shape {
         match self {
             Shape::Mesh(mesh) => mesh.is_crossed(object, one_sided, ray, probe),
             Shape::Moving(moving) => moving.is_crossed(object, one_sided, ray, probe),
-            _ => self.first_crossing(object, one_sided, ray, probe).is_some(),
+            _ => kernel!(self, kernel => kernel.first_of(object, one_sided, ray, probe).is_some(), _mesh => false),
         }
     }
 
@@ -240,6 +326,19 @@ impl Shape {
         }
     }
 
+    /// The side of the surface on which the solid lies that it encloses; `None` where it encloses none. A plane encloses the half space
+    /// behind it.
+    pub fn inside(&self) -> Option<Side> {
+        match self.at_rest() {
+            Shape::Plane(_) | Shape::Ellipsoid(_) | Shape::Cuboid(_) => Some(Side::Back),
+            Shape::Sphere(sphere) => Some(sphere.outer.opposite()),
+            Shape::Cylinder(cylinder) => cylinder.solid_side(),
+            Shape::Cone(cone) => cone.solid_side(),
+            Shape::Mesh(mesh) => mesh.inside(),
+            Shape::Triangle(_) | Shape::Polygon(_) | Shape::Disk(_) | Shape::Moving(_) => None,
+        }
+    }
+
     /// How many triangles the file of a mesh has; `None` for another shape.
     pub fn triangle_count(&self) -> Option<usize> {
         match self.at_rest() {
@@ -292,13 +391,33 @@ impl Approach {
     pub fn shows(self, side: Side) -> bool {
         !self.one_sided || side == Side::Front
     }
+
+    /// Whether a crossing at this distance is so near to the ray's origin that it may be the origin itself, seen at an angle
+    /// that rounding errors can still tell from 0.
+    #[inline(always)]
+    fn is_near(self, t: f64) -> bool {
+        const FLATTEST: f64 = (1_u64 << 40) as f64;
+        t <= FLATTEST * self.slack
+    }
+
+    /// Whether an origin at this distance from a surface may lie on it. `size` is that of the numbers that define the surface.
+    fn holds(self, distance: f64, size: f64) -> bool {
+        self.slack > 0.0 && distance.abs() <= self.slack + ROUNDINGS * size
+    }
 }
 
-/// Marks a candidate as hit or missed: by its side, and by whether the ray reaches it.
+/// Marks a candidate as hit or missed: by its side, by whether the ray reaches it, and by whether the ray begins there.
 #[inline]
-fn decide<P: Probe>(ray: &Ray, approach: Approach, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
+fn decide<P: Probe>(
+    ray: &Ray,
+    approach: Approach,
+    candidate: Crossing,
+    begins_there: impl FnOnce() -> bool,
+    probe: &mut P,
+) -> Option<Crossing> {
     let why = match () {
         _ if !approach.shows(candidate.side) => Miss::FacesAway,
+        _ if ray.reaches(candidate.t) && begins_there() => Miss::BeginsThere,
         _ if ray.reaches(candidate.t) => {
             probe.mark(Decision::Hit);
             return Some(candidate);

@@ -5,6 +5,7 @@ use super::Shape;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::Doubled;
 use crate::geometry::motion::{Motion, Pose};
+use crate::geometry::nearest::Contenders;
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::Step;
 use crate::probe::{Probe, Silent};
@@ -40,10 +41,28 @@ impl Moving {
         self.bounds
     }
 
-    /// The first point where the ray crosses the object.
+    /// The nearest of the points where the ray crosses the object, and those of a mesh that may be in the same place.
     #[inline(never)]
-    pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        self.in_own_frame(ray, probe, |own, probe| self.shape.first_crossing(object, one_sided, own, probe))
+    pub fn nearest<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        contenders: &mut Contenders,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        self.in_own_frame(ray, probe, |own, probe| self.shape.nearest(object, one_sided, own, contenders, probe))
+    }
+
+    /// Shows the log the crossing of a ray that begins on the object and goes through it.
+    #[inline(never)]
+    pub fn touch<P: Probe>(&self, object: u32, primitive: u32, ray: &Ray, probe: &mut P) {
+        self.in_own_frame(ray, probe, |own, probe| self.shape.touch(object, primitive, own, probe));
+    }
+
+    /// The size of the numbers that define the surface and where it is.
+    pub fn size(&self, primitive: u32) -> f64 {
+        self.shape.size(primitive) + self.bounds.map_or(0.0, Bounds::size) + self.motion.size()
     }
 
     /// Whether the ray crosses the object at all.

@@ -46,7 +46,7 @@ impl Kernel for Plane {
         let v_d = self.normal.dot(ray.direction);
         let v_o = -(self.normal.dot(ray.origin) + self.offset);
         if probe.certifies() && self.is_in_doubt(ray, v_d, v_o) {
-            return self.doubled_crossing(ray, approach.one_sided, probe);
+            return self.doubled_crossing(ray, approach, probe);
         }
         let v_d = probe.note(Name::PlaneVd, v_d);
         // Parallel, or so nearly that the distance is no number.
@@ -56,7 +56,8 @@ impl Kernel for Plane {
         }
         let v_o = probe.note(Name::PlaneVo, v_o);
         let t = probe.note(Name::PlaneT, v_o / v_d);
-        decide(ray, approach, Crossing { t, side: side(v_d), primitive: 0 }, probe)
+        let crossing = Crossing { t, side: side(v_d), primitive: 0 };
+        decide(ray, approach, crossing, || self.begins_at(ray, approach, crossing), probe)
     }
 
     #[inline(always)]
@@ -71,6 +72,11 @@ impl Kernel for Plane {
 
     fn bounds(&self) -> Option<Bounds> {
         None
+    }
+
+    /// Its distance from the coordinates' origin.
+    fn size(&self) -> f64 {
+        self.offset.abs() / self.normal.length()
     }
 
     fn refined(&self, ray: &Ray, _crossing: Crossing) -> Doubled {
@@ -106,8 +112,7 @@ impl Plane {
     /// The crossing, both sums with all their digits.
     #[cold]
     #[inline(never)]
-    fn doubled_crossing<P: Probe>(&self, ray: &Ray, one_sided: bool, probe: &mut P) -> Option<Crossing> {
-        let approach = Approach { leaving: None, one_sided };
+    fn doubled_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         probe.fallback();
         let (v_d, v_o) = self.doubled_sums(ray);
         let t = (v_o * length(ray.vector)).quotient(v_d);
@@ -118,7 +123,8 @@ impl Plane {
         }
         probe.note(Name::PlaneVo, -(self.normal.dot(ray.origin) + self.offset));
         let t = probe.note(Name::PlaneTDoubled, t);
-        decide(ray, approach, Crossing { t, side: side(v_d.head), primitive: 0 }, probe)
+        let crossing = Crossing { t, side: side(v_d.head), primitive: 0 };
+        decide(ray, approach, crossing, || self.begins_at(ray, approach, crossing), probe)
     }
 }
 

@@ -30,12 +30,19 @@ pub(super) struct Roots {
 }
 
 impl Roots {
-    /// The first root that counts for this ray; notes it and marks the decision.
+    /// The first root that counts for this ray; notes it and marks the decision. `begins_at` tells whether the ray begins at a root.
     #[inline]
-    pub fn first<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
+    pub fn first<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        begins_at: impl FnOnce(Crossing) -> bool,
+        probe: &mut P,
+    ) -> Option<Crossing> {
         let counts = |(crossing, _): &(Crossing, Name)| ray.reaches(crossing.t);
-        let Some((crossing, name)) = self.candidates(approach).into_iter().flatten().find(counts) else {
-            self.mark_miss(ray, approach, probe);
+        let is_left = self.is_left(ray, approach, begins_at);
+        let Some((crossing, name)) = self.candidates(approach, is_left).into_iter().flatten().find(counts) else {
+            self.mark_miss(ray, approach, is_left, probe);
             return None;
         };
         let t = probe.note(name, crossing.t);
@@ -44,34 +51,54 @@ impl Roots {
     }
 
     /// All roots that count for this ray; marks the decision.
-    pub fn all<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
+    pub fn all<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        begins_at: impl FnOnce(Crossing) -> bool,
+        found: &mut Vec<Crossing>,
+        probe: &mut P,
+    ) {
         let before = found.len();
-        let candidates = self.candidates(approach).into_iter().flatten().map(|(crossing, _)| crossing);
+        let is_left = self.is_left(ray, approach, begins_at);
+        let candidates = self.candidates(approach, is_left).into_iter().flatten().map(|(crossing, _)| crossing);
         found.extend(candidates.filter(|crossing| ray.reaches(crossing.t)));
         if found.len() > before {
             probe.mark(Decision::Hit);
         } else {
-            self.mark_miss(ray, approach, probe);
+            self.mark_miss(ray, approach, is_left, probe);
         }
+    }
+
+    /// Whether the ray begins on the surface, at the root nearest to its origin.
+    #[inline]
+    fn is_left(&self, ray: &Ray, approach: Approach, begins_at: impl FnOnce(Crossing) -> bool) -> bool {
+        let (root, side) = match self.entry.t.abs() <= self.exit.t.abs() {
+            true => (&self.entry, self.outer),
+            false => (&self.exit, self.outer.opposite()),
+        };
+        let nearest = Crossing { t: root.t, side, primitive: root.primitive };
+        approach.leaving.is_some() || (root.is_on_surface && ray.reaches(root.t) && begins_at(nearest))
     }
 
     /// The roots that lie on the surface and show themselves. A ray that leaves the surface has already been at the root
     /// nearest to its origin.
     #[inline]
-    fn candidates(&self, approach: Approach) -> [Option<(Crossing, Name)>; 2] {
-        let is_entry_left = self.entry.t.abs() <= self.exit.t.abs();
-        let candidate = |root: &Root, side: Side, is_left: bool| {
-            let counts = root.is_on_surface && approach.shows(side) && !(approach.leaving.is_some() && is_left);
+    fn candidates(&self, approach: Approach, is_left: bool) -> [Option<(Crossing, Name)>; 2] {
+        let is_entry_nearer = self.entry.t.abs() <= self.exit.t.abs();
+        let candidate = |root: &Root, side: Side, is_nearer: bool| {
+            let counts = root.is_on_surface && approach.shows(side) && !(is_left && is_nearer);
             counts.then_some((Crossing { t: root.t, side, primitive: root.primitive }, root.name))
         };
         [
-            candidate(&self.entry, self.outer, is_entry_left),
-            candidate(&self.exit, self.outer.opposite(), !is_entry_left),
+            candidate(&self.entry, self.outer, is_entry_nearer),
+            candidate(&self.exit, self.outer.opposite(), !is_entry_nearer),
         ]
     }
 
-    fn mark_miss<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) {
+    fn mark_miss<P: Probe>(&self, ray: &Ray, approach: Approach, is_left: bool, probe: &mut P) {
         let why = match () {
+            _ if is_left && approach.leaving.is_none() => Miss::BeginsThere,
             _ if !self.entry.is_on_surface && !self.exit.is_on_surface => Miss::Beside,
             _ if self.exit.t <= ray.t_min => Miss::Behind,
             _ if self.entry.t >= ray.t_max => Miss::Beyond,

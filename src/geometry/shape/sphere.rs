@@ -38,7 +38,7 @@ pub struct Sphere {
     doubt: Doubt,
     method: SphereMethod,
     /// The side that faces outward.
-    outer: Side,
+    pub(super) outer: Side,
 }
 
 /// By which formulas a sphere is met.
@@ -165,13 +165,28 @@ impl Sphere {
 
     #[cold]
     #[inline(never)]
-    fn first_doubled<P: Probe>(&self, ray: &Ray, one_sided: bool, probe: &mut P) -> Option<Crossing> {
-        let approach = Approach { leaving: None, one_sided };
+    fn first_doubled<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         let crossings = self.doubled_crossings(ray, probe);
         let last = crossings.last().copied()?;
-        // Only a ray that is asked to begin later (t_min) can begin inside.
-        let is_first = |crossing: &Crossing| approach.shows(crossing.side) && crossing.t > ray.t_min;
-        decide(ray, approach, crossings.into_iter().find(is_first).unwrap_or(last), probe)
+        // A ray that is asked to begin later (t_min), or begins at the entry, begins inside.
+        let is_first = |crossing: &Crossing| {
+            approach.shows(crossing.side) && crossing.t > ray.t_min && !self.begins_at_end(ray, approach, *crossing)
+        };
+        let first = crossings.into_iter().find(is_first).unwrap_or(last);
+        decide(ray, approach, first, || self.begins_at_end(ray, approach, first), probe)
+    }
+
+    /// Whether the ray begins at this end of the chord. It begins at the nearer one, so that one that sets off inward doesn't begin where it
+    /// comes out, however flat it is.
+    #[inline(always)]
+    fn begins_at_end(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
+        approach.is_near(crossing.t) && self.is_nearer_end(ray, crossing) && self.holds_origin(ray, approach, crossing)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_nearer_end(&self, ray: &Ray, crossing: Crossing) -> bool {
+        crossing.side == self.outer || (self.center - ray.origin).dot(ray.direction) < 0.0
     }
 
     /// Where the chord begins.
@@ -226,16 +241,17 @@ impl Sphere {
     fn first_corrected<P: Probe>(
         &self,
         ray: &Ray,
-        one_sided: bool,
+        approach: Approach,
         l2_oc: f64,
         end: End,
         probe: &mut P,
     ) -> Option<Crossing> {
         let crossing = self.crossing(ray, l2_oc, end, probe);
-        if end.side == self.outer && crossing.t <= ray.t_min {
-            return self.first_doubled(ray, one_sided, probe);
+        let begins_there = self.begins_at_end(ray, approach, crossing);
+        if end.side == self.outer && (crossing.t <= ray.t_min || begins_there) {
+            return self.first_doubled(ray, approach, probe);
         }
-        decide(ray, Approach { leaving: None, one_sided }, crossing, probe)
+        decide(ray, approach, crossing, || begins_there, probe)
     }
 
     /// The distance with all of its digits.
@@ -286,7 +302,7 @@ impl Sphere {
         let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
         probe.mark(Decision::Inside);
         let t = probe.note(Name::SphereTLeaving, 2.0 * t_a);
-        decide(ray, approach, Crossing { t, side: self.outer.opposite(), primitive: 0 }, probe)
+        decide(ray, approach, Crossing { t, side: self.outer.opposite(), primitive: 0 }, || false, probe)
     }
 }
 
@@ -305,25 +321,27 @@ impl Kernel for Sphere {
         let chord = match self.chord(ray, probe) {
             Line::Crosses(chord) => chord,
             Line::Misses => return None,
-            Line::InDoubt => return self.first_doubled(ray, approach.one_sided, probe),
+            Line::InDoubt => return self.first_doubled(ray, approach, probe),
         };
         if chord.is_origin_outside && approach.shows(self.outer) {
             let near = self.near(ray, &chord);
             if !near.is_settled && probe.certifies() {
-                return self.first_corrected(ray, approach.one_sided, chord.l2_oc, near, probe);
+                return self.first_corrected(ray, approach, chord.l2_oc, near, probe);
             }
             let t = probe.note(near.name, near.t);
-            // Only a ray that is asked to begin later (t_min) can begin inside.
-            if t > ray.t_min {
-                return decide(ray, approach, Crossing { t, side: near.side, primitive: 0 }, probe);
+            let crossing = Crossing { t, side: near.side, primitive: 0 };
+            // A ray that is asked to begin later (t_min), or begins at the entry, begins inside.
+            if t > ray.t_min && !self.begins_at_end(ray, approach, crossing) {
+                return decide(ray, approach, crossing, || false, probe);
             }
         }
         let far = self.far(ray, &chord);
         if !far.is_settled && probe.certifies() {
-            return self.first_corrected(ray, approach.one_sided, chord.l2_oc, far, probe);
+            return self.first_corrected(ray, approach, chord.l2_oc, far, probe);
         }
         let t = probe.note(far.name, far.t);
-        decide(ray, approach, Crossing { t, side: far.side, primitive: 0 }, probe)
+        let crossing = Crossing { t, side: far.side, primitive: 0 };
+        decide(ray, approach, crossing, || self.begins_at_end(ray, approach, crossing), probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
@@ -335,16 +353,17 @@ impl Kernel for Sphere {
             Line::Misses => return,
             Line::InDoubt => {
                 let crossings = self.doubled_crossings(ray, probe);
-                return found
-                    .extend(crossings.into_iter().filter_map(|crossing| decide(ray, approach, crossing, probe)));
+                let decided =
+                    |crossing| decide(ray, approach, crossing, || self.begins_at_end(ray, approach, crossing), probe);
+                return found.extend(crossings.into_iter().filter_map(decided));
             }
         };
         if chord.is_origin_outside {
             let near = self.crossing(ray, chord.l2_oc, self.near(ray, &chord), probe);
-            found.extend(decide(ray, approach, near, probe));
+            found.extend(decide(ray, approach, near, || self.begins_at_end(ray, approach, near), probe));
         }
         let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord), probe);
-        found.extend(decide(ray, approach, far, probe));
+        found.extend(decide(ray, approach, far, || self.begins_at_end(ray, approach, far), probe));
     }
 
     /// The robust method puts the point back onto the sphere, from which rounding took it, and looks at it from the centre: a scene

@@ -108,6 +108,19 @@ pub(super) enum Mark<'t> {
         #[serde(borrow)]
         object: Word<'t>,
     },
+    Coincident {
+        #[serde(borrow)]
+        object: Word<'t>,
+        triangle: Option<u32>,
+    },
+    Immersed {
+        #[serde(borrow)]
+        object: Word<'t>,
+    },
+    Bent {
+        #[serde(borrow)]
+        what: Word<'t>,
+    },
     Background {},
     Occluded {
         #[serde(borrow)]

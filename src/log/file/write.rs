@@ -292,6 +292,18 @@ fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
             text(out, "nearest\":{\"object\":");
             string(out, header.object(*object));
         }
+        Decision::Coincident { object, triangle } => {
+            text(out, "coincident\":{\"object\":");
+            string(out, header.object(*object));
+            if let Some(triangle) = triangle {
+                text(out, &format!(",\"triangle\":{triangle}"));
+            }
+        }
+        Decision::Immersed { object } => {
+            text(out, "immersed\":{\"object\":");
+            string(out, header.object(*object));
+        }
+        Decision::Bent { what } => text(out, &format!("bent\":{{\"what\":\"{}\"", what.word())),
         Decision::Background => text(out, "background\":{"),
         Decision::Occluded { object } => {
             text(out, "occluded\":{\"object\":");

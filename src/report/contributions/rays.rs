@@ -73,7 +73,10 @@ impl<'a> Walk<'a> {
                     self.found.push(Contribution::new(origin, path.to_owned(), weight, [0.0; 3], source, Some(*event)));
                     return;
                 }
-                Decision::Nearest { .. } => {}
+                Decision::Nearest { .. }
+                | Decision::Coincident { .. }
+                | Decision::Immersed { .. }
+                | Decision::Bent { .. } => {}
                 _ => self.ended.push(Ended { path: path.to_owned(), why: Why::Decided, event: *event }),
             }
         }

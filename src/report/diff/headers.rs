@@ -97,6 +97,8 @@ impl Numbering {
     fn decision(&self, decision: &mut Decision) {
         match decision {
             Decision::Nearest { object }
+            | Decision::Coincident { object, .. }
+            | Decision::Immersed { object }
             | Decision::Occluded { object }
             | Decision::Attenuated { object, .. }
             | Decision::Subdivided { object: Some(object), .. } => self.object(object),

@@ -38,6 +38,11 @@ pub(super) const TEXTS: Texts = Texts {
     outside: "the ray begins outside",
     inside: "the ray begins inside",
     nearest: |object| format!("nearest: {object}"),
+    coincident: |object, triangle| match triangle {
+        None => format!("{object} is in the same place and counts as just behind"),
+        Some(triangle) => format!("triangle {triangle} of {object} is in the same place and counts as just behind"),
+    },
+    immersed: |object| format!("the ray begins inside {object}"),
     background: "nothing is hit: background",
     blocked_by: |object| format!("blocked by {object}"),
     passes: |object, factor| format!("passes {object}, which keeps {factor}"),
@@ -47,6 +52,7 @@ pub(super) const TEXTS: Texts = Texts {
     depth_limit: |what| format!("depth limit: no {}", skippable(what)),
     rest_skipped: "the rest is skipped",
     leak_guard: |what| format!("no leak: the {} lies beyond the surface and brings nothing", skippable(what)),
+    bent: |what| format!("the {} would run below the surface and is bent up", skippable(what)),
     rejected: |what| format!("rejected: the {} would run on the wrong side", skippable(what)),
     skipped: |what, why| format!("skipped: {} ({})", skippable(what), skip_reason(why)),
     lost: |bound| format!("at most {bound} of the sample was lost"),
@@ -152,6 +158,7 @@ fn miss(why: Miss) -> &'static str {
         Miss::Beside => "the ray passes beside it",
         Miss::Beyond => "it lies beyond the light",
         Miss::FacesAway => "it turns its back to the ray",
+        Miss::BeginsThere => "the ray begins on it",
     }
 }
 

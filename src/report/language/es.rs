@@ -54,6 +54,13 @@ pub(super) const TEXTS: Texts = Texts {
     outside: "el origen del rayo se encuentra fuera",
     inside: "el origen del rayo se encuentra dentro",
     nearest: |object| format!("intersección más cercana: {object}"),
+    coincident: |object, triangle| match triangle {
+        None => format!("{object} está en el mismo lugar y cuenta como justo detrás"),
+        Some(triangle) => {
+            format!("el triángulo {triangle} de {object} está en el mismo lugar y cuenta como justo detrás")
+        }
+    },
+    immersed: |object| format!("el rayo empieza dentro de {object}"),
     background: "no interseca con ningún objeto: luz de fondo",
     blocked_by: |object| format!("bloqueado por {object}"),
     passes: |object, factor| format!("atraviesa {object}, que deja pasar {factor}"),
@@ -63,6 +70,7 @@ pub(super) const TEXTS: Texts = Texts {
     depth_limit: |what| format!("profundidad máxima: no se traza {}", skippable(what)),
     rest_skipped: "se omite el resto",
     leak_guard: |what| format!("{} queda al otro lado de la superficie y no aporta nada", skippable(what)),
+    bent: |what| format!("{} iría por debajo de la superficie y se dobla hacia arriba", skippable(what)),
     rejected: |what| format!("rechazado: {} iría por el lado equivocado", skippable(what)),
     skipped: |what, why| format!("se omite {} ({})", skippable(what), skip_reason(why)),
     lost: |bound| format!("se pierde como mucho {bound} de la muestra"),
@@ -172,6 +180,7 @@ fn miss(why: Miss) -> &'static str {
         Miss::Beside => "el rayo pasa de largo",
         Miss::Beyond => "queda más allá de la fuente",
         Miss::FacesAway => "da la espalda al rayo",
+        Miss::BeginsThere => "el rayo empieza en él",
     }
 }
 

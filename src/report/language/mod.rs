@@ -140,6 +140,10 @@ pub struct Texts {
     pub inside: &'static str,
     /// The nearest object.
     pub nearest: OfName,
+    /// An object in the same place as the nearest one, or a triangle of it.
+    pub coincident: fn(&str, Option<u32>) -> String,
+    /// A medium that the ray begins inside.
+    pub immersed: OfName,
     /// Nothing is hit.
     pub background: &'static str,
     /// The object that blocks.
@@ -158,6 +162,8 @@ pub struct Texts {
     pub rest_skipped: &'static str,
     /// What would come through the surface.
     pub leak_guard: fn(Skippable) -> String,
+    /// A direction that was bent up above the surface.
+    pub bent: fn(Skippable) -> String,
     /// A direction on the wrong side.
     pub rejected: fn(Skippable) -> String,
     /// What is left out, and why.

@@ -152,6 +152,7 @@ fn next_phase(phase: Phase, event: &Event) -> Phase {
         What::Mark(
             Decision::DepthLimit { what }
             | Decision::LeakGuard { what }
+            | Decision::Bent { what }
             | Decision::Skipped { what, .. }
             | Decision::Rejected { what },
         ) => of_bounce(what),

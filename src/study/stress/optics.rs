@@ -9,7 +9,7 @@ use crate::random::{Arrangement, Draws};
 use crate::sampling::mean::Sum;
 use crate::scene::{Color, Light, LightKind, Scene, Specular};
 use crate::trace::{
-    Media, Meeting, Path, camera_ray, local_intensity, power, power_between, refract, transmitted_cosine,
+    Layer, Media, Meeting, Path, camera_ray, local_intensity, power, power_between, refract, transmitted_cosine,
     transmitted_half,
 };
 use glam::DVec3;
@@ -154,12 +154,12 @@ pub(super) fn local(case: &Map<String, Value>) -> Result<Value, String> {
     let Local { N: normal, L: light, V: view, kd, ke, kt, n, nt, eta } = input(case)?;
     let none = MaterialInput::default();
     let parts = MaterialInput { kd: [kd, 0.0, 0.0], ke: [0.0, ke, 0.0], kt: [0.0, 0.0, kt], n, nt, ior: 1.0, ..none };
-    let mut scene = stage::scene_of(Vec::new());
+    let mut scene = stage::scene_of(vec![stage::sphere([0.0; 3], 1.0)]);
     scene.materials = vec![stage::material(&parts)];
     let kind = LightKind::Directional { travel: -DVec3::from(light) };
     scene.lights = vec![Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None }];
     // The viewer's side has the index η, the light's side 1.
-    let media = Media::default().beyond((u32::MAX, eta, Side::Front));
+    let media = Media::around(vec![(u32::MAX, eta)]);
     let mut parts_with = |specular: Specular| {
         scene.tracing.specular = specular;
         let [diffuse, specular, transmitted] = local_parts(&scene, normal, view, &media).to_array();
@@ -172,12 +172,14 @@ fn local_parts(scene: &Scene, normal: Triple, view: Triple, media: &Media) -> Co
     let ray = Ray::new(DVec3::from(view), -DVec3::from(view));
     let draws = Draws::of_pixel(0, [0; 2], 0, Arrangement::Independent);
     let meeting = Meeting {
-        object: 0,
-        primitive: 0,
+        layer: Layer { object: 0, primitive: 0, side: Side::Front },
+        place: None,
         ray: &ray,
         surface: Surface::plain(DVec3::ZERO, normal.into(), Side::Front),
         material: &scene.materials[0],
+        weights: &scene.materials[0].weights,
         path: &Path::of_camera(media, &draws),
+        slack: 0.0,
     };
     local_intensity(scene, &meeting, &mut Silent)
 }

@@ -23,7 +23,7 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
     let objects: Vec<_> = shapes
         .into_iter()
         .enumerate()
-        .map(|(number, shape)| Object { name: number.to_string(), shape, material: 0, one_sided: false })
+        .map(|(number, shape)| Object { name: number.to_string(), shape, material: 0, one_sided: false, inside: None })
         .collect();
     Scene {
         name: "stress".to_owned(),
@@ -154,7 +154,7 @@ pub(super) fn outward(surface: &Surface) -> DVec3 {
 /// The surface of a hit, for a ray that leaves it on the side of the arriving ray or on the other one.
 pub(super) fn leaving(hit: &Hit, surface: &Surface, on_this_side: bool) -> Leaving {
     let side = if on_this_side { surface.side } else { surface.side.opposite() };
-    Leaving { object: hit.object, primitive: hit.crossing.primitive, side }
+    Leaving { object: hit.object, primitive: hit.crossing.primitive, side, slack: 0.0 }
 }
 
 /// Remembers the latest value of every quantity, and counts transmitted rays.

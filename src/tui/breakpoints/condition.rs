@@ -143,9 +143,11 @@ fn object(what: &What) -> Option<u32> {
             Some(object)
         }
         What::Mark(decision) => match decision {
-            Decision::Nearest { object } | Decision::Occluded { object } | Decision::Attenuated { object, .. } => {
-                Some(object)
-            }
+            Decision::Nearest { object }
+            | Decision::Coincident { object, .. }
+            | Decision::Immersed { object }
+            | Decision::Occluded { object }
+            | Decision::Attenuated { object, .. } => Some(object),
             Decision::Subdivided { object, .. } => object,
             _ => None,
         },

@@ -13,7 +13,7 @@ use glam::DVec3;
 /// The triangle of a mesh that a ray leaves.
 pub(super) struct LeftTriangle {
     number: u32,
-    corners: [DVec3; 3],
+    pub corners: [DVec3; 3],
     /// The side on which the ray sets off; `None` if it runs along the triangle or doesn't begin there.
     sets_off: Option<Side>,
 }
@@ -56,6 +56,12 @@ impl LeftTriangle {
         let arrives_from_it = wedge.dot(ray.direction) < 0.0;
         !(is_narrow && arrives_from_it)
     }
+}
+
+/// How many corners two triangles have in common. Corners are compared by their places: files repeat them where normals or
+/// textures differ.
+pub(super) fn corners_in_common(one: [DVec3; 3], other: [DVec3; 3]) -> usize {
+    one.into_iter().filter(|corner| other.contains(corner)).count()
 }
 
 /// An edge that two triangles have in common.
