@@ -75,7 +75,7 @@ impl Collector {
     /// The next corner of a face or a strip.
     pub fn corner(&mut self, run: Run, corner: Corner, span: Range<usize>) -> Result<(), Fault> {
         self.ends.count += 1;
-        let is_turned = run == Run::Strip && self.ends.count % 2 == 0;
+        let is_turned = run == Run::Strip && self.ends.count.is_multiple_of(2);
         match (self.ends.first, self.ends.latest) {
             (None, _) => self.ends.first = Some(corner),
             (Some(_), None) => self.ends.latest = Some(corner),

@@ -227,7 +227,7 @@ impl Named {
 
 fn integer(word: &[u8]) -> Result<i64, Option<IntErrorKind>> {
     let text = std::str::from_utf8(word).map_err(|_| None)?;
-    text.parse().map_err(|error: ParseIntError| Some(error.kind().clone()))
+    text.parse().map_err(|error: ParseIntError| Some(*error.kind()))
 }
 
 /// A number of what may be missing, so that it may be too large for anything.

@@ -173,7 +173,7 @@ fn ply(drawn: &Drawn, draws: &mut Draws) -> (Vec<u8>, Mesh) {
         let _ = writeln!(properties, "property {float} nx\nproperty {float} ny\nproperty {float} nz");
     }
     let corners = format!("property list {short} {int} vertex_indices\n");
-    let mut elements = vec![
+    let mut elements = [
         (format!("element vertex {}\n{properties}", vertices.len()), vertices),
         (format!("element face {}\n{corners}", faces.len()), faces),
         (format!("element tristrips {}\n{corners}", strips.len()), strips),
