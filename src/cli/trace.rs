@@ -21,7 +21,7 @@ use raywalk::report::segments::Segment;
 use raywalk::report::{Style, lines};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
-use raywalk::scene::file::visible;
+use raywalk::scene::file::{unpacked_name, visible};
 use raywalk::study::rounding::Rounding;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -111,8 +111,7 @@ impl TraceFormat {
     /// The view that a file's name stands for, before the ending of what packs it.
     fn of_name(path: &Path) -> Option<TraceFormat> {
         let name = path.file_name()?.to_str()?;
-        let plain = name.strip_suffix(".gz").or_else(|| name.strip_suffix(".zst")).unwrap_or(name);
-        Some(match plain.rsplit_once('.')?.1 {
+        Some(match unpacked_name(name).rsplit_once('.')?.1 {
             "html" => TraceFormat::Html,
             "md" => TraceFormat::Markdown,
             "tex" => TraceFormat::Latex,

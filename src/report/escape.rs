@@ -134,7 +134,7 @@ mod tests {
     fn what_cannot_be_seen_is_told() {
         for escape in [markdown, dot, mermaid, xml, latex] {
             let escaped = escape(NASTY);
-            assert!(!escaped.chars().any(crate::log::escape::is_hidden), "{escaped}");
+            assert_eq!(crate::log::escape::hidden(&escaped).next(), None, "{escaped}");
         }
         assert_eq!(latex("球 é"), "[U+7403] é");
         assert_eq!(xml("\u{ffff}"), "\u{fffd}");

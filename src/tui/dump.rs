@@ -1,5 +1,6 @@
 //! A frame as text, with its styles below: what snapshot tests keep, because the text alone has no colours.
 
+use crate::log::escape::width;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::Style;
 use std::fmt::Write;
@@ -25,9 +26,19 @@ pub fn dump(buffer: &Buffer) -> String {
     text
 }
 
-/// The rows of a frame, from the top.
-pub(super) fn rows(buffer: &Buffer) -> impl Iterator<Item = &[Cell]> {
-    buffer.content().chunks(usize::from(buffer.area.width).max(1))
+/// The rows of a frame, from the top. A cell under the second half of a wide letter has its style, and no text.
+pub(super) fn rows(buffer: &Buffer) -> impl Iterator<Item = Vec<Cell>> {
+    buffer.content().chunks(usize::from(buffer.area.width).max(1)).map(|row| {
+        let mut row = row.to_vec();
+        for at in 0..row.len() {
+            let covered = width(row[at].symbol()).saturating_sub(1);
+            for next in at + 1..row.len().min(at + 1 + covered) {
+                row[next] = row[at].clone();
+                row[next].set_symbol("");
+            }
+        }
+        row
+    })
 }
 
 fn words(style: Style) -> String {
@@ -50,6 +61,13 @@ mod tests {
         buffer.set_span(0, 0, &"ab".bold(), 6);
         buffer.set_span(3, 1, &"c".fg(Color::Indexed(74)), 6);
         assert_eq!(dump(&buffer), "ab\n   c\nstyles:\n0: 0-1 bold\n1: 3-3 74\n");
+    }
+
+    #[test]
+    fn wide_letters_are_one_with_what_they_cover() {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, 8, 1));
+        buffer.set_span(0, 0, &"球क्‍षه‌ی".bold(), 8);
+        assert_eq!(dump(&buffer), "球क्‍षه‌ی\nstyles:\n0: 0-5 bold\n");
     }
 
     #[test]

@@ -58,7 +58,7 @@ fn draw_run(svg: &mut String, run: &[Cell], column: usize, row: usize) {
         return;
     }
     // Text begins and ends at letters: what is blank at its ends only moves it.
-    let is_blank = |cell: &Cell| cell.symbol().trim().is_empty();
+    let is_blank = |cell: &Cell| !cell.symbol().is_empty() && cell.symbol().trim().is_empty();
     let Some(first) = run.iter().position(|cell| !is_blank(cell)) else { return };
     let last = run.iter().rposition(|cell| !is_blank(cell)).unwrap_or(first);
     let cells = &run[first..=last];
@@ -197,6 +197,13 @@ mod tests {
         let svg = svg(&buffer);
         assert!(svg.contains(&format!("height=\"18\" fill=\"{FOREGROUND}\"")), "{svg}");
         assert!(svg.contains(&format!("fill=\"{BACKGROUND}\">x</text>")), "{svg}");
+    }
+
+    #[test]
+    fn wide_letters_have_their_width() {
+        let svg = picture("a 漢字 क्‍ष b");
+        let length = 11.0 * CELL.0;
+        assert!(svg.contains(&format!("textLength=\"{length:.1}\"")) && svg.contains(">a 漢字 क्‍ष b</text>"), "{svg}");
     }
 
     #[test]

@@ -21,6 +21,7 @@ mod bench;
 mod command_line;
 mod diff_command;
 mod diff_mutations;
+mod foreign_files;
 mod gallery;
 mod help;
 mod layers;

@@ -6,7 +6,7 @@ use super::line::{End, Line};
 use super::lines::{BYTE_ORDER_MARK, Lines, TextLine};
 use super::reader::Reader;
 use crate::log::Log;
-use crate::log::escape::{is_hidden, shortened, visible};
+use crate::log::escape::{hidden, shortened, visible};
 use crate::log::header::{FORMAT, Header};
 use serde::Deserialize;
 use std::io::{ErrorKind, Read};
@@ -181,7 +181,7 @@ pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
     let words = [&header.version, &header.arithmetic, &tracing.algorithm, &tracing.specular, &tracing.sphere_method];
     let parameters = header.sampling.iter().flat_map(|(word, parameters)| [word].into_iter().chain(parameters.keys()));
     let names = header.objects.iter().chain(&header.lights).chain([&header.scene.name, &header.scene.digest]);
-    match words.into_iter().chain(parameters).chain(names).find(|name| name.chars().any(is_hidden)) {
+    match words.into_iter().chain(parameters).chain(names).find(|name| hidden(name).next().is_some()) {
         None => Ok(()),
         Some(name) => {
             Err(LogError::damaged(1, 1, &format!("a name must not hold control characters, found `{}`", visible(name))))

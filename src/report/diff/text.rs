@@ -3,7 +3,7 @@
 use super::summary::{Pixel, Summary};
 use super::{Comparison, Difference, Entry, First, HeaderDifference, Side, Told, Why, telling_apart};
 use crate::log::Header;
-use crate::log::escape::shortened;
+use crate::log::escape::{shortened, width};
 use crate::report::number::{self, size};
 use crate::report::words;
 use std::cmp::Ordering;
@@ -282,11 +282,11 @@ fn without_middle(mut rows: Vec<Row>) -> Vec<Row> {
 }
 
 fn table(rows: Vec<Row>) -> String {
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: [usize; 8] = std::array::from_fn(width);
+    let widest = |column: usize| rows.iter().map(|row| width(&row[column])).max().unwrap_or(0);
+    let widths: [usize; 8] = std::array::from_fn(widest);
     let line = |row: &Row| {
-        let cells = row.iter().zip(widths).filter(|(_, width)| *width > 0);
-        let padded: Vec<_> = cells.map(|(cell, width)| format!("{cell:<width$}")).collect();
+        let cells = row.iter().zip(widths).filter(|(_, columns)| *columns > 0);
+        let padded: Vec<_> = cells.map(|(cell, columns)| cell.clone() + &" ".repeat(columns - width(cell))).collect();
         format!("  {}\n", padded.join("  ").trim_end())
     };
     rows.iter().map(line).collect()

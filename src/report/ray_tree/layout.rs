@@ -2,6 +2,7 @@
 //! Tilford, "Tidier drawings of trees", 1981).
 
 use super::{Branch, Figure};
+use crate::log::escape::width;
 
 /// The place of a ray's end.
 pub(super) struct Spot<'f> {
@@ -45,9 +46,9 @@ struct Subtree<'f> {
 impl<'f> Subtree<'f> {
     fn of(figure: &Figure, branch: Option<&'f Branch>, children: &'f [Branch]) -> Subtree<'f> {
         let text = branch.map_or(figure.language.texts().figure.eye.to_owned(), |branch| figure.end(branch));
-        let label = branch.map_or(0, |branch| branch.label.chars().count());
+        let label = branch.map_or(0, |branch| width(&branch.label));
         // Letters stand before the ends of their lines, where these are closer together.
-        let half = (text.chars().count() as f64 / 2.0 + 0.8).max((label as f64 / 2.0 + 0.3) / LETTER_AT);
+        let half = (width(&text) as f64 / 2.0 + 0.8).max((label as f64 / 2.0 + 0.3) / LETTER_AT);
         let mut placed: Vec<(f64, Subtree)> = Vec::new();
         let mut contour: Vec<(f64, f64)> = Vec::new();
         for child in children {

@@ -2,6 +2,7 @@
 
 use super::layout::{LETTER_AT, Spot, spots};
 use super::{COLORS, End, Figure, color};
+use crate::log::escape::width;
 use crate::report::escape::{self, line};
 use std::fmt::Write;
 
@@ -91,7 +92,7 @@ fn write_label(out: &mut String, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f
 
 fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {
     let text = escape::xml(&spot.text);
-    let half = (spot.text.chars().count() as f64 * CHARACTER / 2.0 + 7.0).max(HALF_HEIGHT);
+    let half = (width(&spot.text) as f64 * CHARACTER / 2.0 + 7.0).max(HALF_HEIGHT);
     let (left, top, width, height) = (x - half, y - HALF_HEIGHT, 2.0 * half, 2.0 * HALF_HEIGHT);
     let body = |fill: &str, stroke: &str| {
         format!(

@@ -1,7 +1,7 @@
 //! The schematic as text: lines of braille dots, letters and names over them.
 
 use super::{Place, Plan};
-use crate::log::escape::visible;
+use crate::log::escape::{cells, visible};
 
 /// The size of a character, in units of the plan: labels that don't cover each other there don't here.
 const CELL: [f64; 2] = [7.4, 15.4];
@@ -14,21 +14,29 @@ pub fn braille(plan: &Plan) -> String {
         draw(&mut grid, ray.from, ray.to, ray.is_blocked);
     }
     let dots = |dots: &u8| if *dots == 0 { ' ' } else { char::from_u32(0x2800 + u32::from(*dots)).unwrap_or(' ') };
-    let mut text: Vec<Vec<char>> = grid.iter().map(|row| row.iter().map(dots).collect()).collect();
+    let mut text: Vec<Vec<String>> =
+        grid.iter().map(|row| row.iter().map(|cell| dots(cell).to_string()).collect()).collect();
     let mut put = |[x, y]: Place, label: &str| {
-        let label: Vec<char> = visible(label).chars().collect();
+        let label = visible(label);
+        // A wide letter takes the place of two.
+        let mut label_cells: Vec<&str> = Vec::new();
+        for (cell, width) in cells(&label) {
+            label_cells.push(cell);
+            label_cells.resize(label_cells.len() + width.saturating_sub(1), "");
+        }
+        let label = label_cells;
         let row = ((y / CELL[1]) as usize).min(rows - 1);
         let middle = (x / CELL[0]) as usize;
         let first = middle.saturating_sub(label.len() / 2).min(columns.saturating_sub(label.len()));
         for (cell, character) in text[row].iter_mut().skip(first).zip(&label) {
-            *cell = *character;
+            *cell = (*character).to_owned();
         }
     };
     plan.points.iter().for_each(|place| put(*place, "●"));
     plan.lights.iter().for_each(|place| put(*place, "☼"));
     plan.eye.iter().for_each(|place| put(*place, "◉"));
     plan.labels.iter().for_each(|label| put(label.at, &label.text));
-    let lines: Vec<String> = text.iter().map(|row| row.iter().collect::<String>().trim_end().to_owned()).collect();
+    let lines: Vec<String> = text.iter().map(|row| row.concat().trim_end().to_owned()).collect();
     let first = lines.iter().position(|line| !line.is_empty()).unwrap_or(0);
     lines[first..].join("\n").trim_end().to_owned()
 }

@@ -1,6 +1,7 @@
 //! Where the texts of the schematic stand: each where it covers no other, the first of some places that is free.
 
 use super::{Label, Place, Ray, clip};
+use crate::log::escape::width;
 use crate::report::ray_tree::short;
 use std::collections::HashSet;
 
@@ -86,7 +87,7 @@ impl<'p> Labels<'p> {
 }
 
 fn half_size(text: &str) -> [f64; 2] {
-    [text.chars().count() as f64 * CHARACTER / 2.0 + 2.0, HALF_LINE]
+    [width(text) as f64 * CHARACTER / 2.0 + 2.0, HALF_LINE]
 }
 
 /// Whether a ray runs through a box: looked for at points that lie closer than the box is high.

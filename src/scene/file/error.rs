@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::ops::Range;
 
-use super::escape::visible;
+use super::escape::{visible, width};
 use super::key_path::KeyPath;
 use super::source::Excerpt;
 
@@ -140,8 +140,10 @@ impl Problem {
         };
         let number = self.line.to_string();
         let margin = " ".repeat(number.len());
-        let underline = severity.paint(&"^".repeat(excerpt.width), colour);
-        let indent = " ".repeat(excerpt.before);
+        let columns =
+            |from: usize, count: usize| width(&excerpt.line.chars().skip(from).take(count).collect::<String>());
+        let underline = severity.paint(&"^".repeat(columns(excerpt.before, excerpt.width).max(1)), colour);
+        let indent = " ".repeat(columns(0, excerpt.before));
         let line = &excerpt.line;
         format!("{first_line}\n{margin} |\n{number} | {line}\n{margin} | {indent}{underline}")
     }
@@ -175,6 +177,13 @@ mod tests {
         let expected =
             "error: a.json:2:13: radius: must be positive, found -1\n  |\n2 |   \"radius\": -1\n  |             ^^";
         assert_eq!(SceneError::from(problem()).report(false), expected);
+    }
+
+    #[test]
+    fn the_mark_stands_under_letters_of_any_width() {
+        let source = Source { name: "a.json", text: "{\"کره‌ی 球\": 漢字}".as_bytes() };
+        let report = source.problem(20..26, KeyPath::default(), "no value".into()).report(Severity::Error, false);
+        assert_eq!(report.lines().last(), Some("  |             ^^^^"), "{report}");
     }
 
     #[test]

@@ -4,14 +4,13 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use super::escape::visible;
+use super::packed::unpacked_name;
 use super::schema::SceneFile;
 
-/// Fills in the scene's name (the file's stem, without `.gz`) and the names of objects and lights (`object-3`, `light-1`).
+/// Fills in the scene's name (the file's stem, without `.gz` or `.zst`) and the names of objects and lights (`object-3`, `light-1`).
 pub fn fill_in_names(scene: &mut SceneFile, file_name: &str) {
     if scene.name.is_empty() {
-        let unpacked =
-            if file_name.to_ascii_lowercase().ends_with(".gz") { &file_name[..file_name.len() - 3] } else { file_name };
-        let stem = Path::new(unpacked).file_stem().unwrap_or_default();
+        let stem = Path::new(unpacked_name(file_name)).file_stem().unwrap_or_default();
         let stem = stem.to_string_lossy();
         // A name in a file may not hold control characters; that of a file may.
         scene.name = visible(stem.trim_matches(['<', '>'])).into_owned();

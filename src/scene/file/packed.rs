@@ -3,6 +3,11 @@
 use super::{gzip, zstd};
 use std::io::{Error, ErrorKind, Read};
 
+/// The name of a file without the ending that says by what it is packed.
+pub fn unpacked_name(name: &str) -> &str {
+    name.rsplit_once('.').filter(|(_, ending)| Packing::of_ending(ending).is_some()).map_or(name, |(plain, _)| plain)
+}
+
 /// By what a file is packed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
@@ -51,6 +56,18 @@ impl Packing {
                 Some(format!("damaged {name} data ({error}), expected a whole file"))
             }
             _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ending_of_what_packs_a_file_is_no_part_of_its_name() {
+        for (name, plain) in [("a.obj.gz", "a.obj"), ("A.OBJ.ZST", "A.OBJ"), ("a.obj", "a.obj"), ("zst", "zst")] {
+            assert_eq!(unpacked_name(name), plain);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! A list as lines: its cells in columns under their titles, and lines that are longer than their place.
 
 use super::text::{shown, width_of};
+use crate::log::escape::cells;
 use crate::tui::list::{CELL_END, Listing};
 use crate::tui::theme::Theme;
 
@@ -73,12 +74,12 @@ pub(super) fn cut(text: &str, shift: usize, room: usize, theme: &Theme) -> Strin
 fn columns_of(text: &str, begin: usize, count: usize) -> String {
     let end = begin.saturating_add(count);
     let mut column = 0;
-    let is_inside = |character: &char| {
+    let inside = cells(text).filter(|(_, width)| {
         let from = column;
-        column += width_of(character.encode_utf8(&mut [0; 4]));
+        column += width;
         from >= begin && column <= end
-    };
-    text.chars().filter(is_inside).collect()
+    });
+    inside.map(|(cell, _)| cell).collect()
 }
 
 #[cfg(test)]
@@ -101,6 +102,12 @@ mod tests {
         is_cut("abcdef", 1, 4, "…cd…", "<cd>");
         is_cut("abcdef", 9, 4, "…", "<");
         is_cut("", 3, 4, "", "");
+    }
+
+    #[test]
+    fn joined_letters_are_cut_whole() {
+        is_cut("क्‍षक्‍षabc", 2, 4, "…abc", "<abc");
+        is_cut("کره‌ی قرمز", 0, 5, "کره‌ی…", "کره‌ی>");
     }
 
     #[test]

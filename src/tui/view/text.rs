@@ -1,5 +1,8 @@
 //! Text that fits: lines broken with a hanging indent, and text in ASCII for terminals that have no more.
 
+pub(super) use crate::log::escape::width as width_of;
+
+use crate::log::escape::cells;
 use crate::tui::theme::Theme;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
@@ -59,14 +62,15 @@ impl Paper {
     fn cut(&mut self, word: &str, style: Style) {
         let mut start = 0;
         let mut columns = 0;
-        for (at, character) in word.char_indices() {
-            let width = width_of(character.encode_utf8(&mut [0; 4]));
+        let mut at = 0;
+        for (cell, width) in cells(word) {
             if self.used + columns + width > self.width && at > start {
                 self.write(&word[start..at], style);
                 self.new_line();
                 (start, columns) = (at, 0);
             }
             columns += width;
+            at += cell.len();
         }
         self.write(&word[start..], style);
     }
@@ -82,11 +86,6 @@ impl Paper {
         self.lines.push(Line::from(" ".repeat(self.indent)));
         self.used = self.indent;
     }
-}
-
-/// The columns that a text takes.
-pub(super) fn width_of(text: &str) -> usize {
-    Span::raw(text).width()
 }
 
 /// Splits after spaces where `may_break` says so, told the character before the space and the one after it.
@@ -157,7 +156,7 @@ fn plain(character: char) -> Option<&'static str> {
         'Ó' => "O",
         'Ú' => "U",
         'Ñ' => "N",
-        '¿' | '¡' => "",
+        '¿' | '¡' | '\u{200c}' | '\u{200d}' => "",
         _ => "?",
     })
 }
@@ -195,9 +194,17 @@ mod tests {
     }
 
     #[test]
+    fn joined_letters_stay_together_and_take_the_columns_that_they_show() {
+        wraps("क्‍षक्‍षक्‍ष", 4, &["क्‍षक्‍ष", "  क्‍ष"]);
+        wraps("کره‌ی قرمز", 10, &["کره‌ی قرمز"]);
+        wraps("👩‍🔬👩‍🔬", 4, &["👩‍🔬👩‍🔬"]);
+    }
+
+    #[test]
     fn formulas_in_ascii() {
         assert_eq!(ascii("√(η² − |d|²)/10⁻¹²"), "sqrt(eta^2 - |d|^2)/10^-12");
         assert_eq!(ascii("ж→x"), "?->x");
+        assert_eq!(ascii("ه\u{200c}ی"), "??");
         assert_eq!(ascii("¿decisión? píxel, señal"), "decision? pixel, senal");
     }
 }

@@ -24,6 +24,7 @@ mod words;
 pub use load::{Folder, Meshes, load};
 
 use super::error::{Problem, SceneError};
+use super::packed::unpacked_name;
 use super::source::Source;
 use crate::geometry::mesh::Mesh;
 use fault::out_of_memory;
@@ -45,8 +46,8 @@ pub struct Read {
 /// [`SceneError::Unreadable`] when there is no memory for it.
 pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, SceneError> {
     let source = Source { name: file_name, text: bytes };
-    let name = file_name.to_ascii_lowercase();
-    let has_ending = |ending: &str| name.strip_suffix(".gz").unwrap_or(&name).ends_with(ending);
+    let name = unpacked_name(file_name).to_ascii_lowercase();
+    let has_ending = |ending: &str| name.ends_with(ending);
     let (mesh, warnings) = match () {
         _ if ply::is_ply(bytes) || has_ending(".ply") => ply::read(&source)?,
         _ if has_ending(".obj") => obj::read(&source)?,

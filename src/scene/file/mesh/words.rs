@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::scene::file::escape::shortened;
+use crate::scene::file::foreign::{is_blank, is_in_number};
 
 /// How many characters of a word a message shows.
 const SHOWN: usize = 40;
@@ -38,20 +39,32 @@ impl<'t> Words<'t> {
     /// The next word of this line.
     pub fn next(&mut self) -> Option<Range<usize>> {
         loop {
-            match self.text.get(self.at)? {
-                b' ' | b'\t' => self.at += 1,
+            match *self.text.get(self.at)? {
+                byte if is_blank(byte) => self.at += 1,
                 b'\n' | b'\r' => return None,
                 b'#' if self.syntax == Syntax::Obj => {
                     self.skip_to_end_of_line();
                     return None;
                 }
-                b'\\' if self.goes_on() => self.skip_end_of_line(1),
+                b'\\' => match self.joint() {
+                    Some(blanks) => self.skip_end_of_line(1 + blanks),
+                    None => break,
+                },
                 _ => break,
             }
         }
         let start = self.at;
+        // Directly behind a number; a name may hold a `#`.
+        let begins_number = matches!(self.text[start], b'0'..=b'9' | b'+' | b'-' | b'.');
+        let may_have_comment = self.syntax == Syntax::Obj && begins_number;
         while let Some(byte) = self.text.get(self.at) {
-            if matches!(byte, b' ' | b'\t' | b'\n' | b'\r') || (*byte == b'\\' && self.goes_on()) {
+            let ends_word = match byte {
+                b'\n' | b'\r' => true,
+                b'#' => may_have_comment && !is_in_number(self.text, start, self.at),
+                b'\\' => self.joint().is_some(),
+                byte => is_blank(*byte),
+            };
+            if ends_word {
                 break;
             }
             self.at += 1;
@@ -83,9 +96,12 @@ impl<'t> Words<'t> {
         self.at..self.at
     }
 
-    /// Whether the backslash here is the last character of its line.
-    fn goes_on(&self) -> bool {
-        self.syntax == Syntax::Obj && matches!(self.text.get(self.at + 1), Some(b'\n' | b'\r'))
+    /// How many blanks stand between the backslash here and the end of its line, if nothing else does: then the line goes on.
+    fn joint(&self) -> Option<usize> {
+        let rest = &self.text[self.at + 1..];
+        let blanks = rest.iter().take_while(|byte| is_blank(**byte)).count();
+        let ends_line = matches!(rest.get(blanks), None | Some(b'\n' | b'\r'));
+        (self.syntax == Syntax::Obj && ends_line).then_some(blanks)
     }
 
     fn skip_to_end_of_line(&mut self) {
@@ -125,7 +141,7 @@ mod tests {
 
     #[test]
     fn lines_of_words() {
-        splits("v 1  2\t3\nf 1 2\n", &[&["v", "1", "2", "3"], &["f", "1", "2"]]);
+        splits("v 1  2\t3\nf\x0b1\x0c2\n", &[&["v", "1", "2", "3"], &["f", "1", "2"]]);
     }
 
     #[test]
@@ -136,11 +152,15 @@ mod tests {
     #[test]
     fn comments_end_with_their_line() {
         splits("# C:\\\nv 1 # x\n#", &[&[], &["v", "1"], &[]]);
+        splits("v 1.0#c\nf 1#\n2", &[&["v", "1.0"], &["f", "1"], &["2"]]);
+        splits("usemtl a#1 # c", &[&["usemtl", "a#1"]]);
+        splits("vn 1.#IND -1.#QNAN00# c", &[&["vn", "1.#IND", "-1.#QNAN00"]]);
     }
 
     #[test]
     fn a_backslash_joins_lines() {
         splits("f 1 \\\n2\\\r\n3\nv\\x", &[&["f", "1", "2", "3"], &["v\\x"]]);
+        splits("f 1\\ \t\n2 \\\x0c\r\n3 \\ 4\nv \\ ", &[&["f", "1", "2", "3", "\\", "4"], &["v"]]);
     }
 
     #[test]

@@ -27,6 +27,8 @@ const ENTITIES: &[(&str, &str)] = &[
     ("tpp", "the number of corners and 8 numbers for each"),
     ("tess", "1 number"),
     ("shader", "a name"),
+    ("number", "1 number"),
+    ("g", "6 numbers"),
 ];
 
 /// Reads a whole file.
@@ -69,7 +71,12 @@ impl File<'_> {
             "c" => self.cone(token),
             "tess" => {
                 // How finely other programs cut curved surfaces; here they stay curved.
-                self.reader.number(name, "the level").map(|_| ())
+                self.reader.passed(name, "the level").map(|_| ())
+            }
+            "number" | "g" => {
+                self.pass_over(&token, "`number` and `g` count and bound what follows, and are passed over");
+                let numbers = if name == "g" { 6 } else { 1 };
+                (0..numbers).try_for_each(|_| self.reader.passed(name, "what follows").map(|_| ()))
             }
             "shader" => {
                 self.pass_over(&token, "textures are not supported, `shader` is passed over");
@@ -94,7 +101,7 @@ impl File<'_> {
                 b"angle" => angle.replace(reader.placed(view_angle)?).is_some(),
                 b"resolution" => resolution.replace(reader.placed(view_resolution)?).is_some(),
                 b"hither" => {
-                    reader.placed(|r| r.number("hither", "the distance").map(|_| ()))?;
+                    reader.placed(|r| r.passed("hither", "the distance"))?;
                     false
                 }
                 _ => break,
@@ -181,20 +188,26 @@ impl File<'_> {
         // The file may promise more corners than it has, so that nothing is reserved for them.
         let mut vertices: Vec<Vec3> = Vec::new();
         let mut normals: Vec<Vec3> = Vec::new();
+        let mut has_all_normals = name != "p";
         for _ in 0..corners {
             vertices.push(self.reader.triple(name, "a corner")?);
             if name != "p" {
-                normals.push(self.reader.triple(name, "a normal")?);
+                let normal = self.reader.normal(name)?;
+                has_all_normals &= normal.is_some();
+                normals.extend(normal);
             }
             if name == "tpp" {
-                self.reader.number(name, "a texture coordinate")?;
-                self.reader.number(name, "a texture coordinate")?;
+                self.reader.passed(name, "a texture coordinate")?;
+                self.reader.passed(name, "a texture coordinate")?;
             }
         }
         if name == "tpp" {
             self.pass_over(&entity, "textures are not supported, the texture coordinates of `tpp` are passed over");
         }
-        match shapes::polygon(vertices, (name != "p").then_some(normals)) {
+        if name != "p" && !has_all_normals {
+            self.pass_over(&entity, "a normal that is no number counts as none, its polygon is taken without normals");
+        }
+        match shapes::polygon(vertices, has_all_normals.then_some(normals)) {
             Some(shape) => self.primitive(entity, shape),
             None => {
                 self.pass_over(&entity, "a polygon without area can't be hit and is left out");

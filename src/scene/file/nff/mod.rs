@@ -13,9 +13,9 @@
 //! | `p` n, n × (x y z) | polygon |
 //! | `pp` n, n × (x y z, normal) | polygon with normals |
 //!
-//! Of what other programs add, a texture name or an ambient factor after `f`, `shader`, `tess`, and the texture
-//! coordinates of `tpp` n × (x y z, normal, u v) are understood and passed over, with a warning where the picture would
-//! differ. There are at most [`MAX_PRIMITIVES`] primitives.
+//! Of what other programs add, a texture name or an ambient factor after `f`, `shader`, `tess`, `number` n, `g` with six
+//! bounds, and the texture coordinates of `tpp` n × (x y z, normal, u v) are understood and passed over; a warning says so
+//! of all but `tess`. A normal that is no number (`nan`, `1.#IND`) counts as none. There are at most [`MAX_PRIMITIVES`] primitives.
 //!
 //! This room turns bytes into a checked scene file. What the checks of [`validate`] find is placed in the NFF text.
 
@@ -32,6 +32,7 @@ mod tokens;
 
 use super::error::SceneError;
 use super::load::{Loaded, judge};
+use super::packed::unpacked_name;
 use super::schema::SceneFile;
 use super::source::Source;
 use super::validate::validate;
@@ -62,8 +63,7 @@ pub struct Import {
 
 /// Whether a file is NFF: by the ending of its name, else by its first token.
 pub fn is_nff(bytes: &[u8], file_name: &str) -> bool {
-    let name = file_name.to_ascii_lowercase();
-    match name.strip_suffix(".gz").unwrap_or(&name) {
+    match unpacked_name(file_name).to_ascii_lowercase() {
         name if name.ends_with(".nff") => true,
         name if name.ends_with(".json") => false,
         _ => Tokens::new(bytes).next().is_some_and(|first| entities::may_begin_file(first.text)),

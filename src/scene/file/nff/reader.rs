@@ -51,6 +51,21 @@ impl<'t> Reader<'t> {
         }
     }
 
+    /// The next number, which may be infinite or none: nobody asks how large it is.
+    pub fn passed(&mut self, entity: &str, what: &str) -> Result<f64, Mistake> {
+        let end = self.end();
+        let token = self.tokens.next();
+        let number = token.and_then(|token| token.any_number());
+        number.ok_or_else(|| no_number(token.as_ref(), end, entity, what))
+    }
+
+    /// A normal, if all three of its numbers are finite.
+    pub fn normal(&mut self, entity: &str) -> Result<Option<Vec3>, Mistake> {
+        let mut next = || self.passed(entity, "a normal");
+        let normal = [next()?, next()?, next()?];
+        Ok(normal.iter().all(|number| number.is_finite()).then_some(normal))
+    }
+
     /// Three numbers.
     pub fn triple(&mut self, entity: &str, what: &str) -> Result<Vec3, Mistake> {
         let mut next = || Ok(self.number(entity, what)?.0);

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::scene::file::foreign::{self, is_blank, is_in_number, without_end_mark};
+
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// A word or number and where it stands.
@@ -21,8 +23,12 @@ impl Token<'_> {
 
     /// The finite number that it is.
     pub fn number(&self) -> Option<f64> {
-        // Rust also reads `inf` and `nan`, which are not finite, and numbers too large for it as infinite.
-        std::str::from_utf8(self.text).ok()?.parse().ok().filter(|number: &f64| number.is_finite())
+        self.any_number().filter(|number| number.is_finite())
+    }
+
+    /// The number that it is, which may be infinite or none.
+    pub fn any_number(&self) -> Option<f64> {
+        foreign::number(self.text)
     }
 }
 
@@ -36,6 +42,7 @@ pub struct Tokens<'t> {
 impl<'t> Tokens<'t> {
     /// The tokens of this text.
     pub fn new(text: &'t [u8]) -> Self {
+        let text = without_end_mark(text);
         Self { text, at: if text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 } }
     }
 
@@ -70,15 +77,17 @@ impl<'t> Iterator for Tokens<'t> {
             }
             start += self.text[start..].iter().position(|byte| ends_line(*byte))?;
         }
-        let rest = &self.text[start..];
-        let length = rest.iter().position(|byte| is_space(*byte) || *byte == b'#').unwrap_or(rest.len());
-        self.at = start + length;
-        Some(Token { text: &rest[..length], start })
+        let ends_word = |at: &usize| match self.text[*at] {
+            b'#' => !is_in_number(self.text, start, *at),
+            byte => is_space(byte),
+        };
+        self.at = (start..self.text.len()).find(ends_word).unwrap_or(self.text.len());
+        Some(Token { text: &self.text[start..self.at], start })
     }
 }
 
 fn is_space(byte: u8) -> bool {
-    byte.is_ascii_whitespace() || byte == b'\x0b'
+    is_blank(byte) || ends_line(byte)
 }
 
 fn ends_line(byte: u8) -> bool {
@@ -106,6 +115,16 @@ mod tests {
     }
 
     #[test]
+    fn a_hash_may_be_part_of_a_number() {
+        splits("1.#INF -1.#IND#x\n1.#c", &["1.#INF", "-1.#IND", "1."]);
+    }
+
+    #[test]
+    fn the_end_mark_is_no_token() {
+        splits("s 1\r\n\x1a\n", &["s", "1"]);
+    }
+
+    #[test]
     fn a_byte_order_mark_is_no_token() {
         splits("\u{feff}b 1", &["b", "1"]);
     }
@@ -122,7 +141,7 @@ mod tests {
             assert_eq!(number(text), Some(expected), "{text}");
         }
         assert_eq!(number("-0").map(f64::to_bits), Some((-0.0_f64).to_bits()));
-        for text in ["nan", "-inf", "infinity", "1e999", "0x1", "1,5", "1d3", "\u{ff}"] {
+        for text in ["nan", "-inf", "infinity", "1e999", "0x1", "1,5", "1d3", "1.#INF", "-nan(ind)", "\u{ff}"] {
             assert_eq!(number(text), None, "{text}");
         }
     }

@@ -15,7 +15,7 @@ pub(super) mod vector;
 
 use std::collections::HashSet;
 
-use super::escape::{is_hidden, shortened};
+use super::escape::{hidden, shortened};
 use super::explain::unknown_format;
 use super::key_path::KeyPath;
 use super::schema::{FORMAT, Sampling, SceneFile};
@@ -133,6 +133,6 @@ fn wrong_name(name: &str) -> Option<String> {
     if name.is_empty() {
         return Some("a name must not be empty".to_string());
     }
-    let hidden = name.chars().find(|character| is_hidden(*character))?;
+    let (_, hidden) = hidden(name).next()?;
     Some(format!("a name must not hold control characters, found {}", hidden.escape_unicode()))
 }

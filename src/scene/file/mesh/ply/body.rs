@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::header::{Element, Header, Kind, Property, Scalar, shown};
 use super::values::Values;
-use crate::scene::file::mesh::collect::{Collector, Corner};
+use crate::scene::file::mesh::collect::{Collector, Corner, Run};
 use crate::scene::file::mesh::fault::Fault;
 
 /// What a property of a vertex or face is good for.
@@ -16,7 +16,7 @@ enum Role {
     Position(usize),
     /// A component of the normal.
     Normal(usize),
-    /// The corners of a face.
+    /// The corners of a face or of strips.
     Corners,
     /// Nothing.
     Skipped,
@@ -33,23 +33,22 @@ const OF_VERTICES: &[(&str, Role)] = &[
 ];
 const OF_FACES: &[(&str, Role)] = &[("vertex_indices", Role::Corners), ("vertex_index", Role::Corners)];
 
+/// The elements that have triangles, and how. In the lists of a strip -1 begins a new one.
+const SURFACES: [(&str, Run); 2] = [("face", Run::Face), ("tristrips", Run::Strip)];
+
 /// Reads what the header promises.
-pub fn read(header: &Header, values: impl Values) -> Result<Collector, Fault> {
-    let vertices = find(header, "vertex", "vertices")?;
-    let faces = find(header, "face", "faces")?;
+pub fn read(header: &Header, values: &mut impl Values) -> Result<Collector, Fault> {
+    let vertices = find(header, &["vertex"], "vertices")?;
+    let faces = find(header, &SURFACES.map(|(name, _)| name), "faces")?;
     let vertex_roles = roles(vertices, OF_VERTICES)?;
     let needed = [Role::Position(0), Role::Position(1), Role::Position(2)];
     if needed.iter().any(|role| !vertex_roles.contains(role)) {
         let message = "expected the properties `x`, `y` and `z` of the element `vertex`";
         return Err(Fault::wrong(vertices.span.clone(), message));
     }
-    let face_roles = roles(faces, OF_FACES)?;
-    if !face_roles.contains(&Role::Corners) {
-        let message = "expected the property `list uchar int vertex_indices` of the element `face`";
-        return Err(Fault::wrong(faces.span.clone(), message));
-    }
-    if faces.count == 0 {
-        return Err(Fault::wrong(faces.span.clone(), "the file has no faces, expected at least one"));
+    let no_faces = || Fault::wrong(faces.span.clone(), "the file has no faces, expected at least one");
+    if !header.elements.iter().any(|element| run_of(element).is_some() && element.count > 0) {
+        return Err(no_faces());
     }
     let normals = [Role::Normal(0), Role::Normal(1), Role::Normal(2)];
     let mut body = Body {
@@ -60,21 +59,40 @@ pub fn read(header: &Header, values: impl Values) -> Result<Collector, Fault> {
     };
     for element in &header.elements {
         body.check_room(element)?;
-        match element.name.as_str() {
-            "vertex" => body.records(element, |body| body.vertex(element, &vertex_roles))?,
-            "face" => body.records(element, |body| body.face(element, &face_roles))?,
-            _ => body.records(element, |body| body.skip(&element.properties))?,
+        match (run_of(element), element.name.as_str()) {
+            (Some(run), _) => {
+                let roles = roles_of_surface(element)?;
+                body.records(element, |body| body.surface(run, element, &roles))?;
+            }
+            (None, "vertex") => body.records(element, |body| body.vertex(element, &vertex_roles))?,
+            (None, _) => body.records(element, |body| body.skip(&element.properties))?,
         }
     }
+    body.mesh.check_faces(no_faces())?;
     Ok(body.mesh)
 }
 
-fn find<'h>(header: &'h Header, name: &str, plural: &str) -> Result<&'h Element, Fault> {
-    let found = header.elements.iter().find(|element| element.name == name);
+/// How an element has triangles, if it does.
+fn run_of(element: &Element) -> Option<Run> {
+    SURFACES.iter().find(|(name, _)| *name == element.name).map(|(_, run)| *run)
+}
+
+fn find<'h>(header: &'h Header, names: &[&str], plural: &str) -> Result<&'h Element, Fault> {
+    let found = header.elements.iter().find(|element| names.contains(&element.name.as_str()));
     found.ok_or_else(|| {
-        let start = header.length;
-        Fault::wrong(0..start.min(3), format!("the file has no {plural}, expected an element `{name}` in its header"))
+        let names = names.join("` or `");
+        let message = format!("the file has no {plural}, expected an element `{names}` in its header");
+        Fault::wrong(0..header.length.min(3), message)
     })
+}
+
+fn roles_of_surface(element: &Element) -> Result<Vec<Role>, Fault> {
+    let roles = roles(element, OF_FACES)?;
+    if roles.contains(&Role::Corners) || element.count == 0 {
+        return Ok(roles);
+    }
+    let message = format!("expected the property `list uchar int vertex_indices` of the element `{}`", element.name);
+    Err(Fault::wrong(element.span.clone(), message))
 }
 
 fn roles(element: &Element, known: &[(&str, Role)]) -> Result<Vec<Role>, Fault> {
@@ -102,14 +120,14 @@ fn roles(element: &Element, known: &[(&str, Role)]) -> Result<Vec<Role>, Fault> 
     Ok(roles)
 }
 
-struct Body<V> {
-    values: V,
+struct Body<'v, V> {
+    values: &'v mut V,
     mesh: Collector,
     vertex_count: u64,
     has_normals: bool,
 }
 
-impl<V: Values> Body<V> {
+impl<V: Values> Body<'_, V> {
     /// A count is believed only as far as the file has bytes for it.
     fn check_room(&self, element: &Element) -> Result<(), Fault> {
         let room = self.values.room_for(&mut element.properties.iter().map(|property| property.kind));
@@ -150,7 +168,7 @@ impl<V: Values> Body<V> {
                 }
             };
             let (value, span) = self.values.next(scalar)?;
-            if !value.is_finite() {
+            if !value.is_finite() && matches!(role, Role::Position(_)) {
                 let name = &property.name;
                 return Err(Fault::wrong(span, format!("expected a finite `{name}`, found {value}")));
             }
@@ -162,7 +180,7 @@ impl<V: Values> Body<V> {
         self.mesh.vertex(DVec3::from(position), place)
     }
 
-    fn face(&mut self, element: &Element, roles: &[Role]) -> Result<(), Fault> {
+    fn surface(&mut self, run: Run, element: &Element, roles: &[Role]) -> Result<(), Fault> {
         for (property, role) in element.properties.iter().zip(roles) {
             let (Role::Corners, Kind::List { count, item }) = (role, property.kind) else {
                 self.skip(std::slice::from_ref(property))?;
@@ -171,10 +189,14 @@ impl<V: Values> Body<V> {
             let (corners, start) = self.count(count)?;
             for _ in 0..corners {
                 let (vertex, span) = self.values.next(item)?;
+                if run == Run::Strip && begins_strip(vertex, item) {
+                    self.mesh.end(run, span)?;
+                    continue;
+                }
                 let corner = self.existing(vertex, &span)?;
-                self.mesh.corner(corner, span)?;
+                self.mesh.corner(run, corner, span)?;
             }
-            self.mesh.end_face(start)?;
+            self.mesh.end(run, start)?;
         }
         Ok(())
     }
@@ -192,12 +214,10 @@ impl<V: Values> Body<V> {
     fn skip(&mut self, properties: &[Property]) -> Result<(), Fault> {
         for property in properties {
             match property.kind {
-                Kind::Scalar(scalar) => {
-                    self.values.next(scalar)?;
-                }
+                Kind::Scalar(scalar) => self.values.skip(scalar)?,
                 Kind::List { count, item } => {
                     for _ in 0..self.count(count)?.0 {
-                        self.values.next(item)?;
+                        self.values.skip(item)?;
                     }
                 }
             }
@@ -213,4 +233,9 @@ impl<V: Values> Body<V> {
         }
         Ok((count as u64, span))
     }
+}
+
+/// Whether what stands among the vertices of a strip begins a new one: -1, which as a number without a sign is the largest.
+fn begins_strip(vertex: f64, item: Scalar) -> bool {
+    vertex == -1.0 || (item == Scalar::U32 && vertex == f64::from(u32::MAX))
 }

@@ -21,7 +21,7 @@ pub struct Header {
 /// How the body is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
-    /// As text, one record a line.
+    /// As text.
     Ascii,
     /// Binary, the least byte first.
     LittleEndian,

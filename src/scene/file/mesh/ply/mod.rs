@@ -1,4 +1,7 @@
-//! Reads PLY (Greg Turk, 1994): ASCII and binary, its elements `vertex` and `face`. Other elements are skipped.
+//! Reads PLY (Greg Turk, 1994): ASCII and binary, its elements `vertex`, `face` and `tristrips`. Other elements are skipped.
+//!
+//! A text is read by its values, whatever its lines, where that comes out even. Where it doesn't, each record begins on a
+//! line of its own, and what a line has more is left out.
 //!
 //! Own code rather than the crate `ply-rs-bw`, which builds a map a vertex and believes the counts of the header. A
 //! property declared `float` is read in single precision, as its writer meant it, so that the ASCII and the binary file of
@@ -8,11 +11,15 @@ mod body;
 mod header;
 mod values;
 
-use super::fault::without_place;
+use std::ops::Range;
+
+use super::collect::{Collector, counted};
+use super::fault::{Fault, without_place};
 use crate::geometry::mesh::Mesh;
+use crate::scene::file::foreign::without_end_mark;
 use crate::scene::file::{Problem, SceneError, Source};
 use header::{Encoding, Header};
-use values::{Ascii, Binary, Order};
+use values::{Ascii, Binary, Lines, Order};
 
 /// Whether a file says that it is PLY.
 pub fn is_ply(bytes: &[u8]) -> bool {
@@ -24,14 +31,39 @@ pub fn read(source: &Source) -> Result<(Mesh, Vec<Problem>), SceneError> {
     let header = Header::read(source.text).map_err(|fault| fault.in_text(source))?;
     let (text, start) = (source.text, header.length);
     let collected = match header.encoding {
-        Encoding::Ascii => body::read(&header, Ascii::new(text, start)),
-        Encoding::LittleEndian => body::read(&header, Binary::new(text, start, Order::Little)),
-        Encoding::BigEndian => body::read(&header, Binary::new(text, start, Order::Big)),
+        Encoding::Ascii => read_text(&header, without_end_mark(text)),
+        Encoding::LittleEndian => read_bytes(&header, Binary::new(text, start, Order::Little)),
+        Encoding::BigEndian => read_bytes(&header, Binary::new(text, start, Order::Big)),
     };
-    let collected = collected.map_err(|fault| match header.encoding {
+    let (collected, left_out) = collected.map_err(|fault| match header.encoding {
         Encoding::Ascii => fault.in_text(source),
         Encoding::LittleEndian | Encoding::BigEndian => fault.in_binary(source, start),
     })?;
     let (mesh, warnings) = collected.finish();
-    Ok((mesh, warnings.into_iter().map(|message| without_place(source.name, message)).collect()))
+    let left_out = left_out.map(|(span, lines)| {
+        let lines = counted(lines, "line has", "lines have");
+        let message = format!("{lines} more values than the header says, such are left out");
+        source.problem(span, Default::default(), message)
+    });
+    let warnings = warnings.into_iter().map(|message| without_place(source.name, message));
+    Ok((mesh, left_out.into_iter().chain(warnings).collect()))
+}
+
+/// What is read, and of a text the first value that was left out and how many lines have such.
+type Collected = (Collector, Option<(Range<usize>, usize)>);
+
+fn read_bytes(header: &Header, mut values: Binary) -> Result<Collected, Fault> {
+    Ok((body::read(header, &mut values)?, None))
+}
+
+fn read_text(header: &Header, text: &[u8]) -> Result<Collected, Fault> {
+    let mut values = Ascii::new(text, header.length, Lines::Blanks);
+    match body::read(header, &mut values) {
+        Ok(collected) if values.is_at_end() => return Ok((collected, None)),
+        Err(Fault::OutOfMemory) => return Err(Fault::OutOfMemory),
+        Ok(_) | Err(Fault::Wrong { .. }) => {}
+    }
+    let mut values = Ascii::new(text, header.length, Lines::Records);
+    let collected = body::read(header, &mut values)?;
+    Ok((collected, values.left_out))
 }

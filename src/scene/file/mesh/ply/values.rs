@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::header::{Kind, Scalar};
+use crate::scene::file::foreign::number;
 use crate::scene::file::mesh::fault::Fault;
 use crate::scene::file::mesh::words::{Syntax, Words};
 
@@ -10,6 +11,11 @@ use crate::scene::file::mesh::words::{Syntax, Words};
 pub trait Values {
     /// The next value, and where it stands.
     fn next(&mut self, scalar: Scalar) -> Result<(f64, Range<usize>), Fault>;
+
+    /// Passes over a value that nobody uses.
+    fn skip(&mut self, scalar: Scalar) -> Result<(), Fault> {
+        self.next(scalar).map(|_| ())
+    }
 
     /// Begins a record.
     fn begin_record(&mut self) {}
@@ -23,10 +29,25 @@ pub trait Values {
     fn room_for(&self, kinds: &mut dyn Iterator<Item = Kind>) -> u64;
 }
 
-/// Values as text, one record a line.
+/// Values as text.
 pub struct Ascii<'t> {
     words: Words<'t>,
     length: usize,
+    lines: Lines,
+    /// Where the line of this record ended before the record did.
+    ended_early: Option<Range<usize>>,
+    /// The first value that is left out, and how many lines have such.
+    pub left_out: Option<(Range<usize>, usize)>,
+}
+
+/// What the ends of lines mean in a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lines {
+    /// Nothing: they are blanks.
+    Blanks,
+    /// Records: each begins on a line of its own. What stands behind it there is left out; a record that goes on in the next
+    /// line must end with a line, or else a value is missing.
+    Records,
 }
 
 /// Values as bytes.
@@ -47,18 +68,39 @@ pub enum Order {
 
 impl<'t> Ascii<'t> {
     /// The values from this place on.
-    pub fn new(text: &'t [u8], start: usize) -> Ascii<'t> {
-        Ascii { words: Words::new(text, start, Syntax::Plain), length: text.len() }
+    pub fn new(text: &'t [u8], start: usize, lines: Lines) -> Ascii<'t> {
+        let length = text.len();
+        Ascii { words: Words::new(text, start, Syntax::Plain), length, lines, ended_early: None, left_out: None }
     }
-}
 
-impl Values for Ascii<'_> {
-    fn next(&mut self, scalar: Scalar) -> Result<(f64, Range<usize>), Fault> {
-        let Some(word) = self.words.next() else {
-            return Err(Fault::wrong(self.words.here(), "the line ends too early, expected a number"));
+    /// Whether no value is left.
+    pub fn is_at_end(&mut self) -> bool {
+        self.next_word().is_none()
+    }
+
+    /// The next word, on whatever line.
+    fn next_word(&mut self) -> Option<Range<usize>> {
+        loop {
+            if let Some(word) = self.words.next() {
+                return Some(word);
+            }
+            if !self.words.next_line() {
+                return None;
+            }
+        }
+    }
+
+    fn value(&mut self, read: impl FnOnce(&[u8]) -> Option<f64>, scalar: Scalar) -> Result<(f64, Range<usize>), Fault> {
+        let found = match self.words.next() {
+            None => {
+                let end = self.words.here();
+                self.ended_early.get_or_insert(end);
+                self.next_word()
+            }
+            found => found,
         };
-        let text = std::str::from_utf8(self.words.bytes(&word)).unwrap_or_default();
-        match parse(text, scalar) {
+        let Some(word) = found else { return Err(self.too_early()) };
+        match read(self.words.bytes(&word)) {
             Some(value) => Ok((value, word)),
             None => {
                 let expected = scalar.expected();
@@ -68,8 +110,25 @@ impl Values for Ascii<'_> {
         }
     }
 
+    fn too_early(&mut self) -> Fault {
+        let end = self.ended_early.take().unwrap_or(self.words.here());
+        Fault::wrong(end, "the line ends too early, expected a number")
+    }
+}
+
+impl Values for Ascii<'_> {
+    fn next(&mut self, scalar: Scalar) -> Result<(f64, Range<usize>), Fault> {
+        self.value(|word| parse(word, scalar), scalar)
+    }
+
+    /// A colour of 0.5 in whole numbers is no harm.
+    fn skip(&mut self, scalar: Scalar) -> Result<(), Fault> {
+        self.value(number, scalar).map(|_| ())
+    }
+
     /// Skips empty lines.
     fn begin_record(&mut self) {
+        self.ended_early = None;
         loop {
             let mut ahead = Words::new(self.words.text(), self.words.at, Syntax::Plain);
             if ahead.next().is_some() || !ahead.next_line() {
@@ -80,9 +139,14 @@ impl Values for Ascii<'_> {
     }
 
     fn end_record(&mut self) -> Result<(), Fault> {
+        if self.lines == Lines::Blanks {
+            return Ok(());
+        }
         if let Some(word) = self.words.next() {
-            let message = format!("expected the end of the line, found `{}`", self.words.shown(&word));
-            return Err(Fault::wrong(word, message));
+            if self.ended_early.is_some() {
+                return Err(self.too_early());
+            }
+            self.left_out.get_or_insert((word, 0)).1 += 1;
         }
         self.words.next_line();
         Ok(())
@@ -95,7 +159,8 @@ impl Values for Ascii<'_> {
     }
 }
 
-fn parse(text: &str, scalar: Scalar) -> Option<f64> {
+fn parse(word: &[u8], scalar: Scalar) -> Option<f64> {
+    let text = std::str::from_utf8(word).unwrap_or_default();
     let whole = |low: f64, high: f64| {
         let value = text.parse::<i64>().ok()? as f64;
         (low <= value && value <= high).then_some(value)
@@ -107,8 +172,8 @@ fn parse(text: &str, scalar: Scalar) -> Option<f64> {
         Scalar::U16 => whole(0.0, 65_535.0),
         Scalar::I32 => whole(f64::from(i32::MIN), f64::from(i32::MAX)),
         Scalar::U32 => whole(0.0, f64::from(u32::MAX)),
-        Scalar::F32 => text.parse::<f32>().ok().map(f64::from),
-        Scalar::F64 => text.parse().ok(),
+        Scalar::F32 => text.parse::<f32>().ok().map(f64::from).or_else(|| number(word)),
+        Scalar::F64 => number(word),
     }
 }
 

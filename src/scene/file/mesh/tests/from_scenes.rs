@@ -8,7 +8,7 @@ use super::SQUARE;
 use crate::scene::file::{Problem, SceneError, Source, check};
 
 /// A folder with a mesh, and the text of a scene in it that names these.
-fn folder_and_scene(paths: &[&str]) -> (tempfile::TempDir, String) {
+pub(super) fn folder_and_scene(paths: &[&str]) -> (tempfile::TempDir, String) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("square.obj"), SQUARE).unwrap();
     let object = |path: &&str| format!("\n    {{\"shape\": {{\"mesh\": {{\"path\": \"{path}\"}}}}}}");
@@ -22,7 +22,7 @@ fn folder_and_scene(paths: &[&str]) -> (tempfile::TempDir, String) {
     (folder, scene)
 }
 
-fn load_in(folder: &Path, text: &str) -> Result<(Meshes, Vec<Problem>), SceneError> {
+pub(super) fn load_in(folder: &Path, text: &str) -> Result<(Meshes, Vec<Problem>), SceneError> {
     let scene = check(text.as_bytes(), "scene.json").unwrap().scene;
     let source = Source { name: "scene.json", text: text.as_bytes() };
     load(&scene, &source, Folder::OfScene(&folder.join("scene.json")))

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod dialects;
 mod from_scenes;
 mod obj;
 mod ply;
@@ -46,4 +47,6 @@ fn other_names_are_no_meshes() {
 #[test]
 fn endings_may_be_in_capitals() {
     assert_eq!(reads(SQUARE, "SQUARE.OBJ").mesh.faces.len(), 2);
+    assert_eq!(reads(SQUARE, "square.obj.gz").mesh.faces.len(), 2);
+    assert_eq!(reads(SQUARE, "square.obj.ZST").mesh.faces.len(), 2);
 }

@@ -63,6 +63,80 @@ fn some_normals_are_left_out() {
 }
 
 #[test]
+fn normals_that_are_not_there_count_as_none() {
+    let left_out = "warning: a.obj: the normals are left out, because some corners have none";
+    let normal = format!("{TRIANGLE}vn 0 0 1\n");
+    for (corners, lost) in [
+        ("1//1 2//1 3//0", "1 corner names a normal that isn't there"),
+        ("1//1 2//2 3//-2", "2 corners name normals that aren't there"),
+        ("1//99999999999999999999 2//4294967298 3//1", "2 corners name normals that aren't there"),
+    ] {
+        let text = format!("{normal}f {corners}\n");
+        faces(&text, &[[0, 1, 2]]);
+        assert_eq!(reads(&text, "a.obj").mesh.normals, None);
+        warns(&text, "a.obj", &[&format!("{left_out}: {lost}")]);
+    }
+    // One that comes later is there.
+    assert!(reads(format!("{TRIANGLE}f 1//1 2//1 3//1\nvn 0 0 1\n"), "a.obj").mesh.normals.is_some());
+    let textures =
+        "warning: a.obj: 2 corners name texture coordinates that the file doesn't have, which counts as none";
+    warns(format!("{TRIANGLE}vt 0 0\nf 1/1 2/2 3/0\n"), "a.obj", &[textures]);
+}
+
+#[test]
+fn normals_that_are_no_numbers_count_as_none() {
+    for none in ["nan nan nan", "0 0 -1.#IND", "1.#QNAN00 0 0 # c", "-nan(ind) 0 0", "inf 0 0", "1e999 0 0", "0 1.#J 0"]
+    {
+        let text = format!("{TRIANGLE}vn 0 0 1\nvn {none}\nf 1//1 2//1 3//2\n");
+        assert_eq!(reads(&text, "a.obj").mesh.normals, None, "{none}");
+        let why = "the normals are left out, because some corners have none: 1 normal is no number";
+        warns(&text, "a.obj", &[&format!("warning: a.obj: {why}")]);
+        // One that no corner has is no harm.
+        let text = format!("{TRIANGLE}vn 0 0 1\nvn {none}\nf 1//1 2//1 3//1\n");
+        assert_eq!(reads(&text, "a.obj").mesh.corner_normals(0), Some([DVec3::Z; 3]));
+        warns(&text, "a.obj", &["warning: a.obj: 1 normal is no number, which counts as none"]);
+    }
+}
+
+#[test]
+fn faces_of_too_few_corners_are_left_out() {
+    let text = format!("{TRIANGLE}f 1\nf\nf 1 2 3\nf 3//7 2\np 1\nl 1 2\npoints 1 2\n");
+    faces(&text, &[[0, 1, 2]]);
+    warns(
+        &text,
+        "a.obj",
+        &[
+            "warning: a.obj: 3 faces have fewer than 3 corners, such are left out",
+            "warning: a.obj: 1 corner names a normal that isn't there, which counts as none",
+        ],
+    );
+    warns(
+        format!("{TRIANGLE}f 1 2 3\nf 1 2\n"),
+        "a.obj",
+        &["warning: a.obj: 1 face has fewer than 3 corners, such are left out"],
+    );
+    wrong("f 1 2 3\nf 1 9", "5:5: there is no vertex 9, the file has 3 vertices");
+    wrong("p 1\nl 1 2", "1:1: the file has no faces, expected at least one such as `f 1 2 3`");
+}
+
+#[test]
+fn lines_and_blanks_as_other_programs_write_them() {
+    for (old, new) in [
+        ("f 1 2 3", "f 1 2 \\ \t\n3"),
+        ("f 1 2 3", "f 1 \\\r\n2 3 \\ "),
+        ("v 1 0 0", "v\x0b1\x0c0 0\x0b"),
+        ("v 1 0 0", "v 1 0 0.0#c"),
+        ("f 1 2 3", "f 1 2 3# c"),
+        ("f 1 2 3", "f 1 2 3\x1a"),
+        ("f 1 2 3", "f 1 2 3\r\n\x1a\r\n"),
+    ] {
+        let text = format!("{TRIANGLE}f 1 2 3").replace(old, new);
+        faces(&text, &[[0, 1, 2]]);
+        warns(&text, "a.obj", &[]);
+    }
+}
+
+#[test]
 fn what_else_there_is_is_skipped() {
     let text = "# by hand\nmtllib a.mtl\no thing\ng one two\ns off\nusemtl red\nvt 0 0\nl 1 2\ncurv 0 1 \\\n 1 2 3\n";
     faces(&format!("{text}{TRIANGLE}f 1/1 2/1 3/1 # end"), &[[0, 1, 2]]);
@@ -83,7 +157,6 @@ fn o01_index_zero() {
 #[test]
 fn o02_index_high() {
     wrong("f 1 2 99", "4:7: there is no vertex 99, the file has 3 vertices");
-    wrong("f 1//1 2//1 3//1", "4:3: there is no normal 1, the file has no normals");
     refuses("v 0 0 0\nf 1 1 2\n", "a.obj", "2:7: there is no vertex 2, the file has one vertex");
 }
 
@@ -112,6 +185,7 @@ fn corners_that_are_none() {
 
 #[test]
 fn o05_two_vertices() {
+    // Where no face is left.
     wrong("f 1 2", "4:1: expected a face of 3 corners or more, found 2");
     wrong("f", "4:1: expected a face of 3 corners or more, found 0");
 }
@@ -120,7 +194,9 @@ fn o05_two_vertices() {
 fn o06_nan_vertex() {
     wrong("v 0 nan 0", "4:5: expected a finite number, found `nan`");
     wrong("v inf 0 0", "4:3: expected a finite number, found `inf`");
-    wrong("vn 0 0 1e999", "4:8: expected a finite number, found `1e999`");
+    wrong("v 0 0 1.#INF", "4:7: expected a finite number, found `1.#INF`");
+    wrong("v -nan(ind) 0 0", "4:3: expected a finite number, found `-nan(ind)`");
+    wrong("vn 0 0 x", "4:8: expected a finite number, found `x`");
     wrong("v 0 0,5 0", "4:5: expected a finite number, found `0,5`");
 }
 

@@ -134,10 +134,8 @@ fn numbers_of_the_body() {
     wrong_body("1.5", "nan", "14:3: vertex 3: expected a finite `y`, found NaN");
     wrong_body("1.5", "x", "14:3: vertex 3: expected a number, found `x`");
     wrong_body("0 1.5 0", "0 1.5", "14:6: vertex 3: the line ends too early, expected a number");
-    wrong_body("0 1.5 0", "0 1.5 0 0", "14:9: vertex 3: expected the end of the line, found `0`");
     wrong_body("3 0 1 2", "3 0 1 4", "15:7: face 0: there is no vertex 4, the file has 4, counted from 0");
     wrong_body("3 0 1 2", "3 0 1 -1", "15:7: face 0: there is no vertex -1, the file has 4, counted from 0");
-    wrong_body("3 0 1 2", "2 0 1", "15:1: face 0: expected a face of 3 corners or more, found 2");
     wrong_body("3 0 1 2", "-3 0 1", "15:1: face 0: expected a whole number from 0 to 255, found `-3`");
     wrong_body(
         "3 0 1 2",
@@ -153,7 +151,7 @@ fn counts_of_the_header_are_not_believed() {
         "vertex 4000000000000",
         "4:1: the header promises 4000000000000 of `vertex`, the file has room for 7 at most",
     );
-    wrong_header("vertex 4", "vertex 5", "15:7: vertex 4: expected the end of the line, found `2`");
+    wrong_header("vertex 4", "vertex 5", "17:1: face 1: the line ends too early, expected a number");
     wrong_header("vertex 4", "vertex -4", "4:16: expected the number of records, found `-4`");
     wrong_header("face 2", "face 0", "8:1: the file has no faces, expected at least one");
     let nothing = "element nothing 18446744073709551615\nelement face 2";
@@ -183,7 +181,7 @@ fn headers() {
     wrong_header(
         "element face",
         "element strip",
-        "1:1: the file has no faces, expected an element `face` in its header",
+        "1:1: the file has no faces, expected an element `face` or `tristrips` in its header",
     );
     wrong_header("element face", "element vertex", "8:1: the element `vertex` stands twice, expected it once");
     wrong_header("element vertex 4\n", "", "4:1: expected an `element` before its properties");
@@ -213,4 +211,141 @@ fn binary_files_name_what_is_not_there() {
     bytes[last] = 5;
     let expected = format!(" face 1: there is no vertex 5, the file has 5, counted from 0 (at byte {last})");
     refuses(bytes, "a.ply", &expected);
+}
+
+/// The square of [`HEADER`] with these lines for its body.
+#[track_caller]
+fn square_of(body: &str, warnings: &[&str]) {
+    let text = format!("{HEADER}{body}");
+    assert_eq!(reads(&text, "a.ply").mesh, reads(format!("{HEADER}{BODY}"), "a.ply").mesh, "{body}");
+    warns(text, "a.ply", warnings);
+}
+
+#[test]
+fn a_text_is_read_by_its_values() {
+    for body in [
+        "0 0\n0 1 0\n0 1 1 0 0 1.5\n0 3 0 1 2 3\n0 2 3",
+        "0 0 0 1 0 0 1 1 0 0 1.5 0 3 0 1 2 3 0 2 3\n",
+        "0 \n0 \n0 \n\n1 0\n0\n1\n1 0\n0 1.5\n0\n3\n0 1 2\n3 0 2 3\n",
+        "0 0 0\n1 0 0\n1 1 0\n0 1.5 0\n3\n0 1 2\n3 0 2 3\n\u{1a}",
+    ] {
+        square_of(body, &[]);
+    }
+}
+
+#[test]
+fn what_a_line_has_more_is_left_out() {
+    let warning = |place: &str, lines: &str| {
+        format!("warning: a.ply:{place}: {lines} more values than the header says, such are left out")
+    };
+    let all = BODY.replace('\n', " 255 0.5 x\n");
+    square_of(&all, &[&warning("11:7", "6 lines have")]);
+    square_of(&BODY.replace("0 1.5 0", "0 1.5 0 0"), &[&warning("14:9", "1 line has")]);
+    square_of(&BODY.replace("3 0 2 3", "3 0 2 3 1"), &[&warning("16:9", "1 line has")]);
+    // As many more as would be another vertex.
+    square_of(&BODY.replacen("\n1", " 1 1 1\n1", 2), &[&warning("11:7", "2 lines have")]);
+    // A record on two lines, the second of which has more, lacks a value or has one too many: nobody knows.
+    wrong_body("0 1.5 0", "0\n1.5 0 0", "14:2: vertex 3: the line ends too early, expected a number");
+}
+
+#[test]
+fn what_nobody_uses_may_be_no_number() {
+    let header =
+        HEADER.replace("property double z\n", "property double z\nproperty uchar red\nproperty float quality\n");
+    for unused in ["255 nan", "0.5 -nan(ind)", "300 -1.#IND", "-1 1.#QNAN0", "nan inf"] {
+        let body = BODY.replace(" 0\n1 0 0", &format!(" 0 {unused}\n1 0 0")).replacen("1 0 0\n", "1 0 0 1 1\n", 1);
+        let body = body.replace("1 1 0\n", "1 1 0 1 1\n").replace("1.5 0\n", "1.5 0 1 1\n");
+        assert_eq!(reads(format!("{header}{body}"), "a.ply").mesh.faces.len(), 2, "{unused}");
+        warns(format!("{header}{body}"), "a.ply", &[]);
+    }
+    wrong_body("1.5", "-1.#IND", "14:3: vertex 3: expected a finite `y`, found NaN");
+    wrong_body("1.5", "-nan(ind)", "14:3: vertex 3: expected a finite `y`, found NaN");
+    wrong_body(
+        "3 0 1 2",
+        "3 0 1 nan",
+        "15:7: face 0: expected a whole number from -2147483648 to 2147483647, found `nan`",
+    );
+}
+
+#[test]
+fn normals_that_are_no_numbers_count_as_none() {
+    let with = |none: [f32; 3], header: &str| {
+        let mut records = records();
+        for (value, none) in records[1][4..].iter_mut().zip(none) {
+            *value = Value::F32(none);
+        }
+        let little = |value: Value| if header.contains("big") { value.big() } else { value.little() };
+        let mut bytes = format!("ply\r\nformat {header} 1.0\r\n{RICH_HEADER}").into_bytes();
+        match header {
+            "ascii" => bytes.extend(
+                String::from_utf8(ascii())
+                    .unwrap()
+                    .split_once("end_header\r\n")
+                    .unwrap()
+                    .1
+                    .replace("13 0 0 1", "13 -1.#IND 0 1")
+                    .bytes(),
+            ),
+            _ => bytes.extend(records.into_iter().flatten().flat_map(little)),
+        }
+        bytes
+    };
+    for none in [[f32::NAN; 3], [0.0, f32::INFINITY, 0.0], [0.0, 0.0, f32::NEG_INFINITY]] {
+        for header in ["ascii", "binary_little_endian", "binary_big_endian"] {
+            let bytes = with(none, header);
+            let mesh = reads(&bytes, "a.ply").mesh;
+            assert_eq!((mesh.faces.len(), mesh.normals), (3, None), "{header}");
+            let why = "the normals are left out, because some corners have none: 1 normal is no number";
+            warns(&bytes, "a.ply", &[&format!("warning: a.ply: {why}")]);
+        }
+    }
+}
+
+#[test]
+fn strips() {
+    let header =
+        HEADER.replace("element face 2\nproperty list uchar int", "element tristrips 1\nproperty list int int");
+    let vertices = &BODY[..BODY.find("3 0").unwrap()];
+    let strip = |list: &str| format!("{header}{vertices}{list}\n");
+    #[track_caller]
+    fn gives(text: String, faces: &[[u32; 3]], warnings: &[&str]) {
+        assert_eq!(reads(&text, "a.ply").mesh.faces, faces);
+        warns(text, "a.ply", warnings);
+    }
+    gives(strip("5 0 1 3 2 -1"), &[[0, 1, 3], [3, 1, 2]], &[]);
+    gives(strip("4 0 1 3 2"), &[[0, 1, 3], [3, 1, 2]], &[]);
+    gives(strip("9 -1 0 1 3 -1 -1 1 2 3"), &[[0, 1, 3], [1, 2, 3]], &[]);
+    // Corners that stand twice lead on, and count for which way round the next triangle goes.
+    gives(strip("6 0 1 2 2 3 0"), &[[0, 1, 2], [3, 2, 0]], &[]);
+    let short = "warning: a.ply: 1 face has fewer than 3 corners, such are left out";
+    gives(strip("5 0 1 2 -1 3"), &[[0, 1, 2]], &[short]);
+    refuses(strip("5 0 1 2 -1 4"), "a.ply", "15:12: tristrips 0: there is no vertex 4, the file has 4, counted from 0");
+    refuses(strip("4 0 1 2 -2"), "a.ply", "15:9: tristrips 0: there is no vertex -2, the file has 4, counted from 0");
+    refuses(strip("2 0 1"), "a.ply", "15:1: expected a face of 3 corners or more, found 2");
+    refuses(strip("3 0 1 1"), "a.ply", "8:1: the file has no faces, expected at least one");
+    // Without signs -1 is the largest number.
+    let header = header.replace("ascii", "binary_big_endian").replace("int int", "uchar uint");
+    let mut bytes = header.into_bytes();
+    bytes.extend(
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.5, 0.0]]
+            .iter()
+            .flatten()
+            .flat_map(|x: &f64| x.to_be_bytes()),
+    );
+    bytes.push(7);
+    bytes.extend([0, 1, 3, u32::MAX, 1, 2, 3].iter().flat_map(|index| index.to_be_bytes()));
+    assert_eq!(reads(bytes, "a.ply").mesh.faces, [[0, 1, 3], [1, 2, 3]]);
+}
+
+#[test]
+fn faces_of_too_few_corners_are_left_out() {
+    let short = HEADER.replace("face 2", "face 4");
+    for body in [BODY.replace("3 0 1 2", "2 0 1\n3 0 1 2\n0"), BODY.replace("3 0 1 2\n", "1 3\n3 0 1 2\n2 1 1\n")] {
+        let text = format!("{short}{body}");
+        assert_eq!(reads(&text, "a.ply").mesh.faces, [[0, 1, 2], [0, 2, 3]]);
+        warns(text, "a.ply", &["warning: a.ply: 2 faces have fewer than 3 corners, such are left out"]);
+    }
+    let body = BODY.replace("3 0 1 2", "2 0 1").replace("3 0 2 3", "0");
+    refuses(format!("{HEADER}{body}"), "a.ply", "15:1: expected a face of 3 corners or more, found 2");
+    wrong_body("3 0 1 2", "1 4", "15:3: face 0: there is no vertex 4, the file has 4, counted from 0");
 }
