@@ -89,6 +89,15 @@ fn settled<'s>(
     of_points: impl Fn(f64) -> f64,
     shape: impl Fn(u32) -> &'s Shape,
 ) -> Found {
+    // Of several at the same distance it is the one that was found first.
+    let by_distance =
+        |one: &Hit, other: &Hit| one.crossing.t.total_cmp(&other.crossing.t).then(one.rank().cmp(&other.rank()));
+    let nearest = contenders
+        .iter()
+        .copied()
+        .min_by(by_distance)
+        .filter(|hit| hit.crossing.t <= nearest.crossing.t)
+        .unwrap_or(nearest);
     let slope = |hit: &Hit| shape(hit.object).slope(ray, hit.crossing);
     let (its_slope, its_size) = (slope(&nearest), shape(nearest.object).size(nearest.crossing.primitive));
     let is_here = |hit: &Hit| {
