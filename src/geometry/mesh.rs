@@ -2,6 +2,7 @@
 
 use super::bounds::Bounds;
 use glam::DVec3;
+use rayon::prelude::*;
 use std::collections::HashMap;
 
 pub use super::shape::polygon::triangulate;
@@ -58,21 +59,21 @@ impl Mesh {
                 *places.entry(place(position)).or_insert(next)
             })
             .collect();
-        // How often each edge is run from its lower to its higher end, and the other way.
-        let mut edges: HashMap<(u32, u32), [u32; 2]> = HashMap::new();
+        let mut edges = Vec::with_capacity(3 * self.faces.len());
         let mut six_volumes = 0.0;
         let Some(origin) = self.positions.first() else { return Winding::Open };
         for triangle in 0..self.faces.len() as u32 {
             let corners = self.faces[triangle as usize].map(|corner| welded[corner as usize]);
             let sides = [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (corners[from], corners[to]));
-            for (from, to) in sides.into_iter().filter(|(from, to)| from != to) {
-                edges.entry((from.min(to), from.max(to))).or_default()[usize::from(from > to)] += 1;
-            }
+            let sides = sides.into_iter().filter(|(from, to)| from != to);
+            edges.extend(sides.map(|(from, to)| (from.min(to), from.max(to), from < to)));
             let [a, b, c] = self.corners(triangle).map(|corner| corner - *origin);
             six_volumes += a.dot(b.cross(c));
         }
-        let is_closed = !edges.is_empty() && edges.values().all(|[up, down]| (up + down) % 2 == 0);
-        let is_consistent = edges.values().all(|[up, down]| up == down);
+        edges.par_sort_unstable();
+        let runs = || edges.chunk_by(|one, other| (one.0, one.1) == (other.0, other.1));
+        let is_closed = !edges.is_empty() && runs().all(|run| run.len() % 2 == 0);
+        let is_consistent = runs().all(|run| 2 * run.iter().filter(|edge| edge.2).count() == run.len());
         match (is_closed, is_consistent) {
             (false, _) => Winding::Open,
             (true, false) => Winding::Mixed,
@@ -132,6 +133,29 @@ mod tests {
         degenerates([[1.0, 2.0, 3.0]; 3], true);
         degenerates([[0.0; 3], [1.0, 1.0, 1.0], [2.0, 2.0, 2.0]], true);
         degenerates([[0.0; 3], [1.0, 1.0, 1.0], [0.0; 3]], true);
+    }
+
+    /// A tetrahedron with these triangles turned over, and without its last so many.
+    #[track_caller]
+    fn is_wound(turned: &[usize], missing: usize, expected: Winding) {
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let mut faces = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+        turned.iter().for_each(|face| faces[*face].reverse());
+        faces.truncate(4 - missing);
+        // Each triangle with corners of its own, as files with normals have them, far from the origin.
+        let positions =
+            faces.iter().flatten().map(|corner: &u32| corners[*corner as usize] - DVec3::splat(1e3)).collect();
+        let faces = (0..faces.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
+        assert_eq!(Mesh { positions, normals: None, faces }.winding(), expected);
+    }
+
+    #[test]
+    fn which_way_a_mesh_is_wound() {
+        is_wound(&[], 0, Winding::Outward);
+        is_wound(&[0, 1, 2, 3], 0, Winding::Inward);
+        is_wound(&[1], 0, Winding::Mixed);
+        is_wound(&[], 1, Winding::Open);
+        is_wound(&[0, 1, 2, 3], 4, Winding::Open);
     }
 
     #[test]

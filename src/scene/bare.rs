@@ -1,7 +1,7 @@
 //! Scenes of shapes alone, for ray queries.
 
 use super::file::schema as file;
-use super::{Camera, Ceilings, Color, Effects, Index, Object, Sampling, Scene, build};
+use super::{AroundEye, Camera, Ceilings, Color, Effects, Index, Object, Sampling, Scene, build};
 use crate::geometry::Shape;
 use crate::geometry::shape::SphereMethod;
 use glam::DVec3;
@@ -22,6 +22,7 @@ impl Scene {
             materials: vec![build::material(&file::Material::default())],
             effects: Effects::default(),
             index: Index::new(&objects),
+            around_eye: AroundEye::Nothing,
             objects,
             tracing: build::tracing(&file::Tracing::default(), SphereMethod::Robust),
             ceilings: Ceilings::default(),

@@ -5,8 +5,9 @@ use super::file::schema as file;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, AreaLight, Camera, Ceilings, Checker, Color, Effects, Index, Lens, Light, LightKind, LightSurface,
-    Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer, Weights,
+    Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Index, Lens, Light, LightKind,
+    LightSurface, Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer,
+    Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::motion::{Motion, Turn};
@@ -47,6 +48,7 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         name: scene.name.clone(),
         digest: digest(scene, meshes),
         effects: Effects::of(&camera, &lights, &materials),
+        around_eye: AroundEye::of(&camera, &objects),
         camera,
         ambient: color(scene.ambient),
         background: color(scene.background),

@@ -25,7 +25,7 @@ use crate::geometry::{Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};
-use crate::scene::{Color, Material, Scene, Weights};
+use crate::scene::{AroundEye, Color, Material, Scene, Weights};
 use glam::DVec3;
 
 /// The largest channel of a colour that a surface sends out, by itself or with all that its rays bring: what is larger counts as this. Weights
@@ -103,26 +103,58 @@ pub struct Seen {
     pub object: Option<u32>,
 }
 
-/// The colour that a camera ray brings; the background's if it has no direction.
+/// The colour that a single ray brings; the background's if it has no direction. It begins inside the media that hold its origin.
 ///
 /// The ray belongs to no pixel: its random numbers are those of a place that no picture has.
 pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Color {
     let draws = Draws::of_pixel(scene.seed, [u32::MAX; 2], 0, Arrangement::Independent);
-    see(scene, &draws, aim, probe).color
+    seen_from(scene, &draws, aim, |ray| Media::of(&scene.media_around(ray), scene), probe).color
 }
 
 /// What a camera ray of a sample with these random numbers sees; the background if it has no direction.
-// Its body, too, is a part of the caller, so that the ray is made where it is traced from.
 #[inline(always)]
 pub fn see<P: Probe>(scene: &Scene, draws: &Draws, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Seen {
+    let media = |ray: &Ray| match scene.around_eye {
+        AroundEye::Nothing => Media::default(),
+        _ => around_eye(scene, ray),
+    };
+    seen_from(scene, draws, aim, media, probe)
+}
+
+/// The media that hold the origin of a camera ray.
+#[cold]
+#[inline(never)]
+fn around_eye(scene: &Scene, ray: &Ray) -> Media {
+    match &scene.around_eye {
+        AroundEye::Nothing => Media::default(),
+        AroundEye::Objects(objects) => Media::of(objects, scene),
+        AroundEye::EachRay => {
+            let ahead = Ray { time: ray.time, ..Ray::along(ray.origin, scene.camera.direction()) };
+            Media::of(&scene.media_around(&ahead), scene)
+        }
+    }
+}
+
+// Its body, too, is a part of the caller, so that the ray is made where it is traced from.
+#[inline(always)]
+fn seen_from<P: Probe>(
+    scene: &Scene,
+    draws: &Draws,
+    aim: impl FnOnce(&mut P) -> Option<Ray>,
+    media: impl FnOnce(&Ray) -> Media,
+    probe: &mut P,
+) -> Seen {
     let step = Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 };
     probe.within(
         step,
         #[inline(always)]
         |probe| {
             let Some(ray) = aim(probe) else { return Seen { color: scene.background, object: None } };
-            let outside = Media::default();
-            radiance(scene, &ray, &Path::of_camera(&outside, draws), probe)
+            let media = media(&ray);
+            for object in media.objects() {
+                probe.mark(Decision::Immersed { object });
+            }
+            radiance(scene, &ray, &Path::of_camera(&media, draws), probe)
         },
     )
 }

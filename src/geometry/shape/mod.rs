@@ -311,6 +311,11 @@ impl Shape {
         }
     }
 
+    /// Whether it moves.
+    pub fn is_moving(&self) -> bool {
+        matches!(self, Shape::Moving(_))
+    }
+
     /// Whether this part of the surface (see [`Crossing::primitive`]) is flat.
     pub fn is_flat(&self, primitive: u32) -> bool {
         match self.at_rest() {

@@ -8,8 +8,8 @@ use crate::geometry::{Leaving, Ray, Shape, Surface};
 use crate::log::{Name, RayKind, Step, Value};
 use crate::probe::{Erased, Probe, Quantity, Silent};
 use crate::scene::{
-    Algorithm, Camera, Effects, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip,
-    Specular, Tracing, Transfer, Weights,
+    Algorithm, AroundEye, Camera, Effects, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows,
+    Skip, Specular, Tracing, Transfer, Weights,
 };
 use crate::trace::query::Query;
 use crate::trace::{Hit, closest_hit};
@@ -36,6 +36,7 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
         materials: vec![plain],
         ceilings: Default::default(),
         index: Index::new(&objects),
+        around_eye: AroundEye::Nothing,
         objects,
         tracing: Tracing {
             algorithm: Algorithm::Recursive,
