@@ -234,8 +234,12 @@ impl Bounce<'_> {
         let via = Via { path: meeting.path, is_transmitted, split, weight: self.weight };
         let draws = meeting.path.draws;
         let path = Path { level, media: self.media, weight, draws, via: Some(via), place: self.place };
-        let ray =
-            Ray { leaving: Some(self.leaving), time: meeting.ray.time, ..Ray::new(meeting.surface.point, direction) };
+        let ray = Ray {
+            leaving: Some(self.leaving),
+            slack: meeting.slack,
+            time: meeting.ray.time,
+            ..Ray::new(meeting.surface.point, direction)
+        };
         give_ray(&ray, probe);
         let step = Step::Ray { kind: self.kind, depth: level, split };
         probe.within(step, |probe| radiance(scene, &ray, &path, probe)).color

@@ -18,7 +18,6 @@ pub use media::Media;
 pub use place::{Layer, Place};
 pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};
 pub(crate) use visibility::all_crossings;
-use visibility::nearest_place;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 
 use crate::geometry::{Leaving, Ray, Surface};
@@ -166,14 +165,20 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
         let hit = visibility::touched(scene, ray, place, probe);
         return in_place(scene, ray, path, &hit, place, probe);
     }
-    let Some(found) = nearest_place(scene, ray, probe) else {
+    let (nearest, contenders) = visibility::search(scene, ray, probe);
+    let Some(hit) = nearest else {
         probe.mark(Decision::Background);
         return Seen { color: scene.background, object: None };
     };
-    match found.all {
-        None => shaded(scene, ray, path, &found.hit, None, probe),
-        Some(all) => in_place(scene, ray, path, &found.hit, &Place::of(&all), probe),
+    if !contenders.is_empty() {
+        let hits = visibility::settled(scene, ray, hit, contenders, probe);
+        if hits.len() > 1 {
+            return in_place(scene, ray, path, &hits[0], &Place::of(&hits), probe);
+        }
+    } else {
+        probe.mark(Decision::Nearest { object: hit.object });
     }
+    shaded(scene, ray, path, &hit, None, probe)
 }
 
 /// What a ray sees that hits the first of several surfaces in the same place.
@@ -226,7 +231,7 @@ impl Meeting<'_> {
     /// The surface, for a ray that leaves it on the side where `ray` arrived.
     fn leaving_here(&self) -> Leaving {
         let Layer { object, primitive, .. } = self.layer;
-        Leaving { object, primitive, side: self.surface.side, slack: self.slack }
+        Leaving { object, primitive, side: self.surface.side }
     }
 
     /// The surface, for a ray that leaves it on the other side.

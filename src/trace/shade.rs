@@ -123,7 +123,8 @@ fn shadow_ray<P: Probe>(
         Some(place) => place.ahead.get(1..).unwrap_or_default(),
     };
     let time = meeting.ray.time;
-    let ray = Ray { leaving: Some(leaving), time, ..segment_to_light(meeting.surface.point, arrival) };
+    let ray =
+        Ray { leaving: Some(leaving), slack: meeting.slack, time, ..segment_to_light(meeting.surface.point, arrival) };
     let step =
         Step::Ray { kind: RayKind::Shadow { light: source.number }, depth: meeting.path.level, split: source.split };
     give_ray(&ray, probe);

@@ -165,7 +165,7 @@ mod tests {
 
     fn meet(cuboid: &Cuboid, origin: [f64; 3], direction: [f64; 3]) -> Option<Crossing> {
         let ray = Ray::new(origin.into(), direction.into());
-        cuboid.first_crossing(&ray, Approach { leaving: None, slack: 0.0, one_sided: false }, &mut Silent)
+        cuboid.first_crossing(&ray, Approach { leaving: None, one_sided: false }, &mut Silent)
     }
 
     #[track_caller]
@@ -216,8 +216,8 @@ mod tests {
 
     #[test]
     fn a_ray_that_leaves_a_face_meets_others_only() {
-        let leaving = |face, side| Some(Leaving { object: 0, primitive: face, side, slack: 0.0 });
-        let approach = Approach { leaving: Some(Side::Back), slack: 0.0, one_sided: false };
+        let leaving = |face, side| Some(Leaving { object: 0, primitive: face, side });
+        let approach = Approach { leaving: Some(Side::Back), one_sided: false };
         let meet = |face, direction: DVec3| {
             // Just outside the face, as rounding may have it.
             let origin = DVec3::new(1.0_f64.next_down(), 3.0, 4.0);

@@ -83,7 +83,7 @@ mod tests {
     fn meets(x: f64) -> Option<Crossing> {
         let disk = Disk::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.0, 0.0, -2.0), 0.5);
         let ray = Ray::new(DVec3::new(x, 2.0, 0.0), DVec3::Z);
-        disk.first_crossing(&ray, Approach { leaving: None, slack: 0.0, one_sided: false }, &mut Silent)
+        disk.first_crossing(&ray, Approach { leaving: None, one_sided: false }, &mut Silent)
     }
 
     #[test]

@@ -78,9 +78,11 @@ impl TriangleMesh {
     ) -> Option<Crossing> {
         let mut nearest: Option<Hit> = None;
         self.visit(object, one_sided, ray, NEAREST_FIRST, probe, |crossing, probe| {
-            let hit = contenders.nearer(nearest, Hit { object, crossing }, ray, probe);
-            nearest = Some(hit);
-            hit.crossing.t
+            let hit = Hit { object, crossing };
+            contenders.add(nearest, hit, ray, probe);
+            let nearer = nearest.filter(|best| best.crossing.t <= crossing.t).unwrap_or(hit);
+            nearest = Some(nearer);
+            nearer.crossing.t
         });
         nearest.map(|hit| hit.crossing)
     }
@@ -157,8 +159,7 @@ impl TriangleMesh {
     ) {
         let left = ray.leaving.filter(|leaving| leaving.object == object);
         let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, &self.normals, leaving.primitive, ray));
-        let slack = ray.leaving.map_or(0.0, |leaving| leaving.slack);
-        let approach = Approach { leaving: None, slack, one_sided };
+        let approach = Approach { leaving: None, one_sided };
         let mut t_max = ray.t_max;
         let search = Search { nearest_first, one_by_one: probe.certifies() };
         let tested = self.tree.visit::<P>(
@@ -190,8 +191,7 @@ impl TriangleMesh {
         probe: &mut P,
     ) -> Option<Crossing> {
         let facet = self.facet(triangle);
-        let begins_there =
-            |crossing: Crossing| approach.is_near(crossing.t) && self.begins_at(ray, approach, crossing, left);
+        let begins_there = |crossing: Crossing| ray.may_begin_at(crossing.t) && self.begins_at(ray, crossing, left);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
         probe.within(
@@ -205,10 +205,10 @@ impl TriangleMesh {
     /// wedge, and by their distance, unless they lie in the same plane.
     #[cold]
     #[inline(never)]
-    fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing, left: Option<&LeftTriangle>) -> bool {
+    fn begins_at(&self, ray: &Ray, crossing: Crossing, left: Option<&LeftTriangle>) -> bool {
         let facet = self.facet(crossing.primitive);
         let normal = unit(facet.normal);
-        let is_on = |point: DVec3| approach.holds(normal.dot(point - facet.a), facet.bounds().size());
+        let is_on = |point: DVec3| ray.holds(normal.dot(point - facet.a), facet.bounds().size());
         let is_apart = |left: &LeftTriangle| {
             matches!(corners_in_common(left.corners, [facet.a, facet.b, facet.c]), 1 | 2)
                 && !left.corners.into_iter().all(is_on)

@@ -38,7 +38,7 @@ use super::doubled::Doubled;
 use super::nearest::{Contenders, Hit};
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name, Step};
-use crate::probe::{Probe, ROUNDINGS, Silent};
+use crate::probe::{Probe, Silent};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -91,12 +91,10 @@ macro_rules! kernel {
 }
 
 /// What a kernel has to know beside the ray.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Approach {
     /// The side of this very surface on which the ray sets off, if it leaves it.
     pub leaving: Option<Side>,
-    /// How far the ray's origin may lie from where it belongs, if it leaves another surface.
-    pub slack: f64,
     /// Whether the surface is absent for rays that arrive at its back.
     pub one_sided: bool,
 }
@@ -143,14 +141,14 @@ pub trait Kernel {
     /// Whether this crossing is where the ray begins, as far as rounding can tell.
     #[inline(always)]
     fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
-        approach.is_near(crossing.t) && self.holds_origin(ray, approach, crossing)
+        ray.may_begin_at(crossing.t) && self.holds_origin(ray, approach, crossing)
     }
 
     /// The rest of [`Kernel::begins_at`], for crossings near the origin.
     #[cold]
     #[inline(never)]
     fn holds_origin(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
-        approach.holds(crossing.t * self.slope(ray, crossing), self.size())
+        approach.leaving.is_none() && ray.holds(crossing.t * self.slope(ray, crossing), self.size())
     }
 
     /// The first point where the ray crosses object `object` of this shape.
@@ -182,17 +180,12 @@ pub trait Kernel {
         probe: &mut P,
         body: impl FnOnce(Approach, &mut P) -> T,
     ) -> Option<T> {
-        let (leaving, slack) = match ray.leaving {
-            Some(leaving) if leaving.object == object => (Some(leaving.side), 0.0),
-            Some(leaving) => (None, leaving.slack),
-            None => (None, 0.0),
-        };
+        let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
         if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
             return None;
         }
-        let approach = Approach { leaving, slack, one_sided };
         self.give(probe);
-        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(approach, probe)))
+        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(Approach { leaving, one_sided }, probe)))
     }
 
     /// Shows the log the crossing of a ray that begins on the surface and goes through it.
@@ -213,7 +206,7 @@ impl Shape {
     pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
         let mut contenders = Contenders::default();
         let crossing = self.nearest(object, one_sided, ray, &mut contenders, probe)?;
-        Some(contenders.place(Hit { object, crossing }, ray, |_| self, probe).hit.crossing)
+        contenders.place(Hit { object, crossing }, ray, |_| self, probe).first().map(|hit| hit.crossing)
     }
 
     /// The nearest of the points where the ray crosses object `object` of this shape, and those of a mesh that may be in the same
@@ -395,19 +388,6 @@ impl Approach {
     #[inline]
     pub fn shows(self, side: Side) -> bool {
         !self.one_sided || side == Side::Front
-    }
-
-    /// Whether a crossing at this distance is so near to the ray's origin that it may be the origin itself, seen at an angle
-    /// that rounding errors can still tell from 0.
-    #[inline(always)]
-    fn is_near(self, t: f64) -> bool {
-        const FLATTEST: f64 = (1_u64 << 40) as f64;
-        t <= FLATTEST * self.slack
-    }
-
-    /// Whether an origin at this distance from a surface may lie on it. `size` is that of the numbers that define the surface.
-    fn holds(self, distance: f64, size: f64) -> bool {
-        self.slack > 0.0 && distance.abs() <= self.slack + ROUNDINGS * size
     }
 }
 

@@ -182,7 +182,7 @@ mod tests {
 
     fn holds(polygon: &Polygon, x: f64, y: f64) -> bool {
         let ray = Ray::new(DVec3::new(x, y, 1.0), DVec3::NEG_Z);
-        let found = polygon.first_crossing(&ray, Approach { leaving: None, slack: 0.0, one_sided: false }, &mut Silent);
+        let found = polygon.first_crossing(&ray, Approach { leaving: None, one_sided: false }, &mut Silent);
         assert!(found.is_none_or(|crossing| (crossing.t, crossing.side) == (1.0, Side::Front)));
         found.is_some()
     }

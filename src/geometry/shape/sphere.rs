@@ -180,7 +180,7 @@ impl Sphere {
     /// comes out, however flat it is.
     #[inline(always)]
     fn begins_at_end(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
-        approach.is_near(crossing.t) && self.is_nearer_end(ray, crossing) && self.holds_origin(ray, approach, crossing)
+        ray.may_begin_at(crossing.t) && self.is_nearer_end(ray, crossing) && self.holds_origin(ray, approach, crossing)
     }
 
     #[cold]

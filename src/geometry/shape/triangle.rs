@@ -312,7 +312,7 @@ mod tests {
     use super::*;
     use crate::probe::Silent;
 
-    const APPROACH: Approach = Approach { leaving: None, slack: 0.0, one_sided: false };
+    const APPROACH: Approach = Approach { leaving: None, one_sided: false };
 
     fn facet() -> Facet {
         Facet::new(DVec3::ZERO, DVec3::X, DVec3::Y)

@@ -155,7 +155,7 @@ pub(super) fn outward(surface: &Surface) -> DVec3 {
 /// The surface of a hit, for a ray that leaves it on the side of the arriving ray or on the other one.
 pub(super) fn leaving(hit: &Hit, surface: &Surface, on_this_side: bool) -> Leaving {
     let side = if on_this_side { surface.side } else { surface.side.opposite() };
-    Leaving { object: hit.object, primitive: hit.crossing.primitive, side, slack: 0.0 }
+    Leaving { object: hit.object, primitive: hit.crossing.primitive, side }
 }
 
 /// Remembers the latest value of every quantity, and counts transmitted rays.

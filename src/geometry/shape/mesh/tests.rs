@@ -63,7 +63,7 @@ fn all_by_force(shape: &TriangleMesh, one_sided: bool, ray: &Ray) -> Vec<Crossin
     let mut crossings: Vec<_> = (0..shape.mesh.faces.len() as u32)
         .filter(|triangle| left != Some(*triangle))
         .filter_map(|triangle| {
-            let approach = Approach { leaving: None, slack: 0.0, one_sided };
+            let approach = Approach { leaving: None, one_sided };
             let triangle_left =
                 ray.leaving.and_then(|leaving| LeftTriangle::of(&shape.mesh, &shape.normals, leaving.primitive, ray));
             if triangle_left.is_some_and(|left| left.bars(&shape.mesh, &shape.normals, triangle, ray)) {
