@@ -104,7 +104,7 @@ impl<R: Read> Lines<R> {
         Ok(Some(TextLine { text, number, is_terminated: end < length }))
     }
 
-    /// How many bytes from the next line on the text has up to the first end of line behind so many, without and with it.
+    /// The bytes from the next line's beginning to the first line end behind the first `searched` of them, without and with that end.
     fn length(&mut self, mut searched: usize) -> io::Result<(usize, usize)> {
         loop {
             if let Some(more) = memchr(b'\n', &self.block[self.next + searched..]) {
@@ -118,7 +118,7 @@ impl<R: Read> Lines<R> {
         }
     }
 
-    /// The byte so many behind the beginning of the next line.
+    /// The byte at this distance behind the next line's beginning.
     fn byte(&mut self, behind: usize) -> io::Result<Option<u8>> {
         while !self.is_at_end && self.block.len() <= self.next + behind {
             self.read_on()?;
