@@ -41,6 +41,20 @@ pub enum Winding {
     Open,
 }
 
+/// Whether each edge of some triangles is run an even number of times, and whether it is run as often either way.
+fn balance(faces: &[[u32; 3]]) -> (bool, bool) {
+    let mut edges = Vec::with_capacity(3 * faces.len());
+    for [a, b, c] in faces {
+        let sides = [(a, b), (b, c), (c, a)].into_iter().filter(|(from, to)| from != to);
+        edges.extend(sides.map(|(from, to)| (from.min(to), from.max(to), from < to)));
+    }
+    edges.par_sort_unstable();
+    let runs = || edges.chunk_by(|one, other| (one.0, one.1) == (other.0, other.1));
+    let is_closed = !edges.is_empty() && runs().all(|run| run.len() % 2 == 0);
+    let is_consistent = is_closed && runs().all(|run| 2 * run.iter().filter(|edge| edge.2).count() == run.len());
+    (is_closed, is_consistent)
+}
+
 impl Mesh {
     /// Whether the triangles enclose a solid, and on which side of them it lies.
     ///
@@ -48,38 +62,32 @@ impl Mesh {
     /// each edge is run an even number of times, and wound consistently where it is run as often either way. The sign of its volume says which
     /// way its fronts face.
     pub fn winding(&self) -> Winding {
-        let mut places: HashMap<[u64; 3], u32> = HashMap::new();
-        // Adding zero makes −0 the same place as 0.
-        let place = |position: &DVec3| (*position + DVec3::ZERO).to_array().map(f64::to_bits);
-        let welded: Vec<u32> = self
-            .positions
-            .iter()
-            .map(|position| {
-                let next = places.len() as u32;
-                *places.entry(place(position)).or_insert(next)
-            })
-            .collect();
-        let mut edges = Vec::with_capacity(3 * self.faces.len());
-        let mut six_volumes = 0.0;
-        let Some(origin) = self.positions.first() else { return Winding::Open };
-        for triangle in 0..self.faces.len() as u32 {
-            let corners = self.faces[triangle as usize].map(|corner| welded[corner as usize]);
-            let sides = [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (corners[from], corners[to]));
-            let sides = sides.into_iter().filter(|(from, to)| from != to);
-            edges.extend(sides.map(|(from, to)| (from.min(to), from.max(to), from < to)));
-            let [a, b, c] = self.corners(triangle).map(|corner| corner - *origin);
-            six_volumes += a.dot(b.cross(c));
+        let (mut is_closed, mut is_consistent) = balance(&self.faces);
+        if !is_consistent {
+            (is_closed, is_consistent) = balance(&self.welded_faces());
         }
-        edges.par_sort_unstable();
-        let runs = || edges.chunk_by(|one, other| (one.0, one.1) == (other.0, other.1));
-        let is_closed = !edges.is_empty() && runs().all(|run| run.len() % 2 == 0);
-        let is_consistent = runs().all(|run| 2 * run.iter().filter(|edge| edge.2).count() == run.len());
+        let origin = self.positions.first().copied().unwrap_or_default();
+        let six_volumes: f64 = (0..self.faces.len() as u32)
+            .map(|triangle| {
+                let [a, b, c] = self.corners(triangle).map(|corner| corner - origin);
+                a.dot(b.cross(c))
+            })
+            .sum();
         match (is_closed, is_consistent) {
             (false, _) => Winding::Open,
             (true, false) => Winding::Mixed,
             (true, true) if six_volumes < 0.0 => Winding::Inward,
             (true, true) => Winding::Outward,
         }
+    }
+
+    /// The triangles by the places of their corners, each named by the first corner there.
+    fn welded_faces(&self) -> Vec<[u32; 3]> {
+        // Adding zero makes −0 the same place as 0.
+        let place = |corner: u32| (self.positions[corner as usize] + DVec3::ZERO).to_array().map(f64::to_bits);
+        let mut first: HashMap<[u64; 3], u32> = HashMap::new();
+        let mut weld = |corner: u32| *first.entry(place(corner)).or_insert(corner);
+        self.faces.iter().map(|corners| corners.map(&mut weld)).collect()
     }
 
     /// The corners of a triangle.

@@ -150,7 +150,7 @@ impl Ray {
     #[inline(always)]
     pub(crate) fn may_begin_at(&self, t: f64) -> bool {
         const FLATTEST: f64 = (1_u64 << 40) as f64;
-        t <= FLATTEST * self.slack
+        t.abs() <= FLATTEST * self.slack
     }
 
     /// Whether the origin may lie on a surface that it is so far away from. `size` is that of the numbers that define the surface.

@@ -248,6 +248,7 @@ with_effects! { names! {
 
     // The two bounces.
     ReflectDirection: "reflect.direction", "", "R", "d − 2·N·(d · N)", "1.2.2";
+    ReflectDirectionBent: "reflect.direction", "bent", "R", "(R − N_g·(R · N_g))/|R − N_g·(R · N_g)|", "1.2.2";
     RefractEta1: "refract.eta_1", "", "η_1", "", "1.2.1";
     RefractEta2: "refract.eta_2", "", "η_2", "", "1.2.1";
     RefractEta: "refract.eta", "", "η", "η_2/η_1", "1.2.1";
@@ -255,6 +256,7 @@ with_effects! { names! {
     RefractCos2: "refract.cos_2", "", "cosφ_2", "√(η² − |d + cosφ_1·N|²)/η", "1.2.1";
     RefractCos2Doubled: "refract.cos_2", "doubled", "cosφ_2", "", "1.2.1";
     RefractDirection: "refract.direction", "", "T", "d/η − (cosφ_2 − cosφ_1/η)·N", "1.2.1";
+    RefractDirectionBent: "refract.direction", "bent", "T", "(T − N_g·(T · N_g))/|T − N_g·(T · N_g)|", "1.2.1";
 
     // A light as a surface point sees it. ℓ is not normalised, L is.
     LightPosition: "light.position", "", "F", "", "1.3 (6)";

@@ -20,7 +20,7 @@ pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, 
 pub(crate) use visibility::all_crossings;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 
-use crate::geometry::{Leaving, Ray, Surface};
+use crate::geometry::{Contenders, Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};
@@ -165,8 +165,8 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
         let hit = visibility::touched(scene, ray, place, probe);
         return in_place(scene, ray, path, &hit, place, probe);
     }
-    let (nearest, contenders) = visibility::search(scene, ray, probe);
-    let Some(hit) = nearest else {
+    let mut contenders = Contenders::default();
+    let Some(hit) = visibility::search(scene, ray, &mut contenders, probe) else {
         probe.mark(Decision::Background);
         return Seen { color: scene.background, object: None };
     };

@@ -46,8 +46,8 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
 /// The nearest hit. Of surfaces in the same place the first in the scene is the nearest, then the lowest primitive.
 #[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
-    let (nearest, contenders) = search(scene, ray, probe);
-    let hit = nearest?;
+    let mut contenders = Contenders::default();
+    let hit = search(scene, ray, &mut contenders, probe)?;
     if !contenders.is_empty() {
         return Some(settled(scene, ray, hit, contenders, probe)[0]);
     }
@@ -55,29 +55,29 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
     Some(hit)
 }
 
-/// The nearest hit by its distance, and those that may be in the same place.
+/// The nearest hit by its distance; those that may be in the same place become contenders.
 // A part of the recursion, which would have to take the hit out of memory.
 #[inline(always)]
-pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> (Option<Hit>, Contenders) {
+pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Contenders, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    let mut contenders = Contenders::default();
+    let mut limit = ray.t_max;
     scene.index.nearest_first(
         ray,
         probe,
         #[inline(always)]
         |object, probe| {
             let thing = &scene.objects[object as usize];
-            if let Some(crossing) = thing.shape.nearest(object, thing.one_sided, ray, &mut contenders, probe) {
+            if let Some(crossing) = thing.shape.nearest(object, thing.one_sided, ray, contenders, probe) {
                 let hit = Hit { object, crossing };
                 contenders.add(nearest, hit, ray, probe);
-                if nearest.is_none_or(|best| crossing.t < best.crossing.t) {
-                    nearest = Some(hit);
+                if nearest.is_none() || crossing.t < limit {
+                    (nearest, limit) = (Some(hit), crossing.t);
                 }
             }
-            nearest.map_or(ray.t_max, |hit| hit.crossing.t)
+            limit
         },
     );
-    (nearest, contenders)
+    nearest
 }
 
 /// The surfaces in the same place as the nearest one, in the order of the scene; marks what was decided.

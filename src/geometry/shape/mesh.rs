@@ -6,7 +6,7 @@
 mod left;
 
 use super::triangle::Facet;
-use super::{Approach, touched};
+use super::{Approach, decide, touched};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
@@ -158,7 +158,7 @@ impl TriangleMesh {
         mut meet: impl FnMut(Crossing, &P) -> f64,
     ) {
         let left = ray.leaving.filter(|leaving| leaving.object == object);
-        let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, &self.normals, leaving.primitive, ray));
+        let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, &self.normals, leaving, ray));
         let approach = Approach { leaving: None, one_sided };
         let mut t_max = ray.t_max;
         let search = Search { nearest_first, one_by_one: probe.certifies() };
@@ -191,20 +191,32 @@ impl TriangleMesh {
         probe: &mut P,
     ) -> Option<Crossing> {
         let facet = self.facet(triangle);
-        let begins_there = |crossing: Crossing| ray.may_begin_at(crossing.t) && self.begins_at(ray, crossing, left);
+        let near_origin =
+            |crossing: Crossing, probe: &mut P| self.decide_near_origin(ray, approach, crossing, left, probe);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
         probe.within(
             step,
             #[inline(always)]
-            |probe| facet.crossing(ray, approach, triangle, begins_there, probe),
+            |probe| facet.crossing(ray, approach, triangle, near_origin, probe),
         )
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn decide_near_origin<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        candidate: Crossing,
+        left: Option<&LeftTriangle>,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        decide(ray, approach, candidate, self.begins_at(ray, candidate, left), probe)
     }
 
     /// Whether a crossing near the ray's origin is where the ray begins. Neighbours of the triangle that it leaves are told by their
     /// wedge, and by their distance, unless they lie in the same plane.
-    #[cold]
-    #[inline(never)]
     fn begins_at(&self, ray: &Ray, crossing: Crossing, left: Option<&LeftTriangle>) -> bool {
         let facet = self.facet(crossing.primitive);
         let normal = unit(facet.normal);

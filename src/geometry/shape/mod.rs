@@ -138,17 +138,34 @@ pub trait Kernel {
         self.surface(ray, crossing, &mut Silent).geometric_normal().dot(ray.direction).abs()
     }
 
-    /// Whether this crossing is where the ray begins, as far as rounding can tell.
-    #[inline(always)]
-    fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
-        ray.may_begin_at(crossing.t) && self.holds_origin(ray, approach, crossing)
-    }
-
-    /// The rest of [`Kernel::begins_at`], for crossings near the origin.
+    /// Whether a crossing near the ray's origin is where the ray begins, as far as rounding can tell.
     #[cold]
     #[inline(never)]
-    fn holds_origin(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
+    fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
         approach.leaving.is_none() && ray.holds(crossing.t * self.slope(ray, crossing), self.size())
+    }
+
+    /// Marks the only candidate of a flat shape as hit or missed.
+    #[inline(always)]
+    fn decide<P: Probe>(&self, ray: &Ray, approach: Approach, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
+        // A call at the end, before which no register need be saved.
+        if ray.may_begin_at(candidate.t) {
+            return self.decide_near_origin(ray, approach, candidate, probe);
+        }
+        decide(ray, approach, candidate, false, probe)
+    }
+
+    /// The rest of [`Kernel::decide`].
+    #[cold]
+    #[inline(never)]
+    fn decide_near_origin<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        candidate: Crossing,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        decide(ray, approach, candidate, self.begins_at(ray, approach, candidate), probe)
     }
 
     /// The first point where the ray crosses object `object` of this shape.
@@ -397,12 +414,12 @@ fn decide<P: Probe>(
     ray: &Ray,
     approach: Approach,
     candidate: Crossing,
-    begins_there: impl FnOnce() -> bool,
+    begins_there: bool,
     probe: &mut P,
 ) -> Option<Crossing> {
     let why = match () {
         _ if !approach.shows(candidate.side) => Miss::FacesAway,
-        _ if ray.reaches(candidate.t) && begins_there() => Miss::BeginsThere,
+        _ if begins_there && ray.reaches(candidate.t) => Miss::BeginsThere,
         _ if ray.reaches(candidate.t) => {
             probe.mark(Decision::Hit);
             return Some(candidate);

@@ -108,7 +108,7 @@ impl Kernel for Polygon {
         let plane = meet_plane_certainly(ray, self.normal, corner, (&PLANE, Name::PolygonTDoubled), probe)?;
         let candidate = Crossing { t: plane.t, side: plane.side, primitive: 0 };
         if !(ray.reaches(plane.t) && approach.shows(plane.side)) {
-            return decide(ray, approach, candidate, || false, probe);
+            return decide(ray, approach, candidate, false, probe);
         }
         if !self.is_inside(ray, probe) {
             probe.mark(Decision::Miss { why: Miss::Beside });
@@ -117,7 +117,7 @@ impl Kernel for Polygon {
         let quotient = unaltered(plane.t, ray, self.normal, corner, probe);
         let t = kept_in_box(self.bounds, ray, plane.t, quotient, &IN_BOX, probe)?;
         let crossing = Crossing { t, ..candidate };
-        decide(ray, approach, crossing, || self.begins_at(ray, approach, crossing), probe)
+        self.decide(ray, approach, crossing, probe)
     }
 
     fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {

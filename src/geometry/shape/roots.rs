@@ -39,8 +39,34 @@ impl Roots {
         begins_at: impl FnOnce(Crossing) -> bool,
         probe: &mut P,
     ) -> Option<Crossing> {
+        if ray.may_begin_at(self.nearest().t) {
+            return self.first_near_origin(ray, approach, begins_at, probe);
+        }
+        self.first_unless_left(ray, approach, approach.leaving.is_some(), probe)
+    }
+
+    // A call at the end, before which no register need be saved.
+    #[cold]
+    #[inline(never)]
+    fn first_near_origin<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        begins_at: impl FnOnce(Crossing) -> bool,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        self.first_unless_left(ray, approach, self.is_left(ray, approach, begins_at), probe)
+    }
+
+    #[inline(always)]
+    fn first_unless_left<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        is_left: bool,
+        probe: &mut P,
+    ) -> Option<Crossing> {
         let counts = |(crossing, _): &(Crossing, Name)| ray.reaches(crossing.t);
-        let is_left = self.is_left(ray, approach, begins_at);
         let Some((crossing, name)) = self.candidates(approach, is_left).into_iter().flatten().find(counts) else {
             self.mark_miss(ray, approach, is_left, probe);
             return None;
@@ -71,21 +97,28 @@ impl Roots {
     }
 
     /// Whether the ray begins on the surface, at the root nearest to its origin.
-    #[inline]
     fn is_left(&self, ray: &Ray, approach: Approach, begins_at: impl FnOnce(Crossing) -> bool) -> bool {
-        let (root, side) = match self.entry.t.abs() <= self.exit.t.abs() {
-            true => (&self.entry, self.outer),
-            false => (&self.exit, self.outer.opposite()),
-        };
-        let nearest = Crossing { t: root.t, side, primitive: root.primitive };
-        approach.leaving.is_some() || (root.is_on_surface && ray.reaches(root.t) && begins_at(nearest))
+        let Root { t, primitive, is_on_surface, .. } = *self.nearest();
+        let side = if self.is_entry_nearest() { self.outer } else { self.outer.opposite() };
+        let is_crossed = is_on_surface && ray.reaches(t) && ray.may_begin_at(t);
+        approach.leaving.is_some() || (is_crossed && begins_at(Crossing { t, side, primitive }))
+    }
+
+    #[inline(always)]
+    fn is_entry_nearest(&self) -> bool {
+        self.entry.t.abs() <= self.exit.t.abs()
+    }
+
+    #[inline(always)]
+    fn nearest(&self) -> &Root {
+        if self.is_entry_nearest() { &self.entry } else { &self.exit }
     }
 
     /// The roots that lie on the surface and show themselves. A ray that leaves the surface has already been at the root
     /// nearest to its origin.
     #[inline]
     fn candidates(&self, approach: Approach, is_left: bool) -> [Option<(Crossing, Name)>; 2] {
-        let is_entry_nearer = self.entry.t.abs() <= self.exit.t.abs();
+        let is_entry_nearer = self.is_entry_nearest();
         let candidate = |root: &Root, side: Side, is_nearer: bool| {
             let counts = root.is_on_surface && approach.shows(side) && !(is_left && is_nearer);
             counts.then_some((Crossing { t: root.t, side, primitive: root.primitive }, root.name))

@@ -7,7 +7,7 @@
 //! triangle's plane already, and so never meets it.
 
 use crate::geometry::mesh::Mesh;
-use crate::geometry::ray::{Ray, Side};
+use crate::geometry::ray::{Leaving, Ray, Side};
 use glam::DVec3;
 
 /// The triangle of a mesh that a ray leaves.
@@ -23,9 +23,10 @@ pub(super) struct LeftTriangle {
 const NEARBY: f64 = 1.0 / (1 << 20) as f64;
 
 impl LeftTriangle {
-    /// The triangle with this number, if there is one; `normals` are those of the mesh's triangles, as their
+    /// The triangle that the ray leaves, if there is one; `normals` are those of the mesh's triangles, as their
     /// kernels have them.
-    pub fn of(mesh: &Mesh, normals: &[DVec3], number: u32, ray: &Ray) -> Option<LeftTriangle> {
+    pub fn of(mesh: &Mesh, normals: &[DVec3], leaving: Leaving, ray: &Ray) -> Option<LeftTriangle> {
+        let number = leaving.primitive;
         let normal = *normals.get(number as usize)?;
         let corners = mesh.corners(number);
         let [a, b, c] = corners;
@@ -34,6 +35,8 @@ impl LeftTriangle {
         let along_normal = normal.dot(ray.direction);
         let sets_off = match () {
             _ if !is_nearby => None,
+            // A ray along the surface knows by itself on which side of it it runs.
+            _ if ray.slack > 0.0 => Some(leaving.side),
             _ if along_normal > 0.0 => Some(Side::Front),
             _ if along_normal < 0.0 => Some(Side::Back),
             _ => None,
@@ -114,6 +117,10 @@ mod tests {
         (0..mesh.faces.len() as u32).map(normal).collect()
     }
 
+    fn leaving(primitive: u32) -> Leaving {
+        Leaving { object: 0, primitive, side: Side::Front }
+    }
+
     /// Two squares' halves that meet in the edge from the origin along y, the second turned up or down from the first.
     #[track_caller]
     fn bars(up: f64, direction: [f64; 3], expected: bool) {
@@ -121,7 +128,7 @@ mod tests {
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
         let ray = Ray::new(DVec3::new(-0.1, 0.5, 0.0), DVec3::from(direction));
         let normals = normals(&mesh);
-        let left = LeftTriangle::of(&mesh, &normals, 0, &ray).map(|left| left.bars(&mesh, &normals, 1, &ray));
+        let left = LeftTriangle::of(&mesh, &normals, leaving(0), &ray).map(|left| left.bars(&mesh, &normals, 1, &ray));
         assert_eq!(left, Some(expected));
     }
 
@@ -141,11 +148,11 @@ mod tests {
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
         let ray = Ray::new(DVec3::new(-0.1, 0.5, 1.0), DVec3::new(1.0, 0.0, 0.1));
         let normals = normals(&mesh);
-        let left = LeftTriangle::of(&mesh, &normals, 0, &ray);
+        let left = LeftTriangle::of(&mesh, &normals, leaving(0), &ray);
         assert_eq!(
             left.as_ref().map(|left| [0, 1].map(|triangle| left.bars(&mesh, &normals, triangle, &ray))),
             Some([true, false])
         );
-        assert!(LeftTriangle::of(&mesh, &normals, 9, &ray).is_none());
+        assert!(LeftTriangle::of(&mesh, &normals, leaving(9), &ray).is_none());
     }
 }
