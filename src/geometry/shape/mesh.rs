@@ -17,7 +17,7 @@ use crate::geometry::size::unit;
 use crate::log::Step;
 use crate::probe::Probe;
 use glam::DVec3;
-use left::{LeftTriangle, corners_in_common};
+use left::{LeftTriangle, corners_in_common, overlap};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
 
@@ -93,9 +93,14 @@ impl TriangleMesh {
         probe.within(Step::Test { object, triangle: Some(triangle) }, touched);
     }
 
-    /// Whether two triangles have one or two corners in common. With all three they are in the same place.
+    /// Whether two triangles have one or two corners in common and don't overlap.
     pub fn are_neighbours(&self, one: u32, other: u32) -> bool {
-        matches!(corners_in_common(self.mesh.corners(one), self.mesh.corners(other)), 1 | 2)
+        let (one, other) = (self.facet(one), self.facet(other));
+        match corners_in_common(one.corners(), other.corners()) {
+            1 => true,
+            2 => !overlap(&one, &other),
+            _ => false,
+        }
     }
 
     /// The greatest coordinate of a triangle.
@@ -222,8 +227,7 @@ impl TriangleMesh {
         let normal = unit(facet.normal);
         let is_on = |point: DVec3| ray.holds(normal.dot(point - facet.a), facet.bounds().size());
         let is_apart = |left: &LeftTriangle| {
-            matches!(corners_in_common(left.corners, [facet.a, facet.b, facet.c]), 1 | 2)
-                && !left.corners.into_iter().all(is_on)
+            matches!(corners_in_common(left.corners, facet.corners()), 1 | 2) && !left.corners.into_iter().all(is_on)
         };
         is_on(ray.origin) && !left.is_some_and(is_apart)
     }

@@ -93,6 +93,11 @@ impl Facet {
         Facet { a, b, c, normal: area_normal(a, b, c) }
     }
 
+    /// Its corners.
+    pub fn corners(&self) -> [DVec3; 3] {
+        [self.a, self.b, self.c]
+    }
+
     /// The corners, for the log.
     #[inline]
     pub fn give<P: Probe>(&self, probe: &mut P) {

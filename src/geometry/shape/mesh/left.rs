@@ -8,6 +8,9 @@
 
 use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Leaving, Ray, Side};
+use crate::geometry::shape::triangle::Facet;
+use crate::geometry::size::unit;
+use crate::probe::ROUNDINGS;
 use glam::DVec3;
 
 /// The triangle of a mesh that a ray leaves.
@@ -65,6 +68,19 @@ impl LeftTriangle {
 /// textures differ.
 pub(super) fn corners_in_common(one: [DVec3; 3], other: [DVec3; 3]) -> usize {
     one.into_iter().filter(|corner| other.contains(corner)).count()
+}
+
+/// Whether two triangles with an edge in common lie in one plane and on the same side of the edge.
+pub(super) fn overlap(one: &Facet, other: &Facet) -> bool {
+    let (corners, others) = (one.corners(), other.corners());
+    let apex = |of: [DVec3; 3], without: [DVec3; 3]| of.into_iter().find(|corner| !without.contains(corner));
+    let mut edge = corners.into_iter().filter(|corner| others.contains(corner));
+    let (Some(apex), Some(other_apex)) = (apex(corners, others), apex(others, corners)) else { return false };
+    let (Some(from), Some(to)) = (edge.next(), edge.next()) else { return false };
+    let size = one.bounds().size().max(other.bounds().size());
+    let is_in_plane = unit(one.normal).dot(other_apex - from).abs() <= 2.0 * ROUNDINGS * size;
+    let side = |apex: DVec3| one.normal.dot((to - from).cross(apex - from));
+    is_in_plane && side(apex) * side(other_apex) > 0.0
 }
 
 /// An edge that two triangles have in common.
