@@ -168,7 +168,9 @@ fn slabs_refract_from_one_into_the_next() {
                 }
                 let right = [before[0], behind[0]];
                 assert_eq!([eta_1, eta_2], right, "case {case} at {own}");
-                contacts += usize::from(right[0] != 1.0 && right[1] != 1.0);
+                let is_contact = right[0] != 1.0 && right[1] != 1.0;
+                assert_eq!(meeting.coincident, usize::from(is_contact), "case {case} at {own}");
+                contacts += usize::from(is_contact);
                 let tangential = meeting.direction - meeting.normal * meeting.direction.dot(meeting.normal);
                 let sine = tangential.length() * eta_1 / eta_2;
                 if (sine - 1.0).abs() < 1e-9 {
