@@ -29,3 +29,4 @@ mod segments;
 mod shape_walks;
 mod shared_edges;
 mod stress;
+mod touching;
