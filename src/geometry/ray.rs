@@ -145,15 +145,16 @@ impl Ray {
         t > self.t_max * (1.0 + HALF) || (is_within && !self.wants_distance)
     }
 
-    /// Whether a crossing at this distance is so near to the origin that it may be the origin itself, seen at an angle that
-    /// rounding can still tell from 0.
+    /// Whether a crossing at this distance is so near to an end of the ray, its origin or the light, that it may be that end itself, seen
+    /// at an angle that rounding can still tell from 0.
     #[inline(always)]
-    pub(crate) fn may_begin_at(&self, t: f64) -> bool {
+    pub(crate) fn is_near_an_end(&self, t: f64) -> bool {
         const FLATTEST: f64 = (1_u64 << 40) as f64;
-        t.abs() <= FLATTEST * self.slack
+        let near = FLATTEST * self.slack;
+        t.abs() <= near || (self.t_max - t).abs() <= near
     }
 
-    /// Whether the origin may lie on a surface that it is so far away from. `size` is that of the numbers that define the surface.
+    /// Whether an end of the ray may lie on a surface that it is so far away from. `size` is that of the numbers that define the surface.
     pub(crate) fn holds(&self, distance: f64, size: f64) -> bool {
         self.slack > 0.0 && distance.abs() <= self.slack + ROUNDINGS * size
     }

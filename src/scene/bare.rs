@@ -10,7 +10,14 @@ impl Scene {
     /// A scene of these shapes alone, which is only asked about rays: two-sided, dark, in the default material, seen by nobody. Objects
     /// have no names, so that a million of them cost no more than their shapes.
     pub fn of_shapes(name: &str, shapes: impl IntoIterator<Item = Shape>) -> Scene {
-        let object = |shape| Object { name: String::new(), shape, material: 0, one_sided: false, inside: None };
+        let object = |shape| Object {
+            name: String::new(),
+            slack: Shape::slack(&shape),
+            shape,
+            material: 0,
+            one_sided: false,
+            inside: None,
+        };
         let objects: Vec<_> = shapes.into_iter().map(object).collect();
         Scene {
             name: name.to_owned(),

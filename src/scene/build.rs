@@ -32,10 +32,12 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         let named = |name: &String| scene.materials.index_of(name);
         let material = object.material.as_ref().and_then(named).unwrap_or(default_material);
         let shape = shape(&object.shape, sphere_method, index, &mut trees)?;
+        let shape = moving(shape, object, index, scene.camera.shutter);
         Ok(Object {
             name: object.name.clone(),
+            slack: shape.slack(),
             inside: if materials[material].transmits() { shape.inside() } else { None },
-            shape: moving(shape, object, index, scene.camera.shutter),
+            shape,
             one_sided: !scene.tracing.two_sided && !materials[material].lets_light_through(),
             material,
         })

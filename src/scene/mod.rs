@@ -97,6 +97,8 @@ pub struct Object {
     pub material: usize,
     /// Whether it is absent for rays that arrive at its back.
     pub one_sided: bool,
+    /// How far the roundings of its shape's numbers may move its surface ([`Shape::slack`]).
+    pub slack: f64,
     /// The side of its surface on which its medium lies; `None` where it transmits nothing, or encloses nothing.
     pub inside: Option<Side>,
 }

@@ -196,7 +196,8 @@ fn shaded<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: Opt
     let material = scene.material_of(hit.object);
     let merged = place.filter(|_| material.transmits()).map(|place| place.merged(&material.weights, scene));
     let weights = merged.as_ref().unwrap_or(&material.weights);
-    let slack = ray.slack_at(surface.point, probe);
+    let begun = if path.place.is_some() { ray.slack } else { 0.0 };
+    let slack = ray.slack_at(surface.point, probe) + scene.objects[hit.object as usize].slack + begun;
     let meeting = Meeting { layer: Layer::of(hit), place, ray, surface, material, weights, path, slack };
     let local = shade::local_intensity(scene, &meeting, probe);
     let reflected = bounce::reflected(scene, &meeting, probe);

@@ -93,13 +93,13 @@ impl Kernel for Cuboid {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let begins_at = |crossing| self.begins_at(ray, approach, crossing);
-        self.roots(ray, approach, probe)?.first(ray, without_leaving(approach), begins_at, probe)
+        let at_an_end = |crossing| self.at_an_end(ray, approach, crossing);
+        self.roots(ray, approach, probe)?.first(ray, without_leaving(approach), at_an_end, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         let Some(roots) = self.roots(ray, approach, probe) else { return };
-        roots.all(ray, without_leaving(approach), |crossing| self.begins_at(ray, approach, crossing), found, probe);
+        roots.all(ray, without_leaving(approach), |crossing| self.at_an_end(ray, approach, crossing), found, probe);
     }
 
     #[inline]

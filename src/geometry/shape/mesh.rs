@@ -6,7 +6,7 @@
 mod left;
 
 use super::triangle::Facet;
-use super::{Approach, decide, touched};
+use super::{Approach, at_an_end, decide, touched};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
@@ -14,7 +14,7 @@ use crate::geometry::mesh::{Mesh, Winding};
 use crate::geometry::nearest::{Contenders, Hit};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
-use crate::log::Step;
+use crate::log::{Miss, Step};
 use crate::probe::Probe;
 use glam::DVec3;
 use left::{LeftTriangle, corners_in_common, overlap};
@@ -196,20 +196,19 @@ impl TriangleMesh {
         probe: &mut P,
     ) -> Option<Crossing> {
         let facet = self.facet(triangle);
-        let near_origin =
-            |crossing: Crossing, probe: &mut P| self.decide_near_origin(ray, approach, crossing, left, probe);
+        let near_end = |crossing: Crossing, probe: &mut P| self.decide_near_end(ray, approach, crossing, left, probe);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
         probe.within(
             step,
             #[inline(always)]
-            |probe| facet.crossing(ray, approach, triangle, near_origin, probe),
+            |probe| facet.crossing(ray, approach, triangle, near_end, probe),
         )
     }
 
     #[cold]
     #[inline(never)]
-    fn decide_near_origin<P: Probe>(
+    fn decide_near_end<P: Probe>(
         &self,
         ray: &Ray,
         approach: Approach,
@@ -217,19 +216,19 @@ impl TriangleMesh {
         left: Option<&LeftTriangle>,
         probe: &mut P,
     ) -> Option<Crossing> {
-        decide(ray, approach, candidate, self.begins_at(ray, candidate, left), probe)
+        decide(ray, approach, candidate, self.at_an_end(ray, candidate, left), probe)
     }
 
-    /// Whether a crossing near the ray's origin is where the ray begins. Neighbours of the triangle that it leaves are told by their
-    /// wedge, and by their distance, unless they lie in the same plane.
-    fn begins_at(&self, ray: &Ray, crossing: Crossing, left: Option<&LeftTriangle>) -> bool {
+    /// Whether a crossing near an end of the ray is that end. Neighbours of the triangle that it leaves are told by their wedge, and by their
+    /// distance, unless they lie in the same plane.
+    fn at_an_end(&self, ray: &Ray, crossing: Crossing, left: Option<&LeftTriangle>) -> Option<Miss> {
         let facet = self.facet(crossing.primitive);
-        let normal = unit(facet.normal);
-        let is_on = |point: DVec3| ray.holds(normal.dot(point - facet.a), facet.bounds().size());
+        let (normal, size) = (unit(facet.normal), facet.bounds().size());
+        let is_on = |point: DVec3| ray.holds(normal.dot(point - facet.a), size);
         let is_apart = |left: &LeftTriangle| {
             matches!(corners_in_common(left.corners, facet.corners()), 1 | 2) && !left.corners.into_iter().all(is_on)
         };
-        is_on(ray.origin) && !left.is_some_and(is_apart)
+        at_an_end(ray, !left.is_some_and(is_apart), crossing.t, normal.dot(ray.direction).abs(), size)
     }
 
     #[inline(always)]

@@ -38,7 +38,7 @@ use super::doubled::Doubled;
 use super::nearest::{Contenders, Hit};
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name, Step};
-use crate::probe::{Probe, Silent};
+use crate::probe::{Probe, ROUNDINGS, Silent};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -138,34 +138,35 @@ pub trait Kernel {
         self.surface(ray, crossing, &mut Silent).geometric_normal().dot(ray.direction).abs()
     }
 
-    /// Whether a crossing near the ray's origin is where the ray begins, as far as rounding can tell.
+    /// Whether a crossing near an end of the ray is that end, as far as rounding can tell: where the ray begins, or where the light is. Then
+    /// it is a miss, and why.
     #[cold]
     #[inline(never)]
-    fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
-        approach.leaving.is_none() && ray.holds(crossing.t * self.slope(ray, crossing), self.size())
+    fn at_an_end(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> Option<Miss> {
+        at_an_end(ray, approach.leaving.is_none(), crossing.t, self.slope(ray, crossing), self.size())
     }
 
     /// Marks the only candidate of a flat shape as hit or missed.
     #[inline(always)]
     fn decide<P: Probe>(&self, ray: &Ray, approach: Approach, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
         // A call at the end, before which no register need be saved.
-        if ray.may_begin_at(candidate.t) {
-            return self.decide_near_origin(ray, approach, candidate, probe);
+        if ray.is_near_an_end(candidate.t) {
+            return self.decide_near_end(ray, approach, candidate, probe);
         }
-        decide(ray, approach, candidate, false, probe)
+        decide(ray, approach, candidate, None, probe)
     }
 
     /// The rest of [`Kernel::decide`].
     #[cold]
     #[inline(never)]
-    fn decide_near_origin<P: Probe>(
+    fn decide_near_end<P: Probe>(
         &self,
         ray: &Ray,
         approach: Approach,
         candidate: Crossing,
         probe: &mut P,
     ) -> Option<Crossing> {
-        decide(ray, approach, candidate, self.begins_at(ray, approach, candidate), probe)
+        decide(ray, approach, candidate, self.at_an_end(ray, approach, candidate), probe)
     }
 
     /// The first point where the ray crosses object `object` of this shape.
@@ -256,6 +257,15 @@ impl Shape {
     /// The size of the numbers that define a part of the surface, whose roundings move it.
     pub(in crate::geometry) fn size(&self, primitive: u32) -> f64 {
         kernel!(self, kernel => kernel.size(), mesh => mesh.size(primitive))
+    }
+
+    /// The bound of what the roundings of its numbers do to the surface, in units of length.
+    pub fn slack(&self) -> f64 {
+        let size = match self {
+            Shape::Mesh(mesh) => mesh.bounds().map_or(0.0, Bounds::size),
+            _ => self.size(0),
+        };
+        ROUNDINGS * size
     }
 
     /// How fast the ray leaves the surface at a crossing: the part of its direction that is along the normal.
@@ -408,19 +418,28 @@ impl Approach {
     }
 }
 
-/// Marks a candidate as hit or missed: by its side, by whether the ray reaches it, and by whether the ray begins there.
+/// Whether a crossing, through which the ray passes so fast along the normal, is an end of the ray.
+fn at_an_end(ray: &Ray, may_begin: bool, t: f64, slope: f64, size: f64) -> Option<Miss> {
+    match () {
+        _ if may_begin && ray.holds(t * slope, size) => Some(Miss::BeginsThere),
+        _ if ray.holds((ray.t_max - t) * slope, size) => Some(Miss::Beyond),
+        _ => None,
+    }
+}
+
+/// Marks a candidate as hit or missed: by its side, by whether the ray reaches it, and by whether it is an end of the ray.
 #[inline]
 fn decide<P: Probe>(
     ray: &Ray,
     approach: Approach,
     candidate: Crossing,
-    begins_there: bool,
+    at_an_end: Option<Miss>,
     probe: &mut P,
 ) -> Option<Crossing> {
-    let why = match () {
+    let why = match at_an_end {
         _ if !approach.shows(candidate.side) => Miss::FacesAway,
-        _ if begins_there && ray.reaches(candidate.t) => Miss::BeginsThere,
-        _ if ray.reaches(candidate.t) => {
+        Some(why) if ray.reaches(candidate.t) => why,
+        None if ray.reaches(candidate.t) => {
             probe.mark(Decision::Hit);
             return Some(candidate);
         }

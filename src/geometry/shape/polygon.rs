@@ -108,7 +108,7 @@ impl Kernel for Polygon {
         let plane = meet_plane_certainly(ray, self.normal, corner, (&PLANE, Name::PolygonTDoubled), probe)?;
         let candidate = Crossing { t: plane.t, side: plane.side, primitive: 0 };
         if !(ray.reaches(plane.t) && approach.shows(plane.side)) {
-            return decide(ray, approach, candidate, false, probe);
+            return decide(ray, approach, candidate, None, probe);
         }
         if !self.is_inside(ray, probe) {
             probe.mark(Decision::Miss { why: Miss::Beside });

@@ -170,17 +170,20 @@ impl Sphere {
         let last = crossings.last().copied()?;
         // A ray that is asked to begin later (t_min), or begins at the entry, begins inside.
         let is_first = |crossing: &Crossing| {
-            approach.shows(crossing.side) && crossing.t > ray.t_min && !self.begins_at_end(ray, approach, *crossing)
+            approach.shows(crossing.side)
+                && crossing.t > ray.t_min
+                && self.is_end_of(ray, approach, *crossing) != Some(Miss::BeginsThere)
         };
         let first = crossings.into_iter().find(is_first).unwrap_or(last);
-        decide(ray, approach, first, self.begins_at_end(ray, approach, first), probe)
+        decide(ray, approach, first, self.is_end_of(ray, approach, first), probe)
     }
 
-    /// Whether the ray begins at this end of the chord. It begins at the nearer one, so that one that sets off inward doesn't begin where it
+    /// Whether an end of the chord is an end of the ray. A ray begins at the nearer one, so that one that sets off inward doesn't begin where it
     /// comes out, however flat it is.
-    fn begins_at_end(&self, ray: &Ray, approach: Approach, end: Crossing) -> bool {
+    fn is_end_of(&self, ray: &Ray, approach: Approach, end: Crossing) -> Option<Miss> {
         let is_nearer = || end.side == self.outer || (self.center - ray.origin).dot(ray.direction) < 0.0;
-        ray.may_begin_at(end.t) && is_nearer() && self.begins_at(ray, approach, end)
+        let at_an_end = if ray.is_near_an_end(end.t) { self.at_an_end(ray, approach, end) } else { None };
+        at_an_end.filter(|why| *why != Miss::BeginsThere || is_nearer())
     }
 
     /// Where the chord begins.
@@ -229,12 +232,10 @@ impl Sphere {
         Crossing { t, side, primitive: 0 }
     }
 
-    /// Whether the distance of an end has too few digits, or the ray may begin there. Where digits are counted both are one: near the
-    /// sphere a distance has lost them.
+    /// Whether the distance of an end has too few digits, or it may be an end of the ray.
     #[inline(always)]
     fn needs_care<P: Probe>(&self, ray: &Ray, end: &End, probe: &P) -> bool {
-        let counts_digits = probe.certifies() && self.method == SphereMethod::Robust;
-        if counts_digits { !end.is_settled } else { ray.may_begin_at(end.t) }
+        (!end.is_settled && probe.certifies()) || ray.is_near_an_end(end.t)
     }
 
     /// The first crossing, where the end that it is at needs care.
@@ -249,12 +250,12 @@ impl Sphere {
         probe: &mut P,
     ) -> Option<Crossing> {
         let crossing = self.crossing(ray, chord.l2_oc, end, probe);
-        let begins_there = self.begins_at_end(ray, approach, crossing);
-        if end.side == self.outer && (crossing.t <= ray.t_min || begins_there) {
+        let at_an_end = self.is_end_of(ray, approach, crossing);
+        if end.side == self.outer && (crossing.t <= ray.t_min || at_an_end == Some(Miss::BeginsThere)) {
             let far = self.crossing(ray, chord.l2_oc, self.far(ray, chord), probe);
-            return decide(ray, approach, far, self.begins_at_end(ray, approach, far), probe);
+            return decide(ray, approach, far, self.is_end_of(ray, approach, far), probe);
         }
-        decide(ray, approach, crossing, begins_there, probe)
+        decide(ray, approach, crossing, at_an_end, probe)
     }
 
     /// The distance with all of its digits.
@@ -305,7 +306,8 @@ impl Sphere {
         let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
         probe.mark(Decision::Inside);
         let t = probe.note(Name::SphereTLeaving, 2.0 * t_a);
-        decide(ray, approach, Crossing { t, side: self.outer.opposite(), primitive: 0 }, false, probe)
+        let crossing = Crossing { t, side: self.outer.opposite(), primitive: 0 };
+        self.decide(ray, approach, crossing, probe)
     }
 }
 
@@ -334,7 +336,7 @@ impl Kernel for Sphere {
             let t = probe.note(near.name, near.t);
             // Only a ray that is asked to begin later (t_min) can begin inside.
             if t > ray.t_min {
-                return decide(ray, approach, Crossing { t, side: near.side, primitive: 0 }, false, probe);
+                return decide(ray, approach, Crossing { t, side: near.side, primitive: 0 }, None, probe);
             }
         }
         let far = self.far(ray, &chord);
@@ -342,7 +344,7 @@ impl Kernel for Sphere {
             return self.first_with_care(ray, approach, &chord, far, probe);
         }
         let t = probe.note(far.name, far.t);
-        decide(ray, approach, Crossing { t, side: far.side, primitive: 0 }, false, probe)
+        decide(ray, approach, Crossing { t, side: far.side, primitive: 0 }, None, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
@@ -354,16 +356,16 @@ impl Kernel for Sphere {
             Line::Misses => return,
             Line::InDoubt => {
                 let crossings = self.doubled_crossings(ray, probe);
-                let decided = |end| decide(ray, approach, end, self.begins_at_end(ray, approach, end), probe);
+                let decided = |end| decide(ray, approach, end, self.is_end_of(ray, approach, end), probe);
                 return found.extend(crossings.into_iter().filter_map(decided));
             }
         };
         if chord.is_origin_outside {
             let near = self.crossing(ray, chord.l2_oc, self.near(ray, &chord), probe);
-            found.extend(decide(ray, approach, near, self.begins_at_end(ray, approach, near), probe));
+            found.extend(decide(ray, approach, near, self.is_end_of(ray, approach, near), probe));
         }
         let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord), probe);
-        found.extend(decide(ray, approach, far, self.begins_at_end(ray, approach, far), probe));
+        found.extend(decide(ray, approach, far, self.is_end_of(ray, approach, far), probe));
     }
 
     /// The robust method puts the point back onto the sphere, from which rounding took it, and looks at it from the centre: a scene

@@ -69,8 +69,8 @@ impl Kernel for Triangle {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let near_origin = |crossing: Crossing, probe: &mut P| self.decide_near_origin(ray, approach, crossing, probe);
-        self.facet.crossing(ray, approach, 0, near_origin, probe)
+        let near_end = |crossing: Crossing, probe: &mut P| self.decide_near_end(ray, approach, crossing, probe);
+        self.facet.crossing(ray, approach, 0, near_end, probe)
     }
 
     #[inline]
@@ -106,8 +106,8 @@ impl Facet {
         probe.given(Name::TriangleC, self.c);
     }
 
-    /// Where the ray crosses the triangle, which has this number in its mesh; marks the decision, which is left to `near_origin` where the
-    /// ray may begin on the triangle.
+    /// Where the ray crosses the triangle, which has this number in its mesh; marks the decision, which is left to `near_end` where that
+    /// may be an end of the ray.
     // Several times the work of a call, and of the results that it would return through memory.
     #[inline(always)]
     pub fn crossing<P: Probe>(
@@ -115,7 +115,7 @@ impl Facet {
         ray: &Ray,
         approach: Approach,
         number: u32,
-        near_origin: impl FnOnce(Crossing, &mut P) -> Option<Crossing>,
+        near_end: impl FnOnce(Crossing, &mut P) -> Option<Crossing>,
         probe: &mut P,
     ) -> Option<Crossing> {
         if !self.edges(ray, probe).is_some_and(is_inside) {
@@ -132,10 +132,10 @@ impl Facet {
         let quotient = unaltered(plane.t, ray, normal, self.a, probe);
         let t = kept_in_box(self.bounds(), ray, plane.t, quotient, &IN_BOX, probe)?;
         let crossing = Crossing { t, side: plane.side, primitive: number };
-        if ray.may_begin_at(crossing.t) {
-            return near_origin(crossing, probe);
+        if ray.is_near_an_end(crossing.t) {
+            return near_end(crossing, probe);
         }
-        decide(ray, approach, crossing, false, probe)
+        decide(ray, approach, crossing, None, probe)
     }
 
     /// Where the ray meets the triangle's plane, with twice the digits.

@@ -23,7 +23,14 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
     let objects: Vec<_> = shapes
         .into_iter()
         .enumerate()
-        .map(|(number, shape)| Object { name: number.to_string(), shape, material: 0, one_sided: false, inside: None })
+        .map(|(number, shape)| Object {
+            slack: shape.slack(),
+            name: number.to_string(),
+            shape,
+            material: 0,
+            one_sided: false,
+            inside: None,
+        })
         .collect();
     Scene {
         name: "stress".to_owned(),
