@@ -3,8 +3,9 @@
 //! There the order of the scene decides, for every kind of ray and from either side: the first surface is the nearer one, and the
 //! others lie just behind it, as the arriving ray sees it. Transmitting surfaces that follow each other are one interface.
 
+use super::in_range;
 use crate::geometry::{Crossing, Hit, Side};
-use crate::scene::{Scene, Weights};
+use crate::scene::{Color, Scene, Weights};
 
 /// A surface that a ray crosses.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,8 +69,8 @@ impl Place {
     #[cold]
     pub fn merged(&self, weights: &Weights, scene: &Scene) -> Weights {
         let of_layer = |layer: &Layer| scene.material_of(layer.object).weights.transmitted;
-        let transmitted = self.interface(scene).iter().map(of_layer).product();
-        Weights { transmitted, ..*weights }
+        let transmitted: Color = self.interface(scene).iter().map(of_layer).product();
+        Weights { transmitted: in_range(transmitted), ..*weights }
     }
 
     /// The place for the ray that was transmitted through the interface; `None` where nothing in it is ahead.

@@ -83,7 +83,8 @@ pub(super) fn from_light<P: Probe>(
 
     let is_in_front = n_dot_l > 0.0;
     let is_behind = n_dot_l < 0.0;
-    if !is_in_front && !(is_behind && material.uses_light_behind()) {
+    let is_used = is_in_front || (is_behind && material.uses_light_behind());
+    if !is_used {
         // The algorithm itself sends no shadow ray there, whatever rules are in force.
         probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind });
         return Color::ZERO;

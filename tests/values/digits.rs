@@ -151,7 +151,8 @@ fn small(name: &str) -> Scene {
 #[test]
 fn a_picture_of_digits_is_the_same_in_parts_and_on_any_threads() {
     let never = AtomicBool::new(false);
-    for (name, has_doubts) in [("figure-6", false), ("glass-and-mirror", true)] {
+    // Figure 16 is sampled until the mean is certain, and a perturbed run may need another number of samples.
+    for (name, has_doubts) in [("figure-6", false), ("figure-16", true)] {
         let scene = small(name);
         let picture =
             |crop, threads| render_digits(&scene, &settings(crop, threads), 9, |_| {}, &never).expect("it runs").film;

@@ -65,6 +65,16 @@ fn every_formula_gives_the_logged_value() {
         for pixel in support::grid(&effects, 9) {
             checked.check(&record::pixel(&effects, pixel, arithmetic));
         }
+        // Surfaces in the same place, and bounces by interpolated normals that run on the wrong side.
+        let touching = support::scene_of(include_bytes!("../support/touching.json"), "touching");
+        for pixel in support::grid(&touching, 24) {
+            checked.check(&record::pixel(&touching, pixel, arithmetic));
+        }
+        for k in 0..40 {
+            let eye = DVec3::new(2.0, 3.4, f64::from(k % 5) * 0.1);
+            let direction = DVec3::new(1.0, -0.05 - f64::from(k) * 1e-4, 0.01);
+            checked.check(&record::ray(&touching, eye, direction, arithmetic));
+        }
         for scene in straight_scenes() {
             for eye in [DVec3::new(0.0, 0.0, 4.0), DVec3::new(0.0, 0.0, 0.5)] {
                 checked.check(&record::ray(&scene, eye, DVec3::NEG_Z, arithmetic));

@@ -4,6 +4,7 @@
 //! vector OC − T_A·d, and the near root from the product of the roots (Haines et al., Ray Tracing Gems, chapter 7).
 
 use super::doubled_chord::{DoubledChord, Doubt, corrected};
+use super::sphere_method::SphereMethod;
 use super::{Approach, Kernel, decide};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::Form;
@@ -39,25 +40,6 @@ pub struct Sphere {
     method: SphereMethod,
     /// The side that faces outward.
     pub(super) outer: Side,
-}
-
-/// By which formulas a sphere is met.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SphereMethod {
-    /// Those that keep their digits.
-    Robust,
-    /// Those of the source text.
-    Geometric,
-}
-
-impl SphereMethod {
-    /// The word for it in scene files and logs.
-    pub fn word(self) -> &'static str {
-        match self {
-            SphereMethod::Robust => "robust",
-            SphereMethod::Geometric => "geometric",
-        }
-    }
 }
 
 /// The part of the ray's line inside the sphere: from `t_a − √t2_a` to `t_a + √t2_a`.

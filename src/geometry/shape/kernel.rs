@@ -1,0 +1,176 @@
+//! How a ray is tested against one kind of shape, and what the kernels of all shapes share.
+
+use crate::geometry::bounds::Bounds;
+use crate::geometry::doubled::Doubled;
+use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::log::{Decision, Miss, Name, Step};
+use crate::probe::{Probe, Silent};
+
+/// What a kernel has to know beside the ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Approach {
+    /// The side of this very surface on which the ray sets off, if it leaves it.
+    pub leaving: Option<Side>,
+    /// Whether the surface is absent for rays that arrive at its back.
+    pub one_sided: bool,
+}
+
+/// How a ray meets one kind of shape.
+pub trait Kernel {
+    /// The inputs, for the log.
+    fn give<P: Probe>(&self, probe: &mut P);
+
+    /// The first point where the ray crosses the surface.
+    fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing>;
+
+    /// All points where the ray crosses the surface, in its order. A flat shape has no more than one.
+    fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
+        found.extend(self.first_crossing(ray, approach, probe));
+    }
+
+    /// The surface at a crossing, its normals turned toward the arriving ray.
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface;
+
+    /// A box around the shape; `None` for one without end.
+    fn bounds(&self) -> Option<Bounds>;
+
+    /// Whether a ray that sets off on this side of the surface can meet the same surface again. Flat shapes can't be.
+    fn can_be_met_again(&self, _sets_off: Side) -> bool {
+        false
+    }
+
+    /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
+    fn refined(&self, _ray: &Ray, crossing: Crossing) -> Doubled {
+        Doubled::from(crossing.t)
+    }
+
+    /// The size of the numbers that define the surface, whose roundings move it: its greatest coordinate.
+    fn size(&self) -> f64 {
+        self.bounds().map_or(0.0, Bounds::size)
+    }
+
+    /// The part of the ray's direction that is along the normal at a crossing: how fast the ray leaves the surface.
+    fn slope(&self, ray: &Ray, crossing: Crossing) -> f64 {
+        self.surface(ray, crossing, &mut Silent).geometric_normal().dot(ray.direction).abs()
+    }
+
+    /// Whether a crossing near an end of the ray is that end, as far as rounding can tell: where the ray begins, or where the light is. Then
+    /// it is a miss, and why.
+    #[cold]
+    #[inline(never)]
+    fn at_an_end(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> Option<Miss> {
+        at_an_end(ray, approach.leaving.is_none(), crossing.t, self.slope(ray, crossing), self.size())
+    }
+
+    /// Marks the only candidate of a flat shape as hit or missed.
+    #[inline(always)]
+    fn decide<P: Probe>(&self, ray: &Ray, approach: Approach, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
+        // A call at the end, before which no register need be saved.
+        if ray.is_near_an_end(candidate.t) {
+            return self.decide_near_end(ray, approach, candidate, probe);
+        }
+        decide(ray, approach, candidate, None, probe)
+    }
+
+    /// The rest of [`Kernel::decide`].
+    #[cold]
+    #[inline(never)]
+    fn decide_near_end<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        candidate: Crossing,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        decide(ray, approach, candidate, self.at_an_end(ray, approach, candidate), probe)
+    }
+
+    /// The first point where the ray crosses object `object` of this shape.
+    // Each kernel is a function of its own: together in one they would crowd each other out of the registers.
+    #[inline(never)]
+    fn first_of<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+        self.test(object, one_sided, ray, probe, |approach, probe| self.first_crossing(ray, approach, probe))?
+    }
+
+    /// All points where the ray crosses object `object` of this shape, in its order.
+    #[inline(never)]
+    fn all_of<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, found: &mut Vec<Crossing>, probe: &mut P) {
+        self.test(object, one_sided, ray, probe, |approach, probe| self.all_crossings(ray, approach, found, probe));
+    }
+
+    /// The surface at a crossing, as a function of its own.
+    #[inline(never)]
+    fn surface_of<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        self.surface(ray, crossing, probe)
+    }
+
+    /// Runs `body` as the test of object `object`, unless the ray leaves it and can't meet it again.
+    #[inline]
+    fn test<P: Probe, T>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        probe: &mut P,
+        body: impl FnOnce(Approach, &mut P) -> T,
+    ) -> Option<T> {
+        let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
+        if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
+            return None;
+        }
+        self.give(probe);
+        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(Approach { leaving, one_sided }, probe)))
+    }
+
+    /// Shows the log the crossing of a ray that begins on the surface and goes through it.
+    fn touch<P: Probe>(&self, object: u32, probe: &mut P) {
+        self.give(probe);
+        probe.within(Step::Test { object, triangle: None }, touched);
+    }
+}
+
+/// A test whose answer is known before: the ray begins on the surface.
+pub(super) fn touched<P: Probe>(probe: &mut P) {
+    probe.note(Name::TouchT, 0.0);
+    probe.mark(Decision::Hit);
+}
+
+impl Approach {
+    /// Whether the surface is there for a ray that arrives on this side.
+    #[inline]
+    pub fn shows(self, side: Side) -> bool {
+        !self.one_sided || side == Side::Front
+    }
+}
+
+/// Whether a crossing, through which the ray passes so fast along the normal, is an end of the ray.
+pub(super) fn at_an_end(ray: &Ray, may_begin: bool, t: f64, slope: f64, size: f64) -> Option<Miss> {
+    match () {
+        _ if may_begin && ray.holds(t * slope, size) => Some(Miss::BeginsThere),
+        _ if ray.holds((ray.t_max - t) * slope, size) => Some(Miss::Beyond),
+        _ => None,
+    }
+}
+
+/// Marks a candidate as hit or missed: by its side, by whether the ray reaches it, and by whether it is an end of the ray.
+#[inline]
+pub(super) fn decide<P: Probe>(
+    ray: &Ray,
+    approach: Approach,
+    candidate: Crossing,
+    at_an_end: Option<Miss>,
+    probe: &mut P,
+) -> Option<Crossing> {
+    let why = match at_an_end {
+        _ if !approach.shows(candidate.side) => Miss::FacesAway,
+        Some(why) if ray.reaches(candidate.t) => why,
+        None if ray.reaches(candidate.t) => {
+            probe.mark(Decision::Hit);
+            return Some(candidate);
+        }
+        _ if candidate.t >= ray.t_max => Miss::Beyond,
+        _ => Miss::Behind,
+    };
+    probe.mark(Decision::Miss { why });
+    None
+}
