@@ -180,6 +180,6 @@ pub fn difference(found: Color, right: Color) -> f64 {
 pub fn wrong(found: &[Color], right: &[Color], tolerance: f64) -> (usize, f64) {
     assert_eq!(found.len(), right.len());
     let differences: Vec<_> = found.iter().zip(right).map(|(found, right)| difference(*found, *right)).collect();
-    let wrong = differences.iter().filter(|difference| !(**difference <= tolerance)).count();
+    let wrong = differences.iter().filter(|difference| difference.is_nan() || **difference > tolerance).count();
     (wrong, differences.into_iter().fold(0.0, f64::max))
 }
