@@ -7,11 +7,11 @@ use super::failure::Failure;
 use super::options::ColorChoice;
 use super::walk::has_terminal;
 use clap::{Args, ValueEnum};
-use raywalk::log::file::is_log;
-use raywalk::render::export::{self, MAX_PICTURE_BYTES, is_picture};
+use raywalk::log::file::{is_log, is_utf16};
+use raywalk::render::export::{self, MAX_PICTURE_BYTES, PictureError, is_picture};
 use raywalk::render::part::is_part;
 use raywalk::report::diff::Tolerance;
-use raywalk::scene::file::{Opened, Wanted, visible};
+use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, visible};
 use signal_hook::iterator::Handle;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// What `--help` says behind the options.
 const MORE: &str = "\
 Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that \
-differs with the operands that it comes from, and how the difference grows on its way to the colour. Pictures are .png, .ppm or .pfm.
+differs with the operands that it comes from, and how the difference grows on its way to the colour. Pictures are PNG, PPM, PGM, PFM or OpenEXR.
 
 A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s \
 being the largest component of both values. Without any, every difference counts.
@@ -132,13 +132,22 @@ fn open(path: &Path, colors: ColorChoice) -> Result<Compared, Failure> {
     if is_log(opened.beginning()) {
         return Ok(Compared::Log(opened));
     }
+    if is_utf16(opened.beginning())
+        && let Err(error) = file::check(opened.beginning(), opened.name())
+    {
+        return Err(refused(error));
+    }
     let name = visible(opened.name()).into_owned();
     if !is_picture(opened.beginning()) {
         return Err(Failure::caller(format!("{name}: expected a log or a picture, {}", found(opened.beginning()))));
     }
     let bytes = opened.bytes().map_err(refused)?;
     let picture = export::read(&bytes).map_err(|error| match error {
-        export::PictureError::Memory => Failure::machine(format!("{name}: {error}")),
+        PictureError::Memory => Failure::machine(format!("{name}: {error}")),
+        PictureError::Word { ref place, .. } => {
+            let source = Source { name: &name, text: &bytes };
+            refused(source.problem(place.clone(), KeyPath::default(), error.to_string()).into())
+        }
         _ => Failure::caller(format!("{name}: {error}")),
     })?;
     Ok(Compared::Picture(name, picture))

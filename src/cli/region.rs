@@ -2,7 +2,7 @@
 
 use super::output::Sink;
 use raywalk::log::file::{Lines, Writer};
-use raywalk::log::{Header, Shard, Subject};
+use raywalk::log::{Event, Header, Shard, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::region::{self, Region};
 use raywalk::record::{self, Arithmetic, MAX_EVENTS, Part};
@@ -58,7 +58,7 @@ impl Traced<'_> {
                     waiting.fetch_sub(lines.bytes().len(), Ordering::Relaxed);
                 }
                 Made::TooLong => {
-                    writer.write(&[region::opening(pixel)])?;
+                    writer.write(&[Event::opening(pixel)])?;
                     let write = &mut |events: &[_]| writer.write(events);
                     record::stream(self.scene, Part::Pixel(pixel), self.arithmetic, write).map_err(plain)?;
                 }
@@ -72,7 +72,7 @@ impl Traced<'_> {
 
     fn lines<'h>(&self, header: &'h Header, pixel: [u32; 2], waiting: &AtomicUsize) -> Made<'h> {
         let mut lines = Lines::new(header);
-        lines.push(&[region::opening(pixel)]);
+        lines.push(&[Event::opening(pixel)]);
         if let Arithmetic::Perturbed(_) = self.arithmetic {
             // Its runs are compared before there are digits to write.
             match region::of_pixel(self.scene, pixel, self.arithmetic, MAX_EVENTS) {

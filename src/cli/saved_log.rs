@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::progress::ProgressOptions;
-use raywalk::log::file::{self, Ending, LogError, ShardLog};
+use raywalk::log::file::{self, Ending, LogError, PixelReader};
 use raywalk::log::{Header, Log};
 use raywalk::scene::file::{Opened, Wanted, visible};
 use std::io::{self, ErrorKind};
@@ -36,7 +36,7 @@ pub fn is_whole(path: &Path, header: &Header) -> bool {
         return false;
     }
     let Ok(opened) = (Wanted { what: "a log", max_bytes: MAX_LOG_BYTES }).open(path) else { return false };
-    let Ok(log) = ShardLog::open(opened.stream(MAX_LOG_BYTES)) else { return false };
+    let Ok(log) = PixelReader::open(opened.stream(MAX_LOG_BYTES)) else { return false };
     let nowhere = file::Writer::new(io::sink(), header);
     log.header() == header && nowhere.is_ok_and(|mut nowhere| log.add_to(&mut nowhere).is_ok())
 }

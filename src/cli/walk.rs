@@ -1,6 +1,6 @@
 //! `raywalk walk`: the viewer; without a terminal the same walk as text.
 
-use super::failure::{Failure, INTERRUPTED, TERMINATED, shown};
+use super::failure::{Failure, HUNG_UP, INTERRUPTED, TERMINATED, shown};
 use super::frames;
 use super::live::Session;
 use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
@@ -191,11 +191,7 @@ impl Walk {
 
     /// Ends as the viewer was left; prints the way back to the place.
     fn leave(&self, walked: &Path, was_log: bool, outcome: &Outcome) -> Result<(), Failure> {
-        match outcome.exit {
-            Exit::Interrupted => return Err(Failure::silent(INTERRUPTED)),
-            Exit::Terminated => return Err(Failure::silent(TERMINATED)),
-            Exit::Quit => {}
-        }
+        left(outcome.exit)?;
         if walked == Path::new("-") || self.progress.quiet {
             return Ok(());
         }
@@ -203,6 +199,17 @@ impl Walk {
         let back_here = (outcome.language.texts().viewer.messages.back_here)(&call);
         output::print(format!("{back_here}\n").as_bytes())
     }
+}
+
+/// Ends as a viewer was left.
+pub fn left(exit: Exit) -> Result<(), Failure> {
+    let code = match exit {
+        Exit::Quit => return Ok(()),
+        Exit::Interrupted => INTERRUPTED,
+        Exit::Terminated => TERMINATED,
+        Exit::HungUp => HUNG_UP,
+    };
+    Err(Failure::silent(code))
 }
 
 /// The words of a call, so that they lead to a pixel (if it isn't that of a ray or a log), a language (if it was changed) and a step.

@@ -2,6 +2,7 @@
 
 use super::bounds::Bounds;
 use glam::DVec3;
+use rayon::prelude::*;
 use std::collections::HashMap;
 
 pub use super::shape::polygon::triangulate;
@@ -40,6 +41,20 @@ pub enum Winding {
     Open,
 }
 
+/// Whether each edge of some triangles is run an even number of times, and whether it is run as often either way.
+fn balance(faces: &[[u32; 3]]) -> (bool, bool) {
+    let mut edges = Vec::with_capacity(3 * faces.len());
+    for [a, b, c] in faces {
+        let sides = [(a, b), (b, c), (c, a)].into_iter().filter(|(from, to)| from != to);
+        edges.extend(sides.map(|(from, to)| (from.min(to), from.max(to), from < to)));
+    }
+    edges.par_sort_unstable();
+    let runs = || edges.chunk_by(|one, other| (one.0, one.1) == (other.0, other.1));
+    let is_closed = !edges.is_empty() && runs().all(|run| run.len() % 2 == 0);
+    let is_consistent = is_closed && runs().all(|run| 2 * run.iter().filter(|edge| edge.2).count() == run.len());
+    (is_closed, is_consistent)
+}
+
 impl Mesh {
     /// Whether the triangles enclose a solid, and on which side of them it lies.
     ///
@@ -47,38 +62,32 @@ impl Mesh {
     /// each edge is run an even number of times, and wound consistently where it is run as often either way. The sign of its volume says which
     /// way its fronts face.
     pub fn winding(&self) -> Winding {
-        let mut places: HashMap<[u64; 3], u32> = HashMap::new();
-        // Adding zero makes −0 the same place as 0.
-        let place = |position: &DVec3| (*position + DVec3::ZERO).to_array().map(f64::to_bits);
-        let welded: Vec<u32> = self
-            .positions
-            .iter()
-            .map(|position| {
-                let next = places.len() as u32;
-                *places.entry(place(position)).or_insert(next)
-            })
-            .collect();
-        // How often each edge is run from its lower to its higher end, and the other way.
-        let mut edges: HashMap<(u32, u32), [u32; 2]> = HashMap::new();
-        let mut six_volumes = 0.0;
-        let Some(origin) = self.positions.first() else { return Winding::Open };
-        for triangle in 0..self.faces.len() as u32 {
-            let corners = self.faces[triangle as usize].map(|corner| welded[corner as usize]);
-            let sides = [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (corners[from], corners[to]));
-            for (from, to) in sides.into_iter().filter(|(from, to)| from != to) {
-                edges.entry((from.min(to), from.max(to))).or_default()[usize::from(from > to)] += 1;
-            }
-            let [a, b, c] = self.corners(triangle).map(|corner| corner - *origin);
-            six_volumes += a.dot(b.cross(c));
+        let (mut is_closed, mut is_consistent) = balance(&self.faces);
+        if !is_consistent {
+            (is_closed, is_consistent) = balance(&self.welded_faces());
         }
-        let is_closed = !edges.is_empty() && edges.values().all(|[up, down]| (up + down) % 2 == 0);
-        let is_consistent = edges.values().all(|[up, down]| up == down);
+        let origin = self.positions.first().copied().unwrap_or_default();
+        let six_volumes: f64 = (0..self.faces.len() as u32)
+            .map(|triangle| {
+                let [a, b, c] = self.corners(triangle).map(|corner| corner - origin);
+                a.dot(b.cross(c))
+            })
+            .sum();
         match (is_closed, is_consistent) {
             (false, _) => Winding::Open,
             (true, false) => Winding::Mixed,
             (true, true) if six_volumes < 0.0 => Winding::Inward,
             (true, true) => Winding::Outward,
         }
+    }
+
+    /// The triangles by the places of their corners, each named by the first corner there.
+    fn welded_faces(&self) -> Vec<[u32; 3]> {
+        // Adding zero makes −0 the same place as 0.
+        let place = |corner: u32| (self.positions[corner as usize] + DVec3::ZERO).to_array().map(f64::to_bits);
+        let mut first: HashMap<[u64; 3], u32> = HashMap::new();
+        let mut weld = |corner: u32| *first.entry(place(corner)).or_insert(corner);
+        self.faces.iter().map(|corners| corners.map(&mut weld)).collect()
     }
 
     /// The corners of a triangle.
@@ -132,6 +141,29 @@ mod tests {
         degenerates([[1.0, 2.0, 3.0]; 3], true);
         degenerates([[0.0; 3], [1.0, 1.0, 1.0], [2.0, 2.0, 2.0]], true);
         degenerates([[0.0; 3], [1.0, 1.0, 1.0], [0.0; 3]], true);
+    }
+
+    /// A tetrahedron with these triangles turned over, and without its last so many.
+    #[track_caller]
+    fn is_wound(turned: &[usize], missing: usize, expected: Winding) {
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let mut faces = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+        turned.iter().for_each(|face| faces[*face].reverse());
+        faces.truncate(4 - missing);
+        // Each triangle with corners of its own, as files with normals have them, far from the origin.
+        let positions =
+            faces.iter().flatten().map(|corner: &u32| corners[*corner as usize] - DVec3::splat(1e3)).collect();
+        let faces = (0..faces.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
+        assert_eq!(Mesh { positions, normals: None, faces }.winding(), expected);
+    }
+
+    #[test]
+    fn which_way_a_mesh_is_wound() {
+        is_wound(&[], 0, Winding::Outward);
+        is_wound(&[0, 1, 2, 3], 0, Winding::Inward);
+        is_wound(&[1], 0, Winding::Mixed);
+        is_wound(&[], 1, Winding::Open);
+        is_wound(&[0, 1, 2, 3], 4, Winding::Open);
     }
 
     #[test]

@@ -16,6 +16,6 @@ pub(crate) mod unit;
 pub use bounds::Bounds;
 pub use bvh::{Bvh, Form, Search};
 pub use mesh::Mesh;
-pub use nearest::{Contenders, Found, Hit};
+pub use nearest::{Contenders, Hit};
 pub use ray::{Crossing, Leaving, Ray, Side, Surface};
 pub use shape::Shape;

@@ -1,7 +1,7 @@
 //! Rigid motions: a turn about an axis, and then a shift, both proportional to time.
 
 use super::bounds::Bounds;
-use super::ray::{Leaving, Ray, Surface};
+use super::ray::{Ray, Surface};
 use super::unit::unit;
 use crate::log::Name;
 use crate::probe::Probe;
@@ -159,23 +159,22 @@ impl Pose {
     pub fn own_ray<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Ray {
         let Some(turned) = &self.turned else {
             let origin = probe.note(Name::RayOriginShifted, ray.origin - self.shift);
-            return Ray { origin, leaving: self.own_leaving(ray, probe), ..*ray };
+            return Ray { origin, slack: self.own_slack(ray, probe), ..*ray };
         };
         let arm = probe.note(Name::MotionArm, ray.origin - self.shift - turned.point);
         let origin = probe.note(Name::RayOriginTurned, turned.back(arm) + turned.point);
         let direction = probe.note(Name::RayDirectionTurned, turned.back(ray.direction));
-        Ray { origin, direction, vector: direction, leaving: self.own_leaving(ray, probe), ..*ray }
+        Ray { origin, direction, vector: direction, slack: self.own_slack(ray, probe), ..*ray }
     }
 
-    /// The surface that the ray leaves, with the roundings of the way into the object's own frame.
-    fn own_leaving<P: Probe>(&self, ray: &Ray, probe: &P) -> Option<Leaving> {
-        let leaving = ray.leaving?;
-        if leaving.slack == 0.0 {
-            return Some(leaving);
+    /// The ray's slack with the roundings of the way into the object's own frame; a given origin stays exact.
+    fn own_slack<P: Probe>(&self, ray: &Ray, probe: &P) -> f64 {
+        if ray.slack == 0.0 {
+            return 0.0;
         }
         let pivot = self.turned.as_ref().map_or(DVec3::ZERO, |turned| turned.point);
         let size = ray.origin.abs().element_sum() + self.shift.abs().element_sum() + 2.0 * pivot.abs().element_sum();
-        Some(Leaving { slack: leaving.slack + probe.slack(size), ..leaving })
+        ray.slack + probe.slack(size)
     }
 
     /// A point of the moved object where it was before, for its pattern.

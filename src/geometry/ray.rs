@@ -1,7 +1,7 @@
 //! A ray, and what it meets.
 
 use super::unit::unit;
-use crate::probe::Probe;
+use crate::probe::{Probe, ROUNDINGS};
 use glam::DVec3;
 
 /// A half line from `origin` along `direction`, of which `t_min < t < t_max` counts.
@@ -18,6 +18,9 @@ pub struct Ray {
     pub vector: DVec3,
     /// The surface that it leaves, which it can't meet again at its origin.
     pub leaving: Option<Leaving>,
+    /// How far rounding may have moved the origin, in units of length: the ray begins on every surface so near, and doesn't
+    /// cross it there. 0 for an origin that was given: it is exact.
+    pub slack: f64,
     /// Hits lie beyond this distance.
     pub t_min: f64,
     /// Hits lie before this distance.
@@ -28,8 +31,8 @@ pub struct Ray {
     pub time: f64,
 }
 
-/// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive, and how well its origin is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Leaving {
     /// The object, by its number in the scene.
     pub object: u32,
@@ -37,9 +40,6 @@ pub struct Leaving {
     pub primitive: u32,
     /// The side of the surface on which the ray sets off.
     pub side: Side,
-    /// How far the origin may lie from where exact arithmetic would put it, in units of length: the ray begins on every
-    /// surface so near, and doesn't cross it there. 0 for an origin that was given, which is exact.
-    pub slack: f64,
 }
 
 impl Leaving {
@@ -107,6 +107,7 @@ impl Ray {
             direction,
             vector: direction,
             leaving: None,
+            slack: 0.0,
             t_min: 0.0,
             t_max: f64::INFINITY,
             wants_distance: true,
@@ -142,6 +143,20 @@ impl Ray {
         }
         let is_within = t > self.t_min * (1.0 + HALF) && t < self.t_max * (1.0 - HALF);
         t > self.t_max * (1.0 + HALF) || (is_within && !self.wants_distance)
+    }
+
+    /// Whether a crossing at this distance is so near to an end of the ray, its origin or the light, that it may be that end itself, seen
+    /// at an angle that rounding can still tell from 0.
+    #[inline(always)]
+    pub(crate) fn is_near_an_end(&self, t: f64) -> bool {
+        const FLATTEST: f64 = (1_u64 << 40) as f64;
+        let near = FLATTEST * self.slack;
+        t.abs() <= near || (self.t_max - t).abs() <= near
+    }
+
+    /// Whether an end of the ray may lie on a surface that it is so far away from. `size` is that of the numbers that define the surface.
+    pub(crate) fn holds(&self, distance: f64, size: f64) -> bool {
+        self.slack > 0.0 && distance.abs() <= self.slack + ROUNDINGS * size
     }
 
     /// Whether a hit at this distance counts.

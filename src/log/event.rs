@@ -17,6 +17,14 @@ pub struct Event {
     pub digits: Option<Box<Digits>>,
 }
 
+impl Event {
+    /// The one that opens a pixel of a region log.
+    pub fn opening(pixel: [u32; 2]) -> Event {
+        let what = What::Enter { parent: 0, step: Step::Pixel(pixel) };
+        Event { at: 0, node: 0, what, given: Box::default(), digits: None }
+    }
+}
+
 /// How far several runs of a computation, each perturbed in its own way, agree on what an event says.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Digits {

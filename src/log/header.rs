@@ -1,7 +1,7 @@
 //! What a log says about itself: enough to replay it without the scene.
 
 use super::shard::Shard;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -47,32 +47,21 @@ fn is_zero(seed: &u64) -> bool {
     *seed == 0
 }
 
-/// A parameter of a method of sampling, written as a scene file has it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum Parameter {
-    /// A whole number.
-    Count(u64),
-    /// A number.
-    Number(f64),
-}
+/// A parameter of a method of sampling. Whole ones are written without a point, so that there is one spelling of each.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(transparent)]
+pub struct Parameter(pub f64);
 
-impl Parameter {
-    /// The number, whole or not.
-    pub fn value(self) -> f64 {
-        match self {
-            Parameter::Count(count) => count as f64,
-            Parameter::Number(number) => number,
-        }
+impl Serialize for Parameter {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let whole = self.0 as u32;
+        if f64::from(whole) == self.0 { serializer.serialize_u32(whole) } else { serializer.serialize_f64(self.0) }
     }
 }
 
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Parameter::Count(count) => count.fmt(f),
-            Parameter::Number(number) => number.fmt(f),
-        }
+        self.0.fmt(f)
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! One row a quantity. Adding a logged quantity is one row here and one `note` in the kernel that computes it. A formula
 //! is written with the symbols of this same table (see [`super::formula`] for its grammar), and a test evaluates every
-//! formula on the logged operands and must get the logged value.
+//! formula on the logged operands and must get the logged value. An event has its inputs in the order of this table, so that
+//! their order in a file doesn't matter: a row stands behind those of the inputs that are given before it.
 
 #[macro_use]
 mod row;
@@ -13,6 +14,7 @@ use row::Row;
 
 with_effects! { names! {
     // The camera and its ray. G is the direction of view, e_x and e_y point right and up in the picture.
+    RayOrigin: "ray.origin", "", "O", "", "1.1.1";
     CameraDirection: "camera.direction", "", "G", "", "1.1.1";
     CameraUpAsGiven: "camera.up_as_given", "", "G_u", "", "1.1.1";
     CameraLength: "camera.length", "", "|G|", "√(G · G)", "1.1.1";
@@ -26,7 +28,6 @@ with_effects! { names! {
     PixelX: "pixel.x", "", "x", "(col − col_m)·px", "1.1.1";
     PixelY: "pixel.y", "", "y", "(row_m − row)·px", "1.1.1";
     RayVector: "ray.vector", "", "D", "G + |G|·(x·e_x + y·e_y)", "1.1.1";
-    RayOrigin: "ray.origin", "", "O", "", "1.1.1";
     RayLength: "ray.length", "", "|D|", "√(D · D)", "1.3 (1)";
     RayDirection: "ray.direction", "", "d", "D/|D|", "1.3 (1)";
 
@@ -247,6 +248,7 @@ with_effects! { names! {
 
     // The two bounces.
     ReflectDirection: "reflect.direction", "", "R", "d − 2·N·(d · N)", "1.2.2";
+    ReflectDirectionBent: "reflect.direction", "bent", "R", "(R − N_g·(R · N_g))/|R − N_g·(R · N_g)|", "1.2.2";
     RefractEta1: "refract.eta_1", "", "η_1", "", "1.2.1";
     RefractEta2: "refract.eta_2", "", "η_2", "", "1.2.1";
     RefractEta: "refract.eta", "", "η", "η_2/η_1", "1.2.1";
@@ -254,10 +256,15 @@ with_effects! { names! {
     RefractCos2: "refract.cos_2", "", "cosφ_2", "√(η² − |d + cosφ_1·N|²)/η", "1.2.1";
     RefractCos2Doubled: "refract.cos_2", "doubled", "cosφ_2", "", "1.2.1";
     RefractDirection: "refract.direction", "", "T", "d/η − (cosφ_2 − cosφ_1/η)·N", "1.2.1";
+    RefractDirectionBent: "refract.direction", "bent", "T", "(T − N_g·(T · N_g))/|T − N_g·(T · N_g)|", "1.2.1";
 
     // A light as a surface point sees it. ℓ is not normalised, L is.
     LightPosition: "light.position", "", "F", "", "1.3 (6)";
     LightTravel: "light.travel", "", "u", "", "1.2.1";
+    LightCenter: "light.center", "", "C_F", "", "1.5";
+    LightEdgeU: "light.edge_u", "", "e_u", "", "1.5";
+    LightEdgeV: "light.edge_v", "", "e_v", "", "1.5";
+    LightRadius: "light.radius", "", "r_F", "", "1.5";
     LightColor: "light.color", "", "I_i", "", "1.2.1";
     LightConstant: "light.constant", "", "a_c", "", "1.2.1";
     LightLinear: "light.linear", "", "a_l", "", "1.2.1";
@@ -287,6 +294,7 @@ with_effects! { names! {
     // Powers of large exponents are taken from the angle itself: near 1 its cosine has lost it.
     ShadeSpecularPower: "shade.specular_power", "", "π_e", "", "1.2.1";
     ShadeTransmittedPower: "shade.transmitted_power", "", "π_t", "", "1.2.1";
+    AmbientLight: "light.ambient", "", "I_a", "", "1.2.1";
     MaterialAmbient: "material.ambient", "", "K_a", "", "1.2.1";
     MaterialAmbientPatterned: "material.ambient", "patterned", "K_a", "k_a∘c_p", "1.2.1";
     MaterialDiffuse: "material.diffuse", "", "K_d", "", "1.2.1";
@@ -295,7 +303,7 @@ with_effects! { names! {
     MaterialShininess: "material.shininess", "", "n_e", "", "1.2.1";
     MaterialTransmission: "material.transmission", "", "K_t", "", "1.2.1";
     MaterialTransmissionExponent: "material.transmission_exponent", "", "n_t", "", "1.2.1";
-    AmbientLight: "light.ambient", "", "I_a", "", "1.2.1";
+    WeightLocal: "weight.local", "", "W_l", "", "1.2.3";
     ShadeLocal: "shade.local", "", "I_local",
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^n_e))", "1.2.1";
     ShadeLocalMirror: "shade.local", "reflection_vector", "I_local",
@@ -327,7 +335,6 @@ with_effects! { names! {
     // The sum of the three contributions.
     // What the bounce at a cutoff could have added to the sample at the most: no arithmetic rounds it.
     CutoffLoss: "cutoff.loss", "", "ΔI", "", "1.1.1";
-    WeightLocal: "weight.local", "", "W_l", "", "1.2.3";
     WeightReflected: "weight.reflected", "", "W_r", "", "1.2.3";
     WeightTransmitted: "weight.transmitted", "", "W_t", "", "1.2.3";
     IncomingReflected: "incoming.reflected", "", "I_reflected", "", "1.2.3";
@@ -339,11 +346,11 @@ with_effects! { names! {
 
     // The place of a random point in the unit square, a sample's in its pixel or that of a split: in stratum i_s of the c_s of its row, a_s of all n_s lying in the rows above.
     SampleColumn: "sample.column", "", "i_s", "", "1.5";
+    SampleJitterX: "sample.jitter_x", "", "ξ_x", "", "1.5";
     SampleAcross: "sample.across", "", "c_s", "", "1.5";
     SampleAbove: "sample.above", "", "a_s", "", "1.5";
-    SampleCount: "sample.count", "", "n_s", "", "1.5";
-    SampleJitterX: "sample.jitter_x", "", "ξ_x", "", "1.5";
     SampleJitterY: "sample.jitter_y", "", "ξ_y", "", "1.5";
+    SampleCount: "sample.count", "", "n_s", "", "1.5";
     SampleX: "sample.x", "", "s_x", "(i_s + ξ_x)/c_s", "1.5";
     SampleY: "sample.y", "", "s_y", "(a_s + ξ_y·c_s)/n_s", "1.5";
     PixelLeft: "pixel.left", "", "col_0", "", "1.4.2";
@@ -352,7 +359,6 @@ with_effects! { names! {
     PixelRowSampled: "pixel.row", "sampled", "row", "row_0 + s_y", "1.4.2";
 
     // Adaptive sampling: the colours at the corners of a cell, and the figures by which it is cut.
-    OutputWhite: "output.white", "", "w_o", "", "1.4.2";
     CellColor1: "cell.color_1", "", "I_1", "", "1.4.2";
     CellColor2: "cell.color_2", "", "I_2", "", "1.4.2";
     CellColor3: "cell.color_3", "", "I_3", "", "1.4.2";
@@ -371,6 +377,7 @@ with_effects! { names! {
     StatisticalHalfWidth: "statistical.half_width", "", "h_m", "t_m∘σ_m", "1.4.2";
     StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
     StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";
+    OutputWhite: "output.white", "", "w_o", "", "1.4.2";
     StatisticalAlike: "statistical.alike_needed", "", "n_m", "", "1.4.2";
     StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
 } }

@@ -100,8 +100,9 @@ impl<'o> Recorder<'o> {
         self.events.push(Event { at, node, what, given, digits: None });
     }
 
-    /// The inputs in a piece of memory of their size.
+    /// The inputs in a piece of memory of their size, in the order of the table.
     fn take_given(&mut self) -> Box<[(Name, Value)]> {
+        self.given.sort_by_key(|(name, _)| *name);
         let given = Box::from(self.given.as_slice());
         self.given.clear();
         given

@@ -4,7 +4,7 @@
 //! A pixel's log doesn't depend on other pixels, so that they may be made on several threads; they come in order all the same.
 
 use super::{Arithmetic, MAX_EVENTS, Part, digits, header, record};
-use crate::log::{Event, Log, Shard, Step, Subject, What};
+use crate::log::{Event, Log, Shard, Subject};
 use crate::probe::{CutOff, Recorder, until_cut_off};
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -14,12 +14,6 @@ use std::thread;
 
 /// A rectangle of pixels: left, top, right and bottom, the last two exclusive.
 pub type Region = [u32; 4];
-
-/// The event that opens a pixel in the log of a region.
-pub fn opening(pixel: [u32; 2]) -> Event {
-    let what = What::Enter { parent: 0, step: Step::Pixel(pixel) };
-    Event { at: 0, node: 0, what, given: Box::default(), digits: None }
-}
 
 /// The pixels of a region in the order of its log.
 pub fn pixels([left, top, right, bottom]: Region) -> impl Iterator<Item = [u32; 2]> {
@@ -38,7 +32,7 @@ pub fn bounded(scene: &Scene, region: Region, arithmetic: Arithmetic) -> Result<
     let too_long = || CutOff::TooLong { most: MAX_EVENTS };
     let mut events = Vec::new();
     for pixel in pixels(region) {
-        events.push(opening(pixel));
+        events.push(Event::opening(pixel));
         let room = MAX_EVENTS.checked_sub(events.len()).filter(|room| *room > 0).ok_or_else(too_long)?;
         events.append(&mut of_pixel(scene, pixel, arithmetic, room).map_err(|cut_off| match cut_off {
             // Told of the whole log, not of what was left for this pixel.

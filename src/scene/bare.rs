@@ -1,7 +1,7 @@
 //! Scenes of shapes alone, for ray queries.
 
 use super::file::schema as file;
-use super::{Camera, Ceilings, Color, Effects, Index, Object, Sampling, Scene, build};
+use super::{AroundEye, Camera, Ceilings, Color, Effects, Index, Object, Sampling, Scene, build};
 use crate::geometry::Shape;
 use crate::geometry::shape::SphereMethod;
 use glam::DVec3;
@@ -10,7 +10,14 @@ impl Scene {
     /// A scene of these shapes alone, which is only asked about rays: two-sided, dark, in the default material, seen by nobody. Objects
     /// have no names, so that a million of them cost no more than their shapes.
     pub fn of_shapes(name: &str, shapes: impl IntoIterator<Item = Shape>) -> Scene {
-        let object = |shape| Object { name: String::new(), shape, material: 0, one_sided: false, inside: None };
+        let object = |shape| Object {
+            name: String::new(),
+            slack: Shape::slack(&shape),
+            shape,
+            material: 0,
+            one_sided: false,
+            inside: None,
+        };
         let objects: Vec<_> = shapes.into_iter().map(object).collect();
         Scene {
             name: name.to_owned(),
@@ -22,6 +29,7 @@ impl Scene {
             materials: vec![build::material(&file::Material::default())],
             effects: Effects::default(),
             index: Index::new(&objects),
+            around_eye: AroundEye::Nothing,
             objects,
             tracing: build::tracing(&file::Tracing::default(), SphereMethod::Robust),
             ceilings: Ceilings::default(),

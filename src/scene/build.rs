@@ -5,8 +5,9 @@ use super::file::schema as file;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, AreaLight, Camera, Ceilings, Checker, Color, Effects, Index, Lens, Light, LightKind, LightSurface,
-    Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer, Weights,
+    Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Index, Lens, Light, LightKind,
+    LightSurface, Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer,
+    Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::motion::{Motion, Turn};
@@ -31,10 +32,12 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         let named = |name: &String| scene.materials.index_of(name);
         let material = object.material.as_ref().and_then(named).unwrap_or(default_material);
         let shape = shape(&object.shape, sphere_method, index, &mut trees)?;
+        let shape = moving(shape, object, index, scene.camera.shutter);
         Ok(Object {
             name: object.name.clone(),
+            slack: shape.slack(),
             inside: if materials[material].transmits() { shape.inside() } else { None },
-            shape: moving(shape, object, index, scene.camera.shutter),
+            shape,
             one_sided: !scene.tracing.two_sided && !materials[material].lets_light_through(),
             material,
         })
@@ -47,6 +50,7 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
         name: scene.name.clone(),
         digest: digest(scene, meshes),
         effects: Effects::of(&camera, &lights, &materials),
+        around_eye: AroundEye::of(&camera, &objects),
         camera,
         ambient: color(scene.ambient),
         background: color(scene.background),

@@ -52,6 +52,11 @@ impl Camera {
         }
     }
 
+    /// The direction of view as given, of any length.
+    pub fn direction(&self) -> DVec3 {
+        self.direction
+    }
+
     /// The place of the picture, in pixels from its top left corner, at which a point is seen; `None` for what doesn't lie in
     /// front of the eye.
     pub fn place_of(&self, point: DVec3) -> Option<[f64; 2]> {

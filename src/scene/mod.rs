@@ -12,6 +12,7 @@ pub mod ceiling;
 mod effects;
 pub mod file;
 pub mod generate;
+mod immersion;
 mod index;
 pub mod lens;
 pub mod light;
@@ -28,6 +29,7 @@ pub use build::build;
 pub use camera::Camera;
 pub use ceiling::Ceilings;
 pub use effects::Effects;
+pub use immersion::AroundEye;
 pub use index::Index;
 pub use lens::Lens;
 pub use light::{Arrival, Light, LightKind};
@@ -68,6 +70,8 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// Which objects a ray can meet.
     pub index: Index,
+    /// The media that hold the eye.
+    pub around_eye: AroundEye,
     /// How rays are traced.
     pub tracing: Tracing,
     /// How much rays can bring at the most; empty where nobody asks.
@@ -93,6 +97,8 @@ pub struct Object {
     pub material: usize,
     /// Whether it is absent for rays that arrive at its back.
     pub one_sided: bool,
+    /// How far the roundings of its shape's numbers may move its surface ([`Shape::slack`]).
+    pub slack: f64,
     /// The side of its surface on which its medium lies; `None` where it transmits nothing, or encloses nothing.
     pub inside: Option<Side>,
 }

@@ -86,7 +86,7 @@ impl Sampling {
 
     /// Its parameters by name.
     pub fn parameters(self) -> Vec<(&'static str, Parameter)> {
-        let count = |n: u32| Parameter::Count(n.into());
+        let count = |n: u32| Parameter(n.into());
         match self {
             Sampling::Center => Vec::new(),
             Sampling::Regular { n }
@@ -95,11 +95,11 @@ impl Sampling {
             | Sampling::Random { n }
             | Sampling::Sobol { n } => vec![("n", count(n))],
             Sampling::Adaptive { threshold, depth } => {
-                vec![("threshold", Parameter::Number(threshold)), ("depth", count(depth))]
+                vec![("threshold", Parameter(threshold)), ("depth", count(depth))]
             }
             Sampling::Statistical(Statistical { confidence, tolerance, min, max }) => vec![
-                ("confidence", Parameter::Number(confidence)),
-                ("tolerance", Parameter::Number(tolerance)),
+                ("confidence", Parameter(confidence)),
+                ("tolerance", Parameter(tolerance)),
                 ("min", count(min)),
                 ("max", count(max)),
             ],

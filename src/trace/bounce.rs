@@ -13,13 +13,21 @@ use crate::scene::{Color, Scene};
 use glam::{BVec3, DVec3};
 
 /// What the reflected ray brings; nothing where there is none.
+// A surface that has no such ray pays for no call.
+#[inline(always)]
 pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+    if meeting.material.reflects() { mirrored(scene, meeting, probe) } else { Color::ZERO }
+}
+
+#[inline(never)]
+fn mirrored<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
     let weight = meeting.weights.reflected;
-    if !material.reflects() || is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
+    if is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
         return Color::ZERO;
     }
     let Some(direction) = mirror(meeting.ray.direction, meeting.surface.normal, probe) else { return Color::ZERO };
+    let direction = above(meeting, direction, Skippable::Reflected, probe);
     // Made where it is used, so that a sharp bounce isn't put in memory.
     let place = meeting.place.and_then(Place::turned_back);
     let leaving = meeting.leaving_here();
@@ -29,15 +37,20 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
         let lobe = Lobe { what: Skippable::Reflected, middle: direction, exponent };
         return zones::mean(scene, meeting, &lobe, &bounce(), probe);
     }
-    let color = bounce().follow(scene, meeting, direction, 0, probe);
-    unless_it_leaks(color, meeting.leaks(direction, true), Skippable::Reflected, probe)
+    bounce().follow(scene, meeting, direction, 0, probe)
 }
 
 /// What the transmitted ray brings; nothing where there is none, as at a total internal reflection.
+#[inline(always)]
 pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
+    if meeting.material.transmits() { refracted(scene, meeting, probe) } else { Color::ZERO }
+}
+
+#[inline(never)]
+fn refracted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
     let weight = meeting.weights.transmitted;
-    if !material.transmits() || is_left_out(scene, meeting, Skippable::Transmitted, weight, probe) {
+    if is_left_out(scene, meeting, Skippable::Transmitted, weight, probe) {
         return Color::ZERO;
     }
     let inside = meeting.path.media;
@@ -46,6 +59,7 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
     let Some(direction) = refract(meeting.ray, meeting.surface.normal, eta[0], eta[1], probe) else {
         return Color::ZERO;
     };
+    let direction = above(meeting, direction, Skippable::Transmitted, probe);
     let beyond = inside.beyond(interface, scene);
     let place = meeting.place.and_then(|place| place.beyond_interface(scene));
     let leaving = meeting.leaving_beyond();
@@ -54,17 +68,29 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
         let lobe = Lobe { what: Skippable::Transmitted, middle: direction, exponent };
         return zones::mean(scene, meeting, &lobe, &bounce(), probe);
     }
-    let color = bounce().follow(scene, meeting, direction, 0, probe);
-    unless_it_leaks(color, meeting.leaks(direction, false), Skippable::Transmitted, probe)
+    bounce().follow(scene, meeting, direction, 0, probe)
 }
 
-/// Black, if the ray that brought this colour runs on the wrong side of the surface.
-pub(super) fn unless_it_leaks<P: Probe>(color: Color, leaks: bool, what: Skippable, probe: &mut P) -> Color {
-    if !leaks {
-        return color;
-    }
-    probe.mark(Decision::LeakGuard { what });
-    Color::ZERO
+/// The direction of a bounce, on its own side of the surface. One by an interpolated normal may run on the other side; the nearest
+/// direction that doesn't is its projection onto the surface's own plane (Keller et al., "The Iray light transport simulation and rendering
+/// system", 2017, section A.3, bend reflections up in the same way).
+#[inline(always)]
+fn above<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: &mut P) -> DVec3 {
+    let is_meant_here = what == Skippable::Reflected;
+    if meeting.leaks(direction, is_meant_here) { bent(meeting, direction, what, probe) } else { direction }
+}
+
+#[cold]
+#[inline(never)]
+fn bent<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: &mut P) -> DVec3 {
+    let normal = meeting.surface.geometric_normal();
+    let along = direction - normal * direction.dot(normal);
+    let length = along.dot(along).sqrt();
+    // Straight down there is no nearest direction.
+    let along = if length > 0.0 { along / length } else { normal.any_orthonormal_vector() };
+    probe.mark(Decision::Bent { what });
+    let name = if what == Skippable::Reflected { Name::ReflectDirectionBent } else { Name::RefractDirectionBent };
+    probe.note(name, along)
 }
 
 /// R = d − 2N(d·N). It isn't normalised again.
@@ -234,8 +260,12 @@ impl Bounce<'_> {
         let via = Via { path: meeting.path, is_transmitted, split, weight: self.weight };
         let draws = meeting.path.draws;
         let path = Path { level, media: self.media, weight, draws, via: Some(via), place: self.place };
-        let ray =
-            Ray { leaving: Some(self.leaving), time: meeting.ray.time, ..Ray::new(meeting.surface.point, direction) };
+        let ray = Ray {
+            leaving: Some(self.leaving),
+            slack: meeting.slack,
+            time: meeting.ray.time,
+            ..Ray::new(meeting.surface.point, direction)
+        };
         give_ray(&ray, probe);
         let step = Step::Ray { kind: self.kind, depth: level, split };
         probe.within(step, |probe| radiance(scene, &ray, &path, probe)).color

@@ -13,9 +13,14 @@ pub struct Media {
 }
 
 impl Media {
-    /// The media that hold the origin of a ray, each object with its refractive index, the innermost last.
+    /// These objects, each with its refractive index, the innermost last.
     pub fn around(entered: Vec<(u32, f64)>) -> Media {
         Media { entered }
+    }
+
+    /// These objects of the scene, the innermost last.
+    pub fn of(objects: &[u32], scene: &Scene) -> Media {
+        Media { entered: objects.iter().map(|object| (*object, scene.material_of(*object).ior)).collect() }
     }
 
     /// The objects, the innermost last.

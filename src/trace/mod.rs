@@ -18,14 +18,13 @@ pub use media::Media;
 pub use place::{Layer, Place};
 pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};
 pub(crate) use visibility::all_crossings;
-use visibility::nearest_place;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 
-use crate::geometry::{Leaving, Ray, Surface};
+use crate::geometry::{Contenders, Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};
-use crate::scene::{Color, Material, Scene, Weights};
+use crate::scene::{AroundEye, Color, Material, Scene, Weights};
 use glam::DVec3;
 
 /// The largest channel of a colour that a surface sends out, by itself or with all that its rays bring: what is larger counts as this. Weights
@@ -103,26 +102,58 @@ pub struct Seen {
     pub object: Option<u32>,
 }
 
-/// The colour that a camera ray brings; the background's if it has no direction.
+/// The colour that a single ray brings; the background's if it has no direction. It begins inside the media that hold its origin.
 ///
 /// The ray belongs to no pixel: its random numbers are those of a place that no picture has.
 pub fn camera_ray<P: Probe>(scene: &Scene, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Color {
     let draws = Draws::of_pixel(scene.seed, [u32::MAX; 2], 0, Arrangement::Independent);
-    see(scene, &draws, aim, probe).color
+    seen_from(scene, &draws, aim, |ray| Media::of(&scene.media_around(ray), scene), probe).color
 }
 
 /// What a camera ray of a sample with these random numbers sees; the background if it has no direction.
-// Its body, too, is a part of the caller, so that the ray is made where it is traced from.
 #[inline(always)]
 pub fn see<P: Probe>(scene: &Scene, draws: &Draws, aim: impl FnOnce(&mut P) -> Option<Ray>, probe: &mut P) -> Seen {
+    let media = |ray: &Ray| match scene.around_eye {
+        AroundEye::Nothing => Media::default(),
+        _ => around_eye(scene, ray),
+    };
+    seen_from(scene, draws, aim, media, probe)
+}
+
+/// The media that hold the origin of a camera ray.
+#[cold]
+#[inline(never)]
+fn around_eye(scene: &Scene, ray: &Ray) -> Media {
+    match &scene.around_eye {
+        AroundEye::Nothing => Media::default(),
+        AroundEye::Objects(objects) => Media::of(objects, scene),
+        AroundEye::EachRay => {
+            let ahead = Ray { time: ray.time, ..Ray::along(ray.origin, scene.camera.direction()) };
+            Media::of(&scene.media_around(&ahead), scene)
+        }
+    }
+}
+
+// Its body, too, is a part of the caller, so that the ray is made where it is traced from.
+#[inline(always)]
+fn seen_from<P: Probe>(
+    scene: &Scene,
+    draws: &Draws,
+    aim: impl FnOnce(&mut P) -> Option<Ray>,
+    media: impl FnOnce(&Ray) -> Media,
+    probe: &mut P,
+) -> Seen {
     let step = Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 };
     probe.within(
         step,
         #[inline(always)]
         |probe| {
             let Some(ray) = aim(probe) else { return Seen { color: scene.background, object: None } };
-            let outside = Media::default();
-            radiance(scene, &ray, &Path::of_camera(&outside, draws), probe)
+            let media = media(&ray);
+            for object in media.objects() {
+                probe.mark(Decision::Immersed { object });
+            }
+            radiance(scene, &ray, &Path::of_camera(&media, draws), probe)
         },
     )
 }
@@ -134,14 +165,20 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
         let hit = visibility::touched(scene, ray, place, probe);
         return in_place(scene, ray, path, &hit, place, probe);
     }
-    let Some(found) = nearest_place(scene, ray, probe) else {
+    let mut contenders = Contenders::default();
+    let Some(hit) = visibility::search(scene, ray, &mut contenders, probe) else {
         probe.mark(Decision::Background);
         return Seen { color: scene.background, object: None };
     };
-    match found.all {
-        None => shaded(scene, ray, path, &found.hit, None, probe),
-        Some(all) => in_place(scene, ray, path, &found.hit, &Place::of(&all), probe),
+    if !contenders.is_empty() {
+        let hits = visibility::settled(scene, ray, hit, contenders, probe);
+        if hits.len() > 1 {
+            return in_place(scene, ray, path, &hits[0], &Place::of(&hits), probe);
+        }
+    } else {
+        probe.mark(Decision::Nearest { object: hit.object });
     }
+    shaded(scene, ray, path, &hit, None, probe)
 }
 
 /// What a ray sees that hits the first of several surfaces in the same place.
@@ -159,7 +196,8 @@ fn shaded<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: Opt
     let material = scene.material_of(hit.object);
     let merged = place.filter(|_| material.transmits()).map(|place| place.merged(&material.weights, scene));
     let weights = merged.as_ref().unwrap_or(&material.weights);
-    let slack = ray.slack_at(surface.point, probe);
+    let begun = if path.place.is_some() { ray.slack } else { 0.0 };
+    let slack = ray.slack_at(surface.point, probe) + scene.objects[hit.object as usize].slack + begun;
     let meeting = Meeting { layer: Layer::of(hit), place, ray, surface, material, weights, path, slack };
     let local = shade::local_intensity(scene, &meeting, probe);
     let reflected = bounce::reflected(scene, &meeting, probe);
@@ -194,7 +232,7 @@ impl Meeting<'_> {
     /// The surface, for a ray that leaves it on the side where `ray` arrived.
     fn leaving_here(&self) -> Leaving {
         let Layer { object, primitive, .. } = self.layer;
-        Leaving { object, primitive, side: self.surface.side, slack: self.slack }
+        Leaving { object, primitive, side: self.surface.side }
     }
 
     /// The surface, for a ray that leaves it on the other side.

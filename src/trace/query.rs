@@ -144,7 +144,7 @@ impl Query {
     fn ray_along(&self, direction: DVec3, vector: DVec3, length: f64, scene: &Scene) -> Ray {
         let leaving = self.from.map(|(object, primitive)| {
             let side = scene.objects[object as usize].shape.returning_side();
-            Leaving { object, primitive, side, slack: 0.0 }
+            Leaving { object, primitive, side }
         });
         let t_min = if self.t_min == 0.0 { 0.0 } else { -first_beyond(-self.t_min, length) };
         let t_max = if self.t_max == f64::INFINITY { self.t_max } else { first_beyond(self.t_max, length) };

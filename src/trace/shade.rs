@@ -1,6 +1,5 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
-use super::bounce::unless_it_leaks;
 use super::visibility::{Obstacles, transmittance_among};
 use super::{Meeting, in_range, light_points, pattern};
 use crate::geometry::Ray;
@@ -108,6 +107,7 @@ pub(super) fn from_light<P: Probe>(
 
 /// The part of a light's intensity that reaches the surface point: nothing, if the light stands on that side of the surface
 /// only by an interpolated normal.
+#[inline(always)]
 fn shadow_ray<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
@@ -123,14 +123,19 @@ fn shadow_ray<P: Probe>(
         Some(place) => place.ahead.get(1..).unwrap_or_default(),
     };
     let time = meeting.ray.time;
-    let ray = Ray { leaving: Some(leaving), time, ..segment_to_light(meeting.surface.point, arrival) };
+    let ray =
+        Ray { leaving: Some(leaving), slack: meeting.slack, time, ..segment_to_light(meeting.surface.point, arrival) };
     let step =
         Step::Ray { kind: RayKind::Shadow { light: source.number }, depth: meeting.path.level, split: source.split };
     give_ray(&ray, probe);
     let obstacles = Obstacles { among: source.among, touched };
     let passed = probe.within(step, |probe| transmittance_among(scene, &ray, &obstacles, probe));
-    let leaks = meeting.leaks(arrival.direction, is_in_front);
-    let passed = unless_it_leaks(passed, leaks, Skippable::Shadow, probe);
+    let passed = if meeting.leaks(arrival.direction, is_in_front) {
+        probe.mark(Decision::LeakGuard { what: Skippable::Shadow });
+        Color::ZERO
+    } else {
+        passed
+    };
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
 }
 

@@ -1,7 +1,7 @@
 //! What a ray hits first, and how much light gets through.
 
 use super::{Layer, Place, in_range};
-use crate::geometry::{Contenders, Crossing, Found, Hit, Ray};
+use crate::geometry::{Contenders, Crossing, Hit, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
 use crate::scene::{Color, Scene, Shadows};
@@ -46,42 +46,58 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
 /// The nearest hit. Of surfaces in the same place the first in the scene is the nearest, then the lowest primitive.
 #[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
-    nearest_place(scene, ray, probe).map(|found| found.hit)
+    let mut contenders = Contenders::default();
+    let hit = search(scene, ray, &mut contenders, probe)?;
+    if !contenders.is_empty() {
+        return Some(settled(scene, ray, hit, contenders, probe)[0]);
+    }
+    probe.mark(Decision::Nearest { object: hit.object });
+    Some(hit)
 }
 
-/// The nearest hit, with all surfaces in the same place if there are several.
+/// The nearest hit by its distance; those that may be in the same place become contenders.
 // A part of the recursion, which would have to take the hit out of memory.
 #[inline(always)]
-pub(super) fn nearest_place<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Found> {
+pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Contenders, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    let mut contenders = Contenders::default();
+    let mut limit = ray.t_max;
     scene.index.nearest_first(
         ray,
         probe,
         #[inline(always)]
         |object, probe| {
             let thing = &scene.objects[object as usize];
-            if let Some(crossing) = thing.shape.nearest(object, thing.one_sided, ray, &mut contenders, probe) {
-                nearest = Some(contenders.nearer(nearest, Hit { object, crossing }, ray, probe));
+            if let Some(crossing) = thing.shape.nearest(object, thing.one_sided, ray, contenders, probe) {
+                let hit = Hit { object, crossing };
+                contenders.add(nearest, hit, ray, probe);
+                if nearest.is_none() || crossing.t < limit {
+                    (nearest, limit) = (Some(hit), crossing.t);
+                }
             }
-            nearest.map_or(ray.t_max, |hit| hit.crossing.t)
+            limit
         },
     );
-    let found = contenders.place(nearest?, ray, |object| &scene.objects[object as usize].shape, probe);
-    probe.mark(Decision::Nearest { object: found.hit.object });
-    if let Some(all) = &found.all {
-        mark_coincident(scene, all, probe);
-    }
-    Some(found)
+    nearest
 }
 
+/// The surfaces in the same place as the nearest one, in the order of the scene; marks what was decided.
 #[cold]
-fn mark_coincident<P: Probe>(scene: &Scene, all: &[Hit], probe: &mut P) {
-    for other in all.iter().skip(1) {
+#[inline(never)]
+pub(super) fn settled<P: Probe>(
+    scene: &Scene,
+    ray: &Ray,
+    nearest: Hit,
+    contenders: Contenders,
+    probe: &mut P,
+) -> Vec<Hit> {
+    let place = contenders.place(nearest, ray, |object| &scene.objects[object as usize].shape, probe);
+    probe.mark(Decision::Nearest { object: place[0].object });
+    for other in &place[1..] {
         let is_mesh = scene.objects[other.object as usize].shape.is_mesh();
         let triangle = is_mesh.then_some(other.crossing.primitive);
         probe.mark(Decision::Coincident { object: other.object, triangle });
     }
+    place
 }
 
 /// The hit of a ray that begins just in front of a surface, which is therefore the nearest. There is one in a place that a ray begins in.

@@ -9,6 +9,7 @@ use super::Theme;
 use super::terminal::{Asker, Input, Terminal};
 use super::update::Exit;
 use crate::report::diff::Rows;
+use crate::report::language::Language;
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -24,6 +25,8 @@ pub struct Beside<'a> {
     cursor: usize,
     /// How many rows of the table the screen has.
     height: usize,
+    /// What is said at the bottom until the next key.
+    message: Option<&'static str>,
 }
 
 /// What a key asks for that the model can't do.
@@ -42,7 +45,7 @@ impl<'a> Beside<'a> {
     pub fn new(rows: Rows<'a>, titles: [String; 2]) -> Beside<'a> {
         let differing: Vec<usize> = (0..rows.rows().len()).filter(|row| rows.rows()[*row].differs).collect();
         let cursor = differing.first().copied().unwrap_or(0);
-        Beside { rows, titles, differing, cursor, height: 1 }
+        Beside { rows, titles, differing, cursor, height: 1, message: None }
     }
 
     /// The terminal has so many rows now.
@@ -55,6 +58,7 @@ impl<'a> Beside<'a> {
         if key.kind == KeyEventKind::Release {
             return Wish::None;
         }
+        self.message = None;
         let last = self.rows.rows().len().saturating_sub(1);
         let is_control = key.modifiers.contains(KeyModifiers::CONTROL);
         self.cursor = match key.code {
@@ -101,9 +105,13 @@ pub fn frame(beside: &Beside, width: u16, height: u16, theme: &Theme) -> Buffer 
 /// Those of the terminal.
 pub fn run(mut beside: Beside, theme: &Theme) -> io::Result<Exit> {
     let mut terminal = Terminal::enter()?;
+    show(&mut beside, &mut terminal, theme).or_else(|error| terminal.left_by(error))
+}
+
+fn show(beside: &mut Beside, terminal: &mut Terminal, theme: &Theme) -> io::Result<Exit> {
     loop {
         beside.resize(terminal.size()?.1);
-        terminal.draw(|buffer| view::draw(&beside, theme, buffer))?;
+        terminal.draw(|buffer| view::draw(beside, theme, buffer))?;
         match terminal.next(false, None)? {
             Input::Leave(exit) => return Ok(exit),
             Input::Suspend => _ = terminal.suspend(Asker::Signal)?,
@@ -113,6 +121,7 @@ pub fn run(mut beside: Beside, theme: &Theme) -> io::Result<Exit> {
                 Wish::Leave(exit) => return Ok(exit),
                 Wish::Suspend => _ = terminal.suspend(Asker::Key)?,
             },
+            Input::Paste(_) => beside.message = Some(Language::default().texts().viewer.messages.pasted_nowhere),
             Input::Mouse(_) | Input::Beat | Input::Size(..) | Input::Tick => {}
         }
     }

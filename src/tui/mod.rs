@@ -116,16 +116,26 @@ pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::R
     let mut model = opened(log, &options);
     model.look(&mut live, false);
     let mut terminal = Terminal::enter()?;
-    let (width, height) = terminal.size()?;
-    update(&mut model, Action::Resize(width, height));
+    let exit = show(&mut model, &mut terminal, &mut live, &theme).or_else(|error| terminal.left_by(error))?;
+    Ok(Outcome { exit, position: position(&model), language: model.language })
+}
+
+/// Draws and reacts until something asks to leave.
+fn show(
+    model: &mut Model,
+    terminal: &mut Terminal,
+    live: &mut Option<&mut dyn Live>,
+    theme: &Theme,
+) -> io::Result<Exit> {
+    resized(model, terminal)?;
     loop {
-        terminal.draw(|buffer| view::draw(&model, &theme, buffer))?;
+        terminal.draw(|buffer| view::draw(model, theme, buffer))?;
         terminal.use_mouse(model.guide.has_mouse)?;
-        let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished) || search::is_looking(&model);
-        let mut input = Some(terminal.next(waits, play::interval(&model))?);
+        let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished) || search::is_looking(model);
+        let mut input = Some(terminal.next(waits, play::interval(model))?);
         while let Some(now) = input {
-            if let Some(exit) = react(&mut model, &mut terminal, &mut live, now)? {
-                return Ok(Outcome { exit, position: position(&model), language: model.language });
+            if let Some(exit) = react(model, terminal, live, now)? {
+                return Ok(exit);
             }
             input = terminal.next_at_once()?;
         }
@@ -228,6 +238,7 @@ fn react(
                 model.answer(asked, live);
             }
         }
+        Input::Paste(text) => prompt::pasted(model, &text),
         Input::Key(key) => {
             let effect = keys::meant(model, key).map(|action| update(model, action));
             match effect {

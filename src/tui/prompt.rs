@@ -3,6 +3,7 @@
 use super::model::{Message, Model};
 use super::update::Effect;
 use super::{breakpoints, command, quiz, search};
+use crate::log::escape::visible;
 use crate::report::language::viewer::Status;
 use crate::report::words::plain;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -67,11 +68,30 @@ impl Prompt {
     }
 }
 
+/// Puts a pasted text into the line, whatever its characters would do as keys: ends of lines become blanks, and what isn't seen is shown
+/// as messages show it. Where no line is typed it does nothing.
+pub(super) fn pasted(model: &mut Model, text: &str) {
+    dismiss_message(model);
+    let Some(prompt) = &mut model.prompt else { return model.say(model.texts().messages.pasted_nowhere) };
+    let text = text.replace("\r\n", " ").replace(['\r', '\n', '\t'], " ");
+    let (line, cursor) = (prompt.line.value(), prompt.line.cursor());
+    let at = line.char_indices().nth(cursor).map_or(line.len(), |(at, _)| at);
+    let before = format!("{}{}", &line[..at], visible(&text));
+    let cursor = before.chars().count();
+    prompt.line = Input::new(before + &line[at..]).with_cursor(cursor);
+}
+
+/// The message goes with the next key; a warning that stood in its place comes back.
+fn dismiss_message(model: &mut Model) {
+    model.message.take_if(|message| !message.is_warning);
+    let warning = model.prompt.as_mut().and_then(|prompt| prompt.warning.take());
+    model.message = warning.or(model.message.take());
+}
+
 /// Does what a key does to the line: `Enter` ends it, unless something is wrong with it, and `Esc` forgets it.
 pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
-    model.message.take_if(|message| !message.is_warning);
+    dismiss_message(model);
     let Some(prompt) = &mut model.prompt else { return Effect::None };
-    model.message = prompt.warning.take().or(model.message.take());
     match key.code {
         KeyCode::Esc => model.prompt = None,
         KeyCode::Backspace if prompt.line.value().is_empty() => model.prompt = None,

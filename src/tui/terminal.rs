@@ -6,7 +6,10 @@
 use super::copy;
 use super::update::Exit;
 use crossterm::cursor::{Hide, Show};
-use crossterm::event::{self, DisableMouseCapture, EnableMouseCapture, Event, KeyEvent, MouseEvent};
+use crossterm::event::{
+    self, DisableBracketedPaste, DisableMouseCapture, EnableBracketedPaste, EnableMouseCapture, Event, KeyEvent,
+    MouseEvent,
+};
 use crossterm::terminal::{
     BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
     enable_raw_mode,
@@ -19,7 +22,8 @@ use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
 use signal_hook::{flag, low_level};
 use std::cell::Cell;
-use std::io::{self, Stdout, Write};
+use std::io::{self, IsTerminal, Stdout, Write};
+use std::mem::ManuallyDrop;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Once};
 use std::time::{Duration, Instant};
@@ -29,7 +33,8 @@ const TICK: Duration = Duration::from_millis(50);
 
 /// The terminal in the viewer's modes. Dropping it restores the terminal.
 pub(super) struct Terminal {
-    screen: ratatui::Terminal<CrosstermBackend<Stdout>>,
+    /// Never dropped: it would show the cursor, as `restore` does, and panic where the terminal is gone and can't show the error.
+    screen: ManuallyDrop<ratatui::Terminal<CrosstermBackend<Stdout>>>,
     signals: Signals,
     /// When the next tick is due, while somebody waits for one.
     due: Option<Instant>,
@@ -42,6 +47,8 @@ pub(super) enum Input {
     Key(KeyEvent),
     /// The mouse.
     Mouse(MouseEvent),
+    /// A text that was pasted.
+    Paste(String),
     /// It is time for what happens at intervals.
     Beat,
     /// Columns and rows.
@@ -63,7 +70,7 @@ impl Terminal {
         let signals = Signals::watch()?;
         take_over()?;
         let screen = ratatui::Terminal::new(CrosstermBackend::new(io::stdout())).inspect_err(|_| restore())?;
-        Ok(Terminal { screen, signals, due: None })
+        Ok(Terminal { screen: ManuallyDrop::new(screen), signals, due: None })
     }
 
     /// Columns and rows.
@@ -87,6 +94,10 @@ impl Terminal {
             if let Some(input) = self.signals.take() {
                 return Ok(input);
             }
+            // Its signal may go to another process, such as the shell of a script.
+            if is_gone() {
+                return Ok(Input::Leave(Exit::HungUp));
+            }
             let left = self.due.map(|due| due.saturating_duration_since(Instant::now()));
             if left == Some(Duration::ZERO) {
                 self.due = None;
@@ -96,12 +107,18 @@ impl Terminal {
                 Ok(Some(input)) => return Ok(input),
                 Ok(None) if ticks => return Ok(Input::Tick),
                 Ok(None) => {}
-                // A terminal that is gone can't be read, and its signal may be a moment late.
-                Err(error) => {
-                    std::thread::sleep(TICK);
-                    return self.signals.take().ok_or(error);
-                }
+                Err(error) => return self.left_by(error).map(Input::Leave),
             }
+        }
+    }
+
+    /// Why to leave after an error. A terminal that is gone can't be read or written, and its signal may be a moment late.
+    pub(super) fn left_by(&self, error: io::Error) -> io::Result<Exit> {
+        std::thread::sleep(TICK);
+        match self.signals.take() {
+            Some(Input::Leave(exit)) => Ok(exit),
+            _ if is_gone() => Ok(Exit::HungUp),
+            _ => Err(error),
         }
     }
 
@@ -172,6 +189,11 @@ pub(super) enum Asker {
     Signal,
 }
 
+/// Whether the terminal was closed: what is left of it is none.
+fn is_gone() -> bool {
+    !io::stdout().is_terminal()
+}
+
 fn read(timeout: Duration) -> io::Result<Option<Input>> {
     if !event::poll(timeout)? {
         return Ok(None);
@@ -179,6 +201,7 @@ fn read(timeout: Duration) -> io::Result<Option<Input>> {
     Ok(match event::read()? {
         Event::Key(key) => Some(Input::Key(key)),
         Event::Mouse(mouse) => Some(Input::Mouse(mouse)),
+        Event::Paste(text) => Some(Input::Paste(text)),
         Event::Resize(width, height) => Some(Input::Size(width, height)),
         _ => None,
     })
@@ -192,7 +215,9 @@ static HAS_MOUSE: AtomicBool = AtomicBool::new(false);
 
 fn take_over() -> io::Result<()> {
     IS_TAKEN.store(true, Ordering::SeqCst);
-    enable_raw_mode().and_then(|()| execute!(io::stdout(), EnterAlternateScreen, Hide)).inspect_err(|_| restore())
+    // Without it a pasted text would be read as keys.
+    let modes = || execute!(io::stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste);
+    enable_raw_mode().and_then(|()| modes()).inspect_err(|_| restore())
 }
 
 /// Gives the terminal back as it was. What fails here fails because the terminal is gone.
@@ -202,7 +227,7 @@ fn restore() {
         if HAS_MOUSE.swap(false, Ordering::SeqCst) {
             let _ = execute!(out, DisableMouseCapture);
         }
-        let _ = execute!(out, EndSynchronizedUpdate, LeaveAlternateScreen, Show);
+        let _ = execute!(out, EndSynchronizedUpdate, DisableBracketedPaste, LeaveAlternateScreen, Show);
         let _ = out.flush();
         let _ = disable_raw_mode();
     }
@@ -259,6 +284,7 @@ impl Signals {
         match self.leave.load(Ordering::SeqCst) {
             0 => {}
             signal if signal == SIGINT as usize => return Some(Input::Leave(Exit::Interrupted)),
+            signal if signal == SIGHUP as usize => return Some(Input::Leave(Exit::HungUp)),
             _ => return Some(Input::Leave(Exit::Terminated)),
         }
         if self.suspend.swap(false, Ordering::SeqCst) {

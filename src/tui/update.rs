@@ -41,8 +41,10 @@ pub enum Exit {
     Quit,
     /// By `^C` or SIGINT.
     Interrupted,
-    /// By SIGTERM, SIGQUIT, or because the terminal is gone.
+    /// By SIGTERM or SIGQUIT.
     Terminated,
+    /// By SIGHUP, or because the terminal is gone.
+    HungUp,
 }
 
 /// Does an action.

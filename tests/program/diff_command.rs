@@ -1,7 +1,9 @@
 //! `raywalk diff` as its users meet it: logs, regions, pictures, and what can't be compared.
 
-use crate::calls::{prints, raywalk, says};
+use crate::calls::{fails, prints, raywalk, says};
+use crate::shared::shared;
 use serde_json::Value;
+use std::io::Write;
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -252,4 +254,104 @@ fn the_known_difference_of_two_known_pictures() {
     assert_eq!(summary(&[&a, &wide])["sizes"], serde_json::json!([[2, 1], [3, 1]]));
     std::fs::write(&wide, b"P6 3 1 255\n\0\0\0\0").expect("written");
     says(2, &["diff", &a, &wide], "expected 9 bytes behind the header, found 4");
+    std::fs::write(&wide, b"P3\n3 1 # wide\n255\n1 2 3  4 256 6  7 8 9\n").expect("written");
+    let expected =
+        "wide.ppm:4:10: expected a level from 0 to 255, found `256`\n  |\n4 | 1 2 3  4 256 6  7 8 9\n  |          ^^^";
+    says(2, &["diff", &a, &wide], expected);
+}
+
+/// The same pictures as other programs write them: in ASCII, grey, packed.
+#[test]
+fn pictures_of_other_programs_are_compared() {
+    let folder = Folder::new();
+    let written = |name: &str, bytes: &[u8]| {
+        let path = folder.path(name);
+        std::fs::write(&path, bytes).expect("written");
+        path
+    };
+    let binary = written("a.ppm", b"P6 2 1 255\n\x07\x07\x07\xff\xff\xff");
+    let ascii = b"P3\r\n# by hand\r\n2 1\r\n255\r\n7 7 7\r\n255 255 255\r\n";
+    let packed = ruzstd::encoding::compress_to_vec(&ascii[..], ruzstd::encoding::CompressionLevel::Fastest);
+    for (name, bytes) in [
+        ("b.ppm", &ascii[..]),
+        ("c.ppm.zst", &packed),
+        ("d.pgm", b"P2 2 1 255 7 255"),
+        ("e.pgm", b"P5\n2 1\n255\n\x07\xff"),
+        ("f.pgm", b"P5\n2 1\n#wide\n65535\n\x07\x07\xff\xff"),
+    ] {
+        let other = written(name, bytes);
+        assert_eq!(diff(&[&binary, &other]), ("the same: 2 pixels, none differs\n".to_owned(), 0), "{name}");
+    }
+    let float = written("a.pfm", b"PF 2 1 1.0\n\x3f\0\0\0\x3f\0\0\0\x3f\0\0\0\x40\0\0\0\x40\0\0\0\x40\0\0\0");
+    let grey = written("b.pfm", b"Pf\n2 1\n-1.0\n\0\0\0\x3f\0\0\0\x40");
+    assert_eq!(diff(&[&float, &grey]), ("the same: 2 pixels, none differs\n".to_owned(), 0));
+    says(2, &["diff", &binary, &grey], "expected two of a kind");
+}
+
+#[test]
+fn the_pictures_of_the_shared_cases() {
+    let Some(files) = shared("cases/files") else { return };
+    let file = |name: &str| files.join(name).to_string_lossy().into_owned();
+    assert_eq!(diff(&[&file("grayref.pfm"), &file("y.exr")]), ("the same: 6 pixels, none differs\n".to_owned(), 0));
+    let found = summary(&[&file("grayref.ppm"), &file("p3.ppm")]);
+    assert_eq!((&found["differing_pixels"], &found["size"]), (&6.into(), &serde_json::json!([3, 2])));
+    assert_eq!(
+        found["largest"],
+        serde_json::json!({"pixel": [0, 1], "channel": 0, "difference": 1.0, "a": 1.0, "b": 0.0})
+    );
+}
+
+/// Whatever another program made of the order of its keys, a log is one to every command, packed and on standard input too.
+#[test]
+fn a_log_whose_keys_were_sorted_is_that_log() {
+    let folder = Folder::new();
+    let log = folder.textbook("a.ndjson", &[]);
+    let lines = std::fs::read_to_string(&log).expect("the log");
+    let value = |line: &str| serde_json::from_str::<Value>(line).expect("JSON");
+    let sorted: String = lines.lines().map(|line| value(line).to_string() + "\n").collect();
+    assert!(sorted.starts_with("{\"arithmetic\""));
+    let pretty: String = lines.lines().map(|line| format!("{:#}\n", value(line))).collect();
+    let document = value(&prints(&["trace", &log, "--format", "json"])).to_string();
+    assert!(document.starts_with("{\"children\""));
+    let walked = prints(&["walk", &log, "--plain"]);
+    for (name, text) in [("sorted", sorted), ("pretty", pretty), ("document", format!("\u{feff}{document}"))] {
+        let zstd = ruzstd::encoding::compress_to_vec(text.as_bytes(), ruzstd::encoding::CompressionLevel::Fastest);
+        let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        gzip.write_all(text.as_bytes()).expect("memory");
+        for bytes in [text.into_bytes(), zstd, gzip.finish().expect("memory")] {
+            let other = folder.path(name);
+            std::fs::write(&other, &bytes).expect("written");
+            for (call, expected) in [
+                (&["diff", &log, "-"][..], &*prints(&["diff", &log, &log])),
+                (&["walk", "-", "--plain"], &walked),
+                (&["trace", "-"], &lines),
+            ] {
+                let by_name: Vec<_> = call.iter().map(|word| if *word == "-" { &*other } else { word }).collect();
+                for mut command in [raywalk(&by_name), raywalk(call)] {
+                    let answer = command.write_stdin(bytes.clone()).output().expect("it runs");
+                    assert_eq!(String::from_utf8_lossy(&answer.stderr), "", "{name} {call:?}");
+                    assert!(answer.stdout == expected.as_bytes(), "{name} {call:?}");
+                }
+            }
+            says(2, &["scene", "check", &other], "expected a scene, found a log");
+        }
+    }
+}
+
+#[test]
+fn utf_16_is_told_as_walk_tells_it() {
+    let folder = Folder::new();
+    let log = folder.textbook("a.ndjson", &[]);
+    let text = std::fs::read_to_string(&log).expect("the log");
+    for (mark, encode) in
+        [("\u{feff}", u16::to_le_bytes as fn(u16) -> [u8; 2]), ("\u{feff}", u16::to_be_bytes), ("", u16::to_le_bytes)]
+    {
+        let bytes: Vec<u8> = [mark, &text].concat().encode_utf16().flat_map(encode).collect();
+        let other = folder.path("b.ndjson");
+        std::fs::write(&other, bytes).expect("written");
+        let message = fails(2, &["walk", &other]);
+        assert!(message.contains("b.ndjson:1:1: the text is UTF-16, expected UTF-8"), "{message}");
+        assert_eq!(fails(2, &["diff", &other, &log]), message);
+        assert_eq!(fails(2, &["diff", &log, &other]), message);
+    }
 }

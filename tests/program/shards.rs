@@ -288,9 +288,11 @@ fn logs_that_are_not_the_whole_of_one_region_are_refused() {
     let text = folder.bytes("2-3.ndjson");
     let bad = folder.path("bad");
     fs::write(&bad, &text[..text.len() / 2]).unwrap();
-    refused(&[one, &bad, three], &out, "it was cut off");
-    let changed = String::from_utf8(text).unwrap().replacen("\"hit\"", "\"hut\"", 1);
-    fs::write(&bad, changed).unwrap();
+    refused(&[one, &bad, three], &out, "bad:1:1: the log was cut off");
+    let text = String::from_utf8(text).unwrap();
+    fs::write(&bad, text.replacen("\"hit\"", "\"hut\"", 1)).unwrap();
+    refused(&[one, &bad, three], &out, "bad:1:1: the log is damaged: ");
+    fs::write(&bad, text.replacen("\"outside\"", "\"inside\"", 1)).unwrap();
     refused(&[one, &bad, three], &out, "was changed after it was written");
     says(2, &["merge", "-o", one, one, two, three], "would be overwritten");
     let both = "--shard: expected --region and the format ndjson";
@@ -298,6 +300,23 @@ fn logs_that_are_not_the_whole_of_one_region_are_refused() {
     // A shard is a log by itself: it is walked, compared and queried as any other.
     let text = prints(&["walk", two, "--plain"]);
     assert!(text.starts_with("textbook · region 158,119 to 161,121 · f64"), "{text:.100}");
+}
+
+/// What another program wrote anew is joined as it was: its keys in order, blanks between them, another end of lines, one document.
+#[test]
+fn logs_in_other_spellings_are_joined_to_the_same_bytes() {
+    let folder = Folder::new();
+    let call = ["trace", "penumbra", "--region", "100,100,102,102"];
+    let whole = fs::read(folder.made("whole.ndjson", &call)).unwrap();
+    let parts = folder.shards(&call, 3, ".ndjson");
+    let out = folder.path("out.ndjson");
+    let lines = String::from_utf8(fs::read(&parts[0]).unwrap()).unwrap();
+    let sorted = |line: &str| serde_json::from_str::<serde_json::Value>(line).unwrap().to_string() + "\r\n";
+    fs::write(&parts[0], lines.lines().map(sorted).collect::<String>()).unwrap();
+    let document = folder.path("2.json");
+    fs::write(&document, prints(&["trace", &parts[1], "--format", "json"])).unwrap();
+    prints(&["merge", &parts[0], &document, &parts[2], "-o", &out]);
+    assert!(fs::read(&out).unwrap() == whole);
 }
 
 /// Whoever runs all shards again after some failed loses no time.

@@ -230,13 +230,9 @@ fn rays_leave_moving_surfaces() {
         let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
         let normal = surface.geometric_normal();
         let aside = normal.cross(DVec3::new(a, c, d));
-        let leaving = Leaving {
-            object: hit.object,
-            primitive: hit.crossing.primitive,
-            side: surface.side,
-            slack: ray.slack_at(surface.point, &Silent),
-        };
-        let away = Ray { time, leaving: Some(leaving), ..Ray::along(surface.point, normal * 0.05 + aside) };
+        let leaving = Leaving { object: hit.object, primitive: hit.crossing.primitive, side: surface.side };
+        let slack = ray.slack_at(surface.point, &Silent);
+        let away = Ray { time, leaving: Some(leaving), slack, ..Ray::along(surface.point, normal * 0.05 + aside) };
         let again = closest_hit(&scene, &away, &mut Silent).filter(|again| again.object == hit.object);
         assert!(
             again.is_none_or(|again| again.crossing.t > 1e-6),

@@ -82,7 +82,7 @@ fn a_log_shows_the_corners_as_samples() {
     assert_eq!(samples, [1, 2, 3, 4].map(|number| Some(Step::Sample { number })));
     let rays: Vec<_> = tree.children(0).flat_map(|sample| tree.children(sample)).map(|ray| tree.path(ray)).collect();
     assert_eq!(rays, ["1 C", "2 C", "3 C", "4 C"]);
-    assert_eq!(log.header.sampling["shared"]["n"], Parameter::Count(1));
+    assert_eq!(log.header.sampling["shared"]["n"], Parameter(1.0));
     let results = |log: &Log| log.events.iter().filter(|event| is_result(event)).count();
     assert_eq!(results(&log), 1, "samples have none");
 

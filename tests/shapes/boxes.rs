@@ -62,15 +62,10 @@ fn what_sets_off_from_a_face_meets_another_one() {
         let shape = Shape::Cuboid(Cuboid::new(min, max));
         let arriving = ray_through(origin, aim);
         let Some((crossing, surface)) = meet(&shape, &arriving) else { return false };
-        let leaving = |side| {
-            Some(Leaving {
-                object: 0,
-                primitive: crossing.primitive,
-                side,
-                slack: arriving.slack_at(surface.point, &Silent),
-            })
-        };
-        let onward = Ray { leaving: leaving(crossing.side.opposite()), ..Ray::new(surface.point, arriving.direction) };
+        let leaving = |side| Some(Leaving { object: 0, primitive: crossing.primitive, side });
+        let slack = arriving.slack_at(surface.point, &Silent);
+        let onward =
+            Ray { leaving: leaving(crossing.side.opposite()), slack, ..Ray::new(surface.point, arriving.direction) };
         match (crossing.side, meet(&shape, &onward)) {
             (Side::Front, Some((exit, _))) => assert!(exit.side == Side::Back && exit.primitive != crossing.primitive),
             (Side::Front, None) => panic!("{onward:?} is inside {shape:?} and doesn't come out"),

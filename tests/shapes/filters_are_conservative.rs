@@ -274,9 +274,8 @@ fn spawned(world: &World, from: &Ray, object: u32, crossing: Crossing, random: &
     let way = random.unit();
     let is_back = way.dot(surface.normal) < 0.0;
     let side = if is_back { crossing.side.opposite() } else { crossing.side };
-    let leaving =
-        Some(Leaving { object, primitive: crossing.primitive, side, slack: from.slack_at(surface.point, &Silent) });
-    Ray { leaving, ..Ray::along(surface.point, way) }
+    let leaving = Some(Leaving { object, primitive: crossing.primitive, side });
+    Ray { leaving, slack: from.slack_at(surface.point, &Silent), ..Ray::along(surface.point, way) }
 }
 
 fn search(nearest_first: bool) -> Search {

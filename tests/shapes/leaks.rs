@@ -75,32 +75,54 @@ fn a_light_before_the_surface_counts_by_the_interpolated_normal() {
     assert!(color[0] > 1.0, "{color:?}");
 }
 
-#[test]
-fn a_reflection_under_the_surface_is_black() {
-    // −z on a normal tilted by more than 45° goes on downward.
-    let (events, color) = events(&scene(TILTED, [0.0, 0.0, -1.0], [5.0, 0.0, 1.0], MIRROR));
-    assert_eq!(leaks(&events), [Skippable::Reflected]);
-    assert_eq!(rays(&events, |kind| kind == RayKind::Reflected), 1);
-    assert_eq!(color, [0.0; 3]);
+/// The directions that were bent, with what they became.
+fn bent(events: &[Event]) -> Vec<(Skippable, [f64; 3])> {
+    let is_bent = |event: &Event| match event.what {
+        What::Mark(Decision::Bent { what }) => Some(what),
+        _ => None,
+    };
+    let direction = |event: &Event| match event.what {
+        What::Note { name: Name::ReflectDirectionBent | Name::RefractDirectionBent, value: Value::Triple(value) } => {
+            Some(value)
+        }
+        _ => None,
+    };
+    events.iter().filter_map(is_bent).zip(events.iter().filter_map(direction)).collect()
 }
 
 #[test]
-fn a_transmission_that_stays_above_is_black() {
+fn a_reflection_under_the_surface_is_bent_along_it() {
+    // −z on a normal tilted by more than 45° goes on downward, to (0.8, 0, −0.6).
+    let (events, color) = events(&scene(TILTED, [0.0, 0.0, -1.0], [5.0, 0.0, 1.0], MIRROR));
+    assert_eq!(leaks(&events), []);
+    assert_eq!(bent(&events), [(Skippable::Reflected, [1.0, 0.0, 0.0])]);
+    assert_eq!(rays(&events, |kind| kind == RayKind::Reflected), 1);
+    assert_eq!(color, [1.0; 3]);
+}
+
+#[test]
+fn a_transmission_that_stays_above_is_bent_along_the_surface() {
     // Nearly along the surface into a thinner medium: the direction turns away from the inverted normal, and upward.
     let against = r#", "normals": [[-2, 0, 1], [-2, 0, 1], [-2, 0, 1]]"#;
     let thinner = r#""ior": 0.8, "weights": {"local": 0, "reflected": 0, "transmitted": 1}"#;
     let (events, color) = events(&scene(against, [1.0, 0.0, -0.05], [5.0, 0.0, 1.0], thinner));
-    assert_eq!(leaks(&events), [Skippable::Transmitted]);
+    assert_eq!(leaks(&events), []);
+    assert_eq!(bent(&events), [(Skippable::Transmitted, [1.0, 0.0, 0.0])]);
     assert_eq!(rays(&events, |kind| kind == RayKind::Transmitted), 1);
-    assert_eq!(color, [0.0; 3]);
+    assert_eq!(color, [1.0; 3]);
 }
 
 #[test]
 fn a_log_holds_the_mark() {
-    let log = record::pixel(&scene(TILTED, [0.0, 0.0, -1.0], [5.0, 0.0, 1.0], MIRROR), [2, 2], Arithmetic::F64);
-    let bytes = to_ndjson(&log).expect("memory can be written to");
-    assert!(String::from_utf8_lossy(&bytes).contains(r#""mark":{"leak_guard":{"what":"reflected"}}"#));
-    assert_eq!(read(&bytes).expect("a log").log.events, log.events);
+    for (light, material, mark) in [
+        ([5.0, 0.0, 1.0], MIRROR, r#""mark":{"bent":{"what":"reflected"}}"#),
+        ([5.0, 0.0, -1.0], LOCAL, r#""mark":{"leak_guard":{"what":"shadow"}}"#),
+    ] {
+        let log = record::pixel(&scene(TILTED, [0.0, 0.0, -1.0], light, material), [2, 2], Arithmetic::F64);
+        let bytes = to_ndjson(&log).expect("memory can be written to");
+        assert!(String::from_utf8_lossy(&bytes).contains(mark), "{mark}");
+        assert_eq!(read(&bytes).expect("a log").log.events, log.events);
+    }
 }
 
 #[test]

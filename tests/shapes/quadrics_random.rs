@@ -110,12 +110,8 @@ fn a_ray_that_leaves_the_surface_inward_meets_the_other_end_only() {
         let Some(crossing) = first(&solid.shape, &ray) else { return Ok("no hit") };
         let at = surface(&solid.shape, &ray, crossing);
         let leaving = |direction: DVec3, side| Ray {
-            leaving: Some(Leaving {
-                object: 0,
-                primitive: crossing.primitive,
-                side,
-                slack: ray.slack_at(at.point, &raywalk::probe::Silent),
-            }),
+            leaving: Some(Leaving { object: 0, primitive: crossing.primitive, side }),
+            slack: ray.slack_at(at.point, &raywalk::probe::Silent),
             ..Ray::new(at.point, direction)
         };
         let outward = if crossing.side == Front { at.normal } else { -at.normal };

@@ -161,7 +161,7 @@ fn one_sided_faces_are_absent_from_behind() {
         assert_eq!(shape.first_crossing(0, true, &from(-2.0), &mut Silent), None);
         let hit = meet(shape, &from(2.0)).expect("a hit from the front");
         assert_eq!((hit.0.t, hit.1.normal), (2.0, DVec3::Z));
-        let leaving = Some(Leaving { object: 0, primitive: hit.0.primitive, side: Side::Front, slack: 0.0 });
+        let leaving = Some(Leaving { object: 0, primitive: hit.0.primitive, side: Side::Front });
         assert_eq!(shape.first_crossing(0, false, &Ray { leaving, ..from(2.0) }, &mut Silent), None);
     }
 }

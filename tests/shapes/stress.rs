@@ -106,13 +106,9 @@ fn no_ray_meets_the_convex_surface_that_it_leaves() {
         let along = way - surface.normal * way.dot(surface.normal) + surface.normal * 1e-9 * random.part();
         let way = if random.below(3) == 0 { along } else { way };
         let outward = if way.dot(surface.normal) < 0.0 { -way } else { way };
-        let leaving = Some(Leaving {
-            object: 0,
-            primitive: crossing.primitive,
-            side: crossing.side,
-            slack: ray.slack_at(surface.point, &Silent),
-        });
-        let spawned = Ray { leaving, ..Ray::along(surface.point, outward) };
+        let leaving = Some(Leaving { object: 0, primitive: crossing.primitive, side: crossing.side });
+        let slack = ray.slack_at(surface.point, &Silent);
+        let spawned = Ray { leaving, slack, ..Ray::along(surface.point, outward) };
         shape.first_crossing(0, false, &spawned, &mut Silent).is_some()
     });
     assert_eq!(self_hits, 0, "of {MANY}");
@@ -154,13 +150,9 @@ fn no_ray_meets_the_convex_mesh_that_it_leaves() {
         let surface = ball.surface(&ray, crossing, &mut Silent);
         let way = random.unit();
         let outward = if way.dot(surface.normal) < 0.0 { -way } else { way };
-        let leaving = Some(Leaving {
-            object: 0,
-            primitive: crossing.primitive,
-            side: crossing.side,
-            slack: ray.slack_at(surface.point, &Silent),
-        });
-        let spawned = Ray { leaving, ..Ray::along(surface.point, outward) };
+        let leaving = Some(Leaving { object: 0, primitive: crossing.primitive, side: crossing.side });
+        let slack = ray.slack_at(surface.point, &Silent);
+        let spawned = Ray { leaving, slack, ..Ray::along(surface.point, outward) };
         ball.first_crossing(0, false, &spawned, &mut Silent).is_some()
     });
     assert_eq!(self_hits, 0, "of {MANY}");

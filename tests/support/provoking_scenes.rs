@@ -61,7 +61,14 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
     let sphere =
         |center: [f64; 3], radius| Shape::Sphere(Sphere::new(center.into(), radius, false, options.sphere_method));
     let plane = |coefficients| Shape::Plane(Plane::new(coefficients));
-    let object = |name: &str, shape, material| Object { name: name.to_owned(), shape, material, one_sided: false };
+    let object = |name: &str, shape, material| Object {
+        name: name.to_owned(),
+        shape,
+        material,
+        one_sided: false,
+        slack: 0.0,
+        inside: None,
+    };
     indexed(Scene {
         camera: Camera::new(eye.into(), DVec3::new(0.1, -0.2, -1.0), DVec3::Y, 60.0, [48, 36]),
         background: DVec3::new(0.2, 0.2, 0.3),
@@ -115,6 +122,8 @@ pub fn straight_through(options: Options) -> Scene {
             shape: Shape::Plane(Plane::new([0.0, 0.0, 1.0, 0.0])),
             material: 0,
             one_sided: false,
+            slack: 0.0,
+            inside: None,
         }],
         ..bare("straight through", options)
     })
@@ -137,6 +146,7 @@ fn bare(name: &str, options: Options) -> Scene {
         materials: Vec::new(),
         objects: Vec::new(),
         index: Index::default(),
+        around_eye: Default::default(),
         ceilings: Default::default(),
         sampling: raywalk::scene::Sampling::Center,
         seed: 0,

@@ -17,6 +17,22 @@ pub struct Session {
     pub written: Arc<Mutex<Vec<u8>>>,
 }
 
+type Spawned = (Box<dyn Child + Send + Sync>, Box<dyn MasterPty + Send>, Box<dyn Read + Send>);
+
+/// A program in a pseudo-terminal, the terminal, and what reads from it.
+pub fn spawned(program: &OsStr, arguments: &[&str], columns: u16, rows: u16) -> Spawned {
+    let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
+    let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
+    let mut command = CommandBuilder::new(program);
+    command.args(arguments);
+    command.cwd(env!("CARGO_MANIFEST_DIR"));
+    command.env("TERM", "xterm-256color");
+    command.env_remove("NO_COLOR");
+    let child = pair.slave.spawn_command(command).expect("the program starts");
+    let reader = pair.master.try_clone_reader().expect("a reader");
+    (child, pair.master, reader)
+}
+
 pub const PATIENCE: Duration = Duration::from_secs(20);
 
 impl Session {
@@ -26,17 +42,8 @@ impl Session {
 
     /// A program in a pseudo-terminal.
     pub fn of(program: &OsStr, arguments: &[&str], columns: u16, rows: u16) -> Session {
-        let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
-        let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
-        let mut command = CommandBuilder::new(program);
-        command.args(arguments);
-        command.cwd(env!("CARGO_MANIFEST_DIR"));
-        command.env("TERM", "xterm-256color");
-        command.env_remove("NO_COLOR");
-        let child = pair.slave.spawn_command(command).expect("the program starts");
-        drop(pair.slave);
-        let mut reader = pair.master.try_clone_reader().expect("a reader");
-        let keys = pair.master.take_writer().expect("a writer");
+        let (child, master, mut reader) = spawned(program, arguments, columns, rows);
+        let keys = master.take_writer().expect("a writer");
         let screen = Arc::new(Mutex::new(vt100::Parser::new(rows.max(1), columns.max(1), 0)));
         let written = Arc::new(Mutex::new(Vec::new()));
         let (screen_here, written_here) = (screen.clone(), written.clone());
@@ -50,7 +57,7 @@ impl Session {
                 written_here.lock().expect("the output").extend_from_slice(&buffer[..count]);
             }
         });
-        Session { child, master: pair.master, keys, screen, written }
+        Session { child, master, keys, screen, written }
     }
 
     pub fn press(&mut self, keys: &str) {
@@ -93,10 +100,17 @@ impl Session {
         let start = Instant::now();
         let state = || {
             let screen = self.screen.lock().expect("the screen");
-            (screen.screen().alternate_screen(), screen.screen().hide_cursor())
+            let screen = screen.screen();
+            // A shell may want pasted text marked, too.
+            [screen.alternate_screen(), screen.hide_cursor(), screen.bracketed_paste() || !is_taken]
         };
-        while state() != (is_taken, is_taken) {
-            assert!(start.elapsed() < PATIENCE, "alternate screen, cursor hidden: {:?}\n{}", state(), self.text());
+        while state() != [is_taken, is_taken, true] {
+            assert!(
+                start.elapsed() < PATIENCE,
+                "alternate screen, cursor hidden, pasted text marked: {:?}\n{}",
+                state(),
+                self.text()
+            );
             thread::sleep(Duration::from_millis(10));
         }
     }
@@ -143,6 +157,7 @@ impl Session {
         let screen = self.screen.lock().expect("the screen");
         assert!(!screen.screen().alternate_screen(), "the alternate screen was left on");
         assert!(!screen.screen().hide_cursor(), "the cursor was left hidden");
+        assert!(!screen.screen().bracketed_paste(), "pasted text is still marked");
         assert!(self.is_cooked(), "the terminal was left in raw mode");
     }
 

@@ -4,6 +4,8 @@
 mod calls;
 #[path = "../support/provoking_scenes.rs"]
 mod provoking_scenes;
+#[path = "../support/random.rs"]
+mod random;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -11,6 +13,7 @@ mod diff;
 mod digits;
 mod formulas;
 mod log_files;
+mod log_spellings;
 mod overflow;
 mod regions;
 mod rounding;

@@ -1,6 +1,7 @@
 //! The viewer in a real pseudo-terminal: it shows the walk, steps, and always gives the terminal back.
 
-use crate::session::{PATIENCE, Session};
+use crate::session::{PATIENCE, Session, spawned};
+use std::io::{Read, Write};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -124,7 +125,7 @@ fn e12_tty_1x1() {
 
 #[test]
 fn e13_tty_restore() {
-    for (signal, code) in [("TERM", 143), ("INT", 130), ("HUP", 143), ("QUIT", 143)] {
+    for (signal, code) in [("TERM", 143), ("INT", 130), ("HUP", 129), ("QUIT", 143)] {
         let mut session = Session::start(&["walk", "textbook"], 80, 24);
         session.shows("step 1/");
         session.signal(signal);
@@ -132,24 +133,104 @@ fn e13_tty_restore() {
     }
 }
 
-/// A terminal that goes away while the viewer runs: it ends, and keeps no processor busy.
+/// A terminal that goes away while the viewer runs: it ends as by the signal, and keeps no processor busy.
 #[test]
 fn s05_sighup_of_a_viewer() {
-    let Session { mut child, master, keys, screen, .. } = Session::start(&["walk", "textbook"], 80, 24);
+    let folder = tempfile::tempdir().expect("a folder");
+    let log = folder.path().join("a.ndjson");
+    let mut traced = assert_cmd::Command::cargo_bin("raywalk").expect("the program");
+    traced.args(["trace", "textbook", "--pixel", "160,120", "-o"]).arg(&log).assert().success();
+    let log = &*log.to_string_lossy();
+    // Also one that draws all the time, so that it may be writing when the terminal goes.
+    for (arguments, keys) in
+        [(&["walk", "textbook"][..], ""), (&["walk", "textbook"], "++++P"), (&["diff", log, log, "--walk"], "j")]
+    {
+        let (mut child, master, mut reader) = spawned(env!("CARGO_BIN_EXE_raywalk").as_ref(), arguments, 80, 24);
+        let mut writer = master.take_writer().expect("a writer");
+        let (mut screen, mut buffer) = (vt100::Parser::new(24, 80, 0), [0; 4096]);
+        while !["step 1/", "row 1/"].iter().any(|shown| screen.screen().contents().contains(shown)) {
+            let count = reader.read(&mut buffer).expect("it draws");
+            assert!(count > 0, "{}", screen.screen().contents());
+            screen.process(&buffer[..count]);
+        }
+        writer.write_all(keys.as_bytes()).expect("keys are read");
+        thread::sleep(Duration::from_millis(100));
+        // Nobody holds the terminal any more.
+        drop((writer, reader, master));
+        assert_eq!(code_of(&mut child), 129, "{arguments:?} {keys}");
+    }
+}
+
+/// The exit code of a program that must end by itself.
+#[track_caller]
+fn code_of(child: &mut Box<dyn portable_pty::Child + Send + Sync>) -> u32 {
     let start = Instant::now();
-    while !screen.lock().expect("the screen").screen().contents().contains("step 1/") {
-        assert!(start.elapsed() < PATIENCE);
+    loop {
+        if let Some(status) = child.try_wait().expect("a status") {
+            return status.exit_code();
+        }
+        assert!(start.elapsed() < PATIENCE, "it goes on without a terminal");
         thread::sleep(Duration::from_millis(10));
     }
-    drop((master, keys));
-    // The thread that reads holds the terminal open; the signal is what its closing would send.
-    let id = child.process_id().expect("a process").to_string();
-    let sent = std::process::Command::new("kill").args(["-s", "HUP", &id]).status().expect("kill runs");
-    assert!(sent.success());
-    while child.try_wait().expect("a status").is_none() {
-        assert!(start.elapsed() < PATIENCE, "the viewer goes on without a terminal");
-        thread::sleep(Duration::from_millis(10));
+}
+
+/// The signal of a terminal that was closed goes to the shell of a script, which may keep it for itself.
+#[test]
+fn a_terminal_that_is_gone_is_noticed_without_a_signal() {
+    let script = concat!("trap : HUP; ", env!("CARGO_BIN_EXE_raywalk"), " walk textbook; exit $?");
+    let (mut child, master, mut reader) = spawned("bash".as_ref(), &["--norc", "-c", script], 80, 24);
+    let (mut written, mut buffer) = (Vec::new(), [0; 4096]);
+    while !String::from_utf8_lossy(&written).contains("step 1/") {
+        let count = reader.read(&mut buffer).expect("it draws");
+        assert!(count > 0, "{}", String::from_utf8_lossy(&written));
+        written.extend_from_slice(&buffer[..count]);
     }
+    drop((reader, master));
+    assert_eq!(code_of(&mut child), 129);
+}
+
+/// What a terminal sends of a text that is pasted.
+fn pasted(text: &str) -> String {
+    format!("\x1b[200~{text}\x1b[201~")
+}
+
+#[test]
+fn a_pasted_text_is_text() {
+    let mut session = Session::start(&["walk", "textbook"], 100, 30);
+    session.shows("step 1/96");
+    session.is_taken(true);
+    // As keys these would leave the viewer.
+    session.press(&pasted("q:quit\r\x03"));
+    session.shows("text can only be pasted into a line");
+    session.press("n");
+    session.hides("text can only be pasted");
+    session.press("/ol");
+    session.press(&pasted("n_dot_l\r\n\x03\x1b[31m\tsecond"));
+    session.shows("/oln_dot_l \\u{3}\\u{1b}[31m second");
+    session.press("\x15");
+    session.press(&pasted("n_dot_l"));
+    session.press("\r");
+    session.shows("match 1/");
+    session.press("q");
+    session.ends_with(0);
+}
+
+#[test]
+fn a_pasted_text_does_nothing_to_two_logs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let log = folder.path().join("a.ndjson");
+    let mut traced = assert_cmd::Command::cargo_bin("raywalk").expect("the program");
+    traced.args(["trace", "textbook", "--pixel", "160,120", "-o"]).arg(&log).assert().success();
+    let log = &*log.to_string_lossy();
+    let mut session = Session::start(&["diff", log, log, "--walk"], 120, 30);
+    session.shows("row 1/");
+    session.press(&pasted("q\x03"));
+    session.shows("text can only be pasted into a line");
+    session.press("j");
+    session.shows("row 2/");
+    session.hides("text can only be pasted");
+    session.press("q");
+    session.ends_with(0);
 }
 
 #[test]

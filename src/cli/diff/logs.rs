@@ -1,11 +1,11 @@
 //! Two logs, pixel by pixel.
 
 use super::{Diff, DiffFormat};
-use crate::cli::failure::{Failure, INTERRUPTED, TERMINATED};
+use crate::cli::failure::Failure;
 use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
-use crate::cli::walk::palette;
+use crate::cli::walk::{left, palette};
 use raywalk::log::file::{Ending, PixelEvents, PixelReader};
 use raywalk::log::{Header, Log, Subject, Tree};
 use raywalk::report::diff::{
@@ -14,8 +14,8 @@ use raywalk::report::diff::{
 use raywalk::report::side_by_side::Run;
 use raywalk::report::words;
 use raywalk::scene::file::{Opened, visible};
+use raywalk::tui::Theme;
 use raywalk::tui::beside::{self, Beside};
-use raywalk::tui::{Exit, Theme};
 use signal_hook::iterator::Handle;
 use std::cmp::Ordering;
 use std::io::Read;
@@ -96,12 +96,9 @@ impl Diff {
             signals.close();
         }
         let theme = Theme::new(palette(colors), self.ascii);
-        match beside::run(beside, &theme) {
-            Ok(Exit::Quit) => Ok(is_same),
-            Ok(Exit::Interrupted) => Err(Failure::silent(INTERRUPTED)),
-            Ok(Exit::Terminated) => Err(Failure::silent(TERMINATED)),
-            Err(error) => Err(Failure::machine(format!("the terminal can't be used: {error}"))),
-        }
+        let exit = beside::run(beside, &theme)
+            .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
+        left(exit).map(|()| is_same)
     }
 
     fn view(&self) -> View {

@@ -5,7 +5,7 @@ use crate::cli::failure::{Failure, shown};
 use crate::cli::options::ColorChoice;
 use crate::cli::output::Output;
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
-use raywalk::log::file::{LogError, ShardLog, Writer};
+use raywalk::log::file::{LogError, PixelReader, Writer};
 use raywalk::log::{Header, Shard};
 use raywalk::report::diff::header_differences;
 use std::collections::BTreeMap;
@@ -46,9 +46,9 @@ impl Merge {
     }
 }
 
-fn log_in(path: &Path, colors: ColorChoice) -> Result<ShardLog<impl Read + use<>>, Failure> {
+fn log_in(path: &Path, colors: ColorChoice) -> Result<PixelReader<impl Read + use<>>, Failure> {
     let input = open(path, colors)?.stream(MAX_LOG_BYTES);
-    ShardLog::open(input).map_err(|error: LogError| saved_log::failure(&shown(path), &error))
+    PixelReader::open(input).map_err(|error: LogError| saved_log::failure(&shown(path), &error))
 }
 
 /// The logs in the order of their shards, if together they are the whole of one region.

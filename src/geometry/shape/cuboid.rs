@@ -93,13 +93,13 @@ impl Kernel for Cuboid {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let begins_at = |crossing| self.begins_at(ray, approach, crossing);
-        self.roots(ray, approach, probe)?.first(ray, without_leaving(approach), begins_at, probe)
+        let at_an_end = |crossing| self.at_an_end(ray, approach, crossing);
+        self.roots(ray, approach, probe)?.first(ray, without_leaving(approach), at_an_end, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         let Some(roots) = self.roots(ray, approach, probe) else { return };
-        roots.all(ray, without_leaving(approach), |crossing| self.begins_at(ray, approach, crossing), found, probe);
+        roots.all(ray, without_leaving(approach), |crossing| self.at_an_end(ray, approach, crossing), found, probe);
     }
 
     #[inline]
@@ -165,7 +165,7 @@ mod tests {
 
     fn meet(cuboid: &Cuboid, origin: [f64; 3], direction: [f64; 3]) -> Option<Crossing> {
         let ray = Ray::new(origin.into(), direction.into());
-        cuboid.first_crossing(&ray, Approach { leaving: None, slack: 0.0, one_sided: false }, &mut Silent)
+        cuboid.first_crossing(&ray, Approach { leaving: None, one_sided: false }, &mut Silent)
     }
 
     #[track_caller]
@@ -216,8 +216,8 @@ mod tests {
 
     #[test]
     fn a_ray_that_leaves_a_face_meets_others_only() {
-        let leaving = |face, side| Some(Leaving { object: 0, primitive: face, side, slack: 0.0 });
-        let approach = Approach { leaving: Some(Side::Back), slack: 0.0, one_sided: false };
+        let leaving = |face, side| Some(Leaving { object: 0, primitive: face, side });
+        let approach = Approach { leaving: Some(Side::Back), one_sided: false };
         let meet = |face, direction: DVec3| {
             // Just outside the face, as rounding may have it.
             let origin = DVec3::new(1.0_f64.next_down(), 3.0, 4.0);

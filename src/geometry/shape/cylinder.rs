@@ -116,12 +116,12 @@ impl Kernel for Cylinder {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        self.roots(ray, probe)?.first(ray, approach, |crossing| self.begins_at(ray, approach, crossing), probe)
+        self.roots(ray, probe)?.first(ray, approach, |crossing| self.at_an_end(ray, approach, crossing), probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         if let Some(roots) = self.roots(ray, probe) {
-            roots.all(ray, approach, |crossing| self.begins_at(ray, approach, crossing), found, probe);
+            roots.all(ray, approach, |crossing| self.at_an_end(ray, approach, crossing), found, probe);
         }
     }
 

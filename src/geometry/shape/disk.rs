@@ -1,7 +1,7 @@
 //! The flat disk: where the ray meets its plane, the squared distance from the centre decides.
 
 use super::flat::{PlaneNames, meet_plane_certainly, refined, toward};
-use super::{Approach, Kernel, decide};
+use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Surface};
@@ -49,7 +49,7 @@ impl Kernel for Disk {
             return None;
         }
         let crossing = Crossing { t: plane.t, side: plane.side, primitive: 0 };
-        decide(ray, approach, crossing, || self.begins_at(ray, approach, crossing), probe)
+        self.decide(ray, approach, crossing, probe)
     }
 
     #[inline]
@@ -83,7 +83,7 @@ mod tests {
     fn meets(x: f64) -> Option<Crossing> {
         let disk = Disk::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.0, 0.0, -2.0), 0.5);
         let ray = Ray::new(DVec3::new(x, 2.0, 0.0), DVec3::Z);
-        disk.first_crossing(&ray, Approach { leaving: None, slack: 0.0, one_sided: false }, &mut Silent)
+        disk.first_crossing(&ray, Approach { leaving: None, one_sided: false }, &mut Silent)
     }
 
     #[test]

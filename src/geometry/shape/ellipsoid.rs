@@ -187,13 +187,13 @@ impl Kernel for Ellipsoid {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let begins_at = |crossing| self.begins_at(ray, approach, crossing);
-        self.roots(ray, approach.leaving.is_some(), probe)?.first(ray, approach, begins_at, probe)
+        let at_an_end = |crossing| self.at_an_end(ray, approach, crossing);
+        self.roots(ray, approach.leaving.is_some(), probe)?.first(ray, approach, at_an_end, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         if let Some(roots) = self.roots(ray, approach.leaving.is_some(), probe) {
-            roots.all(ray, approach, |crossing| self.begins_at(ray, approach, crossing), found, probe);
+            roots.all(ray, approach, |crossing| self.at_an_end(ray, approach, crossing), found, probe);
         }
     }
 

@@ -6,7 +6,7 @@
 mod left;
 
 use super::triangle::Facet;
-use super::{Approach, touched};
+use super::{Approach, at_an_end, decide, touched};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
@@ -14,10 +14,10 @@ use crate::geometry::mesh::{Mesh, Winding};
 use crate::geometry::nearest::{Contenders, Hit};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
-use crate::log::Step;
+use crate::log::{Miss, Step};
 use crate::probe::Probe;
 use glam::DVec3;
-use left::{LeftTriangle, corners_in_common};
+use left::{LeftTriangle, corners_in_common, overlap};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
 
@@ -78,9 +78,11 @@ impl TriangleMesh {
     ) -> Option<Crossing> {
         let mut nearest: Option<Hit> = None;
         self.visit(object, one_sided, ray, NEAREST_FIRST, probe, |crossing, probe| {
-            let hit = contenders.nearer(nearest, Hit { object, crossing }, ray, probe);
-            nearest = Some(hit);
-            hit.crossing.t
+            let hit = Hit { object, crossing };
+            contenders.add(nearest, hit, ray, probe);
+            let nearer = nearest.filter(|best| best.crossing.t <= crossing.t).unwrap_or(hit);
+            nearest = Some(nearer);
+            nearer.crossing.t
         });
         nearest.map(|hit| hit.crossing)
     }
@@ -91,9 +93,14 @@ impl TriangleMesh {
         probe.within(Step::Test { object, triangle: Some(triangle) }, touched);
     }
 
-    /// Whether two triangles have one or two corners in common. With all three they are in the same place.
+    /// Whether two triangles have one or two corners in common and don't overlap.
     pub fn are_neighbours(&self, one: u32, other: u32) -> bool {
-        matches!(corners_in_common(self.mesh.corners(one), self.mesh.corners(other)), 1 | 2)
+        let (one, other) = (self.facet(one), self.facet(other));
+        match corners_in_common(one.corners(), other.corners()) {
+            1 => true,
+            2 => !overlap(&one, &other),
+            _ => false,
+        }
     }
 
     /// The greatest coordinate of a triangle.
@@ -156,9 +163,8 @@ impl TriangleMesh {
         mut meet: impl FnMut(Crossing, &P) -> f64,
     ) {
         let left = ray.leaving.filter(|leaving| leaving.object == object);
-        let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, &self.normals, leaving.primitive, ray));
-        let slack = ray.leaving.map_or(0.0, |leaving| leaving.slack);
-        let approach = Approach { leaving: None, slack, one_sided };
+        let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, &self.normals, leaving, ray));
+        let approach = Approach { leaving: None, one_sided };
         let mut t_max = ray.t_max;
         let search = Search { nearest_first, one_by_one: probe.certifies() };
         let tested = self.tree.visit::<P>(
@@ -190,30 +196,39 @@ impl TriangleMesh {
         probe: &mut P,
     ) -> Option<Crossing> {
         let facet = self.facet(triangle);
-        let begins_there =
-            |crossing: Crossing| approach.is_near(crossing.t) && self.begins_at(ray, approach, crossing, left);
+        let near_end = |crossing: Crossing, probe: &mut P| self.decide_near_end(ray, approach, crossing, left, probe);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
         probe.within(
             step,
             #[inline(always)]
-            |probe| facet.crossing(ray, approach, triangle, begins_there, probe),
+            |probe| facet.crossing(ray, approach, triangle, near_end, probe),
         )
     }
 
-    /// Whether a crossing near the ray's origin is where the ray begins. Neighbours of the triangle that it leaves are told by their
-    /// wedge, and by their distance, unless they lie in the same plane.
     #[cold]
     #[inline(never)]
-    fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing, left: Option<&LeftTriangle>) -> bool {
+    fn decide_near_end<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        candidate: Crossing,
+        left: Option<&LeftTriangle>,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        decide(ray, approach, candidate, self.at_an_end(ray, candidate, left), probe)
+    }
+
+    /// Whether a crossing near an end of the ray is that end. Neighbours of the triangle that it leaves are told by their wedge, and by their
+    /// distance, unless they lie in the same plane.
+    fn at_an_end(&self, ray: &Ray, crossing: Crossing, left: Option<&LeftTriangle>) -> Option<Miss> {
         let facet = self.facet(crossing.primitive);
-        let normal = unit(facet.normal);
-        let is_on = |point: DVec3| approach.holds(normal.dot(point - facet.a), facet.bounds().size());
+        let (normal, size) = (unit(facet.normal), facet.bounds().size());
+        let is_on = |point: DVec3| ray.holds(normal.dot(point - facet.a), size);
         let is_apart = |left: &LeftTriangle| {
-            matches!(corners_in_common(left.corners, [facet.a, facet.b, facet.c]), 1 | 2)
-                && !left.corners.into_iter().all(is_on)
+            matches!(corners_in_common(left.corners, facet.corners()), 1 | 2) && !left.corners.into_iter().all(is_on)
         };
-        is_on(ray.origin) && !left.is_some_and(is_apart)
+        at_an_end(ray, !left.is_some_and(is_apart), crossing.t, normal.dot(ray.direction).abs(), size)
     }
 
     #[inline(always)]

@@ -91,12 +91,10 @@ macro_rules! kernel {
 }
 
 /// What a kernel has to know beside the ray.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Approach {
     /// The side of this very surface on which the ray sets off, if it leaves it.
     pub leaving: Option<Side>,
-    /// How far the ray's origin may lie from where it belongs, if it leaves another surface.
-    pub slack: f64,
     /// Whether the surface is absent for rays that arrive at its back.
     pub one_sided: bool,
 }
@@ -140,17 +138,35 @@ pub trait Kernel {
         self.surface(ray, crossing, &mut Silent).geometric_normal().dot(ray.direction).abs()
     }
 
-    /// Whether this crossing is where the ray begins, as far as rounding can tell.
-    #[inline(always)]
-    fn begins_at(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
-        approach.is_near(crossing.t) && self.holds_origin(ray, approach, crossing)
-    }
-
-    /// The rest of [`Kernel::begins_at`], for crossings near the origin.
+    /// Whether a crossing near an end of the ray is that end, as far as rounding can tell: where the ray begins, or where the light is. Then
+    /// it is a miss, and why.
     #[cold]
     #[inline(never)]
-    fn holds_origin(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
-        approach.holds(crossing.t * self.slope(ray, crossing), self.size())
+    fn at_an_end(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> Option<Miss> {
+        at_an_end(ray, approach.leaving.is_none(), crossing.t, self.slope(ray, crossing), self.size())
+    }
+
+    /// Marks the only candidate of a flat shape as hit or missed.
+    #[inline(always)]
+    fn decide<P: Probe>(&self, ray: &Ray, approach: Approach, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
+        // A call at the end, before which no register need be saved.
+        if ray.is_near_an_end(candidate.t) {
+            return self.decide_near_end(ray, approach, candidate, probe);
+        }
+        decide(ray, approach, candidate, None, probe)
+    }
+
+    /// The rest of [`Kernel::decide`].
+    #[cold]
+    #[inline(never)]
+    fn decide_near_end<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        candidate: Crossing,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        decide(ray, approach, candidate, self.at_an_end(ray, approach, candidate), probe)
     }
 
     /// The first point where the ray crosses object `object` of this shape.
@@ -182,17 +198,12 @@ pub trait Kernel {
         probe: &mut P,
         body: impl FnOnce(Approach, &mut P) -> T,
     ) -> Option<T> {
-        let (leaving, slack) = match ray.leaving {
-            Some(leaving) if leaving.object == object => (Some(leaving.side), 0.0),
-            Some(leaving) => (None, leaving.slack),
-            None => (None, 0.0),
-        };
+        let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
         if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
             return None;
         }
-        let approach = Approach { leaving, slack, one_sided };
         self.give(probe);
-        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(approach, probe)))
+        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(Approach { leaving, one_sided }, probe)))
     }
 
     /// Shows the log the crossing of a ray that begins on the surface and goes through it.
@@ -213,7 +224,7 @@ impl Shape {
     pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
         let mut contenders = Contenders::default();
         let crossing = self.nearest(object, one_sided, ray, &mut contenders, probe)?;
-        Some(contenders.place(Hit { object, crossing }, ray, |_| self, probe).hit.crossing)
+        contenders.place(Hit { object, crossing }, ray, |_| self, probe).first().map(|hit| hit.crossing)
     }
 
     /// The nearest of the points where the ray crosses object `object` of this shape, and those of a mesh that may be in the same
@@ -246,6 +257,15 @@ impl Shape {
     /// The size of the numbers that define a part of the surface, whose roundings move it.
     pub(in crate::geometry) fn size(&self, primitive: u32) -> f64 {
         kernel!(self, kernel => kernel.size(), mesh => mesh.size(primitive))
+    }
+
+    /// The bound of what the roundings of its numbers do to the surface, in units of length.
+    pub fn slack(&self) -> f64 {
+        let size = match self {
+            Shape::Mesh(mesh) => mesh.bounds().map_or(0.0, Bounds::size),
+            _ => self.size(0),
+        };
+        ROUNDINGS * size
     }
 
     /// How fast the ray leaves the surface at a crossing: the part of its direction that is along the normal.
@@ -309,6 +329,11 @@ impl Shape {
             Shape::Moving(moving) => moving.shape(),
             _ => self,
         }
+    }
+
+    /// Whether it moves.
+    pub fn is_moving(&self) -> bool {
+        matches!(self, Shape::Moving(_))
     }
 
     /// Whether this part of the surface (see [`Crossing::primitive`]) is flat.
@@ -391,34 +416,30 @@ impl Approach {
     pub fn shows(self, side: Side) -> bool {
         !self.one_sided || side == Side::Front
     }
+}
 
-    /// Whether a crossing at this distance is so near to the ray's origin that it may be the origin itself, seen at an angle
-    /// that rounding errors can still tell from 0.
-    #[inline(always)]
-    fn is_near(self, t: f64) -> bool {
-        const FLATTEST: f64 = (1_u64 << 40) as f64;
-        t <= FLATTEST * self.slack
-    }
-
-    /// Whether an origin at this distance from a surface may lie on it. `size` is that of the numbers that define the surface.
-    fn holds(self, distance: f64, size: f64) -> bool {
-        self.slack > 0.0 && distance.abs() <= self.slack + ROUNDINGS * size
+/// Whether a crossing, through which the ray passes so fast along the normal, is an end of the ray.
+fn at_an_end(ray: &Ray, may_begin: bool, t: f64, slope: f64, size: f64) -> Option<Miss> {
+    match () {
+        _ if may_begin && ray.holds(t * slope, size) => Some(Miss::BeginsThere),
+        _ if ray.holds((ray.t_max - t) * slope, size) => Some(Miss::Beyond),
+        _ => None,
     }
 }
 
-/// Marks a candidate as hit or missed: by its side, by whether the ray reaches it, and by whether the ray begins there.
+/// Marks a candidate as hit or missed: by its side, by whether the ray reaches it, and by whether it is an end of the ray.
 #[inline]
 fn decide<P: Probe>(
     ray: &Ray,
     approach: Approach,
     candidate: Crossing,
-    begins_there: impl FnOnce() -> bool,
+    at_an_end: Option<Miss>,
     probe: &mut P,
 ) -> Option<Crossing> {
-    let why = match () {
+    let why = match at_an_end {
         _ if !approach.shows(candidate.side) => Miss::FacesAway,
-        _ if ray.reaches(candidate.t) && begins_there() => Miss::BeginsThere,
-        _ if ray.reaches(candidate.t) => {
+        Some(why) if ray.reaches(candidate.t) => why,
+        None if ray.reaches(candidate.t) => {
             probe.mark(Decision::Hit);
             return Some(candidate);
         }

@@ -1,7 +1,7 @@
 //! The plane A·x + B·y + C·z + D = 0 (Ramos, section 1.3, steps 2 and 3).
 
 use super::flat::{HALF, Sum, is_distance_in_doubt};
-use super::{Approach, Kernel, decide};
+use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::{Doubled, length};
 use crate::geometry::exact::dot;
@@ -57,7 +57,7 @@ impl Kernel for Plane {
         let v_o = probe.note(Name::PlaneVo, v_o);
         let t = probe.note(Name::PlaneT, v_o / v_d);
         let crossing = Crossing { t, side: side(v_d), primitive: 0 };
-        decide(ray, approach, crossing, || self.begins_at(ray, approach, crossing), probe)
+        self.decide(ray, approach, crossing, probe)
     }
 
     #[inline(always)]
@@ -124,7 +124,7 @@ impl Plane {
         probe.note(Name::PlaneVo, -(self.normal.dot(ray.origin) + self.offset));
         let t = probe.note(Name::PlaneTDoubled, t);
         let crossing = Crossing { t, side: side(v_d.head), primitive: 0 };
-        decide(ray, approach, crossing, || self.begins_at(ray, approach, crossing), probe)
+        self.decide(ray, approach, crossing, probe)
     }
 }
 

@@ -108,7 +108,7 @@ impl Kernel for Polygon {
         let plane = meet_plane_certainly(ray, self.normal, corner, (&PLANE, Name::PolygonTDoubled), probe)?;
         let candidate = Crossing { t: plane.t, side: plane.side, primitive: 0 };
         if !(ray.reaches(plane.t) && approach.shows(plane.side)) {
-            return decide(ray, approach, candidate, || false, probe);
+            return decide(ray, approach, candidate, None, probe);
         }
         if !self.is_inside(ray, probe) {
             probe.mark(Decision::Miss { why: Miss::Beside });
@@ -117,7 +117,7 @@ impl Kernel for Polygon {
         let quotient = unaltered(plane.t, ray, self.normal, corner, probe);
         let t = kept_in_box(self.bounds, ray, plane.t, quotient, &IN_BOX, probe)?;
         let crossing = Crossing { t, ..candidate };
-        decide(ray, approach, crossing, || self.begins_at(ray, approach, crossing), probe)
+        self.decide(ray, approach, crossing, probe)
     }
 
     fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
@@ -182,7 +182,7 @@ mod tests {
 
     fn holds(polygon: &Polygon, x: f64, y: f64) -> bool {
         let ray = Ray::new(DVec3::new(x, y, 1.0), DVec3::NEG_Z);
-        let found = polygon.first_crossing(&ray, Approach { leaving: None, slack: 0.0, one_sided: false }, &mut Silent);
+        let found = polygon.first_crossing(&ray, Approach { leaving: None, one_sided: false }, &mut Silent);
         assert!(found.is_none_or(|crossing| (crossing.t, crossing.side) == (1.0, Side::Front)));
         found.is_some()
     }

@@ -29,20 +29,56 @@ pub(super) struct Roots {
     pub outer: Side,
 }
 
+/// Which of two roots are ends of the ray.
+#[derive(Clone, Copy)]
+struct Ends {
+    /// Whether the ray begins at the root nearest to its origin.
+    has_left: bool,
+    /// Whether the light is at the entry, and at the exit.
+    light: [bool; 2],
+}
+
+impl Ends {
+    /// Those of a ray neither of whose ends is near a root, unless it leaves the surface.
+    fn of(approach: Approach) -> Ends {
+        Ends { has_left: approach.leaving.is_some(), light: [false; 2] }
+    }
+}
+
 impl Roots {
-    /// The first root that counts for this ray; notes it and marks the decision. `begins_at` tells whether the ray begins at a root.
+    /// The first root that counts for this ray; notes it and marks the decision. `at_an_end` tells whether a root is an end of the ray.
     #[inline]
     pub fn first<P: Probe>(
         &self,
         ray: &Ray,
         approach: Approach,
-        begins_at: impl FnOnce(Crossing) -> bool,
+        at_an_end: impl Fn(Crossing) -> Option<Miss>,
         probe: &mut P,
     ) -> Option<Crossing> {
+        if ray.is_near_an_end(self.entry.t) || ray.is_near_an_end(self.exit.t) {
+            return self.first_near_end(ray, approach, at_an_end, probe);
+        }
+        self.first_but_for(ray, approach, Ends::of(approach), probe)
+    }
+
+    // A call at the end, before which no register need be saved.
+    #[cold]
+    #[inline(never)]
+    fn first_near_end<P: Probe>(
+        &self,
+        ray: &Ray,
+        approach: Approach,
+        at_an_end: impl Fn(Crossing) -> Option<Miss>,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        self.first_but_for(ray, approach, self.ends(ray, approach, at_an_end), probe)
+    }
+
+    #[inline(always)]
+    fn first_but_for<P: Probe>(&self, ray: &Ray, approach: Approach, ends: Ends, probe: &mut P) -> Option<Crossing> {
         let counts = |(crossing, _): &(Crossing, Name)| ray.reaches(crossing.t);
-        let is_left = self.is_left(ray, approach, begins_at);
-        let Some((crossing, name)) = self.candidates(approach, is_left).into_iter().flatten().find(counts) else {
-            self.mark_miss(ray, approach, is_left, probe);
+        let Some((crossing, name)) = self.candidates(approach, ends).into_iter().flatten().find(counts) else {
+            self.mark_miss(ray, approach, ends, probe);
             return None;
         };
         let t = probe.note(name, crossing.t);
@@ -55,50 +91,61 @@ impl Roots {
         &self,
         ray: &Ray,
         approach: Approach,
-        begins_at: impl FnOnce(Crossing) -> bool,
+        at_an_end: impl Fn(Crossing) -> Option<Miss>,
         found: &mut Vec<Crossing>,
         probe: &mut P,
     ) {
         let before = found.len();
-        let is_left = self.is_left(ray, approach, begins_at);
-        let candidates = self.candidates(approach, is_left).into_iter().flatten().map(|(crossing, _)| crossing);
+        let ends = self.ends(ray, approach, at_an_end);
+        let candidates = self.candidates(approach, ends).into_iter().flatten().map(|(crossing, _)| crossing);
         found.extend(candidates.filter(|crossing| ray.reaches(crossing.t)));
         if found.len() > before {
             probe.mark(Decision::Hit);
         } else {
-            self.mark_miss(ray, approach, is_left, probe);
+            self.mark_miss(ray, approach, ends, probe);
         }
     }
 
-    /// Whether the ray begins on the surface, at the root nearest to its origin.
-    #[inline]
-    fn is_left(&self, ray: &Ray, approach: Approach, begins_at: impl FnOnce(Crossing) -> bool) -> bool {
-        let (root, side) = match self.entry.t.abs() <= self.exit.t.abs() {
-            true => (&self.entry, self.outer),
-            false => (&self.exit, self.outer.opposite()),
+    /// Which of the roots are ends of the ray. It begins at the one nearest to its origin.
+    fn ends(&self, ray: &Ray, approach: Approach, at_an_end: impl Fn(Crossing) -> Option<Miss>) -> Ends {
+        let why = |root: &Root, side: Side| {
+            let is_near = root.is_on_surface && ray.reaches(root.t) && ray.is_near_an_end(root.t);
+            let crossing = Crossing { t: root.t, side, primitive: root.primitive };
+            if is_near { at_an_end(crossing) } else { None }
         };
-        let nearest = Crossing { t: root.t, side, primitive: root.primitive };
-        approach.leaving.is_some() || (root.is_on_surface && ray.reaches(root.t) && begins_at(nearest))
+        let why = [why(&self.entry, self.outer), why(&self.exit, self.outer.opposite())];
+        let nearest = usize::from(!self.is_entry_nearest());
+        Ends {
+            has_left: approach.leaving.is_some() || why[nearest] == Some(Miss::BeginsThere),
+            light: why.map(|why| why == Some(Miss::Beyond)),
+        }
+    }
+
+    #[inline(always)]
+    fn is_entry_nearest(&self) -> bool {
+        self.entry.t.abs() <= self.exit.t.abs()
     }
 
     /// The roots that lie on the surface and show themselves. A ray that leaves the surface has already been at the root
     /// nearest to its origin.
     #[inline]
-    fn candidates(&self, approach: Approach, is_left: bool) -> [Option<(Crossing, Name)>; 2] {
-        let is_entry_nearer = self.entry.t.abs() <= self.exit.t.abs();
-        let candidate = |root: &Root, side: Side, is_nearer: bool| {
-            let counts = root.is_on_surface && approach.shows(side) && !(is_left && is_nearer);
+    fn candidates(&self, approach: Approach, ends: Ends) -> [Option<(Crossing, Name)>; 2] {
+        let is_entry_nearest = self.is_entry_nearest();
+        let candidate = |root: &Root, side: Side, is_nearest: bool, is_light: bool| {
+            let is_end = (ends.has_left && is_nearest) || is_light;
+            let counts = root.is_on_surface && approach.shows(side) && !is_end;
             counts.then_some((Crossing { t: root.t, side, primitive: root.primitive }, root.name))
         };
         [
-            candidate(&self.entry, self.outer, is_entry_nearer),
-            candidate(&self.exit, self.outer.opposite(), !is_entry_nearer),
+            candidate(&self.entry, self.outer, is_entry_nearest, ends.light[0]),
+            candidate(&self.exit, self.outer.opposite(), !is_entry_nearest, ends.light[1]),
         ]
     }
 
-    fn mark_miss<P: Probe>(&self, ray: &Ray, approach: Approach, is_left: bool, probe: &mut P) {
+    fn mark_miss<P: Probe>(&self, ray: &Ray, approach: Approach, ends: Ends, probe: &mut P) {
         let why = match () {
-            _ if is_left && approach.leaving.is_none() => Miss::BeginsThere,
+            _ if ends.light != [false; 2] => Miss::Beyond,
+            _ if ends.has_left && approach.leaving.is_none() => Miss::BeginsThere,
             _ if !self.entry.is_on_surface && !self.exit.is_on_surface => Miss::Beside,
             _ if self.exit.t <= ray.t_min => Miss::Behind,
             _ if self.entry.t >= ray.t_max => Miss::Beyond,

@@ -170,23 +170,20 @@ impl Sphere {
         let last = crossings.last().copied()?;
         // A ray that is asked to begin later (t_min), or begins at the entry, begins inside.
         let is_first = |crossing: &Crossing| {
-            approach.shows(crossing.side) && crossing.t > ray.t_min && !self.begins_at_end(ray, approach, *crossing)
+            approach.shows(crossing.side)
+                && crossing.t > ray.t_min
+                && self.is_end_of(ray, approach, *crossing) != Some(Miss::BeginsThere)
         };
         let first = crossings.into_iter().find(is_first).unwrap_or(last);
-        decide(ray, approach, first, || self.begins_at_end(ray, approach, first), probe)
+        decide(ray, approach, first, self.is_end_of(ray, approach, first), probe)
     }
 
-    /// Whether the ray begins at this end of the chord. It begins at the nearer one, so that one that sets off inward doesn't begin where it
+    /// Whether an end of the chord is an end of the ray. A ray begins at the nearer one, so that one that sets off inward doesn't begin where it
     /// comes out, however flat it is.
-    #[inline(always)]
-    fn begins_at_end(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> bool {
-        approach.is_near(crossing.t) && self.is_nearer_end(ray, crossing) && self.holds_origin(ray, approach, crossing)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn is_nearer_end(&self, ray: &Ray, crossing: Crossing) -> bool {
-        crossing.side == self.outer || (self.center - ray.origin).dot(ray.direction) < 0.0
+    fn is_end_of(&self, ray: &Ray, approach: Approach, end: Crossing) -> Option<Miss> {
+        let is_nearer = || end.side == self.outer || (self.center - ray.origin).dot(ray.direction) < 0.0;
+        let at_an_end = if ray.is_near_an_end(end.t) { self.at_an_end(ray, approach, end) } else { None };
+        at_an_end.filter(|why| *why != Miss::BeginsThere || is_nearer())
     }
 
     /// Where the chord begins.
@@ -235,23 +232,30 @@ impl Sphere {
         Crossing { t, side, primitive: 0 }
     }
 
-    /// The first crossing, where the distance of the end that it is at needs more digits.
+    /// Whether the distance of an end has too few digits, or it may be an end of the ray.
+    #[inline(always)]
+    fn needs_care<P: Probe>(&self, ray: &Ray, end: &End, probe: &P) -> bool {
+        (!end.is_settled && probe.certifies()) || ray.is_near_an_end(end.t)
+    }
+
+    /// The first crossing, where the end that it is at needs care.
     #[cold]
     #[inline(never)]
-    fn first_corrected<P: Probe>(
+    fn first_with_care<P: Probe>(
         &self,
         ray: &Ray,
         approach: Approach,
-        l2_oc: f64,
+        chord: &Chord,
         end: End,
         probe: &mut P,
     ) -> Option<Crossing> {
-        let crossing = self.crossing(ray, l2_oc, end, probe);
-        let begins_there = self.begins_at_end(ray, approach, crossing);
-        if end.side == self.outer && (crossing.t <= ray.t_min || begins_there) {
-            return self.first_doubled(ray, approach, probe);
+        let crossing = self.crossing(ray, chord.l2_oc, end, probe);
+        let at_an_end = self.is_end_of(ray, approach, crossing);
+        if end.side == self.outer && (crossing.t <= ray.t_min || at_an_end == Some(Miss::BeginsThere)) {
+            let far = self.crossing(ray, chord.l2_oc, self.far(ray, chord), probe);
+            return decide(ray, approach, far, self.is_end_of(ray, approach, far), probe);
         }
-        decide(ray, approach, crossing, || begins_there, probe)
+        decide(ray, approach, crossing, at_an_end, probe)
     }
 
     /// The distance with all of its digits.
@@ -302,7 +306,8 @@ impl Sphere {
         let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
         probe.mark(Decision::Inside);
         let t = probe.note(Name::SphereTLeaving, 2.0 * t_a);
-        decide(ray, approach, Crossing { t, side: self.outer.opposite(), primitive: 0 }, || false, probe)
+        let crossing = Crossing { t, side: self.outer.opposite(), primitive: 0 };
+        self.decide(ray, approach, crossing, probe)
     }
 }
 
@@ -325,23 +330,21 @@ impl Kernel for Sphere {
         };
         if chord.is_origin_outside && approach.shows(self.outer) {
             let near = self.near(ray, &chord);
-            if !near.is_settled && probe.certifies() {
-                return self.first_corrected(ray, approach, chord.l2_oc, near, probe);
+            if self.needs_care(ray, &near, probe) {
+                return self.first_with_care(ray, approach, &chord, near, probe);
             }
             let t = probe.note(near.name, near.t);
-            let crossing = Crossing { t, side: near.side, primitive: 0 };
-            // A ray that is asked to begin later (t_min), or begins at the entry, begins inside.
-            if t > ray.t_min && !self.begins_at_end(ray, approach, crossing) {
-                return decide(ray, approach, crossing, || false, probe);
+            // Only a ray that is asked to begin later (t_min) can begin inside.
+            if t > ray.t_min {
+                return decide(ray, approach, Crossing { t, side: near.side, primitive: 0 }, None, probe);
             }
         }
         let far = self.far(ray, &chord);
-        if !far.is_settled && probe.certifies() {
-            return self.first_corrected(ray, approach, chord.l2_oc, far, probe);
+        if self.needs_care(ray, &far, probe) {
+            return self.first_with_care(ray, approach, &chord, far, probe);
         }
         let t = probe.note(far.name, far.t);
-        let crossing = Crossing { t, side: far.side, primitive: 0 };
-        decide(ray, approach, crossing, || self.begins_at_end(ray, approach, crossing), probe)
+        decide(ray, approach, Crossing { t, side: far.side, primitive: 0 }, None, probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
@@ -353,17 +356,16 @@ impl Kernel for Sphere {
             Line::Misses => return,
             Line::InDoubt => {
                 let crossings = self.doubled_crossings(ray, probe);
-                let decided =
-                    |crossing| decide(ray, approach, crossing, || self.begins_at_end(ray, approach, crossing), probe);
+                let decided = |end| decide(ray, approach, end, self.is_end_of(ray, approach, end), probe);
                 return found.extend(crossings.into_iter().filter_map(decided));
             }
         };
         if chord.is_origin_outside {
             let near = self.crossing(ray, chord.l2_oc, self.near(ray, &chord), probe);
-            found.extend(decide(ray, approach, near, || self.begins_at_end(ray, approach, near), probe));
+            found.extend(decide(ray, approach, near, self.is_end_of(ray, approach, near), probe));
         }
         let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord), probe);
-        found.extend(decide(ray, approach, far, || self.begins_at_end(ray, approach, far), probe));
+        found.extend(decide(ray, approach, far, self.is_end_of(ray, approach, far), probe));
     }
 
     /// The robust method puts the point back onto the sphere, from which rounding took it, and looks at it from the centre: a scene

@@ -69,8 +69,8 @@ impl Kernel for Triangle {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let begins_there = |crossing: Crossing| self.begins_at(ray, approach, crossing);
-        self.facet.crossing(ray, approach, 0, begins_there, probe)
+        let near_end = |crossing: Crossing, probe: &mut P| self.decide_near_end(ray, approach, crossing, probe);
+        self.facet.crossing(ray, approach, 0, near_end, probe)
     }
 
     #[inline]
@@ -93,6 +93,11 @@ impl Facet {
         Facet { a, b, c, normal: area_normal(a, b, c) }
     }
 
+    /// Its corners.
+    pub fn corners(&self) -> [DVec3; 3] {
+        [self.a, self.b, self.c]
+    }
+
     /// The corners, for the log.
     #[inline]
     pub fn give<P: Probe>(&self, probe: &mut P) {
@@ -101,7 +106,8 @@ impl Facet {
         probe.given(Name::TriangleC, self.c);
     }
 
-    /// Where the ray crosses the triangle, which has this number in its mesh, unless it begins there; marks the decision.
+    /// Where the ray crosses the triangle, which has this number in its mesh; marks the decision, which is left to `near_end` where that
+    /// may be an end of the ray.
     // Several times the work of a call, and of the results that it would return through memory.
     #[inline(always)]
     pub fn crossing<P: Probe>(
@@ -109,7 +115,7 @@ impl Facet {
         ray: &Ray,
         approach: Approach,
         number: u32,
-        begins_there: impl FnOnce(Crossing) -> bool,
+        near_end: impl FnOnce(Crossing, &mut P) -> Option<Crossing>,
         probe: &mut P,
     ) -> Option<Crossing> {
         if !self.edges(ray, probe).is_some_and(is_inside) {
@@ -126,7 +132,10 @@ impl Facet {
         let quotient = unaltered(plane.t, ray, normal, self.a, probe);
         let t = kept_in_box(self.bounds(), ray, plane.t, quotient, &IN_BOX, probe)?;
         let crossing = Crossing { t, side: plane.side, primitive: number };
-        decide(ray, approach, crossing, || begins_there(crossing), probe)
+        if ray.is_near_an_end(crossing.t) {
+            return near_end(crossing, probe);
+        }
+        decide(ray, approach, crossing, None, probe)
     }
 
     /// Where the ray meets the triangle's plane, with twice the digits.
@@ -312,7 +321,7 @@ mod tests {
     use super::*;
     use crate::probe::Silent;
 
-    const APPROACH: Approach = Approach { leaving: None, slack: 0.0, one_sided: false };
+    const APPROACH: Approach = Approach { leaving: None, one_sided: false };
 
     fn facet() -> Facet {
         Facet::new(DVec3::ZERO, DVec3::X, DVec3::Y)
@@ -321,18 +330,18 @@ mod tests {
     #[test]
     fn the_answer_is_exact_in_front_and_behind() {
         let down = Ray::new(DVec3::new(0.25, 0.25, 2.0), DVec3::NEG_Z);
-        let found = facet().crossing(&down, APPROACH, 7, |_| false, &mut Silent);
+        let found = facet().crossing(&down, APPROACH, 7, |_, _| None, &mut Silent);
         assert_eq!(found, Some(Crossing { t: 2.0, side: Side::Front, primitive: 7 }));
         let up = Ray::new(DVec3::new(0.25, 0.25, -2.0), DVec3::Z);
-        let found = facet().crossing(&up, APPROACH, 7, |_| false, &mut Silent);
+        let found = facet().crossing(&up, APPROACH, 7, |_, _| None, &mut Silent);
         assert_eq!(found, Some(Crossing { t: 2.0, side: Side::Back, primitive: 7 }));
-        assert_eq!(facet().crossing(&up, Approach { one_sided: true, ..APPROACH }, 7, |_| false, &mut Silent), None);
+        assert_eq!(facet().crossing(&up, Approach { one_sided: true, ..APPROACH }, 7, |_, _| None, &mut Silent), None);
     }
 
     #[test]
     fn a_line_in_the_plane_misses() {
         let along = Ray::new(DVec3::new(-1.0, 0.25, 0.0), DVec3::X);
-        assert_eq!(facet().crossing(&along, APPROACH, 0, |_| false, &mut Silent), None);
+        assert_eq!(facet().crossing(&along, APPROACH, 0, |_, _| None, &mut Silent), None);
     }
 
     #[test]

@@ -1,13 +1,14 @@
 //! Reading a log that is one nested document.
 
 use super::LogError;
-use super::line::{End, Line};
-use super::read::{Ending, ReadLog, check_end, check_names, check_version, error_at};
+use super::line::{End, Line, with_whole_numbers};
+use super::lines::Brackets;
+use super::read::{Ending, ReadLog, check_names, check_version, error_at};
 use super::reader::Reader;
 use crate::log::{Header, Log};
 use serde::Deserialize;
 use std::io::{self, ErrorKind};
-use std::thread;
+use std::{slice, thread};
 
 /// How deep the nodes of a log, and the brackets of a document, may nest: a ray tree of the greatest depth takes two brackets a level, and a few more at its end.
 pub const MAX_NESTING: usize = 2048;
@@ -21,12 +22,6 @@ struct Document<'t> {
     #[serde(borrow)]
     children: Vec<Line<'t>>,
     end: Option<End>,
-}
-
-/// Whether the bytes begin like such a document.
-pub(super) fn is_document(bytes: &[u8]) -> bool {
-    let first_key = bytes.trim_ascii_start().strip_prefix(b"{").map(<[u8]>::trim_ascii_start);
-    first_key.is_some_and(|key| key.starts_with(b"\"header\""))
 }
 
 /// How much larger than its bytes a document is in memory, with the lines that are made of it.
@@ -49,45 +44,46 @@ pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
 }
 
 fn parse(bytes: &[u8]) -> Result<ReadLog, LogError> {
-    let mut json = serde_json::Deserializer::from_slice(bytes);
-    json.disable_recursion_limit();
-    let document = Document::deserialize(&mut json).map_err(|error| error_at(error.line(), &error))?;
+    let (document, is_alone) = parse_as::<Document>(bytes)
+        .or_else(|error| {
+            let mut is_alone = false;
+            let again = || {
+                let (value, alone) = parse_as(bytes)?;
+                is_alone = alone;
+                Ok(value)
+            };
+            with_whole_numbers(error, again).map(|document| (document, is_alone))
+        })
+        .map_err(|error| error_at(1, &error))?;
     check_version(&document.header.log)?;
     check_names(&document.header)?;
     let mut reader = Reader::new(&document.header);
     for child in document.children {
         reader.take(child, 1)?;
     }
-    let log = Log { events: reader.events, header: document.header };
-    // The digest is that of the same log as lines.
     let ending = match document.end {
-        _ if json.end().is_err() => Ending::Mismatch { what: "other text stands after the document".into() },
+        _ if !is_alone => Ending::Mismatch { what: "other text stands after the document".into() },
         None => Ending::Missing { incomplete_record: false },
-        Some(end) => {
-            let lines = super::to_ndjson(&log)?;
-            let before_end = lines[..lines.len() - 1].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
-            check_end(&end, log.events.len(), blake3::hash(&lines[..before_end]))
-        }
+        // The digest is that of the same log as lines.
+        Some(end) => reader.check_end(&end, None),
     };
-    Ok(ReadLog { log, ending })
+    Ok(ReadLog { log: Log { events: reader.events, header: document.header }, ending })
 }
 
-/// The line where the document nests too deep, if it does. Brackets in strings don't count.
+/// The value that the bytes begin with, and whether nothing stands after it.
+fn parse_as<'t, T: Deserialize<'t>>(bytes: &'t [u8]) -> Result<(T, bool), serde_json::Error> {
+    let mut json = serde_json::Deserializer::from_slice(bytes);
+    json.disable_recursion_limit();
+    let value = T::deserialize(&mut json)?;
+    Ok((value, json.end().is_ok()))
+}
+
+/// The line where the document nests too deep, if it does.
 fn too_deep_at(bytes: &[u8]) -> Option<usize> {
-    let (mut line, mut depth, mut in_string, mut is_escaped) = (1, 0_usize, false, false);
-    for byte in bytes {
-        match byte {
-            b'\n' => line += 1,
-            _ if is_escaped => is_escaped = false,
-            b'\\' if in_string => is_escaped = true,
-            b'"' => in_string = !in_string,
-            b'{' | b'[' if !in_string => depth += 1,
-            b'}' | b']' if !in_string => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        if depth > MAX_NESTING {
-            return Some(line);
-        }
-    }
-    None
+    let mut brackets = Brackets::default();
+    let at = bytes.iter().position(|byte| {
+        brackets.pass(slice::from_ref(byte));
+        brackets.depth > MAX_NESTING
+    })?;
+    Some(1 + bytes[..at].iter().filter(|byte| **byte == b'\n').count())
 }

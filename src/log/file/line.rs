@@ -44,11 +44,47 @@ pub(super) struct PixelResult {
     pub color: [f64; 3],
 }
 
-/// The last line: how many events there are, and the digest of all bytes before it.
+/// The last line: how many events there are, and the digest of all lines before it.
 #[derive(Deserialize, Clone, PartialEq, Debug)]
 pub(super) struct End {
     pub events: u64,
-    pub digest: String,
+    pub digest: Option<String>,
+}
+
+/// Reads a value in which other programs may have written whole numbers as 1.0 or 1e0.
+pub(super) fn from_text<'t, T: Deserialize<'t>>(text: &'t [u8]) -> Result<T, serde_json::Error> {
+    serde_json::from_slice(text).or_else(|error| with_whole_numbers(error, || serde_json::from_slice(text)))
+}
+
+/// Reads a value again whose numbers may be why it couldn't be read.
+pub(super) fn with_whole_numbers<'t, T: Deserialize<'t>>(
+    error: serde_json::Error,
+    again: impl FnOnce() -> Result<serde_json::Value, serde_json::Error>,
+) -> Result<T, serde_json::Error> {
+    let read = if error.is_data() { again().ok() } else { None };
+    read.and_then(|value| T::deserialize(whole_numbers(value)).ok()).ok_or(error)
+}
+
+/// The value with every number that is whole as an integer.
+fn whole_numbers(mut value: serde_json::Value) -> serde_json::Value {
+    /// Up to there every whole number is one of f64, too.
+    const MOST: f64 = 9_007_199_254_740_992.0;
+    match &mut value {
+        serde_json::Value::Number(number) => match number.as_f64() {
+            Some(x) if number.is_f64() && x == x.trunc() && x.abs() < MOST && (x != 0.0 || x.is_sign_positive()) => {
+                *number = (x as i64).into();
+            }
+            _ => {}
+        },
+        serde_json::Value::Array(items) => {
+            items.iter_mut().for_each(|item| *item = whole_numbers(item.take()));
+        }
+        serde_json::Value::Object(fields) => {
+            fields.values_mut().for_each(|field| *field = whole_numbers(field.take()));
+        }
+        _ => {}
+    }
+    value
 }
 
 #[derive(Deserialize)]
@@ -172,7 +208,7 @@ pub(super) enum Mark<'t> {
     },
 }
 
-/// The inputs of an event, in the order of the file.
+/// The inputs of an event, in the order of the table, whatever order the file has.
 #[derive(Default)]
 pub(super) struct Given(pub Vec<(Name, Value)>);
 
@@ -191,6 +227,7 @@ impl<'de> Deserialize<'de> for Given {
                     let name = name.ok_or_else(|| de::Error::custom(format!("unknown quantity `{key}`")))?;
                     pairs.push((name, value));
                 }
+                pairs.sort_by_key(|(name, _)| *name);
                 // There are as many of them as events, and most are short.
                 pairs.shrink_to_fit();
                 Ok(Given(pairs))

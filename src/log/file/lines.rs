@@ -28,7 +28,7 @@ pub(super) struct Lines<R> {
     number: usize,
 }
 
-/// A line without its end.
+/// A line without its end; where other programs have broken a value into several, all of them.
 pub(super) struct TextLine<'b> {
     pub text: &'b [u8],
     /// Its number, from 1.
@@ -77,27 +77,59 @@ impl<R: Read> Lines<R> {
         }
     }
 
-    /// The next line.
+    /// The next line. An object that isn't complete there goes on in the next lines, but no further than to one that begins with a brace.
     pub fn next_line(&mut self) -> io::Result<Option<TextLine<'_>>> {
-        let mut searched = self.next;
-        let end = loop {
-            if let Some(length) = memchr(b'\n', &self.block[searched..]) {
-                break Some(searched + length);
-            }
-            if self.is_at_end {
-                break None;
-            }
-            searched = self.block.len() - self.next;
-            self.forget_to(self.next);
-            self.read_more()?;
-        };
-        let (end, next) = end.map_or((self.block.len(), self.block.len()), |end| (end, end + 1));
-        if self.next == next {
+        let (mut end, mut length) = self.length(0)?;
+        if length == 0 {
             return Ok(None);
         }
-        (self.current, self.next) = (self.next, next);
-        self.number += 1;
-        Ok(Some(TextLine { text: &self.block[self.current..end], number: self.number, is_terminated: end < next }))
+        let number = self.number + 1;
+        self.number = number;
+        let text = self.block[self.next..self.next + end].trim_ascii();
+        let is_object = text.starts_with(b"{");
+        let mut goes_on = self.byte(length)?.is_some_and(|first| first != b'{');
+        if is_object && goes_on {
+            let mut brackets = Brackets::default();
+            brackets.pass(&self.block[self.next..self.next + end]);
+            while goes_on && brackets.are_open() {
+                let line = length;
+                (end, length) = self.length(line)?;
+                brackets.pass(&self.block[self.next + line..self.next + end]);
+                goes_on = self.byte(length)?.is_some_and(|first| first != b'{');
+                self.number += 1;
+            }
+        }
+        (self.current, self.next) = (self.next, self.next + length);
+        let text = &self.block[self.current..self.current + end];
+        Ok(Some(TextLine { text, number, is_terminated: end < length }))
+    }
+
+    /// The bytes from the next line's beginning to the first line end behind the first `searched` of them, without and with that end.
+    fn length(&mut self, mut searched: usize) -> io::Result<(usize, usize)> {
+        loop {
+            if let Some(more) = memchr(b'\n', &self.block[self.next + searched..]) {
+                return Ok((searched + more, searched + more + 1));
+            }
+            searched = self.block.len() - self.next;
+            if self.is_at_end {
+                return Ok((searched, searched));
+            }
+            self.read_on()?;
+        }
+    }
+
+    /// The byte at this distance behind the next line's beginning.
+    fn byte(&mut self, behind: usize) -> io::Result<Option<u8>> {
+        while !self.is_at_end && self.block.len() <= self.next + behind {
+            self.read_on()?;
+        }
+        Ok(self.block.get(self.next + behind).copied())
+    }
+
+    /// Reads more of what the next line may be.
+    fn read_on(&mut self) -> io::Result<()> {
+        self.forget_to(self.next);
+        self.read_more()
     }
 
     /// What ended the text before its end: packed data that were cut off
@@ -156,6 +188,35 @@ impl<R: Read> Lines<R> {
             Err(error) => return Err(error),
         }
         Ok(())
+    }
+}
+
+/// The brackets of a JSON text that are open. Those in strings don't count.
+#[derive(Default)]
+pub(super) struct Brackets {
+    pub depth: usize,
+    in_string: bool,
+    is_escaped: bool,
+}
+
+impl Brackets {
+    /// Goes on with these bytes.
+    pub fn pass(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            match byte {
+                _ if self.is_escaped => self.is_escaped = false,
+                b'\\' if self.in_string => self.is_escaped = true,
+                b'"' => self.in_string = !self.in_string,
+                b'{' | b'[' if !self.in_string => self.depth += 1,
+                b'}' | b']' if !self.in_string => self.depth = self.depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+    }
+
+    /// Whether some are, outside of strings: no string goes on in another line.
+    fn are_open(&self) -> bool {
+        self.depth > 0 && !self.in_string
     }
 }
 

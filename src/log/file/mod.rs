@@ -1,5 +1,6 @@
 //! Logs as files: `raywalk-log/1`, one event a line (NDJSON) or one nested document (JSON).
 
+mod digest;
 mod document;
 mod error;
 mod line;
@@ -7,11 +8,11 @@ mod lines;
 mod pixels;
 mod read;
 mod reader;
-mod shards;
+mod sniff;
 mod write;
 
 pub use error::LogError;
 pub use pixels::{PixelEvents, PixelReader};
-pub use read::{Ending, ReadLog, is_log, read, read_from};
-pub use shards::ShardLog;
+pub use read::{Ending, ReadLog, read, read_from};
+pub use sniff::{is_log, is_utf16};
 pub use write::{Lines, Writer, to_json, to_ndjson};

@@ -1,13 +1,14 @@
 //! A log a pixel at a time, so that one of a region takes the memory of its largest pixel.
 
-use super::LogError;
-use super::document::{self, is_document};
+use super::document;
 use super::lines::Lines;
 use super::read::{self, Ending, ReadLog};
 use super::reader::Reader;
+use super::sniff::is_document;
+use super::{LogError, Writer};
 use crate::log::event::{Event, Step, What};
 use crate::log::header::{Header, Subject};
-use std::io::Read;
+use std::io::{Read, Write};
 use std::{mem, vec};
 
 /// A log that is read a pixel at a time.
@@ -24,11 +25,12 @@ enum Source<R> {
     Lines {
         lines: Box<Lines<R>>,
         reader: Box<Reader>,
-        /// How many events were taken from the reader.
-        handed_on: usize,
     },
     /// What is one document is read as a whole.
-    Document { rest: vec::IntoIter<Event>, ending: Ending },
+    Document {
+        rest: vec::IntoIter<Event>,
+        ending: Ending,
+    },
 }
 
 /// The events of a pixel, as the log of this pixel alone has them: without the event that opens it in a region.
@@ -54,7 +56,7 @@ impl<R: Read> PixelReader<R> {
         }
         let header = read::header(&mut lines)?;
         let reader = Box::new(Reader::new(&header));
-        Ok(PixelReader::of(header, Source::Lines { lines: Box::new(lines), reader, handed_on: 0 }))
+        Ok(PixelReader::of(header, Source::Lines { lines: Box::new(lines), reader }))
     }
 
     fn of(header: Header, source: Source<R>) -> PixelReader<R> {
@@ -92,6 +94,35 @@ impl<R: Read> PixelReader<R> {
         Ok(None)
     }
 
+    /// Adds the events of this log to another log, if this one is whole.
+    ///
+    /// # Errors
+    /// [`LogError::Damaged`] where it isn't, or [`LogError::Io`]; events may have been added then.
+    pub fn add_to(self, writer: &mut Writer<'_, impl Write>) -> Result<(), LogError> {
+        const PIECE: usize = 4096;
+        let ending = match self.source {
+            Source::Document { rest, ending } => {
+                writer.write(rest.as_slice())?;
+                ending
+            }
+            Source::Lines { mut lines, mut reader } => loop {
+                let ending = read::record(&mut lines, &mut reader)?;
+                if ending.is_some() || reader.events.len() >= PIECE {
+                    writer.write(&reader.hand_on())?;
+                }
+                if let Some(ending) = ending {
+                    break read::with_damage(ending, &lines);
+                }
+            },
+        };
+        let what = match ending {
+            Ending::Complete => return Ok(()),
+            Ending::Damaged { what } => format!("the log is damaged: {what}"),
+            other => other.warning().unwrap_or_default(),
+        };
+        Err(LogError::damaged(1, 1, &what))
+    }
+
     /// Reads events up to the one that opens a pixel, or to the end; gives the pixel.
     fn read_to_pixel(&mut self, events: &mut Vec<Event>) -> Result<Option<[u32; 2]>, LogError> {
         match &mut self.source {
@@ -104,14 +135,13 @@ impl<R: Read> PixelReader<R> {
                 }
                 self.ending = Some(ending.clone());
             }
-            Source::Lines { lines, reader, handed_on } => loop {
-                let ending = read::record(lines, reader, *handed_on)?;
+            Source::Lines { lines, reader } => loop {
+                let ending = read::record(lines, reader)?;
                 let pixel = reader.events.last().and_then(opens);
                 if pixel.is_none() && ending.is_none() {
                     continue;
                 }
-                *handed_on += reader.events.len();
-                *events = mem::take(&mut reader.events);
+                *events = reader.hand_on();
                 if pixel.is_some() {
                     events.pop();
                 }

@@ -1,10 +1,11 @@
 //! Reading logs, also such as were cut off or damaged: what is complete is read, and what isn't is said.
 
 use super::LogError;
-use super::document::{self, is_document};
-use super::line::{End, Line};
-use super::lines::{BYTE_ORDER_MARK, Lines, TextLine};
+use super::document;
+use super::line::{Line, from_text};
+use super::lines::{Lines, TextLine};
 use super::reader::Reader;
+use super::sniff::{is_document, is_log};
 use crate::log::Log;
 use crate::log::escape::{hidden, shortened, visible};
 use crate::log::header::{FORMAT, Header};
@@ -57,13 +58,6 @@ impl Ending {
     }
 }
 
-/// Whether what begins like this is a log: by its first key.
-pub fn is_log(beginning: &[u8]) -> bool {
-    let beginning = beginning.strip_prefix(BYTE_ORDER_MARK).unwrap_or(beginning);
-    let first_key = beginning.trim_ascii_start().strip_prefix(b"{").map(<[u8]>::trim_ascii_start);
-    first_key.is_some_and(|key| key.starts_with(b"\"log\"")) || is_document(beginning)
-}
-
 /// Reads a log, NDJSON or one JSON document, from memory.
 ///
 /// # Errors
@@ -88,7 +82,7 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     let header = header(&mut lines)?;
     let mut reader = Reader::new(&header);
     let ending = loop {
-        if let Some(ending) = record(&mut lines, &mut reader, 0)? {
+        if let Some(ending) = record(&mut lines, &mut reader)? {
             break with_damage(ending, &lines);
         }
     };
@@ -97,32 +91,23 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     Ok(ReadLog { log: Log { header, events }, ending })
 }
 
-/// Reads the next record behind the header; the ending where there is none that can be read. `handed_on` events of the log were
-/// taken from the reader already.
-pub(super) fn record(
-    lines: &mut Lines<impl Read>,
-    reader: &mut Reader,
-    handed_on: usize,
-) -> Result<Option<Ending>, LogError> {
+/// Reads the next record behind the header; the ending where there is none that can be read.
+pub(super) fn record(lines: &mut Lines<impl Read>, reader: &mut Reader) -> Result<Option<Ending>, LogError> {
     let Some(line) = lines.next_line()? else { return Ok(Some(Ending::Missing { incomplete_record: false })) };
     if line.text.trim_ascii().is_empty() {
         return Ok(None);
     }
     let number = line.number;
-    let parsed = match serde_json::from_slice::<Line>(line.text) {
+    let parsed = match from_text::<Line>(line.text) {
         Ok(parsed) => parsed,
         Err(_) if !line.is_terminated => return Ok(Some(Ending::Missing { incomplete_record: true })),
         Err(error) => return Ok(Some(Ending::Damaged { what: error_at(number, &error).to_string() })),
     };
     if let Some(end) = parsed.end {
-        let has_other_ends = line.text.ends_with(b"\r");
-        let ending = check_end(&end, handed_on + reader.events.len(), lines.digest());
-        return Ok(Some(match (lines.count_rest()?, ending) {
-            (0, Ending::Mismatch { what }) if has_other_ends => {
-                Ending::Mismatch { what: what + " (its lines end in CR LF, as after a transfer as text)" }
-            }
-            (0, ending) => ending,
-            (after, _) => Ending::Mismatch { what: format!("{after} bytes stand after its end line") },
+        let digest = lines.digest();
+        return Ok(Some(match lines.count_rest()? {
+            0 => reader.check_end(&end, Some(digest)),
+            after => Ending::Mismatch { what: format!("{after} bytes stand after its end line") },
         }));
     }
     let before = reader.events.len();
@@ -162,7 +147,7 @@ fn header_in(&TextLine { text: line, number, is_terminated }: &TextLine) -> Resu
     struct Version {
         log: String,
     }
-    let Ok(version) = serde_json::from_slice::<Version>(line) else {
+    let Ok(version) = from_text::<Version>(line) else {
         if !is_terminated && is_log(line) {
             return Err(LogError::NoWholeHeader);
         }
@@ -170,7 +155,7 @@ fn header_in(&TextLine { text: line, number, is_terminated }: &TextLine) -> Resu
         return Err(LogError::NotALog { found: format!("`{found}`") });
     };
     check_version(&version.log)?;
-    let header = serde_json::from_slice(line).map_err(|error| error_at(number, &error))?;
+    let header = from_text(line).map_err(|error| error_at(number, &error))?;
     check_names(&header)?;
     Ok(header)
 }
@@ -193,21 +178,10 @@ pub(super) fn check_version(found: &str) -> Result<(), LogError> {
     if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: shortened(found, 40) }) }
 }
 
-pub(super) fn check_end(end: &End, events: usize, found: blake3::Hash) -> Ending {
-    let digest = format!("blake3:{}", found.to_hex());
-    if end.events != events as u64 {
-        Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) }
-    } else if end.digest != digest {
-        Ending::Mismatch { what: "its digest doesn't fit its bytes".into() }
-    } else {
-        Ending::Complete
-    }
-}
-
 pub(super) fn error_at(line: usize, error: &serde_json::Error) -> LogError {
     let text = error.to_string();
     let message = text.split(" at line ").next().unwrap_or(&text);
-    LogError::damaged(line, error.column().max(1), message)
+    LogError::damaged(line + error.line().saturating_sub(1), error.column().max(1), message)
 }
 
 #[cfg(test)]
@@ -225,23 +199,20 @@ mod tests {
     }
 
     #[track_caller]
-    fn reads(before: &[u8], bytes: &[u8], is_complete: bool) {
+    fn reads(before: &[u8], bytes: &[u8]) {
         let bytes = [before, bytes].concat();
         assert!(is_log(&bytes));
         let found = read(&bytes).unwrap();
-        assert_eq!(found.ending == Ending::Complete, is_complete, "{:?}", found.ending);
-        assert_eq!(found.log, textbook());
+        assert_eq!((found.ending, found.log), (Ending::Complete, textbook()));
     }
 
     #[test]
     fn a_log_may_begin_with_a_byte_order_mark_and_blank_lines() {
         let (lines, document) = (to_ndjson(&textbook()).unwrap(), to_json(&textbook()).unwrap());
-        reads(BYTE_ORDER_MARK, &lines, true);
-        reads(BYTE_ORDER_MARK, &document, true);
-        reads(b"\n", &document, true);
-        // They were no part of it when its digest was made.
-        reads(b"\n", &lines, false);
-        reads(b"\xef\xbb\xbf \r\n\n", &lines, false);
+        for before in [&b"\xef\xbb\xbf"[..], b"\n", b"\xef\xbb\xbf \r\n\n"] {
+            reads(before, &lines);
+            reads(before, &document);
+        }
     }
 
     #[track_caller]
@@ -264,9 +235,8 @@ mod tests {
     }
 
     #[test]
-    fn other_ends_of_lines_are_told() {
+    fn damage_is_told_with_its_place() {
         let lines = String::from_utf8(to_ndjson(&textbook()).unwrap()).unwrap();
-        warns(lines.replace('\n', "\r\n").as_bytes(), "its lines end in CR LF");
         let line = "\n{\"at\":7,";
         assert!(lines.contains(line));
         warns(lines.replacen(line, "\n{\"at\":x,", 1).as_bytes(), "8:7: expected value");

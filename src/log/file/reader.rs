@@ -1,19 +1,27 @@
 //! From the lines of a log to its events.
 
 use super::LogError;
+use super::digest::Digest;
 use super::document::MAX_NESTING;
-use super::line::{Enter, Line, Mark};
+use super::line::{End, Enter, Line, Mark};
+use super::read::Ending;
 use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
 use crate::log::header::Header;
 use crate::log::name::Name;
 use std::collections::HashMap;
 use std::io::ErrorKind;
+use std::mem;
 
 /// Turns lines into events: names into numbers, words into decisions.
 pub(super) struct Reader {
     objects: HashMap<String, u32>,
     lights: HashMap<String, u32>,
+    /// Those that weren't handed on.
     pub(super) events: Vec<Event>,
+    /// How many were.
+    handed_on: usize,
+    /// The digest of those, written anew.
+    digest: Digest,
     /// How many nodes are open.
     depth: usize,
 }
@@ -24,7 +32,40 @@ impl Reader {
             // The first of equal names wins, as it does in a scene.
             names.iter().enumerate().rev().map(|(number, name)| (name.clone(), number as u32)).collect()
         };
-        Reader { objects: numbered(&header.objects), lights: numbered(&header.lights), events: Vec::new(), depth: 0 }
+        Reader {
+            objects: numbered(&header.objects),
+            lights: numbered(&header.lights),
+            events: Vec::new(),
+            handed_on: 0,
+            digest: Digest::new(header.clone()),
+            depth: 0,
+        }
+    }
+
+    /// Hands the events on.
+    pub(super) fn hand_on(&mut self) -> Vec<Event> {
+        self.digest.add(&self.events);
+        self.handed_on += self.events.len();
+        mem::take(&mut self.events)
+    }
+
+    /// How the log ends, by its end line and the digest of the bytes before it, if they may count. A log that another program wrote anew,
+    /// with other order of keys or spelling of numbers, is whole: its digest is that of the lines as they are written here.
+    pub(super) fn check_end(&mut self, end: &End, of_bytes: Option<blake3::Hash>) -> Ending {
+        let events = self.handed_on + self.events.len();
+        if end.events != events as u64 {
+            return Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) };
+        }
+        let Some(digest) = &end.digest else { return Ending::Complete };
+        let is_it = |found: blake3::Hash| *digest == format!("blake3:{}", found.to_hex());
+        if of_bytes.is_some_and(is_it) {
+            return Ending::Complete;
+        }
+        self.digest.add(&self.events);
+        if is_it(self.digest.finish()) {
+            return Ending::Complete;
+        }
+        Ending::Mismatch { what: "its digest fits neither its bytes nor its events".into() }
     }
 
     /// Takes the event of the line with this number, and those of its children.

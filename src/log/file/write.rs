@@ -5,13 +5,12 @@ use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::{Log, tree::path_of_child};
 use std::io::{self, Write};
-use std::mem;
 
 /// Events as lines of NDJSON: what several threads make of the pixels of a region, for one [`Writer`] to put together.
 pub struct Lines<'h> {
     header: &'h Header,
     /// The paths of the open nodes.
-    paths: Vec<String>,
+    pub(super) paths: Vec<String>,
     bytes: Vec<u8>,
     events: u64,
 }
@@ -29,6 +28,21 @@ impl<'h> Lines<'h> {
             self.bytes.extend_from_slice(b"}\n");
         }
         self.events += events.len() as u64;
+    }
+
+    /// Makes further events, and hands their text on in pieces, lest it take much room.
+    pub(super) fn hand_on(
+        &mut self,
+        events: &[Event],
+        mut take: impl FnMut(&[u8]) -> io::Result<()>,
+    ) -> io::Result<()> {
+        const PIECE: usize = 4096;
+        for piece in events.chunks(PIECE) {
+            self.push(piece);
+            take(&self.bytes)?;
+            self.bytes.clear();
+        }
+        Ok(())
     }
 
     /// The text so far.
@@ -49,23 +63,17 @@ impl<'h, W: Write> Writer<'h, W> {
     /// Starts a log with its header.
     pub fn new(out: W, header: &'h Header) -> io::Result<Self> {
         let mut writer = Writer { out, hasher: blake3::Hasher::new(), events: 0, lines: Lines::new(header) };
-        let mut line = serde_json::to_vec(header)?;
-        line.push(b'\n');
-        writer.put(&line)?;
+        writer.put(&header_line(header)?)?;
         Ok(writer)
     }
 
     /// Writes further events.
     pub fn write(&mut self, events: &[Event]) -> io::Result<()> {
-        /// So many at a time, lest their text take much room.
-        const PIECE: usize = 4096;
-        for piece in events.chunks(PIECE) {
-            self.lines.push(piece);
-            let mut lines = mem::take(&mut self.lines.bytes);
-            self.put(&lines)?;
-            lines.clear();
-            self.lines.bytes = lines;
-        }
+        let (out, hasher) = (&mut self.out, &mut self.hasher);
+        self.lines.hand_on(events, |text| {
+            hasher.update(text);
+            out.write_all(text)
+        })?;
         self.events += events.len() as u64;
         Ok(())
     }
@@ -74,13 +82,6 @@ impl<'h, W: Write> Writer<'h, W> {
     pub fn append(&mut self, lines: &Lines) -> io::Result<()> {
         self.put(&lines.bytes)?;
         self.events += lines.events;
-        Ok(())
-    }
-
-    /// Writes the text of so many events.
-    pub(super) fn append_text(&mut self, text: &[u8], events: usize) -> io::Result<()> {
-        self.put(text)?;
-        self.events += events as u64;
         Ok(())
     }
 
@@ -96,6 +97,12 @@ impl<'h, W: Write> Writer<'h, W> {
         self.hasher.update(text);
         self.out.write_all(text)
     }
+}
+
+pub(super) fn header_line(header: &Header) -> io::Result<Vec<u8>> {
+    let mut line = serde_json::to_vec(header)?;
+    line.push(b'\n');
+    Ok(line)
 }
 
 /// The whole log as NDJSON.

@@ -8,18 +8,18 @@ macro_rules! with_effects {
 
             // The lens. The eye is its centre; (x_D, y_D) is a point of the unit disc, to which the unit square is bent.
             CameraPosition: "camera.position", "", "O_e", "", "1.5";
-            LensRadius: "lens.radius", "", "r_l", "", "1.5";
             LensFocusDistance: "lens.focus_distance", "", "f_l", "", "1.5";
             LensFocus: "lens.focus", "", "Q_l", "O_e + D·(f_l/|G|)", "1.5";
             DiscX: "disc.x", "", "x_D", "", "1.5";
             DiscY: "disc.y", "", "y_D", "", "1.5";
+            LensRadius: "lens.radius", "", "r_l", "", "1.5";
             RayOriginLens: "ray.origin", "lens", "O", "O_e + (e_x·x_D + e_y·y_D)·r_l", "1.5";
             RayVectorLens: "ray.vector", "lens", "D", "Q_l − O", "1.5";
 
             // The time of a ray.
             ShutterOpen: "shutter.open", "", "t_open", "", "1.5";
-            ShutterClose: "shutter.close", "", "t_close", "", "1.5";
             SampleTime: "sample.time", "", "ξ_t", "", "1.5";
+            ShutterClose: "shutter.close", "", "t_close", "", "1.5";
             RayTime: "ray.time", "", "t_now", "", "1.5";
             RayTimeSampled: "ray.time", "sampled", "t_now", "t_open + ξ_t·(t_close − t_open)", "1.5";
 
@@ -60,10 +60,6 @@ macro_rules! with_effects {
 
             // A point of an area light, each with an equal share I_i of the light's intensity. κ_F draws the points together so
             // that they lie as dense as the profile says.
-            LightCenter: "light.center", "", "C_F", "", "1.5";
-            LightEdgeU: "light.edge_u", "", "e_u", "", "1.5";
-            LightEdgeV: "light.edge_v", "", "e_v", "", "1.5";
-            LightRadius: "light.radius", "", "r_F", "", "1.5";
             LightSpread: "light.spread", "", "κ_F", "", "1.5";
             LightX: "light.x", "", "x_F", "(2·s_x − 1)·κ_F", "1.5";
             LightY: "light.y", "", "y_F", "(2·s_y − 1)·κ_F", "1.5";

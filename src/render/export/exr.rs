@@ -1,11 +1,13 @@
 //! OpenEXR: the traced values as f32, and layers beside them as channels `layer.channel`.
 
+use super::read::{Channels, Picture, PictureError, Samples};
+use crate::log::escape::shortened;
 use crate::render::Film;
 use exr::meta::MetaData;
 use exr::meta::header::Header;
 use exr::prelude::{
-    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, ReadChannels, ReadLayers, SmallVec,
-    Vec2, WritableImage,
+    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, ReadChannels, ReadLayers,
+    ReadSpecificChannel, SmallVec, Vec2, WritableImage,
 };
 use std::io::Cursor;
 
@@ -51,26 +53,74 @@ pub fn exr(film: &Film, layers: Vec<ExrLayer>) -> Result<Vec<u8>, exr::error::Er
     Ok(bytes.into_inner())
 }
 
-/// Width, height, and red, green and blue of each pixel, row by row from the top; `None` where its header asks for more pixels than
-/// `most`.
+/// Reads a picture of at most `most` pixels: of several layers the first with red, green and blue, or else the first with a luminance,
+/// which is grey.
 ///
 /// # Errors
-/// Those of the decoder.
-pub(super) fn read(bytes: &[u8], most: u64) -> Result<Option<(u32, u32, Vec<f32>)>, exr::error::Error> {
-    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false)?;
-    let is_small = |header: &Header| (header.layer_size.area() as u64) <= most;
-    if !meta.headers.iter().all(is_small) {
-        return Ok(None);
+/// [`PictureError`].
+pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
+    let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;
+    if headers.iter().any(|header| header.layer_size.area() as u64 > most) {
+        return Err(PictureError::Memory);
     }
-    let create = |size: Vec2<usize>, _: &_| (size.width(), vec![0.0_f32; size.area() * 3]);
-    let set = |(width, floats): &mut (usize, Vec<f32>), place: Vec2<usize>, (r, g, b): (f32, f32, f32)| {
-        let first = (place.y() * *width + place.x()) * 3;
-        floats[first..first + 3].copy_from_slice(&[r, g, b]);
-    };
-    let wanted = exr::prelude::read().no_deep_data().largest_resolution_level().rgb_channels(create, set);
-    let image = wanted.first_valid_layer().all_attributes().non_parallel().from_buffered(Cursor::new(bytes))?;
-    let size = image.layer_data.size;
-    Ok(Some((size.width() as u32, size.height() as u32, image.layer_data.channel_data.pixels.1)))
+    let reader = || exr::prelude::read().no_deep_data().largest_resolution_level();
+    match channels(&headers)? {
+        Channels::Rgb => {
+            let channels =
+                reader().rgb_channels(Pixels::<3>::new, |pixels, place, (r, g, b)| pixels.put(place, [r, g, b]));
+            let layer = channels.first_valid_layer().all_attributes().non_parallel();
+            Ok(layer.from_buffered(Cursor::new(bytes))?.layer_data.channel_data.pixels.into_picture(Channels::Rgb))
+        }
+        Channels::Grey => {
+            let channel = reader().specific_channels().required("Y");
+            let channel =
+                channel.collect_pixels(Pixels::<1>::new, |pixels, place, (y,): (f32,)| pixels.put(place, [y]));
+            let layer = channel.first_valid_layer().all_attributes().non_parallel();
+            Ok(layer.from_buffered(Cursor::new(bytes))?.layer_data.channel_data.pixels.into_picture(Channels::Grey))
+        }
+    }
+}
+
+/// The channels that are read of a file with these layers.
+fn channels(layers: &[Header]) -> Result<Channels, PictureError> {
+    const SHOWN: usize = 80;
+    let has = |header: &Header, name: &str| header.channels.list.iter().any(|channel| channel.name.eq(name));
+    let find = |names: &[&str]| layers.iter().find(|layer| names.iter().all(|name| has(layer, name)));
+    let found = find(&["R", "G", "B"]).map(|layer| (layer, Channels::Rgb));
+    let found = found.or_else(|| find(&["Y"]).map(|layer| (layer, Channels::Grey)));
+    // The decoder takes every channel to have as many samples as the picture has pixels.
+    let is_whole = |layer: &Header| layer.channels.list.iter().all(|channel| channel.sampling == Vec2(1, 1));
+    // With chroma beside it a luminance is half of a coloured picture.
+    let is_coloured = |layer: &Header| has(layer, "RY") || has(layer, "BY");
+    if let Some((_, channels)) =
+        found.filter(|(layer, channels)| is_whole(layer) && (*channels == Channels::Rgb || !is_coloured(layer)))
+    {
+        return Ok(channels);
+    }
+    let names: Vec<_> = layers.iter().flat_map(|layer| &layer.channels.list).map(|one| one.name.to_string()).collect();
+    Err(PictureError::Channels { found: shortened(&names.join(", "), SHOWN) })
+}
+
+/// Pixels of N channels, as the decoder gives them: in any order.
+struct Pixels<const N: usize> {
+    size: Vec2<usize>,
+    floats: Vec<f32>,
+}
+
+impl<const N: usize> Pixels<N> {
+    fn new<T>(size: Vec2<usize>, _: &T) -> Pixels<N> {
+        Pixels { size, floats: vec![0.0; size.area() * N] }
+    }
+
+    fn put(&mut self, place: Vec2<usize>, pixel: [f32; N]) {
+        let first = (place.y() * self.size.width() + place.x()) * N;
+        self.floats[first..first + N].copy_from_slice(&pixel);
+    }
+
+    fn into_picture(self, channels: Channels) -> Picture {
+        let [width, height] = [self.size.width() as u32, self.size.height() as u32];
+        Picture { width, height, channels, samples: Samples::Floats(self.floats) }
+    }
 }
 
 #[cfg(test)]
@@ -106,6 +156,40 @@ mod tests {
         assert_eq!(found("depth.Z"), values.iter().map(|x| x.to_bits()).collect::<Vec<_>>());
     }
 
+    /// A file of two by one pixels with these channels, the numbers of each counting on from those of the one before.
+    fn with_channels(names: &[&str]) -> Vec<u8> {
+        let channel = |(number, name): (usize, &&str)| {
+            let first = 2.0 * number as f32;
+            AnyChannel::new(*name, FlatSamples::F32(vec![first, first + 1.0]))
+        };
+        let channels = names.iter().enumerate().map(channel).collect();
+        let layer = Layer::new((2, 1), LayerAttributes::default(), Encoding::UNCOMPRESSED, AnyChannels::sort(channels));
+        let mut bytes = Cursor::new(Vec::new());
+        Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes).unwrap();
+        bytes.into_inner()
+    }
+
+    #[test]
+    fn the_channels_decide_what_is_read() {
+        #[track_caller]
+        fn reads(names: &[&str], channels: Channels, floats: &[f32]) {
+            let expected = Picture { width: 2, height: 1, channels, samples: Samples::Floats(floats.to_vec()) };
+            assert_eq!(super::read(&with_channels(names), 2).unwrap(), expected, "{names:?}");
+        }
+        #[track_caller]
+        fn refuses(names: &[&str], found: &str) {
+            let error = super::read(&with_channels(names), 2).unwrap_err();
+            assert_eq!(error.to_string().split_once("; found ").unwrap().1, found);
+        }
+        reads(&["Y"], Channels::Grey, &[0.0, 1.0]);
+        reads(&["A", "Y"], Channels::Grey, &[2.0, 3.0]);
+        reads(&["Y", "Z", "depth.Y"], Channels::Grey, &[0.0, 1.0]);
+        reads(&["A", "B", "G", "R", "Y"], Channels::Rgb, &[6.0, 4.0, 2.0, 7.0, 5.0, 3.0]);
+        refuses(&["A", "Z\u{7}"], "A, Z\\u{7}");
+        refuses(&["B", "R"], "B, R");
+        refuses(&["BY", "RY", "Y"], "BY, RY, Y");
+    }
+
     #[test]
     fn a_picture_reads_back_and_damage_is_told() {
         let mut film = Film::new([0, 0, 40, 30]);
@@ -113,11 +197,10 @@ mod tests {
         film.put([0, 0, 40, 30], &colors);
         let depth = vec![Channel { name: "Z", values: (0..1200).map(|k| k as f32 * 0.1).collect() }];
         let bytes = exr(&film, vec![ExrLayer { name: "depth", channels: depth }]).unwrap();
-        let (width, height, floats) = super::read(&bytes, 1200).unwrap().unwrap();
-        assert_eq!((width, height), (40, 30));
-        let expected: Vec<f32> = colors.iter().flat_map(|color| color.to_array()).map(|x| x as f32).collect();
-        assert_eq!(floats, expected);
-        assert_eq!(super::read(&bytes, 1199).unwrap(), None, "too many pixels");
+        let floats = colors.iter().flat_map(|color| color.to_array()).map(|x| x as f32).collect();
+        let expected = Picture { width: 40, height: 30, channels: Channels::Rgb, samples: Samples::Floats(floats) };
+        assert_eq!(super::read(&bytes, 1200).unwrap(), expected);
+        assert!(matches!(super::read(&bytes, 1199), Err(PictureError::Memory)), "too many pixels");
         for length in (0..bytes.len()).step_by(37) {
             assert!(super::read(&bytes[..length], 1200).is_err(), "{length}");
         }
@@ -126,7 +209,7 @@ mod tests {
         for at in 0..bytes.len().min(600) {
             let mut changed = bytes.clone();
             changed[at] ^= 0xff;
-            refused += u32::from(!matches!(super::read(&changed, 1200), Ok(Some(_))));
+            refused += u32::from(super::read(&changed, 1200).is_err());
         }
         assert!(refused > 50, "{refused}");
     }

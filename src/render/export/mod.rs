@@ -1,6 +1,7 @@
 //! Pictures as files: one file a format, and `read` for those that are compared. Only integer formats know white, transfer and clipping.
 
 mod exr;
+mod netpbm;
 mod pfm;
 mod png;
 mod ppm;

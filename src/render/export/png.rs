@@ -1,6 +1,6 @@
 //! PNG, written and read.
 
-use super::read::{MAX_PICTURE_BYTES, PictureError};
+use super::read::{Channels, MAX_PICTURE_BYTES, PictureError, with_room_for};
 use crate::render::Film;
 use png::{BitDepth, ColorType, Compression, DecodingError, EncodingError, Filter, Limits, Transformations};
 use std::io::Cursor;
@@ -39,13 +39,13 @@ const DEFLATE_RATIO: usize = 1032;
 /// What a PNG holds.
 pub(super) struct Decoded {
     pub size: [u32; 2],
-    /// Red, green and blue of each pixel, row by row from the top.
+    pub channels: Channels,
+    /// The levels of each pixel, row by row from the top.
     pub levels: Vec<u16>,
     pub highest: u16,
 }
 
-/// Reads a PNG of any kind: palettes and fewer than 8 bits are expanded, of grey all three channels are made, transparency is left
-/// out, and of an animation the picture is taken that readers without animations show.
+/// Reads a PNG of any kind: palettes and fewer than 8 bits are expanded, transparency is left out, and of an animation the picture is taken that readers without animations show.
 pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, PictureError> {
     // What unpacks to more than a picture of the greatest size would need isn't begun.
     const MOST: usize = MAX_PICTURE_BYTES as usize * 2;
@@ -65,28 +65,23 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, PictureError> {
     let mut unpacked = with_room_for(needed)?;
     unpacked.resize(needed, 0_u8);
     let frame = reader.next_frame(&mut unpacked).map_err(damaged)?;
-    let mut levels = with_room_for(frame.width as usize * frame.height as usize * 3)?;
     let is_grey = matches!(color, ColorType::Grayscale | ColorType::GrayscaleAlpha);
-    let channels = if is_grey { [0; 3] } else { [0, 1, 2] };
+    let channels = if is_grey { Channels::Grey } else { Channels::Rgb };
+    let kept = channels as usize;
+    let mut levels = with_room_for(frame.width as usize * frame.height as usize * kept)?;
     let highest = match depth {
         BitDepth::Sixteen => {
-            let of_pixel = |pixel: &[u8]| channels.map(|at| u16::from_be_bytes([pixel[2 * at], pixel[2 * at + 1]]));
-            levels.extend(unpacked.chunks_exact(2 * color.samples()).flat_map(of_pixel));
+            let pixels = unpacked.as_chunks().0.chunks_exact(color.samples());
+            levels.extend(pixels.flat_map(|pixel| &pixel[..kept]).map(|level| u16::from_be_bytes(*level)));
             u16::MAX
         }
         _ => {
-            let of_pixel = |pixel: &[u8]| channels.map(|at| u16::from(pixel[at]));
-            levels.extend(unpacked.chunks_exact(color.samples()).flat_map(of_pixel));
+            let pixels = unpacked.chunks_exact(color.samples());
+            levels.extend(pixels.flat_map(|pixel| &pixel[..kept]).map(|level| u16::from(*level)));
             u8::MAX.into()
         }
     };
-    Ok(Decoded { size: [frame.width, frame.height], levels, highest })
-}
-
-fn with_room_for<T>(count: usize) -> Result<Vec<T>, PictureError> {
-    let mut list = Vec::new();
-    list.try_reserve_exact(count).map_err(|_| PictureError::Memory)?;
-    Ok(list)
+    Ok(Decoded { size: [frame.width, frame.height], channels, levels, highest })
 }
 
 fn damaged(error: DecodingError) -> PictureError {
@@ -119,18 +114,18 @@ mod tests {
     fn every_kind_is_read() {
         use BitDepth::{Eight, Four, One, Sixteen, Two};
         use ColorType::{Grayscale, GrayscaleAlpha, Indexed, Rgb, Rgba};
-        let kinds: [(_, _, &[u8], _, _); 11] = [
-            (Grayscale, One, &[0b0100_0000], [0, 0, 0, 255, 255, 255], 255),
-            (Grayscale, Two, &[0b0110_0000], [85, 85, 85, 170, 170, 170], 255),
-            (Grayscale, Four, &[0x1f], [17, 17, 17, 255, 255, 255], 255),
-            (Grayscale, Eight, &[7, 9], [7, 7, 7, 9, 9, 9], 255),
-            (Grayscale, Sixteen, &[1, 2, 3, 4], [258, 258, 258, 772, 772, 772], 65535),
-            (GrayscaleAlpha, Eight, &[7, 0, 9, 255], [7, 7, 7, 9, 9, 9], 255),
-            (Indexed, One, &[0b0100_0000], [1, 2, 3, 4, 5, 6], 255),
-            (Indexed, Eight, &[1, 0], [4, 5, 6, 1, 2, 3], 255),
-            (Rgb, Eight, &[1, 2, 3, 4, 5, 6], [1, 2, 3, 4, 5, 6], 255),
-            (Rgba, Eight, &[1, 2, 3, 0, 4, 5, 6, 128], [1, 2, 3, 4, 5, 6], 255),
-            (Rgb, Sixteen, &[0, 1, 0, 2, 0, 3, 1, 4, 1, 5, 1, 6], [1, 2, 3, 260, 261, 262], 65535),
+        let kinds: [(_, _, &[u8], &[u16], _); 11] = [
+            (Grayscale, One, &[0b0100_0000], &[0, 255], 255),
+            (Grayscale, Two, &[0b0110_0000], &[85, 170], 255),
+            (Grayscale, Four, &[0x1f], &[17, 255], 255),
+            (Grayscale, Eight, &[7, 9], &[7, 9], 255),
+            (Grayscale, Sixteen, &[1, 2, 3, 4], &[258, 772], 65535),
+            (GrayscaleAlpha, Eight, &[7, 0, 9, 255], &[7, 9], 255),
+            (Indexed, One, &[0b0100_0000], &[1, 2, 3, 4, 5, 6], 255),
+            (Indexed, Eight, &[1, 0], &[4, 5, 6, 1, 2, 3], 255),
+            (Rgb, Eight, &[1, 2, 3, 4, 5, 6], &[1, 2, 3, 4, 5, 6], 255),
+            (Rgba, Eight, &[1, 2, 3, 0, 4, 5, 6, 128], &[1, 2, 3, 4, 5, 6], 255),
+            (Rgb, Sixteen, &[0, 1, 0, 2, 0, 3, 1, 4, 1, 5, 1, 6], &[1, 2, 3, 260, 261, 262], 65535),
         ];
         for (color, depth, data, levels, highest) in kinds {
             let decoded = of_two_pixels(color, depth, data);

@@ -1,6 +1,8 @@
-//! Pictures read back: PNG, binary PPM, PFM and OpenEXR.
+//! Pictures read back: PNG, PPM and PGM, PFM and OpenEXR.
 
+use super::netpbm;
 use super::png::Decoded;
+use std::ops::Range;
 
 /// The largest picture file that is read: 1 GiB.
 pub const MAX_PICTURE_BYTES: u64 = 1 << 30;
@@ -8,19 +10,27 @@ pub const MAX_PICTURE_BYTES: u64 = 1 << 30;
 /// A picture as its file has it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    width: u32,
-    height: u32,
-    samples: Samples,
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) channels: Channels,
+    pub(super) samples: Samples,
 }
 
-/// Red, green and blue of each pixel, row by row from the top.
+/// How many numbers a pixel has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Channels {
+    /// One, for all three colours.
+    Grey = 1,
+    /// Red, green and blue.
+    Rgb = 3,
+}
+
+/// The numbers of each pixel, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
-enum Samples {
+pub(super) enum Samples {
     /// Levels from 0 to the highest.
-    Levels {
-        levels: Vec<u16>,
-        highest: u16,
-    },
+    Levels { levels: Vec<u16>, highest: u16 },
+    /// The traced values.
     Floats(Vec<f32>),
 }
 
@@ -28,18 +38,30 @@ enum Samples {
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// It begins with something else.
-    #[error("expected a PNG, a binary PPM (P6), a PFM or an OpenEXR file")]
+    #[error("expected a PNG, a PPM (P3, P6), a PGM (P2, P5), a PFM (PF, Pf) or an OpenEXR file")]
     Unknown,
     /// Its header makes no sense.
     #[error("the header of the picture is damaged: expected {0}")]
     Header(&'static str),
-    /// There are fewer or more bytes than its header says.
-    #[error("the picture is damaged: expected {expected} bytes behind the header, found {found}")]
+    /// A word of its text makes no sense.
+    #[error("expected {expected}, found {found}")]
+    Word {
+        /// Where it stands among the bytes of the file.
+        place: Range<usize>,
+        /// What should stand there.
+        expected: String,
+        /// The word, safe to print.
+        found: String,
+    },
+    /// There are fewer or more samples than its header says.
+    #[error("the picture is damaged: expected {expected} {unit} behind the header, found {found}")]
     Length {
-        /// As many should be there.
+        /// The number that the header asks for.
         expected: u64,
-        /// As many are.
+        /// The number that there is.
         found: u64,
+        /// What is counted.
+        unit: &'static str,
     },
     /// A level is above the highest that its header allows: its colour would be beyond white.
     #[error("the picture is damaged: its highest level is {highest}, found {found}")]
@@ -49,9 +71,15 @@ pub enum PictureError {
         /// The first above it.
         found: u16,
     },
+    /// An OpenEXR file without colours.
+    #[error("expected an OpenEXR with the channels R, G and B, or Y alone for grey; found {found}")]
+    Channels {
+        /// Its channels, safe to print.
+        found: String,
+    },
     /// An OpenEXR file that can't be decoded.
     #[error("the picture is damaged: {0}")]
-    Exr(::exr::error::Error),
+    Exr(#[from] ::exr::error::Error),
     /// A PNG that can't be decoded.
     #[error("the picture is damaged: {0}")]
     Png(::png::DecodingError),
@@ -74,12 +102,15 @@ impl Picture {
     /// Red, green and blue of a pixel by column and row from the top left: levels from 0 to 1 as they are encoded, or the floating-point
     /// values themselves. A pixel outside the picture is black.
     pub fn pixel(&self, [x, y]: [u32; 2]) -> [f64; 3] {
-        let first = (y as usize * self.width as usize + x as usize) * 3;
-        [0, 1, 2].map(|channel| match &self.samples {
-            Samples::Levels { levels, highest } => {
-                levels.get(first + channel).map_or(0.0, |level| f64::from(*level) / f64::from(*highest))
+        let (place, count) = (y as usize * self.width as usize + x as usize, self.channels as usize);
+        [0, 1, 2].map(|channel| {
+            let sample = place * count + channel.min(count - 1);
+            match &self.samples {
+                Samples::Levels { levels, highest } => {
+                    levels.get(sample).map_or(0.0, |level| f64::from(*level) / f64::from(*highest))
+                }
+                Samples::Floats(floats) => floats.get(sample).map_or(0.0, |x| f64::from(*x)),
             }
-            Samples::Floats(floats) => floats.get(first + channel).map_or(0.0, |x| f64::from(*x)),
         })
     }
 }
@@ -87,108 +118,33 @@ impl Picture {
 /// What an OpenEXR file begins with.
 const EXR: &[u8] = b"\x76\x2f\x31\x01";
 
+/// What a PNG begins with.
+const PNG: &[u8] = b"\x89PNG";
+
 /// Whether what begins like this is a picture that can be read.
 pub fn is_picture(beginning: &[u8]) -> bool {
-    [EXR, b"\x89PNG", b"P6", b"PF\n", b"PF ", b"PF\r", b"Pf\n", b"Pf ", b"Pf\r"]
-        .iter()
-        .any(|magic| beginning.starts_with(magic))
+    [EXR, PNG].iter().any(|magic| beginning.starts_with(magic)) || netpbm::kind(beginning).is_some()
 }
 
-/// Reads a picture. Grey ones have three equal channels; transparency is left out.
+/// Reads a picture. Transparency is left out: colours are those that the file has.
 ///
 /// # Errors
 /// [`PictureError`].
 pub fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
-    match bytes {
-        [0x89, b'P', b'N', b'G', ..] => png(bytes),
-        [b'P', b'6', ..] => ppm(bytes),
-        [b'P', b'F', ..] => pfm(bytes, 3),
-        [b'P', b'f', ..] => pfm(bytes, 1),
-        _ if bytes.starts_with(EXR) => exr(bytes),
-        _ => Err(PictureError::Unknown),
+    if bytes.starts_with(PNG) {
+        let Decoded { size: [width, height], channels, levels, highest } = super::png::decode(bytes)?;
+        return Ok(Picture { width, height, channels, samples: Samples::Levels { levels, highest } });
     }
-}
-
-fn png(bytes: &[u8]) -> Result<Picture, PictureError> {
-    let Decoded { size: [width, height], levels, highest } = super::png::decode(bytes)?;
-    Ok(Picture { width, height, samples: Samples::Levels { levels, highest } })
-}
-
-/// Of several layers the first that has red, green and blue.
-fn exr(bytes: &[u8]) -> Result<Picture, PictureError> {
-    const BYTES_PER_PIXEL: u64 = 12;
-    let read = super::exr::read(bytes, MAX_PICTURE_BYTES * 2 / BYTES_PER_PIXEL).map_err(PictureError::Exr)?;
-    let (width, height, floats) = read.ok_or(PictureError::Memory)?;
-    Ok(Picture { width, height, samples: Samples::Floats(floats) })
-}
-
-fn ppm(bytes: &[u8]) -> Result<Picture, PictureError> {
-    let (words, body) = header::<3>(&bytes[2..])?;
-    let [width, height] = size(words[0], words[1])?;
-    let highest: u16 = words[2]
-        .parse()
-        .ok()
-        .filter(|highest| *highest > 0)
-        .ok_or(PictureError::Header("a highest level from 1 to 65535"))?;
-    let each = if highest > 255 { 2 } else { 1 };
-    check_length(body, [width, height], 3 * each)?;
-    let levels = match each {
-        1 => body.iter().map(|level| u16::from(*level)).collect::<Vec<_>>(),
-        _ => body.as_chunks().0.iter().map(|level| u16::from_be_bytes(*level)).collect(),
-    };
-    if let Some(found) = levels.iter().copied().find(|level| *level > highest) {
-        return Err(PictureError::Level { highest, found });
+    if bytes.starts_with(EXR) {
+        const BYTES_PER_PIXEL: u64 = 12;
+        return super::exr::read(bytes, MAX_PICTURE_BYTES * 2 / BYTES_PER_PIXEL);
     }
-    Ok(Picture { width, height, samples: Samples::Levels { levels, highest } })
+    netpbm::kind(bytes).map_or(Err(PictureError::Unknown), |kind| netpbm::read(bytes, kind))
 }
 
-/// PFM of three channels or one; the sign of its scale is the order of bytes, and rows go from the bottom up.
-fn pfm(bytes: &[u8], channels: u64) -> Result<Picture, PictureError> {
-    let (words, body) = header::<3>(&bytes[2..])?;
-    let [width, height] = size(words[0], words[1])?;
-    let scale: f64 = words[2]
-        .parse()
-        .ok()
-        .filter(|scale: &f64| scale.is_finite() && *scale != 0.0)
-        .ok_or(PictureError::Header("a scale that isn't 0"))?;
-    check_length(body, [width, height], 4 * channels)?;
-    let float = |four: &[u8; 4]| if scale < 0.0 { f32::from_le_bytes(*four) } else { f32::from_be_bytes(*four) };
-    let mut floats = Vec::new();
-    floats.try_reserve_exact(width as usize * height as usize * 3).map_err(|_| PictureError::Memory)?;
-    let copies = if channels == 1 { 3 } else { 1 };
-    for row in body.as_chunks::<4>().0.chunks(width as usize * channels as usize).rev() {
-        floats.extend(row.iter().flat_map(|four| std::iter::repeat_n(float(four), copies)));
-    }
-    Ok(Picture { width, height, samples: Samples::Floats(floats) })
-}
-
-/// The words of a header, each behind white space or a comment, and what stands behind the one white space after the last.
-fn header<const N: usize>(bytes: &[u8]) -> Result<([&str; N], &[u8]), PictureError> {
-    const MISSING: PictureError = PictureError::Header("width, height and a number behind them");
-    let (mut words, mut rest) = ([""; N], bytes);
-    for word in &mut words {
-        rest = rest.trim_ascii_start();
-        while rest.starts_with(b"#") {
-            let end = rest.iter().position(|byte| *byte == b'\n').ok_or(MISSING)?;
-            rest = rest[end..].trim_ascii_start();
-        }
-        let end = rest.iter().position(u8::is_ascii_whitespace).ok_or(MISSING)?;
-        *word = std::str::from_utf8(&rest[..end]).map_err(|_| MISSING)?;
-        rest = &rest[end..];
-    }
-    Ok((words, &rest[1..]))
-}
-
-fn size(width: &str, height: &str) -> Result<[u32; 2], PictureError> {
-    let side = |word: &str| word.parse().ok().filter(|side: &u32| *side > 0);
-    side(width)
-        .zip(side(height))
-        .map(|(width, height)| [width, height])
-        .ok_or(PictureError::Header("width and height from 1 on"))
-}
-
-fn check_length(body: &[u8], [width, height]: [u32; 2], each: u64) -> Result<(), PictureError> {
-    let expected = (u64::from(width) * u64::from(height)).saturating_mul(each);
-    let found = body.len() as u64;
-    if expected == found { Ok(()) } else { Err(PictureError::Length { expected, found }) }
+/// An empty list with room for `count` samples: in the middle of the work it could only abort.
+pub(super) fn with_room_for<T>(count: usize) -> Result<Vec<T>, PictureError> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count).map_err(|_| PictureError::Memory)?;
+    Ok(list)
 }

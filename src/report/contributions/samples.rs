@@ -37,7 +37,7 @@ fn weights(log: &Log, tree: &Tree, pixel: usize, samples: &[usize]) -> Vec<f64> 
         });
         accepted.collect()
     } else if let Some(n) = header.sampling.get("shared").and_then(|shared| shared.get("n")) {
-        let n = n.value() as u32;
+        let n = n.0 as u32;
         let at = |step: u32| f64::from(step) / f64::from(n);
         (0..n).flat_map(|y| (0..n).map(move |x| [at(x), at(y), 1.0 / f64::from(n)])).collect()
     } else {

@@ -8,8 +8,8 @@ use crate::geometry::{Leaving, Ray, Shape, Surface};
 use crate::log::{Name, RayKind, Step, Value};
 use crate::probe::{Erased, Probe, Quantity, Silent};
 use crate::scene::{
-    Algorithm, Camera, Effects, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows, Skip,
-    Specular, Tracing, Transfer, Weights,
+    Algorithm, AroundEye, Camera, Effects, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows,
+    Skip, Specular, Tracing, Transfer, Weights,
 };
 use crate::trace::query::Query;
 use crate::trace::{Hit, closest_hit};
@@ -23,7 +23,14 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
     let objects: Vec<_> = shapes
         .into_iter()
         .enumerate()
-        .map(|(number, shape)| Object { name: number.to_string(), shape, material: 0, one_sided: false, inside: None })
+        .map(|(number, shape)| Object {
+            slack: shape.slack(),
+            name: number.to_string(),
+            shape,
+            material: 0,
+            one_sided: false,
+            inside: None,
+        })
         .collect();
     Scene {
         name: "stress".to_owned(),
@@ -36,6 +43,7 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
         materials: vec![plain],
         ceilings: Default::default(),
         index: Index::new(&objects),
+        around_eye: AroundEye::Nothing,
         objects,
         tracing: Tracing {
             algorithm: Algorithm::Recursive,
@@ -154,7 +162,7 @@ pub(super) fn outward(surface: &Surface) -> DVec3 {
 /// The surface of a hit, for a ray that leaves it on the side of the arriving ray or on the other one.
 pub(super) fn leaving(hit: &Hit, surface: &Surface, on_this_side: bool) -> Leaving {
     let side = if on_this_side { surface.side } else { surface.side.opposite() };
-    Leaving { object: hit.object, primitive: hit.crossing.primitive, side, slack: 0.0 }
+    Leaving { object: hit.object, primitive: hit.crossing.primitive, side }
 }
 
 /// Remembers the latest value of every quantity, and counts transmitted rays.

@@ -91,7 +91,7 @@ fn draw_below(beside: &Beside, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let position = format!("row {}/{}  {which}{} differences", beside.cursor + 1, rows.len(), beside.differing.len());
     let used = position.chars().count() as u16;
     put(buffer, bottom, Span::styled(position, theme.style(Role::Title)).into());
-    let hint = "n next difference  N previous  j k move  q quit";
+    let hint = beside.message.unwrap_or("n next difference  N previous  j k move  q quit");
     let width = hint.len() as u16;
     if used + width + 2 <= bottom.width {
         let place = Rect { x: bottom.right() - width, width, ..bottom };

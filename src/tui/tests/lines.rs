@@ -167,3 +167,43 @@ fn lines_are_completed() {
     completes("/", "se", "se");
     completes(":", "nothing", "nothing");
 }
+
+#[test]
+fn a_pasted_text_stands_where_the_cursor_is() {
+    let mut model = sized(textbook(), 100, 30);
+    begin(&mut model, "/", "añb");
+    typed(&mut model, "Left");
+    prompt::pasted(&mut model, "x\r\ny\rz\nw\tß\u{1b}[0m\u{202e}");
+    let value = |model: &Model| model.prompt.as_ref().expect("a line").line.value().to_owned();
+    assert_eq!(value(&model), "añx y z w ß\\u{1b}[0m\\u{202e}b");
+    typed(&mut model, "c");
+    assert!(value(&model).ends_with("\\u{202e}cb"), "{}", value(&model));
+    // A line that was wrong is mended.
+    typed(&mut model, "Esc");
+    line(&mut model, ":", "xyzzy");
+    typed(&mut model, "^u");
+    prompt::pasted(&mut model, "42");
+    assert_eq!(said(&model), "");
+    typed(&mut model, "Enter");
+    assert_eq!(model.step(), 42);
+}
+
+#[test]
+fn a_pasted_text_does_nothing_where_no_line_is_typed() {
+    for (language, expected) in
+        [(Language::English, "text can only be pasted"), (Language::Spanish, "solo se puede pegar")]
+    {
+        for keys in ["", "?", "M", "Tab", "12"] {
+            let mut model = sized(textbook(), 100, 30);
+            model.speak(language);
+            typed(&mut model, keys);
+            let frame_of = |model: &Model| dump(&frame(model, 100, 30, &Theme::new(Palette::None, false)));
+            let before = (model.step(), model.cursor, frame_of(&model));
+            prompt::pasted(&mut model, "q:quit\rjjj");
+            assert!(said(&model).contains(expected), "{keys}: {}", said(&model));
+            assert!(frame_of(&model).contains(expected), "{keys}: {}", frame_of(&model));
+            model.message = None;
+            assert_eq!((model.step(), model.cursor, frame_of(&model)), before, "{keys}");
+        }
+    }
+}

@@ -7,7 +7,10 @@
 //! triangle's plane already, and so never meets it.
 
 use crate::geometry::mesh::Mesh;
-use crate::geometry::ray::{Ray, Side};
+use crate::geometry::ray::{Leaving, Ray, Side};
+use crate::geometry::shape::triangle::Facet;
+use crate::geometry::size::unit;
+use crate::probe::ROUNDINGS;
 use glam::DVec3;
 
 /// The triangle of a mesh that a ray leaves.
@@ -23,9 +26,10 @@ pub(super) struct LeftTriangle {
 const NEARBY: f64 = 1.0 / (1 << 20) as f64;
 
 impl LeftTriangle {
-    /// The triangle with this number, if there is one; `normals` are those of the mesh's triangles, as their
+    /// The triangle that the ray leaves, if there is one; `normals` are those of the mesh's triangles, as their
     /// kernels have them.
-    pub fn of(mesh: &Mesh, normals: &[DVec3], number: u32, ray: &Ray) -> Option<LeftTriangle> {
+    pub fn of(mesh: &Mesh, normals: &[DVec3], leaving: Leaving, ray: &Ray) -> Option<LeftTriangle> {
+        let number = leaving.primitive;
         let normal = *normals.get(number as usize)?;
         let corners = mesh.corners(number);
         let [a, b, c] = corners;
@@ -34,6 +38,8 @@ impl LeftTriangle {
         let along_normal = normal.dot(ray.direction);
         let sets_off = match () {
             _ if !is_nearby => None,
+            // A ray along the surface knows by itself on which side of it it runs.
+            _ if ray.slack > 0.0 => Some(leaving.side),
             _ if along_normal > 0.0 => Some(Side::Front),
             _ if along_normal < 0.0 => Some(Side::Back),
             _ => None,
@@ -62,6 +68,19 @@ impl LeftTriangle {
 /// textures differ.
 pub(super) fn corners_in_common(one: [DVec3; 3], other: [DVec3; 3]) -> usize {
     one.into_iter().filter(|corner| other.contains(corner)).count()
+}
+
+/// Whether two triangles with an edge in common lie in one plane and on the same side of the edge.
+pub(super) fn overlap(one: &Facet, other: &Facet) -> bool {
+    let (corners, others) = (one.corners(), other.corners());
+    let apex = |of: [DVec3; 3], without: [DVec3; 3]| of.into_iter().find(|corner| !without.contains(corner));
+    let mut edge = corners.into_iter().filter(|corner| others.contains(corner));
+    let (Some(apex), Some(other_apex)) = (apex(corners, others), apex(others, corners)) else { return false };
+    let (Some(from), Some(to)) = (edge.next(), edge.next()) else { return false };
+    let size = one.bounds().size().max(other.bounds().size());
+    let is_in_plane = unit(one.normal).dot(other_apex - from).abs() <= 2.0 * ROUNDINGS * size;
+    let side = |apex: DVec3| one.normal.dot((to - from).cross(apex - from));
+    is_in_plane && side(apex) * side(other_apex) > 0.0
 }
 
 /// An edge that two triangles have in common.
@@ -114,6 +133,10 @@ mod tests {
         (0..mesh.faces.len() as u32).map(normal).collect()
     }
 
+    fn leaving(primitive: u32) -> Leaving {
+        Leaving { object: 0, primitive, side: Side::Front }
+    }
+
     /// Two squares' halves that meet in the edge from the origin along y, the second turned up or down from the first.
     #[track_caller]
     fn bars(up: f64, direction: [f64; 3], expected: bool) {
@@ -121,7 +144,7 @@ mod tests {
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
         let ray = Ray::new(DVec3::new(-0.1, 0.5, 0.0), DVec3::from(direction));
         let normals = normals(&mesh);
-        let left = LeftTriangle::of(&mesh, &normals, 0, &ray).map(|left| left.bars(&mesh, &normals, 1, &ray));
+        let left = LeftTriangle::of(&mesh, &normals, leaving(0), &ray).map(|left| left.bars(&mesh, &normals, 1, &ray));
         assert_eq!(left, Some(expected));
     }
 
@@ -141,11 +164,11 @@ mod tests {
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
         let ray = Ray::new(DVec3::new(-0.1, 0.5, 1.0), DVec3::new(1.0, 0.0, 0.1));
         let normals = normals(&mesh);
-        let left = LeftTriangle::of(&mesh, &normals, 0, &ray);
+        let left = LeftTriangle::of(&mesh, &normals, leaving(0), &ray);
         assert_eq!(
             left.as_ref().map(|left| [0, 1].map(|triangle| left.bars(&mesh, &normals, triangle, &ray))),
             Some([true, false])
         );
-        assert!(LeftTriangle::of(&mesh, &normals, 9, &ray).is_none());
+        assert!(LeftTriangle::of(&mesh, &normals, leaving(9), &ray).is_none());
     }
 }

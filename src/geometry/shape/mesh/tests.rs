@@ -32,6 +32,12 @@ impl Random {
     }
 }
 
+impl TriangleMesh {
+    fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+        Shape::Mesh(Arc::new(self.clone())).first_crossing(object, one_sided, ray, probe)
+    }
+}
+
 fn tree(mesh: Mesh) -> TriangleMesh {
     TriangleMesh::new(Arc::new(mesh))
 }
@@ -63,13 +69,13 @@ fn all_by_force(shape: &TriangleMesh, one_sided: bool, ray: &Ray) -> Vec<Crossin
     let mut crossings: Vec<_> = (0..shape.mesh.faces.len() as u32)
         .filter(|triangle| left != Some(*triangle))
         .filter_map(|triangle| {
-            let approach = Approach { leaving: None, slack: 0.0, one_sided };
+            let approach = Approach { leaving: None, one_sided };
             let triangle_left =
-                ray.leaving.and_then(|leaving| LeftTriangle::of(&shape.mesh, &shape.normals, leaving.primitive, ray));
+                ray.leaving.and_then(|leaving| LeftTriangle::of(&shape.mesh, &shape.normals, leaving, ray));
             if triangle_left.is_some_and(|left| left.bars(&shape.mesh, &shape.normals, triangle, ray)) {
                 return None;
             }
-            shape.facet(triangle).crossing(ray, approach, triangle, |_| false, &mut Silent)
+            shape.facet(triangle).crossing(ray, approach, triangle, |_, _| None, &mut Silent)
         })
         .collect();
     crossings.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive)));

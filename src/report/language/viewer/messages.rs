@@ -65,6 +65,8 @@ pub struct Messages {
     pub from_the_beginning: &'static str,
     /// It went on at the end.
     pub from_the_end: &'static str,
+    /// A text was pasted where no line is typed.
+    pub pasted_nowhere: &'static str,
     /// The mouse belongs to the viewer.
     pub mouse_is_ours: &'static str,
     /// It belongs to the terminal.

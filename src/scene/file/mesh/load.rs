@@ -1,12 +1,12 @@
 //! The meshes of a scene: found, read, and held by the paths by which the scene names them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::limits::MAX_MESH_BYTES;
 use super::{Read, parse};
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, Winding};
 use crate::scene::file::error::{Problem, SceneError};
 use crate::scene::file::input::{Wanted, display_name};
 use crate::scene::file::key_path::KeyPath;
@@ -87,7 +87,38 @@ pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(M
         meshes.insert(&named.path, read.0.mesh, read.1);
         warnings.extend(read.0.warnings);
     }
-    if problems.is_empty() { Ok((meshes, warnings)) } else { Err(SceneError::Invalid { problems, omitted }) }
+    if !problems.is_empty() {
+        return Err(SceneError::Invalid { problems, omitted });
+    }
+    warnings.extend(
+        transmitting(scene, &meshes).map(|(index, message)| path_problem(scene_text, index, message.to_owned())),
+    );
+    Ok((meshes, warnings))
+}
+
+/// The objects whose meshes transmit but enclose no medium, each mesh once, and what that means.
+fn transmitting<'s>(scene: &'s SceneFile, meshes: &'s Meshes) -> impl Iterator<Item = (usize, &'static str)> + 's {
+    let mut told = BTreeSet::new();
+    scene.objects.iter().enumerate().filter_map(move |(index, object)| {
+        let Shape::Mesh(named) = &object.shape else { return None };
+        let material = scene.materials.get(object.material.as_ref()?)?;
+        let transmits = material.weights.transmitted.rgb() != [0.0; 3];
+        if !transmits || !told.insert(&named.path) {
+            return None;
+        }
+        let message = match meshes.get(&named.path)?.winding() {
+            Winding::Outward | Winding::Inward => return None,
+            Winding::Mixed => {
+                "transmits, but its triangles are wound both ways: a ray enters the medium where it sees a front and leaves it where \
+                 it sees a back, whichever side is inside"
+            }
+            Winding::Open => {
+                "transmits, but its mesh has open edges and encloses no medium: a ray enters the medium where it sees a front and \
+                 leaves it where it sees a back, and through a hole it goes on in the medium that it is in"
+            }
+        };
+        Some((index, message))
+    })
 }
 
 /// Why a mesh isn't there.

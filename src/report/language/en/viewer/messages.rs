@@ -36,6 +36,7 @@ pub(super) const MESSAGES: Messages = Messages {
     no_row: |text| format!("no row matches: {text}"),
     from_the_beginning: "from the beginning again",
     from_the_end: "from the end again",
+    pasted_nowhere: "text can only be pasted into a line that is being typed, such as after / or :",
     mouse_is_ours: "the mouse selects and scrolls; ^t gives it back",
     mouse_is_the_terminals: "the mouse is the terminal's",
     one_pixel_printed: "the book prints one pixel only",

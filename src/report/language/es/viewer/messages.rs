@@ -37,6 +37,7 @@ pub(super) const MESSAGES: Messages = Messages {
     no_row: |text| format!("ninguna fila coincide: {text}"),
     from_the_beginning: "otra vez desde el principio",
     from_the_end: "otra vez desde el final",
+    pasted_nowhere: "solo se puede pegar texto en una línea que se está escribiendo, como tras / o :",
     mouse_is_ours: "el ratón selecciona y desplaza; ^t lo devuelve",
     mouse_is_the_terminals: "el ratón es del terminal",
     one_pixel_printed: "el libro solo imprime un píxel",
