@@ -40,7 +40,7 @@ pub struct Meeting {
     pub coincident: usize,
 }
 
-fn triple(value: Value) -> DVec3 {
+pub fn triple(value: Value) -> DVec3 {
     let [x, y, z] = value.components() else { panic!("{value:?} is no triple") };
     DVec3::new(*x, *y, *z)
 }
