@@ -6,12 +6,12 @@ use glam::DVec3;
 use raywalk::geometry::Mesh;
 use serde_json::{Value, json};
 
-enum Form {
+pub enum Form {
     Shape(Value),
     Mesh(Mesh),
 }
 
-const CUBE: [[f64; 3]; 8] = [
+pub const CUBE: [[f64; 3]; 8] = [
     [-0.7, -0.6, -0.5],
     [0.7, -0.6, -0.5],
     [0.7, 0.6, -0.5],
@@ -23,14 +23,14 @@ const CUBE: [[f64; 3]; 8] = [
 ];
 
 /// The quads of [`CUBE`], wound outward.
-const QUADS: [[u32; 4]; 6] = [[3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
+pub const QUADS: [[u32; 4]; 6] = [[3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
 
-fn halves(quads: &[[u32; 4]]) -> Vec<[u32; 3]> {
+pub fn halves(quads: &[[u32; 4]]) -> Vec<[u32; 3]> {
     quads.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect()
 }
 
 /// All ten shapes about the middle of a frame, with names; a box stands upright.
-fn forms(frame: &Frame) -> Vec<(&'static str, Form)> {
+pub fn forms(frame: &Frame) -> Vec<(&'static str, Form)> {
     let (at, length) = (|own| frame.at(own), |own| frame.length(own));
     let middle = frame.point([0.0; 3]);
     let half = DVec3::new(0.8, 0.7, 0.9) * frame.length(1.0);
@@ -73,10 +73,10 @@ fn forms(frame: &Frame) -> Vec<(&'static str, Form)> {
     shapes.into_iter().chain([("mesh", Form::Mesh(frame.mesh(&CUBE, &halves(&QUADS))))]).collect()
 }
 
-const MATERIALS: [&str; 3] = ["matt", "mirror", "glass"];
+pub const MATERIALS: [&str; 3] = ["matt", "mirror", "glass"];
 
 /// Lights of every kind, a floor beneath, and materials that crossing twice changes nothing of.
-fn world(frame: &Frame, from: [f64; 3], resolution: [u32; 2]) -> World {
+pub fn world(frame: &Frame, from: [f64; 3], resolution: [u32; 2]) -> World {
     let lamp = json!({"point": {"position": frame.at([3.0, -1.0, 4.0])}, "color": [0.5, 0.6, 0.4]});
     let sun = json!({"directional": {"direction": frame.way([0.4, 0.5, -1.0])}, "color": [0.4, 0.3, 0.5]});
     let inside = json!({"point": {"position": frame.at([0.05, 0.02, 0.1])}, "color": [0.1, 0.2, 0.1]});
@@ -100,7 +100,7 @@ fn world(frame: &Frame, from: [f64; 3], resolution: [u32; 2]) -> World {
 }
 
 /// A floor, and the form so many times, before it and behind it in the order of the scene.
-fn with(world: &World, frame: &Frame, form: &Form, material: &str, times: usize, motion: Option<&Value>) -> World {
+pub fn with(world: &World, frame: &Frame, form: &Form, material: &str, times: usize, motion: Option<&Value>) -> World {
     let add = |world: World| {
         let world = match form {
             Form::Shape(shape) => world.object(material, shape.clone()),

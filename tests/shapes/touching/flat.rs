@@ -24,7 +24,7 @@ fn sheets(frame: &Frame, random: &mut Random) -> Vec<(&'static str, Form)> {
         // So far out that the sides between the corners stay beyond the reach.
         let least = REACH / libm::cos(3.2 / count as f64);
         let corner = |k: usize| {
-            let (angle, far) = (turn + 6.283 * k as f64 / count as f64, between(1.1, 1.6) * least);
+            let (angle, far) = (turn + std::f64::consts::TAU * k as f64 / count as f64, between(1.1, 1.6) * least);
             [far * libm::cos(angle), far * libm::sin(angle), 0.0]
         };
         (0..count).map(corner).collect()

@@ -1,7 +1,12 @@
 //! Surfaces in the same place: what touches, lies in one plane, or stands in a scene twice.
 
+mod arithmetics;
 mod bounds;
+mod cases;
 mod doubled;
+mod eye;
 mod flat;
+mod gaps;
+mod smooth;
 mod stacks;
 mod world;

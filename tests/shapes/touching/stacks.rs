@@ -19,7 +19,7 @@ struct Slab {
 
 impl Slab {
     fn holds(&self, point: DVec3) -> bool {
-        let across = if self.is_round { point.x.hypot(point.y) } else { point.x.abs().max(point.y.abs()) };
+        let across = if self.is_round { point.truncate().length() } else { point.x.abs().max(point.y.abs()) };
         across < self.reach && self.bottom < point.z && point.z < self.top
     }
 }
@@ -40,7 +40,7 @@ pub struct Meeting {
     pub coincident: usize,
 }
 
-fn triple(value: Value) -> DVec3 {
+pub fn triple(value: Value) -> DVec3 {
     let [x, y, z] = value.components() else { panic!("{value:?} is no triple") };
     DVec3::new(*x, *y, *z)
 }

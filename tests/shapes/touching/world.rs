@@ -162,13 +162,17 @@ impl World {
 
     #[track_caller]
     pub fn picture_in(&self, arithmetic: Arithmetic) -> Vec<Color> {
-        let scene = self.scene();
-        let [width, height] = scene.camera.resolution;
-        let crop = [0, 0, width, height];
-        let settings = Settings { crop, arithmetic, threads: 1, counts_rays: false, order: Default::default() };
-        let rendered = render(&scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture");
-        rendered.film.into_pixels()
+        picture_of(&self.scene(), arithmetic)
     }
+}
+
+#[track_caller]
+pub fn picture_of(scene: &Scene, arithmetic: Arithmetic) -> Vec<Color> {
+    let [width, height] = scene.camera.resolution;
+    let crop = [0, 0, width, height];
+    let settings = Settings { crop, arithmetic, threads: 1, counts_rays: false, order: Default::default() };
+    let rendered = render(scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture");
+    rendered.film.into_pixels()
 }
 
 /// How far a colour is from the right one, as a part of it.
@@ -180,6 +184,6 @@ pub fn difference(found: Color, right: Color) -> f64 {
 pub fn wrong(found: &[Color], right: &[Color], tolerance: f64) -> (usize, f64) {
     assert_eq!(found.len(), right.len());
     let differences: Vec<_> = found.iter().zip(right).map(|(found, right)| difference(*found, *right)).collect();
-    let wrong = differences.iter().filter(|difference| !(**difference <= tolerance)).count();
+    let wrong = differences.iter().filter(|difference| difference.is_nan() || **difference > tolerance).count();
     (wrong, differences.into_iter().fold(0.0, f64::max))
 }
