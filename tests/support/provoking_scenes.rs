@@ -4,8 +4,8 @@ use glam::DVec3;
 use raywalk::geometry::Shape;
 use raywalk::geometry::shape::{Plane, Sphere, SphereMethod};
 use raywalk::scene::{
-    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing, Transfer,
-    Weights,
+    Algorithm, AroundEye, Camera, Index, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing,
+    Transfer, Weights,
 };
 
 /// What varies between the scenes of this file.
@@ -61,7 +61,8 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
     let sphere =
         |center: [f64; 3], radius| Shape::Sphere(Sphere::new(center.into(), radius, false, options.sphere_method));
     let plane = |coefficients| Shape::Plane(Plane::new(coefficients));
-    let object = |name: &str, shape, material| Object { name: name.to_owned(), shape, material, one_sided: false };
+    let object =
+        |name: &str, shape, material| Object { name: name.to_owned(), shape, material, one_sided: false, inside: None };
     indexed(Scene {
         camera: Camera::new(eye.into(), DVec3::new(0.1, -0.2, -1.0), DVec3::Y, 60.0, [48, 36]),
         background: DVec3::new(0.2, 0.2, 0.3),
@@ -115,6 +116,7 @@ pub fn straight_through(options: Options) -> Scene {
             shape: Shape::Plane(Plane::new([0.0, 0.0, 1.0, 0.0])),
             material: 0,
             one_sided: false,
+            inside: None,
         }],
         ..bare("straight through", options)
     })
@@ -136,6 +138,7 @@ fn bare(name: &str, options: Options) -> Scene {
         lights: Vec::new(),
         materials: Vec::new(),
         objects: Vec::new(),
+        around_eye: AroundEye::Nothing,
         index: Index::default(),
         ceilings: Default::default(),
         sampling: raywalk::scene::Sampling::Center,
