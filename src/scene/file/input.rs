@@ -87,21 +87,14 @@ impl Wanted {
         let mut beginning = Vec::new();
         let read = input.by_ref().take(BEGINNING).read_to_end(&mut beginning);
         read.map_err(|error| self.failure(&name, error))?;
+        let path = None;
         let Some(packing) = Packing::of(&beginning) else {
-            return Ok(Opened {
-                wanted: self,
-                name,
-                path: None,
-                size,
-                packing: None,
-                beginning,
-                rest: Box::new(input),
-            });
+            return Ok(Opened { wanted: self, name, path, size, packing: None, beginning, rest: Box::new(input) });
         };
         let mut rest = packing.unpacked(io::Cursor::new(beginning).chain(input));
         let mut beginning = Vec::new();
         let read = rest.by_ref().take(BEGINNING).read_to_end(&mut beginning);
-        let mut opened = Opened { wanted: self, name, path: None, size, packing: Some(packing), beginning, rest };
+        let mut opened = Opened { wanted: self, name, path, size, packing: Some(packing), beginning, rest };
         match read {
             Ok(_) => Ok(opened),
             // What there is of it may be enough.
