@@ -35,10 +35,13 @@ pub fn is_whole(path: &Path, header: &Header) -> bool {
     if path == Path::new("-") || !path.is_file() {
         return false;
     }
-    let Ok(opened) = (Wanted { what: "a log", max_bytes: MAX_LOG_BYTES }).open(path) else { return false };
-    let Ok(log) = PixelReader::open(opened.stream(MAX_LOG_BYTES)) else { return false };
-    let nowhere = file::Writer::new(io::sink(), header);
-    log.header() == header && nowhere.is_ok_and(|mut nowhere| log.add_to(&mut nowhere).is_ok())
+    let log = || {
+        let opened = Wanted { what: "a log", max_bytes: MAX_LOG_BYTES }.open(path).ok()?;
+        PixelReader::open(opened.stream(MAX_LOG_BYTES)).ok().filter(|log| log.header() == header)
+    };
+    let Ok(mut nowhere) = file::Writer::new(io::sink(), header) else { return false };
+    log().is_some_and(|log| log.copy_to(&mut nowhere).is_ok_and(|is_whole| is_whole))
+        || log().is_some_and(|log| log.add_to(&mut nowhere).is_ok())
 }
 
 /// A log was named with options that only a scene has a use for.

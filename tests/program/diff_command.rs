@@ -338,6 +338,31 @@ fn a_log_whose_keys_were_sorted_is_that_log() {
     }
 }
 
+/// Numbers that are spelt otherwise in some line, be it far behind the header, leave the log of a region whole; a changed one doesn't.
+#[test]
+fn the_log_of_a_region_with_other_numbers_is_whole() {
+    let folder = Folder::new();
+    let log = folder.path("a.ndjson");
+    prints(&["trace", "textbook", "--region", "159,119,162,122", "-o", &log]);
+    let text = std::fs::read_to_string(&log).expect("the log");
+    let (before, behind) = text.rsplit_once(",\"value\":0.").expect("a fraction");
+    let digits = behind.find(|c: char| !c.is_ascii_digit()).expect("the end of the number");
+    let with = |ending: &str| [before, ",\"value\":0.", &behind[..digits], ending, &behind[digits..]].concat();
+    for (text, warning) in [(with("e0"), ""), (with("e1"), "its digest fits neither its bytes nor its events")] {
+        let zstd = ruzstd::encoding::compress_to_vec(text.as_bytes(), ruzstd::encoding::CompressionLevel::Fastest);
+        for bytes in [text.into_bytes(), zstd] {
+            let other = folder.path("b.ndjson");
+            std::fs::write(&other, &bytes).expect("written");
+            for name in [&*other, "-"] {
+                let answer = raywalk(&["diff", &log, name]).write_stdin(bytes.clone()).output().expect("it runs");
+                let said = String::from_utf8_lossy(&answer.stderr);
+                assert!(said.contains(warning) && said.is_empty() == warning.is_empty(), "{name}: {said}");
+                assert_eq!(answer.status.code(), Some(i32::from(!warning.is_empty())), "{name}");
+            }
+        }
+    }
+}
+
 #[test]
 fn utf_16_is_told_as_walk_tells_it() {
     let folder = Folder::new();

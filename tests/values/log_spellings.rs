@@ -2,11 +2,12 @@
 
 use crate::random::Random;
 use crate::support::{middle, scene, scene_of};
-use raywalk::log::Log;
 use raywalk::log::file::{Ending, PixelReader, is_log, read, to_json, to_ndjson};
+use raywalk::log::{self, Log};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::builtin;
 use serde_json::Value;
+use std::io::Cursor;
 
 /// How a program writes JSON.
 struct Writer {
@@ -113,11 +114,43 @@ fn logs() -> Vec<Log> {
     logs
 }
 
-/// How the log ends when it is read pixel by pixel.
+/// How the log ends when it is read pixel by pixel, once or twice.
 fn ending_by_pixels(bytes: &[u8]) -> Ending {
-    let mut reader = PixelReader::open(bytes).expect("a log");
-    while reader.next_pixel().expect("a pixel").is_some() {}
-    reader.ending().expect("the end").clone()
+    let input = Cursor::new(bytes.to_vec());
+    let again = input.clone();
+    let once = PixelReader::open(input.clone()).expect("a log");
+    let twice = PixelReader::open(input).expect("a log").with_again(|| Some(again));
+    let [once, twice] = [once, twice].map(|mut reader| {
+        while reader.next_pixel().expect("a pixel").is_some() {}
+        reader.ending().expect("the end").clone()
+    });
+    assert_eq!(once, twice);
+    once
+}
+
+/// The lines that are copied to another log, if the digest of the bytes shows that all are there.
+fn copied(bytes: &[u8]) -> Option<Vec<u8>> {
+    let reader = PixelReader::open(bytes).expect("a log");
+    let header = reader.header().clone();
+    let mut writer = log::file::Writer::new(Vec::new(), &header).expect("memory");
+    reader.copy_to(&mut writer).expect("memory").then(|| writer.finish().expect("memory"))
+}
+
+#[test]
+fn lines_are_copied_only_as_they_were_written() {
+    for (seed, log) in (0..).zip(logs()) {
+        let lines = to_ndjson(&log).expect("memory");
+        assert!(copied(&lines).as_ref() == Some(&lines));
+        let values = values(&lines);
+        let text = String::from_utf8(lines.clone()).expect("UTF-8");
+        let without_digest = text.rsplit_once(",\"digest\"").expect("a digest").0.to_owned() + "}}\n";
+        let changed = text.replacen("\"value\":", "\"value\":1", 1);
+        let (document, longer) = (to_json(&log).expect("memory"), [&lines[..], b"{}"].concat());
+        for other in [respelt(&values, seed).as_bytes(), &lines[..lines.len() / 2], &document, &longer] {
+            assert_eq!(copied(other), None, "{seed}");
+        }
+        assert_eq!([without_digest, changed].map(|text| copied(text.as_bytes())), [None, None], "{seed}");
+    }
 }
 
 #[test]

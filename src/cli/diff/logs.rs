@@ -199,8 +199,12 @@ struct Source {
 impl Source {
     fn open(opened: Opened) -> Result<Source, Failure> {
         let name = visible(opened.name()).into_owned();
-        let input: Box<dyn Read> = Box::new(opened.stream(MAX_LOG_BYTES));
-        let reader = PixelReader::open(input).map_err(|error| saved_log::failure(&name, &error))?;
+        let input = |opened: Opened| -> Box<dyn Read> { Box::new(opened.stream(MAX_LOG_BYTES)) };
+        let again = opened.again();
+        let mut reader = PixelReader::open(input(opened)).map_err(|error| saved_log::failure(&name, &error))?;
+        if let Some(again) = again {
+            reader = reader.with_again(move || again().ok().map(input));
+        }
         let log = Log { header: reader.header().clone(), events: Vec::new() };
         let mut source = Source { name, reader, log, next: None, last: None, is_in_order: true };
         source.advance()?;

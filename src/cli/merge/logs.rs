@@ -3,7 +3,7 @@
 use super::{Merge, open, some_of};
 use crate::cli::failure::{Failure, shown};
 use crate::cli::options::ColorChoice;
-use crate::cli::output::Output;
+use crate::cli::output::{Output, Sink};
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
 use raywalk::log::file::{LogError, PixelReader, Writer};
 use raywalk::log::{Header, Shard};
@@ -28,26 +28,51 @@ impl Merge {
         }
         let in_order = in_order(&found)?;
         let header = Header { shard: None, ..found[0].1.clone() };
-        let output = Output::create(Some(&self.output), &self.parts)?;
-        let mut failed = None;
-        let written = output.stream(|out| {
-            let mut writer = Writer::new(out, &header)?;
-            for path in in_order {
-                let added = log_in(path, colors)
-                    .and_then(|log| log.add_to(&mut writer).map_err(|error| saved_log::failure(&shown(path), &error)));
-                if let Err(failure) = added {
-                    failed = Some(failure);
-                    return Err(io::ErrorKind::Other.into());
-                }
+        let output = || Output::create(Some(&self.output), &self.parts);
+        let mut place = output()?;
+        // A file can be begun again if another program turns out to have written a log anew; for anything else the logs are asked first.
+        let is_file = place.is_file();
+        let mut nowhere =
+            Writer::new(io::sink(), &header).map_err(|error| Failure::io(&self.output, "write", &error))?;
+        let mut is_copied = |path| log_in(path, colors).is_ok_and(|log| log.copy_to(&mut nowhere).unwrap_or(false));
+        if is_file || in_order.iter().all(|path| is_copied(path)) {
+            match join(&in_order, &header, place, |log, writer| log.copy_to(writer), colors)? {
+                true => return Ok(()),
+                false if is_file => place = output()?,
+                false => return Err(Failure::caller("merge: a log was changed while it was read")),
             }
-            writer.finish().map(|_| ())
-        });
-        failed.map_or(written, Err)
+        }
+        join(&in_order, &header, place, |log, writer| log.add_to(writer).map(|()| true), colors).map(|_| ())
     }
 }
 
-fn log_in(path: &Path, colors: ColorChoice) -> Result<PixelReader<impl Read + use<>>, Failure> {
-    let input = open(path, colors)?.stream(MAX_LOG_BYTES);
+type PartReader = PixelReader<Box<dyn Read>>;
+
+/// Writes the logs one after another; `false` where `add` gives that for one of them.
+fn join(
+    logs: &[&Path],
+    header: &Header,
+    output: Output,
+    add: impl Fn(PartReader, &mut Writer<&mut Sink>) -> Result<bool, LogError>,
+    colors: ColorChoice,
+) -> Result<bool, Failure> {
+    let mut added = Ok(true);
+    let written = output.stream(|out| {
+        let mut writer = Writer::new(out, header)?;
+        for path in logs {
+            let add = |log| add(log, &mut writer).map_err(|error| saved_log::failure(&shown(path), &error));
+            added = log_in(path, colors).and_then(add);
+            if !matches!(added, Ok(true)) {
+                return Err(io::ErrorKind::Other.into());
+            }
+        }
+        writer.finish().map(|_| ())
+    });
+    if let Ok(true) = added { written.map(|()| true) } else { added }
+}
+
+fn log_in(path: &Path, colors: ColorChoice) -> Result<PartReader, Failure> {
+    let input: Box<dyn Read> = Box::new(open(path, colors)?.stream(MAX_LOG_BYTES));
     PixelReader::open(input).map_err(|error: LogError| saved_log::failure(&shown(path), &error))
 }
 

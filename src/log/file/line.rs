@@ -51,7 +51,15 @@ pub(super) struct End {
     pub digest: Option<String>,
 }
 
+impl End {
+    /// Whether this is its digest.
+    pub fn has(&self, digest: blake3::Hash) -> bool {
+        self.digest.as_deref().and_then(|text| text.strip_prefix("blake3:")) == Some(&*digest.to_hex())
+    }
+}
+
 /// Reads a value in which other programs may have written whole numbers as 1.0 or 1e0.
+#[inline]
 pub(super) fn from_text<'t, T: Deserialize<'t>>(text: &'t [u8]) -> Result<T, serde_json::Error> {
     serde_json::from_slice(text).or_else(|error| with_whole_numbers(error, || serde_json::from_slice(text)))
 }

@@ -85,17 +85,15 @@ impl<R: Read> Lines<R> {
         }
         let number = self.number + 1;
         self.number = number;
-        let text = self.block[self.next..self.next + end].trim_ascii();
-        let is_object = text.starts_with(b"{");
-        let mut goes_on = self.byte(length)?.is_some_and(|first| first != b'{');
-        if is_object && goes_on {
+        let mut goes_on = self.goes_on(length)?;
+        if goes_on && self.block[self.next..self.next + end].trim_ascii_start().starts_with(b"{") {
             let mut brackets = Brackets::default();
             brackets.pass(&self.block[self.next..self.next + end]);
             while goes_on && brackets.are_open() {
                 let line = length;
                 (end, length) = self.length(line)?;
                 brackets.pass(&self.block[self.next + line..self.next + end]);
-                goes_on = self.byte(length)?.is_some_and(|first| first != b'{');
+                goes_on = self.goes_on(length)?;
                 self.number += 1;
             }
         }
@@ -105,6 +103,7 @@ impl<R: Read> Lines<R> {
     }
 
     /// The bytes from the next line's beginning to the first line end behind the first `searched` of them, without and with that end.
+    #[inline]
     fn length(&mut self, mut searched: usize) -> io::Result<(usize, usize)> {
         loop {
             if let Some(more) = memchr(b'\n', &self.block[self.next + searched..]) {
@@ -118,12 +117,13 @@ impl<R: Read> Lines<R> {
         }
     }
 
-    /// The byte at this distance behind the next line's beginning.
-    fn byte(&mut self, behind: usize) -> io::Result<Option<u8>> {
+    /// Whether what stands at this distance behind the next line's beginning can be the rest of an object.
+    #[inline]
+    fn goes_on(&mut self, behind: usize) -> io::Result<bool> {
         while !self.is_at_end && self.block.len() <= self.next + behind {
             self.read_on()?;
         }
-        Ok(self.block.get(self.next + behind).copied())
+        Ok(self.block.get(self.next + behind).is_some_and(|first| *first != b'{'))
     }
 
     /// Reads more of what the next line may be.

@@ -1,6 +1,7 @@
 //! A log a pixel at a time, so that one of a region takes the memory of its largest pixel.
 
 use super::document;
+use super::line::{self, Line};
 use super::lines::Lines;
 use super::read::{self, Ending, ReadLog};
 use super::reader::Reader;
@@ -19,7 +20,11 @@ pub struct PixelReader<R> {
     opened: Option<[u32; 2]>,
     /// Known once all is read.
     ending: Option<Ending>,
+    again: Option<Again<R>>,
 }
+
+/// Gives the input once more.
+type Again<R> = Box<dyn FnOnce() -> Option<R>>;
 
 enum Source<R> {
     Lines {
@@ -64,7 +69,17 @@ impl<R: Read> PixelReader<R> {
             Subject::Pixel(pixel) => Some(pixel),
             Subject::Ray(_) | Subject::Region(_) => None,
         };
-        PixelReader { header, source, opened, ending: None }
+        PixelReader { header, source, opened, ending: None, again: None }
+    }
+
+    /// With what gives the input once more. Whether a log that another program wrote anew is whole takes long to find out: this way only
+    /// such a log is asked, when it has been read.
+    pub fn with_again(mut self, again: impl FnOnce() -> Option<R> + 'static) -> PixelReader<R> {
+        if let Source::Lines { reader, .. } = &mut self.source {
+            reader.digest = None;
+            self.again = Some(Box::new(again));
+        }
+        self
     }
 
     /// What the log says about itself.
@@ -92,6 +107,36 @@ impl<R: Read> PixelReader<R> {
             }
         }
         Ok(None)
+    }
+
+    /// Adds the lines of this log to another log, without a change and without a look at them. `false` if the digest of its bytes doesn't
+    /// show that it is whole; lines may have been added then.
+    ///
+    /// # Errors
+    /// [`LogError::Io`].
+    pub fn copy_to(self, writer: &mut Writer<'_, impl Write>) -> Result<bool, LogError> {
+        const PIECE: usize = 1 << 18;
+        let Source::Lines { mut lines, .. } = self.source else { return Ok(false) };
+        let (mut text, mut events) = (Vec::new(), 0);
+        while let Some(line) = lines.next_line()? {
+            if line.text.starts_with(b"{\"end\":") {
+                // The pieces before counted none.
+                writer.append_text(&text, events)?;
+                let end = line::from_text::<Line>(line.text).ok().and_then(|line| line.end);
+                let digest = lines.digest();
+                let fits = end.is_some_and(|end| end.events == events && end.has(digest));
+                // Packed data that were cut off behind it aren't whole.
+                return Ok(fits && lines.count_rest()? == 0 && lines.damage().is_none());
+            }
+            text.extend_from_slice(line.text);
+            text.push(b'\n');
+            events += 1;
+            if text.len() >= PIECE {
+                writer.append_text(&text, 0)?;
+                text.clear();
+            }
+        }
+        Ok(false)
     }
 
     /// Adds the events of this log to another log, if this one is whole.
@@ -146,6 +191,13 @@ impl<R: Read> PixelReader<R> {
                     events.pop();
                 }
                 self.ending = ending.map(|ending| read::with_damage(ending, lines));
+                if matches!(self.ending, Some(Ending::Mismatch { .. }))
+                    && let Some(input) = self.again.take().and_then(|again| again())
+                {
+                    let mut anew = PixelReader::open(input)?;
+                    while anew.next_pixel()?.is_some() {}
+                    self.ending = anew.ending;
+                }
                 return Ok(pixel);
             },
         }

@@ -80,8 +80,13 @@ impl<'h, W: Write> Writer<'h, W> {
 
     /// Writes lines that were made elsewhere.
     pub fn append(&mut self, lines: &Lines) -> io::Result<()> {
-        self.put(&lines.bytes)?;
-        self.events += lines.events;
+        self.append_text(&lines.bytes, lines.events)
+    }
+
+    /// Writes the text of this many events.
+    pub(super) fn append_text(&mut self, text: &[u8], events: u64) -> io::Result<()> {
+        self.put(text)?;
+        self.events += events;
         Ok(())
     }
 

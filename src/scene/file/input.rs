@@ -3,7 +3,7 @@
 use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read};
 use std::mem;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::error::SceneError;
 use super::packed::Packing;
@@ -40,6 +40,8 @@ pub struct Wanted {
 pub struct Opened {
     wanted: Wanted,
     name: String,
+    /// Where it can be opened again.
+    path: Option<PathBuf>,
     /// How many bytes the file has as it lies there; 0 where nobody knows.
     size: u64,
     packing: Option<Packing>,
@@ -73,7 +75,7 @@ impl Wanted {
             return Err(refused(&name, format!("expected a regular file, found {thing}")));
         }
         let file = File::open(path).map_err(|error| self.failure(&name, error))?;
-        self.begin(file, metadata.len(), name)
+        Ok(Opened { path: Some(path.to_owned()), ..self.begin(file, metadata.len(), name)? })
     }
 
     /// Begins to read such a file of `size` bytes (0 where nobody knows) from anywhere: looks at the beginning, which tells what it
@@ -85,13 +87,14 @@ impl Wanted {
         let mut beginning = Vec::new();
         let read = input.by_ref().take(BEGINNING).read_to_end(&mut beginning);
         read.map_err(|error| self.failure(&name, error))?;
+        let path = None;
         let Some(packing) = Packing::of(&beginning) else {
-            return Ok(Opened { wanted: self, name, size, packing: None, beginning, rest: Box::new(input) });
+            return Ok(Opened { wanted: self, name, path, size, packing: None, beginning, rest: Box::new(input) });
         };
         let mut rest = packing.unpacked(io::Cursor::new(beginning).chain(input));
         let mut beginning = Vec::new();
         let read = rest.by_ref().take(BEGINNING).read_to_end(&mut beginning);
-        let mut opened = Opened { wanted: self, name, size, packing: Some(packing), beginning, rest };
+        let mut opened = Opened { wanted: self, name, path, size, packing: Some(packing), beginning, rest };
         match read {
             Ok(_) => Ok(opened),
             // What there is of it may be enough.
@@ -123,6 +126,12 @@ impl Opened {
     /// The name in messages.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// What opens it again, which standard input can't be.
+    pub fn again(&self) -> Option<impl FnOnce() -> Result<Opened, SceneError> + use<>> {
+        let (wanted, path) = (self.wanted, self.path.clone()?);
+        Some(move || wanted.open(&path))
     }
 
     /// How many bytes there are, where that is known.
