@@ -7,6 +7,7 @@ mod doubled;
 mod eye;
 mod flat;
 mod gaps;
+mod glass;
 mod smooth;
 mod stacks;
 mod world;
