@@ -145,13 +145,13 @@ impl Ray {
         t > self.t_max * (1.0 + HALF) || (is_within && !self.wants_distance)
     }
 
-    /// Whether a crossing at this distance is so near to an end of the ray, its origin or the light, that it may be that end itself, seen
-    /// at an angle that rounding can still tell from 0.
+    /// Whether a crossing at this distance counts, but is so near to an end of the ray, its origin or the light, that it may be that end
+    /// itself, seen at an angle that rounding can still tell from 0.
     #[inline(always)]
     pub(crate) fn is_near_an_end(&self, t: f64) -> bool {
         const FLATTEST: f64 = (1_u64 << 40) as f64;
         let near = FLATTEST * self.slack;
-        t.abs() <= near || (self.t_max - t).abs() <= near
+        self.reaches(t) && (t <= near || self.t_max - t <= near)
     }
 
     /// Whether an end of the ray may lie on a surface that it is so far away from. `size` is that of the numbers that define the surface.

@@ -61,11 +61,11 @@ impl Roots {
         self.first_but_for(ray, approach, Ends::of(approach), probe)
     }
 
-    // A call at the end, before which no register need be saved.
+    // A call at the end, before which no register need be saved; by value, so that the roots stay in registers.
     #[cold]
     #[inline(never)]
     fn first_near_end<P: Probe>(
-        &self,
+        self,
         ray: &Ray,
         approach: Approach,
         at_an_end: impl Fn(Crossing) -> Option<Miss>,

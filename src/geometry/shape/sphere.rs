@@ -43,6 +43,7 @@ pub struct Sphere {
 }
 
 /// The part of the ray's line inside the sphere: from `t_a − √t2_a` to `t_a + √t2_a`.
+#[derive(Clone, Copy)]
 struct Chord {
     l2_oc: f64,
     t_a: f64,
@@ -227,14 +228,14 @@ impl Sphere {
         &self,
         ray: &Ray,
         approach: Approach,
-        chord: &Chord,
+        chord: Chord,
         end: End,
         probe: &mut P,
     ) -> Option<Crossing> {
         let crossing = self.crossing(ray, chord.l2_oc, end, probe);
         let at_an_end = self.is_end_of(ray, approach, crossing);
         if end.side == self.outer && (crossing.t <= ray.t_min || at_an_end == Some(Miss::BeginsThere)) {
-            let far = self.crossing(ray, chord.l2_oc, self.far(ray, chord), probe);
+            let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord), probe);
             return decide(ray, approach, far, self.is_end_of(ray, approach, far), probe);
         }
         decide(ray, approach, crossing, at_an_end, probe)
@@ -288,8 +289,7 @@ impl Sphere {
         let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
         probe.mark(Decision::Inside);
         let t = probe.note(Name::SphereTLeaving, 2.0 * t_a);
-        let crossing = Crossing { t, side: self.outer.opposite(), primitive: 0 };
-        self.decide(ray, approach, crossing, probe)
+        self.decide(ray, approach, Crossing { t, side: self.outer.opposite(), primitive: 0 }, probe)
     }
 }
 
@@ -313,7 +313,7 @@ impl Kernel for Sphere {
         if chord.is_origin_outside && approach.shows(self.outer) {
             let near = self.near(ray, &chord);
             if self.needs_care(ray, &near, probe) {
-                return self.first_with_care(ray, approach, &chord, near, probe);
+                return self.first_with_care(ray, approach, chord, near, probe);
             }
             let t = probe.note(near.name, near.t);
             // Only a ray that is asked to begin later (t_min) can begin inside.
@@ -323,7 +323,7 @@ impl Kernel for Sphere {
         }
         let far = self.far(ray, &chord);
         if self.needs_care(ray, &far, probe) {
-            return self.first_with_care(ray, approach, &chord, far, probe);
+            return self.first_with_care(ray, approach, chord, far, probe);
         }
         let t = probe.note(far.name, far.t);
         decide(ray, approach, Crossing { t, side: far.side, primitive: 0 }, None, probe)
