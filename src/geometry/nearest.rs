@@ -36,19 +36,10 @@ impl Contenders {
         self.0.is_none()
     }
 
-    /// Adds a hit and the nearest one so far, if they are close to each other.
-    #[inline(always)]
-    pub fn add<P: Probe>(&mut self, nearest: Option<Hit>, hit: Hit, ray: &Ray, probe: &P) {
-        if let Some(nearest) = nearest
-            && is_close(hit.crossing.t, nearest.crossing.t, ray, probe)
-        {
-            self.push(nearest, hit);
-        }
-    }
-
+    /// Adds a hit and the nearest one so far, which are close to each other.
     #[cold]
     #[inline(never)]
-    fn push(&mut self, nearest: Hit, hit: Hit) {
+    pub fn push(&mut self, nearest: Hit, hit: Hit) {
         self.0.get_or_insert_default().extend([nearest, hit]);
     }
 
@@ -79,7 +70,7 @@ impl Contenders {
 
 /// Whether two distances are so close that the crossings may be in the same place.
 #[inline(always)]
-fn is_close<P: Probe>(t: f64, nearest: f64, ray: &Ray, probe: &P) -> bool {
+pub fn is_close<P: Probe>(t: f64, nearest: f64, ray: &Ray, probe: &P) -> bool {
     /// Far more than roundings, so that a ray that runs flat along two surfaces in the same place knows them for one: there
     /// their distances differ by more than the surfaces do.
     const CLOSE: f64 = 1.0 / (1 << 20) as f64;

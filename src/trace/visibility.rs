@@ -1,6 +1,7 @@
 //! What a ray hits first, and how much light gets through.
 
 use super::{Layer, Place, in_range};
+use crate::geometry::nearest::is_close;
 use crate::geometry::{Contenders, Crossing, Hit, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::Probe;
@@ -60,7 +61,6 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 #[inline(always)]
 pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Contenders, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    let mut limit = ray.t_max;
     scene.index.nearest_first(
         ray,
         probe,
@@ -68,13 +68,16 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Conten
         |object, probe| {
             let thing = &scene.objects[object as usize];
             if let Some(crossing) = thing.shape.nearest(object, thing.one_sided, ray, contenders, probe) {
-                let hit = Hit { object, crossing };
-                contenders.add(nearest, hit, ray, probe);
-                if nearest.is_none() || crossing.t < limit {
-                    (nearest, limit) = (Some(hit), crossing.t);
+                if let Some(best) = &nearest
+                    && is_close(crossing.t, best.crossing.t, ray, probe)
+                {
+                    contenders.push(*best, Hit { object, crossing });
+                }
+                if nearest.is_none_or(|best| crossing.t < best.crossing.t) {
+                    nearest = Some(Hit { object, crossing });
                 }
             }
-            limit
+            nearest.map_or(ray.t_max, |hit| hit.crossing.t)
         },
     );
     nearest

@@ -11,7 +11,7 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::mesh::{Mesh, Winding};
-use crate::geometry::nearest::{Contenders, Hit};
+use crate::geometry::nearest::{Contenders, Hit, is_close};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
@@ -76,15 +76,19 @@ impl TriangleMesh {
         contenders: &mut Contenders,
         probe: &mut P,
     ) -> Option<Crossing> {
-        let mut nearest: Option<Hit> = None;
+        let mut nearest: Option<Crossing> = None;
         self.visit(object, one_sided, ray, NEAREST_FIRST, probe, |crossing, probe| {
-            let hit = Hit { object, crossing };
-            contenders.add(nearest, hit, ray, probe);
-            let nearer = nearest.filter(|best| best.crossing.t <= crossing.t).unwrap_or(hit);
+            let hit = |crossing| Hit { object, crossing };
+            if let Some(best) = nearest
+                && is_close(crossing.t, best.t, ray, probe)
+            {
+                contenders.push(hit(best), hit(crossing));
+            }
+            let nearer = nearest.filter(|best| best.t <= crossing.t).unwrap_or(crossing);
             nearest = Some(nearer);
-            nearer.crossing.t
+            nearer.t
         });
-        nearest.map(|hit| hit.crossing)
+        nearest
     }
 
     /// Shows the log the crossing of a ray that begins on a triangle and goes through it.
