@@ -53,18 +53,24 @@ impl Contenders {
         let slope = |hit: &Hit| shape(hit.object).slope(ray, hit.crossing);
         let size = |hit: &Hit| shape(hit.object).size(hit.crossing.primitive);
         let (its_slope, its_size) = (slope(&nearest), size(&nearest));
+        // An edge or a corner is crossed once, on the triangle that is met first.
+        let are_neighbours = |one: &Hit, other: &Hit| {
+            let [one_part, other_part] = [one, other].map(|hit| hit.crossing.primitive);
+            one.object == other.object && shape(one.object).are_neighbours(one_part, other_part)
+        };
         let is_here = |hit: &Hit| {
-            let is_neighbour = hit.object == nearest.object
-                && shape(hit.object).are_neighbours(hit.crossing.primitive, nearest.crossing.primitive);
             let gap = (hit.crossing.t - nearest.crossing.t) * its_slope.max(slope(hit));
             let points = 2.0 * (ray.origin.abs().element_sum() + hit.crossing.t);
-            !is_neighbour && gap <= probe.slack(points) + ROUNDINGS * (its_size + size(hit))
+            gap <= probe.slack(points) + ROUNDINGS * (its_size + size(hit))
         };
-        hits.retain(|hit| *hit != nearest && is_here(hit));
-        hits.push(nearest);
-        hits.sort_by_key(Hit::rank);
-        hits.dedup();
-        hits
+        let mut here = vec![nearest];
+        for hit in hits.iter().filter(|hit| is_here(hit)) {
+            if !here.iter().any(|kept| kept == hit || are_neighbours(kept, hit)) {
+                here.push(*hit);
+            }
+        }
+        here.sort_by_key(Hit::rank);
+        here
     }
 }
 

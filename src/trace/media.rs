@@ -45,8 +45,11 @@ impl Media {
     }
 
     /// The media behind surfaces that are crossed at once: all objects that are left are taken out, then those that are entered are put
-    /// on top in their order.
+    /// on top in their order. The first of an object's surfaces there decides: a mesh may have a face twice, wound either way.
     pub fn beyond(&self, crossed: &[Layer], scene: &Scene) -> Media {
+        let is_first =
+            |(number, layer): &(usize, &Layer)| !crossed[..*number].iter().any(|before| before.object == layer.object);
+        let crossed: Vec<&Layer> = crossed.iter().enumerate().filter(is_first).map(|(_, layer)| layer).collect();
         let mut entered = self.entered.clone();
         for layer in crossed.iter().filter(|layer| !layer.enters(scene)) {
             if let Some(latest) = entered.iter().rposition(|(of, _)| *of == layer.object) {
@@ -132,6 +135,8 @@ mod tests {
         refracts(&[&[into(WATER)], &[into(GLASS), out_of(WATER)]], 1.5);
         refracts(&[&[into(GLASS)], &[out_of(GLASS), into(WATER)]], 1.33);
         refracts(&[&[into(GLASS), into(WATER)]], 1.33);
+        refracts(&[&[into(GLASS), out_of(GLASS)]], 1.5);
+        refracts(&[&[into(GLASS), out_of(GLASS)], &[out_of(GLASS), into(GLASS)]], 1.0);
         refracts(&[&[into(GLASS), into(WATER)], &[out_of(GLASS), out_of(WATER)]], 1.0);
     }
 }
