@@ -15,7 +15,7 @@ use crate::geometry::nearest::{Contenders, Hit, is_close};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
-use crate::probe::Probe;
+use crate::probe::{Probe, ROUNDINGS};
 use glam::DVec3;
 use left::{LeftTriangle, corners_in_common, overlap};
 use rayon::prelude::*;
@@ -137,6 +137,28 @@ impl TriangleMesh {
             ray.t_max
         });
         found[before..].sort_by(|a, b| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive)));
+        self.keep_edges_once(ray, found, before);
+    }
+
+    /// Drops crossings, sorted by their distance from number `from` on, with triangles next to one that is crossed in the same place and
+    /// from the same side: a ray through an edge or a corner crosses the mesh once.
+    fn keep_edges_once(&self, ray: &Ray, found: &mut Vec<Crossing>, from: usize) {
+        let mut kept = from;
+        for at in from..found.len() {
+            let crossing = found[at];
+            let (size, slope) =
+                (self.size(crossing.primitive), unit(self.normals[crossing.primitive as usize]).dot(ray.direction));
+            let bound = ROUNDINGS * (2.0 * (ray.origin.abs().element_sum() + crossing.t.abs()) + 2.0 * size);
+            let is_same = |before: &&Crossing| (crossing.t - before.t) * slope.abs() <= bound;
+            let is_again = found[from..kept].iter().rev().take_while(is_same).any(|before| {
+                before.side == crossing.side && self.are_neighbours(before.primitive, crossing.primitive)
+            });
+            if !is_again {
+                found[kept] = crossing;
+                kept += 1;
+            }
+        }
+        found.truncate(kept);
     }
 
     /// The surface at a crossing, its normals turned toward the arriving ray.

@@ -79,6 +79,7 @@ fn all_by_force(shape: &TriangleMesh, one_sided: bool, ray: &Ray) -> Vec<Crossin
         })
         .collect();
     crossings.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive)));
+    shape.keep_edges_once(ray, &mut crossings, 0);
     crossings
 }
 
@@ -294,4 +295,21 @@ fn tests_are_logged_by_triangle() {
 
 fn triangle() -> Mesh {
     Mesh { positions: vec![DVec3::ZERO, DVec3::X, DVec3::Y], normals: None, faces: vec![[0, 1, 2]] }
+}
+
+#[test]
+fn an_edge_is_crossed_once() {
+    // A square of two triangles, and the same once more, the other way round.
+    let positions = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+    let once = tree(Mesh { positions: positions.clone(), normals: None, faces: vec![[0, 1, 2], [0, 2, 3]] });
+    let faces = vec![[0, 1, 2], [0, 2, 3], [2, 1, 0], [3, 2, 0]];
+    let twice = tree(Mesh { positions, normals: None, faces });
+    for on_diagonal in [0.25, 0.3, 0.7] {
+        let ray = toward(DVec3::new(0.1, 0.4, 2.0), DVec3::new(on_diagonal, on_diagonal, 0.0));
+        for (shape, count) in [(&once, 1), (&twice, 2)] {
+            let mut found = Vec::new();
+            shape.all_crossings(0, false, &ray, &mut found, &mut Silent);
+            assert_eq!(found.len(), count, "{found:?}");
+        }
+    }
 }
