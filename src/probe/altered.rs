@@ -103,8 +103,8 @@ impl Alteration for Decimal {
         value.map(|_, x| round_half_away(x, self.digits))
     }
 
-    /// What a point is off by as a rule, and not the bound for all 64 roundings: with few digits that would close gaps that a
-    /// reader sees.
+    /// Chosen, not derived: the bound for all 64 roundings would, with few digits, close gaps that a reader sees. So surfaces in the same place may
+    /// still be told apart here.
     fn slack(&self, size: f64) -> f64 {
         let step = (0..self.digits).fold(1.0, |step, _| step / 10.0);
         step * (1.0 + size) / 8.0

@@ -117,7 +117,7 @@ impl<R: Read> Lines<R> {
         }
     }
 
-    /// Whether what stands at this distance behind the next line's beginning can be the rest of an object.
+    /// Whether the text at this distance behind the next line's beginning can be the rest of an object.
     #[inline]
     fn goes_on(&mut self, behind: usize) -> io::Result<bool> {
         while !self.is_at_end && self.block.len() <= self.next + behind {

@@ -1,7 +1,7 @@
 //! Random transmitting solids, each with an independent look at what is inside.
 
 use super::doubled::halves;
-use super::world::{Frame, World};
+use super::world::{Frame, World, wrong};
 use crate::random::Random;
 use glam::DVec3;
 use serde_json::{Value, json};
@@ -121,4 +121,52 @@ pub fn around(solids: &[Solid], point: DVec3, direction: DVec3) -> Option<Vec<u3
     held.sort_by(|(one, _), (other, _)| other.total_cmp(one));
     let is_clear = held.windows(2).all(|pair| pair[0].0 == pair[1].0 || pair[0].0 - pair[1].0 > 1e-5);
     is_clear.then(|| held.into_iter().map(|(_, number)| number).collect())
+}
+
+/// A sheet of two triangles in the plane of another sheet: where a ray goes through their common edge it crosses them once.
+#[test]
+fn the_diagonal_of_a_sheet_in_contact_is_crossed_once() {
+    let mut random = Random::new(611);
+    for frame in [Frame::upright(DVec3::ZERO, 1.0), Frame::turned(&mut random, 1e3, 1.0)] {
+        let square = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+        // The middle of every pixel on a diagonal of the picture lies on that of the square.
+        let world = World::seen(&frame, [0.0, 0.0, 2.0], [0.0; 3], 20.0, [21, 21])
+            .material("sheet", json!({"weights": {"local": 0, "transmitted": 0.5}}));
+        let right: Vec<_> = world.picture().into_iter().map(|color| color * 0.25).collect();
+        let mesh = || frame.mesh(&square, &[[0, 1, 2], [0, 2, 3]]);
+        let polygon = || frame.polygon(&square);
+        let first = world.clone().object("sheet", polygon()).mesh("sheet", mesh());
+        let second = world.clone().mesh("sheet", mesh()).object("sheet", polygon());
+        let both = world.mesh("sheet", mesh()).mesh("sheet", mesh());
+        for found in [first, second, both] {
+            let (count, worst) = wrong(&found.picture(), &right, 1e-9);
+            assert_eq!(count, 0, "off by {worst:e}");
+        }
+    }
+}
+
+/// A solid of glass that has each face twice, the second time the other way round, refracts as that with each face once.
+#[test]
+fn faces_twice_refract_as_faces_once() {
+    let mut random = Random::new(612);
+    for frame in [Frame::upright(DVec3::ZERO, 1.0), Frame::turned(&mut random, 1e3, 1.0)] {
+        let corners = [[-1.0, -0.8, -0.6], [1.1, -0.7, -0.5], [0.1, 1.0, -0.7], [0.0, 0.1, 0.9]];
+        let faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+        let doubled: Vec<_> = faces.iter().copied().chain(faces.map(|[a, b, c]| [c, b, a])).collect();
+        let world = World::seen(&frame, [0.3, 0.4, 5.0], [0.0; 3], 30.0, [48, 36])
+            .material("glass", json!({"ior": 1.4, "weights": {"local": 0, "transmitted": 1}}))
+            .material(
+                "wall",
+                json!({"ambient": [1, 1, 1], "pattern": {"checker": {"a": [0.9, 0.2, 0.1],
+                "b": [0.1, 0.3, 0.8], "size": 0.7}}}),
+            )
+            .set("/ambient", json!([1, 1, 1]))
+            .object("wall", frame.plane([0.0, 0.0, -3.0], [0.0, 0.0, 1.0]));
+        let once = world.clone().mesh("glass", frame.mesh(&corners, &faces)).picture();
+        let twice = world.clone().mesh("glass", frame.mesh(&corners, &doubled)).picture();
+        let (bent, _) = wrong(&once, &world.picture(), 1e-9);
+        assert!(bent > 30, "{bent} pixels are seen through the glass");
+        let (count, worst) = wrong(&twice, &once, 1e-9);
+        assert_eq!(count, 0, "off by {worst:e}");
+    }
 }

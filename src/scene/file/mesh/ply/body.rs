@@ -235,7 +235,7 @@ impl<V: Values> Body<'_, V> {
     }
 }
 
-/// Whether what stands among the vertices of a strip begins a new one: -1, which as a number without a sign is the largest.
+/// Whether this entry among the vertices of a strip begins a new one: -1, which as a number without a sign is the largest.
 fn begins_strip(vertex: f64, item: Scalar) -> bool {
     vertex == -1.0 || (item == Scalar::U32 && vertex == f64::from(u32::MAX))
 }

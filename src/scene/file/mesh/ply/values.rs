@@ -45,7 +45,7 @@ pub struct Ascii<'t> {
 pub enum Lines {
     /// Nothing: they are blanks.
     Blanks,
-    /// Records: each begins on a line of its own. What stands behind it there is left out; a record that goes on in the next
+    /// Records: each begins on a line of its own. Further values on that line are left out; a record that goes on in the next
     /// line must end with a line, or else a value is missing.
     Records,
 }
