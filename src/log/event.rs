@@ -187,6 +187,8 @@ pub enum Decision {
     },
     /// The ray leaves the scene and gets the background colour.
     Background,
+    /// Nothing stands in the way of the shadow ray.
+    Free,
     /// The shadow ray ends at an opaque object.
     Occluded {
         /// The object.

@@ -5,9 +5,10 @@
 //! product  = power { ("·" | "∘" | "×" | "/" | "⊘") power }
 //! power    = prefix [ "^" power ]
 //! prefix   = "−" power | "√" postfix | postfix
-//! postfix  = atom { "²" | "⁺" }
-//! atom     = number | symbol | "(" sum ")" | "|" sum "|" | "⌊" sum "⌋" | "Σ(" sum ")"
-//!          | ("min" | "max") "(" sum [ "," sum ] ")"
+//! postfix  = atom { "²" | "⁺" | "°" }
+//! atom     = number [ "π" ] | symbol | "(" sum ")" | "(" sum "," sum "," sum ")" | "|" sum "|" | "⌊" sum "⌋"
+//!          | ("Σ" | "Σ_s" | "Σ_c" | "Π") "(" sum ")" | ("min" | "max") "(" sum [ "," sum ] ")"
+//!          | ("cos" | "sin" | "tan" | "exp" | "expm1" | "ln1p" | "ceil") "(" sum ")"
 //! ```
 //!
 //! `·` is the product of two numbers, the scaling of a triple, or the dot product of two triples; `∘` multiplies colours
@@ -16,9 +17,17 @@
 //! triple they are its least and its greatest component; `x⁺` is the number between 0 and 1 that is nearest to x; `|v|` is a
 //! length, and `|v|²` is v · v, without a root; `⌊x⌋` is the greatest whole number that isn't above x, of a triple component
 //! by component. `Σ` adds over the lights of a surface point, one after the other, to the sum
-//! before it; a term of which the log holds no part is zero. A symbol is the longest one of the table of names that the text
+//! before it; a term of which the log holds no part is zero. `Σ_s` adds over the samples of a pixel so far, and `Σ_c` over its accepted
+//! cells, with twice the digits: the quotient that such a sum stands in is rounded once. In them `I` is the colour that a sample brought.
+//! `Π` multiplies, channel by channel, what the surfaces let through that a shadow ray crosses, in its order; it is zero where one lets
+//! nothing through. `x°` is an angle in degrees; `cos(x°)` and `sin(x°)` are exact at quarters of a turn. `expm1(x)` is eˣ − 1 and `ln1p(x)` the
+//! logarithm of 1 + x, with their digits near 0; `ceil` rounds up. A symbol is the longest one of the table of names that the text
 //! goes on with, so `N·L` is the quantity and `N · L` its formula. Operations are done from left to right: evaluated so, a
 //! formula gives the logged value to the last bit.
+
+mod words;
+
+pub use words::{Function, Several};
 
 use super::name::Name;
 use std::sync::LazyLock;
@@ -46,6 +55,14 @@ pub enum Formula {
     Grouped(Box<Formula>),
     /// `Σ(a)`
     OverLights(Box<Formula>),
+    /// `Σ_s(a)`, `Σ_c(a)` or `Π(a)`
+    Over(Several, Box<Formula>),
+    /// `a°`
+    Degrees(Box<Formula>),
+    /// `cos(a)`
+    Function(Function, Box<Formula>),
+    /// `(a, b, c)`
+    Triple(Box<[Formula; 3]>),
     /// `min(a, b)` or `max(a, b)`
     Extreme(Extreme, Box<Formula>, Box<Formula>),
     /// `min(a)` or `max(a)`: the extreme component of a triple.
@@ -160,6 +177,8 @@ impl<'t> Parser<'t> {
                 inner = Formula::Squared(Box::new(inner));
             } else if self.eat("⁺") {
                 inner = Formula::Positive(Box::new(inner));
+            } else if self.eat("°") {
+                inner = Formula::Degrees(Box::new(inner));
             } else {
                 return Ok(inner);
             }
@@ -181,10 +200,18 @@ impl<'t> Parser<'t> {
                 return self.extreme(extreme);
             }
         }
+        for several in Several::ALL {
+            if self.eat_call(several.sign()) {
+                return Ok(Formula::Over(several, Box::new(self.until_closed()?)));
+            }
+        }
+        for function in Function::ALL {
+            if self.eat_call(function.word()) {
+                return Ok(Formula::Function(function, Box::new(self.until_closed()?)));
+            }
+        }
         if self.eat("(") {
-            let inner = self.sum()?;
-            self.require(")")?;
-            return Ok(Formula::Grouped(Box::new(inner)));
+            return self.group();
         }
         if self.eat("|") {
             let inner = self.sum()?;
@@ -197,6 +224,35 @@ impl<'t> Parser<'t> {
             return Ok(Formula::Floor(Box::new(inner)));
         }
         self.number()
+    }
+
+    /// Eats a word with the parenthesis behind it.
+    fn eat_call(&mut self, word: &str) -> bool {
+        match self.peek().strip_prefix(word).and_then(|rest| rest.strip_prefix('(')) {
+            Some(rest) => {
+                self.rest = rest;
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn until_closed(&mut self) -> Result<Formula, String> {
+        let inner = self.sum()?;
+        self.require(")")?;
+        Ok(inner)
+    }
+
+    /// What follows `(`: a part in parentheses, or a triple.
+    fn group(&mut self) -> Result<Formula, String> {
+        let first = self.sum()?;
+        if !self.eat(",") {
+            self.require(")")?;
+            return Ok(Formula::Grouped(Box::new(first)));
+        }
+        let second = self.sum()?;
+        self.require(",")?;
+        Ok(Formula::Triple(Box::new([first, second, self.until_closed()?])))
     }
 
     /// What follows `min(` or `max(`.
@@ -214,9 +270,10 @@ impl<'t> Parser<'t> {
     fn number(&mut self) -> Result<Formula, String> {
         let digits = self.peek();
         let end = digits.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(digits.len());
-        let number = digits[..end].parse().map_err(|_| format!("expected a number or a symbol, found `{digits}`"))?;
+        let number: f64 =
+            digits[..end].parse().map_err(|_| format!("expected a number or a symbol, found `{digits}`"))?;
         self.rest = &digits[end..];
-        Ok(Formula::Number(number))
+        Ok(Formula::Number(if self.eat("π") { number * std::f64::consts::PI } else { number }))
     }
 
     /// The longest symbol that the text goes on with.

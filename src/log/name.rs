@@ -24,7 +24,7 @@ with_effects! { names! {
     PixelMiddleColumn: "pixel.middle_column", "", "col_m", "", "1.1.1";
     PixelRow: "pixel.row", "", "row", "", "1.1.1";
     PixelMiddleRow: "pixel.middle_row", "", "row_m", "", "1.1.1";
-    PixelSide: "pixel.side", "", "px", "", "1.1.1";
+    PixelSide: "pixel.side", "", "px", "2·tan(θ_v°/2)/n_v", "1.1.1";
     PixelX: "pixel.x", "", "x", "(col − col_m)·px", "1.1.1";
     PixelY: "pixel.y", "", "y", "(row_m − row)·px", "1.1.1";
     RayVector: "ray.vector", "", "D", "G + |G|·(x·e_x + y·e_y)", "1.1.1";
@@ -37,8 +37,8 @@ with_effects! { names! {
     PlaneVd: "plane.v_d", "", "V_d", "N_p · d", "1.3 (2)";
     PlaneVo: "plane.v_o", "", "V_o", "−(N_p · O + D_p)", "1.3 (2)";
     PlaneT: "plane.t", "", "t", "V_o/V_d", "1.3 (2)";
-    // What was computed with more digits than f64 has: no formula of its operands in the log gives it to the last bit.
-    PlaneTDoubled: "plane.t", "doubled", "t", "", "1.3 (2)";
+    // What was computed with more digits than f64 has, as were its operands: the formula on logged values gives it within a bound.
+    PlaneTDoubled: "plane.t", "doubled", "t", "V_o/V_d", "1.3 (2)";
 
     // A ray that begins on a surface and goes through it.
     TouchT: "touch.t", "", "t", "0", "";
@@ -56,8 +56,8 @@ with_effects! { names! {
     SphereTFar: "sphere.t", "far", "t", "T_A + √T2_A", "1.3 (5e)";
     SphereTNearRobust: "sphere.t", "near_robust", "t", "(L2oc − r²)/(T_A + √T2_A)", "1.3 (5e)";
     SphereTFarRobust: "sphere.t", "far_robust", "t", "(r² − L2oc)/(√T2_A − T_A)", "1.3 (5e)";
-    SphereT2aDoubled: "sphere.t2_a", "doubled", "T2_A", "", "1.3 (5d)";
-    SphereTDoubled: "sphere.t", "doubled", "t", "", "1.3 (5e)";
+    SphereT2aDoubled: "sphere.t2_a", "doubled", "T2_A", "r·r − |OC − T_A·d|²", "1.3 (5d)";
+    SphereTDoubled: "sphere.t", "doubled", "t", "T_A − √T2_A", "1.3 (5e)";
     SphereFromCenter: "sphere.from_center", "", "q_s", "O − S_c + d·t", "1.3 (5f)";
     SphereTLeaving: "sphere.t", "leaving", "t", "2·T_A", "1.3 (5e)";
 
@@ -81,7 +81,7 @@ with_effects! { names! {
         "r²·a − ((o_2·d_3 − o_3·d_2)² + (o_3·d_1 − o_1·d_3)² + (o_1·d_2 − o_2·d_1)²)", "1.1.1";
     EllipsoidT1: "ellipsoid.t", "1", "t", "t_1", "1.1.1";
     EllipsoidT2: "ellipsoid.t", "2", "t", "t_2", "1.1.1";
-    EllipsoidTDoubled: "ellipsoid.t", "doubled", "t", "", "1.1.1";
+    EllipsoidTDoubled: "ellipsoid.t", "doubled", "t", "(−b − √Δ)/a", "1.1.1";
     EllipsoidPoint: "ellipsoid.point", "", "p_e", "O − E_c + d·t", "1.1.1";
     EllipsoidPoint1: "ellipsoid.point_1", "", "p_1", "E_1 · p_e", "1.1.1";
     EllipsoidPoint2: "ellipsoid.point_2", "", "p_2", "E_2 · p_e", "1.1.1";
@@ -108,7 +108,7 @@ with_effects! { names! {
     TriangleVd: "triangle.v_d", "", "V_d", "N_t · d", "1.1.1";
     TriangleVo: "triangle.v_o", "", "V_o", "N_t · (A − O)", "1.1.1";
     TriangleT: "triangle.t", "", "t", "V_o/V_d", "1.1.1";
-    TriangleTDoubled: "triangle.t", "doubled", "t", "", "1.1.1";
+    TriangleTDoubled: "triangle.t", "doubled", "t", "(((B − A)×(C − A)) · (A − O))/(((B − A)×(C − A)) · d)", "1.1.1";
     TriangleTNear: "triangle.t_near", "", "t_n", "", "1.1.1";
     TriangleTFar: "triangle.t_far", "", "t_f", "", "1.1.1";
     TriangleTInBox: "triangle.t", "in_box", "t", "min(max(t, t_n), t_f)", "1.1.1";
@@ -129,7 +129,7 @@ with_effects! { names! {
     PolygonVd: "polygon.v_d", "", "V_d", "N_q · d", "1.1.1";
     PolygonVo: "polygon.v_o", "", "V_o", "N_q · (Q − O)", "1.1.1";
     PolygonT: "polygon.t", "", "t", "V_o/V_d", "1.1.1";
-    PolygonTDoubled: "polygon.t", "doubled", "t", "", "1.1.1";
+    PolygonTDoubled: "polygon.t", "doubled", "t", "(N_q · (Q − O))/(N_q · d)", "1.1.1";
     PolygonTNear: "polygon.t_near", "", "t_n", "", "1.1.1";
     PolygonTFar: "polygon.t_far", "", "t_f", "", "1.1.1";
     PolygonTInBox: "polygon.t", "in_box", "t", "min(max(t, t_n), t_f)", "1.1.1";
@@ -172,7 +172,7 @@ with_effects! { names! {
     CylinderDiscriminant: "cylinder.discriminant", "", "Δ", "r²·a − |o_r × d_r|²", "1.1.1";
     CylinderT1: "cylinder.t", "1", "t", "t_1", "1.1.1";
     CylinderT2: "cylinder.t", "2", "t", "t_2", "1.1.1";
-    CylinderTDoubled: "cylinder.t", "doubled", "t", "", "1.1.1";
+    CylinderTDoubled: "cylinder.t", "doubled", "t", "(−b − √Δ)/a", "1.1.1";
     CylinderTBase: "cylinder.t", "base", "t", "t_b", "1.1.1";
     CylinderTApex: "cylinder.t", "apex", "t", "t_a", "1.1.1";
 
@@ -187,7 +187,7 @@ with_effects! { names! {
     ConeB: "cone.b", "", "b", "o_r · d_r − ρ_o·ρ_d", "1.1.1";
     ConeC: "cone.c", "", "c", "o_r · o_r − ρ_o²", "1.1.1";
     ConeDiscriminant: "cone.discriminant", "", "Δ", "|o_r·ρ_d − d_r·ρ_o|² − |o_r × d_r|²", "1.1.1";
-    ConeDiscriminantDoubled: "cone.discriminant", "doubled", "Δ", "", "1.1.1";
+    ConeDiscriminantDoubled: "cone.discriminant", "doubled", "Δ", "|o_r·ρ_d − d_r·ρ_o|² − |o_r × d_r|²", "1.1.1";
     ConeT1: "cone.t", "1", "t", "t_0 + t_1", "1.1.1";
     ConeT2: "cone.t", "2", "t", "t_0 + t_2", "1.1.1";
     ConeTBase: "cone.t", "base", "t", "t_0 + t_b", "1.1.1";
@@ -203,7 +203,7 @@ with_effects! { names! {
     DiskVd: "disk.v_d", "", "V_d", "N_d · d", "1.1.1";
     DiskVo: "disk.v_o", "", "V_o", "N_d · (C_d − O)", "1.1.1";
     DiskT: "disk.t", "", "t", "V_o/V_d", "1.1.1";
-    DiskTDoubled: "disk.t", "doubled", "t", "", "1.1.1";
+    DiskTDoubled: "disk.t", "doubled", "t", "(N_d · (C_d − O))/(N_d · d)", "1.1.1";
     DiskDistanceSquared: "disk.distance_squared", "", "ρ²", "|O + d·t − C_d|²", "1.1.1";
 
     // The nearest hit: its point, and the normal turned toward the arriving ray.
@@ -254,7 +254,7 @@ with_effects! { names! {
     RefractEta: "refract.eta", "", "η", "η_2/η_1", "1.2.1";
     RefractCos1: "refract.cos_1", "", "cosφ_1", "−(N · d)", "1.2.1";
     RefractCos2: "refract.cos_2", "", "cosφ_2", "√(η² − |d + cosφ_1·N|²)/η", "1.2.1";
-    RefractCos2Doubled: "refract.cos_2", "doubled", "cosφ_2", "", "1.2.1";
+    RefractCos2Doubled: "refract.cos_2", "doubled", "cosφ_2", "√(1 − |d × N|²/((d · d)·(N · N)·η²))", "1.2.1";
     RefractDirection: "refract.direction", "", "T", "d/η − (cosφ_2 − cosφ_1/η)·N", "1.2.1";
     RefractDirectionBent: "refract.direction", "bent", "T", "(T − N_g·(T · N_g))/|T − N_g·(T · N_g)|", "1.2.1";
 
@@ -274,7 +274,7 @@ with_effects! { names! {
     LightDirection: "light.direction", "", "L", "ℓ/|ℓ|", "1.3 (6)";
     LightDirectionFixed: "light.direction", "directional", "L", "−u", "1.2.1";
     LightAttenuation: "light.attenuation", "", "att", "min(1, 1/(a_c + a_l·|ℓ| + a_q·|ℓ|²))", "1.2.1";
-    ShadowTransmittance: "shadow.transmittance", "", "τ", "", "1.2.5";
+    ShadowTransmittance: "shadow.transmittance", "", "τ", "Π(W_t)", "1.2.5";
 
     // The local model, in H form and in R form, and its transmitted term.
     ViewDirection: "view.direction", "", "V", "−d", "1.3 (6)";
@@ -290,7 +290,7 @@ with_effects! { names! {
     ShadeNDotH: "shade.n_dot_h", "", "N·H", "N · H", "1.3 (7)";
     ShadeRDotV: "shade.r_dot_v", "", "R·V", "R_L · V", "1.2.1";
     ShadeNDotTransmitted: "shade.n_dot_transmitted", "", "−N·H′", "−(N · H′)", "1.2.1";
-    ShadeNDotTransmittedStraight: "shade.n_dot_transmitted", "no_interface", "−N·H′", "", "1.2.1";
+    ShadeNDotTransmittedStraight: "shade.n_dot_transmitted", "no_interface", "−N·H′", "1", "1.2.1";
     // Powers of large exponents are taken from the angle itself: near 1 its cosine has lost it.
     ShadeSpecularPower: "shade.specular_power", "", "π_e", "", "1.2.1";
     ShadeTransmittedPower: "shade.transmitted_power", "", "π_t", "", "1.2.1";
@@ -369,7 +369,7 @@ with_effects! { names! {
         "max(max(max(I_1, I_2), max(I_3, I_4)) − min(min(I_1, I_2), min(I_3, I_4)))", "1.4.2";
 
     // Statistical sampling: Student's interval of the mean of the samples so far, per channel.
-    StatisticalMean: "statistical.mean", "", "I_m", "", "1.4.2";
+    StatisticalMean: "statistical.mean", "", "I_m", "Σ_s(I)/n_p", "1.4.2";
     StatisticalError: "statistical.standard_error", "", "σ_m", "", "1.4.2";
     StatisticalFreedom: "statistical.degrees_of_freedom", "", "ν_m", "", "1.4.2";
     StatisticalConfidence: "statistical.confidence", "", "γ_m", "", "1.4.2";
@@ -378,7 +378,7 @@ with_effects! { names! {
     StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
     StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";
     OutputWhite: "output.white", "", "w_o", "", "1.4.2";
-    StatisticalAlike: "statistical.alike_needed", "", "n_m", "", "1.4.2";
+    StatisticalAlike: "statistical.alike_needed", "", "n_m", "ceil(ln1p(−γ_m)/ln1p(−min(ε_m, 1)))", "1.4.2";
     StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
 } }
 

@@ -3,7 +3,8 @@
 //! The symbols of a formula mean the latest quantity of that symbol that the computation could see: in the node itself,
 //! in the intersection test that found the nearest hit, then in the enclosing nodes.
 
-use super::event::{Decision, Event, Step, Value, What};
+use super::event::{Decision, Event, RayKind, Step, Value, What};
+use super::formula::Several;
 use super::name::Name;
 use super::tree::Tree;
 
@@ -125,3 +126,99 @@ fn noted(event: &Event, symbol: &str) -> Option<Value> {
 fn given(event: &Event, symbol: &str) -> Option<Value> {
     event.given.iter().rev().find(|(name, _)| name.symbol() == symbol).map(|(_, value)| *value)
 }
+
+/// What `Σ_s` and `Σ_c` add over.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Element {
+    /// A sample: its node.
+    Sample(usize),
+    /// A cell: the event that accepts it.
+    Cell(usize),
+}
+
+/// What a sum in the formula of `event` adds over: the samples or the accepted cells of its pixel so far.
+pub fn elements(events: &[Event], tree: &Tree, event: usize, several: Several) -> Vec<Element> {
+    let pixel = tree.owner(event);
+    let is_sample = |child: &usize| matches!(tree.nodes()[*child].step, Some(Step::Sample { .. }));
+    let is_cell = |at: &usize| matches!(events[*at].what, What::Mark(Decision::Accepted { cell: Some(_), .. }));
+    match several {
+        Several::Samples => {
+            let before = tree.children(pixel).take_while(|child| tree.nodes()[*child].events.end <= event);
+            before.filter(is_sample).map(Element::Sample).collect()
+        }
+        Several::Cells => tree.own_events_before(pixel, event).filter(is_cell).map(Element::Cell).collect(),
+        Several::Surfaces => Vec::new(),
+    }
+}
+
+/// What a symbol under `Σ_s` or `Σ_c` stands for in the part of one sample or cell.
+pub fn operand_of_element(events: &[Event], tree: &Tree, element: Element, symbol: &str) -> Option<Value> {
+    match element {
+        Element::Cell(mark) => {
+            in_node(events, tree, tree.owner(mark), mark + 1, symbol).map(|operand| operand.value)
+        }
+        Element::Sample(sample) if symbol == Name::CombineColor.symbol() => brought(events, tree, sample),
+        Element::Sample(sample) => given(events.get(tree.nodes()[sample].events.start)?, symbol),
+    }
+}
+
+/// The colour that the camera's ray inside a pixel or a sample brought.
+fn brought(events: &[Event], tree: &Tree, around: usize) -> Option<Value> {
+    let ray = tree.children(around).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })))?;
+    color_of_ray(events, tree, ray)
+}
+
+/// The colour that a ray brought: that of what it met, or the background.
+pub fn color_of_ray(events: &[Event], tree: &Tree, ray: usize) -> Option<Value> {
+    let combine = tree.children(ray).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last();
+    match combine {
+        Some(combine) => in_node(events, tree, combine, usize::MAX, Name::CombineColor.symbol()),
+        None => in_node(events, tree, ray, usize::MAX, Name::BackgroundColor.symbol()),
+    }
+    .map(|operand| operand.value)
+}
+
+/// The colour of a pixel as the last of its computations has it: the mean of its samples, or what its one ray brought.
+pub fn color_of_pixel(events: &[Event], tree: &Tree, pixel: usize) -> Option<Value> {
+    let mean = tree.own_events(pixel).rev().find_map(|at| match events[at].what {
+        What::Note { name, value } if name.key() == Name::PixelMean.key() || name == Name::StatisticalMean => Some(value),
+        _ => None,
+    });
+    mean.or_else(|| brought(events, tree, pixel))
+}
+
+/// What the surfaces let through that the shadow ray of a light crosses, whose transmittance `event` notes. It is zero where one lets
+/// nothing through, and where the light would leak through the surface itself.
+pub fn transmittance(events: &[Event], tree: &Tree, event: usize) -> [f64; 3] {
+    let light = tree.owner(event);
+    let leaks = |at: usize| matches!(events[at].what, What::Mark(Decision::LeakGuard { .. }));
+    if tree.own_events_before(light, event).any(leaks) {
+        return [0.0; 3];
+    }
+    let mut part = [1.0_f64; 3];
+    for factor in factors(events, tree, event) {
+        match factor {
+            None => return [0.0; 3],
+            Some(factor) => part = [0, 1, 2].map(|k| (part[k] * factor[k]).min(f64::MAX)),
+        }
+    }
+    part.map(|part| part.min(MOST))
+}
+
+/// The factors of that product, in the order of the ray; `None` for what lets nothing through.
+pub fn factors(events: &[Event], tree: &Tree, event: usize) -> Vec<Option<[f64; 3]>> {
+    let shadow = tree.children(tree.owner(event)).filter(|child| {
+        let is_shadow = matches!(tree.nodes()[*child].step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }));
+        is_shadow && tree.nodes()[*child].events.end <= event
+    });
+    let Some(ray) = shadow.last() else { return Vec::new() };
+    let factor = |at: usize| match events[at].what {
+        What::Mark(Decision::Attenuated { factor, .. }) => Some(Some(factor)),
+        What::Mark(Decision::Occluded { .. }) => Some(None),
+        _ => None,
+    };
+    tree.own_events(ray).filter_map(factor).collect()
+}
+
+/// The largest part of a light that counts, which is that of a colour (`trace::MAX_INTENSITY`).
+const MOST: f64 = 1e150;

@@ -95,6 +95,7 @@ fn words_of(decision: Decision) -> [u64; 3] {
         Decision::Immersed { object } => [48, object.into(), 0],
         Decision::Bent { what } => [49, what as u64, 0],
         Decision::Background => [35, 0, 0],
+        Decision::Free => [50, 0, 0],
         Decision::Occluded { .. } => [36, 0, 0],
         Decision::Attenuated { object, .. } => [37, object.into(), 0],
         Decision::Undefined { quantity } => [38, quantity as u64, 0],

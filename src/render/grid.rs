@@ -1,7 +1,8 @@
 //! Pixels from corners that they share: each corner of the grid is traced once.
 
 use super::{Progress, Settings, TILE, color_of, tiles_of};
-use crate::record::Corner;
+use crate::probe::Probe;
+use crate::record::{Computation, Corner};
 use crate::render::{Counter, Film};
 use crate::sampling::mean::Sum;
 use crate::sampling::shared::{add_cells, mean};
@@ -29,7 +30,7 @@ pub(super) fn by_corners(
     let across = (last[0] - first[0]) as usize + 1;
     let strip_height = (CORNERS_AT_A_TIME / across).max(1) as u32;
     let grid = Grid { scene, settings, n, first };
-    let mut pixels = Pixels::new(settings.crop, n);
+    let mut pixels = Pixels::new(settings, n);
     let mut counter = Counter::default();
     let mut upper: Vec<Color> = Vec::new();
     let mut row = first[1];
@@ -110,18 +111,35 @@ impl Grid<'_> {
 }
 
 /// The pixels, as their cells are added up.
-struct Pixels {
+struct Pixels<'s> {
     film: Film,
-    crop: [u32; 4],
+    settings: &'s Settings,
     n: u32,
     /// The sums of the pixel row that is being added up.
     sums: Vec<Sum>,
 }
 
-impl Pixels {
-    fn new(crop: [u32; 4], n: u32) -> Pixels {
-        let film = Film::new(crop);
-        Pixels { sums: vec![Sum::ZERO; film.width() as usize], film, crop, n }
+/// The mean of the cells of a pixel.
+struct Mean {
+    sum: Sum,
+    n: u32,
+    pixel: [u32; 2],
+}
+
+impl Computation for Mean {
+    fn run<P: Probe>(self, probe: &mut P) -> Color {
+        mean(self.sum, self.n, probe)
+    }
+
+    fn pixel(&self) -> [u32; 2] {
+        self.pixel
+    }
+}
+
+impl<'s> Pixels<'s> {
+    fn new(settings: &'s Settings, n: u32) -> Pixels<'s> {
+        let film = Film::new(settings.crop);
+        Pixels { sums: vec![Sum::ZERO; film.width() as usize], film, settings, n }
     }
 
     /// Adds the row of cells between two rows of corners, `row` being the lower one's number in the picture's grid.
@@ -132,10 +150,14 @@ impl Pixels {
             add_cells(sum, &upper[corners.clone()], &lower[corners]);
         }
         if row.is_multiple_of(self.n) {
-            let [left, _, right, _] = self.crop;
+            let [left, _, right, _] = self.settings.crop;
             let bottom = row / self.n;
-            let finished: Vec<_> =
-                self.sums.iter_mut().map(|sum| mean(std::mem::replace(sum, Sum::ZERO), self.n)).collect();
+            let (n, arithmetic) = (self.n, self.settings.arithmetic);
+            let mean = |(column, sum): (u32, &mut Sum)| {
+                let sum = std::mem::replace(sum, Sum::ZERO);
+                arithmetic.color(Mean { sum, n, pixel: [column, bottom - 1] })
+            };
+            let finished: Vec<_> = (left..).zip(&mut self.sums).map(mean).collect();
             self.film.put([left, bottom - 1, right, bottom], &finished);
         }
     }

@@ -5,6 +5,7 @@ use super::expression::{self, Expression};
 use super::language::Language;
 use crate::log::formula::{self, Extreme, Operator};
 use crate::log::{Log, Name, Tree, What};
+use std::f64::consts::TAU;
 
 /// A computed value, ready to be shown as `symbol = formula = substituted = result`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,30 +54,50 @@ fn without_spaces(text: &str) -> String {
 }
 
 /// An expression in one line of plain text.
-fn text(language: Language, expression: &Expression, style: Style) -> String {
+pub(super) fn text(language: Language, expression: &Expression, style: Style) -> String {
     let shown = |inner: &Expression| text(language, inner, style);
     let behind_operator = |inner: &Expression| {
         if inner.begins_negative() { format!("({})", shown(inner)) } else { shown(inner) }
     };
+    // Under a root, a power or a fraction bar a number with a power of ten is a product.
+    let as_one = |inner: &Expression| {
+        if inner.begins_negative() || inner.has_power_of_ten(style) {
+            format!("({})", shown(inner))
+        } else {
+            shown(inner)
+        }
+    };
     match expression {
+        Expression::Number(TAU) => "2π".to_owned(),
         Expression::Number(x) => language.number(*x, style),
         Expression::Symbol(symbol) => (*symbol).to_owned(),
         Expression::Value(value, _) => language.value(value, style),
         Expression::Negated(inner) => format!("−{}", behind_operator(inner)),
-        Expression::Root(inner) => format!("√{}", behind_operator(inner)),
-        Expression::Squared(inner) => format!("{}²", behind_operator(inner)),
-        Expression::Positive(inner) => format!("{}⁺", behind_operator(inner)),
+        Expression::Root(inner) => format!("√{}", as_one(inner)),
+        Expression::Squared(inner) => format!("{}²", as_one(inner)),
+        Expression::Positive(inner) => format!("{}⁺", as_one(inner)),
         Expression::Length(inner) => format!("|{}|", shown(inner)),
         Expression::Floor(inner) => format!("⌊{}⌋", shown(inner)),
         Expression::Grouped(inner) => format!("({})", shown(inner)),
         Expression::OverLights(inner) => format!("Σ({})", shown(inner)),
+        Expression::Over(several, inner) => format!("{}({})", several.sign(), shown(inner)),
+        Expression::Degrees(inner) => format!("{}°", as_one(inner)),
+        Expression::Function(function, inner) => format!("{}({})", function.word(), shown(inner)),
+        Expression::Triple(parts) => {
+            format!("({})", parts.each_ref().map(shown).join(language.texts().separator))
+        }
+        Expression::Elided => "…".to_owned(),
         Expression::Extreme(extreme, first, second) => {
             format!("{}({}{}{})", word(*extreme), shown(first), language.texts().separator, shown(second))
         }
         Expression::ExtremeComponent(extreme, inner) => format!("{}({})", word(*extreme), shown(inner)),
         Expression::Binary(operator, left, right) => {
-            let left = if *operator == Operator::Power { behind_operator(left) } else { shown(left) };
-            format!("{left}{}{}", infix(*operator), behind_operator(right))
+            let left = if *operator == Operator::Power { as_one(left) } else { shown(left) };
+            let right = match operator {
+                Operator::Over | Operator::ComponentsOver | Operator::Power => as_one(right),
+                _ => behind_operator(right),
+            };
+            format!("{left}{}{right}", infix(*operator))
         }
     }
 }

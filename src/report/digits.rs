@@ -3,13 +3,24 @@
 use super::language::Language;
 use crate::log::{Digits, Event, What};
 
-/// What stands behind a value or a decision of several perturbed runs, such as ` (14 digits)`; nothing otherwise.
+/// What stands behind a value with twice the digits, and behind a value or a decision of several perturbed runs, such as ` (14 digits)`;
+/// nothing otherwise.
 pub fn marker(event: &Event) -> String {
     marker_in(Language::English, event)
 }
 
 /// The marker in a language.
 pub fn marker_in(language: Language, event: &Event) -> String {
+    let texts = language.texts();
+    let doubled = match event.what {
+        What::Note { name, .. } if name.form().starts_with("doubled") => format!(" ({})", texts.twice_the_digits),
+        _ => String::new(),
+    };
+    doubled + &of_runs(language, event)
+}
+
+/// How far perturbed runs agree.
+fn of_runs(language: Language, event: &Event) -> String {
     let texts = language.texts();
     match (event.digits.as_deref(), &event.what) {
         (None, _) => String::new(),

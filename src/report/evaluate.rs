@@ -4,7 +4,11 @@
 //! order in which a reader takes them, from left to right. So a log can be checked against its formulas (the tests do that for
 //! every name, bit for bit), and it can be asked what a quantity would be if one of its operands were another (`diff`).
 
-use crate::log::formula::{self, Extreme, Formula, Operator};
+mod doubled;
+mod functions;
+mod wide;
+
+use crate::log::formula::{self, Extreme, Formula, Operator, Several};
 use crate::log::scope::{self, Operand};
 use crate::log::{Event, Name, Tree, Value};
 
@@ -14,8 +18,64 @@ use crate::log::{Event, Name, Tree, Value};
 /// # Errors
 /// Which operand the log doesn't hold, or what can't be computed.
 pub fn evaluate(events: &[Event], tree: &Tree, event: usize, name: Name) -> Option<Result<Value, String>> {
+    evaluate_within(events, tree, event, name).map(|result| result.map(|within| within.value))
+}
+
+/// What a formula comes to, and how far from there the logged value may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Within {
+    /// The value.
+    pub value: Value,
+    /// By how much the logged value may differ, per component: 0 unless the tracer took twice the digits to its operands, too.
+    pub bound: Value,
+}
+
+impl Within {
+    /// Whether a logged value is what the formula gives: to the last bit, or within the bound.
+    pub fn allows(&self, logged: &Value) -> bool {
+        let (ours, bounds, theirs) = (self.value.components(), self.bound.components(), logged.components());
+        self.value.same_bits(logged)
+            || (ours.len() == theirs.len() && (0..ours.len()).all(|k| (ours[k] - theirs[k]).abs() <= bounds[k] && bounds[k] > 0.0))
+    }
+}
+
+/// The same with the bound within which the formula gives the value. Quantities that were computed with twice the digits
+/// ([`Name::is_doubled`]) are evaluated so, too.
+///
+/// # Errors
+/// As those of [`evaluate`].
+pub fn evaluate_within(events: &[Event], tree: &Tree, event: usize, name: Name) -> Option<Result<Within, String>> {
+    let formula = formula::of(name)?;
+    if name.is_doubled() {
+        return Some(doubled::evaluate(events, tree, event, formula));
+    }
     let logged = |symbol, light| operand(events, tree, event, symbol, light).map(|operand| operand.value);
-    formula::of(name).map(|formula| evaluate_with(tree, event, formula, &logged))
+    let result = match formula {
+        Formula::Over(Several::Surfaces, _) => Ok(Value::Triple(scope::transmittance(events, tree, event))),
+        _ => evaluate_with(tree, event, formula, &logged),
+    };
+    let exact = |value: Value| Within { value, bound: zero_of(&value) };
+    Some(result.map(exact))
+}
+
+/// The value of a formula at `event`, evaluated with twice the digits as the tracer does where f64 loses too many, and rounded once.
+///
+/// # Errors
+/// As those of [`evaluate`].
+pub fn doubled_value(events: &[Event], tree: &Tree, event: usize, formula: &Formula) -> Result<Value, String> {
+    doubled::evaluate(events, tree, event, formula).map(|within| within.value)
+}
+
+/// The colour of the pixel of a log as the last of its computations has it: the mean of its samples, or what its one ray brought.
+pub fn result(events: &[Event], tree: &Tree, pixel: usize) -> Option<Value> {
+    scope::color_of_pixel(events, tree, pixel)
+}
+
+fn zero_of(value: &Value) -> Value {
+    match value {
+        Value::Number(_) => Value::Number(0.0),
+        Value::Triple(_) => Value::Triple([0.0; 3]),
+    }
 }
 
 /// What a symbol in the formula of the quantity that `event` notes stands for; under a Σ, in the part of the light whose node
@@ -98,10 +158,28 @@ impl Evaluator<'_> {
                 part => Err(format!("{extreme:?}({part:?})")),
             },
             Formula::OverLights(inner) => self.over_lights(Part::Zero, inner),
+            Formula::Over(several, _) => Err(format!("{} stands in another formula", several.sign())),
+            Formula::Degrees(inner) => map(self.part(inner)?, f64::to_radians),
+            Formula::Function(function, inner) => match &**inner {
+                Formula::Degrees(angle) => map(self.part(angle)?, |degrees| functions::of_degrees(*function, degrees)),
+                inner => map(self.part(inner)?, |x| functions::of(*function, x)),
+            },
+            Formula::Triple(parts) => {
+                let [x, y, z] = [self.number(&parts[0])?, self.number(&parts[1])?, self.number(&parts[2])?];
+                Ok(Part::Value(Value::Triple([x, y, z])))
+            }
             Formula::Binary(operator, left, right) => match (operator, &**right) {
                 (Operator::Plus, Formula::OverLights(term)) => self.over_lights(self.part(left)?, term),
                 _ => binary(*operator, self.part(left)?, self.part(right)?),
             },
+        }
+    }
+
+    fn number(&self, formula: &Formula) -> Result<f64, String> {
+        match self.part(formula)? {
+            Part::Value(Value::Number(x)) => Ok(x),
+            Part::Zero => Ok(0.0),
+            part => Err(format!("{part:?} is no number")),
         }
     }
 

@@ -1,8 +1,10 @@
 //! A formula ready to be written in any format: with its symbols, or with the numbers put in.
 
 use super::provenance::Operand;
+mod several;
+
 use super::{Style, number};
-use crate::log::formula::{Extreme, Formula, Operator};
+use crate::log::formula::{Extreme, Formula, Function, Operator, Several};
 use crate::log::{Log, Tree, Value, scope};
 
 /// A formula with symbols or numbers.
@@ -30,6 +32,16 @@ pub enum Expression {
     Grouped(Box<Expression>),
     /// `Σ(a)`
     OverLights(Box<Expression>),
+    /// `Σ_s(a)`
+    Over(Several, Box<Expression>),
+    /// `a°`
+    Degrees(Box<Expression>),
+    /// `cos(a)`
+    Function(Function, Box<Expression>),
+    /// `(a, b, c)`
+    Triple(Box<[Expression; 3]>),
+    /// Terms that are left out of a long sum.
+    Elided,
     /// `min(a, b)`
     Extreme(Extreme, Box<Expression>, Box<Expression>),
     /// `min(a)`
@@ -53,6 +65,13 @@ impl Expression {
             Formula::Floor(inner) => Expression::Floor(of(inner)),
             Formula::Grouped(inner) => Expression::Grouped(of(inner)),
             Formula::OverLights(inner) => Expression::OverLights(of(inner)),
+            Formula::Over(several, inner) => Expression::Over(*several, of(inner)),
+            Formula::Degrees(inner) => Expression::Degrees(of(inner)),
+            Formula::Function(function, inner) => Expression::Function(*function, of(inner)),
+            Formula::Triple(parts) => {
+                let [x, y, z] = &**parts;
+                Expression::Triple(Box::new([x, y, z].map(Expression::symbolic)))
+            }
             Formula::Extreme(extreme, first, second) => Expression::Extreme(*extreme, of(first), of(second)),
             Formula::ExtremeComponent(extreme, inner) => Expression::ExtremeComponent(*extreme, of(inner)),
             Formula::Binary(operator, left, right) => Expression::Binary(*operator, of(left), of(right)),
@@ -66,6 +85,14 @@ impl Expression {
             Expression::Negated(_) => true,
             Expression::Symbol(symbol) => symbol.starts_with('−'),
             Expression::Binary(operator, left, _) => *operator != Operator::Power && left.begins_negative(),
+            _ => false,
+        }
+    }
+
+    /// Whether it is a number written with a power of ten, `5.000·10⁻⁵`: as a divisor, under a root and under a power it needs parentheses.
+    pub fn has_power_of_ten(&self, style: Style) -> bool {
+        match self {
+            Expression::Number(x) | Expression::Value(Value::Number(x), _) => number::has_power_of_ten(*x, style),
             _ => false,
         }
     }
@@ -157,6 +184,18 @@ impl Substitution<'_> {
                 self.around_shown(inner, |inner| Expression::ExtremeComponent(*extreme, inner))
             }
             Formula::OverLights(inner) => self.over_lights(inner),
+            Formula::Over(several, inner) => self.over(*several, inner),
+            Formula::Degrees(inner) => self.around_shown(inner, Expression::Degrees),
+            Formula::Function(function, inner) => {
+                self.around_shown(inner, |inner| Expression::Function(*function, inner))
+            }
+            Formula::Triple(parts) => {
+                let [x, y, z] = &**parts;
+                match [x, y, z].map(|part| self.part(part).shown()) {
+                    [Some(x), Some(y), Some(z)] => Part::There(Expression::Triple(Box::new([x, y, z]))),
+                    _ => Part::Zero,
+                }
+            }
             Formula::Binary(operator, left, right) => self.binary(*operator, left, right),
         }
     }
@@ -210,8 +249,13 @@ impl Substitution<'_> {
     }
 
     fn binary(&self, operator: Operator, left: &Formula, right: &Formula) -> Part {
+        let is_bounded = matches!(left, Formula::Grouped(inner) if matches!(**inner, Formula::Positive(_)));
         let (left, right) = (self.part(left), self.part(right));
         match (operator, left, right) {
+            // 0⁰ is 1, and no term that is absent.
+            (Operator::Power, Part::Zero, Part::There(Expression::Value(Value::Number(0.0), _))) if is_bounded => {
+                Part::There(Expression::Number(1.0))
+            }
             (Operator::Plus, Part::Zero, right) => right,
             (Operator::Plus | Operator::Minus, left, Part::Zero) => left,
             (Operator::Plus | Operator::Minus, left, right) => joined(operator, left, right),

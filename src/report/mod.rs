@@ -5,6 +5,7 @@
 pub mod answer;
 pub mod computation;
 pub mod contributions;
+pub mod decided;
 pub mod diff;
 pub mod digits;
 pub mod escape;

@@ -108,7 +108,12 @@ fn each_symbol(formula: &Formula, is_under_sum: bool, f: &mut impl FnMut(&'stati
         | Formula::Length(inner)
         | Formula::Floor(inner)
         | Formula::Grouped(inner)
+        | Formula::Degrees(inner)
+        | Formula::Function(_, inner)
         | Formula::ExtremeComponent(_, inner) => each_symbol(inner, is_under_sum, f),
+        // What samples, cells and surfaces bring isn't in the scope of the node itself.
+        Formula::Over(..) => {}
+        Formula::Triple(parts) => parts.iter().for_each(|part| each_symbol(part, is_under_sum, f)),
         Formula::Extreme(_, left, right) | Formula::Binary(_, left, right) => {
             each_symbol(left, is_under_sum, f);
             each_symbol(right, is_under_sum, f);

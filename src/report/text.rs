@@ -2,7 +2,7 @@
 
 use super::computation::computation_in;
 use super::language::Language;
-use super::{Style, digits, words};
+use super::{Style, decided, digits, words};
 use crate::log::{Event, Log, Name, Tree, Value, What};
 use std::fmt::Write;
 
@@ -56,8 +56,10 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
         }
         What::Mark(decision) => {
             let lost = words::lost_in(language, happening, style).map_or(String::new(), |lost| format!("; {lost}"));
+            let numbers = decided::line_in(language, log, tree, event, style);
+            let numbers = numbers.map_or(String::new(), |numbers| format!(" ({numbers})"));
             format!(
-                "→ {}{lost}{}",
+                "→ {}{numbers}{lost}{}",
                 words::decision_in(language, &log.header, decision, style),
                 digits::marker_in(language, happening)
             )

@@ -114,6 +114,7 @@ pub fn decision_in(language: Language, header: &Header, decision: &Decision, sty
         Decision::Immersed { object: medium } => (texts.immersed)(&object(medium)),
         Decision::Bent { what } => (texts.bent)(*what),
         Decision::Background => texts.background.to_owned(),
+        Decision::Free => texts.free.to_owned(),
         Decision::Occluded { object: blocking } => (texts.blocked_by)(&object(blocking)),
         Decision::Attenuated { object: passed, factor } => {
             (texts.passes)(&object(passed), &language.value(&Value::Triple(*factor), style))

@@ -83,7 +83,7 @@ impl Cutting<'_> {
                 corners.iter().for_each(|corner| sum.add(corner.color * weight));
             }
         }
-        sum.over(4.0)
+        probe.note(Name::PixelMeanOfCells, sum.over(4.0))
     }
 
     fn in_pixels(&self, steps: u32) -> f64 {
@@ -108,6 +108,7 @@ impl Cutting<'_> {
             }
             found => {
                 let why = if found.is_some() { Acceptance::Depth } else { Acceptance::Alike };
+                probe.given(Name::CellArea, place[2] * place[2]);
                 probe.mark(Decision::Accepted { cell: Some(place), why });
                 false
             }

@@ -1,6 +1,8 @@
 //! Sums and means whose error doesn't grow with the number of values.
 
 use crate::geometry::doubled::Doubled;
+use crate::log::Name;
+use crate::probe::Probe;
 use crate::scene::Color;
 
 /// A sum of colours, kept with twice the digits: the error of the mean of n values is that of its last rounding and n·2⁻¹⁰⁴
@@ -34,6 +36,13 @@ impl Sum {
             if mean.is_finite() { mean } else { sum.head / count }
         }))
     }
+}
+
+/// The mean of so many samples, the colour of a pixel, as the quantity that it is.
+#[inline]
+pub fn of_pixel<P: Probe>(name: Name, sum: Sum, count: f64, probe: &mut P) -> Color {
+    probe.given(Name::PixelSamples, count);
+    probe.note(name, sum.over(count))
 }
 
 /// Whether a number is zero, or so far from the least and the greatest numbers that no step of a division goes beyond those.

@@ -1,8 +1,9 @@
 //! A regular grid of samples: supersampling (Ramos, section 1.4.2; Whitted, "An improved illumination model for shaded
 //! display", 1980).
 
-use super::mean::Sum;
+use super::mean::{self, Sum};
 use super::place::sample_at;
+use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Pick, Stratum};
 use crate::scene::{Color, Scene};
@@ -17,5 +18,5 @@ pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) ->
         let pick = Pick { stratum: cell, jitter: [0.5; 2] };
         sum.add(sample_at(scene, pixel, number + 1, pick, &draws, probe).color);
     }
-    sum.over(f64::from(count))
+    mean::of_pixel(Name::PixelMean, sum, f64::from(count), probe)
 }

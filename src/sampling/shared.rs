@@ -4,7 +4,7 @@
 //! corner once (`render`); a single pixel traces its own, and gets the same bits, because both add in the same order and the
 //! corner's random numbers belong to its place. What else a corner decides is spread over the corners of a pixel.
 
-use super::mean::Sum;
+use super::mean::{self, Sum};
 use super::place::ray_through;
 use crate::log::{Name, Step};
 use crate::probe::Probe;
@@ -58,6 +58,11 @@ impl Corners {
         let [x, y] = within.map(|step| f64::from(step) / f64::from(self.steps()));
         probe.given(Name::SampleX, x);
         probe.given(Name::SampleY, y);
+        if let Corners::All { n } = self {
+            // How many cells of the pixel have the corner.
+            let cells = within.map(|step| if step == 0 || step == n { 1.0 } else { 2.0 });
+            probe.given(Name::SampleWeight, cells[0] * cells[1]);
+        }
         let corner = [0, 1].map(|axis| pixel[axis] * self.steps() + within[axis]);
         probe.within(Step::Sample { number }, |probe| self.seen(scene, corner, probe))
     }
@@ -80,7 +85,7 @@ pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) ->
         add_cells(&mut sum, &upper, &lower);
         upper = lower;
     }
-    mean(sum, n)
+    mean(sum, n, probe)
 }
 
 /// Adds a row of cells, each the sum of its corners; the slices are the corners above and below them.
@@ -93,7 +98,7 @@ pub fn add_cells(sum: &mut Sum, upper: &[Color], lower: &[Color]) {
 }
 
 /// The pixel's colour from the sum of its n × n cells.
-pub fn mean(sum_of_cells: Sum, n: u32) -> Color {
+pub fn mean<P: Probe>(sum_of_cells: Sum, n: u32, probe: &mut P) -> Color {
     let n = f64::from(n);
-    sum_of_cells.over(4.0 * n * n)
+    mean::of_pixel(Name::PixelMeanOfCorners, sum_of_cells, 4.0 * n * n, probe)
 }

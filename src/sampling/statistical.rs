@@ -12,7 +12,7 @@
 //! `docs/sampling.md` has how often that happens. Where samples draw a lens, a time, lights or lobes, chance has so many more ways that
 //! a few that agree aren't enough.
 
-use super::mean::Sum;
+use super::mean::{self, Sum};
 use super::place::{in_own_part, sample_at};
 use super::student;
 use crate::log::{Acceptance, Decision, Name};
@@ -47,7 +47,7 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], prob
             taken.push(Taken { place: pick.point(), color });
         }
         let count = taken.len() as u32;
-        let mean = probe.note(Name::StatisticalMean, sum.over(f64::from(count)));
+        let mean = mean::of_pixel(Name::StatisticalMean, sum, f64::from(count), probe);
         let verdict = match taken.iter().all(|sample| sample.color == taken[0].color) {
             true if draws_more => enough_alike(wanted, count, probe),
             true => Some(Acceptance::Alike),

@@ -1,8 +1,9 @@
 //! One jittered sample in each stratum (Ramos, section 1.5; Cook, Porter and Carpenter, "Distributed ray tracing", 1984;
 //! Cook, "Stochastic sampling in computer graphics", 1986).
 
-use super::mean::Sum;
+use super::mean::{self, Sum};
 use super::place::{in_own_part, sample_at};
+use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::{Arrangement, Dimension, Draws};
 use crate::scene::{Color, Scene};
@@ -27,5 +28,5 @@ pub(super) fn mean_of<P: Probe>(
         let pick = if arrangement == Arrangement::Sobol { in_own_part(pick, number) } else { pick };
         sum.add(sample_at(scene, pixel, number + 1, pick, &draws, probe).color);
     }
-    sum.over(f64::from(n))
+    mean::of_pixel(Name::PixelMean, sum, f64::from(n), probe)
 }

@@ -20,6 +20,8 @@ pub struct Camera {
     length: f64,
     right: DVec3,
     up: DVec3,
+    /// In degrees.
+    vertical_fov: f64,
     /// The side of a pixel in the plane at distance 1.
     pixel_side: f64,
     /// Pixels across and down.
@@ -45,6 +47,7 @@ impl Camera {
             length: direction.length(),
             right: unit(to_right),
             up: unit(to_right.cross(along)),
+            vertical_fov,
             pixel_side: 2.0 * half_height / f64::from(resolution[1]),
             resolution,
             shutter: None,
@@ -141,6 +144,8 @@ impl Camera {
         let up = probe.note(Name::CameraUp, self.up);
         probe.given(Name::PixelColumn, column);
         probe.given(Name::PixelMiddleColumn, middle[0]);
+        probe.given(Name::CameraVerticalFov, self.vertical_fov);
+        probe.given(Name::CameraRows, f64::from(self.resolution[1]));
         probe.given(Name::PixelSide, self.pixel_side);
         let x = probe.note(Name::PixelX, (column - middle[0]) * self.pixel_side);
         probe.given(Name::PixelRow, row);

@@ -148,7 +148,7 @@ fn seen_from<P: Probe>(
         step,
         #[inline(always)]
         |probe| {
-            let Some(ray) = aim(probe) else { return Seen { color: scene.background, object: None } };
+            let Some(ray) = aim(probe) else { return nothing_met(scene, probe) };
             let media = media(&ray);
             for object in media.objects() {
                 probe.mark(Decision::Immersed { object });
@@ -167,8 +167,7 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
     }
     let mut contenders = Contenders::default();
     let Some(hit) = visibility::search(scene, ray, &mut contenders, probe) else {
-        probe.mark(Decision::Background);
-        return Seen { color: scene.background, object: None };
+        return nothing_met(scene, probe);
     };
     if !contenders.is_empty() {
         let hits = visibility::settled(scene, ray, hit, contenders, probe);
@@ -179,6 +178,14 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
         probe.mark(Decision::Nearest { object: hit.object });
     }
     shaded(scene, ray, path, &hit, None, probe)
+}
+
+/// What a ray sees that meets nothing.
+#[inline(always)]
+fn nothing_met<P: Probe>(scene: &Scene, probe: &mut P) -> Seen {
+    probe.given(Name::BackgroundColor, scene.background);
+    probe.mark(Decision::Background);
+    Seen { color: scene.background, object: None }
 }
 
 /// What a ray sees that hits the first of several surfaces in the same place.

@@ -143,7 +143,11 @@ pub(super) struct Obstacles<'a> {
 #[inline(always)]
 pub(super) fn transmittance_among<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &mut P) -> Color {
     let has_none = obstacles.among.is_some_and(<[u32]>::is_empty) && obstacles.touched.is_empty();
-    if has_none { Color::ONE } else { searched(scene, ray, obstacles, probe) }
+    if has_none {
+        probe.mark(Decision::Free);
+        return Color::ONE;
+    }
+    searched(scene, ray, obstacles, probe)
 }
 
 // Kept out of the shading around it, whose values would crowd this loop's out of the registers.
@@ -191,6 +195,10 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &m
 
 /// The product over the crossed surfaces, in the order of the ray, so that it has the same bits however they were found.
 fn attenuation<P: Probe>(scene: &Scene, mut crossed: Vec<(f64, u32)>, probe: &mut P) -> Color {
+    if crossed.is_empty() {
+        probe.mark(Decision::Free);
+        return Color::ONE;
+    }
     crossed.sort_by(|(t, object), (other_t, other)| t.total_cmp(other_t).then(object.cmp(other)));
     let mut part = Color::ONE;
     for (_, object) in crossed {

@@ -64,6 +64,8 @@ impl Facts {
             What::Mark(decision) => match decision {
                 Decision::Outside | Decision::Inside | Decision::Skipped { .. } | Decision::LeakGuard { .. } => {}
                 Decision::Coincident { .. } | Decision::Immersed { .. } | Decision::Bent { .. } => {}
+                // That nothing is in the way is told by the end of the ray.
+                Decision::Free => {}
                 Decision::Subdivided { .. } | Decision::Accepted { .. } | Decision::MoreSamples { .. } => {}
                 Decision::DepthLimit { .. } | Decision::TotalInternalReflection => fact.limit = number,
                 _ => fact.outcome = number,

@@ -6,15 +6,19 @@ mod calls;
 mod provoking_scenes;
 #[path = "../support/random.rs"]
 mod random;
+#[path = "../support/random_scenes.rs"]
+mod random_scenes;
 #[path = "../support/mod.rs"]
 mod support;
 
 mod diff;
 mod digits;
+mod evaluable;
 mod formulas;
 mod log_files;
 mod log_spellings;
 mod overflow;
+mod read_back;
 mod regions;
 mod rounding;
 mod skips;

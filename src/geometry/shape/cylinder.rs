@@ -80,7 +80,8 @@ impl Cylinder {
     fn doubled_span<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Result<Span, Miss> {
         probe.fallback();
         let chord = self.doubled_chord(ray).filter(|chord| !chord.is_beside).ok_or(Miss::Beside)?;
-        Ok(Span::between([chord.near, chord.far].map(|t| (t.value(), Name::CylinderTDoubled))))
+        let [near, far] = [chord.near, chord.far].map(Doubled::value);
+        Ok(Span::between([(near, Name::CylinderTDoubled), (far, Name::CylinderTDoubledFar)]))
     }
 
     /// Seen along the axis w, of any length, the cylinder is a circle of the radius r·|w|, and the ray's vector v × w. `None` for a

@@ -90,9 +90,9 @@ impl Ellipsoid {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
         }
-        let name = Name::EllipsoidTDoubled;
-        let root = |t: Doubled| Root { t: t.value(), primitive: 0, is_on_surface: true, name };
-        Some(Roots { entry: root(chord.near), exit: root(chord.far), outer: Side::Front })
+        let root = |t: Doubled, name| Root { t: t.value(), primitive: 0, is_on_surface: true, name };
+        let (entry, exit) = (root(chord.near, Name::EllipsoidTDoubled), root(chord.far, Name::EllipsoidTDoubledFar));
+        Some(Roots { entry, exit, outer: Side::Front })
     }
 
     fn doubled_chord(&self, ray: &Ray) -> DoubledChord {
@@ -136,13 +136,14 @@ impl Ellipsoid {
             let digits = Digits::of(&equation, origin.dot(origin), across.dot(across));
             // A ray that leaves the surface has been at one root already, of which there are no digits.
             let left = if is_leaving { entry.t.abs().min(exit.t.abs()) } else { -1.0 };
-            for root in [&mut entry, &mut exit] {
+            let doubled = [Name::EllipsoidTDoubled, Name::EllipsoidTDoubledFar];
+            for (root, doubled) in [&mut entry, &mut exit].into_iter().zip(doubled) {
                 if root.t.abs() == left {
                     continue;
                 }
                 match digits.of_root(root.t, root.name == Name::EllipsoidT2, ray) {
                     Lost::Nothing => {}
-                    Lost::Some => self.correct(root, ray, probe),
+                    Lost::Some => self.correct(root, doubled, ray, probe),
                     Lost::All => return self.doubled_roots(ray, probe),
                 }
             }
@@ -153,14 +154,14 @@ impl Ellipsoid {
     /// Gives a distance all of its digits.
     #[cold]
     #[inline(never)]
-    fn correct<P: Probe>(&self, root: &mut Root, ray: &Ray, probe: &mut P) {
+    fn correct<P: Probe>(&self, root: &mut Root, doubled: Name, ray: &Ray, probe: &mut P) {
         probe.fallback();
         let [row_1, row_2, row_3] = *self.doubled_rows;
         let map = |v: Doubled3| Doubled3 { x: row_1.quick_dot(v), y: row_2.quick_dot(v), z: row_3.quick_dot(v) };
         let along = DVec3::from_array(self.rows.map(|row| row.dot(ray.vector)));
         let radius = self.radius_squared.sqrt();
         root.t = corrected_in(map, along, self.center, Doubled::product(radius, radius), ray, root.t);
-        root.name = Name::EllipsoidTDoubled;
+        root.name = doubled;
     }
 }
 

@@ -141,7 +141,7 @@ impl Sphere {
             let t = probe.note(Name::SphereTDoubled, found.near.value());
             crossings.push(Crossing { t, side: self.outer, primitive: 0 });
         }
-        let t = probe.note(Name::SphereTDoubled, found.far.value());
+        let t = probe.note(Name::SphereTDoubledFar, found.far.value());
         crossings.push(Crossing { t, side: self.outer.opposite(), primitive: 0 });
         crossings
     }
@@ -210,7 +210,8 @@ impl Sphere {
             probe.note(name, t)
         } else {
             probe.fallback();
-            probe.note(Name::SphereTDoubled, self.corrected(ray, l2_oc, t))
+            let doubled = if side == self.outer { Name::SphereTDoubled } else { Name::SphereTDoubledFar };
+            probe.note(doubled, self.corrected(ray, l2_oc, t))
         };
         Crossing { t, side, primitive: 0 }
     }

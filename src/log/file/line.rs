@@ -166,6 +166,7 @@ pub(super) enum Mark<'t> {
         what: Word<'t>,
     },
     Background {},
+    Free {},
     Occluded {
         #[serde(borrow)]
         object: Word<'t>,

@@ -165,6 +165,7 @@ impl Reader {
             Mark::Immersed { object } => Decision::Immersed { object: self.object(&object)? },
             Mark::Bent { what } => Decision::Bent { what: skippable(&what)? },
             Mark::Background {} => Decision::Background,
+            Mark::Free {} => Decision::Free,
             Mark::Occluded { object } => Decision::Occluded { object: self.object(&object)? },
             Mark::Attenuated { object, factor } => Decision::Attenuated { object: self.object(&object)?, factor },
             Mark::Undefined { quantity } => {

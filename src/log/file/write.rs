@@ -317,6 +317,7 @@ fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
         }
         Decision::Bent { what } => text(out, &format!("bent\":{{\"what\":\"{}\"", what.word())),
         Decision::Background => text(out, "background\":{"),
+        Decision::Free => text(out, "free\":{"),
         Decision::Occluded { object } => {
             text(out, "occluded\":{\"object\":");
             string(out, header.object(*object));

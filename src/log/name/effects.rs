@@ -31,8 +31,8 @@ macro_rules! with_effects {
             MotionPoint: "motion.point", "", "p_M", "", "1.5";
             MotionDegrees: "motion.degrees", "", "ω_M", "", "1.5";
             MotionAngle: "motion.angle", "", "φ_M", "ω_M·t_now", "1.5";
-            MotionCos: "motion.cos", "", "cosφ_M", "", "1.5";
-            MotionSin: "motion.sin", "", "sinφ_M", "", "1.5";
+            MotionCos: "motion.cos", "", "cosφ_M", "cos(φ_M°)", "1.5";
+            MotionSin: "motion.sin", "", "sinφ_M", "sin(φ_M°)", "1.5";
             MotionArm: "motion.arm", "", "b_M", "O − s_M − p_M", "1.5";
             MotionArmHit: "motion.arm", "hit", "b_M", "P_M − p_M", "1.5";
             MotionArmPattern: "motion.arm", "pattern", "b_M", "P − s_M − p_M", "1.5";
@@ -65,7 +65,7 @@ macro_rules! with_effects {
             LightY: "light.y", "", "y_F", "(2·s_y − 1)·κ_F", "1.5";
             LightXOnDisk: "light.x", "round", "x_F", "x_D·κ_F", "1.5";
             LightYOnDisk: "light.y", "round", "y_F", "y_D·κ_F", "1.5";
-            LightOutward: "light.outward", "", "ν_F", "", "1.5";
+            LightOutward: "light.outward", "", "ν_F", "(√(4·s_y·(1 − s_y))·cos(2π·s_x), √(4·s_y·(1 − s_y))·sin(2π·s_x), 1 − 2·s_y)", "1.5";
             LightPositionOnArea: "light.position", "on_area", "F", "C_F + e_u·x_F + e_v·y_F", "1.5";
             LightPositionOnSphere: "light.position", "on_sphere", "F", "C_F + ν_F·r_F", "1.5";
 
@@ -75,9 +75,9 @@ macro_rules! with_effects {
             LobeHelper: "lobe.helper", "", "A_z", "", "1.5";
             LobeAxis1: "lobe.axis_1", "", "u_z", "(M_z × A_z)/|M_z × A_z|", "1.5";
             LobeAxis2: "lobe.axis_2", "", "w_z", "M_z × u_z", "1.5";
-            LobeX: "lobe.x", "", "x_z", "", "1.5";
-            LobeY: "lobe.y", "", "y_z", "", "1.5";
-            LobeZ: "lobe.z", "", "z_z", "", "1.5";
+            LobeX: "lobe.x", "", "x_z", "√(−expm1(2·(ln1p(−s_y)/(n_z + 1))))·cos(2π·s_x)", "1.5";
+            LobeY: "lobe.y", "", "y_z", "√(−expm1(2·(ln1p(−s_y)/(n_z + 1))))·sin(2π·s_x)", "1.5";
+            LobeZ: "lobe.z", "", "z_z", "exp(ln1p(−s_y)/(n_z + 1))", "1.5";
             LobeDirection: "lobe.direction", "", "D_z", "u_z·x_z + w_z·y_z + M_z·z_z", "1.5";
             LobeHeight: "lobe.height", "", "h_z", "N · D_z", "1.5";
             LobeHeightGeometric: "lobe.height", "geometric", "h_z", "N_g · D_z", "1.5";
@@ -86,6 +86,24 @@ macro_rules! with_effects {
             LobeSum: "lobe.sum", "", "S_z", "S_z + I_z", "1.5";
             LobeKept: "lobe.kept", "", "k_z", "", "1.5";
             LobeMean: "lobe.mean", "", "m_z", "S_z/k_z", "1.5";
+
+            // The farther of two crossings, with twice the digits.
+            SphereTDoubledFar: "sphere.t", "doubled_far", "t", "T_A + √T2_A", "1.3 (5e)";
+            EllipsoidTDoubledFar: "ellipsoid.t", "doubled_far", "t", "(−b + √Δ)/a", "1.1.1";
+            CylinderTDoubledFar: "cylinder.t", "doubled_far", "t", "(−b + √Δ)/a", "1.1.1";
+
+            // What a ray brings that meets nothing, and what the side of a pixel is made of.
+            BackgroundColor: "background.color", "", "I_b", "", "1.1.1";
+            CameraVerticalFov: "camera.vertical_fov", "", "θ_v", "", "1.1.1";
+            CameraRows: "camera.rows", "", "n_v", "", "1.1.1";
+
+            // The mean of samples: of n_p that count alike; of corners of cells, each w_s times; of cells, each with its area γ_c.
+            SampleWeight: "sample.weight", "", "w_s", "", "1.4.2";
+            PixelSamples: "pixel.samples", "", "n_p", "", "1.4.2";
+            CellArea: "cell.area", "", "γ_c", "", "1.4.2";
+            PixelMean: "pixel.mean", "", "I_p", "Σ_s(I)/n_p", "1.4.2";
+            PixelMeanOfCorners: "pixel.mean", "of_corners", "I_p", "Σ_s(w_s·I)/n_p", "1.4.2";
+            PixelMeanOfCells: "pixel.mean", "of_cells", "I_p", "Σ_c(γ_c·(I_1 + I_2 + I_3 + I_4))/4", "1.4.2";
         }
     };
 }

@@ -70,6 +70,11 @@ impl Name {
         self.row().section
     }
 
+    /// Whether the quantity was computed with twice the digits of f64, its operands too, and rounded once in the end.
+    pub fn is_doubled(self) -> bool {
+        self.form().starts_with("doubled") || self.formula().is_some_and(|text| text.starts_with("Σ_"))
+    }
+
     fn row(self) -> &'static Row {
         &ROWS[self as usize].1
     }

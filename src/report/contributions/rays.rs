@@ -66,6 +66,10 @@ impl<'a> Walk<'a> {
     fn ray(&mut self, ray: usize, path: &str, weight: Color) {
         let tree = self.tree;
         let marks: Vec<_> = tree.own_events(ray).filter_map(|event| Some((event, self.decision(event)?))).collect();
+        if self.background.is_none() {
+            let of_mark = |(event, _): &(usize, Decision)| triple(self.given(*event, Name::BackgroundColor));
+            self.background = marks.iter().find_map(of_mark);
+        }
         for (event, decision) in &marks {
             match decision {
                 Decision::Background | Decision::Undefined { quantity: Name::RayDirection } => {

@@ -191,7 +191,7 @@ fn question(decision: Decision) -> Question {
         Decision::Nearest { .. } | Decision::Background => Question::WhatIsNearest,
         Decision::Coincident { object, .. } => Question::IsCoincident(object),
         Decision::Immersed { object } => Question::IsImmersed(object),
-        Decision::Occluded { .. } => Question::WhatBlocks,
+        Decision::Occluded { .. } | Decision::Free => Question::WhatBlocks,
         Decision::Attenuated { object, .. } => Question::WhatPasses(object),
         Decision::Undefined { quantity } => Question::HasValue(quantity),
         Decision::TotalInternalReflection => Question::IsTraced(Skippable::Transmitted),

@@ -44,6 +44,8 @@ pub(super) const TEXTS: Texts = Texts {
     },
     immersed: |object| format!("the ray begins inside {object}"),
     background: "nothing is hit: background",
+    free: "nothing stands in the way",
+    twice_the_digits: "with twice the digits",
     blocked_by: |object| format!("blocked by {object}"),
     passes: |object, factor| format!("passes {object}, which keeps {factor}"),
     too_fine: |symbol| format!("{symbol} has no value: the pattern is finer than numbers are here"),

@@ -62,6 +62,8 @@ pub(super) const TEXTS: Texts = Texts {
     },
     immersed: |object| format!("el rayo empieza dentro de {object}"),
     background: "no interseca con ningún objeto: luz de fondo",
+    free: "nada se interpone",
+    twice_the_digits: "con el doble de cifras",
     blocked_by: |object| format!("bloqueado por {object}"),
     passes: |object, factor| format!("atraviesa {object}, que deja pasar {factor}"),
     too_fine: |symbol| format!("{symbol} no tiene valor: el patrón es más fino que los números aquí"),

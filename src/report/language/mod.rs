@@ -146,6 +146,10 @@ pub struct Texts {
     pub immersed: OfName,
     /// Nothing is hit.
     pub background: &'static str,
+    /// A shadow ray that nothing stops.
+    pub free: &'static str,
+    /// Behind a value that was computed with more digits than the others.
+    pub twice_the_digits: &'static str,
     /// The object that blocks.
     pub blocked_by: OfName,
     /// The object that a shadow ray passes, and what it keeps.

@@ -140,7 +140,8 @@ fn item(out: &mut String, task: &Task, item: &Item) {
         }),
         Item::Decision(event) => {
             let decision = decision(task, *event).unwrap_or_default();
-            line!(out, "<p class=\"decision\">→ {}</p>", escape::xml(&decision));
+            let numbers = formula::compared(task, *event);
+            line!(out, "<p class=\"decision\">→ {}{numbers}</p>", escape::xml(&decision));
         }
     }
 }

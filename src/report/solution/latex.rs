@@ -124,7 +124,8 @@ fn section(out: &mut String, task: &Task, section: &Section) {
             }
             Item::Decision(event) => {
                 let decision = decision(task, *event).unwrap_or_default();
-                line!(out, "\\par $\\rightarrow$ {}", escape::latex(&decision));
+                let numbers = math::compared(task, *event);
+                line!(out, "\\par $\\rightarrow$ {}{numbers}", escape::latex(&decision));
             }
         }
     }

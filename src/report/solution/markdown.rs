@@ -101,7 +101,10 @@ fn item(task: &Task, item: &Item) -> Option<String> {
             [line] => format!("$$\n{}\n$$", line.replacen(" &=", " =", 1)),
             lines => format!("$$\n\\begin{{aligned}}\n{}\n\\end{{aligned}}\n$$", lines.join(" \\\\\n")),
         }),
-        Item::Decision(event) => Some(format!("→ {}", escape::markdown(&decision(task, *event)?))),
+        Item::Decision(event) => {
+            let numbers = math::compared(task, *event);
+            Some(format!("→ {}{numbers}", escape::markdown(&decision(task, *event)?)))
+        }
     }
 }
 

@@ -3,9 +3,11 @@
 use super::Task;
 use super::equation::{Equation, terms};
 use crate::log::Value;
-use crate::log::formula::Operator;
+use crate::log::formula::{Function, Operator, Several};
 use crate::report::expression::Expression;
+use crate::report::decided::{self, Comparison, Relation};
 use crate::report::{computation, digits, escape, number};
+use std::f64::consts::TAU;
 
 /// So many characters of a formula fit on a line.
 const LINE: usize = 80;
@@ -68,6 +70,7 @@ pub(super) fn assignment(task: &Task, symbol: &str, value: &Value) -> String {
 pub(super) fn tex(task: &Task, expression: &Expression) -> String {
     let of = |inner: &Expression| tex(task, inner);
     match expression {
+        Expression::Number(TAU) => "2\\pi ".to_owned(),
         Expression::Number(x) => value(task, &Value::Number(*x)),
         Expression::Symbol(symbol) => self::symbol(symbol),
         Expression::Value(there, _) => value(task, there),
@@ -79,6 +82,14 @@ pub(super) fn tex(task: &Task, expression: &Expression) -> String {
         Expression::Floor(inner) => format!("\\left\\lfloor {}\\right\\rfloor", of(inner)),
         Expression::Grouped(inner) => format!("\\left({}\\right)", of(inner)),
         Expression::OverLights(inner) => format!("\\sum_i {}", of(inner)),
+        Expression::Over(several, inner) => format!("{} \\left({}\\right)", sign(*several), of(inner)),
+        Expression::Degrees(inner) => format!("{}^{{\\circ}}", base(task, inner)),
+        Expression::Function(function, inner) => format!("{}\\left({}\\right)", command(*function), of(inner)),
+        Expression::Triple(parts) => {
+            let mark = task.language.texts().separator.trim_end();
+            format!("\\left({}\\right)", parts.each_ref().map(of).join(&format!("{mark}\\; ")))
+        }
+        Expression::Elided => "\\dots".to_owned(),
         Expression::Extreme(extreme, first, second) => {
             format!("\\{}\\left({},\\; {}\\right)", computation::word(*extreme), of(first), of(second))
         }
@@ -94,6 +105,49 @@ pub(super) fn tex(task: &Task, expression: &Expression) -> String {
         Expression::Binary(operator, left, right) => {
             format!("{} {} {}", of(left), infix(*operator), operand(task, right))
         }
+    }
+}
+
+/// The comparisons of a decision, each between dollar signs; nothing where there are none.
+pub(super) fn compared(task: &Task, event: usize) -> String {
+    let sign = |relation: Relation| match relation {
+        Relation::AtMost => "\\le".to_owned(),
+        Relation::AtLeast => "\\ge".to_owned(),
+        other => other.sign().to_owned(),
+    };
+    let text = |expression: &Expression| tex(task, expression);
+    let line = |comparison: &Comparison| {
+        let sides = |[left, right]: &[Expression; 2]| {
+            format!("${} {} {}$", text(left), sign(comparison.relation), text(right))
+        };
+        format!("{}: {}", sides(&comparison.symbolic), sides(&comparison.substituted)) + &doubled(task, comparison)
+    };
+    let found = decided::comparisons(task.log, task.tree, event, task.style);
+    let lines: Vec<_> = found.iter().map(line).collect();
+    if lines.is_empty() { String::new() } else { format!(" ({})", lines.join("; ")) }
+}
+
+fn doubled(task: &Task, comparison: &Comparison) -> String {
+    if comparison.is_doubled { format!(" ({})", task.language.texts().twice_the_digits) } else { String::new() }
+}
+
+fn sign(several: Several) -> &'static str {
+    match several {
+        Several::Samples => "\\sum_s",
+        Several::Cells => "\\sum_c",
+        Several::Surfaces => "\\prod",
+    }
+}
+
+fn command(function: Function) -> &'static str {
+    match function {
+        Function::Cos => "\\cos",
+        Function::Sin => "\\sin",
+        Function::Tan => "\\tan",
+        Function::Exp => "\\exp",
+        Function::ExpM1 => "\\mathrm{expm1}",
+        Function::Ln1p => "\\mathrm{ln1p}",
+        Function::Ceil => "\\mathrm{ceil}",
     }
 }
 
@@ -203,7 +257,11 @@ fn width(task: &Task, expression: &Expression) -> usize {
         Expression::Negated(inner)
         | Expression::Root(inner)
         | Expression::Squared(inner)
+        | Expression::Degrees(inner)
         | Expression::Positive(inner) => of(inner) + 1,
+        Expression::Over(_, inner) | Expression::Function(_, inner) => of(inner) + 5,
+        Expression::Triple(parts) => parts.iter().map(of).sum::<usize>() + 6,
+        Expression::Elided => 1,
         Expression::Length(inner) | Expression::Floor(inner) | Expression::Grouped(inner) => of(inner) + 2,
         Expression::OverLights(inner) => of(inner) + 3,
         Expression::Extreme(_, first, second) => of(first) + of(second) + 7,

@@ -92,6 +92,9 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
         }
         What::Mark(decision) => {
             let mut pieces = decision_pieces(model, decision, theme);
+            let numbers = report::decided::line_in(model.language, &model.log, &model.tree, event, model.numbers);
+            let faint = theme.style(Role::Faint);
+            pieces.extend(numbers.map(|numbers| (format!("  {}", shown(&numbers, theme)), faint)));
             pieces.push((marker, theme.style(Role::Faint)));
             pieces
         }
@@ -149,7 +152,7 @@ fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'s
 fn decision_pieces(model: &Model, decision: &Decision, theme: &Theme) -> Vec<Piece> {
     let glyphs = theme.glyphs;
     let (glyph, role) = match decision {
-        Decision::Hit | Decision::Nearest { .. } => (glyphs.hit, Role::Hit),
+        Decision::Hit | Decision::Nearest { .. } | Decision::Free => (glyphs.hit, Role::Hit),
         Decision::Miss { .. } | Decision::Background => (glyphs.miss, Role::Text),
         Decision::Occluded { .. }
         | Decision::DepthLimit { .. }

@@ -5,7 +5,9 @@ use super::super::equation::Equation;
 use crate::log::Value;
 use crate::log::formula::Operator;
 use crate::report::expression::Expression;
+use crate::report::decided::{self, Relation};
 use crate::report::{computation, digits, escape};
+use std::f64::consts::TAU;
 
 /// The equation of an event: where links to its value lead.
 pub(super) fn equation(task: &Task, event: usize) -> Option<String> {
@@ -42,9 +44,20 @@ pub(super) fn value(task: &Task, value: &Value) -> String {
     }
 }
 
+/// The comparisons of a decision; nothing where there are none.
+pub(super) fn compared(task: &Task, event: usize) -> String {
+    let text = |expression: &Expression| html(task, expression);
+    let sign = |relation: Relation| escape::xml(relation.sign());
+    let found = decided::comparisons(task.log, task.tree, event, task.style);
+    let lines: Vec<_> =
+        found.iter().map(|comparison| decided::written(task.language, comparison, &text, sign)).collect();
+    if lines.is_empty() { String::new() } else { format!(" ({})", lines.join("; ")) }
+}
+
 fn html(task: &Task, expression: &Expression) -> String {
     let of = |inner: &Expression| html(task, inner);
     match expression {
+        Expression::Number(TAU) => "2π".to_owned(),
         Expression::Number(x) => value(task, &Value::Number(*x)),
         Expression::Symbol(name) => symbol(name),
         Expression::Value(there, source) => linked(&value(task, there), *source),
@@ -56,9 +69,13 @@ fn html(task: &Task, expression: &Expression) -> String {
         Expression::Floor(inner) => format!("⌊{}⌋", of(inner)),
         Expression::Grouped(inner) => format!("({})", of(inner)),
         Expression::OverLights(inner) => format!("Σ<sub>i</sub> ({})", of(inner)),
+        Expression::Over(several, inner) => format!("{} ({})", symbol(several.sign()), of(inner)),
+        Expression::Degrees(inner) => format!("{}°", base(task, inner)),
+        Expression::Function(function, inner) => format!("{}({})", function.word(), of(inner)),
+        Expression::Triple(parts) => format!("({})", parts.each_ref().map(of).join(&format!("{} ", separator(task)))),
+        Expression::Elided => "…".to_owned(),
         Expression::Extreme(extreme, first, second) => {
-            let mark = if task.language.texts().decimal_mark == ',' { ';' } else { ',' };
-            format!("{}({}{mark} {})", computation::word(*extreme), of(first), of(second))
+            format!("{}({}{} {})", computation::word(*extreme), of(first), separator(task), of(second))
         }
         Expression::ExtremeComponent(extreme, inner) => format!("{}({})", computation::word(*extreme), of(inner)),
         Expression::Binary(Operator::Over, left, right) => format!(
@@ -76,6 +93,11 @@ fn html(task: &Task, expression: &Expression) -> String {
     }
 }
 
+/// What stands between two numbers of a triple.
+fn separator(task: &Task) -> char {
+    if task.language.texts().decimal_mark == ',' { ';' } else { ',' }
+}
+
 /// What stands behind an operator.
 fn operand(task: &Task, expression: &Expression) -> String {
     let text = html(task, expression);
@@ -86,9 +108,7 @@ fn operand(task: &Task, expression: &Expression) -> String {
 fn base(task: &Task, expression: &Expression) -> String {
     match expression {
         Expression::Symbol(name) if name.contains(['·', '−']) => format!("({})", symbol(name)),
-        Expression::Value(Value::Number(x), _) if x.abs() >= 1e7 || x.abs() < 1e-3 => {
-            format!("({})", html(task, expression))
-        }
+        _ if expression.has_power_of_ten(task.style) => format!("({})", html(task, expression)),
         _ => operand(task, expression),
     }
 }

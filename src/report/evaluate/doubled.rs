@@ -1,0 +1,184 @@
+//! Formulas of what the tracer computed with twice the digits: sums over samples, and distances where f64 loses too many.
+//!
+//! The tracer keeps such a value's operands with all their digits, too, and rounds once. So an operand that the same test noted isn't
+//! taken as logged, but by its own formula, and the ray's direction is D/|D|. Inputs that were rounded before they were logged (a unit
+//! axis, the rows of a map) may be off by their roundings, which the bound takes into account.
+
+use super::Within;
+use super::wide::Wide;
+use crate::log::formula::{self, Formula, Operator, Several};
+use crate::log::scope::{self, Element};
+use crate::log::{Event, Name, Step, Tree, Value, What};
+
+/// How far the tracer's own arithmetic may be from the exact value, as a part of it: two units in the last place.
+const OF_RESULT: f64 = 2.0 * f64::EPSILON;
+
+/// How far a component of an input that was rounded before may be off, as a part of the input: four roundings.
+const OF_INPUT: f64 = 4.0 * f64::EPSILON;
+
+/// Inputs that were made of the scene's numbers.
+const MADE: [Name; 9] = [
+    Name::AxisDirection,
+    Name::AxisLength,
+    Name::ConeSlope,
+    Name::EllipsoidRow1,
+    Name::EllipsoidRow2,
+    Name::EllipsoidRow3,
+    Name::SphereRadiusSquared,
+    Name::CylinderRadiusSquared,
+    Name::EllipsoidRadiusSquared,
+];
+
+/// Evaluates the formula of a quantity that `event` notes.
+pub(super) fn evaluate(events: &[Event], tree: &Tree, event: usize, formula: &Formula) -> Result<Within, String> {
+    let scope = Scope { events, tree, event, element: None };
+    let value = scope.part(formula)?;
+    // The mean of samples is exact but for its last rounding.
+    let of_result = if is_sum(formula) { 0.0 } else { OF_RESULT };
+    let bound = |x: Wide| if of_result == 0.0 { 0.0 } else { x.error + x.value().abs() * of_result };
+    Ok(match value {
+        Part::Number(x) => Within { value: Value::Number(x.value()), bound: Value::Number(bound(x)) },
+        Part::Triple(x) => Within { value: Value::Triple(x.map(Wide::value)), bound: Value::Triple(x.map(bound)) },
+    })
+}
+
+fn is_sum(formula: &Formula) -> bool {
+    match formula {
+        Formula::Over(..) => true,
+        Formula::Binary(_, left, _) => is_sum(left),
+        _ => false,
+    }
+}
+
+/// A number or triple with twice the digits.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    Number(Wide),
+    Triple([Wide; 3]),
+}
+
+/// Where the symbols of a formula are looked up.
+#[derive(Clone, Copy)]
+struct Scope<'a> {
+    events: &'a [Event],
+    tree: &'a Tree,
+    /// The event that notes the quantity.
+    event: usize,
+    /// The sample or the cell whose term of a sum is evaluated.
+    element: Option<Element>,
+}
+
+impl Scope<'_> {
+    fn part(&self, formula: &Formula) -> Result<Part, String> {
+        match formula {
+            Formula::Number(x) => Ok(Part::Number(Wide::exact(*x))),
+            Formula::Symbol(symbol) => self.operand(symbol),
+            Formula::Grouped(inner) => self.part(inner),
+            Formula::Negated(inner) => Ok(map(self.part(inner)?, |x| -x)),
+            Formula::Root(inner) => Ok(map(self.part(inner)?, Wide::sqrt)),
+            Formula::Squared(inner) => {
+                let inner = match &**inner {
+                    Formula::Length(vector) => self.part(vector)?,
+                    other => self.part(other)?,
+                };
+                binary(Operator::Times, inner, inner)
+            }
+            Formula::Length(inner) => {
+                let vector = self.part(inner)?;
+                Ok(map(binary(Operator::Times, vector, vector)?, Wide::sqrt))
+            }
+            Formula::Over(several, inner) => self.over(*several, inner),
+            Formula::Binary(operator, left, right) => binary(*operator, self.part(left)?, self.part(right)?),
+            other => Err(format!("{other:?} isn't evaluated with twice the digits")),
+        }
+    }
+
+    fn over(&self, several: Several, inner: &Formula) -> Result<Part, String> {
+        let elements = scope::elements(self.events, self.tree, self.event, several);
+        elements.into_iter().try_fold(Part::Triple([Wide::ZERO; 3]), |sum, element| {
+            let term = Scope { element: Some(element), ..*self }.part(inner)?;
+            binary(Operator::Plus, sum, term)
+        })
+    }
+
+    fn operand(&self, symbol: &'static str) -> Result<Part, String> {
+        if let Some(element) = self.element {
+            let value = scope::operand_of_element(self.events, self.tree, element, symbol);
+            return value.map(exact).ok_or_else(|| format!("the log holds no `{symbol}`"));
+        }
+        let operand = scope::operand(self.events, self.tree, self.event, symbol)
+            .ok_or_else(|| format!("the log holds no `{symbol}`"))?;
+        let source = &self.events[operand.event];
+        let owner = self.tree.owner(operand.event);
+        if operand.event < self.event
+            && let What::Note { name, .. } = source.what
+            && name.symbol() == symbol
+        {
+            let is_in_this_test = owner == self.tree.owner(self.event)
+                && matches!(self.tree.nodes()[owner].step, Some(Step::Test { .. }));
+            if (is_in_this_test || name == Name::RayDirection)
+                && let Some(formula) = formula::of(name)
+            {
+                return Scope { event: operand.event, ..*self }.of_note(name, formula);
+            }
+        }
+        let given = source.given.iter().rev().find(|(name, _)| name.symbol() == symbol);
+        let is_made = given.is_some_and(|(name, value)| MADE.contains(name) && value.same_bits(&operand.value));
+        Ok(if is_made { made(operand.value) } else { exact(operand.value) })
+    }
+
+    /// What another quantity is with twice the digits.
+    fn of_note(&self, name: Name, formula: &Formula) -> Result<Part, String> {
+        if name != Name::RayDirection {
+            return self.part(formula);
+        }
+        let vector = self.operand(Name::RayVector.symbol())?;
+        let length = map(binary(Operator::Times, vector, vector)?, Wide::sqrt);
+        binary(Operator::Over, vector, length)
+    }
+}
+
+fn exact(value: Value) -> Part {
+    match value {
+        Value::Number(x) => Part::Number(Wide::exact(x)),
+        Value::Triple(xyz) => Part::Triple(xyz.map(Wide::exact)),
+    }
+}
+
+fn made(value: Value) -> Part {
+    match value {
+        Value::Number(x) => Part::Number(Wide::off(x, x.abs() * OF_INPUT)),
+        Value::Triple(xyz) => {
+            let size = xyz.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+            Part::Triple(xyz.map(|x| Wide::off(x, size * OF_INPUT)))
+        }
+    }
+}
+
+fn map(part: Part, f: impl Fn(Wide) -> Wide) -> Part {
+    match part {
+        Part::Number(x) => Part::Number(f(x)),
+        Part::Triple(xyz) => Part::Triple(xyz.map(f)),
+    }
+}
+
+fn binary(operator: Operator, left: Part, right: Part) -> Result<Part, String> {
+    use Part::{Number, Triple};
+    let zipped = |a: [Wide; 3], b: [Wide; 3], f: fn(Wide, Wide) -> Wide| Triple([0, 1, 2].map(|i| f(a[i], b[i])));
+    Ok(match (operator, left, right) {
+        (Operator::Plus, Number(a), Number(b)) => Number(a + b),
+        (Operator::Plus, Triple(a), Triple(b)) => zipped(a, b, |a, b| a + b),
+        (Operator::Minus, Number(a), Number(b)) => Number(a - b),
+        (Operator::Minus, Triple(a), Triple(b)) => zipped(a, b, |a, b| a - b),
+        (Operator::Times, Number(a), Number(b)) => Number(a * b),
+        (Operator::Times, Triple(a), Number(b)) | (Operator::Times, Number(b), Triple(a)) => Triple(a.map(|x| x * b)),
+        (Operator::Times, Triple(a), Triple(b)) => Number(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]),
+        (Operator::Over, Number(a), Number(b)) => Number(a / b),
+        (Operator::Over, Triple(a), Number(b)) => Triple(a.map(|x| x / b)),
+        (Operator::Cross, Triple(a), Triple(b)) => {
+            let minor = |i: usize, j: usize| a[i] * b[j] - b[i] * a[j];
+            Triple([minor(1, 2), minor(2, 0), minor(0, 1)])
+        }
+        (operator, left, right) => return Err(format!("{left:?} {operator:?} {right:?}")),
+    })
+}

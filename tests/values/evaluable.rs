@@ -1,0 +1,76 @@
+//! From a log alone every quantity can be evaluated: each noted value by its formula on logged operands, bit for bit or within its
+//! bound, and the result by the last of them. Over random scenes, samplers and arithmetics.
+//!
+//! What has no formula is told by name: counts, choices, and what a function of statistics gives.
+
+use crate::formulas::verdict;
+use crate::random::Random;
+use crate::random_scenes;
+use proptest::prelude::*;
+use raywalk::log::{Log, Name, Tree, Value, What};
+use raywalk::record::{self, Arithmetic};
+use raywalk::report::evaluate::{evaluate, result};
+
+/// Noted quantities that no formula of the log gives.
+const WITHOUT: &[Name] = &[
+    // Counts and choices.
+    Name::PolygonCrossings,
+    Name::PatternAxes,
+    // Signs of exact numbers, in units that are nobody's.
+    Name::TriangleEdgesExact,
+    // Powers that are taken from the angle itself.
+    Name::ShadeSpecularPower,
+    Name::ShadeTransmittedPower,
+    // Statistics of the samples' differences, and of Student's distribution.
+    Name::StatisticalError,
+    Name::StatisticalFreedom,
+    Name::StatisticalQuantile,
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_quantity_of_a_log_can_be_evaluated(seed in any::<u64>()) {
+        let scene = random_scenes::scene(seed);
+        let mut random = Random::new(!seed);
+        let arithmetics = [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(3), Arithmetic::Perturbed(seed)];
+        for arithmetic in arithmetics {
+            let pixel = [random.below(9) as u32, random.below(7) as u32];
+            let log = record::pixel(&scene, pixel, arithmetic);
+            let wrong = wrong(&log, arithmetic);
+            prop_assert!(wrong.is_empty(), "{arithmetic}, {pixel:?}: {wrong:#?}");
+        }
+    }
+}
+
+/// What can't be evaluated, or comes to another value.
+fn wrong(log: &Log, arithmetic: Arithmetic) -> Vec<String> {
+    let (events, tree) = (&log.events, Tree::of(&log.events));
+    let mut wrong = Vec::new();
+    for (at, event) in events.iter().enumerate() {
+        for (name, value) in &event.given {
+            // An input with a formula of its own; others under names of quantities were handed on.
+            let is_made = *name == Name::PixelSide;
+            if is_made && evaluate(events, &tree, at, *name).is_none_or(|found| found.is_ok_and(|found| !found.same_bits(value))) {
+                wrong.push(format!("{name:?} is {value:?}"));
+            }
+        }
+        match event.what {
+            What::Note { name, .. } => match verdict(events, &tree, at, arithmetic) {
+                None if WITHOUT.contains(&name) => {}
+                None => wrong.push(format!("{name:?} has no formula")),
+                Some(Ok(())) => {}
+                Some(Err(why)) => wrong.push(format!("event {}: {why}", event.at)),
+            },
+            What::Result { color } => {
+                let brought = result(events, &tree, 0);
+                if brought.is_none_or(|brought| !brought.same_bits(&Value::Triple(color))) {
+                    wrong.push(format!("the result is {color:?}, the last colour {brought:?}"));
+                }
+            }
+            _ => {}
+        }
+    }
+    wrong
+}
