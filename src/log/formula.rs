@@ -186,6 +186,17 @@ impl<'t> Parser<'t> {
     }
 
     fn atom(&mut self) -> Result<Formula, String> {
+        // Before symbols, as a word may begin with the letter of one.
+        for several in Several::ALL {
+            if self.eat_call(several.sign()) {
+                return Ok(Formula::Over(several, Box::new(self.until_closed()?)));
+            }
+        }
+        for function in Function::ALL {
+            if self.eat_call(function.word()) {
+                return Ok(Formula::Function(function, Box::new(self.until_closed()?)));
+            }
+        }
         if let Some(symbol) = self.symbol_ahead() {
             self.rest = &self.rest[symbol.len()..];
             return Ok(Formula::Symbol(symbol));
@@ -198,16 +209,6 @@ impl<'t> Parser<'t> {
         for (word, extreme) in [("min(", Extreme::Min), ("max(", Extreme::Max)] {
             if self.eat(word) {
                 return self.extreme(extreme);
-            }
-        }
-        for several in Several::ALL {
-            if self.eat_call(several.sign()) {
-                return Ok(Formula::Over(several, Box::new(self.until_closed()?)));
-            }
-        }
-        for function in Function::ALL {
-            if self.eat_call(function.word()) {
-                return Ok(Formula::Function(function, Box::new(self.until_closed()?)));
             }
         }
         if self.eat("(") {

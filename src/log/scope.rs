@@ -154,9 +154,7 @@ pub fn elements(events: &[Event], tree: &Tree, event: usize, several: Several) -
 /// What a symbol under `Σ_s` or `Σ_c` stands for in the part of one sample or cell.
 pub fn operand_of_element(events: &[Event], tree: &Tree, element: Element, symbol: &str) -> Option<Value> {
     match element {
-        Element::Cell(mark) => {
-            in_node(events, tree, tree.owner(mark), mark + 1, symbol).map(|operand| operand.value)
-        }
+        Element::Cell(mark) => in_node(events, tree, tree.owner(mark), mark + 1, symbol).map(|operand| operand.value),
         Element::Sample(sample) if symbol == Name::CombineColor.symbol() => brought(events, tree, sample),
         Element::Sample(sample) => given(events.get(tree.nodes()[sample].events.start)?, symbol),
     }
@@ -181,7 +179,9 @@ pub fn color_of_ray(events: &[Event], tree: &Tree, ray: usize) -> Option<Value> 
 /// The colour of a pixel as the last of its computations has it: the mean of its samples, or what its one ray brought.
 pub fn color_of_pixel(events: &[Event], tree: &Tree, pixel: usize) -> Option<Value> {
     let mean = tree.own_events(pixel).rev().find_map(|at| match events[at].what {
-        What::Note { name, value } if name.key() == Name::PixelMean.key() || name == Name::StatisticalMean => Some(value),
+        What::Note { name, value } if name.key() == Name::PixelMean.key() || name == Name::StatisticalMean => {
+            Some(value)
+        }
         _ => None,
     });
     mean.or_else(|| brought(events, tree, pixel))

@@ -6,7 +6,7 @@
 use super::evaluate::{self, doubled_value, evaluate_with};
 use super::expression::{self, Expression};
 use super::language::Language;
-use super::{Style, computation};
+use super::{Style, computation, number};
 use crate::log::formula::{self, Formula};
 use crate::log::{Acceptance, Decision, Log, Miss, SkipReason, Skippable, Split, Step, Tree, Value, What};
 use std::collections::HashMap;
@@ -40,6 +40,8 @@ pub struct Comparison {
     pub values: [f64; 2],
     /// Whether that was computed with twice the digits.
     pub is_doubled: bool,
+    /// How the numbers are shown: with so many decimals that different ones look different.
+    pub style: Style,
 }
 
 impl Relation {
@@ -107,9 +109,7 @@ fn groups(decision: &Decision) -> Groups {
         Decision::Miss { why: Miss::Behind } => {
             &[&["t ≤ 0", "t_out ≤ 0", "t_0 + max(t_1, t_2) ≤ 0", "max(t_1, t_2) ≤ 0", "T_A < 0"]]
         }
-        Decision::Miss { why: Miss::Beside } => {
-            &[MISSES, &["max(E) > 0", "max(E_a, max(E_b, E_c)) > 0"]]
-        }
+        Decision::Miss { why: Miss::Beside } => &[MISSES, &["max(E) > 0", "max(E_a, max(E_b, E_c)) > 0"]],
         Decision::Miss { why: Miss::Beyond } => {
             &[&["t ≥ |ℓ|", "t_in ≥ |ℓ|", "t_0 + min(t_1, t_2) ≥ |ℓ|", "min(t_1, t_2) ≥ |ℓ|"]]
         }
@@ -139,7 +139,8 @@ type Parsed = (Formula, Relation, Formula);
 
 /// The comparisons of the table, parsed.
 fn parsed(text: &str) -> Option<&'static Parsed> {
-    static PARSED: LazyLock<HashMap<&'static str, Parsed>> = LazyLock::new(|| texts().filter_map(|text| Some((text, parse(text)?))).collect());
+    static PARSED: LazyLock<HashMap<&'static str, Parsed>> =
+        LazyLock::new(|| texts().filter_map(|text| Some((text, parse(text)?))).collect());
     PARSED.get(text)
 }
 
@@ -202,9 +203,7 @@ pub fn comparisons(log: &Log, tree: &Tree, event: usize, style: Style) -> Vec<Co
 /// The hit of the test that found what blocks a shadow ray.
 fn blocking(log: &Log, tree: &Tree, mark: usize, object: u32) -> Option<usize> {
     let start = tree.nodes()[tree.owner(mark)].events.start;
-    let is_test = |at: &usize| {
-        matches!(tree.nodes()[tree.owner(*at)].step, Some(Step::Test { object: tested, .. }) if tested == object)
-    };
+    let is_test = |at: &usize| matches!(tree.nodes()[tree.owner(*at)].step, Some(Step::Test { object: tested, .. }) if tested == object);
     (start..mark).rev().filter(is_test).find(|at| log.events[*at].what == What::Mark(Decision::Hit))
 }
 
@@ -230,13 +229,19 @@ impl Decider<'_> {
             put_in.unwrap_or(Expression::Number(0.0))
         });
         let symbolic = sides.map(Expression::symbolic);
+        let (relation, style) = (*relation, self.style);
         if relation.holds(plain) {
-            return Some(Comparison { relation: *relation, symbolic, substituted, values: plain, is_doubled: false });
+            let style = telling(relation, plain, style);
+            return Some(Comparison { relation, symbolic, substituted, values: plain, is_doubled: false, style });
         }
         let values = self.doubled(sides)?;
-        let substituted = values.map(Expression::Number);
+        let substituted = sides.map(|side| {
+            let put_in = expression::substituted_doubled(self.log, self.tree, self.event, side, self.style);
+            put_in.unwrap_or(Expression::Number(0.0))
+        });
+        let style = telling(relation, values, style);
         let is_doubled = true;
-        relation.holds(values).then_some(Comparison { relation: *relation, symbolic, substituted, values, is_doubled })
+        relation.holds(values).then_some(Comparison { relation, symbolic, substituted, values, is_doubled, style })
     }
 
     fn plain(&self, sides: [&Formula; 2]) -> Option<[f64; 2]> {
@@ -286,10 +291,21 @@ impl Decider<'_> {
     }
 }
 
+/// A style in which two different numbers look different, or the one there is.
+fn telling(relation: Relation, [left, right]: [f64; 2], style: Style) -> Style {
+    const MOST: u32 = 17;
+    let is_told = |style: &Style| number::number(left, *style) != number::number(right, *style);
+    let is_strict = matches!(relation, Relation::Less | Relation::Greater);
+    let styles = (style.digits..=MOST).map(|digits| Style { digits });
+    if is_strict { styles.into_iter().find(is_told).unwrap_or(style) } else { style }
+}
+
 /// The comparisons of a decision in one line of plain text; nothing where there are none.
 pub fn line_in(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
-    let text = |expression: &Expression| computation::text(language, expression, style);
-    let line = |comparison: &Comparison| written(language, comparison, &text, |relation| relation.sign().to_owned());
+    let line = |comparison: &Comparison| {
+        let text = |expression: &Expression| computation::text(language, expression, comparison.style);
+        written(language, comparison, &text, |relation| relation.sign().to_owned())
+    };
     let lines: Vec<_> = comparisons(log, tree, event, style).iter().map(line).collect();
     (!lines.is_empty()).then(|| lines.join("; "))
 }
@@ -303,11 +319,8 @@ pub fn written(
 ) -> String {
     let sign = sign(comparison.relation);
     let sides = |[left, right]: &[Expression; 2]| format!("{} {sign} {}", text(left), text(right));
-    let doubled = if comparison.is_doubled {
-        format!(" ({})", language.texts().twice_the_digits)
-    } else {
-        String::new()
-    };
+    let doubled =
+        if comparison.is_doubled { format!(" ({})", language.texts().twice_the_digits) } else { String::new() };
     let numbers = sides(&comparison.substituted);
     format!("{}: {numbers}{doubled}", sides(&comparison.symbolic))
 }

@@ -35,7 +35,8 @@ impl Within {
     pub fn allows(&self, logged: &Value) -> bool {
         let (ours, bounds, theirs) = (self.value.components(), self.bound.components(), logged.components());
         self.value.same_bits(logged)
-            || (ours.len() == theirs.len() && (0..ours.len()).all(|k| (ours[k] - theirs[k]).abs() <= bounds[k] && bounds[k] > 0.0))
+            || (ours.len() == theirs.len()
+                && (0..ours.len()).all(|k| (ours[k] - theirs[k]).abs() <= bounds[k] && bounds[k] > 0.0))
     }
 }
 
@@ -64,6 +65,14 @@ pub fn evaluate_within(events: &[Event], tree: &Tree, event: usize, name: Name) 
 /// As those of [`evaluate`].
 pub fn doubled_value(events: &[Event], tree: &Tree, event: usize, formula: &Formula) -> Result<Value, String> {
     doubled::evaluate(events, tree, event, formula).map(|within| within.value)
+}
+
+/// An operand of such a formula, evaluated and rounded so.
+///
+/// # Errors
+/// As those of [`evaluate`].
+pub fn doubled_operand(events: &[Event], tree: &Tree, event: usize, symbol: &'static str) -> Result<Value, String> {
+    doubled_value(events, tree, event, &Formula::Symbol(symbol))
 }
 
 /// The colour of the pixel of a log as the last of its computations has it: the mean of its samples, or what its one ray brought.

@@ -3,9 +3,9 @@
 use super::provenance::Operand;
 mod several;
 
-use super::{Style, number};
+use super::{Style, evaluate, number};
 use crate::log::formula::{Extreme, Formula, Function, Operator, Several};
-use crate::log::{Log, Tree, Value, scope};
+use crate::log::{Log, Tree, Value, What, scope};
 
 /// A formula with symbols or numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,7 +115,19 @@ pub fn substituted(
     style: Style,
     links: &[Operand],
 ) -> Option<Expression> {
-    Substitution { log, tree, event, light: None, style, links }.part(formula).shown()
+    let is_doubled = matches!(log.events[event].what, What::Note { name, .. } if name.is_doubled());
+    Substitution { log, tree, event, light: None, style, links, is_doubled }.part(formula).shown()
+}
+
+/// The same with the numbers as they are with twice the digits.
+pub fn substituted_doubled(
+    log: &Log,
+    tree: &Tree,
+    event: usize,
+    formula: &Formula,
+    style: Style,
+) -> Option<Expression> {
+    Substitution { log, tree, event, light: None, style, links: &[], is_doubled: true }.part(formula).shown()
 }
 
 /// Puts numbers into the formula of one event.
@@ -128,6 +140,8 @@ struct Substitution<'a> {
     light: Option<usize>,
     style: Style,
     links: &'a [Operand],
+    /// Whether operands are taken with twice the digits, as the tracer took them: what the log has of them may have lost theirs.
+    is_doubled: bool,
 }
 
 /// A part of a formula with its numbers.
@@ -200,13 +214,18 @@ impl Substitution<'_> {
         }
     }
 
-    fn symbol(&self, symbol: &str) -> Part {
+    fn symbol(&self, symbol: &'static str) -> Part {
         let operand = match self.light {
             Some(light) => scope::operand_of_light(&self.log.events, self.tree, light, symbol),
             None => scope::operand(&self.log.events, self.tree, self.event, symbol),
         };
         match operand {
             Some(operand) => {
+                if self.is_doubled
+                    && let Ok(value) = evaluate::doubled_operand(&self.log.events, self.tree, self.event, symbol)
+                {
+                    return Part::There(Expression::Value(value, None));
+                }
                 let link = self.links.iter().find(|link| link.symbol == symbol && link.event == operand.event);
                 Part::There(Expression::Value(operand.value, link.and_then(|link| link.computed)))
             }
@@ -236,6 +255,13 @@ impl Substitution<'_> {
         }
     }
 
+    /// Whether a base is the cosine `(x)⁺` of a quantity that the log holds, whatever it comes to.
+    fn has_cosine(&self, base: &Formula) -> bool {
+        let Formula::Grouped(inner) = base else { return false };
+        let Formula::Positive(cosine) = &**inner else { return false };
+        matches!(self.part(cosine), Part::There(_))
+    }
+
     fn over_lights(&self, inner: &Formula) -> Part {
         let lights = scope::lights(self.tree, self.event).filter(|light| !self.is_dark(*light));
         let parts = lights.filter_map(|light| Substitution { light: Some(light), ..*self }.part(inner).operand());
@@ -249,11 +275,13 @@ impl Substitution<'_> {
     }
 
     fn binary(&self, operator: Operator, left: &Formula, right: &Formula) -> Part {
-        let is_bounded = matches!(left, Formula::Grouped(inner) if matches!(**inner, Formula::Positive(_)));
+        let is_cosine_below_zero = operator == Operator::Power && self.has_cosine(left);
         let (left, right) = (self.part(left), self.part(right));
         match (operator, left, right) {
             // 0⁰ is 1, and no term that is absent.
-            (Operator::Power, Part::Zero, Part::There(Expression::Value(Value::Number(0.0), _))) if is_bounded => {
+            (Operator::Power, Part::Zero, Part::There(Expression::Value(Value::Number(0.0), _)))
+                if is_cosine_below_zero =>
+            {
                 Part::There(Expression::Number(1.0))
             }
             (Operator::Plus, Part::Zero, right) => right,

@@ -14,10 +14,17 @@ pub fn scene(seed: u64) -> Scene {
     support::scene_of(text.as_bytes(), "random")
 }
 
+/// The scene of a seed, seen through a lens, with another method of sampling.
+pub fn sampled(seed: u64, sampling: Value) -> Scene {
+    let mut text = text(&mut Random::new(seed));
+    text["sampling"] = sampling;
+    text["camera"]["lens"] = json!({"radius": 0.05, "focus_distance": 4.0});
+    support::scene_of(text.to_string().as_bytes(), "sampled")
+}
+
 fn text(random: &mut Random) -> Value {
     let objects: Vec<_> = (0..3 + random.below(6)).map(|number| object(random, number)).collect();
-    let materials: serde_json::Map<_, _> =
-        (0..4).map(|number| (format!("m{number}"), material(random))).collect();
+    let materials: serde_json::Map<_, _> = (0..4).map(|number| (format!("m{number}"), material(random))).collect();
     let lights: Vec<_> = (0..1 + random.below(3)).map(|number| light(random, number)).collect();
     let mut camera = json!({
         "position": [random.part() - 0.5, random.part(), 4.0 + random.part()],
@@ -130,7 +137,9 @@ fn object(random: &mut Random, number: usize) -> Value {
             let [x, y, z] = (random.point() * 1.5).to_array();
             json!({"box": {"min": [x, y, z], "max": [x + radius, y + 0.5, z + 2.0 * radius]}})
         }
-        6 => json!({"cylinder": {"base": point(random), "apex": point(random), "radius": 0.3, "caps": random.below(2) == 0}}),
+        6 => {
+            json!({"cylinder": {"base": point(random), "apex": point(random), "radius": 0.3, "caps": random.below(2) == 0}})
+        }
         7 => {
             let caps = random.below(2) == 0;
             json!({"cone": {"base": point(random), "base_radius": radius, "apex": point(random), "apex_radius": 0.1, "caps": caps}})

@@ -2,6 +2,10 @@
 
 #[path = "../support/calls.rs"]
 mod calls;
+#[path = "../support/intervals.rs"]
+mod intervals;
+#[path = "../support/notations.rs"]
+mod notations;
 #[path = "../support/provoking_scenes.rs"]
 mod provoking_scenes;
 #[path = "../support/random.rs"]

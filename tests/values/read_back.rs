@@ -3,11 +3,16 @@
 //!
 //! Every number that is read stands for all that are rounded to it, and the formula is evaluated on these intervals.
 
+use crate::intervals::{Part, agrees, read};
+use crate::notations::{of_html, of_tex};
 use crate::random_scenes;
 use crate::support;
-use raywalk::log::{Log, Tree};
+use raywalk::log::{Decision, Log, SkipReason, Tree, What};
 use raywalk::record::{self, Arithmetic};
+use raywalk::report::decided;
 use raywalk::report::language::Language;
+use raywalk::report::schematic::Stage;
+use raywalk::report::solution::{Task, html, latex, markdown};
 use raywalk::report::{Style, computation_in};
 use raywalk::scene::builtin;
 
@@ -18,13 +23,13 @@ fn shown_lines_read_back() {
         for name in builtin::names() {
             let scene = support::scene(name);
             for pixel in support::grid(&scene, 4) {
-                read += check(&record::pixel(&scene, pixel, arithmetic));
+                read += check(&record::pixel(&scene, pixel, arithmetic), arithmetic);
             }
         }
         for seed in 0..40 {
             let scene = random_scenes::scene(seed);
             for pixel in [[2, 2], [4, 3], [6, 5]] {
-                read += check(&record::pixel(&scene, pixel, arithmetic));
+                read += check(&record::pixel(&scene, pixel, arithmetic), arithmetic);
             }
         }
     }
@@ -56,12 +61,129 @@ fn a_wrong_line_is_found() {
         ("|(3, 4, 0)|²", "25", true),
         ("min(1, 1/(0.500 + 0.100·2))", "1", true),
     ] {
-        assert_eq!(agrees(line, result, '.').unwrap_or(false), is_right, "{line} = {result}");
+        assert_eq!(agrees(line, result, '.', 0.0).unwrap_or(false), is_right, "{line} = {result}");
     }
 }
 
+/// The worked solutions put in the same numbers, in their own notations.
+#[test]
+fn worked_solutions_read_back() {
+    let mut read = [0; 3];
+    let scenes = builtin::names().map(support::scene).chain((0..20).map(random_scenes::scene));
+    for scene in scenes {
+        let log = record::pixel(&scene, support::middle(&scene), Arithmetic::F64);
+        // What is written out in full takes long.
+        if log.events.len() > 4000 {
+            continue;
+        }
+        let tree = Tree::of(&log.events);
+        for (language, mark) in [(Language::English, '.'), (Language::Spanish, ',')] {
+            let stage = Stage { things: &[], upright: 1 };
+            let task = Task { log: &log, tree: &tree, stage, language, style: Style::default() };
+            let texts = [of_tex(&markdown(&task)), of_tex(&latex(&task)), of_html(&html(&task))];
+            for (format, equations) in texts.iter().enumerate() {
+                for (line, result) in equations {
+                    let verdict = agrees(line, result, mark, 0.0);
+                    assert_eq!(verdict, Ok(true), "{}, {format}: {line} = {result}", scene.name);
+                    read[format] += 1;
+                }
+            }
+        }
+    }
+    assert!(read.iter().all(|read| *read > 1000), "{read:?}");
+}
+
+/// What a decision was taken by holds for the numbers that are shown.
+#[test]
+fn comparisons_hold() {
+    let mut shown = 0;
+    for arithmetic in [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(3), Arithmetic::Perturbed(3)] {
+        let scenes = builtin::names().map(support::scene).chain((0..40).map(random_scenes::scene));
+        for scene in scenes {
+            for pixel in support::grid(&scene, 3) {
+                let log = record::pixel(&scene, pixel, arithmetic);
+                let tree = Tree::of(&log.events);
+                for event in 0..log.events.len() {
+                    for comparison in decided::comparisons(&log, &tree, event, Style::default()) {
+                        assert!(comparison.relation.holds(comparison.values), "{comparison:?}");
+                        shown += 1;
+                    }
+                    let line = decided::line_in(Language::English, &log, &tree, event, Style::default());
+                    line.iter().flat_map(|line| line.split("; ")).for_each(|line| shown_holds(&scene.name, line));
+                }
+            }
+        }
+    }
+    assert!(shown > 20_000, "{shown} comparisons");
+}
+
+/// `L2oc > r²: 178.024 > 9` holds for some of the numbers that round to those.
+fn shown_holds(scene: &str, line: &str) {
+    let (_, numbers) = line.split_once(": ").expect("symbols, then numbers");
+    let numbers = numbers.trim_end_matches(" (with twice the digits)");
+    let sign = ["<", "≤", "=", "≥", ">"].into_iter().find(|sign| numbers.contains(sign)).expect("a sign");
+    let (left, right) = numbers.split_once(sign).expect("two sides");
+    let (Ok(Part::Number(left)), Ok(Part::Number(right))) = (read(left, '.'), read(right, '.')) else {
+        panic!("{scene}: {line}: no numbers")
+    };
+    let holds = match sign {
+        "<" => left.low < right.high,
+        "≤" => left.low <= right.high,
+        "=" => left.low <= right.high && right.low <= left.high,
+        "≥" => left.high >= right.low,
+        _ => left.high > right.low,
+    };
+    assert!(holds, "{scene}: {line}");
+}
+
+#[test]
+fn the_example_s_decisions_have_their_numbers() {
+    let scene = support::scene("textbook");
+    let log = record::pixel(&scene, [160, 120], Arithmetic::Decimal(3));
+    let tree = Tree::of(&log.events);
+    let line = |event| decided::line_in(Language::English, &log, &tree, event, Style::default());
+    let lines: Vec<_> = (0..log.events.len()).filter_map(line).collect();
+    for expected in ["L2oc > r²: 178.024 > 9", "T_A > 0: 13.244 > 0; T2_A ≥ 0: 6.380 ≥ 0; t > 0: 10.718 > 0"] {
+        assert!(lines.iter().any(|line| line == expected), "{expected}: {lines:#?}");
+    }
+}
+
+#[test]
+fn total_reflection_and_lights_behind_have_their_numbers() {
+    let mut found = [0; 2];
+    for name in builtin::names() {
+        let scene = support::scene(name);
+        for pixel in support::grid(&scene, 8) {
+            let log = record::pixel(&scene, pixel, Arithmetic::F64);
+            let tree = Tree::of(&log.events);
+            for (event, mark) in log.events.iter().enumerate() {
+                let line = || decided::line_in(Language::English, &log, &tree, event, Style::default());
+                match &mark.what {
+                    What::Mark(Decision::TotalInternalReflection) => {
+                        let line = line().expect("a comparison");
+                        assert!(line.starts_with("η² − |d + cosφ_1·N|² < 0: "), "{line}");
+                        found[0] += 1;
+                    }
+                    What::Mark(Decision::Skipped { why: SkipReason::Behind, .. }) => {
+                        assert!(line().is_some_and(|line| line.starts_with("N·L ")), "{name}");
+                        found[1] += 1;
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+    assert!(found.iter().all(|found| *found > 10), "{found:?}");
+}
+
 /// Reads all lines of a log in both languages; how many there were.
-fn check(log: &Log) -> usize {
+fn check(log: &Log, arithmetic: Arithmetic) -> usize {
+    // By hand a value was rounded before it was shown; in single precision it may have become zero.
+    let rounding = match arithmetic {
+        Arithmetic::Decimal(_) => 5.001e-4,
+        Arithmetic::F32 => f64::from(f32::MIN_POSITIVE),
+        _ => 0.0,
+    };
     let tree = Tree::of(&log.events);
     let mut read = 0;
     for (language, mark) in [(Language::English, '.'), (Language::Spanish, ',')] {
@@ -73,7 +195,7 @@ fn check(log: &Log) -> usize {
                 if line.contains('…') {
                     continue;
                 }
-                let verdict = agrees(&line, &computation.result, mark);
+                let verdict = agrees(&line, &computation.result, mark, rounding);
                 let place = || format!("{}, event {event}: {}", log.header.scene.name, computation.symbol);
                 assert_eq!(verdict, Ok(true), "{}: {line} = {}", place(), computation.result);
                 read += 1;
@@ -81,318 +203,4 @@ fn check(log: &Log) -> usize {
         }
     }
     read
-}
-
-/// Whether the numbers that a line may stand for give one that the result may stand for.
-fn agrees(line: &str, result: &str, mark: char) -> Result<bool, String> {
-    let (line, result) = (read(line, mark)?, read(result, mark)?);
-    match (line, result) {
-        (Part::Number(a), Part::Number(b)) => Ok(a.meets(b)),
-        (Part::Triple(a), Part::Triple(b)) => Ok((0..3).all(|k| a[k].meets(b[k]))),
-        // A scale that stands for a colour: a term that is absent.
-        (Part::Number(a), Part::Triple(b)) => Ok(b.iter().all(|b| a.meets(*b))),
-        (line, result) => Err(format!("{line:?} is no {result:?}")),
-    }
-}
-
-/// All numbers between two.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Interval {
-    low: f64,
-    high: f64,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Part {
-    Number(Interval),
-    Triple([Interval; 3]),
-}
-
-const ALL: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
-
-impl Interval {
-    fn around(x: f64, margin: f64) -> Interval {
-        Interval { low: x - margin, high: x + margin }
-    }
-
-    /// The least interval around some numbers, a little wider; everything where one is no number.
-    fn of(numbers: &[f64]) -> Interval {
-        if numbers.iter().any(|x| x.is_nan()) {
-            return ALL;
-        }
-        let low = numbers.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        Interval { low: low - low.abs() * 1e-12, high: high + high.abs() * 1e-12 }
-    }
-
-    fn map(self, f: impl Fn(f64) -> f64) -> Interval {
-        Interval::of(&[f(self.low), f(self.high)])
-    }
-
-    fn with(self, other: Interval, f: impl Fn(f64, f64) -> f64) -> Interval {
-        let Interval { low: a, high: b } = self;
-        let Interval { low: c, high: d } = other;
-        Interval::of(&[f(a, c), f(a, d), f(b, c), f(b, d)])
-    }
-
-    fn holds_zero(self) -> bool {
-        self.low <= 0.0 && self.high >= 0.0
-    }
-
-    fn meets(self, other: Interval) -> bool {
-        // f32 and arithmetic by hand round once more, by no more than the result's own last digit.
-        let margin = 1e-6 * (other.low.abs() + other.high.abs());
-        self.low <= other.high + margin && self.high >= other.low - margin
-    }
-}
-
-fn read(text: &str, mark: char) -> Result<Part, String> {
-    let mut reader = Reader { rest: text, mark };
-    let part = reader.sum()?;
-    if reader.peek().is_empty() { Ok(part) } else { Err(format!("`{}` is left of `{text}`", reader.rest)) }
-}
-
-struct Reader<'t> {
-    rest: &'t str,
-    mark: char,
-}
-
-impl Reader<'_> {
-    fn peek(&mut self) -> &str {
-        self.rest = self.rest.trim_start();
-        self.rest
-    }
-
-    fn eat(&mut self, token: &str) -> bool {
-        self.peek();
-        match self.rest.strip_prefix(token) {
-            Some(rest) => {
-                self.rest = rest;
-                true
-            }
-            None => false,
-        }
-    }
-
-    fn need(&mut self, token: &str) -> Result<(), String> {
-        if self.eat(token) { Ok(()) } else { Err(format!("`{token}` is missing before `{}`", self.rest)) }
-    }
-
-    fn sum(&mut self) -> Result<Part, String> {
-        let mut left = self.product()?;
-        loop {
-            let f: fn(f64, f64) -> f64 = match () {
-                _ if self.eat("+") => |a, b| a + b,
-                _ if self.eat("−") => |a, b| a - b,
-                _ => return Ok(left),
-            };
-            left = zip(left, self.product()?, |a, b| a.with(b, f))?;
-        }
-    }
-
-    fn product(&mut self) -> Result<Part, String> {
-        let mut left = self.power()?;
-        loop {
-            if self.eat("·") {
-                left = match (left, self.power()?) {
-                    (Part::Triple(a), Part::Triple(b)) => Part::Number(dot(a, b)),
-                    (a, b) => zip(a, b, |a, b| a.with(b, |a, b| a * b))?,
-                };
-            } else if self.eat("∘") {
-                left = zip(left, self.power()?, |a, b| a.with(b, |a, b| a * b))?;
-            } else if self.eat("×") {
-                let (Part::Triple(a), Part::Triple(b)) = (left, self.power()?) else {
-                    return Err("a cross product of numbers".to_owned());
-                };
-                let times = |a: Interval, b: Interval| a.with(b, |a, b| a * b);
-                let minor = |i: usize, j: usize| times(a[i], b[j]).with(times(b[i], a[j]), |a, b| a - b);
-                left = Part::Triple([minor(1, 2), minor(2, 0), minor(0, 1)]);
-            } else if self.eat("/") {
-                left = zip(left, self.power()?, over)?;
-            } else if self.eat("⊘") {
-                left = zip(left, self.power()?, |a, b| if b.holds_zero() { ALL } else { over(a, b) })?;
-            } else {
-                return Ok(left);
-            }
-        }
-    }
-
-    fn power(&mut self) -> Result<Part, String> {
-        let base = self.prefix()?;
-        if !self.eat("^") {
-            return Ok(base);
-        }
-        let exponent = self.power()?;
-        // Cosines lie between 0 and 1.
-        zip(base, exponent, |a, b| {
-            let a = a.map(|x| x.clamp(0.0, 1.0));
-            a.with(b, |a, b| libm::pow(a.clamp(0.0, 1.0), b))
-        })
-    }
-
-    fn prefix(&mut self) -> Result<Part, String> {
-        if self.eat("−") {
-            return Ok(each(self.power()?, |x| x.map(|x| -x)));
-        }
-        if self.eat("√") {
-            let inner = self.postfix()?;
-            return Ok(each(inner, |x| x.map(|x| x.max(0.0).sqrt())));
-        }
-        self.postfix()
-    }
-
-    fn postfix(&mut self) -> Result<Part, String> {
-        let mut inner = self.atom()?;
-        loop {
-            if self.eat("²") {
-                inner = each(inner, |x| {
-                    let squares = x.map(|x| x * x);
-                    if x.holds_zero() { Interval { low: 0.0, ..squares } } else { squares }
-                });
-            } else if self.eat("°") {
-                inner = each(inner, |x| x.map(f64::to_radians));
-            } else {
-                return Ok(inner);
-            }
-        }
-    }
-
-    fn atom(&mut self) -> Result<Part, String> {
-        let separator = if self.mark == ',' { ";" } else { "," };
-        for (word, is_min) in [("min(", true), ("max(", false)] {
-            if self.eat(word) {
-                return self.extreme(is_min, separator);
-            }
-        }
-        let waves: [(&str, fn(f64) -> f64); 2] = [("cos(", libm::cos), ("sin(", libm::sin)];
-        for (word, f) in waves {
-            if self.eat(word) {
-                let inner = self.sum()?;
-                self.need(")")?;
-                // By no more than the angle, and by no more than 1.
-                return Ok(each(inner, |x| {
-                    let (middle, width) = ((x.low + x.high) / 2.0, (x.high - x.low) / 2.0);
-                    Interval::around(f(middle), width.min(2.0))
-                }));
-            }
-        }
-        let rising: [(&str, fn(f64) -> f64); 5] =
-            [("tan(", libm::tan), ("expm1(", libm::expm1), ("exp(", libm::exp), ("ln1p(", libm::log1p), ("ceil(", libm::ceil)];
-        for (word, f) in rising {
-            if self.eat(word) {
-                let inner = self.sum()?;
-                self.need(")")?;
-                return Ok(each(inner, |x| x.map(|x| if word == "ln1p(" { f(x.max(-1.0)) } else { f(x) })));
-            }
-        }
-        if self.eat("(") {
-            let first = self.sum()?;
-            if self.eat(separator) {
-                let second = self.sum()?;
-                self.need(separator)?;
-                let third = self.sum()?;
-                self.need(")")?;
-                let (Part::Number(x), Part::Number(y), Part::Number(z)) = (first, second, third) else {
-                    return Err("a triple of triples".to_owned());
-                };
-                return Ok(Part::Triple([x, y, z]));
-            }
-            self.need(")")?;
-            return Ok(first);
-        }
-        for (open, close) in [("|", "|"), ("⌊", "⌋")] {
-            if self.eat(open) {
-                let inner = self.sum()?;
-                self.need(close)?;
-                return Ok(match (open, inner) {
-                    ("|", Part::Triple(v)) => {
-                        let squares = dot(v, v);
-                        Part::Number(squares.map(|x| x.max(0.0).sqrt()))
-                    }
-                    ("|", number) => number,
-                    (_, inner) => each(inner, |x| x.map(f64::floor)),
-                });
-            }
-        }
-        self.number().map(Part::Number)
-    }
-
-    fn extreme(&mut self, is_min: bool, separator: &str) -> Result<Part, String> {
-        let extreme = |a: f64, b: f64| if is_min { a.min(b) } else { a.max(b) };
-        let of = |a: Interval, b: Interval| Interval { low: extreme(a.low, b.low), high: extreme(a.high, b.high) };
-        let first = self.sum()?;
-        if self.eat(separator) {
-            let second = self.sum()?;
-            self.need(")")?;
-            return zip(first, second, of);
-        }
-        self.need(")")?;
-        match first {
-            Part::Triple([x, y, z]) => Ok(Part::Number(of(of(x, y), z))),
-            Part::Number(_) => Err("the extreme of one number".to_owned()),
-        }
-    }
-
-    /// A number with half a unit in its last place to either side; a whole one stands for itself.
-    fn number(&mut self) -> Result<Interval, String> {
-        self.peek();
-        let text = self.rest;
-        let is_part = |c: char| c.is_ascii_digit() || c == self.mark;
-        let sign = usize::from(text.starts_with('-'));
-        let end = text[sign..].find(|c: char| !is_part(c)).map_or(text.len(), |end| end + sign);
-        let digits = text[..end].replace(self.mark, ".");
-        let mantissa: f64 = digits.parse().map_err(|_| format!("no number at `{text}`"))?;
-        let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-        self.rest = &text[end..];
-        let mut exponent = 0;
-        let mut has_power = false;
-        if let Some(rest) = self.rest.strip_prefix("·10").filter(|rest| rest.starts_with(is_raised)) {
-            let end = rest.find(|c: char| !is_raised(c)).unwrap_or(rest.len());
-            let raised: String = rest[..end].chars().map(lowered).collect();
-            exponent = raised.parse().map_err(|_| format!("no power of ten at `{rest}`"))?;
-            self.rest = &rest[end..];
-            has_power = true;
-        }
-        if self.rest.starts_with('π') {
-            self.rest = &self.rest['π'.len_utf8()..];
-            return Ok(Interval::around(mantissa * std::f64::consts::PI, 0.0));
-        }
-        let is_exact = decimals == 0 && !has_power;
-        let unit = if is_exact { 0.0 } else { libm::exp10(f64::from(exponent) - decimals as f64) };
-        Ok(Interval::around(mantissa * libm::exp10(f64::from(exponent)), 0.5001 * unit))
-    }
-}
-
-fn is_raised(c: char) -> bool {
-    "⁰¹²³⁴⁵⁶⁷⁸⁹⁻".contains(c)
-}
-
-fn lowered(c: char) -> char {
-    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c).map_or('-', |digit| char::from(b"0123456789"[digit]))
-}
-
-fn over(a: Interval, b: Interval) -> Interval {
-    if b.holds_zero() { ALL } else { a.with(b, |a, b| a / b) }
-}
-
-fn dot(a: [Interval; 3], b: [Interval; 3]) -> Interval {
-    let times = |k: usize| a[k].with(b[k], |a, b| a * b);
-    times(0).with(times(1), |a, b| a + b).with(times(2), |a, b| a + b)
-}
-
-fn each(part: Part, f: impl Fn(Interval) -> Interval) -> Part {
-    match part {
-        Part::Number(x) => Part::Number(f(x)),
-        Part::Triple(xyz) => Part::Triple(xyz.map(f)),
-    }
-}
-
-/// Component by component; a number goes with each of a triple's.
-fn zip(a: Part, b: Part, f: impl Fn(Interval, Interval) -> Interval) -> Result<Part, String> {
-    Ok(match (a, b) {
-        (Part::Number(a), Part::Number(b)) => Part::Number(f(a, b)),
-        (Part::Triple(a), Part::Triple(b)) => Part::Triple([0, 1, 2].map(|k| f(a[k], b[k]))),
-        (Part::Triple(a), Part::Number(b)) => Part::Triple(a.map(|a| f(a, b))),
-        (Part::Number(a), Part::Triple(b)) => Part::Triple(b.map(|b| f(a, b))),
-    })
 }

@@ -16,6 +16,12 @@ const OF_CHORD: f64 = 16.0 * f64::EPSILON;
 /// Where squares neither overflow nor lose digits.
 const MIDDLING: std::ops::Range<f64> = 1e-260..1e260;
 
+/// The least part of L2oc that may be left of L2oc − r².
+pub(super) const LEAST_DIFFERENCE: f64 = 0.75;
+
+/// The least part of L2oc left of L2oc − r² with which a distance can be corrected.
+pub(super) const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
+
 /// Where f64 can't tell how a line lies to a sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Doubt {

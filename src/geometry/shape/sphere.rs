@@ -3,7 +3,7 @@
 //! The geometric method loses digits where r², L2oc and T_A² nearly cancel. The robust one takes the half chord from the
 //! vector OC − T_A·d, and the near root from the product of the roots (Haines et al., Ray Tracing Gems, chapter 7).
 
-use super::doubled_chord::{DoubledChord, Doubt, corrected};
+use super::doubled_chord::{DoubledChord, Doubt, LEAST_DIFFERENCE, LEAST_TO_CORRECT, corrected};
 use super::sphere_method::SphereMethod;
 use super::{Approach, Kernel, decide};
 use crate::geometry::bounds::Bounds;
@@ -21,12 +21,6 @@ const STEEPEST: f64 = 2.0;
 
 /// The same where half of the digits are enough: eight roundings of |OC|, times the root of this, are 2⁻²².
 const HALF_STEEP: f64 = (1_u64 << 56) as f64;
-
-/// The least part of L2oc that may be left of L2oc − r².
-const LEAST_DIFFERENCE: f64 = 0.75;
-
-/// The least part of L2oc left of L2oc − r² with which a distance can be corrected.
-const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
 
 /// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,7 +117,8 @@ impl Sphere {
         Line::Crosses(Chord { l2_oc, t_a, t2_a, is_origin_outside })
     }
 
-    /// The crossings with twice the digits, from the first to the last one that is on the side that the ray is on.
+    /// The crossings with twice the digits, from the first to the last one that is on the side that the ray is on; not noted yet, since a
+    /// log has the distances that count.
     #[cold]
     #[inline(never)]
     fn doubled_crossings<P: Probe>(&self, ray: &Ray, probe: &mut P) -> ArrayVec<Crossing, 2> {
@@ -138,12 +133,16 @@ impl Sphere {
             return crossings;
         }
         if found.is_origin_outside {
-            let t = probe.note(Name::SphereTDoubled, found.near.value());
-            crossings.push(Crossing { t, side: self.outer, primitive: 0 });
+            crossings.push(Crossing { t: found.near.value(), side: self.outer, primitive: 0 });
         }
-        let t = probe.note(Name::SphereTDoubledFar, found.far.value());
-        crossings.push(Crossing { t, side: self.outer.opposite(), primitive: 0 });
+        crossings.push(Crossing { t: found.far.value(), side: self.outer.opposite(), primitive: 0 });
         crossings
+    }
+
+    /// Notes a distance that was computed with twice the digits.
+    fn note_doubled<P: Probe>(&self, crossing: Crossing, probe: &mut P) -> Crossing {
+        let name = if crossing.side == self.outer { Name::SphereTDoubled } else { Name::SphereTDoubledFar };
+        Crossing { t: probe.note(name, crossing.t), ..crossing }
     }
 
     #[cold]
@@ -157,7 +156,7 @@ impl Sphere {
                 && crossing.t > ray.t_min
                 && self.is_end_of(ray, approach, *crossing) != Some(Miss::BeginsThere)
         };
-        let first = crossings.into_iter().find(is_first).unwrap_or(last);
+        let first = self.note_doubled(crossings.into_iter().find(is_first).unwrap_or(last), probe);
         decide(ray, approach, first, self.is_end_of(ray, approach, first), probe)
     }
 
@@ -206,14 +205,11 @@ impl Sphere {
     #[inline]
     fn crossing<P: Probe>(&self, ray: &Ray, l2_oc: f64, end: End, probe: &mut P) -> Crossing {
         let End { name, t, side, is_settled } = end;
-        let t = if is_settled || !probe.certifies() {
-            probe.note(name, t)
-        } else {
-            probe.fallback();
-            let doubled = if side == self.outer { Name::SphereTDoubled } else { Name::SphereTDoubledFar };
-            probe.note(doubled, self.corrected(ray, l2_oc, t))
-        };
-        Crossing { t, side, primitive: 0 }
+        if is_settled || !probe.certifies() {
+            return Crossing { t: probe.note(name, t), side, primitive: 0 };
+        }
+        probe.fallback();
+        self.note_doubled(Crossing { t: self.corrected(ray, l2_oc, t), side, primitive: 0 }, probe)
     }
 
     /// Whether the distance of an end has too few digits, or it may be an end of the ray.
@@ -339,7 +335,10 @@ impl Kernel for Sphere {
             Line::Misses => return,
             Line::InDoubt => {
                 let crossings = self.doubled_crossings(ray, probe);
-                let decided = |end| decide(ray, approach, end, self.is_end_of(ray, approach, end), probe);
+                let decided = |end| {
+                    let end = self.note_doubled(end, probe);
+                    decide(ray, approach, end, self.is_end_of(ray, approach, end), probe)
+                };
                 return found.extend(crossings.into_iter().filter_map(decided));
             }
         };

@@ -46,15 +46,8 @@ pub enum Function {
 
 impl Function {
     /// Every value.
-    pub const ALL: [Function; 7] = [
-        Function::Cos,
-        Function::Sin,
-        Function::Tan,
-        Function::Exp,
-        Function::ExpM1,
-        Function::Ln1p,
-        Function::Ceil,
-    ];
+    pub const ALL: [Function; 7] =
+        [Function::Cos, Function::Sin, Function::Tan, Function::Exp, Function::ExpM1, Function::Ln1p, Function::Ceil];
 
     /// What it is called in formulas.
     pub fn word(self) -> &'static str {

@@ -1,7 +1,7 @@
 //! Formulas of what the tracer computed with twice the digits: sums over samples, and distances where f64 loses too many.
 //!
 //! The tracer keeps such a value's operands with all their digits, too, and rounds once. So an operand that the same test noted isn't
-//! taken as logged, but by its own formula, and the ray's direction is D/|D|. Inputs that were rounded before they were logged (a unit
+//! taken as logged, but by its own formula, and the ray's direction is a vector over its length: D, or that of the bounce. Inputs that were rounded before they were logged (a unit
 //! axis, the rows of a map) may be off by their roundings, which the bound takes into account.
 
 use super::Within;
@@ -116,26 +116,26 @@ impl Scope<'_> {
         {
             let is_in_this_test = owner == self.tree.owner(self.event)
                 && matches!(self.tree.nodes()[owner].step, Some(Step::Test { .. }));
-            if (is_in_this_test || name == Name::RayDirection)
-                && let Some(formula) = formula::of(name)
-            {
-                return Scope { event: operand.event, ..*self }.of_note(name, formula);
+            let here = Scope { event: operand.event, ..*self };
+            match formula::of(name) {
+                Some(_) if name == Name::RayDirection => return here.operand(Name::RayVector.symbol()).and_then(unit),
+                Some(formula) if is_in_this_test => return here.part(formula),
+                _ => {}
             }
+        }
+        if symbol == Name::RayDirection.symbol() {
+            return unit(exact(operand.value));
         }
         let given = source.given.iter().rev().find(|(name, _)| name.symbol() == symbol);
         let is_made = given.is_some_and(|(name, value)| MADE.contains(name) && value.same_bits(&operand.value));
         Ok(if is_made { made(operand.value) } else { exact(operand.value) })
     }
+}
 
-    /// What another quantity is with twice the digits.
-    fn of_note(&self, name: Name, formula: &Formula) -> Result<Part, String> {
-        if name != Name::RayDirection {
-            return self.part(formula);
-        }
-        let vector = self.operand(Name::RayVector.symbol())?;
-        let length = map(binary(Operator::Times, vector, vector)?, Wide::sqrt);
-        binary(Operator::Over, vector, length)
-    }
+/// A vector over its length.
+fn unit(vector: Part) -> Result<Part, String> {
+    let length = map(binary(Operator::Times, vector, vector)?, Wide::sqrt);
+    binary(Operator::Over, vector, length)
 }
 
 fn exact(value: Value) -> Part {

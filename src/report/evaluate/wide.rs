@@ -124,8 +124,7 @@ impl Div for Wide {
         let (head, low) = quick_sum(head, tail + rest.head / other.head);
         let divisor = other.head.abs() - other.error;
         // A divisor that may be 0 leaves nothing.
-        let of_operands =
-            if divisor > 0.0 { (self.error + head.abs() * other.error) / divisor } else { f64::INFINITY };
+        let of_operands = if divisor > 0.0 { (self.error + head.abs() * other.error) / divisor } else { f64::INFINITY };
         Wide { head, tail: low, error: of_operands + head.abs() * STEP }
     }
 }

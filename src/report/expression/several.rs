@@ -46,7 +46,8 @@ impl Substitution<'_> {
                 None => Part::Zero,
             },
             Formula::Binary(operator, left, right) => {
-                let (left, right) = (self.of_element(element, left).operand(), self.of_element(element, right).operand());
+                let (left, right) =
+                    (self.of_element(element, left).operand(), self.of_element(element, right).operand());
                 match (left, right) {
                     (Some(left), Some(right)) => Part::There(Expression::Binary(*operator, left, right)),
                     _ => Part::Zero,

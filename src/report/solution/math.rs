@@ -4,8 +4,8 @@ use super::Task;
 use super::equation::{Equation, terms};
 use crate::log::Value;
 use crate::log::formula::{Function, Operator, Several};
-use crate::report::expression::Expression;
 use crate::report::decided::{self, Comparison, Relation};
+use crate::report::expression::Expression;
 use crate::report::{computation, digits, escape, number};
 use std::f64::consts::TAU;
 
@@ -91,7 +91,8 @@ pub(super) fn tex(task: &Task, expression: &Expression) -> String {
         }
         Expression::Elided => "\\dots".to_owned(),
         Expression::Extreme(extreme, first, second) => {
-            format!("\\{}\\left({},\\; {}\\right)", computation::word(*extreme), of(first), of(second))
+            let mark = task.language.texts().separator.trim_end();
+            format!("\\{}\\left({}{mark}\\; {}\\right)", computation::word(*extreme), of(first), of(second))
         }
         Expression::ExtremeComponent(extreme, inner) => {
             format!("\\{}\\left({}\\right)", computation::word(*extreme), of(inner))
@@ -115,11 +116,11 @@ pub(super) fn compared(task: &Task, event: usize) -> String {
         Relation::AtLeast => "\\ge".to_owned(),
         other => other.sign().to_owned(),
     };
-    let text = |expression: &Expression| tex(task, expression);
     let line = |comparison: &Comparison| {
-        let sides = |[left, right]: &[Expression; 2]| {
-            format!("${} {} {}$", text(left), sign(comparison.relation), text(right))
-        };
+        let task = &task.shown_in(comparison.style);
+        let text = |expression: &Expression| tex(task, expression);
+        let sides =
+            |[left, right]: &[Expression; 2]| format!("${} {} {}$", text(left), sign(comparison.relation), text(right));
         format!("{}: {}", sides(&comparison.symbolic), sides(&comparison.substituted)) + &doubled(task, comparison)
     };
     let found = decided::comparisons(task.log, task.tree, event, task.style);

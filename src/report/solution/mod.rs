@@ -39,6 +39,13 @@ pub struct Task<'a> {
     pub style: Style,
 }
 
+impl Task<'_> {
+    /// The same with numbers shown in another way.
+    fn shown_in(&self, style: Style) -> Task<'_> {
+        Task { log: self.log, tree: self.tree, stage: self.stage, language: self.language, style }
+    }
+}
+
 /// The outline of a worked solution.
 struct Solution {
     title: String,

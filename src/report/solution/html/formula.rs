@@ -4,8 +4,8 @@ use super::super::Task;
 use super::super::equation::Equation;
 use crate::log::Value;
 use crate::log::formula::Operator;
+use crate::report::decided::{self, Comparison, Relation};
 use crate::report::expression::Expression;
-use crate::report::decided::{self, Relation};
 use crate::report::{computation, digits, escape};
 use std::f64::consts::TAU;
 
@@ -46,11 +46,13 @@ pub(super) fn value(task: &Task, value: &Value) -> String {
 
 /// The comparisons of a decision; nothing where there are none.
 pub(super) fn compared(task: &Task, event: usize) -> String {
-    let text = |expression: &Expression| html(task, expression);
     let sign = |relation: Relation| escape::xml(relation.sign());
     let found = decided::comparisons(task.log, task.tree, event, task.style);
-    let lines: Vec<_> =
-        found.iter().map(|comparison| decided::written(task.language, comparison, &text, sign)).collect();
+    let line = |comparison: &Comparison| {
+        let task = &task.shown_in(comparison.style);
+        decided::written(task.language, comparison, &|expression| html(task, expression), sign)
+    };
+    let lines: Vec<_> = found.iter().map(line).collect();
     if lines.is_empty() { String::new() } else { format!(" ({})", lines.join("; ")) }
 }
 
