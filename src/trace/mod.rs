@@ -9,6 +9,7 @@ mod pattern;
 mod place;
 pub mod query;
 mod shade;
+mod unseen;
 mod visibility;
 mod zones;
 

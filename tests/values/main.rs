@@ -17,6 +17,7 @@ mod log_spellings;
 mod overflow;
 mod regions;
 mod rounding;
+mod skipped_light;
 mod skips;
 mod textbook;
 mod trust;
