@@ -2,6 +2,7 @@
 
 pub mod chart;
 pub mod clock;
+pub mod exact;
 pub mod overhead;
 pub mod samplers;
 pub mod scaling;
