@@ -3,6 +3,7 @@
 pub mod chart;
 pub mod clock;
 pub mod exact;
+pub mod limits;
 pub mod overhead;
 pub mod samplers;
 pub mod scaling;
