@@ -203,7 +203,7 @@ fn highlight(specular: Specular, degrees: f64) -> f64 {
     let shininess = 255.0;
     let (normal, view) = (DVec3::Z, DVec3::Z);
     let angle = degrees.to_radians();
-    let light = DVec3::new(angle.sin(), 0.0, angle.cos());
+    let light = DVec3::new(libm::sin(angle), 0.0, libm::cos(angle));
     let options = Options { specular, max_depth: 0, ..Options::DEFAULT };
     let mut scene = everything("highlight", [0.0, 0.0, 5.0], options);
     scene.objects.truncate(1);
@@ -232,9 +232,9 @@ fn four_times_the_exponent_makes_up_for_the_half_angle() {
         assert!((found - expected).abs() < 5e-4, "{found} is not {expected}");
     }
     for degrees in [1.0_f64, 3.0, 7.0, 20.0, 60.0] {
-        let half = (degrees / 2.0).to_radians().cos();
+        let half = libm::cos((degrees / 2.0).to_radians());
         let found = highlight(Specular::HalfVectorCompensated, degrees);
-        let expected = half.powf(4.0 * 255.0);
+        let expected = libm::pow(half, 4.0 * 255.0);
         assert!((found - expected).abs() <= 1e-12 * expected, "{degrees}°: {found} is not {expected}");
     }
 }
