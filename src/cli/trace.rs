@@ -157,12 +157,12 @@ impl Trace {
         if let Some(region) = self.region {
             return self.of_region(&scene, region, &inputs);
         }
-        let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         if let (Part::Pixel(_), false, Some(warning)) = (part, self.progress.quiet, warning_of_sampling(&scene)) {
             output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
         }
         let output = Output::create(self.output.as_deref(), &inputs)?;
-        let arithmetic = self.tracing.arithmetic;
+        let arithmetic = self.tracing.arithmetic();
         let style = Style { digits: self.digits };
         let bytes = match (rounding, self.format) {
             (Some(rounding), format) => {
@@ -195,7 +195,7 @@ impl Trace {
     fn rounding(&self) -> Result<Option<Rounding>, Failure> {
         match self.format {
             _ if !self.causes => Ok(None),
-            None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic).map(Some),
+            None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic()).map(Some),
             Some(format) => {
                 let found = format.word();
                 Err(Failure::caller(format!("--causes: expected --format text or json, found {found}")))
