@@ -34,4 +34,5 @@ mod rays_command;
 mod scenes;
 mod schema;
 mod shards;
+mod stability;
 mod worked_table;
