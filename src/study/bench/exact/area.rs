@@ -67,7 +67,8 @@ fn swept(from: [f64; 2], to: [f64; 2]) -> f64 {
         let dot = |[x, y]: [f64; 2], [to_x, to_y]: [f64; 2]| x * to_x + y * to_y;
         libm::atan2(cross(from, to), dot(from, to)) / 2.0
     };
-    if !(half > 0.0) {
+    // Where the line passes outside, half is no number.
+    if half.is_nan() || half == 0.0 {
         return sector(from, to);
     }
     let (enters, leaves) = ((foot - half).clamp(0.0, 1.0), (foot + half).clamp(0.0, 1.0));
