@@ -10,6 +10,7 @@ use image::codecs::tga::TgaDecoder;
 use image::codecs::tiff::TiffDecoder;
 use image::codecs::webp::WebPDecoder;
 use image::{ImageDecoder, ImageError, Limits};
+use std::error::Error;
 use std::io::Cursor;
 
 /// The formats that are read here.
@@ -67,7 +68,8 @@ fn at<const N: usize>(bytes: &[u8], place: usize) -> Option<[u8; N]> {
 /// A text may begin with `BM`, too: behind it stands the length of one of the headers that there are.
 fn is_bmp(beginning: &[u8]) -> bool {
     const LENGTHS: [u32; 7] = [12, 40, 52, 56, 64, 108, 124];
-    beginning.starts_with(b"BM") && at(beginning, 14).is_some_and(|length| LENGTHS.contains(&u32::from_le_bytes(length)))
+    beginning.starts_with(b"BM")
+        && at(beginning, 14).is_some_and(|length| LENGTHS.contains(&u32::from_le_bytes(length)))
 }
 
 /// TGA begins with no word of its own, but few files have a header that makes sense as one.
@@ -99,8 +101,11 @@ pub(super) fn read(bytes: &[u8], kind: Kind) -> Result<Picture, PictureError> {
     let file = Cursor::new(bytes);
     match kind {
         Kind::Png => {
+            // What is unpacked by the way is bounded by what the pixels need, which is checked as soon as the header itself is.
+            let most = unpacked_png(bytes).min(MOST) + MOST_BESIDE;
+            let decoder = PngDecoder::with_limits(file, limits(most)).map_err(damaged)?;
             check_png(bytes)?;
-            picture(PngDecoder::with_limits(file, limits(MOST + MOST_BESIDE)), bytes, kind)
+            picture(Ok(decoder), bytes, kind)
         }
         Kind::Bmp => picture(BmpDecoder::new(file), bytes, kind),
         Kind::Tga => picture(TgaDecoder::new(file), bytes, kind),
@@ -118,11 +123,7 @@ fn limits(bytes: u64) -> Limits {
 }
 
 /// Reads the picture of a decoder, if its file can hold it.
-fn picture<D: ImageDecoder>(
-    decoder: Result<D, ImageError>,
-    bytes: &[u8],
-    kind: Kind,
-) -> Result<Picture, PictureError> {
+fn picture<D: ImageDecoder>(decoder: Result<D, ImageError>, bytes: &[u8], kind: Kind) -> Result<Picture, PictureError> {
     let mut decoder = decoder.map_err(damaged)?;
     let ((width, height), color) = (decoder.dimensions(), decoder.color_type());
     let (pixels, needed) = (u64::from(width) * u64::from(height), decoder.total_bytes());
@@ -148,10 +149,7 @@ fn picture<D: ImageDecoder>(
     let samples = match usize::from(color.bytes_per_pixel()) / count.all {
         4 => Samples::Floats(count.samples(&unpacked, f32::from_ne_bytes)?),
         2 => Samples::Levels { levels: count.samples(&unpacked, u16::from_ne_bytes)?, highest: u16::MAX },
-        _ => Samples::Levels {
-            levels: count.samples(&unpacked, |[level]| u16::from(level))?,
-            highest: u8::MAX.into(),
-        },
+        _ => Samples::Levels { levels: count.samples(&unpacked, |[level]| u16::from(level))?, highest: u8::MAX.into() },
     };
     Ok(Picture { width, height, channels, samples })
 }
@@ -198,26 +196,36 @@ fn most_pixels(bytes: &[u8], kind: Kind) -> u64 {
 /// Refuses a PNG whose header asks for more than can be unpacked from the bytes behind it, or whose palette the decoder would leave
 /// within a colour.
 fn check_png(bytes: &[u8]) -> Result<(), PictureError> {
+    let unpacked = unpacked_png(bytes);
+    if unpacked > MOST {
+        return Err(PictureError::Memory);
+    }
+    if unpacked / DEFLATE_RATIO > bytes.len() as u64 {
+        return Err(PictureError::Header("a size that fits the bytes behind it"));
+    }
     const SIGNATURE: usize = 8;
     let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
     while let (Some(length), Some(name)) = (at(rest, 0).map(u32::from_be_bytes), at::<4>(rest, 4)) {
-        let data = &rest[8..];
         match &name {
-            b"IHDR" => check_size(data, bytes.len() as u64)?,
             b"PLTE" if !length.is_multiple_of(3) => return Err(PictureError::Header("a palette of whole colours")),
             b"IDAT" => break,
             _ => {}
         }
-        // Behind the data stands its check.
-        rest = data.get(length as usize..).and_then(|rest| rest.get(4..)).unwrap_or_default();
+        // Behind the data stands their check.
+        rest = rest
+            .get(8..)
+            .and_then(|rest| rest.get(length as usize..))
+            .and_then(|rest| rest.get(4..))
+            .unwrap_or_default();
     }
     Ok(())
 }
 
-/// Compares the size of a PNG's header with the length of its file.
-fn check_size(header: &[u8], file: u64) -> Result<(), PictureError> {
-    let (Some(width), Some(height), Some([depth, color])) = (at(header, 0), at(header, 4), at(header, 8)) else {
-        return Ok(());
+/// How many bytes the pixels of a PNG have before they are expanded, by its header; 0 where that is cut off.
+fn unpacked_png(bytes: &[u8]) -> u64 {
+    // The header is the first chunk, behind the signature, its length and its name.
+    let (Some(width), Some(height), Some([depth, color])) = (at(bytes, 16), at(bytes, 20), at(bytes, 24)) else {
+        return 0;
     };
     let samples = match color {
         2 => 3,
@@ -227,14 +235,7 @@ fn check_size(header: &[u8], file: u64) -> Result<(), PictureError> {
     };
     let bits = u64::from(u32::from_be_bytes(width)) * samples * u64::from(depth);
     // A row begins with a byte that says how it is filtered.
-    let unpacked = u128::from(bits.div_ceil(8) + 1) * u128::from(u32::from_be_bytes(height));
-    if unpacked > MOST.into() {
-        return Err(PictureError::Memory);
-    }
-    if unpacked / u128::from(DEFLATE_RATIO) > file.into() {
-        return Err(PictureError::Header("a size that fits the bytes behind it"));
-    }
-    Ok(())
+    (bits.div_ceil(8) + 1).saturating_mul(u32::from_be_bytes(height).into())
 }
 
 /// What a decoder says. Names of chunks and words of headers come from the file.
@@ -244,6 +245,14 @@ fn damaged(error: ImageError) -> PictureError {
     match error {
         ImageError::Limits(_) => PictureError::Memory,
         ImageError::Unsupported(error) => PictureError::Kind(said(&error)),
+        // The name of the format before it says nothing new.
+        ImageError::Decoding(error) => {
+            PictureError::Damaged(error.source().map_or_else(|| said(&error), |source| said(&source)))
+        }
         error => PictureError::Damaged(said(&error)),
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;

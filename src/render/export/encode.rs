@@ -1,10 +1,9 @@
-//! Levels as the bytes of an integer format, by the crate `image`.
+//! Levels as the bytes of an integer format, by the crate `image` but for PPM, which is a line before them.
 
-use super::Format;
+use super::{Format, ppm};
 use image::codecs::bmp::BmpEncoder;
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::codecs::pnm::{PnmEncoder, PnmSubtype, SampleEncoding};
 use image::codecs::qoi::QoiEncoder;
 use image::codecs::tga::TgaEncoder;
 use image::codecs::tiff::TiffEncoder;
@@ -35,8 +34,8 @@ pub(super) fn bytes_of(levels: &[u8], [width, height]: [u32; 2], format: Format)
     let mut out = Vec::new();
     match format {
         Format::Ppm => {
-            let encoder = PnmEncoder::new(&mut out).with_subtype(PnmSubtype::Pixmap(SampleEncoding::Binary));
-            encoder.write_image(levels, width, height, color)
+            out = ppm::ppm(levels, [width, height]);
+            Ok(())
         }
         Format::Bmp => BmpEncoder::new(&mut out).write_image(levels, width, height, color),
         Format::Tga => TgaEncoder::new(&mut out).write_image(levels, width, height, color),

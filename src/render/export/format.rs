@@ -43,8 +43,8 @@ const NAMES: [(&str, Format); 12] = [
     ("exr", Format::Exr),
 ];
 
-/// The most pixels along a side of a WebP, whose header has 14 bits for them.
-pub const MAX_WEBP_SIDE: u32 = 1 << 14;
+/// The most pixels along a side of a WebP, as its specification's own program has it: readers take one more for none.
+pub const MAX_WEBP_SIDE: u32 = 16_383;
 
 impl Format {
     /// The format that a file's ending stands for; PNG with 16 bits if asked for.

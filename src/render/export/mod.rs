@@ -1,5 +1,5 @@
-//! Pictures as files, written and read: integer formats by the crate `image`, OpenEXR by `exr`, PFM and the text of Netpbm here. Only integer
-//! formats know white, transfer, exposure and clipping.
+//! Pictures as files, written and read: integer formats by the crate `image`, OpenEXR by `exr`, PFM, PPM and PGM here. Only integer formats
+//! know white, transfer, exposure and clipping.
 
 mod decode;
 mod encode;
@@ -7,6 +7,7 @@ mod exr;
 mod format;
 mod netpbm;
 mod pfm;
+mod ppm;
 mod quantize;
 mod read;
 

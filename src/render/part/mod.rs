@@ -144,7 +144,9 @@ impl Picture {
             .or_else(|| both("what of each pixel", &|picture| picture.content.words()))
             .or_else(|| both("output", &|picture| picture.output.words()))
             .or_else(|| both("the scene with its options", &|picture| picture.scene.digest.clone()))
-            .or_else(|| (self != other).then(|| ("tracing", [self, other].map(|picture| format!("{:?}", picture.tracing)))))
+            .or_else(|| {
+                (self != other).then(|| ("tracing", [self, other].map(|picture| format!("{:?}", picture.tracing))))
+            })
     }
 }
 
