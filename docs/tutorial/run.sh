@@ -22,6 +22,11 @@ raywalk > example.txt
 says example.txt 'V_d = N_p · d = (1, 0, 0)·(-0.946, 0.315, 0.079) = -0.946   [plane.v_d 1.3 (2)]'
 says example.txt 'result: (393.054, 311.666, 370.310)'
 
+raywalk render textbook -o textbook.png --exposure -1.2 2> said.txt
+[ ! -s said.txt ]
+raywalk render textbook -o clipped.png 2> said.txt
+says said.txt 'warning: 97 % of the pixels (75357 of 77361) were brighter than white and clipped; --exposure -1.2 shows all'
+
 # 2 By hand
 raywalk trace textbook --pixel 160,120 --arithmetic decimal:3 -o hand.ndjson
 raywalk trace textbook --pixel 160,120 -o f64.ndjson

@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::sampling_spec::sampling;
 use super::scene_argument::Loaded;
+use super::shown::ShownOptions;
 use clap::{Args, ValueEnum};
 use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;
@@ -96,6 +97,8 @@ pub struct TracingOptions {
     /// On how many threads; 0 is one a core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     pub threads: u16,
+    #[command(flatten)]
+    pub shown: ShownOptions,
 }
 
 /// Where the rays of a pixel go that has no other sampling.
@@ -192,6 +195,7 @@ impl TracingOptions {
             let message = format!("--round-products: only by hand, with --arithmetic decimal:N, found `{found}`");
             return Err(Failure::caller(message));
         }
+        self.shown.apply(&mut file.output);
         if self.arithmetic == Arithmetic::Printed && !is_the_numeric_example(&file) {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }

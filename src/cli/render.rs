@@ -33,15 +33,16 @@ use std::time::Instant;
 pub struct Render {
     /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
-    /// The picture: .png, .ppm, .pfm or .exr by its ending; with --shard a part for `raywalk merge`, whatever its ending
+    /// The picture: .png, .ppm, .bmp, .tga, .qoi, .tiff, .jpg, .webp, .pfm or .exr by its ending; with --shard a part for
+    /// `raywalk merge`, whatever its ending
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     /// Only a part: left, top, right and bottom in pixels, the last two exclusive
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>, allow_hyphen_values = true)]
     crop: Option<[u32; 4]>,
     /// Show where few digits can be trusted instead of the colours: the fewest significant digits of a pixel's channels
-    /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In .png and .ppm black is all
-    /// 15.95 digits and bright yellow none; .pfm and .exr hold the numbers
+    /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In formats of integers, such as .png,
+    /// black is all 15.95 digits and bright yellow none; .pfm and .exr hold the numbers
     #[arg(long)]
     digits: bool,
     /// What each pixel costs and sees, beside its colour: rays, tests, depth, normal, object, samples, error (the standard error
@@ -176,7 +177,8 @@ impl Render {
     }
 
     fn place(&self, task: &Task, format: Format) -> Result<Place, Failure> {
-        Place::create(&task.path, format, self.layers.as_ref(), &task.inputs)
+        let [left, top, right, bottom] = task.settings.crop;
+        Place::create(&task.path, format, [right - left, bottom - top], self.layers.as_ref(), &task.inputs)
     }
 
     fn shown<'s>(&self, task: &Task, objects: &'s [String]) -> Shown<'s> {

@@ -30,6 +30,7 @@ mod manual;
 mod mutations;
 mod nff;
 mod nff_pictures;
+mod pictures;
 mod rays_command;
 mod scenes;
 mod schema;
