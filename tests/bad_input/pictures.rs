@@ -18,7 +18,9 @@ fn a_header_that_asks_for_more_than_there_is() {
     }
     for name in HUGE {
         let refused = answer(&mut raywalk(&folder, &["diff", name, "a.png"])).ends_with(2);
-        let expected = format!("error: {name}: the header of the picture is damaged: expected a size that fits the bytes behind it\n");
+        let expected = format!(
+            "error: {name}: the header of the picture is damaged: expected a size that fits the bytes behind it\n"
+        );
         assert_eq!(refused.message, expected);
     }
     // As a scene it is a picture all the same.
