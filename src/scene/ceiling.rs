@@ -59,7 +59,7 @@ fn local(scene: &Scene, material: &Material, level: u32) -> Color {
         return ambient;
     }
     let used = (material.diffuse * pattern + material.specular).max(material.transmission);
-    let arriving = |light: &Light| light.color * used;
+    let arriving = |light: &Light| light.color * light.largest_weight() * used;
     ambient + scene.lights.iter().map(arriving).sum::<Color>()
 }
 
