@@ -152,7 +152,7 @@ fn the_numeric_example_has_its_angles() {
     let text = prints(&["trace", "textbook", "--pixel", "160,120", "--view", "vectors", "--format", "text"]);
     // acos(12/√161) and acos(√5/5).
     assert!(text.contains("N, V     0.946    19.0°") && text.contains("N, L     0.447    63.4°"), "{text}");
-    let picture = prints(&["trace", "total-reflection", "--pixel", "130,150", "--view", "vectors", "--path", "C T"]);
+    let picture = prints(&["trace", "total-reflection", "--pixel", "100,110", "--view", "vectors", "--path", "C T"]);
     read(&picture);
     snapshots().bind(|| assert_snapshot!("close_up_vectors_svg", picture));
 }
@@ -232,7 +232,7 @@ fn weights_of_the_shadow_rays_of_a_light() {
     assert_eq!(close_up.rows.len(), 9);
     // By area all have the same weight.
     assert!(close_up.rows.iter().all(|row| row[2] == "0.111"), "{:?}", close_up.rows);
-    assert_eq!(close_up.sheets[0].caption, "sum of the weights: 1");
+    assert_eq!(close_up.sheets[0].caption, "sum of the weights: 1.000");
     let is_dark = |row: &&Vec<String>| row[3] == "(0, 0, 0)";
     let dark = close_up.rows.iter().filter(is_dark).count();
     assert!(dark > 0 && dark < 9, "{:?}", close_up.rows);
