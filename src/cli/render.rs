@@ -116,7 +116,7 @@ impl Render {
         if let (Some(layers), Some(format)) = (&self.layers, format) {
             layers.check(format)?;
         }
-        if self.tracing.arithmetic == Arithmetic::Printed {
+        if self.tracing.arithmetic() == Arithmetic::Printed {
             return Err(Failure::caller(
                 "render: --arithmetic printed is for the walk of the numeric example's one pixel",
             ));
@@ -135,7 +135,7 @@ impl Render {
         }
         let settings = Settings {
             crop: self.crop_in(&scene)?,
-            arithmetic: self.tracing.arithmetic,
+            arithmetic: self.tracing.arithmetic(),
             threads: self.tracing.threads.into(),
             counts_rays: self.stats.is_some(),
             order: TileOrder::Rows,
@@ -199,7 +199,7 @@ impl Render {
 
     /// The seed of the first run, if digits are asked for.
     fn digits_seed(&self) -> Result<Option<u64>, Failure> {
-        match self.tracing.arithmetic {
+        match self.tracing.arithmetic() {
             _ if !self.digits => Ok(None),
             Arithmetic::F64 => Ok(Some(0)),
             Arithmetic::Perturbed(seed) => Ok(Some(seed)),

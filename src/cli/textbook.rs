@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::options::{ColorChoice, TracingOptions};
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
+use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::{Wanted, visible};
@@ -40,7 +41,8 @@ impl Textbook {
     /// Runs the command; `false` where a value of somebody's own table departs.
     pub fn run(self, colors: ColorChoice) -> Result<bool, Failure> {
         let loaded = scene_argument::scene(&scene_argument::built_in("textbook")?, &Import::default(), colors)?;
-        let scene = TracingOptions::default().apply(loaded)?;
+        let by_hand = TracingOptions { arithmetic: Arithmetic::Decimal(3), ..TracingOptions::default() };
+        let scene = by_hand.apply(loaded)?;
         if let Some(path) = &self.with {
             let checked = check(path, &scene, colors)?;
             let text = match self.format {

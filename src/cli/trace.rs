@@ -166,11 +166,11 @@ impl Trace {
         if let Some(region) = self.region {
             return self.of_region(&scene, region, &inputs);
         }
-        let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         if let (Part::Pixel(_), false, Some(warning)) = (part, self.progress.quiet, warning_of_sampling(&scene)) {
             output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
         }
-        let arithmetic = self.tracing.arithmetic;
+        let arithmetic = self.tracing.arithmetic();
         if let Some(of) = self.view {
             let bytes = self.close_up(of, &short_log(&scene, part, arithmetic)?)?;
             return Output::create(self.output.as_deref(), &inputs)?.commit(&bytes);
@@ -208,7 +208,7 @@ impl Trace {
     fn rounding(&self) -> Result<Option<Rounding>, Failure> {
         match self.format {
             _ if !self.causes => Ok(None),
-            None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic).map(Some),
+            None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic()).map(Some),
             Some(format) => {
                 let found = format.word();
                 Err(Failure::caller(format!("--causes: expected --format text or json, found {found}")))

@@ -9,12 +9,14 @@ use crate::log::{Decision, Name, Step, Value};
 /// and of a recording are worth that. All others run before this one, at the price of a call for every quantity.
 pub struct Erased<'p> {
     probe: &'p mut dyn Methods,
+    decimals_of_products: Option<u32>,
 }
 
 impl<'p> Erased<'p> {
     /// The same probe with its type erased.
     pub fn of<P: Probe>(probe: &'p mut P) -> Erased<'p> {
-        Erased { probe }
+        let decimals_of_products = probe.decimals_of_products();
+        Erased { probe, decimals_of_products }
     }
 }
 
@@ -110,6 +112,10 @@ impl Probe for Erased<'_> {
 
     fn slack(&self, size: f64) -> f64 {
         self.probe.slack(size)
+    }
+
+    fn decimals_of_products(&self) -> Option<u32> {
+        self.decimals_of_products
     }
 
     fn fallback(&mut self) {

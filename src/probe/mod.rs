@@ -64,6 +64,21 @@ pub trait Probe: Sized {
         true
     }
 
+    /// To how many decimals the products of a dot product are rounded before they are added; `None` if they aren't.
+    #[inline(always)]
+    fn decimals_of_products(&self) -> Option<u32> {
+        None
+    }
+
+    /// The dot product a · b of a formula.
+    #[inline(always)]
+    fn dot(&self, a: DVec3, b: DVec3) -> f64 {
+        match self.decimals_of_products() {
+            None => a.dot(b),
+            Some(digits) => (a * b).map(|x| round_half_away(x, digits)).element_sum(),
+        }
+    }
+
     /// How far rounding may move a computed point whose coordinates, with all that it was computed from, are of this size. Surfaces so
     /// near to each other are in the same place.
     #[inline(always)]

@@ -62,6 +62,10 @@ impl<P: Probe> Probe for RayTree<P> {
         self.probe.slack(size)
     }
 
+    fn decimals_of_products(&self) -> Option<u32> {
+        self.probe.decimals_of_products()
+    }
+
     fn fallback(&mut self) {
         self.probe.fallback();
     }

@@ -129,13 +129,22 @@ impl Camera {
         self.position
     }
 
+    /// |G|, with the products of G · G rounded where the arithmetic does that.
+    #[inline(always)]
+    fn length_by<P: Probe>(&self, probe: &P) -> f64 {
+        match probe.decimals_of_products() {
+            None => self.length,
+            Some(_) => probe.dot(self.direction, self.direction).sqrt(),
+        }
+    }
+
     /// |G|, e_x and e_y, and D = G + |G|·(x·e_x + y·e_y). What doesn't depend on the pixel was computed with the camera, by the same
     /// formulas.
     #[inline(always)]
     pub(super) fn frame_through<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> (f64, [DVec3; 2], DVec3) {
         let middle = self.resolution.map(|side| f64::from(side) / 2.0);
         probe.given(Name::CameraDirection, self.direction);
-        let length = probe.note(Name::CameraLength, self.length);
+        let length = probe.note(Name::CameraLength, self.length_by(probe));
         probe.given(Name::CameraUpAsGiven, self.up_as_given);
         let right = probe.note(Name::CameraRight, self.right);
         let up = probe.note(Name::CameraUp, self.up);
@@ -162,7 +171,7 @@ pub fn ray_along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Optio
 /// digits makes nothing of its length.
 #[inline(always)]
 pub(super) fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
-    let length = probe.note(Name::RayLength, vector.dot(vector).sqrt());
+    let length = probe.note(Name::RayLength, probe.dot(vector, vector).sqrt());
     if length == 0.0 {
         probe.mark(Decision::Undefined { quantity: Name::RayDirection });
         return None;

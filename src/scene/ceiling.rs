@@ -36,7 +36,8 @@ impl Ceilings {
         for level in (0..=levels).rev() {
             let of_material = |material: &Material| {
                 let weights = &material.weights;
-                weights.local * local(scene, material, level) + (weights.reflected + weights.transmitted) * next
+                let reflected = scene.tracing.scale_of_reflected(weights.reflected, material);
+                weights.local * local(scene, material, level) + (reflected + weights.transmitted) * next
             };
             next = rounded_up(scene.materials.iter().map(of_material).fold(scene.background, largest));
             by_level.push(next);

@@ -49,7 +49,7 @@ impl Arrival {
     #[inline]
     pub fn of<P: Probe>(position: DVec3, point: DVec3, probe: &mut P) -> Option<Arrival> {
         let vector = probe.note(Name::LightVector, position - point);
-        let distance = probe.note(Name::LightDistance, vector.dot(vector).sqrt());
+        let distance = probe.note(Name::LightDistance, probe.dot(vector, vector).sqrt());
         if distance == 0.0 {
             return None;
         }

@@ -14,6 +14,7 @@ mod digits;
 mod formulas;
 mod log_files;
 mod log_spellings;
+mod notes;
 mod overflow;
 mod regions;
 mod rounding;

@@ -6,7 +6,7 @@ use crate::geometry::{Ray, Shape};
 use crate::log::Name;
 use crate::probe::{Erased, Silent};
 use crate::scene::file;
-use crate::scene::{Color, Light, LightKind};
+use crate::scene::{Color, Formulas, Light, LightKind};
 use crate::trace::query::Query;
 use crate::trace::{refract, transmitted_half};
 use glam::DVec3;
@@ -108,7 +108,7 @@ fn refraction(case: &Map<String, Value>) -> Result<&'static str, String> {
     if !is_material(&material) || normal == DVec3::ZERO {
         return Ok(INVALID);
     }
-    let direction = refract(&Ray::along(DVec3::ZERO, d.into()), normal, 1.0, eta, &mut Silent);
+    let direction = refract(&Ray::along(DVec3::ZERO, d.into()), normal, [1.0, eta], Formulas::Robust, &mut Silent);
     Ok(if direction.is_none_or(DVec3::is_finite) { FINITE } else { NOT_FINITE })
 }
 
@@ -156,8 +156,11 @@ fn half(case: &Map<String, Value>) -> Result<&'static str, String> {
         case.insert(key.to_owned(), value);
     }
     let mut watch = Watch::default();
-    let half =
-        if eta == 1.0 { None } else { transmitted_half(light.into(), view.into(), eta, &mut Erased::of(&mut watch)) };
+    let half = if eta == 1.0 {
+        None
+    } else {
+        transmitted_half(light.into(), view.into(), eta, Formulas::Robust, &mut Erased::of(&mut watch))
+    };
     let length = watch.number(Name::TransmitLength);
     let parts = super::optics::local(&case)?;
     let is_finite = half.is_none_or(DVec3::is_finite) && length.is_none_or(f64::is_finite) && has_numbers(&parts);

@@ -7,7 +7,7 @@ use crate::log::Name;
 use crate::probe::{Erased, Silent};
 use crate::random::{Arrangement, Draws};
 use crate::sampling::mean::Sum;
-use crate::scene::{Color, Light, LightKind, Scene, Specular};
+use crate::scene::{Color, Formulas, Light, LightKind, Scene, Specular};
 use crate::trace::{
     Layer, Media, Meeting, Path, camera_ray, local_intensity, power, power_between, refract, transmitted_cosine,
     transmitted_half,
@@ -33,7 +33,7 @@ pub(super) fn refraction(case: &Map<String, Value>) -> Result<Value, String> {
     let (ray, normal) = (along(d), DVec3::from(n));
     let k = transmitted_cosine(&ray, normal, eta, -normal.dot(ray.direction), &mut Silent).squared;
     let mut watch = Watch::default();
-    Ok(match refract(&ray, normal, 1.0, eta, &mut Erased::of(&mut watch)) {
+    Ok(match refract(&ray, normal, [1.0, eta], Formulas::Robust, &mut Erased::of(&mut watch)) {
         Some(direction) => {
             json!({"tir": false, "cos2": watch.number(Name::RefractCos2), "T": direction.to_array(), "k": k})
         }
@@ -55,10 +55,14 @@ pub(super) fn refraction_and_half(case: &Map<String, Value>) -> Result<Value, St
     let Interface { d, n, eta, L: light, V: view } = input(case)?;
     let (ray, normal) = (along(d), DVec3::from(n));
     let mut watch = Watch::default();
-    let direction = refract(&ray, normal, 1.0, eta, &mut Erased::of(&mut watch));
+    let direction = refract(&ray, normal, [1.0, eta], Formulas::Robust, &mut Erased::of(&mut watch));
     let (light, view) = (DVec3::from(light), DVec3::from(view));
     // Without an interface the lobe is the straight line from the light.
-    let half = if eta == 1.0 { Some(light) } else { transmitted_half(light, view, eta, &mut Erased::of(&mut watch)) };
+    let half = if eta == 1.0 {
+        Some(light)
+    } else {
+        transmitted_half(light, view, eta, Formulas::Robust, &mut Erased::of(&mut watch))
+    };
     Ok(json!({
         "T": direction.map(|direction| direction.to_array()),
         "cos2": watch.number(Name::RefractCos2),
@@ -109,7 +113,7 @@ fn through_planes(d: Triple, n: Triple, iors: &[f64]) -> Value {
     let normal = DVec3::from(n);
     let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
     for media in iors.windows(2) {
-        match refract(&ray, normal, media[0], media[1], &mut Silent) {
+        match refract(&ray, normal, [media[0], media[1]], Formulas::Robust, &mut Silent) {
             Some(direction) => ray = Ray::new(DVec3::ZERO, direction),
             None => return json!({"T": null}),
         }

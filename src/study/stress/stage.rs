@@ -8,8 +8,8 @@ use crate::geometry::{Leaving, Ray, Shape, Surface};
 use crate::log::{Name, RayKind, Step, Value};
 use crate::probe::{Erased, Probe, Quantity, Silent};
 use crate::scene::{
-    Algorithm, AroundEye, Camera, Effects, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows,
-    Skip, Specular, Tracing, Transfer, Weights,
+    Algorithm, AroundEye, Camera, Effects, Formulas, Index, Light, LightKind, Material, Object, Output, ReflectedScale,
+    Sampling, Scene, Shadows, Skip, Specular, Tracing, Transfer, Weights,
 };
 use crate::trace::query::Query;
 use crate::trace::{Hit, closest_hit};
@@ -49,7 +49,9 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
             algorithm: Algorithm::Recursive,
             max_depth: 4,
             specular: Specular::HalfVector,
+            formulas: Formulas::Robust,
             sphere_method: SphereMethod::Robust,
+            reflected_scale: ReflectedScale::Weight,
             cutoff: 0.0,
             two_sided: true,
             shadows: Shadows::PerSurface,

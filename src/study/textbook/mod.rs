@@ -9,7 +9,7 @@ pub use worked::{Checked, CheckedRow, MAX_TABLE_BYTES, Order, TableError, Worked
 
 use crate::probe::{Printed, PrintedValue};
 use crate::record::{self, Arithmetic};
-use crate::scene::Scene;
+use crate::scene::{Formulas, Scene, Tracing};
 use follow::{Listed, Place, Values};
 
 /// The decimals of the printed example.
@@ -37,6 +37,8 @@ pub struct Row {
     pub recomputed: Vec<f64>,
     /// By hand from the start, without looking at the book.
     pub strict: Vec<f64>,
+    /// The same, with the products of dot products rounded before they are added, as the book does in step 7.
+    pub strict_products: Vec<f64>,
     /// In f64.
     pub exact: Vec<f64>,
     /// Whether the book keeps its own rules.
@@ -114,11 +116,13 @@ const REASONS: &[(&str, &str, &str)] = &[
     ("C R", "shade.local", "printed with two decimals: 54 + 86.68 + 154·0.964324 = 289.186"),
 ];
 
-/// Computes the table on the scene of the example.
+/// Computes the table on the scene of the example, which was built for a computation by hand.
 pub fn table(scene: &Scene) -> Table {
     let pixel = middle(scene);
-    let strict = Values::of(&record::pixel(scene, pixel, Arithmetic::Decimal(DIGITS)));
-    let exact = Values::of(&record::pixel(scene, pixel, Arithmetic::F64));
+    let by_hand = |arithmetic| Values::of(&record::pixel(scene, pixel, arithmetic));
+    let strict = by_hand(Arithmetic::Decimal(DIGITS));
+    let strict_products = by_hand(Arithmetic::DecimalProducts(DIGITS));
+    let exact = exact(scene, pixel);
     let listed: Listed = Printed::all().iter().map(|printed| (place_of(printed), printed.components.clone())).collect();
     let recomputed = Values::following(scene, pixel, &listed);
     let row = |(printed, (step, called)): (&'static PrintedValue, &(&'static str, &'static str))| {
@@ -133,10 +137,17 @@ pub fn table(scene: &Scene) -> Table {
             verdict: verdict(printed, &recomputed),
             recomputed,
             strict: components(&strict),
+            strict_products: components(&strict_products),
             exact: components(&exact),
         }
     };
     Table { steps: Printed::all().iter().zip(STEPS).map(row).collect() }
+}
+
+/// The values in f64, by the robust formulas.
+fn exact(scene: &Scene, pixel: [u32; 2]) -> Values {
+    let tracing = Tracing { formulas: Formulas::Robust, ..scene.tracing.clone() };
+    Values::of(&record::pixel(&Scene { tracing, ..scene.clone() }, pixel, Arithmetic::F64))
 }
 
 /// The pixel of the example.

@@ -11,12 +11,14 @@ impl Table {
     /// The table for people, with the departures explained below.
     pub fn text(&self) -> String {
         let below = self.departures().map(|(row, why)| format!("{} departs: {why}.", row.called));
+        let below = below.chain([self.with_rounded_products()]);
         aligned(HEADS, self.steps.iter().map(cells), below)
     }
 
     /// The table for documents.
     pub fn markdown(&self) -> String {
         let below = self.departures().map(|(row, why)| format!("- {} departs: {why}.", row.called));
+        let below = below.chain([format!("- {}", self.with_rounded_products())]);
         piped(HEADS, self.steps.iter().map(cells), below)
     }
 
@@ -28,10 +30,21 @@ impl Table {
                 "printed": components(&row.printed.components),
                 "recomputed": components(&row.recomputed),
                 "strict": components(&row.strict),
+                "strict_round_products": components(&row.strict_products),
                 "exact": components(&row.exact),
             })
         });
         format!("{}\n", json!({ "steps": steps, "result": result }))
+    }
+
+    /// What else by hand can mean. The book itself does both: it rounds the products of step 7 and not those of the other steps.
+    fn with_rounded_products(&self) -> String {
+        let differing = self.steps.iter().filter(|row| row.strict_products != row.strict);
+        let values: Vec<_> = differing.map(|row| format!("{} {}", row.called, shown(&row.strict_products))).collect();
+        format!(
+            "By hand with the products of dot products rounded too (--round-products), as the book does in step 7: {}.",
+            values.join(", ")
+        )
     }
 
     fn departures(&self) -> impl Iterator<Item = (&Row, &'static str)> {
@@ -170,6 +183,7 @@ fn object(row: &Row) -> Value {
         "printed": components(&row.printed.components),
         "recomputed": components(&row.recomputed),
         "strict": components(&row.strict),
+        "strict_round_products": components(&row.strict_products),
         "exact": components(&row.exact),
         "verdict": row.verdict.word(),
     });

@@ -61,7 +61,7 @@ fn the_textbook_scene() {
     assert_eq!(warnings, []);
     assert_eq!(scene.camera.aim, Aim::Direction([-12.0, 4.0, 1.0]));
     assert_eq!(scene.materials.index_of("ball"), Some(1));
-    assert_eq!(scene.tracing.sphere_method, SphereMethod::Geometric);
+    assert_eq!(scene.tracing.sphere_method, Some(SphereMethod::Geometric));
 }
 
 #[test]
