@@ -35,5 +35,6 @@ mod notes;
 mod rays_command;
 mod scenes;
 mod schema;
+mod second_example;
 mod shards;
 mod worked_table;

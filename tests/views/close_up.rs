@@ -43,7 +43,7 @@ fn logged(log: &Log, tree: &Tree, node: usize, key: &str) -> Option<[f64; 3]> {
         };
         noted.or(event.given.iter().find(|(name, _)| name.key() == key).map(|(_, value)| *value))
     };
-    match tree.own_events(node).filter_map(of).last()? {
+    match tree.own_events(node).filter_map(of).next_back()? {
         Value::Triple(xyz) => Some(xyz),
         Value::Number(_) => None,
     }
