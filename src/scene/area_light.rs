@@ -118,15 +118,15 @@ impl AreaLight {
         match self.surface {
             LightSurface::Sphere { center, radius } => {
                 let Seen { at: outward, solid_angle } = solid_angle::of_sphere(center, radius, from, square);
+                probe.given(Name::LightOutward, outward);
                 probe.given(Name::LightSolidAngle, solid_angle);
-                probe.given(Name::LightOutwardSeen, outward);
                 Some((probe.note(Name::LightPositionOnSphere, center + outward * radius), None))
             }
             LightSurface::Rectangle { center, edges } => {
                 let Seen { at: [x, y], solid_angle } = solid_angle::of_rectangle(center, edges, from, square)?;
+                probe.given(Name::LightX, x);
+                probe.given(Name::LightY, y);
                 probe.given(Name::LightSolidAngle, solid_angle);
-                probe.given(Name::LightXSeen, x);
-                probe.given(Name::LightYSeen, y);
                 let position = on_edges(center, edges, [x, y], probe);
                 let weight = self.profile.as_ref().map(|profile| profile.weigh(x.abs().max(y.abs()).min(1.0), probe));
                 Some((position, weight))

@@ -66,11 +66,8 @@ macro_rules! with_effects {
             LightXOnDisk: "light.x", "round", "x_F", "x_D·κ_F", "1.5";
             LightYOnDisk: "light.y", "round", "y_F", "y_D·κ_F", "1.5";
             LightOutward: "light.outward", "", "ν_F", "", "1.5";
-            // By solid angle: where the point is seen, and the weight of its shadow ray by the profile.
+            // By solid angle the place of the point is an input, and the profile weighs its shadow ray.
             LightSolidAngle: "light.solid_angle", "", "Ω_F", "", "1.5";
-            LightXSeen: "light.x", "seen", "x_F", "", "1.5";
-            LightYSeen: "light.y", "seen", "y_F", "", "1.5";
-            LightOutwardSeen: "light.outward", "seen", "ν_F", "", "1.5";
             LightPositionOnArea: "light.position", "on_area", "F", "C_F + e_u·x_F + e_v·y_F", "1.5";
             LightPositionOnSphere: "light.position", "on_sphere", "F", "C_F + ν_F·r_F", "1.5";
             LightProfileCosine: "light.profile_cosine", "", "c_F", "", "1.5";

@@ -153,7 +153,9 @@ pub enum By {
 #[schemars(extend("dependentSchemas" = {
     "profile": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}]},
     "samples": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}, {"required": ["sphere"]}]},
-    "by": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}, {"required": ["sphere"]}]},
+    "by": {"anyOf": [
+        {"required": ["rectangle"]}, {"required": ["sphere"]}, {"required": ["disk"], "properties": {"by": {"const": "area"}}},
+    ]},
 }))]
 struct LightKeys {
     /// Its name; left out, it is `light-1` and so on.
