@@ -154,7 +154,7 @@ pub enum By {
     "profile": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}]},
     "samples": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}, {"required": ["sphere"]}]},
     "by": {"anyOf": [
-        {"required": ["rectangle"]}, {"required": ["sphere"]}, {"required": ["disk"], "properties": {"by": {"const": "area"}}},
+        {"required": ["rectangle"]}, {"required": ["sphere"]}, {"required": ["disk"], "patternProperties": {"^by$": {"const": "area"}}},
     ]},
 }))]
 struct LightKeys {
