@@ -1,6 +1,6 @@
 //! Probes that alter what the computation goes on with: other arithmetics, with or without a recording.
 
-use super::{Probe, Quantity, ROUNDINGS};
+use super::{Probe, Quantity, ROUNDINGS, Spared};
 use crate::log::{Decision, Name, Step, round_half_away};
 
 /// Alters every named quantity, then shows it to `probe`.
@@ -56,6 +56,10 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
 
     fn bounds_tested(&mut self, count: u64) {
         self.probe.bounds_tested(count);
+    }
+
+    fn spared(&mut self, why: Spared, rays: u64) {
+        self.probe.spared(why, rays);
     }
 
     fn certifies(&self) -> bool {

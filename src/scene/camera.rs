@@ -5,7 +5,7 @@ use crate::geometry::Ray;
 use crate::geometry::size::unit;
 use crate::geometry::unit::middling;
 use crate::log::{Decision, Name};
-use crate::probe::Probe;
+use crate::probe::{Probe, Silent};
 use crate::random::{Dimension, Draws};
 use glam::DVec3;
 
@@ -119,6 +119,11 @@ impl Camera {
         along(self.position, vector, probe)
     }
 
+    /// The direction to a place of the picture, in pixels from its top left corner, not normalised: linear in the place.
+    pub fn vector_through(&self, place: [f64; 2]) -> DVec3 {
+        self.frame_through(place, &mut Silent).2
+    }
+
     /// Which way is up in the picture: a unit vector.
     pub fn up(&self) -> DVec3 {
         self.up
@@ -199,7 +204,6 @@ fn time_within<P: Probe>([open, close]: [f64; 2], draws: &Draws, probe: &mut P) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::probe::Silent;
 
     #[test]
     fn a_point_is_seen_where_its_ray_goes() {

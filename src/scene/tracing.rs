@@ -137,12 +137,12 @@ impl Tracing {
 /// The rules by which work is left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Skip {
-    rules: u8,
+    rules: u16,
 }
 
 impl Skip {
     /// Every rule.
-    pub const ALL: Skip = Skip { rules: u8::MAX };
+    pub const ALL: Skip = Skip { rules: u16::MAX };
     /// No rule.
     pub const NONE: Skip = Skip { rules: 0 };
 
@@ -162,7 +162,7 @@ impl Skip {
         self.rules & Skip::bit(rule) != 0
     }
 
-    fn bit(rule: SkipReason) -> u8 {
-        1 << rule as u8
+    fn bit(rule: SkipReason) -> u16 {
+        1 << rule as u16
     }
 }

@@ -7,7 +7,7 @@ use super::{Media, Meeting, Path, Via, in_range, radiance};
 use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
-use crate::probe::Probe;
+use crate::probe::{Probe, Spared};
 use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Formulas, Scene};
 use glam::{BVec3, DVec3};
@@ -223,8 +223,12 @@ fn doubled_cosine<P: Probe>(ray: &Ray, normal: DVec3, eta: f64, probe: &mut P) -
 
 /// Whether a bounce isn't traced: because of the depth limit, or because it can't be seen.
 fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weight: Color, probe: &mut P) -> bool {
+    let material = meeting.material;
     let tracing = &scene.tracing;
+    let lobe = if what == Skippable::Reflected { material.gloss_exponent } else { material.translucency_exponent };
+    let rays = if lobe.is_some() { u64::from(material.zones) } else { 1 };
     if !tracing.goes_deeper(meeting.path.level) {
+        probe.spared(Spared::DepthLimit, rays);
         probe.mark(Decision::DepthLimit { what });
         return true;
     }
@@ -240,6 +244,7 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weig
     if why == SkipReason::Cutoff {
         give_loss(scene, meeting.path, weight, probe);
     }
+    probe.spared(Spared::Skipped(why), rays);
     probe.mark(Decision::Skipped { what, why });
     true
 }
@@ -252,7 +257,7 @@ fn is_zero_path(scene: &Scene, path: &Path, weight: Color) -> bool {
 
 /// The channels in which some weight on a path, or the next one, is zero. The product of the weights doesn't tell: it may have become
 /// too small for a number, while a light is so bright that something would be left of it.
-fn dead_channels(path: &Path, weight: Color) -> BVec3 {
+pub(super) fn dead_channels(path: &Path, weight: Color) -> BVec3 {
     let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());
     bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight.cmpeq(Color::ZERO))
 }

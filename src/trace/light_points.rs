@@ -24,9 +24,12 @@ pub(super) fn add<P: Probe>(
     let dimension = Dimension::Light { route: meeting.path.route(), light: number };
     let splits = meeting.path.draws.splits(dimension, area.samples);
     let color = light.share();
-    // What can't shadow any point of the light isn't asked for each; whoever counts or logs tests sees them all.
-    let among =
-        if P::IS_SILENT { scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object) } else { None };
+    // What can't shadow any point of the light isn't asked for each. Whoever counts is told which searches that saves.
+    let among = if P::IS_HURRIED {
+        scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object)
+    } else {
+        None
+    };
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
         light.give(probe);

@@ -9,11 +9,12 @@ mod pattern;
 mod place;
 pub mod query;
 mod shade;
+mod unseen;
 mod visibility;
 mod zones;
 
 pub use crate::geometry::Hit;
-pub(crate) use bounce::{refract, transmitted_cosine};
+pub(crate) use bounce::{printed_cosine, refract, transmitted_cosine};
 pub use media::Media;
 pub use place::{Layer, Place};
 pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};

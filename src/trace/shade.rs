@@ -1,18 +1,19 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
 use super::visibility::{Obstacles, transmittance_among};
-use super::{Meeting, in_range, light_points, pattern};
+use super::{Meeting, in_range, light_points, pattern, unseen};
 use crate::geometry::Ray;
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
-use crate::probe::Probe;
+use crate::probe::{Probe, Spared};
 use crate::scene::{Arrival, Color, Formulas, Light, LightKind, Material, Scene, Specular};
 use glam::DVec3;
 
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead. Nothing where its weight is zero.
 pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
-    if meeting.weights.local == Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroLocal) {
-        probe.mark(Decision::Skipped { what: Skippable::Local, why: SkipReason::ZeroLocal });
+    if let Some(why) = unseen::local_model(scene, meeting) {
+        probe.spared(Spared::Skipped(why), unseen::shadow_rays(scene, meeting));
+        probe.mark(Decision::Skipped { what: Skippable::Local, why });
         return Color::ZERO;
     }
     probe.within(Step::Shade { object: meeting.layer.object }, |probe| match &meeting.material.pattern {
@@ -86,12 +87,10 @@ pub(super) fn from_light<P: Probe>(
     let is_used = is_in_front || (is_behind && material.uses_light_behind());
     if !is_used {
         // The algorithm itself sends no shadow ray there, whatever rules are in force.
-        probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind });
-        return Color::ZERO;
+        return without_shadow_ray(SkipReason::Behind, probe);
     }
-    if is_in_front && !material.uses_light_in_front() && scene.tracing.skip.has(SkipReason::NoLocalTerm) {
-        probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm });
-        return Color::ZERO;
+    if let Some(why) = unseen::light(scene, meeting, source.color, is_in_front) {
+        return without_shadow_ray(why, probe);
     }
     let passed = shadow_ray(scene, meeting, source, &arrival, is_in_front, probe);
     if passed == Color::ZERO {
@@ -104,6 +103,13 @@ pub(super) fn from_light<P: Probe>(
         transmission(scene, meeting, material, view, arrival.direction, probe)
     };
     arriving * reflectance
+}
+
+/// What a light adds to which no shadow ray is sent, by this rule: nothing.
+fn without_shadow_ray<P: Probe>(why: SkipReason, probe: &mut P) -> Color {
+    probe.spared(Spared::Skipped(why), 1);
+    probe.mark(Decision::Skipped { what: Skippable::Shadow, why });
+    Color::ZERO
 }
 
 /// The part of a light's intensity that reaches the surface point: nothing, if the light stands on that side of the surface

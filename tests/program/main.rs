@@ -37,4 +37,5 @@ mod scenes;
 mod schema;
 mod second_example;
 mod shards;
+mod stability;
 mod worked_table;

@@ -19,6 +19,7 @@ mod overflow;
 mod refraction;
 mod regions;
 mod rounding;
+mod skipped_light;
 mod skips;
 mod textbook;
 mod trust;

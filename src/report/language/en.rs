@@ -184,6 +184,11 @@ fn skip_reason(why: SkipReason) -> &'static str {
         SkipReason::ZeroLocal => "its weight is zero",
         SkipReason::ZeroTerm => "its coefficient is zero",
         SkipReason::Behind => "the light stands behind the surface",
+        SkipReason::ZeroLight => "the light's colour and the coefficients leave nothing of any channel",
+        SkipReason::ZeroPathLocal => "its weight and those on its path leave nothing of any channel",
+        SkipReason::ZeroPathLight => {
+            "the weights on its path, the light's colour and the coefficients leave nothing of any channel"
+        }
     }
 }
 

@@ -205,6 +205,11 @@ fn skip_reason(why: SkipReason) -> &'static str {
         SkipReason::ZeroPath => "los pesos de su camino no dejan nada de ningún color",
         SkipReason::ZeroTerm => "su coeficiente es cero",
         SkipReason::Behind => "la fuente está detrás de la superficie",
+        SkipReason::ZeroLight => "el color de la fuente y los coeficientes no dejan nada de ningún color",
+        SkipReason::ZeroPathLocal => "su peso y los de su camino no dejan nada de ningún color",
+        SkipReason::ZeroPathLight => {
+            "los pesos de su camino, el color de la fuente y los coeficientes no dejan nada de ningún color"
+        }
     }
 }
 
