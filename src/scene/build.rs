@@ -1,5 +1,6 @@
 //! From a checked scene file to a scene that can be traced.
 
+use super::area_light::Spread;
 use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::profile::CosineProfile;
@@ -141,7 +142,11 @@ fn area(surface: LightSurface, light: &file::Light) -> LightKind {
         file::Profile::CosinePower(power) if power > 0.0 => Some(CosineProfile::new(power)),
         _ => None,
     };
-    LightKind::Area(Box::new(AreaLight { surface, profile, samples: count(light.samples) }))
+    let by = match light.by {
+        file::By::Area => Spread::Area,
+        file::By::SolidAngle => Spread::SolidAngle,
+    };
+    LightKind::Area(Box::new(AreaLight { surface, profile, samples: count(light.samples), by }))
 }
 
 /// The limits of counts keep them far below 2³².

@@ -82,6 +82,11 @@ impl Light {
         }
     }
 
+    /// The most that a point of it counts for, in parts of the mean.
+    pub fn largest_weight(&self) -> f64 {
+        if let LightKind::Area(area) = &self.kind { area.largest_weight() } else { 1.0 }
+    }
+
     /// The light as seen from a point (Ramos, section 1.3, step 6), an area light's centre; `None` from the very place where it is.
     #[inline]
     pub fn seen_from<P: Probe>(&self, point: DVec3, probe: &mut P) -> Option<Arrival> {

@@ -20,6 +20,7 @@ pub mod material;
 mod open;
 pub mod profile;
 pub mod sampling;
+mod solid_angle;
 pub mod square;
 pub mod tracing;
 pub mod unsupported;

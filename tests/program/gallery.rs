@@ -46,6 +46,16 @@ fn figures_16_to_20() {
     }
 }
 
+/// Above in colour, below the luminance alone: left an edge that only colour shows, right one of luminance.
+#[test]
+fn equal_luminance() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let by = |sampling: &str| picture(folder.path(), "equal-luminance", &["--sampling", sampling]).enlarged(4);
+    let colours = [by("none"), by("adaptive:threshold=0.02,depth=4")];
+    let greys = colours.clone().map(|picture| picture.map(|pixel| [crate::equal_luminance::level(pixel); 3]));
+    is_in_gallery("equal-luminance", &plate(&[colours, greys].concat(), 2));
+}
+
 #[test]
 fn frames_of_the_wheels() {
     let folder = tempfile::tempdir().expect("a folder");

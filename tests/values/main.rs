@@ -16,6 +16,7 @@ mod log_files;
 mod log_spellings;
 mod notes;
 mod overflow;
+mod refraction;
 mod regions;
 mod rounding;
 mod skipped_light;

@@ -1,5 +1,6 @@
 //! English.
 
+mod close_up;
 mod viewer;
 
 use super::{Causes, Figure, Solution, Texts};
@@ -148,6 +149,7 @@ pub(super) const TEXTS: Texts = Texts {
         adds: |share, color| format!("{share} of the intensity, {color}"),
         no_rays: "The log has no rays that can be drawn.",
     },
+    close_up: close_up::CLOSE_UP,
     viewer: viewer::VIEWER,
 };
 

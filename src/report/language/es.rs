@@ -1,5 +1,6 @@
 //! Spanish, with the terms of the source text.
 
+mod close_up;
 mod viewer;
 
 use super::{Causes, Figure, Solution, Texts};
@@ -170,6 +171,7 @@ pub(super) const TEXTS: Texts = Texts {
         adds: |share, color| format!("{share} de la intensidad, {color}"),
         no_rays: "El registro no tiene rayos que se puedan dibujar.",
     },
+    close_up: close_up::CLOSE_UP,
     viewer: viewer::VIEWER,
 };
 

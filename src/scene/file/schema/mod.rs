@@ -14,7 +14,7 @@ mod shape;
 
 pub use camera::{Aim, Camera, Lens};
 pub use json_schema::json_schema;
-pub use light::{DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
+pub use light::{By, DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
 pub use objects::MAX_DUPLICATES;
 pub use settings::{
