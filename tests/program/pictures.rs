@@ -119,7 +119,7 @@ fn levels_are_values_times_two_to_the_exposure_over_white_through_the_curve() {
     let cases: [(&[&str], [f64; 3]); 6] = [
         // 255 · x · 2^1 / 2, and so on.
         (&[], [0.25, 1.0, 9.0]),
-        (&["--exposure", "-2.5"], [0.25, 1.0, 9.0].map(|x| x / 2.0_f64.powi(5).sqrt() / 2.0)),
+        (&["--exposure", "-2.5"], [0.25, 1.0, 9.0].map(|x| x / 32.0_f64.sqrt() / 2.0)),
         (&["--exposure=-2"], [0.03125, 0.125, 1.125]),
         (&["--white", "18"], [0.25, 1.0, 9.0].map(|x| x / 9.0)),
         (&["--exposure", "0", "--white", "1e3"], [0.00025, 0.001, 0.009]),
