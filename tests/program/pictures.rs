@@ -152,7 +152,7 @@ fn a_scene_says_its_exposure_and_the_call_wins() {
     let folder = folder();
     let scene = background(&folder, [0.5, 0.5, 0.5], r#"{"exposure": -1.5, "transfer": "srgb"}"#);
     let shown: serde_json::Value = serde_json::from_str(&prints(&["scene", "show", &scene])).expect("JSON");
-    assert_eq!(shown["output"], serde_json::json!({"white": 1.0, "transfer": "srgb", "exposure": -1.5}));
+    assert_eq!(shown["output"], serde_json::json!({"white": 1, "transfer": "srgb", "exposure": -1.5}));
     let schema = prints(&["scene", "schema"]);
     assert!(schema.contains("\"exposure\""));
     let ppm = path(&folder, "a.ppm");
@@ -196,7 +196,9 @@ fn white_moves_thresholds_and_exposure_does_not() {
     let samples = |options: &[&str]| {
         let call = [
             "render",
-            "figure-19",
+            "penumbra",
+            "--size",
+            "64x48",
             "--sampling",
             "adaptive:threshold=0.1,depth=3",
             "-q",
