@@ -42,10 +42,10 @@ fn near(scene: &Scene, rectangle: Option<Rectangle>) -> Vec<SmallObject> {
     let widened = rectangle.map(|[left, top, right, bottom]| [left - 0.01, top - 0.01, right + 0.01, bottom + 0.01]);
     let is_near = |outline: &Outline| widened.is_none_or(|rectangle| outline.reaches_into(rectangle));
     let mut found = Vec::new();
-    for (object, thing) in (0..).zip(&scene.objects) {
-        let Some(whole) = seen(&scene.camera, thing).filter(is_near) else { continue };
-        let small = |outline| SmallObject { object, outline };
-        let parts = parts(&thing.shape);
+    for (number, object) in (0..).zip(&scene.objects) {
+        let Some(whole) = seen(&scene.camera, object).filter(is_near) else { continue };
+        let small = |outline| SmallObject { object: number, outline };
+        let parts = parts(&object.shape);
         if whole.width() < CELLS_IN_A_FOUND_OBJECT || parts.is_empty() {
             found.extend(Some(whole).filter(reaches).map(small));
             continue;

@@ -1,9 +1,8 @@
 //! `raywalk bench error --depths` and `--cutoffs`: what limits of the ray tree lose and save.
 
 use super::TableFormat;
-use super::table::quoted;
+use super::table::{print_measured, quoted};
 use crate::cli::failure::Failure;
-use crate::cli::output;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
 use raywalk::scene::file::visible;
@@ -26,17 +25,8 @@ pub fn run(
     threads: usize,
     format: TableFormat,
 ) -> Result<(), Failure> {
-    let measure = |scene: &Scene| {
-        let ladder = ladder(scene, threads).map_err(|error| Failure::machine(error.to_string()))?;
-        Ok(Measured { scene: scene.name.clone(), ladder })
-    };
-    let measured = scenes.iter().map(measure).collect::<Result<Vec<_>, Failure>>()?;
-    let text = match format {
-        TableFormat::Text => text(&measured),
-        TableFormat::Csv => csv(&measured),
-        TableFormat::Json => format!("{:#}\n", serde_json::json!({ "scenes": measured })),
-    };
-    output::print(text.as_bytes())
+    let measure = |scene: &Scene| Ok(Measured { scene: scene.name.clone(), ladder: ladder(scene, threads)? });
+    print_measured(scenes, measure, format, text, csv)
 }
 
 /// The name of a limit, and its value.

@@ -8,7 +8,7 @@ pub type Place = [f64; 2];
 /// A figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
-    /// What stands below it.
+    /// The text below it.
     pub caption: String,
     /// How wide and high it is, without the caption.
     pub size: [f64; 2],
@@ -75,7 +75,7 @@ pub enum Piece {
 pub enum Ink {
     /// Text and the normal.
     Black,
-    /// What stands behind.
+    /// Lines and areas behind the vectors: axes, edges, the way onward.
     Grey,
     /// The arriving ray and the way back to the viewer.
     Viewer,
