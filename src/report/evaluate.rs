@@ -10,15 +10,15 @@ mod wide;
 
 use crate::log::formula::{self, Extreme, Formula, Operator, Several};
 use crate::log::scope::{self, Operand};
-use crate::log::{Event, Name, Tree, Value};
+use crate::log::{Event, Header, Log, Name, Tree, Value, round_half_away};
 
 /// The value of the formula of the quantity `name` that `event` notes, before any rounding; `None` for what has no
 /// formula.
 ///
 /// # Errors
 /// Which operand the log doesn't hold, or what can't be computed.
-pub fn evaluate(events: &[Event], tree: &Tree, event: usize, name: Name) -> Option<Result<Value, String>> {
-    evaluate_within(events, tree, event, name).map(|result| result.map(|within| within.value))
+pub fn evaluate(log: &Log, tree: &Tree, event: usize, name: Name) -> Option<Result<Value, String>> {
+    evaluate_within(log, tree, event, name).map(|result| result.map(|within| within.value))
 }
 
 /// What a formula comes to, and how far from there the logged value may be.
@@ -45,15 +45,15 @@ impl Within {
 ///
 /// # Errors
 /// As those of [`evaluate`].
-pub fn evaluate_within(events: &[Event], tree: &Tree, event: usize, name: Name) -> Option<Result<Within, String>> {
-    let formula = formula::of(name)?;
+pub fn evaluate_within(log: &Log, tree: &Tree, event: usize, name: Name) -> Option<Result<Within, String>> {
+    let (events, formula) = (&log.events, formula::of(name)?);
     if name.is_doubled() {
         return Some(doubled::evaluate(events, tree, event, formula));
     }
     let logged = |symbol, light| operand(events, tree, event, symbol, light).map(|operand| operand.value);
     let result = match formula {
         Formula::Over(Several::Surfaces, _) => Ok(Value::Triple(scope::transmittance(events, tree, event))),
-        _ => evaluate_with(tree, event, formula, &logged),
+        _ => evaluate_with(&log.header, tree, event, formula, &logged),
     };
     let exact = |value: Value| Within { value, bound: zero_of(&value) };
     Some(result.map(exact))
@@ -96,12 +96,19 @@ pub fn operand(events: &[Event], tree: &Tree, event: usize, symbol: &str, light:
     }
 }
 
-/// The value of a formula at `event`, with the operands that `operands` has for a symbol and, under a Σ, the node of a light.
+/// The value of a formula at `event` of a log with this header, with the operands that `operands` has for a symbol and, under a Σ, the node of a light.
 ///
 /// # Errors
 /// As those of [`evaluate`].
-pub fn evaluate_with(tree: &Tree, event: usize, formula: &Formula, operands: &Operands) -> Result<Value, String> {
-    match (Evaluator { tree, event, operands, light: None }).part(formula)? {
+pub fn evaluate_with(
+    header: &Header,
+    tree: &Tree,
+    event: usize,
+    formula: &Formula,
+    operands: &Operands,
+) -> Result<Value, String> {
+    let decimals_of_products = header.decimals_of_products();
+    match (Evaluator { tree, event, operands, light: None, decimals_of_products }).part(formula)? {
         Part::Value(value) => Ok(value),
         absent => Err(format!("the formula comes to {absent:?}")),
     }
@@ -117,6 +124,8 @@ struct Evaluator<'a> {
     operands: &'a Operands<'a>,
     /// The light whose term under Σ is evaluated.
     light: Option<usize>,
+    /// To how many decimals the products of a dot product are rounded before they are added.
+    decimals_of_products: Option<u32>,
 }
 
 /// What a part of a formula comes to.
@@ -179,7 +188,7 @@ impl Evaluator<'_> {
             }
             Formula::Binary(operator, left, right) => match (operator, &**right) {
                 (Operator::Plus, Formula::OverLights(term)) => self.over_lights(self.part(left)?, term),
-                _ => binary(*operator, self.part(left)?, self.part(right)?),
+                _ => self.binary(*operator, self.part(left)?, self.part(right)?),
             },
         }
     }
@@ -189,6 +198,17 @@ impl Evaluator<'_> {
             Part::Value(Value::Number(x)) => Ok(x),
             Part::Zero => Ok(0.0),
             part => Err(format!("{part:?} is no number")),
+        }
+    }
+
+    /// What is written as a product: that of two triples is a dot product, whose own products may be rounded.
+    fn binary(&self, operator: Operator, left: Part, right: Part) -> Result<Part, String> {
+        match (operator, left, right, self.decimals_of_products) {
+            (Operator::Times, Part::Value(Value::Triple(a)), Part::Value(Value::Triple(b)), Some(digits)) => {
+                let [x, y, z] = [0, 1, 2].map(|i| round_half_away(a[i] * b[i], digits));
+                Ok(Part::Value(Value::Number(x + y + z)))
+            }
+            _ => binary(operator, left, right),
         }
     }
 

@@ -34,7 +34,8 @@ proptest! {
     fn every_quantity_of_a_log_can_be_evaluated(seed in any::<u64>()) {
         let scene = random_scenes::scene(seed);
         let mut random = Random::new(!seed);
-        let arithmetics = [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(3), Arithmetic::Perturbed(seed)];
+        let by_hand = [Arithmetic::Decimal(3), Arithmetic::DecimalProducts(3)];
+        let arithmetics = [Arithmetic::F64, Arithmetic::F32, by_hand[0], by_hand[1], Arithmetic::Perturbed(seed)];
         for arithmetic in arithmetics {
             let pixel = [random.below(9) as u32, random.below(7) as u32];
             let log = record::pixel(&scene, pixel, arithmetic);
@@ -53,14 +54,14 @@ fn wrong(log: &Log, arithmetic: Arithmetic) -> Vec<String> {
             // An input with a formula of its own; others under names of quantities were handed on.
             let is_made = *name == Name::PixelSide;
             if is_made
-                && evaluate(events, &tree, at, *name)
+                && evaluate(log, &tree, at, *name)
                     .is_none_or(|found| found.is_ok_and(|found| !found.same_bits(value)))
             {
                 wrong.push(format!("{name:?} is {value:?}"));
             }
         }
         match event.what {
-            What::Note { name, .. } => match verdict(events, &tree, at, arithmetic) {
+            What::Note { name, .. } => match verdict(log, &tree, at, arithmetic) {
                 None if WITHOUT.contains(&name) => {}
                 None => wrong.push(format!("{name:?} has no formula")),
                 Some(Ok(())) => {}
