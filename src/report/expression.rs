@@ -1,9 +1,9 @@
 //! A formula ready to be written in any format: with its symbols, or with the numbers put in.
 
 use super::provenance::Operand;
-use super::{Style, number};
+use super::{Style, evaluate, forms, number};
 use crate::log::formula::{Extreme, Formula, Operator};
-use crate::log::{Log, Tree, Value, scope};
+use crate::log::{Log, Tree, Value, What, scope};
 
 /// A formula with symbols or numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,7 +88,22 @@ pub fn substituted(
     style: Style,
     links: &[Operand],
 ) -> Option<Expression> {
+    if !explains(log, tree, event, formula, style) {
+        return None;
+    }
     Substitution { log, tree, event, light: None, style, links }.part(formula).shown()
+}
+
+/// Whether the operands that the log holds give the value of an event by this formula, but for what rounding and the
+/// digits that are shown hide. Those of a log that another program wrote may be absent, or others of the same symbol. The book
+/// prints what doesn't follow from its formulas, and its own arithmetic is shown as it is.
+fn explains(log: &Log, tree: &Tree, event: usize, formula: &Formula, style: Style) -> bool {
+    let What::Note { value, .. } = log.events[event].what else { return true };
+    let operands = |symbol, light| evaluate::operand(&log.events, tree, event, symbol, light).map(|found| found.value);
+    match evaluate::evaluate_with(tree, event, formula, &operands) {
+        Ok(computed) => log.header.arithmetic == "printed" || forms::is_near(log, &computed, &value, style.digits),
+        Err(_) => false,
+    }
 }
 
 /// Puts numbers into the formula of one event.

@@ -11,6 +11,7 @@ mod support;
 
 mod diff;
 mod digits;
+mod foreign_logs;
 mod formulas;
 mod log_files;
 mod log_spellings;

@@ -17,6 +17,7 @@ mod figures;
 mod lines;
 mod saved;
 mod solutions;
+mod steps;
 mod tags;
 mod tools;
 

@@ -1,15 +1,17 @@
 //! The comparison of two logs for people.
 
 use super::summary::{Pixel, Summary};
-use super::{Comparison, Difference, Entry, First, HeaderDifference, Side, Told, Why, telling_apart};
+use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Side, Told, Why};
+use super::{header_differences, telling_apart};
 use crate::log::Header;
 use crate::log::escape::{shortened, width};
 use crate::report::number::{self, size};
 use crate::report::words;
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 /// Writes a comparison piece by piece: what the logs are, then each pixel, then the summary.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Text {
     /// To how many decimals values were rounded before they were compared; without it they are shown with as many as tell them
     /// apart.
@@ -20,6 +22,10 @@ pub struct Text {
     has_first: bool,
     /// Whether the logs are of different arithmetics, so that the same operands give different values.
     is_rounded_otherwise: bool,
+    /// Whether the headers name two scenes.
+    is_of_other_scene: bool,
+    /// The inputs of the scene that were told already.
+    told: BTreeSet<String>,
     /// How many pixels only A had so far, and only B.
     alone: [u64; 2],
 }
@@ -34,17 +40,26 @@ impl Text {
     /// Begins a comparison. Values are shown with `digits` decimals, or with as many as tell them apart; a brief comparison has no
     /// tables.
     pub fn new(digits: Option<u32>, is_brief: bool) -> Text {
-        Text { digits, is_brief, has_first: false, is_rounded_otherwise: false, alone: [0; 2] }
+        Text {
+            digits,
+            is_brief,
+            has_first: false,
+            is_rounded_otherwise: false,
+            is_of_other_scene: false,
+            told: BTreeSet::new(),
+            alone: [0; 2],
+        }
     }
 
     /// The same between these logs.
     pub fn between(self, a: &Header, b: &Header) -> Text {
-        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, ..self }
+        let is_of_other_scene = header_differences(a, b).iter().any(|said| said.field == "scene.digest");
+        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, is_of_other_scene, ..self }
     }
 
     /// What the logs are, and what their headers say differently.
     pub fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
-        *self = self.between(a, b);
+        *self = self.clone().between(a, b);
         let mut out = String::new();
         for (letter, header) in [("A", a), ("B", b)] {
             let subject: Vec<_> = words::frame(header).into_iter().chain([words::subject(header)]).collect();
@@ -66,6 +81,7 @@ impl Text {
             self.has_first = true;
             out += &self.first(pixel, first);
         }
+        out += &self.changed(&found.changed);
         if self.is_brief || found.differences.is_empty() {
             return out;
         }
@@ -86,6 +102,17 @@ impl Text {
             out += &table(without_middle(rows.collect()));
         }
         out
+    }
+
+    /// The inputs of the scene that differ, each in the first pixel that has it.
+    fn changed(&mut self, changed: &[Changed]) -> String {
+        let mut lines = String::new();
+        for Changed { input, a, b } in changed {
+            if self.told.insert(input.clone()) {
+                lines += &format!("  {input}: {a} → {b}\n");
+            }
+        }
+        if lines.is_empty() { lines } else { format!("\nChanged in the scene\n{lines}") }
     }
 
     /// A pixel that only one log has.
@@ -215,6 +242,7 @@ impl Text {
             Why::OtherFormula => "another formula",
             Why::Input => "an input",
             Why::Before => "what was before",
+            Why::First if self.is_of_other_scene => "the scenes differ (scene.digest), nothing before it in the logs",
             Why::First => "nothing before it differs",
             Why::NotNeeded => "not needed there (`trace --tests all` logs every test)",
         }

@@ -68,43 +68,43 @@ impl Verdict {
     }
 }
 
-/// The book's step and its name for each printed quantity, in the order of [`Printed::all`].
-const STEPS: &[(&str, &str)] = &[
-    ("1", "|R_d|"),
-    ("1", "R_d"),
-    ("2", "V_d"),
-    ("2", "V_o"),
-    ("2", "t"),
-    ("3", "P_1"),
-    ("4", "R_d1"),
-    ("5a", "OC"),
-    ("5a", "L_2oc"),
-    ("5b", "T_A"),
-    ("5d", "T_2Ai"),
-    ("5e", "t_i"),
-    ("5f", "P_2"),
-    ("5g", "N_2"),
-    ("6", "F − P_2"),
-    ("6", "|F − P_2|"),
-    ("6", "L_2"),
-    ("6", "V_1"),
-    ("6", "L_2 + V_1"),
-    ("6", "|L_2 + V_1|"),
-    ("6", "H_2"),
-    ("7", "N_2·L_2"),
-    ("7", "N_2·H_2"),
-    ("7", "I_local-2 (red)"),
-    ("8", "V_0"),
-    ("8", "F − P_1"),
-    ("8", "|F − P_1|"),
-    ("8", "L_1"),
-    ("8", "L_1 + V_0"),
-    ("8", "|L_1 + V_0|"),
-    ("8", "H_1"),
-    ("8", "N_1·L_1"),
-    ("8", "N_1·H_1"),
-    ("8", "I_local-1 (red)"),
-    ("8", "I_global (red)"),
+/// What the book calls each printed quantity, in the order of [`Printed::all`].
+const CALLED: &[&str] = &[
+    "|R_d|",
+    "R_d",
+    "V_d",
+    "V_o",
+    "t",
+    "P_1",
+    "R_d1",
+    "OC",
+    "L_2oc",
+    "T_A",
+    "T_2Ai",
+    "t_i",
+    "P_2",
+    "N_2",
+    "F − P_2",
+    "|F − P_2|",
+    "L_2",
+    "V_1",
+    "L_2 + V_1",
+    "|L_2 + V_1|",
+    "H_2",
+    "N_2·L_2",
+    "N_2·H_2",
+    "I_local-2 (red)",
+    "V_0",
+    "F − P_1",
+    "|F − P_1|",
+    "L_1",
+    "L_1 + V_0",
+    "|L_1 + V_0|",
+    "H_1",
+    "N_1·L_1",
+    "N_1·H_1",
+    "I_local-1 (red)",
+    "I_global (red)",
 ];
 
 /// Why the book departs from its own rules, where it does: path, quantity, reason.
@@ -121,12 +121,12 @@ pub fn table(scene: &Scene) -> Table {
     let exact = Values::of(&record::pixel(scene, pixel, Arithmetic::F64));
     let listed: Listed = Printed::all().iter().map(|printed| (place_of(printed), printed.components.clone())).collect();
     let recomputed = Values::following(scene, pixel, &listed);
-    let row = |(printed, (step, called)): (&'static PrintedValue, &(&'static str, &'static str))| {
+    let row = |(printed, called): (&'static PrintedValue, &&'static str)| {
         // Of colours only red is printed.
         let components = |values: &Values| values.components(&place_of(printed), printed.components.len());
         let recomputed = components(&recomputed);
         Row {
-            step,
+            step: printed.step,
             called,
             quantity: printed.key,
             printed,
@@ -136,7 +136,7 @@ pub fn table(scene: &Scene) -> Table {
             exact: components(&exact),
         }
     };
-    Table { steps: Printed::all().iter().zip(STEPS).map(row).collect() }
+    Table { steps: Printed::all().iter().zip(CALLED).map(row).collect() }
 }
 
 /// The pixel of the example.

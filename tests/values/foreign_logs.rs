@@ -1,0 +1,293 @@
+//! Logs of other programs: without forms, without digests, with other order of keys, with operands left out and quantities of their own.
+
+use crate::random::Random;
+use crate::support::{grid, middle, scene};
+use raywalk::log::file::{Ending, PixelReader, read, to_ndjson};
+use raywalk::log::formula::{self, Extreme, Operator};
+use raywalk::log::{Log, Name, Tree, Value, What};
+use raywalk::record::{self, Arithmetic};
+use raywalk::report::contributions::{self, Origin};
+use raywalk::report::evaluate::evaluate;
+use raywalk::report::expression::{Expression, substituted};
+use raywalk::report::text::text;
+use raywalk::report::{Style, forms};
+use serde_json::{Value as Json, json};
+
+/// What a program writes and what it doesn't.
+#[derive(Clone, Copy)]
+struct Foreign {
+    /// Of ten values and inputs, so many are left out.
+    omitted: usize,
+    /// Of ten values, so many are followed by one of the program's own.
+    unknown: usize,
+    seed: u64,
+}
+
+impl Foreign {
+    /// The log as that program writes it, and how many quantities of its own it has.
+    fn write(self, log: &Log) -> (Vec<u8>, usize) {
+        let mut random = Random::new(self.seed);
+        let text = to_ndjson(log).expect("memory");
+        let lines = text.split(|byte| *byte == b'\n').filter(|line| !line.is_empty());
+        let mut lines: Vec<Json> = lines.map(|line| serde_json::from_slice(line).expect("JSON")).collect();
+        lines.pop();
+        let mut header = lines.remove(0);
+        header["scene"].as_object_mut().expect("an object").remove("digest");
+        let (mut out, mut count, mut own) = (shuffled(&header, &mut random), 0, 0);
+        for mut line in lines {
+            let fields = line.as_object_mut().expect("an object");
+            fields.remove("form");
+            if let Some(Json::Object(given)) = fields.get_mut("given") {
+                given.retain(|_, _| random.below(10) >= self.omitted);
+            }
+            if fields.contains_key("note") && random.below(10) < self.omitted {
+                continue;
+            }
+            let is_note = fields.contains_key("note");
+            out += &shuffled(&line, &mut random);
+            count += 1;
+            if is_note && random.below(10) < self.unknown {
+                out += &shuffled(
+                    &json!({"at": line["at"], "node": line["node"], "note": "my.own", "value": 7}),
+                    &mut random,
+                );
+                (count, own) = (count + 1, own + 1);
+            }
+        }
+        out += &format!("{{\"end\": {{\"events\": {count}}}}}\n");
+        (out.into_bytes(), own)
+    }
+}
+
+/// A line with its keys in any order.
+fn shuffled(value: &Json, random: &mut Random) -> String {
+    fn written(value: &Json, random: &mut Random) -> String {
+        let Json::Object(fields) = value else { return value.to_string() };
+        let mut fields: Vec<_> = fields.iter().map(|(key, value)| (key.clone(), value.clone())).collect();
+        for end in (1..fields.len()).rev() {
+            fields.swap(end, random.below(end + 1));
+        }
+        let fields: Vec<_> =
+            fields.iter().map(|(key, value)| format!("\"{key}\": {}", written(value, random))).collect();
+        format!("{{{}}}", fields.join(", "))
+    }
+    written(value, random) + "\n"
+}
+
+fn logs() -> Vec<Log> {
+    let scenes =
+        ["textbook", "glass-and-mirror", "table-top", "transmission", "penumbra", "motion-blur", "frosted-glass"];
+    let scenes = scenes.map(scene);
+    let logs = scenes.iter().flat_map(|scene| grid(scene, 3).into_iter().map(move |pixel| (scene, pixel)));
+    logs.flat_map(|(scene, pixel)| {
+        [Arithmetic::F64, Arithmetic::Decimal(3), Arithmetic::F32]
+            .map(|arithmetic| record::pixel(scene, pixel, arithmetic))
+    })
+    .collect()
+}
+
+/// Reads what that program wrote, whole and pixel by pixel, and finds the forms.
+#[track_caller]
+fn read_again(text: &[u8], own: usize) -> Log {
+    let found = read(text).expect("a log");
+    match &found.ending {
+        Ending::Complete => assert_eq!(own, 0),
+        Ending::Unknown { count, key, .. } => assert_eq!((*count, key.as_str()), (own, "my.own")),
+        other => panic!("{other:?}"),
+    }
+    let mut reader = PixelReader::open(text).expect("a log");
+    let events = reader.next_pixel().expect("a log").expect("a pixel").events;
+    assert_eq!(events, found.log.events);
+    while reader.next_pixel().expect("a log").is_some() {}
+    assert_eq!(reader.ending(), Some(&found.ending));
+    let mut log = found.log;
+    forms::find(&mut log);
+    log
+}
+
+#[test]
+fn forms_are_found_by_their_values() {
+    let (mut found, mut others) = (0, Vec::new());
+    for log in logs() {
+        let (text, own) = Foreign { omitted: 0, unknown: 0, seed: 1 }.write(&log);
+        let again = read_again(&text, own);
+        assert_eq!(again.events.len(), log.events.len());
+        let tree = Tree::of(&log.events);
+        for (at, (ours, theirs)) in log.events.iter().zip(&again.events).enumerate() {
+            let (What::Note { name, value }, What::Note { name: other, value: same }) = (&ours.what, &theirs.what)
+            else {
+                continue;
+            };
+            assert_eq!((name.key(), value), (other.key(), same));
+            found += usize::from(name == other && !name.form().is_empty());
+            if name != other && name.formula().is_some() {
+                // Another formula with the same value, as where an ellipsoid is a sphere.
+                let computed = evaluate(&again.events, &tree, at, *other);
+                let is_same =
+                    computed.is_some_and(|computed| computed.is_ok_and(|computed| near(&computed, value, &log)));
+                assert!(is_same, "{name:?} became {other:?}: {value:?}");
+                others.push((*name, *other));
+            }
+        }
+    }
+    assert!(found > 500 && others.len() * 10 < found, "{found} found, others: {others:?}");
+}
+
+#[test]
+fn a_whole_log_without_forms_and_digests_is_shown_as_the_original() {
+    for arithmetic in [Arithmetic::F64, Arithmetic::Decimal(3)] {
+        let scene = scene("textbook");
+        let log = record::pixel(&scene, middle(&scene), arithmetic);
+        let (written, _) = Foreign { omitted: 0, unknown: 0, seed: 3 }.write(&log);
+        assert_eq!(text(&read_again(&written, 0), Style::default()), text(&log, Style::default()));
+        let (written, own) = Foreign { omitted: 0, unknown: 4, seed: 3 }.write(&log);
+        assert!(own > 10);
+        assert_eq!(text(&read_again(&written, own), Style::default()), text(&log, Style::default()));
+    }
+}
+
+#[test]
+fn no_shown_line_is_false() {
+    let (mut shown, mut left_out) = (0, 0);
+    for (number, log) in logs().iter().enumerate() {
+        for omitted in [0, 1, 4] {
+            let (written, own) = Foreign { omitted, unknown: 1, seed: number as u64 }.write(log);
+            let log = read_again(&written, own);
+            let tree = Tree::of(&log.events);
+            for at in 0..log.events.len() {
+                let What::Note { name, value } = log.events[at].what else { continue };
+                let Some(formula) = formula::of(name) else { continue };
+                match substituted(&log, &tree, at, formula, Style::default(), &[]) {
+                    Some(expression) => {
+                        let computed = value_of(&expression);
+                        assert!(
+                            computed.is_some_and(|computed| near(&computed, &value, &log)),
+                            "{} {name:?} = {expression:?} = {computed:?}, logged {value:?}",
+                            log.header.scene.name
+                        );
+                        shown += 1;
+                    }
+                    None => left_out += 1,
+                }
+            }
+        }
+    }
+    assert!(shown > 5000 && left_out > 1000, "{shown} lines with numbers, {left_out} without");
+}
+
+/// Nothing that a log of raywalk's own has loses its numbers.
+#[test]
+fn own_logs_show_all_numbers() {
+    for log in logs() {
+        let tree = Tree::of(&log.events);
+        for at in 0..log.events.len() {
+            let What::Note { name, .. } = log.events[at].what else { continue };
+            let Some(formula) = formula::of(name) else { continue };
+            for digits in [0, 3, 12] {
+                let shown = substituted(&log, &tree, at, formula, Style { digits }, &[]);
+                assert!(
+                    shown.is_some(),
+                    "{} {}: {name:?}, {digits} digits",
+                    log.header.scene.name,
+                    log.header.arithmetic
+                );
+            }
+        }
+        let mut again = log.clone();
+        forms::find(&mut again);
+        assert_eq!(again, log);
+    }
+}
+
+#[test]
+fn what_a_log_leaves_open_is_no_rounding() {
+    let scene = scene("textbook");
+    for arithmetic in [Arithmetic::F64, Arithmetic::Decimal(3)] {
+        let mut log = record::pixel(&scene, middle(&scene), arithmetic);
+        let origins = |log: &Log| {
+            let account = contributions::account(log, &Tree::of(&log.events), 0);
+            let rest = account
+                .contributions
+                .iter()
+                .filter(|part| matches!(part.origin, Origin::Rounding | Origin::Unexplained));
+            rest.map(|part| part.origin).collect::<Vec<_>>()
+        };
+        assert!(!origins(&log).contains(&Origin::Unexplained));
+        // The weights are what the account needs.
+        for event in &mut log.events {
+            event.given = event.given.iter().copied().filter(|(name, _)| *name != Name::WeightReflected).collect();
+        }
+        assert_eq!(origins(&log), [Origin::Unexplained], "{arithmetic}");
+    }
+}
+
+/// Half a unit of what is shown, and the log's own rounding.
+fn near(computed: &Value, logged: &Value, log: &Log) -> bool {
+    let hand = if log.header.arithmetic == "decimal:3" { 0.000_500_1 } else { 0.0 };
+    let (computed, logged) = (computed.components(), logged.components());
+    let scale = logged.iter().fold(0.0, |scale: f64, x| scale.max(x.abs()));
+    let near =
+        |(a, b): (&f64, &f64)| (a - b).abs() <= f64::max(hand, 0.000_500_1 * b.abs().min(1.0)) + 1e-9 * scale || a == b;
+    computed.len() == logged.len() && computed.iter().zip(logged).all(near)
+}
+
+/// The value of what is put in: a third evaluation, of what is shown and not of formulas.
+fn value_of(expression: &Expression) -> Option<Value> {
+    use Value::{Number, Triple};
+    let each = |value: Value, f: &dyn Fn(f64) -> f64| match value {
+        Number(x) => Number(f(x)),
+        Triple(triple) => Triple(triple.map(f)),
+    };
+    let zipped = |a: [f64; 3], b: [f64; 3], f: &dyn Fn(f64, f64) -> f64| Triple([0, 1, 2].map(|i| f(a[i], b[i])));
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let of = |inner: &Expression| value_of(inner);
+    let extreme = |kind: Extreme, a: f64, b: f64| if kind == Extreme::Min { a.min(b) } else { a.max(b) };
+    Some(match expression {
+        Expression::Number(x) => Number(*x),
+        Expression::Value(value, _) => *value,
+        Expression::Symbol(_) => return None,
+        Expression::Negated(inner) => each(of(inner)?, &|x| -x),
+        Expression::Root(inner) => each(of(inner)?, &f64::sqrt),
+        Expression::Floor(inner) => each(of(inner)?, &f64::floor),
+        Expression::Positive(inner) => each(of(inner)?, &|x| x.clamp(0.0, 1.0)),
+        Expression::Grouped(inner) | Expression::OverLights(inner) => of(inner)?,
+        Expression::Squared(inner) => match of(inner)? {
+            Number(x) => Number(x * x),
+            Triple(triple) => Number(dot(triple, triple)),
+        },
+        Expression::Length(inner) => match of(inner)? {
+            Number(x) => Number(x.abs()),
+            Triple(triple) => Number(dot(triple, triple).sqrt()),
+        },
+        Expression::ExtremeComponent(kind, inner) => match of(inner)? {
+            Triple([x, y, z]) => Number(extreme(*kind, x, extreme(*kind, y, z))),
+            Number(_) => return None,
+        },
+        Expression::Extreme(kind, left, right) => match (of(left)?, of(right)?) {
+            (Number(a), Number(b)) => Number(extreme(*kind, a, b)),
+            (Triple(a), Triple(b)) => zipped(a, b, &|a, b| extreme(*kind, a, b)),
+            _ => return None,
+        },
+        Expression::Binary(operator, left, right) => match (operator, of(left)?, of(right)?) {
+            (Operator::Plus, Number(a), Number(b)) => Number(a + b),
+            (Operator::Plus, Triple(a), Triple(b)) => zipped(a, b, &|a, b| a + b),
+            (Operator::Minus, Number(a), Number(b)) => Number(a - b),
+            (Operator::Minus, Triple(a), Triple(b)) => zipped(a, b, &|a, b| a - b),
+            (Operator::Times, Triple(a), Triple(b)) => Number(dot(a, b)),
+            (Operator::Channelwise, Triple(a), Triple(b)) => zipped(a, b, &|a, b| a * b),
+            (Operator::Times, Number(a), Number(b)) => Number(a * b),
+            (Operator::Times | Operator::Channelwise, Triple(a), Number(b))
+            | (Operator::Times | Operator::Channelwise, Number(b), Triple(a)) => Triple(a.map(|x| x * b)),
+            (Operator::Over, value, Number(b)) => each(value, &|x| x / b),
+            (Operator::Cross, Triple(a), Triple(b)) => {
+                Triple([a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]])
+            }
+            (Operator::ComponentsOver, Triple(a), Triple(b)) => zipped(a, b, &|a, b| match a / b {
+                quotient if quotient.is_nan() => 0.0,
+                quotient => quotient.clamp(f64::MIN, f64::MAX),
+            }),
+            (Operator::Power, Number(a), Number(b)) => Number(libm::pow(a, b)),
+            _ => return None,
+        },
+    })
+}
