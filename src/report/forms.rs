@@ -5,7 +5,7 @@
 
 use super::Style;
 use super::evaluate::evaluate;
-use crate::log::{Event, Log, Name, Tree, Value, What};
+use crate::log::{Event, Log, Name, Tree, Value, What, round_half_away};
 use std::sync::LazyLock;
 
 /// So many values are asked first whether the log lacks its forms at all: those that raywalk writes never do.
@@ -27,13 +27,10 @@ pub fn find(log: &mut Log) {
         return;
     }
     for (at, name) in formless {
-        if explains(log, &tree, at, name) {
-            continue;
-        }
-        let mut rivals = Name::all().filter(|rival| rival.key() == name.key());
-        if let (Some(form), What::Note { name, .. }) =
-            (rivals.find(|rival| explains(log, &tree, at, *rival)), &mut log.events[at].what)
-        {
+        let rivals = || [name].into_iter().chain(Name::all().filter(|rival| rival.key() == name.key()));
+        let exact = rivals().find(|rival| gives(log, &tree, at, *rival));
+        let found = exact.or_else(|| rivals().find(|rival| explains(log, &tree, at, *rival)));
+        if let (Some(form), What::Note { name, .. }) = (found, &mut log.events[at].what) {
             *name = form;
         }
     }
@@ -60,6 +57,26 @@ fn explains(log: &Log, tree: &Tree, event: usize, name: Name) -> bool {
     computed.is_some_and(|computed| is_near(log, &computed, &value, Style::default().digits))
 }
 
+/// Whether the formula of a name gives the value that an event notes to the last bit, rounded as the log says.
+fn gives(log: &Log, tree: &Tree, event: usize, name: Name) -> bool {
+    let What::Note { value, .. } = log.events[event].what else { return false };
+    let rounded = |x: f64| match by_hand(log) {
+        Some(digits) => round_half_away(x, digits),
+        None if log.header.arithmetic == "f32" => f64::from((x as f32).clamp(f32::MIN, f32::MAX)),
+        None => x,
+    };
+    let computed = evaluate(&log.events, tree, event, name).and_then(Result::ok);
+    computed.is_some_and(|computed| {
+        let (computed, logged) = (computed.components(), value.components());
+        computed.len() == logged.len() && computed.iter().zip(logged).all(|(a, b)| rounded(*a) == *b)
+    })
+}
+
+/// The decimals of an arithmetic by hand.
+fn by_hand(log: &Log) -> Option<u32> {
+    log.header.arithmetic.strip_prefix("decimal:").and_then(|digits| digits.parse().ok())
+}
+
 /// Whether a value that a formula gives is the logged one, but for the log's own rounding and half a unit of the last
 /// of so many digits, of decimals or, below 1, of those that count.
 pub(super) fn is_near(log: &Log, computed: &Value, logged: &Value, digits: u32) -> bool {
@@ -68,12 +85,17 @@ pub(super) fn is_near(log: &Log, computed: &Value, logged: &Value, digits: u32) 
     let (computed, logged) = (computed.components(), logged.components());
     let scale = logged.iter().fold(0.0, |scale: f64, x| scale.max(x.abs()));
     let shown = 0.5 * unit(digits);
-    let by_hand = log.header.arithmetic.strip_prefix("decimal:").and_then(|digits| digits.parse().ok());
+    let by_hand = by_hand(log);
+    let is_single = log.header.arithmetic == "f32";
     let near = |a: f64, b: f64| {
-        let rounded = match by_hand {
-            Some(digits) => 0.5001 * unit(digits),
-            None if log.header.arithmetic == "f32" => f64::from(f32::EPSILON) * b.abs(),
-            None => 0.0,
+        let (a, rounded) = match by_hand {
+            Some(digits) => (a, 0.5001 * unit(digits)),
+            // What is too large or too small for single precision ends at its bounds.
+            None if is_single => (
+                a.clamp(f64::from(f32::MIN), f64::from(f32::MAX)),
+                f64::from(f32::EPSILON) * b.abs() + f64::from(f32::MIN_POSITIVE),
+            ),
+            None => (a, 0.0),
         };
         (a - b).abs() <= f64::max(rounded, shown * b.abs().min(1.0)) + NOISE * scale
     };

@@ -130,7 +130,8 @@ fn forms_are_found_by_their_values() {
             }
         }
     }
-    assert!(found > 500 && others.len() * 10 < found, "{found} found, others: {others:?}");
+    // By hand and in single precision formulas often come to the same.
+    assert!(found > 500 && others.len() * 3 < found, "{found} found, {} others: {others:?}", others.len());
 }
 
 #[test]
@@ -221,13 +222,17 @@ fn what_a_log_leaves_open_is_no_rounding() {
     }
 }
 
-/// Half a unit of what is shown, and the log's own rounding.
+/// Half a unit of what is shown, and the log's own rounding; in single precision also what is too large or too small for it.
 fn near(computed: &Value, logged: &Value, log: &Log) -> bool {
     let hand = if log.header.arithmetic == "decimal:3" { 0.000_500_1 } else { 0.0 };
+    let is_single = log.header.arithmetic == "f32";
     let (computed, logged) = (computed.components(), logged.components());
     let scale = logged.iter().fold(0.0, |scale: f64, x| scale.max(x.abs()));
-    let near =
-        |(a, b): (&f64, &f64)| (a - b).abs() <= f64::max(hand, 0.000_500_1 * b.abs().min(1.0)) + 1e-9 * scale || a == b;
+    let near = |(a, b): (&f64, &f64)| {
+        let a = if is_single { a.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) } else { *a };
+        let least = if is_single { f64::from(f32::MIN_POSITIVE) } else { 0.0 };
+        (a - b).abs() <= f64::max(hand, 0.000_500_1 * b.abs().min(1.0)) + 1e-9 * scale + least
+    };
     computed.len() == logged.len() && computed.iter().zip(logged).all(near)
 }
 
