@@ -24,9 +24,9 @@ differs with the operands that it comes from, and how the difference grows on it
 A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s \
 being the largest component of both values. Without any, every difference counts.
 
-Exit code 0: nothing differs; 1: something does; 2: the two can't be compared, or a log is damaged: a line can't be read, the end line
-is missing or doesn't fit, or there are quantities that raywalk doesn't know. The differences up to there are printed all the same;
-with --allow-damaged the exit code is theirs, 0 or 1.
+Exit code 0: nothing differs; 1: something does; 2: the two can't be compared, or a log is damaged (a line can't be read, the end \
+line is missing or doesn't fit) or has quantities that raywalk doesn't know. What differs up to there is printed all the same; with \
+--allow-damaged the exit code is 0 or 1 as the differences say.
 
 Examples:
   raywalk diff hand.ndjson f64.ndjson --digits 3

@@ -122,10 +122,13 @@ fn regions_are_compared_pixel_by_pixel() {
 
 /// The log of a tracer that doesn't record a quantity.
 fn without(log: &str, quantity: &str) -> String {
-    log.lines()
-        .filter(|line| !line.contains(&format!("\"note\":\"{quantity}\"")))
-        .map(|line| format!("{line}\n"))
-        .collect()
+    let is_kept = |line: &&str| !line.contains(&format!("\"note\":\"{quantity}\"")) && !line.starts_with("{\"end\"");
+    ended(&log.lines().filter(is_kept).collect::<Vec<_>>())
+}
+
+/// The header and events with an end that counts them.
+fn ended(lines: &[&str]) -> String {
+    format!("{}\n{{\"end\":{{\"events\":{}}}}}\n", lines.join("\n"), lines.len() - 1)
 }
 
 #[test]
@@ -160,8 +163,8 @@ fn pixels_in_another_order_are_told() {
     let text = std::fs::read_to_string(&log).expect("the log");
     let lines: Vec<&str> = text.lines().collect();
     let second = lines.iter().rposition(|line| line.contains("{\"pixel\":[159,119]}")).expect("a pixel");
-    // The header, the second pixel, the first one; no end.
-    let swapped = [&lines[..1], &lines[second..lines.len() - 1], &lines[1..second]].concat().join("\n") + "\n";
+    // The header, the second pixel, the first one.
+    let swapped = ended(&[&lines[..1], &lines[second..lines.len() - 1], &lines[1..second]].concat());
     let other = folder.path("b.ndjson");
     std::fs::write(&other, swapped).expect("written");
     let answer = raywalk(&["diff", &log, &other]).output().expect("it runs");

@@ -75,7 +75,7 @@ fn a_log_that_is_not_whole_ends_with_2_and_its_differences_are_told() {
     let mut garbled = lines.clone();
     garbled[30] = "{\"at\":30,\"node\":".to_owned();
     let mut edited = lines.clone();
-    edited[2] = edited[2].replace("-0.945", "-0.944");
+    edited[3] = edited[3].replace("-0.945", "-0.944");
     let cases = [
         ("cut", lines[..lines.len() - 1].to_vec(), "cut off"),
         ("miscounted", miscounted, "counts"),

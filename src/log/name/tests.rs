@@ -43,9 +43,9 @@ fn every_key_has_a_unit() {
 /// The exponents of a formula's value; `None` for a literal 0, which has any unit.
 type Dimension = Option<[i32; 4]>;
 
-/// The dimension of a formula that belongs to a quantity of this key.
-fn dimension(key: &str, formula: &Formula) -> Result<Dimension, String> {
-    let of = |inner: &Formula| dimension(key, inner);
+/// The dimension of a formula that is this name's.
+fn dimension(of_name: Name, formula: &Formula) -> Result<Dimension, String> {
+    let of = |inner: &Formula| dimension(of_name, inner);
     let number = |inner: &Formula| match of(inner)? {
         None | Some([0, 0, 0, 0]) => Ok(Some([0; 4])),
         other => Err(format!("{inner:?} is {other:?}, expected a number")),
@@ -61,7 +61,7 @@ fn dimension(key: &str, formula: &Formula) -> Result<Dimension, String> {
     match formula {
         Formula::Number(0.0) => Ok(None),
         Formula::Number(_) => Ok(Some([0; 4])),
-        Formula::Symbol(symbol) => unit_of(key, symbol).map(Some),
+        Formula::Symbol(symbol) => unit_of(of_name, symbol).map(Some),
         Formula::Negated(inner)
         | Formula::Grouped(inner)
         | Formula::Length(inner)
@@ -83,11 +83,13 @@ fn dimension(key: &str, formula: &Formula) -> Result<Dimension, String> {
     }
 }
 
-/// The dimension of a symbol: that of the quantities of the same shape, if one of them has it, else that of all.
-fn unit_of(key: &str, symbol: &str) -> Result<[i32; 4], String> {
-    let kind = |key: &str| key.split('.').next().map(str::to_owned);
+/// The dimension of a symbol: that of the quantities of the same shape, if one of them has it, else that of all. The shape stands in
+/// the key or, of a hit's point and normal, in the form.
+fn unit_of(of_name: Name, symbol: &str) -> Result<[i32; 4], String> {
+    let kind = |name: &Name| name.key().split('.').next().unwrap_or("");
     let all: Vec<Name> = Name::all().filter(|name| name.symbol() == symbol).collect();
-    let own: Vec<Name> = all.iter().copied().filter(|name| kind(name.key()) == kind(key)).collect();
+    let is_own = |name: &&Name| kind(name) == kind(&of_name) || of_name.form().contains(kind(name));
+    let own: Vec<Name> = all.iter().filter(is_own).copied().collect();
     let meant = if own.is_empty() { all } else { own };
     let dimensions: HashSet<_> = meant.iter().map(|name| name.unit().dimension()).collect();
     match dimensions.iter().next() {
@@ -101,7 +103,7 @@ fn every_formula_agrees_with_the_units() {
     for name in Name::all() {
         let Some(formula) = formula::of(name) else { continue };
         let expected = name.unit().dimension();
-        match dimension(name.key(), formula) {
+        match dimension(name, formula) {
             Ok(found) => assert!(found.is_none_or(|found| found == expected), "{name:?}: {found:?}, not {expected:?}"),
             Err(why) => panic!("{name:?}: {why}"),
         }
@@ -122,7 +124,7 @@ fn wrong_formulas_disagree() {
         ("refract.cos_2", "√(η² − |ℓ|)/η"),
     ] {
         let name = Name::all().find(|name| name.key() == key).unwrap();
-        let found = dimension(key, &formula::parse(wrong).unwrap());
+        let found = dimension(name, &formula::parse(wrong).unwrap());
         assert!(found.is_err() || found != Ok(Some(name.unit().dimension())), "{key}: {wrong}");
     }
 }

@@ -22,8 +22,8 @@ pub struct Text {
     has_first: bool,
     /// Whether the logs are of different arithmetics, so that the same operands give different values.
     is_rounded_otherwise: bool,
-    /// Whether the headers name two scenes.
-    is_of_other_scene: bool,
+    /// What the headers say differently of the scene and its tracing: the fields, or only the digest.
+    headers: Vec<&'static str>,
     /// The inputs of the scene that were told already.
     told: BTreeSet<String>,
     /// How many pixels only A had so far, and only B.
@@ -45,7 +45,7 @@ impl Text {
             is_brief,
             has_first: false,
             is_rounded_otherwise: false,
-            is_of_other_scene: false,
+            headers: Vec::new(),
             told: BTreeSet::new(),
             alone: [0; 2],
         }
@@ -53,8 +53,15 @@ impl Text {
 
     /// The same between these logs.
     pub fn between(self, a: &Header, b: &Header) -> Text {
-        let is_of_other_scene = header_differences(a, b).iter().any(|said| said.field == "scene.digest");
-        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, is_of_other_scene, ..self }
+        // What is traced, by what and in which arithmetic, is no change of the scene.
+        const NONE: [&str; 5] = ["subject", "version", "scene.name", "arithmetic", "shard"];
+        let differing = header_differences(a, b).into_iter().map(|said| said.field);
+        let mut headers: Vec<_> = differing.filter(|field| !NONE.contains(field)).collect();
+        // The digest covers the others.
+        if headers.len() > 1 {
+            headers.retain(|field| *field != "scene.digest");
+        }
+        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, headers, ..self }
     }
 
     /// What the logs are, and what their headers say differently.
@@ -175,8 +182,7 @@ impl Text {
     pub fn explanation(&self, First { computations, way, why }: &First) -> Vec<String> {
         let (Some(first), Some(origin)) = (way.first(), way.last()) else { return Vec::new() };
         let [_, _, symbol, a, b, ..] = self.cells(first);
-        let from =
-            if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { self.reason(*why).to_owned() };
+        let from = if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { self.reason(*why) };
         let mut lines = match &first.what {
             Told::Value { .. } if symbol.is_empty() => vec![format!("{a} against {b}: {from}")],
             Told::Value { .. } => vec![format!("{symbol}: {a} against {b}: {from}")],
@@ -225,7 +231,7 @@ impl Text {
                 large.map(|(operand, _)| symbol(operand)).collect()
             }
             Why::Before => from.iter().take(1).map(|(before, _)| label_from(before, entry)).collect(),
-            _ => vec![self.reason(*why).to_owned()],
+            _ => vec![self.reason(*why)],
         };
         let direct = direct.join(", ");
         match origin.as_ref().map(|origin| label_from(origin, entry)).filter(|origin| *origin != direct) {
@@ -234,18 +240,21 @@ impl Text {
         }
     }
 
-    fn reason(&self, why: Why) -> &'static str {
-        match why {
+    fn reason(&self, why: Why) -> String {
+        if why == Why::First && !self.headers.is_empty() {
+            return format!("the headers differ in {}, nothing before it in the logs", self.headers.join(", "));
+        }
+        let reason = match why {
             Why::Operands => "its operands",
             Why::Itself if self.is_rounded_otherwise => "its own rounding",
             Why::Itself => "itself, no operand explains it",
             Why::OtherFormula => "another formula",
             Why::Input => "an input",
             Why::Before => "what was before",
-            Why::First if self.is_of_other_scene => "the scenes differ (scene.digest), nothing before it in the logs",
             Why::First => "nothing before it differs",
             Why::NotNeeded => "not needed there (`trace --tests all` logs every test)",
-        }
+        };
+        reason.to_owned()
     }
 }
 
