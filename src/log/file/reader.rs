@@ -126,7 +126,7 @@ impl Reader {
         } else if let Some(Mark::Undefined { quantity }) = &line.mark
             && Name::all().all(|name| name.key() != &**quantity)
         {
-            return self.pass_over(&quantity.to_string(), number);
+            return self.pass_over(quantity, number);
         } else if let Some(mark) = line.mark {
             What::Mark(self.decision(mark).map_err(damaged)?)
         } else if line.leave.is_some() {

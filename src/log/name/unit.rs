@@ -79,8 +79,7 @@ impl Unit {
 impl Name {
     /// What the quantity is measured in.
     pub fn unit(self) -> Unit {
-        static UNITS: LazyLock<HashMap<&str, Unit>> =
-            LazyLock::new(|| pairs().map(|(key, unit)| (key, unit)).collect());
+        static UNITS: LazyLock<HashMap<&str, Unit>> = LazyLock::new(|| pairs().collect());
         UNITS.get(self.key()).copied().unwrap_or(Unit::One)
     }
 
