@@ -76,7 +76,7 @@ impl Contest {
             let loaded = file::check(&text, name).map_err(|error| error.report(false));
             let mut file = loaded.unwrap_or_else(|report| panic!("{report}")).scene;
             file.camera.resolution = SIZE;
-            file.tracing.sphere_method = method;
+            file.tracing.sphere_method = Some(method);
             let source = Source { name, text: &text };
             let meshes = mesh::load(&file, &source, mesh::Folder::BuiltIn(builtin::mesh));
             let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));

@@ -11,3 +11,5 @@ for name in table-top digits; do
     raywalk diff "$folder/$name.png" "$pictures/$name.png"
 done
 raywalk trace figure-6 --pixel 160,120 --format svg | cmp - "$pictures/ray-tree.svg"
+raywalk trace total-reflection --pixel 100,110 --view vectors --path 'C T' | cmp - "$pictures/vectors.svg"
+raywalk trace polished-surface --pixel 105,95 --view zones | cmp - "$pictures/zones.svg"

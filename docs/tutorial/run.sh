@@ -22,6 +22,11 @@ raywalk > example.txt
 says example.txt 'V_d = N_p · d = (1, 0, 0)·(-0.946, 0.315, 0.079) = -0.946   [plane.v_d 1.3 (2)]'
 says example.txt 'result: (393.054, 311.666, 370.310)'
 
+raywalk render textbook -o textbook.png --exposure -1.2 2> said.txt
+[ ! -s said.txt ]
+raywalk render textbook -o clipped.png 2> said.txt
+says said.txt 'warning: 97 % of the pixels (75357 of 77361) were brighter than white and clipped; --exposure -1.2 shows all'
+
 # 2 By hand
 raywalk trace textbook --pixel 160,120 --arithmetic decimal:3 -o hand.ndjson
 raywalk trace textbook --pixel 160,120 -o f64.ndjson
@@ -29,6 +34,7 @@ raywalk trace hand.ndjson --format text > hand.txt
 says hand.txt 'T2_A = r² − L2oc + T_A² = 9 − 178.024 + 13.244² = 6.380   [sphere.t2_a 1.3 (5d)]'
 says hand.txt 'result: (394.134, 312.306, 370.850)'
 raywalk textbook > textbook.txt
+says textbook.txt 'I_global (red) 394.024.'
 says textbook.txt 'I_global (red)   394.028                   394.028                   394.134                   393.054'
 
 walk_by_hand() { raywalk walk --arithmetic decimal:3 --screen 140,40 --screenshot "$1" --keys "/sphere.t2_a<Enter> ; ; $2"; }
@@ -52,6 +58,7 @@ says parted.txt 'First divergence in C, test plane: plane.t'
 says parted.txt 'traced back: plane.t ← plane.v_d ← ray.direction (its own rounding)'
 raywalk trace textbook --pixel 160,120 --arithmetic decimal:3 --causes > causes.txt
 says causes.txt 'off by       (+1.080, +0.640, +0.540)'
+says causes.txt '(+0.243, +0.152, +0.140)'
 
 # 5 A scene of one's own
 raywalk scene check ball.json > check.txt 2> warnings.txt

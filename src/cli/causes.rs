@@ -9,8 +9,9 @@ use raywalk::study::rounding::{self, MAX_CAUSES, Rounding, Study};
 /// The rounding of an arithmetic that rounds.
 pub fn rounding(arithmetic: Arithmetic) -> Result<Rounding, Failure> {
     Rounding::of(arithmetic).ok_or_else(|| {
+        let found = if arithmetic.rounds_products() { "--round-products".to_owned() } else { arithmetic.to_string() };
         Failure::caller(format!(
-            "--causes: expected --arithmetic decimal:N or f32, whose roundings it studies, found {arithmetic}"
+            "--causes: expected --arithmetic decimal:N or f32, whose roundings of named quantities it studies, found {found}"
         ))
     })
 }

@@ -47,9 +47,7 @@ impl Layers {
     pub fn check(&self, format: Format) -> Result<(), Failure> {
         match format {
             Format::Exr | Format::Png8 | Format::Png16 => Ok(()),
-            Format::Ppm | Format::Pfm => {
-                Err(Failure::caller("layers: expected a picture in .exr, which holds them, or in .png"))
-            }
+            _ => Err(Failure::caller("layers: expected a picture in .exr, which holds them, or in .png")),
         }
     }
 

@@ -6,6 +6,7 @@ mod pictures;
 use super::failure::{Failure, shown};
 use super::options::ColorChoice;
 use super::render::MAX_PART_BYTES;
+use super::shown::ShownOptions;
 use clap::Args;
 use raywalk::log::file::is_log;
 use raywalk::render::part::is_part;
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 const MORE: &str = "\
 The parts may be named in any order. Together they must be the whole of one picture or region: what is missing, there twice, or of another \
 scene, call or version of the program is refused (exit code 2). The result has the bytes that one run without shards would have \
-written.
+written. Parts hold the traced values: --exposure, --white and --transfer say anew how they are shown, and nothing is rendered again.
 
 Examples:
   raywalk render scene.json -o 1.part --shard 1/2
@@ -33,12 +34,15 @@ pub struct Merge {
     /// The parts that `render --shard` wrote, or the logs that `trace --region --shard` wrote
     #[arg(required = true, value_name = "PART")]
     parts: Vec<PathBuf>,
-    /// The picture: .png, .ppm, .pfm or .exr by its ending, with #### for the number of the frame where there are several; or the log
+    /// The picture: .png, .ppm, .bmp, .tga, .qoi, .tiff, .jpg, .webp, .pfm or .exr by its ending, with #### for the number of the frame
+    /// where there are several; or the log
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     /// Write PNG with 16 bits a channel
     #[arg(long)]
     png16: bool,
+    #[command(flatten)]
+    shown: ShownOptions,
     /// Say nothing but errors
     #[arg(long, short)]
     quiet: bool,

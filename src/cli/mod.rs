@@ -21,6 +21,7 @@ mod sampling_spec;
 mod saved_log;
 mod scene;
 mod scene_argument;
+mod shown;
 mod signals;
 mod stress;
 mod textbook;

@@ -3,16 +3,17 @@
 use super::failure::Failure;
 use super::sampling_spec::sampling;
 use super::scene_argument::Loaded;
+use super::shown::ShownOptions;
 use clap::{Args, ValueEnum};
 use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;
 use raywalk::report::language::Language;
 use raywalk::scene::builtin;
 use raywalk::scene::file::nff::{Angle, Import};
-use raywalk::scene::file::schema::{Algorithm, Sampling, SceneFile};
+use raywalk::scene::file::schema::{Algorithm, Formulas, Sampling, SceneFile, SpecularForm, SphereMethod};
 use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_PIXELS, MAX_SIDE};
 use raywalk::scene::file::{self, suggest};
-use raywalk::scene::{self, Index, Scene, Skip, build};
+use raywalk::scene::{self, Index, Scene, Skip, build_with};
 use std::io::IsTerminal;
 
 /// The most threads.
@@ -51,6 +52,19 @@ pub struct TracingOptions {
     /// an ulp at random, which shows how many digits can be trusted), printed (the book's own values)
     #[arg(long, value_name = "NAME", default_value = "f64")]
     pub arithmetic: Arithmetic,
+    /// By hand (decimal:N), round the products of every dot product too before they are added
+    #[arg(long)]
+    pub round_products: bool,
+    /// Which formulas: robust (which keep their digits) or notes (those that the notes print, with every new direction normalised); without
+    /// it what the scene says, else notes by hand (decimal:N, printed) and robust in any other arithmetic
+    #[arg(long, value_name = "NAME", value_parser = formulas)]
+    pub formulas: Option<Formulas>,
+    /// Which specular term: half_vector, reflection_vector or half_vector_compensated (with four times the exponent)
+    #[arg(long, value_name = "NAME", value_parser = specular)]
+    pub specular: Option<SpecularForm>,
+    /// How spheres are met: robust or geometric (as the notes do it); without it what the scene says, else as the formulas are
+    #[arg(long, value_name = "NAME", value_parser = sphere_method)]
+    pub sphere_method: Option<SphereMethod>,
     /// Which pseudocode: recursive, whitted or foley
     #[arg(long, value_name = "NAME", value_parser = algorithm)]
     pub algorithm: Option<Algorithm>,
@@ -83,6 +97,8 @@ pub struct TracingOptions {
     /// On how many threads; 0 is one a core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     pub threads: u16,
+    #[command(flatten)]
+    pub shown: ShownOptions,
 }
 
 /// Where the rays of a pixel go that has no other sampling.
@@ -140,6 +156,12 @@ impl TracingOptions {
         Import { resolution: self.size, ..self.nff.import() }
     }
 
+    /// The arithmetic, with the products of dot products rounded where that is asked for.
+    pub fn arithmetic(&self) -> Arithmetic {
+        let rounded = self.round_products.then(|| self.arithmetic.with_rounded_products());
+        rounded.flatten().unwrap_or(self.arithmetic)
+    }
+
     /// The scene with these options, ready to be traced.
     pub fn apply(&self, loaded: Loaded) -> Result<Scene, Failure> {
         let Loaded { scene: mut file, meshes, frame: frame_number } = loaded;
@@ -164,10 +186,22 @@ impl TracingOptions {
             file.sampling = through_corners(file.sampling)?;
         }
         file.tracing.two_sided |= self.two_sided;
+        if let Some(specular) = self.specular {
+            file.tracing.specular = specular;
+        }
+        file.tracing.sphere_method = self.sphere_method.or(file.tracing.sphere_method);
+        if self.round_products && !self.arithmetic().rounds_products() {
+            let found = self.arithmetic;
+            let message = format!("--round-products: only by hand, with --arithmetic decimal:N, found `{found}`");
+            return Err(Failure::caller(message));
+        }
+        self.shown.apply(&mut file.output);
         if self.arithmetic == Arithmetic::Printed && !is_the_numeric_example(&file) {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }
-        let mut scene = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+        file.tracing.formulas = self.formulas.or(file.tracing.formulas);
+        let built = build_with(&file, &meshes, self.arithmetic.implied_formulas());
+        let mut scene = built.map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
         scene.frame = frame;
         scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);
         if self.tests == TestsChoice::All {
@@ -263,12 +297,33 @@ fn seed(text: &str) -> Result<u64, String> {
 }
 
 fn algorithm(text: &str) -> Result<Algorithm, String> {
-    match text {
-        "recursive" => Ok(Algorithm::Recursive),
-        "whitted" => Ok(Algorithm::Whitted),
-        "foley" => Ok(Algorithm::Foley),
-        _ => Err(unknown("algorithm", text, &["recursive", "whitted", "foley"])),
-    }
+    let words = [("recursive", Algorithm::Recursive), ("whitted", Algorithm::Whitted), ("foley", Algorithm::Foley)];
+    one_of("algorithm", text, &words)
+}
+
+fn formulas(text: &str) -> Result<Formulas, String> {
+    one_of("set of formulas", text, &[("robust", Formulas::Robust), ("notes", Formulas::Notes)])
+}
+
+fn specular(text: &str) -> Result<SpecularForm, String> {
+    let words = [
+        ("half_vector", SpecularForm::HalfVector),
+        ("reflection_vector", SpecularForm::ReflectionVector),
+        ("half_vector_compensated", SpecularForm::HalfVectorCompensated),
+    ];
+    one_of("specular term", text, &words)
+}
+
+fn sphere_method(text: &str) -> Result<SphereMethod, String> {
+    one_of("sphere method", text, &[("robust", SphereMethod::Robust), ("geometric", SphereMethod::Geometric)])
+}
+
+fn one_of<T: Copy>(what: &str, text: &str, words: &[(&str, T)]) -> Result<T, String> {
+    let found = words.iter().find(|(word, _)| *word == text);
+    found.map(|(_, value)| *value).ok_or_else(|| {
+        let known: Vec<_> = words.iter().map(|(word, _)| *word).collect();
+        unknown(what, text, &known)
+    })
 }
 
 fn skip(text: &str) -> Result<Skip, String> {

@@ -5,7 +5,7 @@ use super::layers::{Files, Layers};
 use super::output::{self, Output};
 use raywalk::render::Film;
 use raywalk::render::digits::{Summary, false_colors};
-use raywalk::render::export::{self, EncodeError, Encoded, Format};
+use raywalk::render::export::{self, Clipped, EncodeError, Encoded, Format};
 use raywalk::render::layers::Layered;
 use raywalk::render::pieces::Canvas;
 use raywalk::scene;
@@ -57,6 +57,14 @@ impl Rendered {
             (Canvas::Colors(film), _) => Rendered::Colors(film),
         }
     }
+
+    /// How many pixels it has.
+    fn pixels(&self) -> u64 {
+        match self {
+            Rendered::Colors(film) | Rendered::Digits(film) => film.pixels().len() as u64,
+            Rendered::Layers(layered, _) => layered.pixels.len() as u64,
+        }
+    }
 }
 
 /// The digest of a picture's files in this format, those of layers beside it among them.
@@ -75,13 +83,25 @@ pub fn format_of(path: &Path, png16: bool) -> Result<Format, Failure> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     Format::of_ending(&ending, png16).ok_or_else(|| {
         let path = shown(path);
-        Failure::caller(format!("{path}: unknown picture format, expected a name that ends in {}", Format::ENDINGS))
+        Failure::caller(format!("{path}: unknown picture format, expected a name that ends in {}", Format::endings()))
     })
 }
 
 impl Place {
-    /// Begins the files of a picture, none of which may be one of the inputs.
-    pub fn create(path: &Path, format: Format, layers: Option<&Layers>, inputs: &[PathBuf]) -> Result<Place, Failure> {
+    /// Begins the files of a picture of this size, none of which may be one of the inputs.
+    pub fn create(
+        path: &Path,
+        format: Format,
+        size: [u32; 2],
+        layers: Option<&Layers>,
+        inputs: &[PathBuf],
+    ) -> Result<Place, Failure> {
+        if let Some(longest) = format.longest_side().filter(|longest| size.iter().any(|side| side > longest)) {
+            let ([width, height], path) = (size, shown(path));
+            return Err(Failure::caller(format!(
+                "{path}: the format has at most {longest} pixels along a side, found {width} x {height}"
+            )));
+        }
         let output = Output::create(Some(path), inputs)?;
         let files = layers.map_or_else(|| Ok(Files::none()), |layers| layers.files(path, format, inputs))?;
         Ok(Place { path: path.to_owned(), format, output, files })
@@ -101,28 +121,44 @@ impl Place {
             Rendered::Layers(layered, _) => export::encode(&layered.film(), self.format, &how.output),
         };
         let cannot_encode = |error| Failure::machine(format!("{}: cannot encode: {error}", shown(&self.path)));
-        let Encoded { bytes, clipped_pixels } = encoded.map_err(cannot_encode)?;
+        let Encoded { bytes, clipped } = encoded.map_err(cannot_encode)?;
         // The layers first: where the picture is, they are.
         if let Rendered::Layers(layered, _) = rendered {
             self.files.write(layered, how.objects)?;
         }
         self.output.commit(&bytes)?;
-        if clipped_pixels > 0 && !how.is_quiet {
-            output::tell(&format!("note: {clipped_pixels} pixels were brighter than white and clipped"));
+        if let (Some(text), false) = (of_clipped(&clipped, rendered.pixels()), how.is_quiet) {
+            output::tell(&text);
         }
         if let (Rendered::Digits(film), false) = (rendered, how.is_quiet) {
             let Summary { fewest, median, without } = Summary::of(film);
             output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
         }
-        Ok(Written { clipped_pixels })
+        Ok(Written { clipped_pixels: clipped.pixels })
+    }
+}
+
+/// What is said of pixels that were clipped, of so many: a warning where they are more than a tenth of the picture.
+fn of_clipped(clipped: &Clipped, all: u64) -> Option<String> {
+    let Clipped { pixels, fitting_exposure } = *clipped;
+    // Rounded down, so that only a picture of which nothing is left has 100 %.
+    let percent = pixels * 100 / all.max(1);
+    let advice = fitting_exposure.map(|stops| format!("; --exposure {stops:.1} shows all"));
+    let advice = advice.unwrap_or_default();
+    match pixels {
+        0 => None,
+        _ if pixels * 10 > all => Some(format!(
+            "warning: {percent} % of the pixels ({pixels} of {all}) were brighter than white and clipped{advice}"
+        )),
+        _ => Some(format!("note: {pixels} pixels were brighter than white and clipped{advice}")),
     }
 }
 
 /// Digits as numbers where the format has numbers, else in false colours, whatever white the scene has.
 fn encode_digits(digits: &Film, format: Format) -> Result<Encoded, EncodeError> {
     let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
-    match format {
-        Format::Pfm | Format::Exr => export::encode(digits, format, &plain),
-        Format::Png8 | Format::Png16 | Format::Ppm => export::encode(&false_colors(digits), format, &plain),
+    match format.highest() {
+        None => export::encode(digits, format, &plain),
+        Some(_) => export::encode(&false_colors(digits), format, &plain),
     }
 }

@@ -96,7 +96,7 @@ impl Rays {
         if self.scene.as_os_str() == "-" {
             return Err(Failure::caller("rays: the scene can't be standard input, which holds the rays"));
         }
-        if self.tracing.arithmetic != Arithmetic::F64 {
+        if self.tracing.arithmetic() != Arithmetic::F64 {
             return Err(Failure::caller("rays: --arithmetic: queries are answered in f64 only"));
         }
         let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import(), colors)?)?;

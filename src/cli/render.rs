@@ -33,15 +33,16 @@ use std::time::Instant;
 pub struct Render {
     /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
-    /// The picture: .png, .ppm, .pfm or .exr by its ending; with --shard a part for `raywalk merge`, whatever its ending
+    /// The picture: .png, .ppm, .bmp, .tga, .qoi, .tiff, .jpg, .webp, .pfm or .exr by its ending; with --shard a part for
+    /// `raywalk merge`, whatever its ending
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     /// Only a part: left, top, right and bottom in pixels, the last two exclusive
     #[arg(long, value_name = "X0,Y0,X1,Y1", value_parser = numbers::<u32, 4>, allow_hyphen_values = true)]
     crop: Option<[u32; 4]>,
     /// Show where few digits can be trusted instead of the colours: the fewest significant digits of a pixel's channels
-    /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In .png and .ppm black is all
-    /// 15.95 digits and bright yellow none; .pfm and .exr hold the numbers
+    /// over several runs in perturbed arithmetic, 0 where the runs decide differently. In formats of integers, such as .png,
+    /// black is all 15.95 digits and bright yellow none; .pfm and .exr hold the numbers
     #[arg(long)]
     digits: bool,
     /// What each pixel costs and sees, beside its colour: rays, tests, depth, normal, object, samples, error (the standard error
@@ -116,7 +117,7 @@ impl Render {
         if let (Some(layers), Some(format)) = (&self.layers, format) {
             layers.check(format)?;
         }
-        if self.tracing.arithmetic == Arithmetic::Printed {
+        if self.tracing.arithmetic() == Arithmetic::Printed {
             return Err(Failure::caller(
                 "render: --arithmetic printed is for the walk of the numeric example's one pixel",
             ));
@@ -135,7 +136,7 @@ impl Render {
         }
         let settings = Settings {
             crop: self.crop_in(&scene)?,
-            arithmetic: self.tracing.arithmetic,
+            arithmetic: self.tracing.arithmetic(),
             threads: self.tracing.threads.into(),
             counts_rays: self.stats.is_some(),
             order: TileOrder::Rows,
@@ -176,7 +177,8 @@ impl Render {
     }
 
     fn place(&self, task: &Task, format: Format) -> Result<Place, Failure> {
-        Place::create(&task.path, format, self.layers.as_ref(), &task.inputs)
+        let [left, top, right, bottom] = task.settings.crop;
+        Place::create(&task.path, format, [right - left, bottom - top], self.layers.as_ref(), &task.inputs)
     }
 
     fn shown<'s>(&self, task: &Task, objects: &'s [String]) -> Shown<'s> {
@@ -199,7 +201,7 @@ impl Render {
 
     /// The seed of the first run, if digits are asked for.
     fn digits_seed(&self) -> Result<Option<u64>, Failure> {
-        match self.tracing.arithmetic {
+        match self.tracing.arithmetic() {
             _ if !self.digits => Ok(None),
             Arithmetic::F64 => Ok(Some(0)),
             Arithmetic::Perturbed(seed) => Ok(Some(seed)),

@@ -4,7 +4,7 @@ use super::failure::Failure;
 use super::output;
 use clap::{Args, ValueEnum};
 use raywalk::scene::file::{MAX_BYTES, visible};
-use raywalk::study::stress::{self, Family};
+use raywalk::study::stress::{self, Family, Way};
 use serde_json::json;
 use std::fs::File;
 use std::io::Read;
@@ -19,6 +19,9 @@ pub struct Stress {
     /// Print only the answers, as NDJSON, a line a case
     #[arg(long)]
     answers: bool,
+    /// How many decimals the column of arithmetic by hand has
+    #[arg(long, value_name = "N", default_value_t = 6, conflicts_with = "answers", value_parser = clap::value_parser!(u32).range(0..=15))]
+    decimals: u32,
     /// How to print the report
     #[arg(long, value_enum, default_value = "text", conflicts_with = "answers")]
     format: ReportFormat,
@@ -44,7 +47,8 @@ impl Stress {
                 count => Err(Failure::caller(format!("{count} cases can't be answered, see their lines"))),
             };
         }
-        let table = stress::table(&families).map_err(|error| Failure::caller(visible(&error).into_owned()))?;
+        let table = stress::table(&families, &Way::others(self.decimals))
+            .map_err(|error| Failure::caller(visible(&error).into_owned()))?;
         let text = match self.format {
             ReportFormat::Text => table.text(|name| visible(name).into_owned()),
             ReportFormat::Json => table.json(),

@@ -4,13 +4,14 @@ use super::failure::Failure;
 use super::options::{ColorChoice, TracingOptions};
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
+use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::{Wanted, visible};
-use raywalk::study::textbook::{self, Checked, MAX_TABLE_BYTES, Worked};
+use raywalk::study::textbook::{self, Checked, Example, MAX_TABLE_BYTES, Worked};
 use std::path::{Path, PathBuf};
 
-/// Show the numeric example of the source text, or check a worked example of your own
+/// Show a worked example, such as the numeric example of the source text, or check one of your own
 ///
 /// With `--with` a table of comma-separated values is checked: `quantity` is a name of the log such as sphere.t2_a, `printed` a number
 /// or a triple "(x, y, z)"; of colours red alone may stand there. Each value is recomputed by hand, with three decimals, from the
@@ -18,12 +19,23 @@ use std::path::{Path, PathBuf};
 /// leaves a choice, a column `path` names the ray (C, C R, C R S1). Rows without a printed value are passed over.
 #[derive(Args)]
 pub struct Textbook {
+    /// Which example: that of the source text, or a second one with refraction, total reflection and an attenuated shadow
+    #[arg(long, value_enum, value_name = "NAME", default_value = "textbook")]
+    example: ExampleName,
     /// A table of printed values to check instead, `-` for standard input; exits with 1 where one departs
     #[arg(long, value_name = "FILE.csv")]
     with: Option<PathBuf>,
     /// How to print it
     #[arg(long, value_enum, default_value = "text")]
     format: TableFormat,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ExampleName {
+    /// The numeric example of the source text, section 1.3.
+    Textbook,
+    /// A glass ball with a bubble before a screen.
+    Refraction,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -39,8 +51,13 @@ enum TableFormat {
 impl Textbook {
     /// Runs the command; `false` where a value of somebody's own table departs.
     pub fn run(self, colors: ColorChoice) -> Result<bool, Failure> {
-        let loaded = scene_argument::scene(&scene_argument::built_in("textbook")?, &Import::default(), colors)?;
-        let scene = TracingOptions::default().apply(loaded)?;
+        let example = match self.example {
+            ExampleName::Textbook => Example::Textbook,
+            ExampleName::Refraction => Example::Refraction,
+        };
+        let loaded = scene_argument::scene(&scene_argument::built_in(example.scene())?, &Import::default(), colors)?;
+        let by_hand = TracingOptions { arithmetic: Arithmetic::Decimal(3), ..TracingOptions::default() };
+        let scene = by_hand.apply(loaded)?;
         if let Some(path) = &self.with {
             let checked = check(path, &scene, colors)?;
             let text = match self.format {
@@ -51,7 +68,7 @@ impl Textbook {
             output::print(text.as_bytes())?;
             return Ok(checked.departures().next().is_none());
         }
-        let table = textbook::table(&scene);
+        let table = textbook::table_of(example, &scene);
         let text = match self.format {
             TableFormat::Text => table.text(),
             TableFormat::Json => table.json(),

@@ -1,5 +1,6 @@
 //! `raywalk trace`: the log of a pixel, a ray or a region, or a view of a saved one.
 
+mod close_up;
 mod of_log;
 mod of_region;
 
@@ -13,6 +14,7 @@ use super::region;
 use super::scene_argument::{self, Input, Named};
 use super::views::{Lang, TreeOf, View};
 use clap::{Args, ValueEnum};
+use close_up::CloseUpOf;
 use glam::DVec3;
 use raywalk::log::{Header, Log, Shard, file as log_file};
 use raywalk::probe::CutOff;
@@ -50,6 +52,13 @@ pub struct Trace {
     /// What dot, svg and mermaid draw: rays with all that they meet, or the calls of the algorithm (figure 9)
     #[arg(long, value_enum, value_name = "OF", default_value = "rays")]
     tree: TreeOf,
+    /// Show one hit from near instead, as svg, latex or text: its vectors in their planes, the zones of a blurred bounce, or the points
+    /// of an area light with the weights of their shadow rays
+    #[arg(long, value_enum, value_name = "VIEW")]
+    view: Option<CloseUpOf>,
+    /// Whose hit --view shows, such as `C R`; without it the first ray that has what it shows
+    #[arg(long, value_name = "RAY", requires = "view")]
+    path: Option<String>,
     /// Decimals in views for people
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
@@ -131,7 +140,7 @@ impl Trace {
             Named::Scene(input) => self.of_scene(&input, colors)?,
             Named::Log(opened) => self.of_log(opened)?,
         }
-        if let (None, false, Some(path)) = (self.format, self.causes, &self.output)
+        if let (None, false, Some(path)) = (self.format, self.causes || self.view.is_some(), &self.output)
             && let Some(format) = TraceFormat::of_name(path)
         {
             let word = format.word();
@@ -157,12 +166,16 @@ impl Trace {
         if let Some(region) = self.region {
             return self.of_region(&scene, region, &inputs);
         }
-        let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         if let (Part::Pixel(_), false, Some(warning)) = (part, self.progress.quiet, warning_of_sampling(&scene)) {
             output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
         }
+        let arithmetic = self.tracing.arithmetic();
+        if let Some(of) = self.view {
+            let bytes = self.close_up(of, &short_log(&scene, part, arithmetic)?)?;
+            return Output::create(self.output.as_deref(), &inputs)?.commit(&bytes);
+        }
         let output = Output::create(self.output.as_deref(), &inputs)?;
-        let arithmetic = self.tracing.arithmetic;
         let style = Style { digits: self.digits };
         let bytes = match (rounding, self.format) {
             (Some(rounding), format) => {
@@ -195,7 +208,7 @@ impl Trace {
     fn rounding(&self) -> Result<Option<Rounding>, Failure> {
         match self.format {
             _ if !self.causes => Ok(None),
-            None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic).map(Some),
+            None | Some(TraceFormat::Text | TraceFormat::Json) => causes::rounding(self.tracing.arithmetic()).map(Some),
             Some(format) => {
                 let found = format.word();
                 Err(Failure::caller(format!("--causes: expected --format text or json, found {found}")))
@@ -205,6 +218,9 @@ impl Trace {
 
     /// A page or a figure is of one pixel or ray.
     fn check_format(&self, is_region: bool) -> Result<(), Failure> {
+        if self.view.is_some() {
+            return self.check_close_up(is_region);
+        }
         if self.shard.is_some() && !(is_region && matches!(self.format, None | Some(TraceFormat::Ndjson))) {
             return Err(Failure::caller("--shard: expected --region and the format ndjson, which can be joined"));
         }
@@ -219,7 +235,7 @@ impl Trace {
 }
 
 impl TraceFormat {
-    fn word(self) -> String {
+    pub(super) fn word(self) -> String {
         self.to_possible_value().map_or(String::new(), |value| value.get_name().to_owned())
     }
 

@@ -144,11 +144,11 @@ impl Walk {
         }
         let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
-        let part = self.subject.part(&scene, self.tracing.arithmetic)?;
+        let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
         let warning = warning.map(|effects| (self.warnings().biased)(&effects));
-        let log = short_log(&scene, part, self.tracing.arithmetic)?;
-        let session = Some(Session::new(scene, self.tracing.arithmetic));
+        let log = short_log(&scene, part, self.tracing.arithmetic())?;
+        let session = Some(Session::new(scene, self.tracing.arithmetic()));
         Ok(Walked { name: visible(&input.name).to_string(), log, warning, session })
     }
 

@@ -4,7 +4,7 @@ use super::bounds::Bounds;
 use super::ray::{Ray, Surface};
 use super::unit::unit;
 use crate::log::Name;
-use crate::probe::Probe;
+use crate::probe::{Probe, Silent};
 use glam::DVec3;
 
 /// A motion: at time t an object is first turned by t times the angle, then moved by t times the translation.
@@ -51,13 +51,13 @@ struct Turned {
 
 impl Turned {
     /// v·cos φ + (a × v)·sin φ + a·((a · v)·(1 − cos φ)) (Rodrigues, 1840).
-    fn forth(&self, v: DVec3) -> DVec3 {
-        v * self.cos + self.axis.cross(v) * self.sin + self.axis * (self.axis.dot(v) * (1.0 - self.cos))
+    fn forth<P: Probe>(&self, v: DVec3, probe: &P) -> DVec3 {
+        v * self.cos + self.axis.cross(v) * self.sin + self.axis * (probe.dot(self.axis, v) * (1.0 - self.cos))
     }
 
     /// The same by −φ.
-    fn back(&self, v: DVec3) -> DVec3 {
-        v * self.cos - self.axis.cross(v) * self.sin + self.axis * (self.axis.dot(v) * (1.0 - self.cos))
+    fn back<P: Probe>(&self, v: DVec3, probe: &P) -> DVec3 {
+        v * self.cos - self.axis.cross(v) * self.sin + self.axis * (probe.dot(self.axis, v) * (1.0 - self.cos))
     }
 }
 
@@ -151,7 +151,7 @@ impl Pose {
     fn forth_point(&self, own: DVec3) -> DVec3 {
         match &self.turned {
             None => own + self.shift,
-            Some(turned) => turned.forth(own - turned.point) + turned.point + self.shift,
+            Some(turned) => turned.forth(own - turned.point, &Silent) + turned.point + self.shift,
         }
     }
 
@@ -162,8 +162,8 @@ impl Pose {
             return Ray { origin, slack: self.own_slack(ray, probe), ..*ray };
         };
         let arm = probe.note(Name::MotionArm, ray.origin - self.shift - turned.point);
-        let origin = probe.note(Name::RayOriginTurned, turned.back(arm) + turned.point);
-        let direction = probe.note(Name::RayDirectionTurned, turned.back(ray.direction));
+        let origin = probe.note(Name::RayOriginTurned, turned.back(arm, probe) + turned.point);
+        let direction = probe.note(Name::RayDirectionTurned, turned.back(ray.direction, probe));
         Ray { origin, direction, vector: direction, slack: self.own_slack(ray, probe), ..*ray }
     }
 
@@ -181,12 +181,12 @@ impl Pose {
     pub fn own_point<P: Probe>(&self, point: DVec3, probe: &mut P) -> DVec3 {
         let Some(turned) = &self.turned else { return probe.note(Name::PatternPointShifted, point - self.shift) };
         let arm = probe.note(Name::MotionArmPattern, point - self.shift - turned.point);
-        probe.note(Name::PatternPointTurned, turned.back(arm) + turned.point)
+        probe.note(Name::PatternPointTurned, turned.back(arm, probe) + turned.point)
     }
 
     /// A direction of the moved object as it was before.
     pub fn own_direction(&self, direction: DVec3) -> DVec3 {
-        self.turned.as_ref().map_or(direction, |turned| turned.back(direction))
+        self.turned.as_ref().map_or(direction, |turned| turned.back(direction, &Silent))
     }
 
     /// The surface in the object's own frame, carried to where it is.
@@ -197,20 +197,20 @@ impl Pose {
             None => probe.note(Name::HitPointShifted, own.point + self.shift),
             Some(turned) => {
                 let arm = probe.note(Name::MotionArmHit, own.point - turned.point);
-                probe.note(Name::HitPointTurned, turned.forth(arm) + turned.point + self.shift)
+                probe.note(Name::HitPointTurned, turned.forth(arm, probe) + turned.point + self.shift)
             }
         };
         let beneath = own.beneath.map(|normal| {
             probe.given(Name::MotionGeometricNormal, normal);
             match &self.turned {
                 None => probe.note(Name::HitGeometricNormalShifted, normal),
-                Some(turned) => probe.note(Name::HitGeometricNormalTurned, turned.forth(normal)),
+                Some(turned) => probe.note(Name::HitGeometricNormalTurned, turned.forth(normal, probe)),
             }
         });
         probe.given(Name::MotionHitNormal, own.normal);
         let normal = match &self.turned {
             None => probe.note(Name::HitNormalShifted, own.normal),
-            Some(turned) => probe.note(Name::HitNormalTurned, turned.forth(own.normal)),
+            Some(turned) => probe.note(Name::HitNormalTurned, turned.forth(own.normal, probe)),
         };
         Surface { point, normal, beneath, side: own.side }
     }

@@ -336,6 +336,13 @@ words! {
         ZeroTerm = "zero_term",
         /// The shadow ray to a light behind a surface that doesn't let its light through.
         Behind = "behind",
+        /// The shadow ray to a light whose colour and the coefficients that could use it leave nothing of any channel.
+        ZeroLight = "zero_light",
+        /// The local model where in each channel its weight, which isn't zero, or some weight on the path to it is.
+        ZeroPathLocal = "zero_path_local",
+        /// The shadow ray to a light of which the weights on the path, that of the local model, the light's colour and the coefficients
+        /// together leave nothing of any channel.
+        ZeroPathLight = "zero_path_light",
     }
 }
 

@@ -51,6 +51,12 @@ fn is_zero(seed: &u64) -> bool {
     *seed == 0
 }
 
+// serde hands over a reference.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_false(flag: &bool) -> bool {
+    !*flag
+}
+
 /// A parameter of a method of sampling. Whole ones are written without a point, so that there is one spelling of each.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(transparent)]
@@ -110,10 +116,19 @@ pub struct TracingId {
     pub algorithm: String,
     /// Its depth limit.
     pub max_depth: u32,
-    /// The specular term: `half_vector` or `reflection_vector`.
+    /// The specular term: `half_vector`, `reflection_vector` or `half_vector_compensated`.
     pub specular: String,
+    /// `notes` for the formulas of the source text; not written for the robust ones.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub formulas: Option<String>,
     /// The sphere's formulas: `robust` or `geometric`.
     pub sphere_method: String,
+    /// `specular` where W_r·K_e scales what a reflected ray brings; not written for W_r.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reflected_scale: Option<String>,
+    /// Whether the products of dot products are rounded before they are added; only written where they are.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub round_products: bool,
     /// The weight below which bounces are left out.
     pub cutoff: f64,
     /// Whether faces are seen from behind.
@@ -129,6 +144,12 @@ pub struct TracingId {
 }
 
 impl Header {
+    /// To how many decimals the products of dot products are rounded before they are added; `None` if they aren't.
+    pub fn decimals_of_products(&self) -> Option<u32> {
+        let digits = self.arithmetic.strip_prefix("decimal:").filter(|_| self.tracing.round_products)?;
+        digits.parse().ok()
+    }
+
     /// The name of an object; `?` if the header has none for it.
     pub fn object(&self, object: u32) -> &str {
         self.objects.get(object as usize).map_or("?", String::as_str)

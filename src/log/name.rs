@@ -250,14 +250,20 @@ with_effects! { names! {
 
     // The two bounces.
     ReflectDirection: "reflect.direction", "", "R", "d − 2·N·(d · N)", "1.2.2";
+    // Of the notes, by which every new direction is normalised. The length has no name of its own, so that nothing rounds it.
+    ReflectDirectionNormalized: "reflect.direction", "normalized", "R",
+        "(d − 2·N·(d · N))/|d − 2·N·(d · N)|", "1.2.2";
     ReflectDirectionBent: "reflect.direction", "bent", "R", "(R − N_g·(R · N_g))/|R − N_g·(R · N_g)|", "1.2.2";
     RefractEta1: "refract.eta_1", "", "η_1", "", "1.2.1";
     RefractEta2: "refract.eta_2", "", "η_2", "", "1.2.1";
     RefractEta: "refract.eta", "", "η", "η_2/η_1", "1.2.1";
     RefractCos1: "refract.cos_1", "", "cosφ_1", "−(N · d)", "1.2.1";
     RefractCos2: "refract.cos_2", "", "cosφ_2", "√(η² − |d + cosφ_1·N|²)/η", "1.2.1";
+    RefractCos2Printed: "refract.cos_2", "notes", "cosφ_2", "√(1 − (1 − cosφ_1²)/η²)", "1.2.1";
     RefractCos2Doubled: "refract.cos_2", "doubled", "cosφ_2", "", "1.2.1";
     RefractDirection: "refract.direction", "", "T", "d/η − (cosφ_2 − cosφ_1/η)·N", "1.2.1";
+    RefractDirectionNormalized: "refract.direction", "normalized", "T",
+        "(d/η − (cosφ_2 − cosφ_1/η)·N)/|d/η − (cosφ_2 − cosφ_1/η)·N|", "1.2.1";
     RefractDirectionBent: "refract.direction", "bent", "T", "(T − N_g·(T · N_g))/|T − N_g·(T · N_g)|", "1.2.1";
 
     // A light as a surface point sees it. ℓ is not normalised, L is.
@@ -286,6 +292,8 @@ with_effects! { names! {
     MirrorDirection: "mirror.direction", "", "R_L", "2·N·N·L − L", "1.2.1";
     TransmitEta: "transmit.eta", "", "η_t", "η_2/η_1", "1.2.1";
     TransmitSum: "transmit.sum", "", "h′", "−(L + V)/(η_t − 1) − V", "1.2.1";
+    // As the notes print it; their second form, with η = η_1/η_2 and L for the incident direction, is the same vector.
+    TransmitSumPrinted: "transmit.sum", "notes", "h′", "(−L − η_t·V)/(η_t − 1)", "1.2.1";
     TransmitLength: "transmit.length", "", "|h′|", "√(h′ · h′)", "1.2.1";
     TransmitDirection: "transmit.direction", "", "H′", "h′/|h′|", "1.2.1";
     ShadeNDotL: "shade.n_dot_l", "", "N·L", "N · L", "1.3";
@@ -310,6 +318,11 @@ with_effects! { names! {
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^n_e))", "1.2.1";
     ShadeLocalMirror: "shade.local", "reflection_vector", "I_local",
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((R·V)⁺)^n_e))", "1.2.1";
+    // The angle between N and H is half of that between R and V: with 4n the highlights are as wide.
+    ShadeLocalCompensated: "shade.local", "compensated", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^(4·n_e)))", "1.2.1";
+    ShadeLocalCompensatedTransmitting: "shade.local", "compensated_transmitting", "I_local",
+        "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^(4·n_e) + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
     ShadeLocalTransmitting: "shade.local", "transmitting", "I_local",
         "I_a∘K_a + Σ(I_i·att∘τ∘(K_d·(N·L)⁺ + K_e·((N·H)⁺)^n_e + K_t·((−N·H′)⁺)^n_t))", "1.2.1";
     ShadeLocalMirrorTransmitting: "shade.local", "reflection_vector_transmitting", "I_local",
@@ -343,6 +356,7 @@ with_effects! { names! {
     IncomingTransmitted: "incoming.transmitted", "", "I_transmitted", "", "1.2.3";
     CombineLocal: "combine.local", "", "C_l", "W_l∘I_local", "1.2.3";
     CombineReflected: "combine.reflected", "", "C_r", "W_r∘I_reflected", "1.2.3";
+    CombineReflectedSpecular: "combine.reflected", "specular", "C_r", "W_r∘K_e∘I_reflected", "1.1.2";
     CombineTransmitted: "combine.transmitted", "", "C_t", "W_t∘I_transmitted", "1.2.3";
     CombineColor: "combine.color", "", "I", "C_l + C_r + C_t", "1.2.3";
 

@@ -1,6 +1,6 @@
 //! Probes that alter what the computation goes on with: other arithmetics, with or without a recording.
 
-use super::{Probe, Quantity, ROUNDINGS};
+use super::{Probe, Quantity, ROUNDINGS, Spared};
 use crate::log::{Decision, Name, Step, round_half_away};
 
 /// Alters every named quantity, then shows it to `probe`.
@@ -20,6 +20,11 @@ pub trait Alteration {
     /// How far this arithmetic may move a point of this size (see [`Probe::slack`]).
     fn slack(&self, size: f64) -> f64 {
         ROUNDINGS * size
+    }
+
+    /// To how many decimals this arithmetic rounds the products of a dot product (see [`Probe::decimals_of_products`]).
+    fn decimals_of_products(&self) -> Option<u32> {
+        None
     }
 
     /// A node begins.
@@ -53,12 +58,20 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
         self.probe.bounds_tested(count);
     }
 
+    fn spared(&mut self, why: Spared, rays: u64) {
+        self.probe.spared(why, rays);
+    }
+
     fn certifies(&self) -> bool {
         false
     }
 
     fn slack(&self, size: f64) -> f64 {
         self.alteration.slack(size)
+    }
+
+    fn decimals_of_products(&self) -> Option<u32> {
+        self.alteration.decimals_of_products()
     }
 
     fn aim(&mut self, place: [f64; 2]) {
@@ -86,6 +99,7 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
 #[derive(Clone, Copy, Debug)]
 pub struct Decimal {
     digits: u32,
+    rounds_products: bool,
 }
 
 impl Decimal {
@@ -94,13 +108,23 @@ impl Decimal {
 
     /// Arithmetic with this many decimals, at most [`Decimal::MAX_DIGITS`].
     pub fn new(digits: u32) -> Decimal {
-        Decimal { digits: digits.min(Decimal::MAX_DIGITS) }
+        Decimal { digits: digits.min(Decimal::MAX_DIGITS), rounds_products: false }
+    }
+
+    /// The same arithmetic, in which the products of every dot product are rounded before they are added, as the source text does in
+    /// step 7 of its example.
+    pub fn with_rounded_products(digits: u32) -> Decimal {
+        Decimal { rounds_products: true, ..Decimal::new(digits) }
     }
 }
 
 impl Alteration for Decimal {
     fn alter<Q: Quantity>(&mut self, _name: Name, value: Q) -> Q {
         value.map(|_, x| round_half_away(x, self.digits))
+    }
+
+    fn decimals_of_products(&self) -> Option<u32> {
+        self.rounds_products.then_some(self.digits)
     }
 
     /// Chosen, not derived: the bound for all 64 roundings would, with few digits, close gaps that a reader sees. So surfaces in the same place may

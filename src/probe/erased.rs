@@ -1,6 +1,6 @@
 //! Any probe behind a pointer: one compiled tracer for all the probes that needn't hurry.
 
-use super::{Probe, Quantity};
+use super::{Probe, Quantity, Spared};
 use crate::log::{Decision, Name, Step, Value};
 
 /// Hands all on to a probe whose type is erased, and goes on with what that returns.
@@ -9,12 +9,14 @@ use crate::log::{Decision, Name, Step, Value};
 /// and of a recording are worth that. All others run before this one, at the price of a call for every quantity.
 pub struct Erased<'p> {
     probe: &'p mut dyn Methods,
+    decimals_of_products: Option<u32>,
 }
 
 impl<'p> Erased<'p> {
     /// The same probe with its type erased.
     pub fn of<P: Probe>(probe: &'p mut P) -> Erased<'p> {
-        Erased { probe }
+        let decimals_of_products = probe.decimals_of_products();
+        Erased { probe, decimals_of_products }
     }
 }
 
@@ -27,6 +29,7 @@ trait Methods {
     fn certifies(&self) -> bool;
     fn slack(&self, size: f64) -> f64;
     fn fallback(&mut self);
+    fn spared(&mut self, why: Spared, rays: u64);
     fn aim(&mut self, place: [f64; 2]);
     fn aimed(&mut self);
     fn enter(&mut self, step: Step);
@@ -66,6 +69,10 @@ impl<P: Probe> Methods for P {
 
     fn fallback(&mut self) {
         Probe::fallback(self);
+    }
+
+    fn spared(&mut self, why: Spared, rays: u64) {
+        Probe::spared(self, why, rays);
     }
 
     fn aim(&mut self, place: [f64; 2]) {
@@ -112,8 +119,16 @@ impl Probe for Erased<'_> {
         self.probe.slack(size)
     }
 
+    fn decimals_of_products(&self) -> Option<u32> {
+        self.decimals_of_products
+    }
+
     fn fallback(&mut self) {
         self.probe.fallback();
+    }
+
+    fn spared(&mut self, why: Spared, rays: u64) {
+        self.probe.spared(why, rays);
     }
 
     fn aim(&mut self, place: [f64; 2]) {
@@ -166,6 +181,8 @@ mod tests {
                 (erased.rays(), erased.bounds_tests(), erased.primitive_tests(), erased.samples()),
                 (typed.rays(), typed.bounds_tests(), typed.primitive_tests(), typed.samples())
             );
+            let saved = |counter: Counter| counter.statistics(0, Default::default(), 0).saved;
+            assert_eq!(saved(erased), saved(typed));
         }
     }
 

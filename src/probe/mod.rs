@@ -23,7 +23,7 @@ pub use ray_tree::{RayTree, is_same};
 pub use recorder::{CutOff, Outlet, Recorder, until_cut_off};
 pub use silent::Silent;
 
-use crate::log::{Decision, Name, Step, Value};
+use crate::log::{Decision, Name, SkipReason, Step, Value};
 use glam::DVec3;
 
 /// The bound of what rounding does to a computed point, and to a surface through its numbers, as a part of their sizes:
@@ -64,6 +64,21 @@ pub trait Probe: Sized {
         true
     }
 
+    /// To how many decimals the products of a dot product are rounded before they are added; `None` if they aren't.
+    #[inline(always)]
+    fn decimals_of_products(&self) -> Option<u32> {
+        None
+    }
+
+    /// The dot product a · b of a formula.
+    #[inline(always)]
+    fn dot(&self, a: DVec3, b: DVec3) -> f64 {
+        match self.decimals_of_products() {
+            None => a.dot(b),
+            Some(digits) => (a * b).map(|x| round_half_away(x, digits)).element_sum(),
+        }
+    }
+
     /// How far rounding may move a computed point whose coordinates, with all that it was computed from, are of this size. Surfaces so
     /// near to each other are in the same place.
     #[inline(always)]
@@ -74,6 +89,10 @@ pub trait Probe: Sized {
     /// f64 left something in doubt, and more digits were taken. It is counted, not logged.
     #[inline(always)]
     fn fallback(&mut self) {}
+
+    /// So many rays aren't traced, or not searched for what they meet. It is counted, not logged: the log has the decision.
+    #[inline(always)]
+    fn spared(&mut self, _why: Spared, _rays: u64) {}
 
     /// The ray through this place of the picture begins, in pixels from its top left corner.
     #[inline(always)]
@@ -99,6 +118,20 @@ pub trait Probe: Sized {
         self.leave();
         result
     }
+}
+
+/// Why rays aren't traced, or not searched for what they meet.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Spared {
+    /// A rule leaves them out. Of a blurred bounce all rays count, of a local model the shadow rays to all lights; not what they would
+    /// have spawned.
+    Skipped(SkipReason),
+    /// They would lie too deep in the ray tree.
+    DepthLimit,
+    /// Another pixel has traced them.
+    Shared,
+    /// Nothing can stand in their way, so a rendering that counts nothing doesn't search for it.
+    Search,
 }
 
 /// What can be noted: a number, or a triple.

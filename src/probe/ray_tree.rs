@@ -1,7 +1,7 @@
 //! The probe that tells ray trees apart.
 
 use super::position::{mixed_with, words};
-use super::{Probe, Quantity};
+use super::{Probe, Quantity, Spared};
 use crate::log::{Decision, Name, Step};
 
 /// A digest of what is traced, decided and computed in which order, whatever the values are; all goes on to `probe`.
@@ -54,12 +54,20 @@ impl<P: Probe> Probe for RayTree<P> {
         self.probe.bounds_tested(count);
     }
 
+    fn spared(&mut self, why: Spared, rays: u64) {
+        self.probe.spared(why, rays);
+    }
+
     fn certifies(&self) -> bool {
         self.probe.certifies()
     }
 
     fn slack(&self, size: f64) -> f64 {
         self.probe.slack(size)
+    }
+
+    fn decimals_of_products(&self) -> Option<u32> {
+        self.probe.decimals_of_products()
     }
 
     fn fallback(&mut self) {

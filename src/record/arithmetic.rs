@@ -1,7 +1,7 @@
 //! The arithmetics, by name, and how a computation is run in one of them.
 
 use crate::probe::{Alteration, Altered, Decimal, Erased, Perturbed, Printed, Probe, Silent, Single};
-use crate::scene::Color;
+use crate::scene::{Color, Formulas};
 use std::fmt;
 use std::str::FromStr;
 
@@ -15,6 +15,8 @@ pub enum Arithmetic {
     F32,
     /// By hand, with this many decimals.
     Decimal(u32),
+    /// The same, and the products of every dot product are rounded before they are added.
+    DecimalProducts(u32),
     /// Double precision with every named quantity moved by one ulp at random, from this seed.
     Perturbed(u64),
     /// The book's own values, in the numeric example.
@@ -45,6 +47,29 @@ pub struct ArithmeticError {
 }
 
 impl Arithmetic {
+    /// The same arithmetic with the products of dot products rounded; `None` unless it is one by hand.
+    pub fn with_rounded_products(self) -> Option<Arithmetic> {
+        match self {
+            Arithmetic::Decimal(digits) | Arithmetic::DecimalProducts(digits) => {
+                Some(Arithmetic::DecimalProducts(digits))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether the products of dot products are rounded.
+    pub fn rounds_products(self) -> bool {
+        matches!(self, Arithmetic::DecimalProducts(_))
+    }
+
+    /// The formulas that go with it where nobody names others: by hand those of the notes.
+    pub fn implied_formulas(self) -> Formulas {
+        match self {
+            Arithmetic::Decimal(_) | Arithmetic::DecimalProducts(_) | Arithmetic::Printed => Formulas::Notes,
+            Arithmetic::F64 | Arithmetic::F32 | Arithmetic::Perturbed(_) => Formulas::Robust,
+        }
+    }
+
     /// The colour of a computation that nobody sees. Single precision isn't erased here: renders and the viewer's picture ask for it by the
     /// million.
     pub fn color<C: Computation>(self, computation: C) -> Color {
@@ -60,6 +85,7 @@ impl Arithmetic {
             Arithmetic::F64 => (computation.run(&mut probe), probe),
             Arithmetic::F32 => altered(Single, probe, computation),
             Arithmetic::Decimal(digits) => altered(Decimal::new(digits), probe, computation),
+            Arithmetic::DecimalProducts(digits) => altered(Decimal::with_rounded_products(digits), probe, computation),
             Arithmetic::Perturbed(seed) => altered(Perturbed::new(seed, computation.pixel()), probe, computation),
             Arithmetic::Printed => altered(Printed::default(), probe, computation),
         }
@@ -77,7 +103,7 @@ impl fmt::Display for Arithmetic {
         match self {
             Arithmetic::F64 => f.write_str("f64"),
             Arithmetic::F32 => f.write_str("f32"),
-            Arithmetic::Decimal(digits) => write!(f, "decimal:{digits}"),
+            Arithmetic::Decimal(digits) | Arithmetic::DecimalProducts(digits) => write!(f, "decimal:{digits}"),
             Arithmetic::Perturbed(seed) => write!(f, "perturbed:{seed}"),
             Arithmetic::Printed => f.write_str("printed"),
         }

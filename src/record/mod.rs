@@ -11,7 +11,7 @@ use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Event, Header, Log, Parameter, SkipReason, Subject};
 use crate::probe::{CutOff, Outlet, Probe, Recorder, until_cut_off};
 use crate::sampling;
-use crate::scene::{Algorithm, Color, Sampling, Scene, Skip, Specular, camera};
+use crate::scene::{Algorithm, Color, Formulas, ReflectedScale, Sampling, Scene, Skip, camera};
 use crate::trace::camera_ray;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -103,12 +103,11 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
             }
             .to_owned(),
             max_depth: tracing.max_depth,
-            specular: match tracing.specular {
-                Specular::HalfVector => "half_vector",
-                Specular::ReflectionVector => "reflection_vector",
-            }
-            .to_owned(),
+            specular: tracing.specular.word().to_owned(),
+            formulas: (tracing.formulas != Formulas::Robust).then(|| tracing.formulas.word().to_owned()),
             sphere_method: tracing.sphere_method.word().to_owned(),
+            reflected_scale: (tracing.reflected_scale != ReflectedScale::Weight).then(|| "specular".to_owned()),
+            round_products: arithmetic.rounds_products(),
             cutoff: tracing.cutoff,
             two_sided: tracing.two_sided,
             skip: skip_id(tracing.skip),

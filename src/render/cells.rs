@@ -5,7 +5,7 @@
 //! doesn't matter who was first, and every corner is counted once.
 
 use super::{Counter, Film, Progress, Settings, TILE, color_of, tiles_of};
-use crate::probe::Probe;
+use crate::probe::{Probe, Spared};
 use crate::random::hash;
 use crate::record::Computation;
 use crate::sampling::adaptive::{Cutting, rectangle};
@@ -77,6 +77,7 @@ impl Tile<'_> {
         let mut counter = Counter::default();
         let mut colors = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
         let mut known = Known::of(self.area);
+        let mut alone = 0;
         for row in top..bottom {
             for column in left..right {
                 if stop.load(Ordering::Relaxed) {
@@ -87,7 +88,12 @@ impl Tile<'_> {
                 known.inside.clear();
                 let computation = Pixel { tile: self, pixel, small: &small, known: &mut known };
                 colors.push(color_of(self.settings, computation, &mut counter));
+                alone += known.asked.len() as u64;
+                known.asked.clear();
             }
+        }
+        if self.settings.counts_rays {
+            counter.spared(Spared::Shared, alone - counter.samples());
         }
         progress(colors.len() as u64);
         Some((colors, counter))
@@ -114,13 +120,20 @@ struct Known {
     between_pixels: ByPlace<Seen>,
     /// Those inside of the pixel at hand.
     inside: ByPlace<Seen>,
+    /// Where rays are counted, the corners that the pixel at hand has asked for: so many it would trace by itself.
+    asked: ByPlace<()>,
 }
 
 impl Known {
     fn of(area @ [left, top, right, bottom]: [u32; 4]) -> Known {
         let corners = (right - left + 1) * (bottom - top + 1);
-        let (between_pixels, inside) = (HashMap::default(), HashMap::default());
-        Known { of_pixels: vec![None; corners as usize], area, between_pixels, inside }
+        Known {
+            of_pixels: vec![None; corners as usize],
+            area,
+            between_pixels: HashMap::default(),
+            inside: HashMap::default(),
+            asked: HashMap::default(),
+        }
     }
 
     /// The corner of a pixel with this column and row.
@@ -145,6 +158,9 @@ impl Computation for Pixel<'_> {
         let n = 1_u32 << depth;
         cutting.color(probe, |within, probe| {
             let place = [0, 1].map(|axis| self.pixel[axis] * n + within[axis]);
+            if self.tile.settings.counts_rays {
+                self.known.asked.insert(place, ());
+            }
             let trace = || Corners::Nested { depth }.seen(scene, place, probe);
             if within.iter().all(|step| step % n == 0) {
                 let known = self.known.of_pixel(place.map(|step| step / n));

@@ -1,6 +1,6 @@
 //! How far two pictures are apart.
 
-use super::export::{self, Picture};
+use super::export::{self, EncodeError, Picture};
 
 /// How far two pictures of the same size are apart.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +69,7 @@ impl Difference {
     ///
     /// # Errors
     /// Those of the encoder.
-    pub fn heat_map(&self, a: &Picture, b: &Picture) -> Result<Vec<u8>, png::EncodingError> {
+    pub fn heat_map(&self, a: &Picture, b: &Picture) -> Result<Vec<u8>, EncodeError> {
         let most = self.largest.map_or(1.0, |largest| largest.difference);
         let [width, height] = a.size();
         let mut levels = Vec::with_capacity(width as usize * height as usize * 3);

@@ -1,6 +1,7 @@
 //! Pixels from corners that they share: each corner of the grid is traced once.
 
 use super::{Progress, Settings, TILE, color_of, tiles_of};
+use crate::probe::{Probe, Spared};
 use crate::record::Corner;
 use crate::render::{Counter, Film};
 use crate::sampling::mean::Sum;
@@ -45,6 +46,11 @@ pub(super) fn by_corners(
             upper.extend_from_slice(lower);
         }
         row = end;
+    }
+    if settings.counts_rays {
+        let of_a_pixel = u64::from(n + 1) * u64::from(n + 1);
+        let alone = u64::from(right - left) * u64::from(bottom - top) * of_a_pixel;
+        counter.spared(Spared::Shared, alone - counter.samples());
     }
     Some((pixels.film, counter))
 }

@@ -2,7 +2,7 @@
 
 use super::losses::{Losses, Lost};
 use crate::log::{Decision, Name, RayKind, SkipReason, Step, Value};
-use crate::probe::{Probe, Quantity};
+use crate::probe::{Probe, Quantity, Spared};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -14,6 +14,11 @@ pub struct Counter {
     hits: ByKind,
     by_depth: Vec<u64>,
     skipped: [u64; SkipReason::ALL.len()],
+    /// Rays that weren't traced, by rule.
+    spared: [u64; SkipReason::ALL.len()],
+    beyond_limit: u64,
+    shared: u64,
+    unsearched: u64,
     rejected: u64,
     primitive_tests: u64,
     bounds_tests: u64,
@@ -56,6 +61,11 @@ pub struct Statistics {
     pub by_depth: Vec<u64>,
     /// Work left out, by rule.
     pub skipped: BTreeMap<&'static str, u64>,
+    /// Rays that weren't traced, by rule and by `depth_limit` and `shared`: at the most where it wasn't asked whether there
+    /// would have been one. What they would have spawned isn't counted.
+    pub saved: BTreeMap<&'static str, u64>,
+    /// Shadow rays in whose way nothing can stand, which are counted here and searched only because they are counted.
+    pub free_shadow_rays: u64,
     /// What cutoffs lost at the most, if there were any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lost: Option<Lost>,
@@ -117,6 +127,12 @@ impl Counter {
         for (ours, theirs) in self.skipped.iter_mut().zip(&other.skipped) {
             *ours += theirs;
         }
+        for (ours, theirs) in self.spared.iter_mut().zip(&other.spared) {
+            *ours += theirs;
+        }
+        self.beyond_limit += other.beyond_limit;
+        self.shared += other.shared;
+        self.unsearched += other.unsearched;
         self.losses.add(&other.losses);
         self.rejected += other.rejected;
         self.primitive_tests += other.primitive_tests;
@@ -134,11 +150,14 @@ impl Counter {
     /// The statistics of a picture of one ray a pixel.
     pub fn statistics(&self, clipped_pixels: u64, seconds: Seconds, peak_bytes: u64) -> Statistics {
         let skipped = SkipReason::ALL.iter().map(|why| (why.word(), self.skipped[*why as usize]));
+        let saved = SkipReason::ALL.iter().map(|why| (why.word(), self.spared[*why as usize]));
         Statistics {
             rays: Rays { by_kind: self.rays, total: self.rays.total() },
             hits: self.hits,
             by_depth: self.by_depth.clone(),
             skipped: skipped.collect(),
+            saved: saved.chain([("depth_limit", self.beyond_limit), ("shared", self.shared)]).collect(),
+            free_shadow_rays: self.unsearched,
             lost: self.losses.lost(1.0),
             rejected: self.rejected,
             tests: Tests { bounds: self.bounds_tests, primitives: self.primitive_tests },
@@ -195,6 +214,15 @@ impl Probe for Counter {
 
     fn fallback(&mut self) {
         self.fallbacks += 1;
+    }
+
+    fn spared(&mut self, why: Spared, rays: u64) {
+        *match why {
+            Spared::Skipped(rule) => &mut self.spared[rule as usize],
+            Spared::DepthLimit => &mut self.beyond_limit,
+            Spared::Shared => &mut self.shared,
+            Spared::Search => &mut self.unsearched,
+        } += rays;
     }
 
     fn enter(&mut self, step: Step) {
@@ -285,7 +313,18 @@ impl fmt::Display for Statistics {
         }
         writeln!(f, "{:<12}{:>14}", "total", self.rays.total)?;
         for (why, count) in self.skipped.iter().filter(|(_, count)| **count > 0) {
-            writeln!(f, "skipped {why}: {count}")?;
+            let rays = self.saved.get(why).copied().unwrap_or(0);
+            writeln!(f, "skipped {why}: {count} ({rays} rays)")?;
+        }
+        let saved = |why| self.saved.get(why).copied().unwrap_or(0);
+        for (what, rays) in [
+            ("rays beyond the depth limit", saved("depth_limit")),
+            ("rays shared by pixels", saved("shared")),
+            ("shadow rays that nothing could block", self.free_shadow_rays),
+        ] {
+            if rays > 0 {
+                writeln!(f, "{what}: {rays}")?;
+            }
         }
         if let Some(lost) = &self.lost {
             writeln!(f, "{lost}")?;

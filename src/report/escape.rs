@@ -78,6 +78,7 @@ pub(super) fn tex_letter(c: char) -> Option<&'static str> {
         ('ε', "varepsilon"),
         ('ω', "omega"),
         ('Δ', "Delta"),
+        ('Ω', "Omega"),
         ('ℓ', "ell"),
     ];
     LETTERS.iter().find(|(letter, _)| *letter == c).map(|(_, command)| *command)

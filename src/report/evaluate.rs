@@ -6,16 +6,16 @@
 
 use crate::log::formula::{self, Extreme, Formula, Operator};
 use crate::log::scope::{self, Operand};
-use crate::log::{Event, Name, Tree, Value};
+use crate::log::{Event, Header, Log, Name, Tree, Value, round_half_away};
 
 /// The value of the formula of the quantity `name` that `event` notes, before any rounding; `None` for what has no
 /// formula.
 ///
 /// # Errors
 /// Which operand the log doesn't hold, or what can't be computed.
-pub fn evaluate(events: &[Event], tree: &Tree, event: usize, name: Name) -> Option<Result<Value, String>> {
-    let logged = |symbol, light| operand(events, tree, event, symbol, light).map(|operand| operand.value);
-    formula::of(name).map(|formula| evaluate_with(tree, event, formula, &logged))
+pub fn evaluate(log: &Log, tree: &Tree, event: usize, name: Name) -> Option<Result<Value, String>> {
+    let logged = |symbol, light| operand(&log.events, tree, event, symbol, light).map(|operand| operand.value);
+    formula::of(name).map(|formula| evaluate_with(&log.header, tree, event, formula, &logged))
 }
 
 /// What a symbol in the formula of the quantity that `event` notes stands for; under a Σ, in the part of the light whose node
@@ -27,12 +27,19 @@ pub fn operand(events: &[Event], tree: &Tree, event: usize, symbol: &str, light:
     }
 }
 
-/// The value of a formula at `event`, with the operands that `operands` has for a symbol and, under a Σ, the node of a light.
+/// The value of a formula at `event` of a log with this header, with the operands that `operands` has for a symbol and, under a Σ, the node of a light.
 ///
 /// # Errors
 /// As those of [`evaluate`].
-pub fn evaluate_with(tree: &Tree, event: usize, formula: &Formula, operands: &Operands) -> Result<Value, String> {
-    match (Evaluator { tree, event, operands, light: None }).part(formula)? {
+pub fn evaluate_with(
+    header: &Header,
+    tree: &Tree,
+    event: usize,
+    formula: &Formula,
+    operands: &Operands,
+) -> Result<Value, String> {
+    let decimals_of_products = header.decimals_of_products();
+    match (Evaluator { tree, event, operands, light: None, decimals_of_products }).part(formula)? {
         Part::Value(value) => Ok(value),
         absent => Err(format!("the formula comes to {absent:?}")),
     }
@@ -48,6 +55,8 @@ struct Evaluator<'a> {
     operands: &'a Operands<'a>,
     /// The light whose term under Σ is evaluated.
     light: Option<usize>,
+    /// To how many decimals the products of a dot product are rounded before they are added.
+    decimals_of_products: Option<u32>,
 }
 
 /// What a part of a formula comes to.
@@ -100,8 +109,19 @@ impl Evaluator<'_> {
             Formula::OverLights(inner) => self.over_lights(Part::Zero, inner),
             Formula::Binary(operator, left, right) => match (operator, &**right) {
                 (Operator::Plus, Formula::OverLights(term)) => self.over_lights(self.part(left)?, term),
-                _ => binary(*operator, self.part(left)?, self.part(right)?),
+                _ => self.binary(*operator, self.part(left)?, self.part(right)?),
             },
+        }
+    }
+
+    /// What is written as a product: that of two triples is a dot product, whose own products may be rounded.
+    fn binary(&self, operator: Operator, left: Part, right: Part) -> Result<Part, String> {
+        match (operator, left, right, self.decimals_of_products) {
+            (Operator::Times, Part::Value(Value::Triple(a)), Part::Value(Value::Triple(b)), Some(digits)) => {
+                let [x, y, z] = [0, 1, 2].map(|i| round_half_away(a[i] * b[i], digits));
+                Ok(Part::Value(Value::Number(x + y + z)))
+            }
+            _ => binary(operator, left, right),
         }
     }
 

@@ -100,7 +100,7 @@ pub fn substituted(
 fn explains(log: &Log, tree: &Tree, event: usize, formula: &Formula, style: Style) -> bool {
     let What::Note { value, .. } = log.events[event].what else { return true };
     let operands = |symbol, light| evaluate::operand(&log.events, tree, event, symbol, light).map(|found| found.value);
-    match evaluate::evaluate_with(tree, event, formula, &operands) {
+    match evaluate::evaluate_with(&log.header, tree, event, formula, &operands) {
         Ok(computed) => log.header.arithmetic == "printed" || forms::is_near(log, &computed, &value, style.digits),
         Err(_) => false,
     }

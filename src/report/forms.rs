@@ -53,7 +53,7 @@ static RIVALS: LazyLock<Vec<bool>> = LazyLock::new(|| {
 /// Whether the formula of a name gives the value that an event notes.
 fn explains(log: &Log, tree: &Tree, event: usize, name: Name) -> bool {
     let What::Note { value, .. } = log.events[event].what else { return false };
-    let computed = evaluate(&log.events, tree, event, name).and_then(Result::ok);
+    let computed = evaluate(log, tree, event, name).and_then(Result::ok);
     computed.is_some_and(|computed| is_near(log, &computed, &value, Style::default().digits))
 }
 
@@ -65,7 +65,7 @@ fn gives(log: &Log, tree: &Tree, event: usize, name: Name) -> bool {
         None if log.header.arithmetic == "f32" => f64::from((x as f32).clamp(f32::MIN, f32::MAX)),
         None => x,
     };
-    let computed = evaluate(&log.events, tree, event, name).and_then(Result::ok);
+    let computed = evaluate(log, tree, event, name).and_then(Result::ok);
     computed.is_some_and(|computed| {
         let (computed, logged) = (computed.components(), value.components());
         computed.len() == logged.len() && computed.iter().zip(logged).all(|(a, b)| rounded(*a) == *b)

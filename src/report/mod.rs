@@ -3,6 +3,7 @@
 //! Nothing is computed here that a log doesn't hold; a report needs no scene.
 
 pub mod answer;
+pub mod close_up;
 pub mod computation;
 pub mod contributions;
 pub mod diff;

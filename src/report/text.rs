@@ -23,7 +23,7 @@ pub fn text_in(language: Language, log: &Log, style: Style) -> String {
     let sampling = words::sampling_in(language, header).map_or(String::new(), |sampling| format!(" · {sampling}"));
     let scene = words::plain(&header.scene.name);
     // Writing to a String can't fail.
-    let _ = writeln!(out, "{scene} · {subject} · {} · {algorithm}{sampling}", header.arithmetic);
+    let _ = writeln!(out, "{scene} · {subject} · {} · {algorithm}{sampling}", words::arithmetic(header));
     let tree = Tree::of(&log.events);
     for event in 0..log.events.len() {
         if let Some(line) = line(language, log, &tree, event, style) {

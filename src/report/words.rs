@@ -191,6 +191,12 @@ fn cell(language: Language, [x, y, side]: &[f64; 3], style: Style) -> String {
     (language.texts().cell)(&number(*x), &number(*y), &number(*side))
 }
 
+/// The arithmetic of a log, and the option that goes with it.
+pub fn arithmetic(header: &Header) -> String {
+    let option = if header.tracing.round_products { " (--round-products)" } else { "" };
+    format!("{}{option}", plain(&header.arithmetic))
+}
+
 /// A name from a file with its control characters escaped, so that it can't command a terminal.
 pub fn plain(name: &str) -> String {
     if name.chars().any(char::is_control) { name.chars().flat_map(escaped).collect() } else { name.to_owned() }

@@ -34,8 +34,8 @@ pub struct Cutting<'s> {
 
 /// The colour of a pixel that shares no samples: its own corners, in the order in which they are needed.
 pub fn pixel<P: Probe>(scene: &Scene, threshold: f64, depth: u32, pixel: [u32; 2], probe: &mut P) -> Color {
-    let small = small_objects::of(scene);
-    let small = small_objects::within(&small, rectangle(pixel));
+    let small = small_objects::of_rectangle(scene, rectangle(pixel));
+    let small: Vec<_> = small.iter().collect();
     let cutting = Cutting { scene, threshold, depth, pixel, small: &small };
     let mut known: HashMap<[u32; 2], Seen> = HashMap::new();
     cutting.color(probe, |within, probe| {

@@ -1,6 +1,7 @@
 //! Which rays make a pixel: one file a method. `docs/sampling.md` compares them.
 
 pub mod adaptive;
+pub mod ellipse;
 pub mod mean;
 pub mod outline;
 pub mod place;

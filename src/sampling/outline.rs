@@ -33,9 +33,23 @@ impl Outline {
         Outline { corners: corners.into(), width }
     }
 
+    /// The same around a figure of which the width is known.
+    pub fn with_width(self, width: f64) -> Outline {
+        Outline { width, ..self }
+    }
+
     /// The least distance, in pixels, between two parallel lines that hold it between them.
     pub fn width(&self) -> f64 {
         self.width
+    }
+
+    /// Whether it and another one have something in common.
+    pub fn overlaps(&self, other: &Outline) -> bool {
+        let corners = [&self.corners, &other.corners];
+        corners.iter().flat_map(|corners| normals(corners)).all(|normal| {
+            let [[least, most], [from, to]] = corners.map(|corners| range(corners, normal));
+            least <= to && from <= most
+        })
     }
 
     /// Whether it and a rectangle have something in common: no direction of an edge of either separates them.

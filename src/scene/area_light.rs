@@ -1,13 +1,14 @@
 //! Lights with a surface, and points on them.
 
 use super::profile::CosineProfile;
+use super::solid_angle::{self, Seen};
 use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::warp;
 use glam::DVec3;
 
-/// A light with a surface. It gives the mean over the surface, by area and profile, of what a point light there would give; both
-/// sides shine, and it isn't seen itself.
+/// A light with a surface. It gives the mean over the surface, by area or by solid angle, and by its profile, of what a point light
+/// there would give; both sides shine, and it isn't seen itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AreaLight {
     /// What the surface is.
@@ -16,6 +17,18 @@ pub struct AreaLight {
     pub profile: Option<CosineProfile>,
     /// How many points of it each surface point asks.
     pub samples: u32,
+    /// What its mean is taken by.
+    pub by: Spread,
+}
+
+/// By what measure the points of an area light count alike.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spread {
+    /// By the area of the surface.
+    #[default]
+    Area,
+    /// By the solid angle under which the surface point sees them: of a sphere those that face it, all of a rectangle.
+    SolidAngle,
 }
 
 /// The surface of an area light.
@@ -91,8 +104,48 @@ impl AreaLight {
         }
     }
 
+    /// The point of the light that a surface point asks for a point of the unit square, if that is uniform by area and profile or by
+    /// solid angle; and the weight of its shadow ray, where not all have the same.
+    pub fn point<P: Probe>(&self, square: [f64; 2], from: DVec3, probe: &mut P) -> (DVec3, Option<f64>) {
+        let seen = if self.by == Spread::SolidAngle { self.seen_point(square, from, probe) } else { None };
+        seen.unwrap_or_else(|| (self.point_by_area(square, probe), None))
+    }
+
+    /// The point by solid angle, with its weight by the profile; `None` where the solid angle is none.
+    // Kept out of the way of lights by area.
+    #[inline(never)]
+    fn seen_point<P: Probe>(&self, square: [f64; 2], from: DVec3, probe: &mut P) -> Option<(DVec3, Option<f64>)> {
+        match self.surface {
+            LightSurface::Sphere { center, radius } => {
+                let Seen { at: outward, solid_angle } = solid_angle::of_sphere(center, radius, from, square);
+                probe.given(Name::LightOutward, outward);
+                probe.given(Name::LightSolidAngle, solid_angle);
+                Some((probe.note(Name::LightPositionOnSphere, center + outward * radius), None))
+            }
+            LightSurface::Rectangle { center, edges } => {
+                let Seen { at: [x, y], solid_angle } = solid_angle::of_rectangle(center, edges, from, square)?;
+                probe.given(Name::LightX, x);
+                probe.given(Name::LightY, y);
+                probe.given(Name::LightSolidAngle, solid_angle);
+                let position = on_edges(center, edges, [x, y], probe);
+                let weight = self.profile.as_ref().map(|profile| profile.weigh(x.abs().max(y.abs()).min(1.0), probe));
+                Some((position, weight))
+            }
+            // The door refuses it: no closed form gives such points.
+            LightSurface::Disk { .. } => None,
+        }
+    }
+
+    /// The largest weight of a shadow ray: 1 where all have the same.
+    pub fn largest_weight(&self) -> f64 {
+        match (&self.profile, self.by) {
+            (Some(profile), Spread::SolidAngle) => 1.0 / profile.mean(),
+            _ => 1.0,
+        }
+    }
+
     /// The point of the light for a point of the unit square: uniform by area and profile, if that is uniform.
-    pub fn point<P: Probe>(&self, square: [f64; 2], probe: &mut P) -> DVec3 {
+    fn point_by_area<P: Probe>(&self, square: [f64; 2], probe: &mut P) -> DVec3 {
         match self.surface {
             LightSurface::Rectangle { center, edges } => {
                 let [a, b] = square.map(|x| 2.0 * x - 1.0);

@@ -1,9 +1,8 @@
 //! Scenes of shapes alone, for ray queries.
 
 use super::file::schema as file;
-use super::{AroundEye, Camera, Ceilings, Color, Effects, Index, Object, Sampling, Scene, build};
+use super::{AroundEye, Camera, Ceilings, Color, Effects, Formulas, Index, Object, Sampling, Scene, build};
 use crate::geometry::Shape;
-use crate::geometry::shape::SphereMethod;
 use glam::DVec3;
 
 impl Scene {
@@ -31,7 +30,7 @@ impl Scene {
             index: Index::new(&objects),
             around_eye: AroundEye::Nothing,
             objects,
-            tracing: build::tracing(&file::Tracing::default(), SphereMethod::Robust),
+            tracing: build::tracing(&file::Tracing::default(), Formulas::Robust),
             ceilings: Ceilings::default(),
             sampling: Sampling::Center,
             seed: 0,

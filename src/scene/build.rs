@@ -1,13 +1,14 @@
 //! From a checked scene file to a scene that can be traced.
 
+use super::area_light::Spread;
 use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Index, Lens, Light, LightKind,
-    LightSurface, Material, Object, Output, Sampling, Scene, Shadows, Skip, Specular, Statistical, Tracing, Transfer,
-    Weights,
+    Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Formulas, Index, Lens, Light,
+    LightKind, LightSurface, Material, Object, Output, ReflectedScale, Sampling, Scene, Shadows, Skip, Specular,
+    Statistical, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::motion::{Motion, Turn};
@@ -18,12 +19,15 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Makes a checked scene file and the meshes that it names ready to be traced.
+/// Makes a checked scene file and the meshes that it names ready to be traced, with the robust formulas unless it names others.
 pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsupported> {
-    let sphere_method = match scene.tracing.sphere_method {
-        file::SphereMethod::Robust => SphereMethod::Robust,
-        file::SphereMethod::Geometric => SphereMethod::Geometric,
-    };
+    build_with(scene, meshes, Formulas::Robust)
+}
+
+/// The same for a computation that implies these formulas, as one by hand does those of the notes.
+pub fn build_with(scene: &file::SceneFile, meshes: &Meshes, implied: Formulas) -> Result<Scene, Unsupported> {
+    let tracing = tracing(&scene.tracing, implied);
+    let sphere_method = tracing.sphere_method;
     let mut materials: Vec<_> = scene.materials.iter().map(|(_, material)| self::material(material)).collect();
     let default_material = materials.len();
     materials.push(self::material(&file::Material::default()));
@@ -45,7 +49,6 @@ pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsuppor
     let objects: Vec<_> = scene.objects.iter().enumerate().map(object).collect::<Result<_, Unsupported>>()?;
     let camera = camera(&scene.camera, scene.objects.iter().any(|object| object.motion.is_some()));
     let lights: Vec<_> = scene.lights.iter().map(light).collect();
-    let tracing = tracing(&scene.tracing, sphere_method);
     let built = Scene {
         name: scene.name.clone(),
         digest: digest(scene, meshes),
@@ -139,7 +142,11 @@ fn area(surface: LightSurface, light: &file::Light) -> LightKind {
         file::Profile::CosinePower(power) if power > 0.0 => Some(CosineProfile::new(power)),
         _ => None,
     };
-    LightKind::Area(Box::new(AreaLight { surface, profile, samples: count(light.samples) }))
+    let by = match light.by {
+        file::By::Area => Spread::Area,
+        file::By::SolidAngle => Spread::SolidAngle,
+    };
+    LightKind::Area(Box::new(AreaLight { surface, profile, samples: count(light.samples), by }))
 }
 
 /// The limits of counts keep them far below 2³².
@@ -219,7 +226,15 @@ fn shape(
     })
 }
 
-pub(super) fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> Tracing {
+pub(super) fn tracing(tracing: &file::Tracing, implied: Formulas) -> Tracing {
+    let formulas = tracing.formulas.map_or(implied, |formulas| match formulas {
+        file::Formulas::Robust => Formulas::Robust,
+        file::Formulas::Notes => Formulas::Notes,
+    });
+    let sphere_method = match (tracing.sphere_method, formulas) {
+        (Some(file::SphereMethod::Robust), _) | (None, Formulas::Robust) => SphereMethod::Robust,
+        (Some(file::SphereMethod::Geometric), _) | (None, Formulas::Notes) => SphereMethod::Geometric,
+    };
     Tracing {
         algorithm: match tracing.algorithm {
             file::Algorithm::Recursive => Algorithm::Recursive,
@@ -230,8 +245,14 @@ pub(super) fn tracing(tracing: &file::Tracing, sphere_method: SphereMethod) -> T
         specular: match tracing.specular {
             file::SpecularForm::HalfVector => Specular::HalfVector,
             file::SpecularForm::ReflectionVector => Specular::ReflectionVector,
+            file::SpecularForm::HalfVectorCompensated => Specular::HalfVectorCompensated,
         },
+        formulas,
         sphere_method,
+        reflected_scale: match tracing.reflected_scale {
+            file::ReflectedScale::Weight => ReflectedScale::Weight,
+            file::ReflectedScale::Specular => ReflectedScale::Specular,
+        },
         cutoff: tracing.cutoff,
         two_sided: tracing.two_sided,
         shadows: Shadows::PerSurface,

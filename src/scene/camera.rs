@@ -5,7 +5,7 @@ use crate::geometry::Ray;
 use crate::geometry::size::unit;
 use crate::geometry::unit::middling;
 use crate::log::{Decision, Name};
-use crate::probe::Probe;
+use crate::probe::{Probe, Silent};
 use crate::random::{Dimension, Draws};
 use glam::DVec3;
 
@@ -119,6 +119,11 @@ impl Camera {
         along(self.position, vector, probe)
     }
 
+    /// The direction to a place of the picture, in pixels from its top left corner, not normalised: linear in the place.
+    pub fn vector_through(&self, place: [f64; 2]) -> DVec3 {
+        self.frame_through(place, &mut Silent).2
+    }
+
     /// Which way is up in the picture: a unit vector.
     pub fn up(&self) -> DVec3 {
         self.up
@@ -129,13 +134,22 @@ impl Camera {
         self.position
     }
 
+    /// |G|, with the products of G · G rounded where the arithmetic does that.
+    #[inline(always)]
+    fn length_by<P: Probe>(&self, probe: &P) -> f64 {
+        match probe.decimals_of_products() {
+            None => self.length,
+            Some(_) => probe.dot(self.direction, self.direction).sqrt(),
+        }
+    }
+
     /// |G|, e_x and e_y, and D = G + |G|·(x·e_x + y·e_y). What doesn't depend on the pixel was computed with the camera, by the same
     /// formulas.
     #[inline(always)]
     pub(super) fn frame_through<P: Probe>(&self, [column, row]: [f64; 2], probe: &mut P) -> (f64, [DVec3; 2], DVec3) {
         let middle = self.resolution.map(|side| f64::from(side) / 2.0);
         probe.given(Name::CameraDirection, self.direction);
-        let length = probe.note(Name::CameraLength, self.length);
+        let length = probe.note(Name::CameraLength, self.length_by(probe));
         probe.given(Name::CameraUpAsGiven, self.up_as_given);
         let right = probe.note(Name::CameraRight, self.right);
         let up = probe.note(Name::CameraUp, self.up);
@@ -162,7 +176,7 @@ pub fn ray_along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Optio
 /// digits makes nothing of its length.
 #[inline(always)]
 pub(super) fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
-    let length = probe.note(Name::RayLength, vector.dot(vector).sqrt());
+    let length = probe.note(Name::RayLength, probe.dot(vector, vector).sqrt());
     if length == 0.0 {
         probe.mark(Decision::Undefined { quantity: Name::RayDirection });
         return None;
@@ -190,7 +204,6 @@ fn time_within<P: Probe>([open, close]: [f64; 2], draws: &Draws, probe: &mut P) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::probe::Silent;
 
     #[test]
     fn a_point_is_seen_where_its_ray_goes() {

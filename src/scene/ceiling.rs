@@ -36,7 +36,8 @@ impl Ceilings {
         for level in (0..=levels).rev() {
             let of_material = |material: &Material| {
                 let weights = &material.weights;
-                weights.local * local(scene, material, level) + (weights.reflected + weights.transmitted) * next
+                let reflected = scene.tracing.scale_of_reflected(weights.reflected, material);
+                weights.local * local(scene, material, level) + (reflected + weights.transmitted) * next
             };
             next = rounded_up(scene.materials.iter().map(of_material).fold(scene.background, largest));
             by_level.push(next);
@@ -59,7 +60,7 @@ fn local(scene: &Scene, material: &Material, level: u32) -> Color {
         return ambient;
     }
     let used = (material.diffuse * pattern + material.specular).max(material.transmission);
-    let arriving = |light: &Light| light.color * used;
+    let arriving = |light: &Light| light.color * light.largest_weight() * used;
     ambient + scene.lights.iter().map(arriving).sum::<Color>()
 }
 
@@ -93,6 +94,24 @@ mod tests {
             assert!(ceiling.cmpge(expected).all() && (ceiling / expected).max_element() < 1.00001, "{ceiling}");
         }
         assert_eq!(scene.ceilings.of_level(2), None);
+    }
+
+    /// cos²(π/2·ρ) has the mean 1/2 − 2/π² over a square: in the middle it is that much brighter than on the whole.
+    #[test]
+    fn a_profile_weighs_shadow_rays_by_solid_angle() {
+        let scene = |by: &str| {
+            let light = r#""rectangle": {"corner": [0, 0, 0], "edge_u": [1, 0, 0], "edge_v": [0, 1, 0]}, "profile": {"cosine_power": 2}"#;
+            let text = format!(
+                r#"{{"format": "raywalk-scene/1", "camera": {{"position": [0, 0, 9], "direction": [0, 0, -1]}},
+                    "lights": [{{{light}, "by": "{by}"}}], "materials": {{"m": {{"diffuse": [1, 1, 1]}}}}, "tracing": {{"cutoff": 0.1}},
+                    "objects": [{{"shape": {{"plane": {{"coefficients": [0, 1, 0, 0]}}}}, "material": "m"}}]}}"#
+            );
+            let file = file::parse(text.as_bytes(), "light").expect("a good scene");
+            let scene = build(&file, &Default::default()).expect("a supported scene");
+            scene.ceilings.of_level(9).or(scene.ceilings.of_level(4)).expect("a ceiling").x
+        };
+        let brightest = 1.0 / (0.5 - 2.0 / (std::f64::consts::PI * std::f64::consts::PI));
+        assert!((scene("solid_angle") / scene("area") - brightest).abs() < 1e-9);
     }
 
     #[test]

@@ -49,7 +49,7 @@ impl Arrival {
     #[inline]
     pub fn of<P: Probe>(position: DVec3, point: DVec3, probe: &mut P) -> Option<Arrival> {
         let vector = probe.note(Name::LightVector, position - point);
-        let distance = probe.note(Name::LightDistance, vector.dot(vector).sqrt());
+        let distance = probe.note(Name::LightDistance, probe.dot(vector, vector).sqrt());
         if distance == 0.0 {
             return None;
         }
@@ -80,6 +80,11 @@ impl Light {
             LightKind::Area(area) => self.color / f64::from(area.samples),
             _ => self.color,
         }
+    }
+
+    /// The most that a point of it counts for, in parts of the mean.
+    pub fn largest_weight(&self) -> f64 {
+        if let LightKind::Area(area) = &self.kind { area.largest_weight() } else { 1.0 }
     }
 
     /// The light as seen from a point (Ramos, section 1.3, step 6), an area light's centre; `None` from the very place where it is.

@@ -1,6 +1,6 @@
 //! What a surface does with light.
 
-use super::Color;
+use super::{Color, Specular};
 use glam::DVec3;
 
 /// The coefficients of a surface.
@@ -66,10 +66,10 @@ impl Material {
     }
 
     /// Whether its lobes are so narrow that a cosine near 1 no longer tells their angle: the power is taken from the sine.
-    pub fn is_sharp(&self) -> bool {
+    pub fn is_sharp(&self, specular: Specular) -> bool {
         /// Up to here the power shows the cosine's rounding errors no more than 10⁻¹³ large.
         const SHARP: f64 = 1024.0;
-        self.shininess >= SHARP || self.transmission_exponent >= SHARP
+        specular.exponent(self.shininess) >= SHARP || self.transmission_exponent >= SHARP
     }
 
     /// Whether light passes in any way, so that both sides of the surface are there.

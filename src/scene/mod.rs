@@ -20,12 +20,13 @@ pub mod material;
 mod open;
 pub mod profile;
 pub mod sampling;
+mod solid_angle;
 pub mod square;
 pub mod tracing;
 pub mod unsupported;
 
 pub use area_light::{AreaLight, LightSurface};
-pub use build::build;
+pub use build::{build, build_with};
 pub use camera::Camera;
 pub use ceiling::Ceilings;
 pub use effects::Effects;
@@ -36,7 +37,7 @@ pub use light::{Arrival, Light, LightKind};
 pub use material::{Checker, Material, Weights};
 pub use open::OpenError;
 pub use sampling::{Sampling, Statistical};
-pub use tracing::{Algorithm, Shadows, Skip, Specular, Tracing};
+pub use tracing::{Algorithm, Formulas, ReflectedScale, Shadows, Skip, Specular, Tracing};
 
 pub use unsupported::Unsupported;
 

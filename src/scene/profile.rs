@@ -1,5 +1,7 @@
 //! How an area light's weight falls from its centre to its rim.
 
+use crate::log::Name;
+use crate::probe::Probe;
 use std::f64::consts::FRAC_PI_2;
 
 /// The weight ∝ cos^p(π/2·ρ) over a disk or a rectangle, ρ from 0 at the centre to 1 at the rim.
@@ -14,6 +16,8 @@ pub struct CosineProfile {
     step: f64,
     /// W at the sides of the cells, the last of which is 1.
     within: Vec<f64>,
+    /// The mean of cos^p(π/2·ρ) over the surface.
+    mean: f64,
 }
 
 /// Cells of the table. In each the integral is right to 10⁻¹² of the whole.
@@ -28,14 +32,30 @@ impl CosineProfile {
         // cos(π/2·ρ) ≤ exp(−(π/2·ρ)²/2): of a large power only the middle counts.
         let end = (2.0 * FAINT / power).sqrt() / FRAC_PI_2;
         let step = end.min(1.0) / CELLS as f64;
-        let mut profile = CosineProfile { power, step, within: vec![0.0] };
+        let mut profile = CosineProfile { power, step, within: vec![0.0], mean: 1.0 };
         let mut sum = 0.0;
         for cell in 0..CELLS {
             sum += profile.part(cell as f64 * step, (cell + 1) as f64 * step);
             profile.within.push(sum);
         }
         profile.within.iter_mut().for_each(|within| *within /= sum);
+        // Over the area, whose element is 2ρ·dρ.
+        profile.mean = (2.0 * sum).max(f64::MIN_POSITIVE);
         profile
+    }
+
+    /// The mean over the surface of the profile before it is scaled, cos^p(π/2·ρ).
+    pub fn mean(&self) -> f64 {
+        self.mean
+    }
+
+    /// The weight of the point at ρ, whose mean by area is 1.
+    pub fn weigh<P: Probe>(&self, rho: f64, probe: &mut P) -> f64 {
+        let cosine = libm::cos(FRAC_PI_2 * rho).max(0.0);
+        probe.given(Name::LightProfileCosine, cosine);
+        probe.given(Name::LightProfilePower, self.power);
+        probe.given(Name::LightProfileMean, self.mean);
+        probe.note(Name::LightWeight, libm::pow(cosine, self.power) / self.mean)
     }
 
     /// x·cos^p(π/2·x). Near the centre the power is taken from the sine, where the cosine has lost the angle.
@@ -103,6 +123,7 @@ mod tests {
             let found = within(rho * profile.spread(rho)) / within(1.0);
             assert!((found - rho * rho).abs() < 1e-11, "{rho}: {found}");
         }
+        assert!((profile.mean() - 2.0 * within(1.0)).abs() < 1e-12);
     }
 
     #[test]

@@ -72,6 +72,15 @@ impl Sampling {
         }
     }
 
+    /// Whether its samples have the same places in every pixel and with every seed, so that pictures with other seeds don't tell how far
+    /// it is off.
+    pub fn has_fixed_places(self) -> bool {
+        matches!(
+            self,
+            Sampling::Center | Sampling::Regular { .. } | Sampling::Shared { .. } | Sampling::Adaptive { .. }
+        )
+    }
+
     /// The most that a sample counts for over all pixels; 1 is a whole pixel.
     pub fn largest_share(self) -> f64 {
         let one_of = |count: u32| 1.0 / f64::from(count.max(1));

@@ -1,5 +1,6 @@
 //! How rays are traced.
 
+use super::{Color, Material};
 use crate::geometry::shape::SphereMethod;
 use crate::log::SkipReason;
 
@@ -12,8 +13,12 @@ pub struct Tracing {
     pub max_depth: u32,
     /// Which specular term.
     pub specular: Specular,
+    /// Which formulas, where several give the same number in exact arithmetic.
+    pub formulas: Formulas,
     /// By which formulas spheres are met.
     pub sphere_method: SphereMethod,
+    /// What scales the light that a reflected ray brings.
+    pub reflected_scale: ReflectedScale,
     /// The weight below which bounces are left out; 0 leaves out none.
     pub cutoff: f64,
     /// Whether faces are seen from behind.
@@ -42,6 +47,57 @@ pub enum Specular {
     HalfVector,
     /// (R·V)^n.
     ReflectionVector,
+    /// (N·H)^4n: the angle between N and H is half of that between R and V, and cos^4n of the half falls off as cos^n of the whole.
+    HalfVectorCompensated,
+}
+
+impl Specular {
+    /// The word for it in scene files and logs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Specular::HalfVector => "half_vector",
+            Specular::ReflectionVector => "reflection_vector",
+            Specular::HalfVectorCompensated => "half_vector_compensated",
+        }
+    }
+
+    /// The exponent of the term on a surface of this shininess, n_e.
+    #[inline]
+    pub fn exponent(self, shininess: f64) -> f64 {
+        match self {
+            Specular::HalfVector | Specular::ReflectionVector => shininess,
+            Specular::HalfVectorCompensated => 4.0 * shininess,
+        }
+    }
+}
+
+/// Which of several formulas for the same quantity are evaluated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Formulas {
+    /// Those that keep their digits. A reflected or refracted direction isn't normalised again: in f64 its length errs by a few roundings.
+    #[default]
+    Robust,
+    /// Those that the source text prints, for a computation by hand. Every new direction is normalised (Ramos, section 1.3).
+    Notes,
+}
+
+impl Formulas {
+    /// The word for them in scene files and logs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Formulas::Robust => "robust",
+            Formulas::Notes => "notes",
+        }
+    }
+}
+
+/// What scales the light that a reflected ray brings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReflectedScale {
+    /// W_r.
+    Weight,
+    /// W_r·K_e: "scale by the specular coefficient" of the second pseudocode (Ramos, section 1.1.2).
+    Specular,
 }
 
 /// What a semitransparent thing between a light and a surface does.
@@ -54,6 +110,15 @@ pub enum Shadows {
 }
 
 impl Tracing {
+    /// What scales the light that a ray reflected by this material brings, where the material's weight is W_r.
+    #[inline]
+    pub fn scale_of_reflected(&self, weight: Color, material: &Material) -> Color {
+        match self.reflected_scale {
+            ReflectedScale::Weight => weight,
+            ReflectedScale::Specular => weight * material.specular,
+        }
+    }
+
     /// Whether a ray at this level, the camera's ray having 0, may spawn others.
     pub fn goes_deeper(&self, level: u32) -> bool {
         match self.algorithm {
@@ -72,12 +137,12 @@ impl Tracing {
 /// The rules by which work is left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Skip {
-    rules: u8,
+    rules: u16,
 }
 
 impl Skip {
     /// Every rule.
-    pub const ALL: Skip = Skip { rules: u8::MAX };
+    pub const ALL: Skip = Skip { rules: u16::MAX };
     /// No rule.
     pub const NONE: Skip = Skip { rules: 0 };
 
@@ -97,7 +162,7 @@ impl Skip {
         self.rules & Skip::bit(rule) != 0
     }
 
-    fn bit(rule: SkipReason) -> u8 {
-        1 << rule as u8
+    fn bit(rule: SkipReason) -> u16 {
+        1 << rule as u16
     }
 }

@@ -22,6 +22,30 @@ pub struct Rung {
     pub visible: f64,
 }
 
+/// How far a picture is from another one.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Deviation {
+    /// The root of the mean squared error over all pixels and channels, in units of the scene's white.
+    pub rmse: f64,
+    /// The greatest error of a channel, in units of the scene's white.
+    pub worst: f64,
+    /// The part of the pixels that are off by more than one of 255 levels in some channel.
+    pub visible: f64,
+}
+
+impl Deviation {
+    /// That of these errors.
+    pub fn of(errors: &[Color]) -> Deviation {
+        let squares: f64 = errors.iter().map(|error| error.dot(*error)).sum();
+        let worst = |error: &Color| error.abs().max_element();
+        Deviation {
+            rmse: (squares / (3 * errors.len()) as f64).sqrt(),
+            worst: errors.iter().map(worst).fold(0.0, f64::max),
+            visible: errors.iter().filter(|error| worst(error) > 1.0 / 255.0).count() as f64 / errors.len() as f64,
+        }
+    }
+}
+
 /// How often a picture is rendered to be timed.
 pub const REPEATS: usize = 3;
 
@@ -52,20 +76,13 @@ pub fn ladder(scene: &Scene, threads: usize) -> Result<Vec<Rung>, RenderError> {
 
 impl Rung {
     fn of(arithmetic: Arithmetic, seconds: f64, errors: &[Color]) -> Rung {
-        let squares: f64 = errors.iter().map(|error| error.dot(*error)).sum();
-        let worst = |error: &Color| error.abs().max_element();
-        Rung {
-            arithmetic: arithmetic.to_string(),
-            seconds,
-            rmse: (squares / (3 * errors.len()) as f64).sqrt(),
-            worst: errors.iter().map(worst).fold(0.0, f64::max),
-            visible: errors.iter().filter(|error| worst(error) > 1.0 / 255.0).count() as f64 / errors.len() as f64,
-        }
+        let Deviation { rmse, worst, visible } = Deviation::of(errors);
+        Rung { arithmetic: arithmetic.to_string(), seconds, rmse, worst, visible }
     }
 }
 
 /// The errors of the pixels, in units of white.
-fn errors(scene: &Scene, picture: &[Color], exact: &[Color]) -> Vec<Color> {
+pub(super) fn errors(scene: &Scene, picture: &[Color], exact: &[Color]) -> Vec<Color> {
     picture.iter().zip(exact).map(|(color, exact)| (*color - *exact) / scene.output.white).collect()
 }
 

@@ -7,9 +7,9 @@ use super::{Media, Meeting, Path, Via, in_range, radiance};
 use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
-use crate::probe::Probe;
+use crate::probe::{Probe, Spared};
 use crate::scene::ceiling::rounded_up;
-use crate::scene::{Color, Scene};
+use crate::scene::{Color, Formulas, Scene};
 use glam::{BVec3, DVec3};
 
 /// What the reflected ray brings; nothing where there is none.
@@ -22,11 +22,11 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
 #[inline(never)]
 fn mirrored<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
-    let weight = meeting.weights.reflected;
+    let weight = scene.tracing.scale_of_reflected(meeting.weights.reflected, material);
     if is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
         return Color::ZERO;
     }
-    let Some(direction) = mirror(meeting.ray.direction, meeting.surface.normal, probe) else { return Color::ZERO };
+    let Some(direction) = mirror(scene, meeting, probe) else { return Color::ZERO };
     let direction = above(meeting, direction, Skippable::Reflected, probe);
     // Made where it is used, so that a sharp bounce isn't put in memory.
     let place = meeting.place.and_then(Place::turned_back);
@@ -56,7 +56,8 @@ fn refracted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color
     let inside = meeting.path.media;
     let interface = meeting.interface(scene);
     let eta = [inside.ior(), inside.ior_beyond(interface, scene)];
-    let Some(direction) = refract(meeting.ray, meeting.surface.normal, eta[0], eta[1], probe) else {
+    let formulas = scene.tracing.formulas;
+    let Some(direction) = refract(meeting.ray, meeting.surface.normal, eta, formulas, probe) else {
         return Color::ZERO;
     };
     let direction = above(meeting, direction, Skippable::Transmitted, probe);
@@ -84,7 +85,7 @@ fn above<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: 
 #[inline(never)]
 fn bent<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: &mut P) -> DVec3 {
     let normal = meeting.surface.geometric_normal();
-    let along = direction - normal * direction.dot(normal);
+    let along = direction - normal * probe.dot(direction, normal);
     let length = along.dot(along).sqrt();
     // Straight down there is no nearest direction.
     let along = if length > 0.0 { along / length } else { normal.any_orthonormal_vector() };
@@ -93,10 +94,22 @@ fn bent<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: &
     probe.note(name, along)
 }
 
-/// R = d − 2N(d·N). It isn't normalised again.
-fn mirror<P: Probe>(direction: DVec3, normal: DVec3, probe: &mut P) -> Option<DVec3> {
-    let mirrored = probe.note(Name::ReflectDirection, direction - normal * 2.0 * direction.dot(normal));
-    unless_lost(mirrored, Name::ReflectDirection, probe)
+/// R = d − 2N(d·N), normalised again with the formulas of the notes only: reflecting keeps the length.
+fn mirror<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Option<DVec3> {
+    let (direction, normal) = (meeting.ray.direction, meeting.surface.normal);
+    let mirrored = direction - normal * 2.0 * probe.dot(direction, normal);
+    let (name, mirrored) = match scene.tracing.formulas {
+        Formulas::Robust => (Name::ReflectDirection, mirrored),
+        Formulas::Notes => (Name::ReflectDirectionNormalized, normalized(mirrored)),
+    };
+    let mirrored = probe.note(name, mirrored);
+    unless_lost(mirrored, name, probe)
+}
+
+/// v/|v|, as on paper; zero stays zero.
+fn normalized(vector: DVec3) -> DVec3 {
+    let length = vector.dot(vector).sqrt();
+    if length > 0.0 { vector / length } else { DVec3::ZERO }
 }
 
 /// The direction of a bounce; `None`, marked, where nothing is left of it: in arithmetics with few digits, and at a quotient of
@@ -109,8 +122,15 @@ fn unless_lost<P: Probe>(direction: DVec3, name: Name, probe: &mut P) -> Option<
     None
 }
 
-/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell); `None`, marked, at a total internal reflection and where nothing is left of it.
-pub(crate) fn refract<P: Probe>(ray: &Ray, normal: DVec3, eta_1: f64, eta_2: f64, probe: &mut P) -> Option<DVec3> {
+/// T = d/η − (cosφ₂ − cosφ₁/η)N with η = η₂/η₁ (Snell), normalised again with the formulas of the notes only; `None`, marked, at a total
+/// internal reflection and where nothing is left of it.
+pub(crate) fn refract<P: Probe>(
+    ray: &Ray,
+    normal: DVec3,
+    [eta_1, eta_2]: [f64; 2],
+    formulas: Formulas,
+    probe: &mut P,
+) -> Option<DVec3> {
     probe.given(Name::RefractEta1, eta_1);
     probe.given(Name::RefractEta2, eta_2);
     let eta = probe.note(Name::RefractEta, eta_2 / eta_1);
@@ -118,14 +138,22 @@ pub(crate) fn refract<P: Probe>(ray: &Ray, normal: DVec3, eta_1: f64, eta_2: f64
         probe.mark(Decision::Undefined { quantity: Name::RefractDirection });
         return None;
     }
-    let cos_1 = probe.note(Name::RefractCos1, -normal.dot(ray.direction));
-    let TransmittedCosine { cos_2, .. } = transmitted_cosine(ray, normal, eta, cos_1, probe);
+    let cos_1 = probe.note(Name::RefractCos1, -probe.dot(normal, ray.direction));
+    let TransmittedCosine { cos_2, .. } = match formulas {
+        Formulas::Robust => transmitted_cosine(ray, normal, eta, cos_1, probe),
+        Formulas::Notes => printed_cosine(eta, cos_1, probe),
+    };
     let Some(cos_2) = cos_2 else {
         probe.mark(Decision::TotalInternalReflection);
         return None;
     };
-    let refracted = probe.note(Name::RefractDirection, ray.direction / eta - normal * (cos_2 - cos_1 / eta));
-    unless_lost(refracted, Name::RefractDirection, probe)
+    let refracted = ray.direction / eta - normal * (cos_2 - cos_1 / eta);
+    let (name, refracted) = match formulas {
+        Formulas::Robust => (Name::RefractDirection, refracted),
+        Formulas::Notes => (Name::RefractDirectionNormalized, normalized(refracted)),
+    };
+    let refracted = probe.note(name, refracted);
+    unless_lost(refracted, name, probe)
 }
 
 /// What Snell's law says of the transmitted ray's angle.
@@ -160,6 +188,14 @@ pub(crate) fn transmitted_cosine<P: Probe>(
     TransmittedCosine { cos_2, squared: left }
 }
 
+/// cos²φ₂ = 1 − (1 − cos²φ₁)/η², as the notes print it. Near a total reflection the difference cancels, so that it shows the
+/// rounding of cosφ₁ enlarged.
+pub(crate) fn printed_cosine<P: Probe>(eta: f64, cos_1: f64, probe: &mut P) -> TransmittedCosine {
+    let squared = 1.0 - (1.0 - cos_1 * cos_1) / (eta * eta);
+    let cos_2 = (squared >= 0.0).then(|| probe.note(Name::RefractCos2Printed, squared.sqrt()));
+    TransmittedCosine { cos_2, squared }
+}
+
 /// The least part of η² that may be left of η² − sin²φ₁. The tangential part errs by at most six roundings in each component
 /// (cos φ₁ by four, those of the direction and the normal among them, and two of its own), so that near sin φ₁ = η the difference errs
 /// by 2·6·√3·η + 5·η² of them: its sign is right far below this. But T shows the error of cos φ₂, which grows as less is left.
@@ -187,8 +223,12 @@ fn doubled_cosine<P: Probe>(ray: &Ray, normal: DVec3, eta: f64, probe: &mut P) -
 
 /// Whether a bounce isn't traced: because of the depth limit, or because it can't be seen.
 fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weight: Color, probe: &mut P) -> bool {
+    let material = meeting.material;
     let tracing = &scene.tracing;
+    let lobe = if what == Skippable::Reflected { material.gloss_exponent } else { material.translucency_exponent };
+    let rays = if lobe.is_some() { u64::from(material.zones) } else { 1 };
     if !tracing.goes_deeper(meeting.path.level) {
+        probe.spared(Spared::DepthLimit, rays);
         probe.mark(Decision::DepthLimit { what });
         return true;
     }
@@ -204,6 +244,7 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weig
     if why == SkipReason::Cutoff {
         give_loss(scene, meeting.path, weight, probe);
     }
+    probe.spared(Spared::Skipped(why), rays);
     probe.mark(Decision::Skipped { what, why });
     true
 }
@@ -216,7 +257,7 @@ fn is_zero_path(scene: &Scene, path: &Path, weight: Color) -> bool {
 
 /// The channels in which some weight on a path, or the next one, is zero. The product of the weights doesn't tell: it may have become
 /// too small for a number, while a light is so bright that something would be left of it.
-fn dead_channels(path: &Path, weight: Color) -> BVec3 {
+pub(super) fn dead_channels(path: &Path, weight: Color) -> BVec3 {
     let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());
     bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight.cmpeq(Color::ZERO))
 }

@@ -3,7 +3,7 @@
 
 use super::Meeting;
 use super::shade::{Source, from_light};
-use crate::log::Step;
+use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::Dimension;
 use crate::scene::square::place_in_square;
@@ -24,16 +24,20 @@ pub(super) fn add<P: Probe>(
     let dimension = Dimension::Light { route: meeting.path.route(), light: number };
     let splits = meeting.path.draws.splits(dimension, area.samples);
     let color = light.share();
-    // What can't shadow any point of the light isn't asked for each; whoever counts or logs tests sees them all.
-    let among =
-        if P::IS_SILENT { scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object) } else { None };
+    // What can't shadow any point of the light isn't asked for each. Whoever counts is told which searches that saves.
+    let among = if P::IS_HURRIED {
+        scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object)
+    } else {
+        None
+    };
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
-        let source = Source { light, number, split, color: &color, among: among.as_deref() };
         light.give(probe);
         sum += probe.within(Step::Light { light: number, split }, |probe| {
             let square = place_in_square(splits.pick(part), probe);
-            let position = area.point(square, probe);
+            let (position, weight) = area.point(square, meeting.surface.point, probe);
+            let color = weight.map_or(color, |weight| probe.note(Name::LightColorWeighted, color * weight));
+            let source = Source { light, number, split, color: &color, among: among.as_deref() };
             let arrival = Arrival::of(position, meeting.surface.point, probe);
             from_light(scene, meeting, view, &source, arrival, probe)
         });

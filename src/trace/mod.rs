@@ -9,11 +9,12 @@ mod pattern;
 mod place;
 pub mod query;
 mod shade;
+mod unseen;
 mod visibility;
 mod zones;
 
 pub use crate::geometry::Hit;
-pub(crate) use bounce::{refract, transmitted_cosine};
+pub(crate) use bounce::{printed_cosine, refract, transmitted_cosine};
 pub use media::Media;
 pub use place::{Layer, Place};
 pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};
@@ -24,7 +25,7 @@ use crate::geometry::{Contenders, Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};
-use crate::scene::{AroundEye, Color, Material, Scene, Weights};
+use crate::scene::{AroundEye, Color, Material, ReflectedScale, Scene, Weights};
 use glam::DVec3;
 
 /// The largest channel of a colour that a surface sends out, by itself or with all that its rays bring: what is larger counts as this. Weights
@@ -202,19 +203,33 @@ fn shaded<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: Opt
     let local = shade::local_intensity(scene, &meeting, probe);
     let reflected = bounce::reflected(scene, &meeting, probe);
     let transmitted = bounce::transmitted(scene, &meeting, probe);
-    let color = combine(weights, local, reflected, transmitted, probe);
+    let color = combine(scene, &meeting, [local, reflected, transmitted], probe);
     Seen { color, object: Some(hit.object) }
 }
 
-/// I = W_l·I_local + W_r·I_reflected + W_t·I_transmitted (Ramos, section 1.2.3).
-fn combine<P: Probe>(weights: &Weights, local: Color, reflected: Color, transmitted: Color, probe: &mut P) -> Color {
+/// I = W_l·I_local + W_r·I_reflected + W_t·I_transmitted (Ramos, section 1.2.3); W_r·K_e instead of W_r where the scene asks for it.
+fn combine<P: Probe>(
+    scene: &Scene,
+    meeting: &Meeting,
+    [local, reflected, transmitted]: [Color; 3],
+    probe: &mut P,
+) -> Color {
+    let Meeting { weights, material, .. } = meeting;
     probe.within(Step::Combine, |probe| {
         probe.given(Name::WeightLocal, weights.local);
         probe.given(Name::ShadeLocal, local);
         let local = probe.note(Name::CombineLocal, weights.local * local);
         probe.given(Name::WeightReflected, weights.reflected);
         probe.given(Name::IncomingReflected, reflected);
-        let reflected = probe.note(Name::CombineReflected, weights.reflected * reflected);
+        let name = match scene.tracing.reflected_scale {
+            ReflectedScale::Weight => Name::CombineReflected,
+            ReflectedScale::Specular => {
+                probe.given(Name::MaterialSpecular, material.specular);
+                Name::CombineReflectedSpecular
+            }
+        };
+        let scale = scene.tracing.scale_of_reflected(weights.reflected, material);
+        let reflected = probe.note(name, scale * reflected);
         probe.given(Name::WeightTransmitted, weights.transmitted);
         probe.given(Name::IncomingTransmitted, transmitted);
         let transmitted = probe.note(Name::CombineTransmitted, weights.transmitted * transmitted);

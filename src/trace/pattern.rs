@@ -41,7 +41,7 @@ fn color<P: Probe>(scene: &Scene, meeting: &Meeting, checker: &Checker, probe: &
     let is_odd = if is_countable {
         let name = if moving.is_some() { Name::PatternCellMoving } else { Name::PatternCell };
         let cell = probe.note(name, cell);
-        let sum = probe.note(Name::PatternSum, axes.dot(cell));
+        let sum = probe.note(Name::PatternSum, probe.dot(axes, cell));
         probe.note(Name::PatternParity, sum - 2.0 * (sum / 2.0).floor()) != 0.0
     } else {
         probe.mark(Decision::Undefined { quantity: Name::PatternCell });

@@ -1,18 +1,19 @@
 //! The local model: ambient, diffuse, specular and transmitted light at a surface point (Ramos, section 1.2.1).
 
 use super::visibility::{Obstacles, transmittance_among};
-use super::{Meeting, in_range, light_points, pattern};
+use super::{Meeting, in_range, light_points, pattern, unseen};
 use crate::geometry::Ray;
 use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
-use crate::probe::Probe;
-use crate::scene::{Arrival, Color, Light, LightKind, Material, Scene, Specular};
+use crate::probe::{Probe, Spared};
+use crate::scene::{Arrival, Color, Formulas, Light, LightKind, Material, Scene, Specular};
 use glam::DVec3;
 
 /// I_local = I_a·K_a + Σ att·I_i [K_d (N·L)⁺ + K_e ((N·H)⁺)^n_e], for a light on the viewer's side; for one on the other
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead. Nothing where its weight is zero.
 pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
-    if meeting.weights.local == Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroLocal) {
-        probe.mark(Decision::Skipped { what: Skippable::Local, why: SkipReason::ZeroLocal });
+    if let Some(why) = unseen::local_model(scene, meeting) {
+        probe.spared(Spared::Skipped(why), unseen::shadow_rays(scene, meeting));
+        probe.mark(Decision::Skipped { what: Skippable::Local, why });
         return Color::ZERO;
     }
     probe.within(Step::Shade { object: meeting.layer.object }, |probe| match &meeting.material.pattern {
@@ -79,19 +80,17 @@ pub(super) fn from_light<P: Probe>(
     let material = meeting.material;
     let normal = meeting.surface.normal;
     let Some(arrival) = arrival else { return Color::ZERO };
-    let n_dot_l = probe.note(Name::ShadeNDotL, normal.dot(arrival.direction));
+    let n_dot_l = probe.note(Name::ShadeNDotL, probe.dot(normal, arrival.direction));
 
     let is_in_front = n_dot_l > 0.0;
     let is_behind = n_dot_l < 0.0;
     let is_used = is_in_front || (is_behind && material.uses_light_behind());
     if !is_used {
         // The algorithm itself sends no shadow ray there, whatever rules are in force.
-        probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind });
-        return Color::ZERO;
+        return without_shadow_ray(SkipReason::Behind, probe);
     }
-    if is_in_front && !material.uses_light_in_front() && scene.tracing.skip.has(SkipReason::NoLocalTerm) {
-        probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm });
-        return Color::ZERO;
+    if let Some(why) = unseen::light(scene, meeting, source.color, is_in_front) {
+        return without_shadow_ray(why, probe);
     }
     let passed = shadow_ray(scene, meeting, source, &arrival, is_in_front, probe);
     if passed == Color::ZERO {
@@ -104,6 +103,13 @@ pub(super) fn from_light<P: Probe>(
         transmission(scene, meeting, material, view, arrival.direction, probe)
     };
     arriving * reflectance
+}
+
+/// What a light adds to which no shadow ray is sent, by this rule: nothing.
+fn without_shadow_ray<P: Probe>(why: SkipReason, probe: &mut P) -> Color {
+    probe.spared(Spared::Skipped(why), 1);
+    probe.mark(Decision::Skipped { what: Skippable::Shadow, why });
+    Color::ZERO
 }
 
 /// The part of a light's intensity that reaches the surface point: nothing, if the light stands on that side of the surface
@@ -161,27 +167,30 @@ fn specular<P: Probe>(
         return Color::ZERO;
     }
     let between = match scene.tracing.specular {
-        Specular::HalfVector => {
+        Specular::HalfVector | Specular::HalfVectorCompensated => {
             let sum = probe.note(Name::HalfSum, light + view);
-            let length = probe.note(Name::HalfLength, sum.dot(sum).sqrt());
+            let length = probe.note(Name::HalfLength, probe.dot(sum, sum).sqrt());
             if length == 0.0 {
                 // The light stands exactly behind the viewer's back: along the surface there is no half vector.
                 return Color::ZERO;
             }
             let half = probe.note(Name::HalfDirection, sum / length);
-            (probe.note(Name::ShadeNDotH, normal.dot(half)), half, normal)
+            (probe.note(Name::ShadeNDotH, probe.dot(normal, half)), half, normal)
         }
         Specular::ReflectionVector => {
             let mirrored = probe.note(Name::MirrorDirection, normal * 2.0 * n_dot_l - light);
-            (probe.note(Name::ShadeRDotV, mirrored.dot(view)), mirrored, view)
+            (probe.note(Name::ShadeRDotV, probe.dot(mirrored, view)), mirrored, view)
         }
     };
-    material.specular * lobe(material, between, material.shininess, Name::ShadeSpecularPower, probe)
+    let exponent = scene.tracing.specular.exponent(material.shininess);
+    let is_sharp = material.is_sharp(scene.tracing.specular);
+    material.specular * lobe(is_sharp, between, exponent, Name::ShadeSpecularPower, probe)
 }
 
 /// K_t ((−N·H′)⁺)^n_t with H′ = (−L − ηV)/(η − 1), normalised; the light's side is medium 1, the viewer's medium 2.
 ///
-/// The sum is written as −(L + V)/(η − 1) − V, which keeps its digits where η is near 1.
+/// The robust formulas write the sum as −(L + V)/(η − 1) − V, which keeps its digits where η is near 1. The source text prints a second form,
+/// (V − η′·L′)/(η′ − 1). With the incident direction L′ = −L and η′ = η₁/η₂ = 1/η it is the same vector: numerator and denominator times −η.
 fn transmission<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
@@ -192,6 +201,7 @@ fn transmission<P: Probe>(
 ) -> Color {
     let media = meeting.path.media;
     let exponent = material.transmission_exponent;
+    let is_sharp = material.is_sharp(scene.tracing.specular);
     let eta_light = media.ior_beyond(meeting.interface(scene), scene);
     probe.given(Name::RefractEta1, eta_light);
     probe.given(Name::RefractEta2, media.ior());
@@ -203,23 +213,17 @@ fn transmission<P: Probe>(
         }
         let between = probe.note(Name::ShadeNDotTransmittedStraight, 1.0);
         let along = (between, view, view);
-        return material.transmission * lobe(material, along, exponent, Name::ShadeTransmittedPower, probe);
+        return material.transmission * lobe(is_sharp, along, exponent, Name::ShadeTransmittedPower, probe);
     }
-    let Some(half) = transmitted_half(light, view, eta, probe) else { return Color::ZERO };
+    let Some(half) = transmitted_half(light, view, eta, scene.tracing.formulas, probe) else { return Color::ZERO };
     let normal = meeting.surface.normal;
-    let between = (probe.note(Name::ShadeNDotTransmitted, -normal.dot(half)), -normal, half);
-    material.transmission * lobe(material, between, exponent, Name::ShadeTransmittedPower, probe)
+    let between = (probe.note(Name::ShadeNDotTransmitted, -probe.dot(normal, half)), -normal, half);
+    material.transmission * lobe(is_sharp, between, exponent, Name::ShadeTransmittedPower, probe)
 }
 
 /// The height of a lobe, (x⁺)^n for the noted product x of two vectors. A sharp lobe's is a quantity of its own.
-fn lobe<P: Probe>(
-    material: &Material,
-    (x, a, b): (f64, DVec3, DVec3),
-    exponent: f64,
-    name: Name,
-    probe: &mut P,
-) -> f64 {
-    match material.is_sharp() {
+fn lobe<P: Probe>(is_sharp: bool, (x, a, b): (f64, DVec3, DVec3), exponent: f64, name: Name, probe: &mut P) -> f64 {
+    match is_sharp {
         false => power(x, exponent),
         true if probe.certifies() => probe.note(name, power_between(a, b, exponent)),
         true => probe.note(name, power(x, exponent)),
@@ -227,9 +231,19 @@ fn lobe<P: Probe>(
 }
 
 /// H′ from the two directions and η ≠ 1; `None` where it has no direction.
-pub(crate) fn transmitted_half<P: Probe>(light: DVec3, view: DVec3, eta: f64, probe: &mut P) -> Option<DVec3> {
-    let sum = probe.note(Name::TransmitSum, -(light + view) / (eta - 1.0) - view);
-    let length = probe.note(Name::TransmitLength, sum.dot(sum).sqrt());
+pub(crate) fn transmitted_half<P: Probe>(
+    light: DVec3,
+    view: DVec3,
+    eta: f64,
+    formulas: Formulas,
+    probe: &mut P,
+) -> Option<DVec3> {
+    let (name, sum) = match formulas {
+        Formulas::Robust => (Name::TransmitSum, -(light + view) / (eta - 1.0) - view),
+        Formulas::Notes => (Name::TransmitSumPrinted, (-light - view * eta) / (eta - 1.0)),
+    };
+    let sum = probe.note(name, sum);
+    let length = probe.note(Name::TransmitLength, probe.dot(sum, sum).sqrt());
     (length != 0.0).then(|| probe.note(Name::TransmitDirection, sum / length))
 }
 
@@ -260,10 +274,12 @@ fn cosine(x: f64) -> f64 {
 /// Which formula the local intensity has under the scene's options and on this material.
 fn local_name(scene: &Scene, material: &Material) -> Name {
     match (scene.tracing.specular, material.uses_light_behind()) {
-        (_, false) if material.is_sharp() => Name::ShadeLocalSharp,
-        (_, true) if material.is_sharp() => Name::ShadeLocalSharpTransmitting,
+        (specular, false) if material.is_sharp(specular) => Name::ShadeLocalSharp,
+        (specular, true) if material.is_sharp(specular) => Name::ShadeLocalSharpTransmitting,
         (Specular::HalfVector, false) => Name::ShadeLocal,
         (Specular::HalfVector, true) => Name::ShadeLocalTransmitting,
+        (Specular::HalfVectorCompensated, false) => Name::ShadeLocalCompensated,
+        (Specular::HalfVectorCompensated, true) => Name::ShadeLocalCompensatedTransmitting,
         (Specular::ReflectionVector, false) => Name::ShadeLocalMirror,
         (Specular::ReflectionVector, true) => Name::ShadeLocalMirrorTransmitting,
     }

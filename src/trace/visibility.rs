@@ -4,7 +4,7 @@ use super::{Layer, Place, in_range};
 use crate::geometry::nearest::is_close;
 use crate::geometry::{Contenders, Crossing, Hit, Ray};
 use crate::log::{Decision, SkipReason, Skippable};
-use crate::probe::Probe;
+use crate::probe::{Probe, Spared};
 use crate::scene::{Color, Scene, Shadows};
 use std::cmp::Ordering;
 
@@ -143,7 +143,15 @@ pub(super) struct Obstacles<'a> {
 #[inline(always)]
 pub(super) fn transmittance_among<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &mut P) -> Color {
     let has_none = obstacles.among.is_some_and(<[u32]>::is_empty) && obstacles.touched.is_empty();
-    if has_none { Color::ONE } else { searched(scene, ray, obstacles, probe) }
+    if has_none {
+        probe.spared(Spared::Search, 1);
+        if P::IS_SILENT {
+            return Color::ONE;
+        }
+    }
+    // Whoever counts or logs tests sees them all.
+    let obstacles = if P::IS_SILENT { *obstacles } else { Obstacles { among: None, ..*obstacles } };
+    searched(scene, ray, &obstacles, probe)
 }
 
 // Kept out of the shading around it, whose values would crowd this loop's out of the registers.

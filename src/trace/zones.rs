@@ -81,7 +81,7 @@ fn direction<P: Probe>(
     let z = probe.note(Name::LobeZ, z);
     let direction = probe.note(Name::LobeDirection, axes[0] * x + axes[1] * y + lobe.middle * z);
     let name = if meeting.surface.beneath.is_some() { Name::LobeHeightGeometric } else { Name::LobeHeight };
-    let height = probe.note(name, meeting.surface.geometric_normal().dot(direction));
+    let height = probe.note(name, probe.dot(meeting.surface.geometric_normal(), direction));
     let is_wrong = if lobe.what == Skippable::Transmitted { height > 0.0 } else { height < 0.0 };
     if is_wrong {
         probe.mark(Decision::Rejected { what: lobe.what });

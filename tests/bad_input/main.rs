@@ -24,6 +24,7 @@ mod meshes;
 mod numbers;
 mod obj;
 mod output;
+mod pictures;
 mod resume;
 mod signals;
 mod text;

@@ -79,6 +79,17 @@ fn kills_lose_nothing_of_a_shard_and_of_layers() {
     is_killed(5, &[&call[..], &["--resume"]].concat(), "a.exr", &made(&call, "a.exr"));
 }
 
+#[test]
+fn a_checkpoint_left_beside_a_whole_shard_goes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let call = ["render", "textbook", "--size", "100x70", "-q", "--resume", "--shard", "1/1", "-o", "a.part"];
+    assert!(start(folder.path(), &call).wait().expect("it ends").success());
+    let left = folder.path().join("a.part.checkpoint");
+    fs::write(&left, checkpoint()).expect("written");
+    assert!(start(folder.path(), &call).wait().expect("it ends").success());
+    assert!(!left.exists());
+}
+
 const CALL: [&str; 8] = ["render", "textbook", "--size", "100x70", "-q", "--resume", "-o", "a.pfm"];
 
 /// A checkpoint of a rendering that was ended, with all its pieces.

@@ -186,6 +186,101 @@ fn calls_for_errors_that_mean_nothing() {
     refuses(&["--sampling", "sobel:4"], "did you mean `sobol`?");
 }
 
+/// Two pictures with their samples in the same places err alike: what they differ by tells nothing.
+#[test]
+fn the_error_of_a_reference_without_chance_is_unknown() {
+    let call = ["error", "penumbra", "--size", "8x6", "--runs", "1", "--sampling", "none", "--format"];
+    for reference in ["none", "regular:2", "shared:2", "adaptive:threshold=0.1,depth=2"] {
+        let call = [&[
+            "error",
+            "penumbra",
+            "--size",
+            "4x3",
+            "--runs",
+            "1",
+            "--sampling",
+            "none",
+            "--reference",
+            reference,
+            "--format",
+        ][..]]
+        .concat();
+        let (code, text, errors) = bench(&[&call[..], &["text"]].concat());
+        assert_eq!((code, errors.as_str()), (0, ""));
+        assert!(text.contains(&format!("two pictures with {reference}, whose own error is unknown")), "{text}");
+        let (_, json, _) = bench(&[&call[..], &["json"]].concat());
+        let found: Value = serde_json::from_str(&json).expect("JSON");
+        assert_eq!(found["scenes"][0].get("reference_error"), None);
+        assert!(!json.contains("null"), "{json}");
+        let (_, csv, _) = bench(&[&call[..], &["csv"]].concat());
+        let row = csv.lines().nth(1).unwrap_or_default();
+        assert!(row.contains(&format!(r#""{reference}",,"none","#)), "{csv}");
+    }
+    let (_, text, _) = bench(&[&call[..], &["text", "--reference", "sobol:4"]].concat());
+    assert!(text.contains("whose own error is ") && !text.contains("unknown"), "{text}");
+}
+
+#[test]
+fn flat_figures_are_compared_with_exact_areas() {
+    let call = ["--size", "12x8", "--runs", "1", "--sampling", "regular:1", "--sampling", "regular:16", "--format"];
+    for exact in [&["--reference", "exact"][..], &[]] {
+        let (code, text, errors) = bench(&[&["error", "figure-17", "figure-20"], &call[..], &["json"], exact].concat());
+        assert_eq!((code, errors.as_str()), (0, ""));
+        let found: Value = serde_json::from_str(&text).expect("JSON");
+        for scene in found["scenes"].as_array().expect("a list") {
+            assert_eq!((&scene["reference"], scene.get("reference_error")), (&"exact".into(), None));
+            let error = |k: usize| scene["outcomes"][k]["rmse"]["median"].as_f64().expect("a number");
+            // Some edges fall together with the grid of cells, so that even few cells see them right.
+            assert!(error(0) > 0.01 && error(1) < error(0) / 5.0, "{} {}", error(0), error(1));
+        }
+    }
+    let (_, text, _) = bench(&[&["error", "figure-18"], &call[..], &["text"]].concat());
+    assert!(text.contains("figure-18, 12 x 8 pixels, against the exact areas\n"), "{text}");
+    let (code, text, errors) = bench(&["error", "textbook", "--reference", "exact"]);
+    assert_eq!((code, text.as_str()), (2, ""));
+    assert!(errors.contains("scene `textbook` has no exact reference: object `plane`"), "{errors}");
+    assert!(errors.contains("figure-17, figure-18, figure-19, figure-20"), "{errors}");
+    // Where there is none, and none is asked for, there are two pictures.
+    let (_, text, _) = bench(&["error", "textbook", "--size", "2x2", "--runs", "1", "--sampling", "none"]);
+    assert!(text.contains("two pictures with sobol:1024"), "{text}");
+}
+
+#[test]
+fn limits_of_the_ray_tree_are_compared() {
+    let call = ["hall-of-mirrors", "--size", "12x9", "--format"];
+    let (code, text, errors) = bench(&[&["error", "--depths"], &call[..], &["json"]].concat());
+    assert_eq!((code, errors.as_str()), (0, ""));
+    let found: Value = serde_json::from_str(&text).expect("JSON");
+    let scene = &found["scenes"][0];
+    let rungs = scene["rungs"].as_array().expect("a list");
+    let own = rungs.len() as u64 - 1;
+    assert_eq!(scene["reference"]["max_depth"], own + 2);
+    let of = |key: &str| rungs.iter().map(|rung| rung[key].as_f64().expect("a number")).collect::<Vec<_>>();
+    assert_eq!(of("max_depth"), (0..=own).map(|depth| depth as f64).collect::<Vec<_>>());
+    assert!(of("rmse").windows(2).all(|pair| pair[1] <= pair[0]), "{:?}", of("rmse"));
+    assert!(of("rays_per_pixel").windows(2).all(|pair| pair[1] >= pair[0]) && rungs[0].get("bound").is_none());
+
+    let (_, text, _) = bench(&[&["error", "--cutoffs"], &call[..], &["json"]].concat());
+    let found: Value = serde_json::from_str(&text).expect("JSON");
+    let rungs = found["scenes"][0]["rungs"].as_array().expect("a list");
+    assert_eq!(rungs.len(), 7);
+    for rung in rungs {
+        let number = |key: &str| rung[key].as_f64().expect("a number");
+        // No picture loses more than is said.
+        assert!(number("worst") <= number("bound"), "{rung}");
+    }
+    assert!(rungs[0]["worst"].as_f64().is_some_and(|worst| worst > 0.0), "{text}");
+    assert_eq!((&rungs[6]["worst"], &rungs[6]["cutoff"]), (&0.0.into(), &0.0.into()));
+    for (ladder, columns) in [("--depths", 10), ("--cutoffs", 10)] {
+        let (_, csv, _) = bench(&[&["error", ladder], &call[..], &["csv"]].concat());
+        assert!(csv.lines().all(|line| line.split(',').count() == columns), "{csv}");
+        let (_, text, _) = bench(&[&["error", ladder], &call[..], &["text"]].concat());
+        assert!(text.starts_with("hall-of-mirrors, against "), "{text}");
+    }
+    assert_eq!(bench(&["error", "--depths", "--cutoffs"]).0, 2);
+    assert_eq!(bench(&["error", "--depths", "--runs", "3"]).0, 2);
+}
+
 /// A picture without an error has a place in the chart.
 #[test]
 fn a_scene_without_anything_is_drawn() {

@@ -223,7 +223,11 @@ fn wrong_calls_say_what_to_change() {
     says(2, &["walk", "textbok"], "no such file or built-in scene; did you mean the built-in scene `textbook`?");
     says(2, &["walk", "textbook", "--pixel", "-1,5"], "expected 2 whole numbers from 0 on, found `-1`");
     says(2, &["trace", "textbook", "--region", "-1,0,5,5"], "expected 4 whole numbers from 0 on, found `-1`");
-    says(2, &["render", "textbook", "-o", "a.gif"], "ends in .png, .ppm, .pfm or .exr");
+    says(
+        2,
+        &["render", "textbook", "-o", "a.gif"],
+        "ends in .png, .ppm, .bmp, .tga, .qoi, .tiff, .jpg, .webp, .pfm or .exr",
+    );
     says(2, &["render", "textbook", "-o", "src"], "unknown picture format");
     says(2, &["render", "textbook", "-o", "a.png", "--crop", "5,5,5,9"], "expected X0 < X1 <= 321");
     says(2, &["render", "textbook", "-o", "a.png", "--size", "0x9"], "each from 1 to 65535");

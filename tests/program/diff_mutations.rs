@@ -6,10 +6,12 @@ use proptest::prelude::*;
 use raywalk::log::file::{PixelReader, to_ndjson};
 use raywalk::log::{Log, Tree};
 use raywalk::record::{self, Arithmetic};
+use raywalk::render::Film;
 use raywalk::render::difference::difference;
-use raywalk::render::export::{Picture, read};
+use raywalk::render::export::{Format, Picture, encode, read};
 use raywalk::report::diff::{Numbering, Summary, Text, Tolerance, compare};
 use raywalk::report::side_by_side::Run;
+use raywalk::scene::{Color, Output, Transfer};
 use std::sync::LazyLock;
 
 /// A picture of 3 × 2 pixels in each of the formats.
@@ -21,8 +23,22 @@ fn picture(which: usize) -> Vec<u8> {
         1 => [b"P6\n# a comment\n3 2\n255\n", &levels[..]].concat(),
         2 => [b"P6 3 2 65535\n", &levels[..], &levels[..]].concat(),
         3 => [b"PF\n3 2\n-1.0\n", &floats[..]].concat(),
-        _ => [b"Pf\n3 6\n-1.0\n", &floats[..]].concat(),
+        4 => [b"Pf\n3 6\n-1.0\n", &floats[..]].concat(),
+        _ => encoded(Format::of_ending(ENDINGS[which - 5], false).expect("a format"), &levels),
     }
+}
+
+/// The formats beside, by their endings.
+const ENDINGS: [&str; 6] = ["bmp", "tga", "qoi", "tiff", "jpg", "webp"];
+
+/// These levels of 3 × 2 pixels in a format.
+fn encoded(format: Format, levels: &[u8]) -> Vec<u8> {
+    let mut film = Film::new([0, 0, 3, 2]);
+    let colors: Vec<Color> =
+        levels.as_chunks().0.iter().map(|color: &[u8; 3]| Color::from_array(color.map(f64::from))).collect();
+    film.put([0, 0, 3, 2], &colors);
+    let output = Output { white: 255.0, transfer: Transfer::Linear, exposure: 0.0 };
+    encode(&film, format, &output).expect("memory").bytes
 }
 
 fn picture_answers(bytes: &[u8]) -> Result<(), TestCaseError> {
@@ -70,7 +86,14 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(10_000) })]
 
     #[test]
-    fn pictures(changes in changes(&["0", "-1", "1e999", "nan", "4294967296", "99999", "\n", "#", "P6", "PF", "IDAT"]), which in 0..5_usize) {
+    fn pictures(changes in changes(&["0", "-1", "1e999", "nan", "4294967296", "99999", "\n", "#", "P6", "PF", "IDAT", "VP8 ", "\u{0}"]), which in 0..5_usize) {
+        picture_answers(&changed(&picture(which), &changes))?;
+    }
+
+    #[test]
+    fn pictures_of_other_programs(
+        changes in changes(&["\0\0", "\u{1}\0", "\u{7f}", "\u{10}", "VP8 ", "VP8X", "ALPH", "ANIM", "\0\u{1}\u{8}", "@@"]), which in 5..11_usize,
+    ) {
         picture_answers(&changed(&picture(which), &changes))?;
     }
 }
@@ -87,9 +110,14 @@ proptest! {
 
 #[test]
 fn what_is_damaged_was_whole() {
-    let pictures: Vec<Picture> = (0..5).map(|which| read(&picture(which)).expect("a picture")).collect();
-    assert_eq!(pictures.iter().map(Picture::size).collect::<Vec<_>>(), [[3, 2], [3, 2], [3, 2], [3, 2], [3, 6]]);
-    assert_eq!((0..2).map(|which| pictures[which].pixel([2, 1])[2]).collect::<Vec<_>>(), [238.0 / 255.0; 2]);
+    let pictures: Vec<Picture> = (0..11).map(|which| read(&picture(which)).expect("a picture")).collect();
+    let mut sizes = [[3, 2]; 11];
+    sizes[4] = [3, 6];
+    assert_eq!(pictures.iter().map(Picture::size).collect::<Vec<_>>(), sizes);
+    // JPEG, the ninth, is only near.
+    for which in [0, 1, 5, 6, 7, 8, 10] {
+        assert_eq!(pictures[which].pixel([2, 1])[2], 238.0 / 255.0, "{which}");
+    }
     // Rows of a PFM go from the bottom up, and one channel is grey.
     assert_eq!((pictures[3].pixel([0, 1]), pictures[4].pixel([1, 5])), ([0.0, 1.0, 2.0], [1.0; 3]));
 }

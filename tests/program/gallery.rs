@@ -46,6 +46,16 @@ fn figures_16_to_20() {
     }
 }
 
+/// Above in colour, below the luminance alone: left an edge that only colour shows, right one of luminance.
+#[test]
+fn equal_luminance() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let by = |sampling: &str| picture(folder.path(), "equal-luminance", &["--sampling", sampling]).enlarged(4);
+    let colours = [by("none"), by("adaptive:threshold=0.02,depth=4")];
+    let greys = colours.clone().map(|picture| picture.map(|pixel| [crate::equal_luminance::level(pixel); 3]));
+    is_in_gallery("equal-luminance", &plate(&[colours, greys].concat(), 2));
+}
+
 #[test]
 fn frames_of_the_wheels() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -71,4 +81,31 @@ fn distributed_effects() {
     ] {
         is_in_gallery(scene, &picture(folder.path(), scene, &["--sampling", sampling]));
     }
+}
+
+/// The scene is the numeric example with another camera and another light, and nothing else.
+#[test]
+fn the_numeric_example_from_aside() {
+    let read = |name: &str| {
+        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name);
+        std::fs::read_to_string(path).expect("a scene")
+    };
+    let moved = [
+        ("\"name\": \"textbook\"", "\"name\": \"numeric-example\""),
+        ("\"position\": [16, 2, 7]", "\"position\": [30, -6, 12]"),
+        ("\"direction\": [-12, 4, 1]", "\"look_at\": [8, 7, 5]"),
+        ("\"position\": [9, 12, 16]", "\"position\": [29, 12, 13]"),
+    ];
+    let expected = moved.iter().fold(read("scenes/textbook.json"), |text, (from, to)| text.replace(from, to));
+    assert_eq!(read("docs/pictures/numeric-example.json"), expected);
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/pictures/numeric-example.json");
+    let shown = picture(folder.path(), scene, &["--sampling", "regular:3", "--exposure", "-1.3"]);
+    is_in_gallery("numeric-example", &shown);
+    // What the README says is in it: the wall, its part in the shadow, the ball, and the ball in the mirror.
+    let luminance =
+        |x: usize, y: usize| shown.pixels[y * shown.width as usize + x].iter().map(|c| u32::from(*c)).sum::<u32>();
+    assert!(luminance(200, 200) > luminance(120, 150) + 60, "the shadow on the wall");
+    assert!(luminance(270, 110) > luminance(225, 75) + 200, "the lit and the other side of the ball");
+    assert!(luminance(110, 60) + 100 < luminance(160, 50), "the dark ball in the mirror");
 }

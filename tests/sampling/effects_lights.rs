@@ -133,3 +133,84 @@ fn a_profile_makes_no_noise() {
     let mut scene = scene(light, r#"{"specular": [1, 1, 1], "shininess": 0}"#, false);
     assert!((0..50).all(|seed| (seen(&mut scene, 0.3, seed) - 1.0).abs() < 1e-12));
 }
+
+/// The mean by solid angle: each part of the surface that faces the point counts by cos θ/d².
+fn by_solid_angle(from: [f64; 3], point: [f64; 3], normal: [f64; 3]) -> f64 {
+    let toward = [0, 1, 2].map(|axis| point[axis] - from[axis]);
+    let along: f64 = (0..3).map(|axis| toward[axis] * normal[axis]).sum();
+    let distance = toward.iter().map(|x| x * x).sum::<f64>().sqrt();
+    along / (distance * distance * distance)
+}
+
+/// Of a rectangle its whole surface counts, from both sides; the profile weighs each shadow ray, and its mean by area is 1.
+#[test]
+fn the_mean_over_a_rectangle_by_solid_angle_is_that_of_quadrature() {
+    for power in [0.0, 1.0, 7.5] {
+        let light = format!(
+            r#""rectangle": {{"corner": [-1, 1, -1], "edge_u": [3, 0.5, 0], "edge_v": [0, 0, 2]}}, "attenuation": [1, 0.5, 0],
+               "profile": {{"cosine_power": {power:?}}}, "samples": 16, "by": "solid_angle""#
+        );
+        let mut scene = scene(&light, DIFFUSE, false);
+        let profile = |u: f64, v: f64| weight(power, (2.0 * u - 1.0).abs().max((2.0 * v - 1.0).abs()));
+        let mean = quadrature(|u, v| [profile(u, v), 1.0]);
+        for x in [-1.0, 0.7] {
+            let expected = quadrature(|u, v| {
+                let point = [-1.0 + 3.0 * u, 1.0 + 0.5 * u, -1.0 + 2.0 * v];
+                let seen = by_solid_angle([x, 0.0, 0.0], point, [-0.5, 3.0, 0.0]).abs();
+                [lit(x, point) * profile(u, v) / mean, seen]
+            });
+            is_unbiased(&mut scene, x, expected, 0.2);
+        }
+    }
+}
+
+/// Of a sphere the cap counts that faces the point.
+#[test]
+fn the_mean_over_a_sphere_by_solid_angle_is_that_of_quadrature() {
+    let light = r#""sphere": {"center": [0.5, 2, 0], "radius": 1.2}, "attenuation": [1, 0.5, 0], "samples": 16, "by": "solid_angle""#;
+    let mut scene = scene(light, DIFFUSE, false);
+    let expected = quadrature(|height, turn| {
+        let (y, turn) = (2.0 * height - 1.0, 2.0 * PI * turn);
+        let across = (1.0 - y * y).sqrt();
+        let outward = [across * libm::cos(turn), y, across * libm::sin(turn)];
+        let point = [0.5 + 1.2 * outward[0], 2.0 + 1.2 * outward[1], 1.2 * outward[2]];
+        [lit(-0.5, point), by_solid_angle([-0.5, 0.0, 0.0], point, outward.map(|x| -x)).max(0.0)]
+    });
+    is_unbiased(&mut scene, -0.5, expected, 0.05);
+}
+
+/// The two means differ: near a wide light, what is straight above counts for more by solid angle; far away they are the same.
+#[test]
+fn by_area_and_by_solid_angle_are_the_same_from_far_away() {
+    let at = |height: f64, by: &str, seed: u64| {
+        let light = format!(
+            r#""rectangle": {{"corner": [-1, {height:?}, -1], "edge_u": [2, 0, 0], "edge_v": [0, 0, 2]}}, "samples": 400, "by": "{by}""#
+        );
+        seen(&mut scene(&light, DIFFUSE, false), 0.0, seed)
+    };
+    let apart = |height: f64| (at(height, "area", 1) - at(height, "solid_angle", 1)).abs();
+    assert!(apart(0.3) > 0.1, "{}", apart(0.3));
+    assert!(apart(100.0) < 1e-5, "{}", apart(100.0));
+}
+
+/// All directions count alike: a light that nothing hides has no noise, and a sphere's penumbra is that of the disk that is seen.
+#[test]
+fn by_solid_angle_shadow_rays_count_alike() {
+    let visible = r#"{"specular": [1, 1, 1], "shininess": 0}"#;
+    for light in [
+        r#""sphere": {"center": [0, 2, 0], "radius": 0.5}, "samples": 4, "by": "solid_angle""#,
+        r#""rectangle": {"corner": [-1, 2, -1], "edge_u": [2, 0, 0], "edge_v": [0, 0, 2]}, "samples": 4, "by": "solid_angle""#,
+    ] {
+        let mut scene = scene(light, visible, false);
+        assert!((0..50).all(|seed| (seen(&mut scene, 0.3, seed) - 1.0).abs() < 1e-12), "{light}");
+    }
+    let light = r#""sphere": {"center": [0, 2, 0], "radius": 0.5}, "samples": 64, "by": "solid_angle""#;
+    let mut scene = scene(light, visible, true);
+    // The edge at x = 0 halves the cap as it is seen from below its middle.
+    is_unbiased(&mut scene, 0.0, 0.5, 0.1);
+    for seed in 0..10 {
+        // From (x, 0) the edge hides the light wholly where its tangent plane lies beyond: sin β = 0.5/√(x² + 4) for tan α = x.
+        assert_eq!(seen(&mut scene, -0.6, seed), 0.0);
+        assert!((seen(&mut scene, 0.6, seed) - 1.0).abs() < 1e-12);
+    }
+}

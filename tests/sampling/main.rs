@@ -15,6 +15,8 @@ mod effects_camera;
 mod effects_lights;
 mod effects_lobes;
 mod effects_unbiased;
+mod exact;
 mod physics;
 mod quality;
 mod shared_samples;
+mod small;

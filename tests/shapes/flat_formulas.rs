@@ -92,7 +92,7 @@ fn check(log: &Log, arithmetic: Arithmetic, counts: &mut BTreeMap<Name, usize>) 
     for (at, event) in log.events.iter().enumerate() {
         let What::Note { name, value } = event.what else { continue };
         assert!(value.components().iter().all(|x| x.is_finite()), "{name:?} is {value:?}");
-        let Some(evaluated) = evaluate(&log.events, &tree, at, name) else { continue };
+        let Some(evaluated) = evaluate(log, &tree, at, name) else { continue };
         let exact = evaluated.unwrap_or_else(|why| panic!("{:?}, {name:?}: {why}", log.header.subject));
         let expected = rounded(exact, arithmetic);
         let subject = log.header.subject;

@@ -38,6 +38,11 @@ impl Bitmap {
         self.pixels.chunks(self.width as usize)
     }
 
+    /// Every pixel changed.
+    pub fn map(&self, of: impl Fn([u8; 3]) -> [u8; 3]) -> Bitmap {
+        Bitmap { width: self.width, pixels: self.pixels.iter().map(|pixel| of(*pixel)).collect() }
+    }
+
     /// Each pixel as a square of this side, so that it can be seen.
     pub fn enlarged(&self, side: usize) -> Bitmap {
         let row = |row: &[[u8; 3]]| row.iter().flat_map(|pixel| [*pixel].repeat(side)).collect::<Vec<_>>();

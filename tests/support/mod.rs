@@ -7,7 +7,7 @@ use insta::Settings;
 use raywalk::record::Arithmetic;
 use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::{self, Source, mesh};
-use raywalk::scene::{Scene, build, builtin};
+use raywalk::scene::{Formulas, Scene, build_with, builtin};
 
 /// A built-in scene, ready to be traced.
 #[track_caller]
@@ -30,13 +30,25 @@ pub fn changed_scene(name: &str, change: impl FnOnce(&mut SceneFile)) -> Scene {
 /// A scene from the text of its file, with other settings.
 #[track_caller]
 pub fn changed_scene_of(text: &[u8], name: &str, change: impl FnOnce(&mut SceneFile)) -> Scene {
+    built(text, name, Formulas::Robust, change)
+}
+
+/// A built-in scene as the program traces it in this arithmetic.
+#[track_caller]
+pub fn scene_in(name: &str, arithmetic: Arithmetic) -> Scene {
+    let text = builtin::text(name).expect("a built-in scene").as_bytes();
+    built(text, name, arithmetic.implied_formulas(), |_| ())
+}
+
+#[track_caller]
+fn built(text: &[u8], name: &str, formulas: Formulas, change: impl FnOnce(&mut SceneFile)) -> Scene {
     let mut loaded =
         file::check(text, &format!("{name}.json")).unwrap_or_else(|error| panic!("{}", error.report(false)));
     change(&mut loaded.scene);
     let source = Source { name, text };
     let meshes = mesh::load(&loaded.scene, &source, mesh::Folder::BuiltIn(builtin::mesh));
     let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));
-    build(&loaded.scene, &meshes).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+    build_with(&loaded.scene, &meshes, formulas).unwrap_or_else(|unsupported| panic!("{unsupported}"))
 }
 
 /// The middle pixel of a scene.

@@ -4,8 +4,8 @@ use glam::DVec3;
 use raywalk::geometry::Shape;
 use raywalk::geometry::shape::{Plane, Sphere, SphereMethod};
 use raywalk::scene::{
-    Algorithm, Camera, Index, Light, LightKind, Material, Object, Output, Scene, Skip, Specular, Tracing, Transfer,
-    Weights,
+    Algorithm, Camera, Formulas, Index, Light, LightKind, Material, Object, Output, ReflectedScale, Scene, Skip,
+    Specular, Tracing, Transfer, Weights,
 };
 
 /// What varies between the scenes of this file.
@@ -14,7 +14,9 @@ pub struct Options {
     pub algorithm: Algorithm,
     pub max_depth: u32,
     pub specular: Specular,
+    pub formulas: Formulas,
     pub sphere_method: SphereMethod,
+    pub reflected_scale: ReflectedScale,
     pub skip: Skip,
 }
 
@@ -24,7 +26,9 @@ impl Options {
         algorithm: Algorithm::Recursive,
         max_depth: 4,
         specular: Specular::HalfVector,
+        formulas: Formulas::Robust,
         sphere_method: SphereMethod::Robust,
+        reflected_scale: ReflectedScale::Weight,
         skip: Skip::ALL,
     };
 }
@@ -155,7 +159,9 @@ fn bare(name: &str, options: Options) -> Scene {
             algorithm: options.algorithm,
             max_depth: options.max_depth,
             specular: options.specular,
+            formulas: options.formulas,
             sphere_method: options.sphere_method,
+            reflected_scale: options.reflected_scale,
             cutoff: 0.0,
             two_sided: true,
             shadows: raywalk::scene::Shadows::PerSurface,

@@ -7,11 +7,11 @@ use crate::provoking_scenes::{Options, everything, straight_through};
 use crate::support;
 use glam::DVec3;
 use raywalk::geometry::shape::SphereMethod;
-use raywalk::log::{Event, Log, Name, Tree, Value, What};
+use raywalk::log::{Log, Name, Tree, Value, What};
 use raywalk::probe::round_half_away;
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::evaluate::evaluate;
-use raywalk::scene::{Algorithm, Scene, Skip, Specular, builtin};
+use raywalk::scene::{Algorithm, Formulas, ReflectedScale, Scene, Skip, Specular, builtin};
 use std::collections::BTreeMap;
 
 /// The decimals of the arithmetic by hand.
@@ -124,9 +124,9 @@ fn a_wrong_value_is_found() {
     for (at, event) in log.events.iter().enumerate() {
         let What::Note { name, value } = event.what else { continue };
         for component in 0..value.components().len() {
-            let mut events = log.events.clone();
-            events[at].what = What::Note { name, value: one_ulp_up(value, component) };
-            let verdict = verdict(&events, &tree, at, Arithmetic::F64);
+            let mut log = log.clone();
+            log.events[at].what = What::Note { name, value: one_ulp_up(value, component) };
+            let verdict = verdict(&log, &tree, at, Arithmetic::F64);
             assert_eq!(verdict.is_some_and(|verdict| verdict.is_err()), name.formula().is_some(), "{name:?}");
             wrong_values += 1;
         }
@@ -136,18 +136,18 @@ fn a_wrong_value_is_found() {
 
 /// How many values of each name were checked, and what was wrong with the others.
 #[derive(Default)]
-struct Checked {
+pub struct Checked {
     counts: BTreeMap<Name, usize>,
     wrong: BTreeMap<Name, (usize, String)>,
 }
 
 impl Checked {
-    fn check(&mut self, log: &Log) {
+    pub fn check(&mut self, log: &Log) {
         let arithmetic: Arithmetic = log.header.arithmetic.parse().expect("a header names the arithmetic by its name");
         let tree = Tree::of(&log.events);
         for (at, event) in log.events.iter().enumerate() {
             let What::Note { name, .. } = event.what else { continue };
-            match verdict(&log.events, &tree, at, arithmetic) {
+            match verdict(log, &tree, at, arithmetic) {
                 Some(Ok(())) => *self.counts.entry(name).or_default() += 1,
                 Some(Err(why)) => {
                     let subject = log.header.subject;
@@ -157,6 +157,16 @@ impl Checked {
                 None => {}
             }
         }
+    }
+
+    /// Whether a value of this name was wrong.
+    pub fn has_wrong(&self, name: Name) -> bool {
+        self.wrong.contains_key(&name)
+    }
+
+    #[track_caller]
+    pub fn assert_nothing_wrong(&self) {
+        assert!(self.wrong.is_empty(), "{:#?}\nright: {:#?}", self.wrong, self.counts);
     }
 
     #[track_caller]
@@ -170,9 +180,9 @@ impl Checked {
 }
 
 /// Whether the formula of a noted quantity gives its value; `None` if it has no formula.
-fn verdict(events: &[Event], tree: &Tree, at: usize, arithmetic: Arithmetic) -> Option<Result<(), String>> {
-    let What::Note { name, value } = events[at].what else { return None };
-    let verdict = evaluate(events, tree, at, name)?.and_then(|exact| {
+fn verdict(log: &Log, tree: &Tree, at: usize, arithmetic: Arithmetic) -> Option<Result<(), String>> {
+    let What::Note { name, value } = log.events[at].what else { return None };
+    let verdict = evaluate(log, tree, at, name)?.and_then(|exact| {
         let expected = rounded(exact, arithmetic);
         let difference = || format!("{name:?} is {value:?}, its formula gives {expected:?}");
         if expected.same_bits(&value) { Ok(()) } else { Err(difference()) }
@@ -197,6 +207,9 @@ fn rounded(value: Value, arithmetic: Arithmetic) -> Value {
 fn scenes() -> Vec<Scene> {
     let default = Options::DEFAULT;
     let geometric = Options { sphere_method: SphereMethod::Geometric, ..default };
+    let notes = Options { formulas: Formulas::Notes, ..geometric };
+    let compensated = Options { specular: Specular::HalfVectorCompensated, ..default };
+    let by_specular = Options { reflected_scale: ReflectedScale::Specular, ..default };
     let mirrored = Options { specular: Specular::ReflectionVector, ..default };
     let whitted = Options { algorithm: Algorithm::Whitted, max_depth: 3, ..default };
     let foley = Options { algorithm: Algorithm::Foley, max_depth: 3, ..geometric };
@@ -208,6 +221,12 @@ fn scenes() -> Vec<Scene> {
         everything("reflection vector", outside, mirrored),
         everything("reflection vector, at the milky ball", [2.25, 0.75, -3.0], mirrored),
         everything("whitted", outside, whitted),
+        everything("notes", outside, notes),
+        everything("notes, at the milky ball", [2.25, 0.75, -3.0], notes),
+        everything("notes, in the glass", [0.0, 1.0, -5.25], notes),
+        everything("compensated", outside, compensated),
+        everything("compensated, at the milky ball", [2.25, 0.75, -3.0], compensated),
+        everything("reflected light scaled by K_e", outside, by_specular),
         everything("foley", outside, foley),
         everything("nothing skipped", outside, thorough),
         sharp(everything("sharp", outside, default)),

@@ -1,7 +1,7 @@
 //! The log of a region: the logs of its pixels, in order, however many threads made them.
 
 use crate::calls::{raywalk, says};
-use crate::support::scene;
+use crate::support::{scene, scene_in};
 use raywalk::log::file::{Ending, read, to_json, to_ndjson};
 use raywalk::log::{Step, Subject, Tree};
 use raywalk::record::{self, Arithmetic, region};
@@ -18,7 +18,7 @@ fn written(scene: &str, region: &str, options: &[&str]) -> Vec<u8> {
 
 /// The lines of the pixel's own log, without its header and its end.
 fn own_lines(scene_name: &str, pixel: [u32; 2], arithmetic: Arithmetic) -> Vec<u8> {
-    let log = record::pixel(&scene(scene_name), pixel, arithmetic);
+    let log = record::pixel(&scene_in(scene_name, arithmetic), pixel, arithmetic);
     let text = to_ndjson(&log).expect("memory");
     let lines: Vec<_> = text.split_inclusive(|byte| *byte == b'\n').collect();
     lines[1..lines.len() - 1].concat()
@@ -45,7 +45,7 @@ fn is_its_pixels(scene_name: &str, region: [u32; 4], arithmetic: Arithmetic) {
 
     let found = read(&text).expect("a log");
     assert_eq!((found.ending, found.log.header.subject), (Ending::Complete, Subject::Region(region)));
-    assert_eq!(found.log, region::bounded(&scene(scene_name), region, arithmetic).expect("a small log"));
+    assert_eq!(found.log, region::bounded(&scene_in(scene_name, arithmetic), region, arithmetic).expect("a small log"));
     let tree = Tree::of(&found.log.events);
     let opened: Vec<_> = tree.children(0).map(|node| tree.nodes()[node].step).collect();
     assert_eq!(opened, region::pixels(region).map(|pixel| Some(Step::Pixel(pixel))).collect::<Vec<_>>());

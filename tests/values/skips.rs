@@ -12,7 +12,7 @@ use std::fmt::Write;
 use std::sync::atomic::AtomicBool;
 
 /// The picture of a scene, and what was counted.
-fn picture(scene: &Scene) -> (Vec<Color>, Counter) {
+pub fn picture(scene: &Scene) -> (Vec<Color>, Counter) {
     let [width, height] = scene.camera.resolution;
     let settings = Settings {
         crop: [0, 0, width, height],
@@ -26,7 +26,7 @@ fn picture(scene: &Scene) -> (Vec<Color>, Counter) {
 }
 
 /// How often each rule left something out.
-fn skipped(counter: &Counter) -> BTreeMap<&'static str, u64> {
+pub fn skipped(counter: &Counter) -> BTreeMap<&'static str, u64> {
     counter.statistics(0, Default::default(), 0).skipped
 }
 
@@ -63,9 +63,16 @@ fn no_built_in_picture_shows_what_was_skipped() {
             *in_all.entry(rule).or_insert(0) += count;
         }
     }
-    // The scenes have no cutoff, and no filters that together let nothing through.
+    // The scenes have no cutoff, no filters that together let nothing through and no lights that nothing uses.
     for rule in SkipReason::ALL {
-        let is_rare = matches!(rule, SkipReason::Cutoff | SkipReason::ZeroPath);
+        let is_rare = matches!(
+            rule,
+            SkipReason::Cutoff
+                | SkipReason::ZeroPath
+                | SkipReason::ZeroLight
+                | SkipReason::ZeroPathLocal
+                | SkipReason::ZeroPathLight
+        );
         assert!(is_rare || in_all[rule.word()] > 0, "{rule:?}: {in_all:?}");
     }
 }
@@ -81,9 +88,13 @@ fn color() -> impl Strategy<Value = [f64; 3]> {
 
 fn material() -> impl Strategy<Value = String> {
     let coefficients = [color(), color(), color(), color()];
-    (coefficients, [color(), color(), color()], 1.0..2.0_f64, 0.0..40.0_f64).prop_map(|(k, weights, ior, n)| {
+    let pattern = prop::option::weighted(0.2, (color(), color()));
+    let parts = (coefficients, [color(), color(), color()], 1.0..2.0_f64, 0.0..40.0_f64, pattern);
+    parts.prop_map(|(k, weights, ior, n, pattern)| {
+        let checker = |(a, b)| format!(r#""pattern": {{"checker": {{"a": {a:?}, "b": {b:?}, "size": 0.5}}}},"#);
+        let pattern = pattern.map(checker).unwrap_or_default();
         format!(
-            r#"{{"ambient": {:?}, "diffuse": {:?}, "specular": {:?}, "transmission": {:?}, "shininess": {n}, "ior": {ior},
+            r#"{{"ambient": {:?}, "diffuse": {:?}, "specular": {:?}, "transmission": {:?}, "shininess": {n}, "ior": {ior}, {pattern}
                 "weights": {{"local": {:?}, "reflected": {:?}, "transmitted": {:?}}}}}"#,
             k[0], k[1], k[2], k[3], weights[0], weights[1], weights[2]
         )
@@ -91,10 +102,11 @@ fn material() -> impl Strategy<Value = String> {
 }
 
 /// A small scene of spheres before a wall.
-fn small_scene() -> impl Strategy<Value = Scene> {
+pub fn small_scene() -> impl Strategy<Value = Scene> {
     let place = || [-2.0..2.0_f64, -2.0..2.0_f64, -2.0..2.0_f64];
     let sphere = (place(), 0.2..1.2_f64, 0..3_usize);
-    let light = (place(), color());
+    let area = prop::option::weighted(0.2, 0.1..0.8_f64);
+    let light = (place(), color(), area);
     let parts = (
         prop::collection::vec(material(), 3),
         prop::collection::vec(sphere, 1..5),
@@ -111,8 +123,14 @@ fn small_scene() -> impl Strategy<Value = Scene> {
             let _ = write!(text, r#"{{"shape": {shape}, "material": "m{material}"}}, "#);
         }
         let lights: Vec<_> = (lights.iter().enumerate())
-            .map(|(k, (place, color))| {
-                format!(r#"{{"name": "l{k}", "point": {{"position": {place:?}}}, "color": {color:?}}}"#)
+            .map(|(k, (place, color, area))| {
+                let kind = match area {
+                    None => format!(r#""point": {{"position": {place:?}}}"#),
+                    Some(radius) => {
+                        format!(r#""sphere": {{"center": {place:?}, "radius": {radius}}}, "samples": 2"#)
+                    }
+                };
+                format!(r#"{{"name": "l{k}", {kind}, "color": {color:?}}}"#)
             })
             .collect();
         let text = format!(
@@ -139,6 +157,35 @@ fn no_random_picture_shows_what_was_skipped() {
     }
     let seen = |rule: &SkipReason| *rule == SkipReason::Cutoff || in_all[rule.word()] > 0;
     assert!(SkipReason::ALL.iter().all(seen), "{in_all:?}");
+}
+
+/// Every set of rules on one scene, and a few of them on each of many.
+#[test]
+fn no_set_of_rules_changes_a_bit() {
+    let bits = |scene: &Scene| {
+        let (pixels, _) = picture(scene);
+        pixels.iter().map(|color| color.to_array().map(f64::to_bits)).collect::<Vec<_>>()
+    };
+    let rules = SkipReason::ALL;
+    let set = |mask: u64| {
+        let chosen = (0..).zip(rules).filter(|(k, _)| mask >> k & 1 == 1);
+        chosen.fold(Skip::NONE, |skip, (_, rule)| skip.with(*rule))
+    };
+    let compares = |scene: &mut Scene, masks: &mut dyn Iterator<Item = u64>| {
+        scene.tracing.skip = Skip::NONE;
+        let expected = bits(scene);
+        for mask in masks {
+            scene.tracing.skip = set(mask);
+            assert_eq!(bits(scene), expected, "{:?}", scene.tracing.skip);
+        }
+    };
+    let mut scene = super::skipped_light::all_kinds();
+    compares(&mut scene, &mut (0..1 << rules.len()));
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    for k in 0..60 {
+        let mut scene = small_scene().new_tree(&mut runner).expect("a scene").current();
+        compares(&mut scene, &mut (0..8).map(|at| raywalk::random::hash(k, at) % (1 << rules.len())));
+    }
 }
 
 /// Asserts that a cutoff loses no more than is said, and says how much of the bound it was at the most.

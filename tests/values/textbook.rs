@@ -1,6 +1,6 @@
 //! The numeric example of the source text (Ramos, section 1.3): every value by hand, following the book, and exact.
 
-use crate::support::{scene, snapshots};
+use crate::support::{changed_scene, scene, scene_in, snapshots};
 use raywalk::log::{Tree, Value, What, file};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::{Style, text};
@@ -30,8 +30,13 @@ fn exact_result() {
 
 #[test]
 fn by_hand_and_following_the_book() {
-    assert_eq!(red(&scene("textbook"), Arithmetic::Decimal(3)), 394.134);
-    assert_eq!(red(&scene("textbook"), Arithmetic::Printed), 394.028);
+    for formulas in ["robust", "notes"] {
+        let scene = changed_scene("textbook", |file| {
+            file.tracing.formulas = serde_json::from_value(formulas.into()).expect("a word");
+        });
+        assert_eq!(red(&scene, Arithmetic::Decimal(3)), 394.134, "{formulas}");
+        assert_eq!(red(&scene, Arithmetic::Printed), 394.028, "{formulas}");
+    }
 }
 
 #[track_caller]
@@ -103,7 +108,7 @@ const BY_HAND: &[(&str, &str, &[f64])] = &[
 
 #[test]
 fn the_hand_log_holds_every_value_of_the_strict_column() {
-    let log = record::pixel(&scene("textbook"), MIDDLE, Arithmetic::Decimal(3));
+    let log = record::pixel(&scene_in("textbook", Arithmetic::Decimal(3)), MIDDLE, Arithmetic::Decimal(3));
     let tree = Tree::of(&log.events);
     for (path, key, expected) in BY_HAND {
         let found = log.events.iter().enumerate().find_map(|(event, happening)| match &happening.what {
@@ -135,7 +140,7 @@ fn the_f64_log_has_the_same_events_in_the_same_order() {
 
 #[test]
 fn the_book_departs_from_its_rules_in_three_places() {
-    let table = textbook::table(&scene("textbook"));
+    let table = textbook::table(&scene_in("textbook", Arithmetic::Decimal(3)));
     let departures: Vec<_> = table
         .steps
         .iter()
@@ -154,7 +159,7 @@ fn the_book_departs_from_its_rules_in_three_places() {
 
 #[test]
 fn snapshots_of_the_table() {
-    let table = textbook::table(&scene("textbook"));
+    let table = textbook::table(&scene_in("textbook", Arithmetic::Decimal(3)));
     snapshots().bind(|| {
         insta::assert_snapshot!("textbook_table", table.text());
         insta::assert_snapshot!("textbook_table_markdown", table.markdown());
@@ -163,12 +168,11 @@ fn snapshots_of_the_table() {
 
 #[test]
 fn snapshots_of_the_logs() {
-    let scene = scene("textbook");
     snapshots().bind(|| {
         for (name, arithmetic) in
             [("textbook_log_by_hand", Arithmetic::Decimal(3)), ("textbook_log_f64", Arithmetic::F64)]
         {
-            let log = record::pixel(&scene, MIDDLE, arithmetic);
+            let log = record::pixel(&scene_in("textbook", arithmetic), MIDDLE, arithmetic);
             let lines = file::to_ndjson(&log).expect("memory can be written");
             insta::assert_snapshot!(name, String::from_utf8(lines).expect("UTF-8"));
         }
@@ -177,7 +181,7 @@ fn snapshots_of_the_logs() {
 
 #[test]
 fn snapshot_of_the_text_walk() {
-    let log = record::pixel(&scene("textbook"), MIDDLE, Arithmetic::Decimal(3));
+    let log = record::pixel(&scene_in("textbook", Arithmetic::Decimal(3)), MIDDLE, Arithmetic::Decimal(3));
     let walk = text::text(&log, Style::default());
     assert!(walk.contains("T2_A = r² − L2oc + T_A² = 9 − 178.024 + 13.244² = 6.380"), "{walk}");
     snapshots().bind(|| insta::assert_snapshot!("textbook_walk_by_hand", walk));

@@ -13,6 +13,7 @@ mod shared;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod close_up;
 mod figures;
 mod lines;
 mod saved;

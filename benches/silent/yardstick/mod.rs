@@ -178,7 +178,7 @@ impl Yardstick {
 
     fn specular(&self, hit: &Hit, toward: DVec3, n_dot_l: f64) -> DVec3 {
         let cosine = match self.rules.specular {
-            SpecularForm::HalfVector => {
+            SpecularForm::HalfVector | SpecularForm::HalfVectorCompensated => {
                 let half = toward + hit.view;
                 let length = half.length();
                 if length == 0.0 {
@@ -188,7 +188,9 @@ impl Yardstick {
             }
             SpecularForm::ReflectionVector => (hit.normal * 2.0 * n_dot_l - toward).dot(hit.view),
         };
-        hit.material.specular * libm::pow(cosine.clamp(0.0, 1.0), hit.material.shininess)
+        let is_compensated = self.rules.specular == SpecularForm::HalfVectorCompensated;
+        let exponent = hit.material.shininess * if is_compensated { 4.0 } else { 1.0 };
+        hit.material.specular * libm::pow(cosine.clamp(0.0, 1.0), exponent)
     }
 
     /// The part of the light that gets along a shadow ray.

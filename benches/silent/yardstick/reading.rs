@@ -65,7 +65,7 @@ impl Object {
                 Shape::Plane(Plane { normal, offset: d, unit_normal: unit(normal) })
             }
             file::Shape::Sphere(file::Sphere { center, radius, inward }) => {
-                let is_geometric = scene.tracing.sphere_method == file::SphereMethod::Geometric;
+                let is_geometric = scene.tracing.sphere_method == Some(file::SphereMethod::Geometric);
                 Shape::Sphere(Sphere {
                     center: center.into(),
                     radius,

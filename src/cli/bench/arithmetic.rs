@@ -1,9 +1,8 @@
 //! `raywalk bench error --arithmetic`: what each arithmetic loses and costs.
 
 use super::TableFormat;
-use super::table::quoted;
+use super::table::{print_measured, quoted};
 use crate::cli::failure::Failure;
-use crate::cli::output;
 use raywalk::scene::Scene;
 use raywalk::study::ladder::{Rung, ladder};
 use serde::Serialize;
@@ -17,17 +16,8 @@ struct Measured {
 
 /// Measures the scenes and prints the table.
 pub fn run(scenes: &[Scene], threads: usize, format: TableFormat) -> Result<(), Failure> {
-    let measure = |scene: &Scene| {
-        let rungs = ladder(scene, threads).map_err(|error| Failure::machine(error.to_string()))?;
-        Ok(Measured { scene: scene.name.clone(), rungs })
-    };
-    let measured = scenes.iter().map(measure).collect::<Result<Vec<_>, Failure>>()?;
-    let text = match format {
-        TableFormat::Text => text(&measured),
-        TableFormat::Csv => csv(&measured),
-        TableFormat::Json => format!("{:#}\n", serde_json::json!({ "scenes": measured })),
-    };
-    output::print(text.as_bytes())
+    let measure = |scene: &Scene| Ok(Measured { scene: scene.name.clone(), rungs: ladder(scene, threads)? });
+    print_measured(scenes, measure, format, text, csv)
 }
 
 /// A table a scene.

@@ -1,32 +1,42 @@
 //! `raywalk bench error`: how far pictures are off, and how long they take.
 
 use super::scenes::{self, SceneOptions};
-use super::{TableFormat, arithmetic, samplers};
+use super::{TableFormat, arithmetic, limits, samplers};
 use crate::cli::failure::Failure;
 use crate::cli::options::{ColorChoice, MAX_THREADS};
 use crate::cli::progress::ProgressOptions;
 use crate::cli::sampling_spec::sampling;
 use clap::Args;
 use raywalk::scene::file::schema::Sampling;
+use raywalk::study::bench::limits as measured;
+use raywalk::study::bench::samplers::Reference;
 use std::path::PathBuf;
 
 /// How far pictures are off, and how long they take
 ///
 /// Every method of sampling over its settings, against the mean of two pictures with many samples: `front` marks the settings than which
-/// none is both faster and better. With --arithmetic instead every arithmetic, against f64.
+/// none is both faster and better. With --arithmetic instead every arithmetic, against f64; with --depths or --cutoffs what limits of the
+/// ray tree lose and save.
 #[derive(Args)]
 pub struct ErrorBench {
     #[command(flatten)]
     scenes: SceneOptions,
     /// Every arithmetic instead: by hand with 2 to 15 decimals, f32, f64
-    #[arg(long, conflicts_with_all = ["sampling", "reference", "runs", "target", "chart"])]
+    #[arg(long, group = "ladder", conflicts_with_all = ["sampling", "reference", "runs", "target", "chart"])]
     arithmetic: bool,
+    /// Every max_depth up to the scene's own instead
+    #[arg(long, group = "ladder", conflicts_with_all = ["sampling", "reference", "runs", "target", "chart"])]
+    depths: bool,
+    /// Cutoffs from 0.3 to 0.001 instead, with what they can lose
+    #[arg(long, group = "ladder", conflicts_with_all = ["sampling", "reference", "runs", "target", "chart"])]
+    cutoffs: bool,
     /// A method to compare; may be given several times. Without it, every method over its settings
     #[arg(long, value_name = "SPEC", value_parser = sampling)]
     sampling: Vec<Sampling>,
-    /// The method of the two pictures whose mean is the reference
-    #[arg(long, value_name = "SPEC", value_parser = sampling, default_value = "sobol:1024")]
-    reference: Sampling,
+    /// The method of the two pictures whose mean is the reference, or `exact`: the areas that flat-coloured polygons, disks, spheres and
+    /// ellipsoids cover. Without it, `exact` where the scene has nothing else, otherwise sobol:1024
+    #[arg(long, value_name = "SPEC", value_parser = reference)]
+    reference: Option<Reference>,
     /// How often each setting renders, each time with another seed
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     runs: u16,
@@ -49,18 +59,26 @@ pub struct ErrorBench {
 impl ErrorBench {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
-        let otherwise: &[&str] = if self.arithmetic { &scenes::FEW } else { &scenes::SAMPLED };
+        let otherwise: &[&str] = match () {
+            _ if self.arithmetic => &scenes::FEW,
+            _ if self.depths || self.cutoffs => &scenes::BRANCHING,
+            _ => &scenes::SAMPLED,
+        };
         let names = self.scenes.names(otherwise);
         let scenes = names.iter().map(|name| self.scenes.load(name, colors)).collect::<Result<Vec<_>, _>>()?;
         if self.arithmetic {
             return arithmetic::run(&scenes, self.threads.into(), self.format);
+        }
+        if self.depths || self.cutoffs {
+            let ladder = if self.depths { measured::depths } else { measured::cutoffs };
+            return limits::run(&scenes, ladder, self.threads.into(), self.format);
         }
         let request = samplers::Request {
             methods: match self.sampling.is_empty() {
                 true => samplers::settings(),
                 false => self.sampling.iter().map(|sampling| (*sampling).into()).collect(),
             },
-            reference: self.reference.into(),
+            reference: self.reference,
             runs: self.runs.into(),
             threads: self.threads.into(),
             target: self.target,
@@ -70,6 +88,13 @@ impl ErrorBench {
             format: self.format,
         };
         request.run(&scenes)
+    }
+}
+
+fn reference(text: &str) -> Result<Reference, String> {
+    match text {
+        "exact" => Ok(Reference::Exact),
+        _ => sampling(text).map(|sampling| Reference::Sampled(sampling.into())),
     }
 }
 

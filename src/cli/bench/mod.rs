@@ -2,6 +2,7 @@
 
 mod arithmetic;
 mod error;
+mod limits;
 mod machine;
 mod overhead;
 mod rays;

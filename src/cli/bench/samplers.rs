@@ -6,10 +6,12 @@ use super::table::quoted;
 use crate::cli::failure::Failure;
 use crate::cli::output::{self, Output};
 use crate::cli::progress::{Progress, ProgressOptions};
+use raywalk::scene::builtin;
 use raywalk::scene::file::visible;
 use raywalk::scene::{Sampling, Scene, Statistical};
 use raywalk::study::bench::chart::{self, Panel};
-use raywalk::study::bench::samplers::{Comparing, Comparison, Outcome, compare};
+use raywalk::study::bench::exact::Exact;
+use raywalk::study::bench::samplers::{CompareError, Comparing, Comparison, Outcome, Reference, compare};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -18,8 +20,8 @@ use std::path::PathBuf;
 pub struct Request {
     /// The methods.
     pub methods: Vec<Sampling>,
-    /// The sampling of the two pictures whose mean is the reference.
-    pub reference: Sampling,
+    /// What is compared with; `None` for the exact picture where there is one, and two pictures with [`OTHERWISE`] where there is none.
+    pub reference: Option<Reference>,
     /// How often each setting renders.
     pub runs: usize,
     /// On how many threads.
@@ -67,10 +69,12 @@ impl Request {
             TableFormat::Text => self.text(&machine, &measured),
             TableFormat::Csv => csv(&measured),
             TableFormat::Json => {
-                let all = serde_json::json!({
-                    "machine": machine, "runs": self.runs, "threads": self.threads, "target": self.target,
-                    "scenes": measured,
+                let mut all = serde_json::json!({
+                    "machine": machine, "runs": self.runs, "threads": self.threads, "scenes": measured,
                 });
+                if let Some(target) = self.target {
+                    all["target"] = target.into();
+                }
                 format!("{all:#}\n")
             }
         };
@@ -83,9 +87,20 @@ impl Request {
     }
 
     fn measure(&self, scene: &Scene, progress: &Progress) -> Result<Measured, Failure> {
-        let comparing = Comparing { reference: self.reference, runs: self.runs, threads: self.threads };
+        let reference = self.reference.unwrap_or_else(|| match Exact::of(scene) {
+            Ok(_) => Reference::Exact,
+            Err(_) => Reference::Sampled(OTHERWISE),
+        });
+        let comparing = Comparing { reference, runs: self.runs, threads: self.threads };
         let comparison = compare(scene, &self.methods, comparing, || progress.advance(1));
-        let comparison = comparison.map_err(|error| Failure::machine(error.to_string()))?;
+        let comparison = comparison.map_err(|error| match error {
+            CompareError::Render(error) => Failure::machine(error.to_string()),
+            CompareError::NotExact(why) => Failure::caller(format!(
+                "scene `{}` has no exact reference: {why}; built-in scenes that have one: {}",
+                visible(&scene.name),
+                scenes_with_exact().join(", ")
+            )),
+        })?;
         let best = self.target.and_then(|target| comparison.best(target)).map(|best| best.sampling.clone());
         Ok(Measured { scene: scene.name.clone(), size: scene.camera.resolution, comparison, best })
     }
@@ -112,6 +127,15 @@ impl Request {
     }
 }
 
+/// The sampling of the reference of scenes without an exact one.
+const OTHERWISE: Sampling = Sampling::Sobol { n: 1024 };
+
+/// The built-in scenes that have an exact reference.
+fn scenes_with_exact() -> Vec<&'static str> {
+    let has_exact = |name: &&str| Scene::built_in(name).is_ok_and(|scene| Exact::of(&scene).is_ok());
+    builtin::names().filter(has_exact).collect()
+}
+
 /// Every method over its settings.
 pub fn settings() -> Vec<Sampling> {
     let mut settings = vec![Sampling::Center];
@@ -131,10 +155,12 @@ pub fn settings() -> Vec<Sampling> {
 fn title(measured: &Measured) -> String {
     let Measured { scene, size: [width, height], comparison, .. } = measured;
     let Comparison { reference, reference_error, .. } = comparison;
-    format!(
-        "{}, {width} x {height} pixels, against two pictures with {reference}, whose own error is {reference_error:.1e}",
-        visible(scene)
-    )
+    let against = match reference_error {
+        _ if *reference == Reference::Exact.to_string() => "the exact areas".to_owned(),
+        Some(error) => format!("two pictures with {reference}, whose own error is {error:.1e}"),
+        None => format!("two pictures with {reference}, whose own error is unknown"),
+    };
+    format!("{}, {width} x {height} pixels, against {against}", visible(scene))
 }
 
 fn row(outcome: &Outcome) -> String {
@@ -152,7 +178,7 @@ fn row(outcome: &Outcome) -> String {
 
 /// The answer to "best setting for this scene and this error".
 fn told(scene: &Measured, target: f64) -> String {
-    let doubt = match target < 2.0 * scene.comparison.reference_error {
+    let doubt = match scene.comparison.reference_error.is_some_and(|error| target < 2.0 * error) {
         true => "; the reference is hardly better itself: take one with more samples",
         false => "",
     };
@@ -172,6 +198,7 @@ fn csv(measured: &[Measured]) -> String {
         .to_owned();
     for Measured { scene, size: [width, height], comparison, best } in measured {
         let Comparison { reference, reference_error, outcomes } = comparison;
+        let reference_error = reference_error.map(|error| error.to_string()).unwrap_or_default();
         let about = format!("{},{width},{height},{},{reference_error}", quoted(scene), quoted(reference));
         for outcome in outcomes {
             let Outcome {

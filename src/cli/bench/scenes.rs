@@ -11,6 +11,9 @@ use std::path::{Path, PathBuf};
 /// Some scenes of different kinds: what is measured where none is named.
 pub const FEW: [&str; 4] = ["textbook", "figure-6", "table-top", "glass-and-mirror"];
 
+/// Scenes of deep ray trees: what their limits are compared on where none is named.
+pub const BRANCHING: [&str; 3] = ["glass-and-mirror", "hall-of-mirrors", "table-top"];
+
 /// Scenes of edges, of an area light and of a lens: what methods of sampling are compared on where none is named.
 pub const SAMPLED: [&str; 3] = ["figure-17", "penumbra", "depth-of-field"];
 

@@ -122,7 +122,7 @@ impl Diff {
 
 fn title(name: &str, pixel: Pixel, header: &Header) -> String {
     let subject = pixel.map_or_else(|| words::subject(header), |[x, y]| format!("pixel {x},{y}"));
-    format!("{name} - {subject} - {}", words::plain(&header.arithmetic))
+    format!("{name} - {subject} - {}", words::arithmetic(header))
 }
 
 /// Two logs, read pixel by pixel in the same order.

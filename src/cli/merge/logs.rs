@@ -18,6 +18,9 @@ impl Merge {
         if self.png16 {
             return Err(Failure::caller("--png16: is for pictures, found logs"));
         }
+        if let Some(option) = self.shown.given().first() {
+            return Err(Failure::caller(format!("{option}: is for pictures, found logs")));
+        }
         let mut found: Vec<(&Path, Header, Shard)> = Vec::new();
         for path in &self.parts {
             let header = log_in(path, colors)?.header().clone();

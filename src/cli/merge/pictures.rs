@@ -61,9 +61,11 @@ impl Merge {
             if let Some(layers) = &layers {
                 layers.check(format)?;
             }
-            let place = Place::create(&path, format, layers.as_ref(), &self.parts)?;
+            let [left, top, right, bottom] = picture.crop;
+            let size = [right - left, bottom - top];
+            let place = Place::create(&path, format, size, layers.as_ref(), &self.parts)?;
             let rendered = joined(parts, picture, layers, colors)?;
-            let shown = Shown { output: picture.output.into(), objects, is_quiet: self.quiet };
+            let shown = Shown { output: self.shown.over(picture.output.into()), objects, is_quiet: self.quiet };
             place.write(&rendered, &shown)?;
         }
         Ok(())

@@ -108,6 +108,15 @@ pub fn remove(path: &Path) -> Result<(), Failure> {
     }
 }
 
+/// Removes the checkpoint that was left beside a picture which is there already, if there is one.
+pub fn remove_left_of(picture: &Path, header: &PartHeader) -> Result<(), Failure> {
+    if !path_of(picture).exists() {
+        return Ok(());
+    }
+    let (left, _) = Checkpoint::open(picture, header)?;
+    remove(&left.into_path())
+}
+
 /// What a checkpoint holds.
 #[derive(Default)]
 struct Found {

@@ -56,7 +56,8 @@ impl Render {
         let header = self.header(task, self.shard.unwrap_or(Shard::WHOLE))?;
         if is_whole(&task.path, &header) {
             self.tell(&task.path, "is there already and whole");
-            return Ok(());
+            // The run that made it may have been killed before it removed its checkpoint.
+            return if self.resume { checkpoint::remove_left_of(&task.path, &header) } else { Ok(()) };
         }
         let create = || Output::create(Some(&task.path), &task.inputs);
         let output = create()?;

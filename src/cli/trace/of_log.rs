@@ -26,6 +26,9 @@ impl Trace {
         if let Some(warning) = saved.ending.warning() {
             output::tell(&format!("warning: {}: {warning}", saved.name));
         }
+        if let Some(of) = self.view {
+            return output.commit(&self.close_up(of, &saved.log)?);
+        }
         output.commit(&self.view(None, &saved.log, self.format.unwrap_or(TraceFormat::Ndjson))?)
     }
 }

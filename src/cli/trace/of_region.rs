@@ -20,7 +20,7 @@ use std::path::PathBuf;
 impl Trace {
     /// The log of a region: in NDJSON as it grows, otherwise of at most so many events as memory holds.
     pub(super) fn of_region(&self, scene: &Scene, region: [u32; 4], inputs: &[PathBuf]) -> Result<(), Failure> {
-        let arithmetic = self.tracing.arithmetic;
+        let arithmetic = self.tracing.arithmetic();
         let region = region_in(scene, "--region", region)?;
         if self.causes {
             return Err(Failure::caller("--causes: expected --pixel or --ray, found --region"));
@@ -59,7 +59,7 @@ impl Trace {
 
     /// The rays of a region as lines in space; of each pixel's log only they are kept.
     fn rays_of(&self, scene: &Scene, header: &Header, region: [u32; 4]) -> Result<Vec<Segment>, Failure> {
-        let arithmetic = self.tracing.arithmetic;
+        let arithmetic = self.tracing.arithmetic();
         let threads = render::threads(self.tracing.threads.into());
         let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
         let make = |pixel| {

@@ -84,8 +84,8 @@ impl Axis {
     #[inline]
     pub fn see<P: Probe>(&self, origin: DVec3, ray: &Ray, probe: &mut P) -> AxialRay {
         AxialRay {
-            origin_along: probe.note(Name::AxisOriginAlong, origin.dot(self.direction)),
-            along: probe.note(Name::AxisRayAlong, ray.direction.dot(self.direction)),
+            origin_along: probe.note(Name::AxisOriginAlong, probe.dot(origin, self.direction)),
+            along: probe.note(Name::AxisRayAlong, probe.dot(ray.direction, self.direction)),
             origin_across: probe.note(Name::AxisOriginAcross, origin.cross(self.direction)),
             across: probe.note(Name::AxisRayAcross, ray.direction.cross(self.direction)),
         }
@@ -116,7 +116,7 @@ impl Axis {
     #[inline]
     pub fn point<P: Probe>(&self, ray: &Ray, t: f64, probe: &mut P) -> AxialPoint {
         let from_base = probe.note(Name::AxisPoint, ray.origin - self.base + ray.direction * t);
-        let along = probe.note(Name::AxisPointAlong, from_base.dot(self.direction));
+        let along = probe.note(Name::AxisPointAlong, probe.dot(from_base, self.direction));
         let across = probe.note(Name::AxisPointAcross, from_base - self.direction * along);
         AxialPoint { from_base, along, across }
     }

@@ -52,15 +52,15 @@ impl Cone {
     #[inline]
     fn roots<P: Probe>(&self, whole: &Ray, probe: &mut P) -> Option<Roots> {
         let from_base = whole.origin - self.axis.base;
-        let t_near = -from_base.dot(whole.direction) / whole.direction.dot(whole.direction);
+        let t_near = -probe.dot(from_base, whole.direction) / probe.dot(whole.direction, whole.direction);
         let t_near = probe.note(Name::ConeTNear, t_near);
         let origin = probe.note(Name::AxisOriginNear, from_base + whole.direction * t_near);
         let ray = self.axis.see(origin, whole, probe);
         let origin_radius = probe.note(Name::ConeOriginRadius, self.base_radius + self.slope * ray.origin_along);
         let ray_radius = probe.note(Name::ConeRayRadius, self.slope * ray.along);
-        let a = probe.note(Name::ConeA, ray.across.dot(ray.across) - ray_radius * ray_radius);
-        let b = probe.note(Name::ConeB, ray.origin_across.dot(ray.across) - origin_radius * ray_radius);
-        let across = ray.origin_across.dot(ray.origin_across);
+        let a = probe.note(Name::ConeA, probe.dot(ray.across, ray.across) - ray_radius * ray_radius);
+        let b = probe.note(Name::ConeB, probe.dot(ray.origin_across, ray.across) - origin_radius * ray_radius);
+        let across = probe.dot(ray.origin_across, ray.origin_across);
         let c = probe.note(Name::ConeC, across - origin_radius * origin_radius);
         let lean = ray.origin_across * ray_radius - ray.across * origin_radius;
         let distance = ray.origin_across.cross(ray.across);
@@ -208,7 +208,7 @@ impl Kernel for Cone {
         let offset = probe.note(Name::ConeOffset, distance - (self.base_radius + self.slope * at.along));
         let gradient = at.across / distance - self.axis.direction * self.slope;
         let gradient = probe.note(Name::ConeGradient, gradient);
-        let step = gradient * (offset / gradient.dot(gradient));
+        let step = gradient * (offset / probe.dot(gradient, gradient));
         let point = probe.note(Name::HitPointCone, self.axis.base + (at.from_base - step));
         let normal = if is_outer {
             probe.note(Name::HitNormalCone, gradient / gradient.length())

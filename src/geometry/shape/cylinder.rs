@@ -46,13 +46,13 @@ impl Cylinder {
     fn roots<P: Probe>(&self, whole: &Ray, probe: &mut P) -> Option<Roots> {
         let origin = probe.note(Name::AxisOrigin, whole.origin - self.axis.base);
         let ray = self.axis.see(origin, whole, probe);
-        let a = probe.note(Name::CylinderA, ray.across.dot(ray.across));
-        let c = probe.note(Name::CylinderC, ray.origin_across.dot(ray.origin_across) - self.radius_squared);
+        let a = probe.note(Name::CylinderA, probe.dot(ray.across, ray.across));
+        let c = probe.note(Name::CylinderC, probe.dot(ray.origin_across, ray.origin_across) - self.radius_squared);
         let lateral = if a == 0.0 {
             // Parallel to the axis: all of the line is inside, or nothing.
             (c <= 0.0 && self.has_caps).then(|| Span::line(Name::CylinderT1)).ok_or(Miss::Parallel)
         } else {
-            let b = probe.note(Name::CylinderB, ray.origin_across.dot(ray.across));
+            let b = probe.note(Name::CylinderB, probe.dot(ray.origin_across, ray.across));
             let distance = ray.origin_across.cross(ray.across);
             let discriminant = self.radius_squared * a - distance.dot(distance);
             let discriminant = probe.note(Name::CylinderDiscriminant, discriminant);

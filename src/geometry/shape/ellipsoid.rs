@@ -74,9 +74,9 @@ impl Ellipsoid {
     /// A vector of the scene in the sphere's space, each component under its own name.
     #[inline]
     fn mapped<P: Probe>(&self, vector: DVec3, [x, y, z]: [Name; 3], probe: &mut P) -> DVec3 {
-        let x = probe.note(x, self.rows[0].dot(vector));
-        let y = probe.note(y, self.rows[1].dot(vector));
-        let z = probe.note(z, self.rows[2].dot(vector));
+        let x = probe.note(x, probe.dot(self.rows[0], vector));
+        let y = probe.note(y, probe.dot(self.rows[1], vector));
+        let z = probe.note(z, probe.dot(self.rows[2], vector));
         DVec3::new(x, y, z)
     }
 
@@ -208,7 +208,7 @@ impl Kernel for Ellipsoid {
         let [row_1, row_2, row_3] = self.rows;
         let gradient = row_1 * mapped.x + row_2 * mapped.y + row_3 * mapped.z;
         let gradient = probe.note(Name::EllipsoidGradient, gradient);
-        let steepness_squared = gradient.dot(gradient);
+        let steepness_squared = probe.dot(gradient, gradient);
         if steepness_squared == 0.0 {
             // Too small for the arithmetic: all that is left of it faces the ray.
             let point = probe.note(Name::HitPoint, ray.origin + ray.direction * crossing.t);

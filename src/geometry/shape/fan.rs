@@ -4,6 +4,7 @@
 //! the next ear is cut off instead (Meisters, 1975). A polygon of three corners is its own triangle.
 
 use super::triangle::Facet;
+use crate::probe::Silent;
 use glam::{DVec2, DVec3};
 
 /// Triangles, each with the normals at its corners.
@@ -26,7 +27,7 @@ impl Fan {
     /// of them it is the one that it is least outside of.
     pub fn triangle_at(&self, point: DVec3) -> Option<(&Facet, &[DVec3; 3])> {
         let depth = |facet: &Facet| {
-            let [w_a, w_b, w_c] = facet.weights(facet.normal, point);
+            let [w_a, w_b, w_c] = facet.weights(facet.normal, point, &Silent);
             w_a.min(w_b).min(w_c)
         };
         let rated = self.triangles.iter().map(|(facet, normals)| (depth(facet), facet, normals));

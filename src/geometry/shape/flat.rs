@@ -50,7 +50,7 @@ pub(super) fn meet_plane<P: Probe>(
     names: &PlaneNames,
     probe: &mut P,
 ) -> Option<PlaneHit> {
-    let (v_d, v_o) = (normal.dot(ray.direction), normal.dot(corner - ray.origin));
+    let (v_d, v_o) = (probe.dot(normal, ray.direction), probe.dot(normal, corner - ray.origin));
     let found = (|| {
         if !(v_d.is_finite() && v_o.is_finite()) {
             return None;
@@ -97,7 +97,7 @@ pub(super) fn meet_plane_certainly<P: Probe>(
 /// The distance `t` along the ray to the plane, before an arithmetic of its own made something else of it.
 #[inline]
 pub(super) fn unaltered<P: Probe>(t: f64, ray: &Ray, normal: DVec3, corner: DVec3, probe: &P) -> f64 {
-    if probe.certifies() { t } else { normal.dot(corner - ray.origin) / normal.dot(ray.direction) }
+    if probe.certifies() { t } else { probe.dot(normal, corner - ray.origin) / probe.dot(normal, ray.direction) }
 }
 
 /// The distance, kept within the box around the shape. Along the shape's plane V_o/V_d is a quotient of rounding errors,

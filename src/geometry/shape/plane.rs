@@ -43,8 +43,8 @@ impl Kernel for Plane {
     /// Neither V_d nor V_o needs a unit normal: their quotient is the same.
     #[inline(always)]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let v_d = self.normal.dot(ray.direction);
-        let v_o = -(self.normal.dot(ray.origin) + self.offset);
+        let v_d = probe.dot(self.normal, ray.direction);
+        let v_o = -(probe.dot(self.normal, ray.origin) + self.offset);
         if probe.certifies() && self.is_in_doubt(ray, v_d, v_o) {
             return self.doubled_crossing(ray, approach, probe);
         }

@@ -59,6 +59,24 @@ impl Polygon {
         &self.corners
     }
 
+    /// Whether the corners lie in one plane, up to roundings.
+    pub fn is_plane(&self) -> bool {
+        let height = |corner: &DVec3| self.unit_normal.dot(*corner - self.corners[0]).abs();
+        let size = self.corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
+        self.corners.iter().all(|corner| height(corner) <= 1e-12 * size)
+    }
+
+    /// Whether it turns the same way at all corners, once around.
+    pub fn is_convex(&self) -> bool {
+        let corners = outline(&self.corners, self.normal);
+        let corner = |k: usize| corners[k % corners.len()];
+        let turn = |k: usize| (corner(k + 1) - corner(k)).perp_dot(corner(k + 2) - corner(k + 1));
+        let is_left = |k: usize| turn(k) >= 0.0;
+        // One that winds around twice turns left too: a fan from a corner then turns back.
+        let is_fan = |k: usize| (corner(k) - corner(0)).perp_dot(corner(k + 1) - corner(0)) >= 0.0;
+        (0..corners.len()).all(|k| is_left(k) && is_fan(k))
+    }
+
     /// The polygon with these corners, three or more; with a normal for each its shading is smooth.
     pub fn new(vertices: &[[f64; 3]], normals: Option<&[[f64; 3]]>) -> Polygon {
         let corners: Vec<DVec3> = vertices.iter().copied().map(DVec3::from).collect();

@@ -91,8 +91,8 @@ impl Sphere {
     #[inline(always)]
     fn chord<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Line {
         let oc = probe.note(Name::SphereOc, self.center - ray.origin);
-        let l2_oc = probe.note(Name::SphereL2oc, oc.dot(oc));
-        let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
+        let l2_oc = probe.note(Name::SphereL2oc, probe.dot(oc, oc));
+        let t_a = probe.note(Name::SphereTa, probe.dot(oc, ray.direction));
         if self.doubt.has_side(l2_oc - self.radius_squared, l2_oc) && probe.certifies() {
             return Line::InDoubt;
         }
@@ -286,7 +286,7 @@ impl Sphere {
     /// The other end of the chord of a ray that sets off inward from the sphere itself: one root is 0, the other 2·T_A.
     fn other_end<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
         let oc = probe.note(Name::SphereOc, self.center - ray.origin);
-        let t_a = probe.note(Name::SphereTa, oc.dot(ray.direction));
+        let t_a = probe.note(Name::SphereTa, probe.dot(oc, ray.direction));
         probe.mark(Decision::Inside);
         let t = probe.note(Name::SphereTLeaving, 2.0 * t_a);
         self.decide(ray, approach, Crossing { t, side: self.outer.opposite(), primitive: 0 }, probe)

@@ -7,7 +7,7 @@
 //! D of a triangle of size s they err by D²/s² roundings. V_o/V_d with the triangle's own normal errs by a few, if
 //! the normal has all its digits, which [`area_normal`] sees to.
 
-use super::edge::{LEAST_SIZE, OF_EDGE, edge_function};
+use super::edge::{LEAST_SIZE, OF_EDGE};
 use super::flat::{BoxNames, PlaneHit, PlaneNames, is_in_doubt_along, kept_in_box, meet_plane, toward, unaltered};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::area_normal;
@@ -17,7 +17,7 @@ use crate::geometry::exact::triple_product;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Decision, Miss, Name};
-use crate::probe::Probe;
+use crate::probe::{Probe, Silent};
 use glam::DVec3;
 
 /// A triangle. Its front is the side from which its corners run counter-clockwise.
@@ -58,7 +58,7 @@ impl Triangle {
 
     /// The barycentric coordinates of a point of the triangle's plane, which aren't finite where there is no area.
     pub fn weights(&self, point: DVec3) -> [f64; 3] {
-        self.facet.weights(self.facet.normal, point)
+        self.facet.weights(self.facet.normal, point, &Silent)
     }
 }
 
@@ -204,7 +204,7 @@ impl Facet {
         probe: &mut P,
     ) -> DVec3 {
         let normal = self.normal;
-        let [w_a, w_b, _] = self.weights(normal, point);
+        let [w_a, w_b, _] = self.weights(normal, point, probe);
         let [n_a, n_b, n_c] = *normals;
         self.give(probe);
         for (name, value) in [
@@ -239,12 +239,12 @@ impl Facet {
     /// as a part of the whole. They aren't finite where there is no area.
     ///
     /// They are taken from the point, which is nearer to the corners than the ray's origin is.
-    pub fn weights(&self, normal: DVec3, point: DVec3) -> [f64; 3] {
+    pub fn weights<P: Probe>(&self, normal: DVec3, point: DVec3, probe: &P) -> [f64; 3] {
         let unit_normal = unit(normal);
-        let whole = unit_normal.dot(normal);
+        let whole = probe.dot(unit_normal, normal);
         let [to_a, to_b, to_c] = [self.a - point, self.b - point, self.c - point];
-        let w_a = unit_normal.dot(to_b.cross(to_c)) / whole;
-        let w_b = unit_normal.dot(to_c.cross(to_a)) / whole;
+        let w_a = probe.dot(unit_normal, to_b.cross(to_c)) / whole;
+        let w_b = probe.dot(unit_normal, to_c.cross(to_a)) / whole;
         [w_a, w_b, 1.0 - w_a - w_b]
     }
 
@@ -259,9 +259,9 @@ impl Facet {
     #[inline(always)]
     fn edges<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<[f64; 3]> {
         let [to_a, to_b, to_c] = [self.a, self.b, self.c].map(|corner| corner - ray.origin);
-        let edge_a = edge_function(ray.direction, to_c, to_b);
-        let edge_b = edge_function(ray.direction, to_a, to_c);
-        let edge_c = edge_function(ray.direction, to_b, to_a);
+        let edge_a = probe.dot(ray.direction, to_c.cross(to_b));
+        let edge_b = probe.dot(ray.direction, to_a.cross(to_c));
+        let edge_c = probe.dot(ray.direction, to_b.cross(to_a));
         if !(edge_a.is_finite() && edge_b.is_finite() && edge_c.is_finite()) {
             return None;
         }
@@ -357,8 +357,8 @@ mod tests {
     #[test]
     fn weights_of_the_corners_are_one_and_zero() {
         let facet = Facet::new(DVec3::ZERO, DVec3::X * 4.0, DVec3::Y * 2.0);
-        assert_eq!(facet.weights(facet.normal, facet.a), [1.0, 0.0, 0.0]);
-        assert_eq!(facet.weights(facet.normal, facet.b), [0.0, 1.0, 0.0]);
-        assert_eq!(facet.weights(facet.normal, facet.c), [0.0, 0.0, 1.0]);
+        assert_eq!(facet.weights(facet.normal, facet.a, &Silent), [1.0, 0.0, 0.0]);
+        assert_eq!(facet.weights(facet.normal, facet.b, &Silent), [0.0, 1.0, 0.0]);
+        assert_eq!(facet.weights(facet.normal, facet.c, &Silent), [0.0, 0.0, 1.0]);
     }
 }

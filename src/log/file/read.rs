@@ -184,7 +184,8 @@ pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
     let words = [&header.version, &header.arithmetic, &tracing.algorithm, &tracing.specular, &tracing.sphere_method];
     let parameters = header.sampling.iter().flat_map(|(word, parameters)| [word].into_iter().chain(parameters.keys()));
     let names = header.objects.iter().chain(&header.lights).chain([&header.scene.name, &header.scene.digest]);
-    match words.into_iter().chain(parameters).chain(names).find(|name| hidden(name).next().is_some()) {
+    let optional = [&tracing.formulas, &tracing.reflected_scale].into_iter().flatten();
+    match words.into_iter().chain(optional).chain(parameters).chain(names).find(|name| hidden(name).next().is_some()) {
         None => Ok(()),
         Some(name) => {
             Err(LogError::damaged(1, 1, &format!("a name must not hold control characters, found `{}`", visible(name))))

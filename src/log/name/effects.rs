@@ -77,8 +77,15 @@ macro_rules! with_effects {
             LightXOnDisk: "light.x", "round", "x_F", "x_D·κ_F", "1.5";
             LightYOnDisk: "light.y", "round", "y_F", "y_D·κ_F", "1.5";
             LightOutward: "light.outward", "", "ν_F", "", "1.5";
+            // By solid angle the place of the point is an input, and the profile weighs its shadow ray.
+            LightSolidAngle: "light.solid_angle", "", "Ω_F", "", "1.5";
             LightPositionOnArea: "light.position", "on_area", "F", "C_F + e_u·x_F + e_v·y_F", "1.5";
             LightPositionOnSphere: "light.position", "on_sphere", "F", "C_F + ν_F·r_F", "1.5";
+            LightProfileCosine: "light.profile_cosine", "", "c_F", "", "1.5";
+            LightProfilePower: "light.profile_power", "", "p_F", "", "1.5";
+            LightProfileMean: "light.profile_mean", "", "m_F", "", "1.5";
+            LightWeight: "light.weight", "", "w_F", "c_F^p_F/m_F", "1.5";
+            LightColorWeighted: "light.color", "weighted", "I_i", "I_i·w_F", "1.5";
 
             // A blurred bounce: directions of the lobe cosⁿ about M_z, which is R or T, in zones of equal probability.
             LobeMiddle: "lobe.middle", "", "M_z", "", "1.5";

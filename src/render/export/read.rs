@@ -1,7 +1,6 @@
-//! Pictures read back: PNG, PPM and PGM, PFM and OpenEXR.
+//! Pictures read back: by the crate `image` what it knows, PPM, PGM and PFM with the places of what is wrong in their text, and OpenEXR.
 
-use super::netpbm;
-use super::png::Decoded;
+use super::{decode, netpbm};
 use std::ops::Range;
 
 /// The largest picture file that is read: 1 GiB.
@@ -38,7 +37,9 @@ pub(super) enum Samples {
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// It begins with something else.
-    #[error("expected a PNG, a PPM (P3, P6), a PGM (P2, P5), a PFM (PF, Pf) or an OpenEXR file")]
+    #[error(
+        "expected a PNG, BMP, TGA, QOI, TIFF, JPEG or WebP, a PPM (P3, P6), a PGM (P2, P5), a PFM (PF, Pf) or an OpenEXR file"
+    )]
     Unknown,
     /// Its header makes no sense.
     #[error("the header of the picture is damaged: expected {0}")]
@@ -80,9 +81,12 @@ pub enum PictureError {
     /// An OpenEXR file that can't be decoded.
     #[error("the picture is damaged: {0}")]
     Exr(#[from] ::exr::error::Error),
-    /// A PNG that can't be decoded.
+    /// What its decoder says of a picture that can't be decoded, safe to print.
     #[error("the picture is damaged: {0}")]
-    Png(::png::DecodingError),
+    Damaged(String),
+    /// What its decoder says of a picture that is whole, but of a kind that it doesn't read, safe to print.
+    #[error("the picture is of a kind that isn't read: {0}")]
+    Kind(String),
     /// There is no memory for it.
     #[error("no memory for the picture")]
     Memory,
@@ -118,12 +122,9 @@ impl Picture {
 /// What an OpenEXR file begins with.
 const EXR: &[u8] = b"\x76\x2f\x31\x01";
 
-/// What a PNG begins with.
-const PNG: &[u8] = b"\x89PNG";
-
 /// Whether what begins like this is a picture that can be read.
 pub fn is_picture(beginning: &[u8]) -> bool {
-    [EXR, PNG].iter().any(|magic| beginning.starts_with(magic)) || netpbm::kind(beginning).is_some()
+    beginning.starts_with(EXR) || netpbm::kind(beginning).is_some() || decode::Kind::of(beginning).is_some()
 }
 
 /// Reads a picture. Transparency is left out: colours are those that the file has.
@@ -131,15 +132,15 @@ pub fn is_picture(beginning: &[u8]) -> bool {
 /// # Errors
 /// [`PictureError`].
 pub fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
-    if bytes.starts_with(PNG) {
-        let Decoded { size: [width, height], channels, levels, highest } = super::png::decode(bytes)?;
-        return Ok(Picture { width, height, channels, samples: Samples::Levels { levels, highest } });
-    }
     if bytes.starts_with(EXR) {
         const BYTES_PER_PIXEL: u64 = 12;
         return super::exr::read(bytes, MAX_PICTURE_BYTES * 2 / BYTES_PER_PIXEL);
     }
-    netpbm::kind(bytes).map_or(Err(PictureError::Unknown), |kind| netpbm::read(bytes, kind))
+    match (netpbm::kind(bytes), decode::Kind::of(bytes)) {
+        (Some(kind), _) => netpbm::read(bytes, kind),
+        (None, Some(kind)) => decode::read(bytes, kind),
+        (None, None) => Err(PictureError::Unknown),
+    }
 }
 
 /// An empty list with room for `count` samples: in the middle of the work it could only abort.

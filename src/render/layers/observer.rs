@@ -2,7 +2,7 @@
 
 use super::Seen;
 use crate::log::{Decision, Name, RayKind, Step, Value};
-use crate::probe::{Probe, Quantity};
+use crate::probe::{Probe, Quantity, Spared};
 use crate::render::Counter;
 use crate::sampling::mean::Sum;
 use crate::scene::{Color, Scene};
@@ -138,6 +138,10 @@ impl Probe for Observer<'_> {
 
     fn fallback(&mut self) {
         self.counter.fallback();
+    }
+
+    fn spared(&mut self, why: Spared, rays: u64) {
+        self.counter.spared(why, rays);
     }
 
     fn enter(&mut self, step: Step) {

@@ -142,9 +142,10 @@ impl Picture {
                 both("--tests", &|picture| picture.tracing.tests.clone().unwrap_or_else(|| "visited".to_owned()))
             })
             .or_else(|| both("what of each pixel", &|picture| picture.content.words()))
+            .or_else(|| both("output", &|picture| picture.output.words()))
             .or_else(|| both("the scene with its options", &|picture| picture.scene.digest.clone()))
             .or_else(|| {
-                (self != other).then(|| ("output", [self, other].map(|picture| format!("{:?}", picture.output))))
+                (self != other).then(|| ("tracing", [self, other].map(|picture| format!("{:?}", picture.tracing))))
             })
     }
 }
@@ -165,6 +166,13 @@ impl Content {
             Content::Digits { seed } => format!("its digits from the seed {seed} on"),
             Content::Layers { names, .. } => format!("its colour and the layers {}", names.join(", ")),
         }
+    }
+}
+
+impl Levels {
+    fn words(&self) -> String {
+        let Levels { white, is_srgb, exposure } = self;
+        format!("white {white}, {}, exposure {exposure}", if *is_srgb { "srgb" } else { "linear" })
     }
 }
 

@@ -207,9 +207,12 @@ impl<'a> Walk<'a> {
         let tree = self.tree;
         let combine = tree.children(ray).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last()?;
         let given = |name| triple(tree.own_events(combine).find_map(|event| self.given(event, name)));
+        let reflected = given(Name::WeightReflected)?;
+        // What scales the reflected light beside its weight, where the scene says so.
+        let scale = given(Name::MaterialSpecular).unwrap_or([1.0; 3]);
         Some(Sum {
             local: given(Name::WeightLocal)?,
-            reflected: given(Name::WeightReflected)?,
+            reflected: [0, 1, 2].map(|channel| reflected[channel] * scale[channel]),
             transmitted: given(Name::WeightTransmitted)?,
             incoming_reflected: given(Name::IncomingReflected),
             incoming_transmitted: given(Name::IncomingTransmitted),

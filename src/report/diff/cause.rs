@@ -158,7 +158,7 @@ impl<'a> Causes<'a> {
         let Some(substitution) = substitution else { return self.by_what_was_before(spot, Why::Itself) };
         let with_ours = substitution.value(|_| false);
         let with_theirs = substitution.value(|_| true);
-        let computed_there = evaluate(&self.b.log.events, self.b.tree, b, their_name);
+        let computed_there = evaluate(self.b.log, self.b.tree, b, their_name);
         let computed_there = computed_there.and_then(Result::ok).or(with_theirs);
         let contribution = |number: usize| {
             let moved = substitution.value(|other| other == number);

@@ -18,7 +18,7 @@ pub struct HeaderDifference {
 /// A field of a header, and what a header says in it.
 type Field = (&'static str, fn(&Header) -> String);
 
-const FIELDS: [Field; 19] = [
+const FIELDS: [Field; 22] = [
     ("subject", subject),
     ("version", |header| words::plain(&header.version)),
     ("scene.name", |header| words::plain(&header.scene.name)),
@@ -27,7 +27,10 @@ const FIELDS: [Field; 19] = [
     ("tracing.algorithm", |header| words::plain(&header.tracing.algorithm)),
     ("tracing.max_depth", |header| header.tracing.max_depth.to_string()),
     ("tracing.specular", |header| words::plain(&header.tracing.specular)),
+    ("tracing.formulas", |header| words::plain(header.tracing.formulas.as_deref().unwrap_or("robust"))),
     ("tracing.sphere_method", |header| words::plain(&header.tracing.sphere_method)),
+    ("tracing.reflected_scale", |header| words::plain(header.tracing.reflected_scale.as_deref().unwrap_or("weight"))),
+    ("tracing.round_products", |header| header.tracing.round_products.to_string()),
     ("tracing.cutoff", |header| header.tracing.cutoff.to_string()),
     ("tracing.two_sided", |header| header.tracing.two_sided.to_string()),
     ("tracing.skip", |header| words::plain(header.tracing.skip.as_deref().unwrap_or("all"))),

@@ -71,7 +71,7 @@ impl Text {
         for (letter, header) in [("A", a), ("B", b)] {
             let subject: Vec<_> = words::frame(header).into_iter().chain([words::subject(header)]).collect();
             let (scene, subject) = (words::plain(&header.scene.name), subject.join(", "));
-            out += &format!("{letter}: {scene} · {subject} · {}\n", words::plain(&header.arithmetic));
+            out += &format!("{letter}: {scene} · {subject} · {}\n", words::arithmetic(header));
         }
         for HeaderDifference { field, a, b } in differences {
             // The beginning of a digest tells it from others.

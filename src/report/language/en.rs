@@ -1,5 +1,6 @@
 //! English.
 
+mod close_up;
 mod viewer;
 
 use super::{Causes, Figure, Solution, Texts};
@@ -149,6 +150,7 @@ pub(super) const TEXTS: Texts = Texts {
         adds: |share, color| format!("{share} of the intensity, {color}"),
         no_rays: "The log has no rays that can be drawn.",
     },
+    close_up: close_up::CLOSE_UP,
     viewer: viewer::VIEWER,
 };
 
@@ -183,6 +185,11 @@ fn skip_reason(why: SkipReason) -> &'static str {
         SkipReason::ZeroLocal => "its weight is zero",
         SkipReason::ZeroTerm => "its coefficient is zero",
         SkipReason::Behind => "the light stands behind the surface",
+        SkipReason::ZeroLight => "the light's colour and the coefficients leave nothing of any channel",
+        SkipReason::ZeroPathLocal => "its weight and those on its path leave nothing of any channel",
+        SkipReason::ZeroPathLight => {
+            "the weights on its path, the light's colour and the coefficients leave nothing of any channel"
+        }
     }
 }
 

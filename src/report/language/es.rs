@@ -1,5 +1,6 @@
 //! Spanish, with the terms of the source text.
 
+mod close_up;
 mod viewer;
 
 use super::{Causes, Figure, Solution, Texts};
@@ -171,6 +172,7 @@ pub(super) const TEXTS: Texts = Texts {
         adds: |share, color| format!("{share} de la intensidad, {color}"),
         no_rays: "El registro no tiene rayos que se puedan dibujar.",
     },
+    close_up: close_up::CLOSE_UP,
     viewer: viewer::VIEWER,
 };
 
@@ -204,6 +206,11 @@ fn skip_reason(why: SkipReason) -> &'static str {
         SkipReason::ZeroPath => "los pesos de su camino no dejan nada de ningún color",
         SkipReason::ZeroTerm => "su coeficiente es cero",
         SkipReason::Behind => "la fuente está detrás de la superficie",
+        SkipReason::ZeroLight => "el color de la fuente y los coeficientes no dejan nada de ningún color",
+        SkipReason::ZeroPathLocal => "su peso y los de su camino no dejan nada de ningún color",
+        SkipReason::ZeroPathLight => {
+            "los pesos de su camino, el color de la fuente y los coeficientes no dejan nada de ningún color"
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 //! Names of a scene go into the texts as they are; whoever writes a format escapes the whole text. Spanish is that of the source
 //! text (Ramos, "Trazado de rayos"), with its terms and its decimal commas.
 
+pub mod close_up;
 mod en;
 mod es;
 pub mod viewer;
@@ -217,6 +218,8 @@ pub struct Texts {
     pub causes: Causes,
     /// What figures say.
     pub figure: Figure,
+    /// What close-ups say.
+    pub close_up: close_up::CloseUp,
     /// What the viewer says.
     pub viewer: viewer::Viewer,
 }

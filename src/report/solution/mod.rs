@@ -88,7 +88,7 @@ impl Solution {
         let subject = words::frame_in(task.language, header).into_iter();
         let subject = subject.chain([words::subject_in(task.language, header)]).collect::<Vec<_>>().join(", ");
         let tracing = &header.tracing;
-        let (arithmetic, algorithm) = (words::plain(&header.arithmetic), words::plain(&tracing.algorithm));
+        let (arithmetic, algorithm) = (words::arithmetic(header), words::plain(&tracing.algorithm));
         let mut conditions = vec![(texts.solution.conditions)(&arithmetic, &algorithm, tracing.max_depth)];
         conditions.extend(words::sampling_in(task.language, header).map(|method| (texts.solution.sampled)(&method)));
         let data = Data::of(log, tree);

@@ -70,7 +70,7 @@ fn draw(svg: &mut String, panel: &Panel) {
     let [left, top, right, bottom] = AREA;
     let seconds = |spread: fn(&Outcome) -> [f64; 2]| outcomes.iter().flat_map(spread);
     let times = Axis::of(seconds(|outcome| [outcome.seconds.lower, outcome.seconds.upper]), [left, right]);
-    let floor = std::iter::once(panel.comparison.reference_error);
+    let floor = panel.comparison.reference_error.into_iter();
     let errors = outcomes.iter().flat_map(|outcome| [outcome.rmse.lower, outcome.rmse.upper]).chain(floor);
     let errors = Axis::of(errors, [bottom, top]);
     let _ = writeln!(svg, "<text x=\"{left}\" y=\"22\" font-size=\"14\">{}</text>", escaped(&panel.title));
@@ -125,8 +125,8 @@ fn draw_grid(svg: &mut String, times: &Axis, errors: &Axis) {
 /// The error of the reference itself, below which points say nothing.
 fn draw_reference(svg: &mut String, comparison: &Comparison, errors: &Axis) {
     let [left, _, right, _] = AREA;
-    if comparison.reference_error > 0.0 {
-        let y = errors.place(comparison.reference_error);
+    if let Some(error) = comparison.reference_error.filter(|error| *error > 0.0) {
+        let y = errors.place(error);
         let _ = writeln!(svg, "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#999999\" stroke-dasharray=\"4 3\"/>");
         let _ = writeln!(
             svg,

@@ -2,6 +2,8 @@
 
 pub mod chart;
 pub mod clock;
+pub mod exact;
+pub mod limits;
 pub mod overhead;
 pub mod samplers;
 pub mod scaling;

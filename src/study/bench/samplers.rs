@@ -2,20 +2,42 @@
 
 use super::Spread;
 use super::clock::{Lap, timed};
+use super::exact::{Exact, NotExact};
 use crate::record::Arithmetic;
 use crate::render::{Counter, RenderError, Settings, render};
 use crate::scene::{Color, Sampling, Scene};
 use serde::Serialize;
+use std::fmt;
 use std::sync::atomic::AtomicBool;
 
 /// The seeds of the two pictures that make the reference; those that are measured begin at 0.
 const REFERENCE_SEEDS: [u64; 2] = [1 << 40, (1 << 40) + 1];
 
+/// What pictures are compared with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reference {
+    /// The mean of two pictures with this sampling.
+    Sampled(Sampling),
+    /// The picture computed without sampling.
+    Exact,
+}
+
+/// Why methods can't be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum CompareError {
+    /// The scene can't be rendered.
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    /// It has no exact picture.
+    #[error(transparent)]
+    NotExact(#[from] NotExact),
+}
+
 /// How methods are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparing {
-    /// The sampling of the two pictures whose mean is the reference.
-    pub reference: Sampling,
+    /// What they are compared with.
+    pub reference: Reference,
     /// How often each method renders, each time with another seed.
     pub runs: usize,
     /// On how many threads; 0 is one a core.
@@ -25,10 +47,12 @@ pub struct Comparing {
 /// The methods on a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
-    /// The sampling of the two pictures whose mean is the reference.
+    /// The sampling of the two pictures whose mean is the reference, or `exact`.
     pub reference: String,
-    /// The reference's own error: half of what its two pictures differ by. Errors about as small say nothing.
-    pub reference_error: f64,
+    /// The reference's own error: half of what its two pictures differ by. Errors about as small say nothing. `None` where it isn't known,
+    /// as the two pictures have their samples in the same places, and for an exact one, which is only rounded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reference_error: Option<f64>,
     /// The methods, in the order in which they were asked for.
     pub outcomes: Vec<Outcome>,
 }
@@ -54,29 +78,39 @@ pub struct Outcome {
     pub is_on_front: bool,
 }
 
-/// Renders the two pictures of the reference, then the scene with each method; `done` is called behind each of them.
+/// Makes the reference, of two pictures, then renders the scene with each method; `done` is called behind each of them.
 ///
 /// # Errors
-/// Where the scene can't be rendered.
+/// Where the scene can't be rendered, or has no exact picture.
 pub fn compare(
     scene: &Scene,
     methods: &[Sampling],
     comparing: Comparing,
     mut done: impl FnMut(),
-) -> Result<Comparison, RenderError> {
+) -> Result<Comparison, CompareError> {
     let mut scene = scene.clone();
     let own_seed = scene.seed;
-    let white = scene.output.white;
-    scene.sampling = comparing.reference;
-    let mut pictures = Vec::new();
-    for seed in REFERENCE_SEEDS {
-        scene.seed = own_seed.wrapping_add(seed);
-        pictures.push(picture(&scene, comparing.threads)?.0);
-        done();
-    }
-    let reference: Vec<Color> =
-        pictures[0].iter().zip(&pictures[1]).map(|(one, other)| (*one + *other) / 2.0).collect();
-    let reference_error = rmse(&pictures[0], &pictures[1], white) / 2.0;
+    let (reference, reference_error) = match comparing.reference {
+        Reference::Exact => {
+            let exact = Exact::of(&scene)?.picture();
+            REFERENCE_SEEDS.iter().for_each(|_| done());
+            (exact, None)
+        }
+        Reference::Sampled(sampling) => {
+            scene.sampling = sampling;
+            let mut pictures = Vec::new();
+            for seed in REFERENCE_SEEDS {
+                scene.seed = own_seed.wrapping_add(seed);
+                pictures.push(picture(&scene, comparing.threads)?.0);
+                done();
+            }
+            let mean = |(one, other): (&Color, &Color)| (*one + *other) / 2.0;
+            let error = rmse(&pictures[0], &pictures[1], scene.output.white) / 2.0;
+            // Where both pictures have their samples in the same places, they err alike.
+            let error = (!sampling.has_fixed_places()).then_some(error);
+            (pictures[0].iter().zip(&pictures[1]).map(mean).collect(), error)
+        }
+    };
     let mut outcomes = Vec::new();
     for sampling in methods {
         scene.sampling = *sampling;
@@ -85,6 +119,15 @@ pub fn compare(
     }
     mark_front(&mut outcomes);
     Ok(Comparison { reference: comparing.reference.to_string(), reference_error, outcomes })
+}
+
+impl fmt::Display for Reference {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Reference::Sampled(sampling) => sampling.fmt(f),
+            Reference::Exact => f.write_str("exact"),
+        }
+    }
 }
 
 impl Comparison {
@@ -179,7 +222,7 @@ mod tests {
         mark_front(&mut outcomes);
         let front: Vec<_> = outcomes.iter().map(|outcome| outcome.is_on_front).collect();
         assert_eq!(front, [true, false, true, false, true]);
-        let comparison = Comparison { reference: String::new(), reference_error: 0.0, outcomes: outcomes.to_vec() };
+        let comparison = Comparison { reference: String::new(), reference_error: None, outcomes: outcomes.to_vec() };
         assert_eq!(comparison.best(0.2).map(|best| best.seconds.median), Some(2.0));
         assert_eq!(comparison.best(0.01), None);
     }

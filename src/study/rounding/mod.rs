@@ -75,7 +75,7 @@ impl Rounding {
         match arithmetic {
             Arithmetic::Decimal(digits) => Some(Rounding::Decimal(digits)),
             Arithmetic::F32 => Some(Rounding::Single),
-            Arithmetic::F64 | Arithmetic::Perturbed(_) | Arithmetic::Printed => None,
+            Arithmetic::DecimalProducts(_) | Arithmetic::F64 | Arithmetic::Perturbed(_) | Arithmetic::Printed => None,
         }
     }
 

@@ -2,11 +2,12 @@
 
 use super::question::{Thing, Triple, any, any_number, input};
 use super::stage::{self, Watch};
+use super::way::Way;
 use crate::geometry::{Ray, Shape};
 use crate::log::Name;
 use crate::probe::{Erased, Silent};
 use crate::scene::file;
-use crate::scene::{Color, Light, LightKind};
+use crate::scene::{Color, Formulas, Light, LightKind};
 use crate::trace::query::Query;
 use crate::trace::{refract, transmitted_half};
 use glam::DVec3;
@@ -40,7 +41,7 @@ fn shape(case: &Map<String, Value>) -> &'static str {
     if query.check().is_err() {
         return INVALID;
     }
-    match query.nearest(&stage::scene_of(vec![shape])) {
+    match query.nearest(&stage::scene_of(&Way::OWN, vec![shape])) {
         None => "miss",
         Some(answer) if answer.t.is_finite() && answer.point.is_finite() && answer.normal.is_finite() => "hit",
         Some(_) => NOT_FINITE,
@@ -75,7 +76,7 @@ fn checked_shape(case: &Map<String, Value>) -> Option<Shape> {
         Thing::Ellipsoid { m } => m.iter().flatten().all(|x| x.is_finite()),
         _ => true,
     };
-    is_finite.then(|| stage::shape(&thing).ok()).flatten()
+    is_finite.then(|| stage::shape(&Way::OWN, &thing).ok()).flatten()
 }
 
 /// A camera, by the door of scene files.
@@ -108,7 +109,7 @@ fn refraction(case: &Map<String, Value>) -> Result<&'static str, String> {
     if !is_material(&material) || normal == DVec3::ZERO {
         return Ok(INVALID);
     }
-    let direction = refract(&Ray::along(DVec3::ZERO, d.into()), normal, 1.0, eta, &mut Silent);
+    let direction = refract(&Ray::along(DVec3::ZERO, d.into()), normal, [1.0, eta], Formulas::Robust, &mut Silent);
     Ok(if direction.is_none_or(DVec3::is_finite) { FINITE } else { NOT_FINITE })
 }
 
@@ -156,10 +157,13 @@ fn half(case: &Map<String, Value>) -> Result<&'static str, String> {
         case.insert(key.to_owned(), value);
     }
     let mut watch = Watch::default();
-    let half =
-        if eta == 1.0 { None } else { transmitted_half(light.into(), view.into(), eta, &mut Erased::of(&mut watch)) };
+    let half = if eta == 1.0 {
+        None
+    } else {
+        transmitted_half(light.into(), view.into(), eta, Formulas::Robust, &mut Erased::of(&mut watch))
+    };
     let length = watch.number(Name::TransmitLength);
-    let parts = super::optics::local(&case)?;
+    let parts = super::optics::local(&Way::OWN, &case)?;
     let is_finite = half.is_none_or(DVec3::is_finite) && length.is_none_or(f64::is_finite) && has_numbers(&parts);
     Ok(if is_finite { FINITE } else { NOT_FINITE })
 }

@@ -16,12 +16,14 @@ mod samples;
 mod shots;
 mod stage;
 mod table;
+mod way;
 
 pub use case::{Case, Family, parse};
 pub use judge::Outcome;
 pub use requirement::{Requirement, Unit, requirement};
 pub use samples::samples;
-pub use table::{Row, Table};
+pub use table::{Column, Row, Table};
+pub use way::Way;
 
 use serde_json::{Map, Value};
 
@@ -31,25 +33,34 @@ use serde_json::{Map, Value};
 /// # Errors
 /// Where the family's own mesh can't be used.
 pub fn answers(family: &Family) -> Result<Vec<Result<Value, String>>, String> {
-    let mesh = family.mesh.as_ref().map(shots::mesh_scene).transpose().map_err(|error| format!("mesh: {error}"))?;
+    answers_by(&Way::OWN, family)
+}
+
+/// The same in another arithmetic, by other formulas.
+///
+/// # Errors
+/// Where the family's own mesh can't be used.
+pub fn answers_by(way: &Way, family: &Family) -> Result<Vec<Result<Value, String>>, String> {
+    let scene = |mesh| shots::mesh_scene(way, mesh);
+    let mesh = family.mesh.as_ref().map(scene).transpose().map_err(|error| format!("mesh: {error}"))?;
     let answer = |case: &Case| {
         let input = &case.input;
         let answer = match family.op.as_str() {
-            "sphere" | "plane" | "triangle" | "ellipsoid" => shots::one_shape(input),
-            "spheres" => shots::spheres(input),
-            "nearest" => shots::nearest(input),
+            "sphere" | "plane" | "triangle" | "ellipsoid" => shots::one_shape(way, input),
+            "spheres" => shots::spheres(way, input),
+            "nearest" => shots::nearest(way, input),
             "mesh" => match &mesh {
-                Some(scene) => shots::mesh(input, scene),
+                Some(scene) => shots::mesh(way, input, scene),
                 None => Err("expected a `mesh` beside the cases".to_owned()),
             },
-            "visible" => shots::visible(input),
-            "spawn" => shots::spawn(input),
-            "refract" => optics::refraction(input),
-            "refract_hprime" => optics::refraction_and_half(input),
-            "power" => optics::power_of(input),
-            "stack" => optics::stack(input),
-            "local" => optics::local(input),
-            "scene" => optics::colors(input),
+            "visible" => shots::visible(way, input),
+            "spawn" => shots::spawn(way, input),
+            "refract" => optics::refraction(way, input),
+            "refract_hprime" => optics::refraction_and_half(way, input),
+            "power" => optics::power_of(way, input),
+            "stack" => optics::stack(way, input),
+            "local" => optics::local(way, input),
+            "scene" => optics::colors(way, input),
             "mean" => optics::mean(input),
             "invalid" => invalid::verdict(input),
             other => Err(format!("unknown operation `{other}`")),
@@ -72,22 +83,32 @@ fn is_decision(key: &str) -> bool {
     matches!(key, "hit" | "tir")
 }
 
-/// Answers and judges every case of these families.
-pub fn table(families: &[Family]) -> Result<Table, String> {
+/// Answers and judges every case of these families: in the program's own way, which is what is required, and in the others.
+pub fn table(families: &[Family], others: &[Way]) -> Result<Table, String> {
     let mut rows = Vec::new();
     for family in families {
-        let answers = answers(family).and_then(|answers| answers.into_iter().collect::<Result<Vec<_>, _>>());
-        let answers = answers.map_err(|error| format!("{}: {error}", family.family))?;
-        rows.extend(rows_of(family, &answers));
+        let mut own = judged(&Way::OWN, family)?;
+        let mut columns = vec![Vec::new(); own.len()];
+        for way in others {
+            // Operations come in the order of their first case, whatever the way.
+            for (columns, (op, outcomes)) in columns.iter_mut().zip(judged(way, family)?) {
+                columns.push(Column::of(way, way.has_a_say_in(op).then_some(&outcomes)));
+            }
+        }
+        rows.extend(
+            own.drain(..).zip(columns).map(|((op, outcomes), columns)| Row::of(family, op, &outcomes, columns)),
+        );
     }
     Ok(Table { rows })
 }
 
-/// A family has a row; powers have two, for a number and for an angle.
-fn rows_of(family: &Family, answers: &[Value]) -> Vec<Row> {
-    let differs = same::different_from_base(family, answers);
+/// What became of the cases of a family in this way, by operation: powers have two, for a number and for an angle.
+fn judged<'f>(way: &Way, family: &'f Family) -> Result<Vec<(&'f str, Vec<Outcome>)>, String> {
+    let answers = answers_by(way, family).and_then(|answers| answers.into_iter().collect::<Result<Vec<_>, _>>());
+    let answers = answers.map_err(|error| format!("{}: {error}", family.family))?;
+    let differs = same::different_from_base(family, &answers);
     let mut by_op: Vec<(&str, Vec<Outcome>)> = Vec::new();
-    for ((case, answer), differs) in family.cases.iter().zip(answers).zip(differs) {
+    for ((case, answer), differs) in family.cases.iter().zip(&answers).zip(differs) {
         let op = if case.input.contains_key("x") && family.op == "power" { "power of a number" } else { &family.op };
         let mut outcome = judge::judge(case, answer, &requirement(&family.family, op));
         outcome.is_wrong |= differs;
@@ -96,6 +117,5 @@ fn rows_of(family: &Family, answers: &[Value]) -> Vec<Row> {
             None => by_op.push((op, vec![outcome])),
         }
     }
-    let row = |(op, outcomes): (&str, Vec<Outcome>)| Row::of(family, op, &outcomes);
-    by_op.into_iter().map(row).collect()
+    Ok(by_op)
 }

@@ -2,15 +2,16 @@
 
 use super::question::{MaterialInput, RayInput, SceneInput, Triple, input};
 use super::stage::{self, Watch};
+use super::way::Way;
 use crate::geometry::{Ray, Side, Surface};
 use crate::log::Name;
-use crate::probe::{Erased, Silent};
+use crate::probe::Probe;
 use crate::random::{Arrangement, Draws};
 use crate::sampling::mean::Sum;
-use crate::scene::{Color, Light, LightKind, Scene, Specular};
+use crate::scene::{Color, Formulas, Light, LightKind, Scene, Specular};
 use crate::trace::{
-    Layer, Media, Meeting, Path, camera_ray, local_intensity, power, power_between, refract, transmitted_cosine,
-    transmitted_half,
+    Layer, Media, Meeting, Path, camera_ray, local_intensity, power, power_between, printed_cosine, refract,
+    transmitted_cosine, transmitted_half,
 };
 use glam::DVec3;
 use serde::Deserialize;
@@ -22,7 +23,7 @@ fn along(vector: Triple) -> Ray {
 }
 
 /// `refract`: cos φ₂ and T, or a total internal reflection.
-pub(super) fn refraction(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn refraction(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     struct Interface {
         d: Triple,
@@ -31,9 +32,16 @@ pub(super) fn refraction(case: &Map<String, Value>) -> Result<Value, String> {
     }
     let Interface { d, n, eta } = input(case)?;
     let (ray, normal) = (along(d), DVec3::from(n));
-    let k = transmitted_cosine(&ray, normal, eta, -normal.dot(ray.direction), &mut Silent).squared;
-    let mut watch = Watch::default();
-    Ok(match refract(&ray, normal, 1.0, eta, &mut Erased::of(&mut watch)) {
+    let ray = way.ray(ray);
+    let k = way.computed(|probe| {
+        let cos_1 = -normal.dot(ray.direction);
+        match way.formulas() {
+            Formulas::Robust => transmitted_cosine(&ray, normal, eta, cos_1, probe).squared,
+            Formulas::Notes => printed_cosine(eta, cos_1, probe).squared,
+        }
+    });
+    let (direction, watch) = way.watched(|probe| refract(&ray, normal, [1.0, eta], way.formulas(), probe));
+    Ok(match direction {
         Some(direction) => {
             json!({"tir": false, "cos2": watch.number(Name::RefractCos2), "T": direction.to_array(), "k": k})
         }
@@ -42,7 +50,7 @@ pub(super) fn refraction(case: &Map<String, Value>) -> Result<Value, String> {
 }
 
 /// `refract_hprime`: T, and H′ for two directions.
-pub(super) fn refraction_and_half(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn refraction_and_half(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     #[allow(non_snake_case)]
     struct Interface {
@@ -54,14 +62,17 @@ pub(super) fn refraction_and_half(case: &Map<String, Value>) -> Result<Value, St
     }
     let Interface { d, n, eta, L: light, V: view } = input(case)?;
     let (ray, normal) = (along(d), DVec3::from(n));
-    let mut watch = Watch::default();
-    let direction = refract(&ray, normal, 1.0, eta, &mut Erased::of(&mut watch));
+    let ray = way.ray(ray);
+    let (direction, refracted) = way.watched(|probe| refract(&ray, normal, [1.0, eta], way.formulas(), probe));
     let (light, view) = (DVec3::from(light), DVec3::from(view));
     // Without an interface the lobe is the straight line from the light.
-    let half = if eta == 1.0 { Some(light) } else { transmitted_half(light, view, eta, &mut Erased::of(&mut watch)) };
+    let (half, watch) = match eta {
+        1.0 => (Some(light), Watch::default()),
+        _ => way.watched(|probe| transmitted_half(light, view, eta, way.formulas(), probe)),
+    };
     Ok(json!({
         "T": direction.map(|direction| direction.to_array()),
-        "cos2": watch.number(Name::RefractCos2),
+        "cos2": refracted.number(Name::RefractCos2),
         "deviation": direction.map(|direction| (direction - ray.direction).length()),
         "hraw_len": watch.number(Name::TransmitLength),
         "h": half.map(|half| half.to_array()),
@@ -70,7 +81,7 @@ pub(super) fn refraction_and_half(case: &Map<String, Value>) -> Result<Value, St
 }
 
 /// `power`: x^n, or the n-th power of the cosine between two vectors.
-pub(super) fn power_of(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn power_of(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     #[serde(untagged)]
     #[allow(non_snake_case)]
@@ -79,13 +90,26 @@ pub(super) fn power_of(case: &Map<String, Value>) -> Result<Value, String> {
         Between { N: Triple, H: Triple, n: f64 },
     }
     Ok(match input(case)? {
-        Power::Given { x, n } => json!({"y": power(x, n)}),
-        Power::Between { N: normal, H: half, n } => json!({"y": power_between(normal.into(), half.into(), n)}),
+        Power::Given { x, n } => json!({"y": noted(way, power(x, n))}),
+        Power::Between { N: normal, H: half, n } => {
+            let (normal, half) = (DVec3::from(normal), DVec3::from(half));
+            // As a lobe does it: an arithmetic of its own has but its own cosine.
+            let is_certain = way.computed(|probe| probe.certifies()) && way.formulas() == Formulas::Robust;
+            json!({"y": match is_certain {
+                true => power_between(normal, half, n),
+                false => noted(way, power(way.computed(|probe| probe.note(Name::ShadeNDotH, normal.dot(half))), n)),
+            }})
+        }
     })
 }
 
+/// A power as the arithmetic goes on with it.
+fn noted(way: &Way, power: f64) -> f64 {
+    way.computed(|probe| probe.note(Name::ShadeSpecularPower, power))
+}
+
 /// `stack`: the direction of a ray behind many refracting surfaces.
-pub(super) fn stack(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn stack(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     #[serde(tag = "kind", rename_all = "snake_case")]
     enum Stack {
@@ -93,23 +117,23 @@ pub(super) fn stack(case: &Map<String, Value>) -> Result<Value, String> {
         Spheres { radii: Vec<f64>, iors: Vec<f64> },
     }
     match input(case)? {
-        Stack::Planes { d, n, iors } => Ok(through_planes(d, n, &iors)),
+        Stack::Planes { d, n, iors } => Ok(through_planes(way, d, n, &iors)),
         Stack::Spheres { radii, iors } => {
             if iors.len() != radii.len() + 1 {
                 return Err("in.iors: expected one more than `radii`".to_owned());
             }
-            Ok(through_spheres(&input(case)?, &radii, &iors))
+            Ok(through_spheres(way, &input(case)?, &radii, &iors))
         }
     }
 }
 
 /// Planes have no distance here: only the directions matter.
-fn through_planes(d: Triple, n: Triple, iors: &[f64]) -> Value {
-    let mut ray = along(d);
+fn through_planes(way: &Way, d: Triple, n: Triple, iors: &[f64]) -> Value {
+    let mut ray = way.ray(along(d));
     let normal = DVec3::from(n);
     let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
     for media in iors.windows(2) {
-        match refract(&ray, normal, media[0], media[1], &mut Silent) {
+        match way.computed(|probe| refract(&ray, normal, [media[0], media[1]], way.formulas(), probe)) {
             Some(direction) => ray = Ray::new(DVec3::ZERO, direction),
             None => return json!({"T": null}),
         }
@@ -118,17 +142,16 @@ fn through_planes(d: Triple, n: Triple, iors: &[f64]) -> Value {
 }
 
 /// Spheres one in the other, all about the origin, traced as a scene.
-fn through_spheres(input: &RayInput, radii: &[f64], iors: &[f64]) -> Value {
-    let mut scene = stage::scene_of(radii.iter().map(|radius| stage::sphere([0.0; 3], *radius)).collect());
+fn through_spheres(way: &Way, input: &RayInput, radii: &[f64], iors: &[f64]) -> Value {
+    let mut scene = stage::scene_of(way, radii.iter().map(|radius| stage::sphere(way, [0.0; 3], *radius)).collect());
     let glass = |ior: &f64| stage::material(&MaterialInput { ior: *ior, wl: 0.0, wt: 1.0, ..MaterialInput::default() });
     scene.materials = iors[1..].iter().map(glass).collect();
     for (number, object) in scene.objects.iter_mut().enumerate() {
         object.material = number;
     }
     scene.tracing.max_depth = 2 * radii.len() as u32 + 2;
-    let mut watch = Watch::default();
-    let ray = stage::ray(&scene, input);
-    camera_ray(&scene, |_| Some(ray), &mut Erased::of(&mut watch));
+    let ray = stage::ray(way, &scene, input);
+    let (_, watch) = way.watched(|probe| camera_ray(&scene, |_| Some(ray), probe));
     json!({
         "T": watch.triple(Name::RefractDirection),
         "p": watch.triple(Name::HitPoint),
@@ -137,7 +160,7 @@ fn through_spheres(input: &RayInput, radii: &[f64], iors: &[f64]) -> Value {
 }
 
 /// `local`: the three parts of the local model, in the channels of one colour.
-pub(super) fn local(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn local(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     #[allow(non_snake_case)]
     struct Local {
@@ -154,7 +177,7 @@ pub(super) fn local(case: &Map<String, Value>) -> Result<Value, String> {
     let Local { N: normal, L: light, V: view, kd, ke, kt, n, nt, eta } = input(case)?;
     let none = MaterialInput::default();
     let parts = MaterialInput { kd: [kd, 0.0, 0.0], ke: [0.0, ke, 0.0], kt: [0.0, 0.0, kt], n, nt, ior: 1.0, ..none };
-    let mut scene = stage::scene_of(vec![stage::sphere([0.0; 3], 1.0)]);
+    let mut scene = stage::scene_of(way, vec![stage::sphere(way, [0.0; 3], 1.0)]);
     scene.materials = vec![stage::material(&parts)];
     let kind = LightKind::Directional { travel: -DVec3::from(light) };
     scene.lights = vec![Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None }];
@@ -162,13 +185,13 @@ pub(super) fn local(case: &Map<String, Value>) -> Result<Value, String> {
     let media = Media::around(vec![(u32::MAX, eta)]);
     let mut parts_with = |specular: Specular| {
         scene.tracing.specular = specular;
-        let [diffuse, specular, transmitted] = local_parts(&scene, normal, view, &media).to_array();
+        let [diffuse, specular, transmitted] = local_parts(way, &scene, normal, view, &media).to_array();
         json!({"diffuse": diffuse, "specular": specular, "transmitted": transmitted})
     };
     Ok(json!({"H": parts_with(Specular::HalfVector), "R": parts_with(Specular::ReflectionVector)}))
 }
 
-fn local_parts(scene: &Scene, normal: Triple, view: Triple, media: &Media) -> Color {
+fn local_parts(way: &Way, scene: &Scene, normal: Triple, view: Triple, media: &Media) -> Color {
     let ray = Ray::new(DVec3::from(view), -DVec3::from(view));
     let draws = Draws::of_pixel(0, [0; 2], 0, Arrangement::Independent);
     let meeting = Meeting {
@@ -181,21 +204,21 @@ fn local_parts(scene: &Scene, normal: Triple, view: Triple, media: &Media) -> Co
         path: &Path::of_camera(media, &draws),
         slack: 0.0,
     };
-    local_intensity(scene, &meeting, &mut Silent)
+    way.computed(|probe| local_intensity(scene, &meeting, probe))
 }
 
 /// `scene`: the colours that single rays bring.
-pub(super) fn colors(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn colors(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     struct Shots {
         scene: SceneInput,
         rays: Vec<RayInput>,
     }
     let Shots { scene, rays } = input(case)?;
-    let scene = stage::whole_scene(&scene)?;
+    let scene = stage::whole_scene(way, &scene)?;
     let color = |input: &RayInput| {
-        let ray = stage::ray(&scene, input);
-        json!({"rgb": camera_ray(&scene, |_| Some(ray), &mut Silent).to_array()})
+        let ray = stage::ray(way, &scene, input);
+        json!({"rgb": way.computed(|probe| camera_ray(&scene, |_| Some(ray), probe)).to_array()})
     };
     Ok(json!({"rays": rays.iter().map(color).collect::<Vec<_>>()}))
 }

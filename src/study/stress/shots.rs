@@ -2,9 +2,9 @@
 
 use super::question::{MeshData, ObjectInput, RayInput, Thing, Triple, input};
 use super::stage::{self, Watch};
+use super::way::Way;
 use crate::geometry::{Ray, Shape};
 use crate::log::Name;
-use crate::probe::Silent;
 use crate::scene::{Color, Light, LightKind, Scene};
 use crate::trace::{all_crossings, closest_hit, segment_to_light, transmittance};
 use glam::DVec3;
@@ -12,7 +12,7 @@ use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 /// `sphere`, `plane`, `triangle`, `ellipsoid`: one ray at one shape.
-pub(super) fn one_shape(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn one_shape(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     #[serde(untagged)]
     enum One {
@@ -27,10 +27,9 @@ pub(super) fn one_shape(case: &Map<String, Value>) -> Result<Value, String> {
         One::Triangle { v: [v0, v1, v2] } => Thing::Triangle { v0, v1, v2 },
         One::Ellipsoid { m } => Thing::Ellipsoid { m },
     };
-    let scene = stage::scene_of(vec![stage::shape(&thing)?]);
-    let mut watch = Watch::default();
-    let ray = stage::ray(&scene, &input(case)?);
-    let found = stage::meet(&scene, &ray, &mut watch);
+    let scene = stage::scene_of(way, vec![stage::shape(way, &thing)?]);
+    let ray = stage::ray(way, &scene, &input(case)?);
+    let (found, watch) = stage::meet(way, &scene, &ray);
     let gap = match thing {
         Thing::Sphere { r, .. } => relative_gap(&watch, r),
         _ => Value::Null,
@@ -56,7 +55,7 @@ fn relative_gap(watch: &Watch, radius: f64) -> Value {
 }
 
 /// `spheres`: all crossings with several spheres, in order.
-pub(super) fn spheres(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn spheres(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     struct Spheres {
         s: Vec<Ball>,
@@ -67,19 +66,19 @@ pub(super) fn spheres(case: &Map<String, Value>) -> Result<Value, String> {
         r: f64,
     }
     let Spheres { s } = input(case)?;
-    let scene = stage::scene_of(s.iter().map(|ball| stage::sphere(ball.c, ball.r)).collect());
-    let ray = stage::ray(&scene, &input(case)?);
-    let crossings = all_crossings(&scene, &ray, &mut Silent);
+    let scene = stage::scene_of(way, s.iter().map(|ball| stage::sphere(way, ball.c, ball.r)).collect());
+    let ray = stage::ray(way, &scene, &input(case)?);
+    let crossings = way.computed(|probe| all_crossings(&scene, &ray, probe));
     let order: Vec<_> = crossings.iter().map(|hit| hit.object).collect();
     let t: Vec<_> = crossings.iter().map(|hit| hit.crossing.t).collect();
     Ok(json!({"order": order, "t": t}))
 }
 
 /// `nearest`: what a ray meets first among several things.
-pub(super) fn nearest(case: &Map<String, Value>) -> Result<Value, String> {
-    let scene = objects(case)?;
-    let ray = stage::ray(&scene, &input(case)?);
-    Ok(match stage::meet(&scene, &ray, &mut Watch::default()) {
+pub(super) fn nearest(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
+    let scene = objects(way, case)?;
+    let ray = stage::ray(way, &scene, &input(case)?);
+    Ok(match stage::meet(way, &scene, &ray).0 {
         None => json!({"hit": false, "t": null, "id": null}),
         Some((hit, surface)) => {
             let normal = stage::outward(&surface).to_array();
@@ -89,39 +88,40 @@ pub(super) fn nearest(case: &Map<String, Value>) -> Result<Value, String> {
 }
 
 /// `mesh`: which triangle a ray meets. The mesh belongs to the whole family.
-pub(super) fn mesh(case: &Map<String, Value>, scene: &Scene) -> Result<Value, String> {
-    let ray = stage::ray(scene, &input(case)?);
-    Ok(match closest_hit(scene, &ray, &mut Silent) {
+pub(super) fn mesh(way: &Way, case: &Map<String, Value>, scene: &Scene) -> Result<Value, String> {
+    let ray = stage::ray(way, scene, &input(case)?);
+    Ok(match way.computed(|probe| closest_hit(scene, &ray, probe)) {
         None => json!({"hit": false, "t": null, "id": null}),
         Some(hit) => json!({"hit": true, "t": hit.crossing.t, "id": hit.crossing.primitive}),
     })
 }
 
 /// The scene of a family's mesh.
-pub(super) fn mesh_scene(data: &MeshData) -> Result<Scene, String> {
-    Ok(stage::scene_of(vec![stage::shape(&Thing::Mesh(data.clone()))?]))
+pub(super) fn mesh_scene(way: &Way, data: &MeshData) -> Result<Scene, String> {
+    Ok(stage::scene_of(way, vec![stage::shape(way, &Thing::Mesh(data.clone()))?]))
 }
 
 /// `visible`: whether a light is seen from a point.
-pub(super) fn visible(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn visible(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     struct Segment {
         p: Triple,
         light: Triple,
     }
     let Segment { p, light } = input(case)?;
-    let scene = objects(case)?;
+    let scene = objects(way, case)?;
     let kind = LightKind::Point { position: light.into() };
     let light = Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None };
     let point = DVec3::from(p);
-    let is_visible = light
-        .seen_from(point, &mut Silent)
-        .is_some_and(|arrival| transmittance(&scene, &segment_to_light(point, &arrival), &mut Silent) == Color::ONE);
+    let is_visible = way.computed(|probe| {
+        let arrival = light.seen_from(point, probe);
+        arrival.is_some_and(|arrival| transmittance(&scene, &segment_to_light(point, &arrival), probe) == Color::ONE)
+    });
     Ok(json!({"visible": is_visible}))
 }
 
 /// `spawn`: rays that leave the point where a first ray has met a shape.
-pub(super) fn spawn(case: &Map<String, Value>) -> Result<Value, String> {
+pub(super) fn spawn(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
     struct Spawn {
         sphere: Option<Ball>,
@@ -141,26 +141,26 @@ pub(super) fn spawn(case: &Map<String, Value>) -> Result<Value, String> {
         (None, None, Some([v0, v1, v2])) => Thing::Triangle { v0, v1, v2 },
         _ => return Err("in: expected one of `sphere`, `plane`, `triangle`".to_owned()),
     };
-    let scene = stage::scene_of(vec![stage::shape(&thing)?]);
-    let ray = stage::ray(&scene, &input(case)?);
-    let Some((hit, surface)) = stage::meet(&scene, &ray, &mut Watch::default()) else {
+    let scene = stage::scene_of(way, vec![stage::shape(way, &thing)?]);
+    let ray = stage::ray(way, &scene, &input(case)?);
+    let Some((hit, surface)) = stage::meet(way, &scene, &ray).0 else {
         return Ok(json!({"t": null, "exit": vec![Value::Null; spawn.w.len()]}));
     };
     let exit = |w: &Triple| {
-        let ray = stage::ray(&scene, &RayInput { o: surface.point.to_array(), d: *w });
+        let ray = stage::ray(way, &scene, &RayInput { o: surface.point.to_array(), d: *w });
         let on_this_side = surface.normal.dot(ray.direction) >= 0.0;
         let ray = Ray { leaving: Some(stage::leaving(&hit, &surface, on_this_side)), ..ray };
-        closest_hit(&scene, &ray, &mut Silent).map(|hit| hit.crossing.t)
+        way.computed(|probe| closest_hit(&scene, &ray, probe)).map(|hit| hit.crossing.t)
     };
     let exits: Vec<_> = spawn.w.iter().map(exit).collect();
     Ok(json!({"t": hit.crossing.t, "exit": exits}))
 }
 
-fn objects(case: &Map<String, Value>) -> Result<Scene, String> {
+fn objects(way: &Way, case: &Map<String, Value>) -> Result<Scene, String> {
     #[derive(Deserialize)]
     struct Objects {
         objects: Vec<ObjectInput>,
     }
     let Objects { objects } = input(case)?;
-    Ok(stage::scene_of(stage::shapes(&objects)?))
+    Ok(stage::scene_of(way, stage::shapes(way, &objects)?))
 }

@@ -3,13 +3,14 @@
 use super::question::{
     LightInput, MaterialInput, ObjectInput, RayInput, SceneInput, ShadowInput, SpecularInput, Thing,
 };
-use crate::geometry::shape::{Ellipsoid, Plane, Sphere, SphereMethod, Triangle, TriangleMesh};
+use super::way::Way;
+use crate::geometry::shape::{Ellipsoid, Plane, Sphere, Triangle, TriangleMesh};
 use crate::geometry::{Leaving, Ray, Shape, Surface};
 use crate::log::{Name, RayKind, Step, Value};
-use crate::probe::{Erased, Probe, Quantity, Silent};
+use crate::probe::{Probe, Quantity};
 use crate::scene::{
-    Algorithm, AroundEye, Camera, Effects, Index, Light, LightKind, Material, Object, Output, Sampling, Scene, Shadows,
-    Skip, Specular, Tracing, Transfer, Weights,
+    Algorithm, AroundEye, Camera, Effects, Index, Light, LightKind, Material, Object, Output, ReflectedScale, Sampling,
+    Scene, Shadows, Skip, Specular, Tracing, Transfer, Weights,
 };
 use crate::trace::query::Query;
 use crate::trace::{Hit, closest_hit};
@@ -18,7 +19,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A scene of these shapes, of a plain material, without lights.
-pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
+pub(super) fn scene_of(way: &Way, shapes: Vec<Shape>) -> Scene {
     let plain = material(&MaterialInput::default());
     let objects: Vec<_> = shapes
         .into_iter()
@@ -49,7 +50,9 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
             algorithm: Algorithm::Recursive,
             max_depth: 4,
             specular: Specular::HalfVector,
-            sphere_method: SphereMethod::Robust,
+            formulas: way.formulas(),
+            sphere_method: way.sphere_method(),
+            reflected_scale: ReflectedScale::Weight,
             cutoff: 0.0,
             two_sided: true,
             shadows: Shadows::PerSurface,
@@ -63,8 +66,8 @@ pub(super) fn scene_of(shapes: Vec<Shape>) -> Scene {
 }
 
 /// A whole scene as a case describes it.
-pub(super) fn whole_scene(input: &SceneInput) -> Result<Scene, String> {
-    let mut scene = scene_of(shapes(&input.objects)?);
+pub(super) fn whole_scene(way: &Way, input: &SceneInput) -> Result<Scene, String> {
+    let mut scene = scene_of(way, shapes(way, &input.objects)?);
     scene.materials = input.objects.iter().map(|object| material(&object.mat)).collect();
     for (number, object) in scene.objects.iter_mut().enumerate() {
         object.material = number;
@@ -85,14 +88,14 @@ pub(super) fn whole_scene(input: &SceneInput) -> Result<Scene, String> {
 }
 
 /// The shapes of things.
-pub(super) fn shapes(objects: &[ObjectInput]) -> Result<Vec<Shape>, String> {
-    objects.iter().map(|object| shape(&object.thing)).collect()
+pub(super) fn shapes(way: &Way, objects: &[ObjectInput]) -> Result<Vec<Shape>, String> {
+    objects.iter().map(|object| shape(way, &object.thing)).collect()
 }
 
 /// The shape of a thing.
-pub(super) fn shape(thing: &Thing) -> Result<Shape, String> {
+pub(super) fn shape(way: &Way, thing: &Thing) -> Result<Shape, String> {
     Ok(match thing {
-        Thing::Sphere { c, r } => sphere(*c, *r),
+        Thing::Sphere { c, r } => sphere(way, *c, *r),
         Thing::Plane { abcd } => Shape::Plane(Plane::new(*abcd)),
         Thing::Triangle { v0, v1, v2 } => Shape::Triangle(Triangle::new([*v0, *v1, *v2], None)),
         Thing::Mesh(data) => Shape::Mesh(Arc::new(TriangleMesh::new(Arc::new(data.mesh()?)))),
@@ -105,9 +108,9 @@ pub(super) fn shape(thing: &Thing) -> Result<Shape, String> {
     })
 }
 
-/// A sphere by the robust method.
-pub(super) fn sphere(center: [f64; 3], radius: f64) -> Shape {
-    Shape::Sphere(Sphere::new(center.into(), radius, false, SphereMethod::Robust))
+/// A sphere, which is met by the formulas of the way.
+pub(super) fn sphere(way: &Way, center: [f64; 3], radius: f64) -> Shape {
+    Shape::Sphere(Sphere::new(center.into(), radius, false, way.sphere_method()))
 }
 
 /// A material as the scene has it.
@@ -139,16 +142,18 @@ fn light(input: &LightInput) -> Light {
 }
 
 /// The ray that a query sends for this input.
-pub(super) fn ray(scene: &Scene, input: &RayInput) -> Ray {
+pub(super) fn ray(way: &Way, scene: &Scene, input: &RayInput) -> Ray {
     let (origin, direction) = (input.o.into(), input.d.into());
-    Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None }.ray(scene).0
+    way.ray(Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None }.ray(scene).0)
 }
 
-/// What a ray meets first, and the surface there.
-pub(super) fn meet(scene: &Scene, ray: &Ray, watch: &mut Watch) -> Option<(Hit, Surface)> {
-    let hit = closest_hit(scene, ray, &mut Erased::of(watch))?;
-    let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, &mut Silent);
-    Some((hit, surface))
+/// What a ray meets first, and the surface there, with what was noted on the way.
+pub(super) fn meet(way: &Way, scene: &Scene, ray: &Ray) -> (Option<(Hit, Surface)>, Watch) {
+    way.watched(|probe| {
+        let hit = closest_hit(scene, ray, probe)?;
+        let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);
+        Some((hit, surface))
+    })
 }
 
 /// The outward normal of a surface, which faces the arriving ray.

@@ -3,6 +3,7 @@
 use super::case::Family;
 use super::judge::Outcome;
 use super::requirement::{Unit, requirement};
+use super::way::Way;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -34,16 +35,75 @@ pub struct Row {
     pub required: Option<f64>,
     /// Whether nothing was decided wrongly and no error is greater.
     pub holds: bool,
+    /// The same in other ways.
+    pub columns: Vec<Column>,
+}
+
+/// The same cases in another way, of which nothing is required.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Column {
+    /// What the way is called in the table.
+    pub way: String,
+    /// Its arithmetic.
+    pub arithmetic: String,
+    /// Its formulas.
+    pub formulas: &'static str,
+    /// How many cases were decided wrongly; `None`, as the other two, where the answers don't hang on the way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wrong: Option<usize>,
+    /// The worst error of the others, in the unit of the row.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub worst: Option<f64>,
+    /// The median error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub median: Option<f64>,
+}
+
+impl Column {
+    /// The column of these outcomes.
+    pub(super) fn of(way: &Way, outcomes: Option<&Vec<Outcome>>) -> Column {
+        let errors = outcomes.map(|outcomes| sorted_errors(outcomes)).unwrap_or_default();
+        Column {
+            way: way.name(),
+            arithmetic: way.arithmetic().to_string(),
+            formulas: way.formulas().word(),
+            wrong: outcomes.map(|outcomes| wrong(outcomes)),
+            worst: errors.last().copied(),
+            median: errors.get(errors.len() / 2).copied(),
+        }
+    }
+
+    /// The worst error, and how many decisions are wrong if any is.
+    fn text(&self) -> String {
+        match self.wrong {
+            None => "-".to_owned(),
+            Some(0) => match self.worst {
+                None => "0 wrong".to_owned(),
+                worst => number(worst),
+            },
+            Some(wrong) => format!("{} {wrong} wrong", number(self.worst)).trim().to_owned(),
+        }
+    }
+}
+
+/// The errors of those that weren't decided wrongly, from the least on.
+fn sorted_errors(outcomes: &[Outcome]) -> Vec<f64> {
+    let mut errors: Vec<f64> = outcomes.iter().filter_map(|outcome| outcome.error).collect();
+    errors.sort_by(f64::total_cmp);
+    errors
+}
+
+fn wrong(outcomes: &[Outcome]) -> usize {
+    outcomes.iter().filter(|outcome| outcome.is_wrong).count()
 }
 
 impl Row {
     /// The row of these outcomes.
-    pub(super) fn of(family: &Family, op: &str, outcomes: &[Outcome]) -> Row {
+    pub(super) fn of(family: &Family, op: &str, outcomes: &[Outcome], columns: Vec<Column>) -> Row {
         let requirement = requirement(&family.family, op);
-        let mut errors: Vec<f64> = outcomes.iter().filter_map(|outcome| outcome.error).collect();
-        errors.sort_by(f64::total_cmp);
+        let errors = sorted_errors(outcomes);
         let worst = errors.last().copied();
-        let wrong = outcomes.iter().filter(|outcome| outcome.is_wrong).count();
+        let wrong = wrong(outcomes);
         let required = (requirement.unit != Unit::None).then_some(requirement.limit);
         let is_exact = worst.is_none_or(|worst| required.is_none_or(|limit| worst <= limit));
         Row {
@@ -56,6 +116,7 @@ impl Row {
             unit: requirement.unit.word(),
             required,
             holds: wrong == 0 && is_exact,
+            columns,
         }
     }
 }
@@ -83,8 +144,9 @@ impl Table {
         let [cases, wrong, worst, median, required, verdict] = heads;
         let _ = writeln!(
             text,
-            "{:<width$} {cases:>6} {wrong:>6} {worst:>10} {median:>10}  {required:<18} {verdict}",
-            "family"
+            "{:<width$} {cases:>6} {wrong:>6} {worst:>10} {median:>10}  {required:<18} {verdict:<5}{}",
+            "family",
+            cells(self.rows.first(), |column| column.way.clone())
         );
         for (row, name) in self.rows.iter().zip(names) {
             let required =
@@ -94,12 +156,30 @@ impl Table {
             let (cases, wrong) = (row.cases, row.wrong);
             let padding = " ".repeat(width - name.chars().count());
             let line =
-                format!("{name}{padding} {cases:>6} {wrong:>6} {worst:>10} {median:>10}  {required:<18} {verdict}");
-            let _ = writeln!(text, "{}", line.trim_end());
+                format!("{name}{padding} {cases:>6} {wrong:>6} {worst:>10} {median:>10}  {required:<18} {verdict:<5}");
+            let _ = writeln!(text, "{}", format!("{line}{}", cells(Some(row), Column::text)).trim_end());
         }
+        text.push_str(LEGEND);
         text
     }
 }
+
+/// The cells of the other ways.
+fn cells(row: Option<&Row>, text: impl Fn(&Column) -> String) -> String {
+    let columns = row.map_or(&[][..], |row| &row.columns);
+    columns.iter().map(|column| format!("  {:>18}", text(column))).collect()
+}
+
+/// What the units are, and the columns.
+const LEGEND: &str = "
+ulp       the distance of the two f64 around the exact answer
+k         the error over 2^-53 times the answer times the case's condition number: 1 is what rounding the input would do
+2^-52     the error over 2^-52, of unit vectors
+relative  the error as a part of the answer
+wrong     decisions that are wrong: a hit or a miss, an order, which object; such cases have no error
+worst, median, required are of f64 and the formulas that keep their digits. The last columns have the worst error, in the same unit, of
+notes (f64 and the formulas as printed: cos φ_2, H', the geometric sphere), of f32, and of the notes by hand; - where a way has no say.
+";
 
 /// A number of three digits, or nothing.
 fn number(number: Option<f64>) -> String {

@@ -1,15 +1,18 @@
 //! The numeric example of the source text (Ramos, section 1.3): printed, following the book, by hand from the start, and
 //! exact, side by side.
 
+mod example;
 mod follow;
 mod views;
 mod worked;
 
+pub use example::Example;
 pub use worked::{Checked, CheckedRow, MAX_TABLE_BYTES, Order, TableError, Worked};
 
-use crate::probe::{Printed, PrintedValue};
+use crate::probe::PrintedValue;
 use crate::record::{self, Arithmetic};
-use crate::scene::Scene;
+use crate::scene::{Formulas, Scene, Tracing};
+use example::Line;
 use follow::{Listed, Place, Values};
 
 /// The decimals of the printed example.
@@ -18,6 +21,8 @@ const DIGITS: u32 = 3;
 /// The table: each printed quantity in the book's order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
+    /// Which example it is of.
+    pub example: Example,
     /// The rows.
     pub steps: Vec<Row>,
 }
@@ -37,6 +42,8 @@ pub struct Row {
     pub recomputed: Vec<f64>,
     /// By hand from the start, without looking at the book.
     pub strict: Vec<f64>,
+    /// The same, with the products of dot products rounded before they are added, as the book does in step 7.
+    pub strict_products: Vec<f64>,
     /// In f64.
     pub exact: Vec<f64>,
     /// Whether the book keeps its own rules.
@@ -114,29 +121,44 @@ const REASONS: &[(&str, &str, &str)] = &[
     ("C R", "shade.local", "printed with two decimals: 54 + 86.68 + 154·0.964324 = 289.186"),
 ];
 
-/// Computes the table on the scene of the example.
+/// Computes the table of the numeric example on its scene, which was built for a computation by hand.
 pub fn table(scene: &Scene) -> Table {
+    table_of(Example::Textbook, scene)
+}
+
+/// The same for any example.
+pub fn table_of(example: Example, scene: &Scene) -> Table {
     let pixel = middle(scene);
-    let strict = Values::of(&record::pixel(scene, pixel, Arithmetic::Decimal(DIGITS)));
-    let exact = Values::of(&record::pixel(scene, pixel, Arithmetic::F64));
-    let listed: Listed = Printed::all().iter().map(|printed| (place_of(printed), printed.components.clone())).collect();
+    let by_hand = |arithmetic| Values::of(&record::pixel(scene, pixel, arithmetic));
+    let strict = by_hand(Arithmetic::Decimal(DIGITS));
+    let strict_products = by_hand(Arithmetic::DecimalProducts(DIGITS));
+    let exact = exact(scene, pixel);
+    let listed: Listed = example.lines().iter().map(|line| (line.place(), line.printed.components.clone())).collect();
     let recomputed = Values::following(scene, pixel, &listed);
-    let row = |(printed, called): (&'static PrintedValue, &&'static str)| {
+    let row = |line: &'static Line| {
+        let printed = &line.printed;
         // Of colours only red is printed.
-        let components = |values: &Values| values.components(&place_of(printed), printed.components.len());
+        let components = |values: &Values| values.components(&line.place(), printed.components.len());
         let recomputed = components(&recomputed);
         Row {
             step: printed.step,
-            called,
+            called: line.called,
             quantity: printed.key,
             printed,
             verdict: verdict(printed, &recomputed),
             recomputed,
             strict: components(&strict),
+            strict_products: components(&strict_products),
             exact: components(&exact),
         }
     };
-    Table { steps: Printed::all().iter().zip(CALLED).map(row).collect() }
+    Table { example, steps: example.lines().iter().map(row).collect() }
+}
+
+/// The values in f64, by the robust formulas.
+fn exact(scene: &Scene, pixel: [u32; 2]) -> Values {
+    let tracing = Tracing { formulas: Formulas::Robust, ..scene.tracing.clone() };
+    Values::of(&record::pixel(&Scene { tracing, ..scene.clone() }, pixel, Arithmetic::F64))
 }
 
 /// The pixel of the example.

@@ -1,23 +1,27 @@
 //! The tables of worked examples as text, JSON and Markdown.
 
-use super::{Checked, CheckedRow, DIGITS, Order, Row, Table, Verdict};
+use super::{Checked, CheckedRow, DIGITS, Example, Order, Row, Table, Verdict};
 use crate::report::{Style, number};
 use serde_json::{Value, json};
 
 const HEADS: [&str; 7] = ["step", "quantity", "printed", "following the book", "by hand", "exact", "verdict"];
+/// Of an example that no book prints.
+const SHEET_HEADS: [&str; 7] = ["step", "quantity", "sheet", "following the sheet", "by hand", "exact", "verdict"];
 const CHECKED_HEADS: [&str; 7] = ["quantity", "ray", "printed", "following the file", "by hand", "exact", "verdict"];
 
 impl Table {
     /// The table for people, with the departures explained below.
     pub fn text(&self) -> String {
         let below = self.departures().map(|(row, why)| format!("{} departs: {why}.", row.called));
-        aligned(HEADS, self.steps.iter().map(cells), below)
+        let below = below.chain(self.with_rounded_products());
+        aligned(self.heads(), self.steps.iter().map(cells), below)
     }
 
     /// The table for documents.
     pub fn markdown(&self) -> String {
         let below = self.departures().map(|(row, why)| format!("- {} departs: {why}.", row.called));
-        piped(HEADS, self.steps.iter().map(cells), below)
+        let below = below.chain(self.with_rounded_products().map(|products| format!("- {products}")));
+        piped(self.heads(), self.steps.iter().map(cells), below)
     }
 
     /// The table for programs.
@@ -28,10 +32,26 @@ impl Table {
                 "printed": components(&row.printed.components),
                 "recomputed": components(&row.recomputed),
                 "strict": components(&row.strict),
+                "strict_round_products": components(&row.strict_products),
                 "exact": components(&row.exact),
             })
         });
         format!("{}\n", json!({ "steps": steps, "result": result }))
+    }
+
+    /// What else by hand can mean. The book itself does both: it rounds the products of step 7 and not those of the other steps.
+    fn with_rounded_products(&self) -> Option<String> {
+        // Of the second example nearly all of them differ: its result says enough.
+        let first = if self.example == Example::Textbook { 0 } else { self.steps.len().saturating_sub(1) };
+        let differing = self.steps[first..].iter().filter(|row| row.strict_products != row.strict);
+        let values: Vec<_> = differing.map(|row| format!("{} {}", row.called, shown(&row.strict_products))).collect();
+        let book = if self.example == Example::Textbook { ", as the book does in step 7" } else { "" };
+        let products = format!("By hand with the products of dot products rounded too (--round-products){book}");
+        (!values.is_empty()).then(|| format!("{products}: {}.", values.join(", ")))
+    }
+
+    fn heads(&self) -> [&'static str; 7] {
+        if self.example == Example::Textbook { HEADS } else { SHEET_HEADS }
     }
 
     fn departures(&self) -> impl Iterator<Item = (&Row, &'static str)> {
@@ -170,6 +190,7 @@ fn object(row: &Row) -> Value {
         "printed": components(&row.printed.components),
         "recomputed": components(&row.recomputed),
         "strict": components(&row.strict),
+        "strict_round_products": components(&row.strict_products),
         "exact": components(&row.exact),
         "verdict": row.verdict.word(),
     });

@@ -2,7 +2,7 @@
 //! hand.
 
 use super::follow::{Listed, Place, Values};
-use super::{DIGITS, Verdict, agreement, middle, place_of};
+use super::{DIGITS, Verdict, agreement, exact, middle, place_of};
 use crate::log::{Name, Value};
 use crate::probe::Printed;
 use crate::record::{self, Arithmetic};
@@ -189,7 +189,7 @@ impl Worked {
     pub fn check(&self, scene: &Scene) -> Result<Checked, TableError> {
         let pixel = middle(scene);
         let strict = Values::of(&record::pixel(scene, pixel, Arithmetic::Decimal(DIGITS)));
-        let exact = Values::of(&record::pixel(scene, pixel, Arithmetic::F64));
+        let exact = exact(scene, pixel);
         let in_order = |order| self.checked(scene, order, &strict, &exact);
         let (book, walk) = (in_order(Order::Book)?, in_order(Order::Walk)?);
         Ok(if walk.departures().count() < book.departures().count() { walk } else { book })

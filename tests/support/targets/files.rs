@@ -41,7 +41,7 @@ pub fn packed(bytes: &[u8]) {
     }
 }
 
-/// A picture: PNG, PPM, PGM, PFM or OpenEXR.
+/// A picture: PNG, BMP, TGA, QOI, TIFF, JPEG, WebP, PPM, PGM, PFM or OpenEXR.
 pub fn picture(bytes: &[u8]) {
     let picture = match export::read(bytes) {
         Ok(picture) => picture,

@@ -5,7 +5,7 @@ use super::records::{Fill, Light, Primitive, Records, View};
 use super::{Angle, Import};
 use crate::scene::file::names::fill_in_names;
 use crate::scene::file::schema::{
-    self, Aim, Camera, FORMAT, LightKind, Material, Materials, Object, Output, PointLight, Profile, Sampling,
+    self, Aim, By, Camera, FORMAT, LightKind, Material, Materials, Object, Output, PointLight, Profile, Sampling,
     SceneFile, Shape, Tracing, Weight, Weights,
 };
 
@@ -71,6 +71,7 @@ fn light(light: &Light, shared_light: f64) -> schema::Light {
         attenuation: [1.0, 0.0, 0.0],
         profile: Profile::Uniform,
         samples: 1,
+        by: By::Area,
     }
 }
 

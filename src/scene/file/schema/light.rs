@@ -22,6 +22,8 @@ pub struct Light {
     pub profile: Profile,
     /// How many shadow rays ask for an area light; 1 for the others.
     pub samples: u64,
+    /// By what measure the points of an area light count alike; `Area` for all but rectangles and spheres.
+    pub by: By,
 }
 
 /// The kinds of light, one key each.
@@ -59,6 +61,11 @@ impl LightKind {
     /// Whether the light takes a `profile`.
     pub fn has_profile(&self) -> bool {
         matches!(self, Self::Rectangle(_) | Self::Disk(_))
+    }
+
+    /// Whether the points of the light can be spread by solid angle.
+    pub fn has_solid_angle(&self) -> bool {
+        matches!(self, Self::Rectangle(_) | Self::Sphere(_))
     }
 }
 
@@ -125,6 +132,17 @@ pub enum Profile {
     CosinePower(#[schemars(range(min = 0))] f64),
 }
 
+/// By what measure the points of an area light count alike.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum By {
+    /// By the area of its surface.
+    #[default]
+    Area,
+    /// By the solid angle under which a surface point sees them.
+    SolidAngle,
+}
+
 /// The keys one by one, before it is known which kind was given.
 #[derive(Clone, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -135,6 +153,9 @@ pub enum Profile {
 #[schemars(extend("dependentSchemas" = {
     "profile": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}]},
     "samples": {"anyOf": [{"required": ["rectangle"]}, {"required": ["disk"]}, {"required": ["sphere"]}]},
+    "by": {"anyOf": [
+        {"required": ["rectangle"]}, {"required": ["sphere"]}, {"required": ["disk"], "patternProperties": {"^by$": {"const": "area"}}},
+    ]},
 }))]
 struct LightKeys {
     /// Its name; left out, it is `light-1` and so on.
@@ -170,6 +191,9 @@ struct LightKeys {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = MAX_SAMPLES))]
     samples: Option<u64>,
+    /// By what measure the points of an area light count alike: `area` where it is left out, or `solid_angle` (rectangles and spheres).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    by: Option<By>,
 }
 
 fn white() -> Rgb {
@@ -197,6 +221,19 @@ impl TryFrom<LightKeys> for Light {
                 kind.key()
             ));
         }
+        if keys.by.is_some() && !kind.is_area() {
+            return Err(format!(
+                "`by` is for `rectangle`, `disk` and `sphere` lights, found it on a `{}` light",
+                kind.key()
+            ));
+        }
+        if keys.by == Some(By::SolidAngle) && !kind.has_solid_angle() {
+            return Err(format!(
+                "`by: \"solid_angle\"` is for `rectangle` and `sphere` lights, found it on a `{}` light, whose points can be spread by \
+                 `\"area\"` alone",
+                kind.key()
+            ));
+        }
         Ok(Self {
             name: keys.name,
             kind,
@@ -204,6 +241,7 @@ impl TryFrom<LightKeys> for Light {
             attenuation: keys.attenuation,
             profile: keys.profile.unwrap_or_default(),
             samples: keys.samples.unwrap_or(1),
+            by: keys.by.unwrap_or_default(),
         })
     }
 }
@@ -245,6 +283,7 @@ impl From<Light> for LightKeys {
             attenuation: light.attenuation,
             profile: light.kind.has_profile().then_some(light.profile),
             samples: light.kind.is_area().then_some(light.samples),
+            by: light.kind.is_area().then_some(light.by),
         };
         match light.kind {
             LightKind::Point(point) => keys.point = Some(point),

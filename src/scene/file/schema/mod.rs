@@ -14,10 +14,12 @@ mod shape;
 
 pub use camera::{Aim, Camera, Lens};
 pub use json_schema::json_schema;
-pub use light::{DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
+pub use light::{By, DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
 pub use objects::MAX_DUPLICATES;
-pub use settings::{Algorithm, Frames, Output, Sampling, SpecularForm, SphereMethod, Tracing, Transfer};
+pub use settings::{
+    Algorithm, Formulas, Frames, Output, ReflectedScale, Sampling, SpecularForm, SphereMethod, Tracing, Transfer,
+};
 pub use shape::{
     AxisBox, Cone, Cylinder, Disk, Ellipsoid, Mesh, Motion, Object, Plane, Polygon, Rotation, Shape, Sphere, Triangle,
 };

@@ -1,7 +1,7 @@
 //! The keys of `tracing`, `sampling`, `frames` and `output`.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::scene::file::validate::limits::{
     MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES, MIN_STATISTICAL,
@@ -18,8 +18,15 @@ pub struct Tracing {
     pub max_depth: u32,
     /// Which form of the highlight.
     pub specular: SpecularForm,
-    /// Which intersection of ray and sphere.
-    pub sphere_method: SphereMethod,
+    /// Which formulas; left out, those of the notes by hand and the robust ones in any other arithmetic.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub formulas: Option<Formulas>,
+    /// Which intersection of ray and sphere; left out, the one that the formulas imply.
+    #[serde(serialize_with = "sphere_method_or_default")]
+    pub sphere_method: Option<SphereMethod>,
+    /// What scales the light that a reflected ray brings.
+    #[serde(skip_serializing_if = "ReflectedScale::is_default")]
+    pub reflected_scale: ReflectedScale,
     /// A bounce is left out when the product of the weights along its path is below this in every channel; 0 is off.
     #[schemars(range(min = 0))]
     pub cutoff: f64,
@@ -33,11 +40,20 @@ impl Default for Tracing {
             algorithm: Algorithm::default(),
             max_depth: 4,
             specular: SpecularForm::default(),
-            sphere_method: SphereMethod::default(),
+            formulas: None,
+            sphere_method: None,
+            reflected_scale: ReflectedScale::default(),
             cutoff: 0.0,
             two_sided: true,
         }
     }
+}
+
+/// A scene that names no method has the digest of one that names the default, as it had before methods could be implied.
+// serde hands over a reference.
+#[allow(clippy::ref_option)]
+fn sphere_method_or_default<S: Serializer>(method: &Option<SphereMethod>, serializer: S) -> Result<S::Ok, S::Error> {
+    method.unwrap_or_default().serialize(serializer)
 }
 
 /// The recursion of the first pseudocode, of the second as printed, or of the second as in its source.
@@ -62,6 +78,38 @@ pub enum SpecularForm {
     HalfVector,
     /// R·V.
     ReflectionVector,
+    /// N·H with four times the exponent, which makes its highlight as wide as that of R·V.
+    HalfVectorCompensated,
+}
+
+/// Where two formulas give the same number in exact arithmetic.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Formulas {
+    /// Those that keep their digits.
+    #[default]
+    Robust,
+    /// Those that the notes print; every new direction is normalised.
+    Notes,
+}
+
+/// What scales the light that a reflected ray brings.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ReflectedScale {
+    /// The weight W_r.
+    #[default]
+    Weight,
+    /// W_r·K_e, as the second pseudocode does.
+    Specular,
+}
+
+impl ReflectedScale {
+    // serde hands over a reference.
+    #[allow(clippy::trivially_copy_pass_by_ref)]
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 /// The two ways to meet a sphere.

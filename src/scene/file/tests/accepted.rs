@@ -17,7 +17,7 @@ const EVERYTHING: &str = r#"{
     {"name": "c", "rectangle": {"corner": [0, 0, 0], "edge_u": [1, 0, 0], "edge_v": [0, 1, 0]},
      "profile": {"cosine_power": 2}, "samples": 16},
     {"name": "d", "disk": {"center": [0, 0, 0], "normal": [0, 1, 0], "radius": 2}, "profile": "uniform"},
-    {"name": "e", "sphere": {"center": [0, 0, 0], "radius": 2}, "samples": 4},
+    {"name": "e", "sphere": {"center": [0, 0, 0], "radius": 2}, "samples": 4, "by": "solid_angle"},
     {"sphere": {"center": [0, 0, 0], "radius": 2}}
   ],
   "materials": {
@@ -61,7 +61,7 @@ fn the_textbook_scene() {
     assert_eq!(warnings, []);
     assert_eq!(scene.camera.aim, Aim::Direction([-12.0, 4.0, 1.0]));
     assert_eq!(scene.materials.index_of("ball"), Some(1));
-    assert_eq!(scene.tracing.sphere_method, SphereMethod::Geometric);
+    assert_eq!(scene.tracing.sphere_method, Some(SphereMethod::Geometric));
 }
 
 #[test]

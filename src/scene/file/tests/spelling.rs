@@ -108,6 +108,19 @@ fn only_area_lights_have_samples() {
 }
 
 #[test]
+fn by_solid_angle_for_rectangles_and_spheres() {
+    refuses_value(
+        textbook_with("\"color\": [220", "\"by\": \"area\", \"color\": [220"),
+        "lights[0]: `by` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
+    );
+    let disk = r#""disk": {"center": [0, 0, 0], "normal": [0, 1, 0], "radius": 1}, "by": "solid_angle""#;
+    refuses_value(
+        textbook_with("\"point\": {\"position\": [9, 12, 16]}", disk),
+        "lights[0]: `by: \"solid_angle\"` is for `rectangle` and `sphere` lights, found it on a `disk` light, whose points can be spread by `\"area\"` alone",
+    );
+}
+
+#[test]
 fn a_weight_is_a_number_or_a_colour() {
     refuses_value(
         textbook_with("\"local\": 1", "\"local\": \"full\""),

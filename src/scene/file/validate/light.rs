@@ -1,10 +1,10 @@
 //! The checks of one of the `lights`.
 
-use crate::scene::file::schema::{Light, LightKind, Profile};
+use crate::scene::file::schema::{By, Light, LightKind, Profile, RectangleLight, Vec3};
 
 use super::checker::Checker;
 use super::limits::MAX_SAMPLES;
-use super::vector::are_parallel;
+use super::vector::{are_parallel, dot, length};
 
 /// Checks a light, all but its name.
 pub fn light(check: &mut Checker<'_>, light: &Light) {
@@ -18,7 +18,19 @@ pub fn light(check: &mut Checker<'_>, light: &Light) {
     if let Profile::CosinePower(power) = light.profile {
         check.at("profile").not_negative("cosine_power", power);
     }
+    if let (LightKind::Rectangle(RectangleLight { edge_u, edge_v, .. }), By::SolidAngle) = (light.kind, light.by)
+        && !are_perpendicular(edge_u, edge_v)
+    {
+        let message =
+            "`solid_angle` is for rectangles with perpendicular edges, found a parallelogram (`area` takes any)";
+        check.at("by").error(message.to_string());
+    }
     check.count("samples", light.samples, 1, MAX_SAMPLES);
+}
+
+/// Whether two vectors are at right angles, as far as the digits of a file tell: to a millionth.
+fn are_perpendicular(u: Vec3, v: Vec3) -> bool {
+    dot(u, v).abs() <= 1e-6 * (length(u) * length(v))
 }
 
 fn kind(mut check: Checker<'_>, kind: &LightKind) {

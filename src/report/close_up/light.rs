@@ -1,0 +1,161 @@
+//! The points of an area light that a hit asks, with the weights of their shadow rays (Ramos, section 1.5).
+//!
+//! A rectangle and a disk are seen from their front, in the coordinates x_F and y_F of the log; a sphere is seen from the hit, points on its
+//! far side are hollow. What a shadow ray brings stands in the table.
+
+use super::hit::{lights, number, shade, unit, value, vector};
+use super::sheet::{Ink, Piece, Place, Plane, Sheet};
+use super::{CloseUp, CloseUpError, Subject};
+use crate::log::{Decision, Log, Name, Step, Tree, Value, What};
+use crate::report::{terms, words};
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// The size of the sheet, the middle and the radius of the light.
+const SIZE: [f64; 2] = [360.0, 360.0];
+const MIDDLE: Place = [180.0, 180.0];
+const RADIUS: f64 = 145.0;
+
+/// The radius of the point of a shadow ray of mean weight.
+const DOT: f64 = 6.0;
+
+/// A point of the light.
+struct Point {
+    node: usize,
+    split: u32,
+    /// What part of the light's intensity it has.
+    weight: f64,
+    /// What its shadow ray lets through; `None` where none was sent.
+    passed: Option<[f64; 3]>,
+}
+
+/// The points of the first area light that a ray's hit asks.
+///
+/// # Errors
+/// No ray with the path, or no area light.
+pub fn light(subject: &Subject) -> Result<CloseUp, CloseUpError> {
+    let Subject { log, tree, language, style, .. } = *subject;
+    let texts = &language.texts().close_up;
+    let (ray, (shade, number_of_light, points)) =
+        subject.first("an area light (`rectangle`, `disk` or `sphere`)", |ray| of_ray(log, tree, ray))?;
+    let local = local_name(log, tree, shade);
+    let mean = 1.0 / points.len() as f64;
+    let mut pieces = outline(log, tree, points[0].node);
+    let mut rows = Vec::new();
+    for point in &points {
+        let is_lit = point.passed.is_some_and(|passed| passed != [0.0; 3]);
+        let ink = match point.passed {
+            None => Ink::Grey,
+            Some(_) if is_lit => Ink::Light,
+            Some(_) => Ink::Blocked,
+        };
+        let place = place(log, tree, point.node);
+        if let Some((at, is_far)) = place {
+            let radius = DOT * (point.weight / mean).max(0.0).sqrt();
+            pieces.push(Piece::Dot { at, radius: radius.min(4.0 * DOT), ink, filled: is_lit && !is_far });
+            pieces.push(Piece::Text { at: [at[0], at[1] - DOT - 8.0], text: point.split.max(1).to_string(), ink });
+        }
+        let adds = local.map(|name| terms::of_light(log, tree, point.node, name)).filter(|_| is_lit);
+        let triple = |triple: Option<[f64; 3]>| {
+            triple.map_or("–".to_owned(), |triple| language.value(&Value::Triple(triple), style))
+        };
+        let position = vector(log, tree, point.node, Name::LightPositionOnArea).map(|position| position.to_array());
+        rows.push(vec![
+            point.split.max(1).to_string(),
+            triple(position),
+            language.number(point.weight, style),
+            triple(point.passed),
+            triple(adds.or(Some([0.0; 3]))),
+        ]);
+    }
+    let total: f64 = points.iter().map(|point| point.weight).sum();
+    let name = words::plain(log.header.light(number_of_light));
+    Ok(CloseUp {
+        title: (texts.light)(&name, &tree.path(ray)),
+        note: texts.light_note.to_owned(),
+        columns: texts.light_columns.map(str::to_owned).to_vec(),
+        rows,
+        sheets: vec![Sheet { caption: (texts.weights)(&language.number(total, style)), size: SIZE, pieces }],
+    })
+}
+
+/// The local model of a ray's hit, the first area light that it asks, and the points of it.
+fn of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<(usize, u32, Vec<Point>)> {
+    let shade = shade(tree, ray)?;
+    let nodes = lights(tree, shade);
+    let (_, first, _) = *nodes.iter().find(|(node, ..)| value(log, tree, *node, Name::LightCenter).is_some())?;
+    let nodes: Vec<_> = nodes.into_iter().filter(|(_, light, _)| *light == first).collect();
+    let count = nodes.len() as f64;
+    let point = |(node, _, split): &(usize, u32, u32)| Point {
+        node: *node,
+        split: *split,
+        weight: number(log, tree, *node, Name::LightWeight).unwrap_or(1.0) / count,
+        passed: passed(log, tree, *node),
+    };
+    Some((shade, first, nodes.iter().map(point).collect()))
+}
+
+/// What a light's shadow ray lets through; `None` where none was sent.
+fn passed(log: &Log, tree: &Tree, light: usize) -> Option<[f64; 3]> {
+    let ray = tree.children(light).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })))?;
+    let is_blocked = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Occluded { .. }));
+    match vector(log, tree, light, Name::ShadowTransmittance) {
+        Some(passed) => Some(passed.to_array()),
+        None if tree.own_events(ray).any(is_blocked) => Some([0.0; 3]),
+        None => Some([1.0; 3]),
+    }
+}
+
+/// The formula of the local model.
+fn local_name(log: &Log, tree: &Tree, shade: usize) -> Option<Name> {
+    tree.own_events(shade).find_map(|event| match log.events[event].what {
+        What::Note { name, .. } if name.key() == Name::ShadeLocal.key() => Some(name),
+        _ => None,
+    })
+}
+
+/// Where a point of the light stands, and whether it lies on the far side of a sphere.
+fn place(log: &Log, tree: &Tree, node: usize) -> Option<(Place, bool)> {
+    if let Some(outward) = vector(log, tree, node, Name::LightOutward) {
+        let plane = sphere(log, tree, node)?;
+        let toward_viewer = plane.right.cross(plane.up);
+        return Some((plane.place(outward), outward.dot(toward_viewer) < 0.0));
+    }
+    let [x, y] = [number(log, tree, node, Name::LightX)?, number(log, tree, node, Name::LightY)?];
+    Some(([MIDDLE[0] + RADIUS * x, MIDDLE[1] - RADIUS * y], false))
+}
+
+/// The plane across the line from the centre of a sphere to the hit.
+fn sphere(log: &Log, tree: &Tree, node: usize) -> Option<Plane> {
+    let centre = vector(log, tree, node, Name::LightCenter)?;
+    let position = vector(log, tree, node, Name::LightPositionOnSphere)?;
+    let hit = position - vector(log, tree, node, Name::LightVector)?;
+    let toward_viewer = unit(hit - centre)?;
+    let (right, up) = toward_viewer.any_orthonormal_pair();
+    let right = if right.cross(up).dot(toward_viewer) < 0.0 { -right } else { right };
+    Some(Plane { origin: MIDDLE, right, up, unit: RADIUS })
+}
+
+/// The outline of the light: a circle, or a square for a rectangle of any sides.
+fn outline(log: &Log, tree: &Tree, node: usize) -> Vec<Piece> {
+    let is_round = [Name::LightRadius, Name::DiscX].iter().any(|name| value(log, tree, node, *name).is_some());
+    let turn = |step: u32, steps: u32| {
+        let angle = TAU * f64::from(step) / f64::from(steps);
+        [libm::cos(angle), libm::sin(angle)]
+    };
+    let corners: Vec<[f64; 2]> = if is_round {
+        (0..64).map(|step| turn(step, 64)).collect()
+    } else {
+        vec![[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+    };
+    let points = corners.iter().map(|[x, y]| [MIDDLE[0] + RADIUS * x, MIDDLE[1] - RADIUS * y]).collect();
+    let mut pieces = vec![Piece::Path { points, ink: Ink::Light, is_area: true }];
+    if !is_round || value(log, tree, node, Name::LightRadius).is_none() {
+        let ends =
+            [DVec3::X, DVec3::Y].map(|axis| [MIDDLE[0] + RADIUS * axis.x * 1.12, MIDDLE[1] - RADIUS * axis.y * 1.12]);
+        for (at, name) in ends.into_iter().zip(["x_F", "y_F"]) {
+            pieces.push(Piece::Text { at, text: name.to_owned(), ink: Ink::Black });
+        }
+    }
+    pieces
+}

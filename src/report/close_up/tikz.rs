@@ -1,0 +1,76 @@
+//! A close-up as a document for pdflatex, with TikZ.
+
+use super::{CloseUp, Ink, Piece, Place};
+use crate::report::escape::{self, line};
+use std::fmt::Write;
+
+/// Units of a sheet in a centimetre.
+const UNITS: f64 = 40.0;
+
+/// The figures with their table, as a document of its own.
+pub fn latex(close_up: &CloseUp) -> String {
+    let mut out = String::new();
+    out.push_str("\\documentclass[11pt]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n");
+    out.push_str("\\usepackage{amsmath,longtable,tikz}\n\\usepackage[a4paper,margin=2cm]{geometry}\n");
+    for ink in Ink::ALL {
+        line!(out, "\\definecolor{{{}}}{{HTML}}{{{}}}", name(ink), ink.hex().to_uppercase());
+    }
+    line!(out, "\\begin{{document}}\n\\section*{{{}}}", escape::latex(&close_up.title));
+    for sheet in &close_up.sheets {
+        line!(out, "\\begin{{minipage}}{{{:.2}cm}}\\centering", sheet.size[0] / UNITS);
+        line!(out, "\\begin{{tikzpicture}}[every node/.style={{font=\\small, inner sep=1pt}}]");
+        sheet.pieces.iter().for_each(|piece| draw(&mut out, piece));
+        line!(out, "\\end{{tikzpicture}}\\\\{}", escape::latex(&sheet.caption));
+        line!(out, "\\end{{minipage}}");
+    }
+    line!(out, "\n\\medskip\\noindent {}\n", escape::latex(&close_up.note));
+    line!(out, "\\begin{{longtable}}{{{}}}", "l".repeat(close_up.columns.len()));
+    let row = |cells: &[String]| cells.iter().map(|cell| escape::latex(cell)).collect::<Vec<_>>().join(" & ");
+    line!(out, "{} \\\\\\hline", row(&close_up.columns));
+    for cells in &close_up.rows {
+        line!(out, "{} \\\\", row(cells));
+    }
+    line!(out, "\\end{{longtable}}\n\\end{{document}}");
+    out
+}
+
+fn draw(out: &mut String, piece: &Piece) {
+    match piece {
+        Piece::Line { from, to, ink, dashed } => {
+            let dashed = if *dashed { ", dashed" } else { "" };
+            line!(out, "\\draw[{}{dashed}] {} -- {};", name(*ink), at(*from), at(*to));
+        }
+        Piece::Arrow { from, to, ink } => {
+            line!(out, "\\draw[->, thick, {}] {} -- {};", name(*ink), at(*from), at(*to));
+        }
+        Piece::Path { points, ink, is_area } => {
+            let points: Vec<_> = points.iter().map(|place| at(*place)).collect();
+            let close = if *is_area { " -- cycle" } else { "" };
+            line!(out, "\\draw[{}] {}{close};", name(*ink), points.join(" -- "));
+        }
+        Piece::Dot { at: place, radius, ink, filled } => {
+            let fill = if *filled { name(*ink) } else { "white" };
+            line!(out, "\\filldraw[draw={}, fill={fill}] {} circle ({:.3}cm);", name(*ink), at(*place), radius / UNITS);
+        }
+        Piece::Text { at: place, text, ink } => {
+            line!(out, "\\node[text={}] at {} {{{}}};", name(*ink), at(*place), escape::latex(text));
+        }
+    }
+}
+
+fn at([x, y]: Place) -> String {
+    format!("({:.3},{:.3})", x / UNITS, -y / UNITS)
+}
+
+fn name(ink: Ink) -> &'static str {
+    match ink {
+        Ink::Black => "plain",
+        Ink::Grey => "behind",
+        Ink::Viewer => "viewer",
+        Ink::Reflected => "reflected",
+        Ink::Transmitted => "transmitted",
+        Ink::Light => "light",
+        Ink::Half => "halfway",
+        Ink::Blocked => "blocked",
+    }
+}
