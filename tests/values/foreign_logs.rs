@@ -122,7 +122,7 @@ fn forms_are_found_by_their_values() {
             found += usize::from(name == other && !name.form().is_empty());
             if name != other && name.formula().is_some() {
                 // Another formula with the same value, as where an ellipsoid is a sphere.
-                let computed = evaluate(&again.events, &tree, at, *other);
+                let computed = evaluate(&again, &tree, at, *other);
                 let is_same =
                     computed.is_some_and(|computed| computed.is_ok_and(|computed| near(&computed, value, &log)));
                 assert!(is_same, "{name:?} became {other:?}: {value:?}");
