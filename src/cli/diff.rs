@@ -24,7 +24,9 @@ differs with the operands that it comes from, and how the difference grows on it
 A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s \
 being the largest component of both values. Without any, every difference counts.
 
-Exit code 0: nothing differs; 1: something does; 2: the two can't be compared.
+Exit code 0: nothing differs; 1: something does; 2: the two can't be compared, or a log is damaged (a line can't be read, the end \
+line is missing or doesn't fit) or has quantities that raywalk doesn't know. What differs up to there is printed all the same; with \
+--allow-damaged the exit code is 0 or 1 as the differences say.
 
 Examples:
   raywalk diff hand.ndjson f64.ndjson --digits 3
@@ -53,6 +55,9 @@ pub struct Diff {
     /// Of logs, compare only what both have: one of them may lack pixels, steps or quantities
     #[arg(long)]
     common: bool,
+    /// Of logs, take such as are damaged, cut off or have unknown quantities as far as they can be read
+    #[arg(long)]
+    allow_damaged: bool,
     /// How to print the differences
     #[arg(long, value_enum, default_value = "text")]
     format: DiffFormat,
@@ -105,6 +110,7 @@ impl Diff {
                     ("--brief", self.brief),
                     ("--walk", self.walk),
                     ("--common", self.common),
+                    ("--allow-damaged", self.allow_damaged),
                 ];
                 if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given) {
                     return Err(Failure::caller(format!("{option}: is for logs, found two pictures")));

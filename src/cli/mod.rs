@@ -7,6 +7,7 @@ mod failure;
 mod frames;
 mod layers;
 mod live;
+mod log;
 mod merge;
 mod options;
 mod output;
@@ -70,6 +71,9 @@ enum Command {
     /// Measure speed, error, overhead and growth
     #[command(subcommand)]
     Bench(bench::Bench),
+    /// Say how logs are written
+    #[command(subcommand)]
+    Log(log::LogCommand),
     /// Check, show, convert or list scenes
     #[command(subcommand)]
     Scene(scene::SceneCommand),
@@ -108,6 +112,7 @@ pub fn run() -> ExitCode {
             done => done.map(|_| ()),
         },
         Some(Command::Bench(bench)) => bench.run(colors),
+        Some(Command::Log(command)) => command.run(),
         Some(Command::Scene(command)) => command.run(colors),
         Some(Command::Completions(completions)) => completions.run(),
         Some(Command::Man(manual)) => manual.run(),

@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::progress::ProgressOptions;
 use raywalk::log::file::{self, Ending, LogError, PixelReader};
 use raywalk::log::{Header, Log};
+use raywalk::report::forms;
 use raywalk::scene::file::{Opened, Wanted, visible};
 use std::io::{self, ErrorKind};
 use std::path::Path;
@@ -26,7 +27,8 @@ pub fn read(opened: Opened, progress: &ProgressOptions) -> Result<Saved, Failure
     let name = visible(opened.name()).into_owned();
     let size = opened.size();
     let input = progress.reading(opened.stream(MAX_LOG_BYTES), size);
-    let read = file::read_from(input).map_err(|error| failure(&name, &error))?;
+    let mut read = file::read_from(input).map_err(|error| failure(&name, &error))?;
+    forms::find(&mut read.log);
     Ok(Saved { name, log: read.log, ending: read.ending })
 }
 

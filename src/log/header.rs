@@ -1,6 +1,7 @@
 //! What a log says about itself: enough to replay it without the scene.
 
 use super::shard::Shard;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -9,9 +10,10 @@ use std::fmt;
 pub const FORMAT: &str = "raywalk-log/1";
 
 /// The first line of a log.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 pub struct Header {
-    /// Always [`FORMAT`].
+    /// The format and its version, `raywalk-log/1`.
     pub log: String,
     /// The version of the program that wrote the log.
     pub version: String,
@@ -31,9 +33,11 @@ pub struct Header {
     pub seed: u64,
     /// Which frame of an animation was traced; not written where there is one only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "FrameId")]
     pub frame: Option<FrameId>,
     /// Which part of a region's pixels the log has; not written where it has all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "[u32; 2]")]
     pub shard: Option<Shard>,
     /// The names of the objects, by number.
     pub objects: Vec<String>,
@@ -54,7 +58,7 @@ fn is_false(flag: &bool) -> bool {
 }
 
 /// A parameter of a method of sampling. Whole ones are written without a point, so that there is one spelling of each.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Parameter(pub f64);
 
@@ -72,7 +76,8 @@ impl fmt::Display for Parameter {
 }
 
 /// A frame of an animation.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 pub struct FrameId {
     /// Its number, from 1.
     pub number: u32,
@@ -81,16 +86,18 @@ pub struct FrameId {
 }
 
 /// Which scene a log tells of.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 pub struct SceneId {
     /// The scene's name.
     pub name: String,
-    /// The digest of the resolved scene, `blake3:…`.
+    /// The digest of the resolved scene, `blake3:…`; empty, and not written, where another program made the log.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub digest: String,
 }
 
 /// What part of a scene was traced.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
     /// One pixel: column and row from the top left.
@@ -102,7 +109,8 @@ pub enum Subject {
 }
 
 /// The options of the tracing, as words.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 pub struct TracingId {
     /// The algorithm: `recursive`, `whitted` or `foley`.
     pub algorithm: String,
@@ -127,9 +135,11 @@ pub struct TracingId {
     pub two_sided: bool,
     /// The rules by which work is left out, with commas between them; not written where all are in force.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String")]
     pub skip: Option<String>,
     /// `all` where a log shows every intersection test; not written where it shows those that the tracer ran.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String")]
     pub tests: Option<String>,
 }
 

@@ -10,13 +10,14 @@ pub mod formula;
 pub mod header;
 pub mod name;
 pub mod rounding;
+pub mod schema;
 pub mod scope;
 pub mod shard;
 pub mod tree;
 
 pub use event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, Value, What};
 pub use header::{FrameId, Header, Parameter, Subject};
-pub use name::Name;
+pub use name::{Name, Unit};
 pub use rounding::round_half_away;
 pub use shard::Shard;
 pub use tree::{Node, Tree};

@@ -9,242 +9,244 @@
 mod row;
 #[macro_use]
 mod effects;
+mod unit;
 
 use row::Row;
+pub use unit::Unit;
 
 with_effects! { names! {
     // The camera and its ray. G is the direction of view, e_x and e_y point right and up in the picture.
-    RayOrigin: "ray.origin", "", "O", "", "1.1.1";
-    CameraDirection: "camera.direction", "", "G", "", "1.1.1";
-    CameraUpAsGiven: "camera.up_as_given", "", "G_u", "", "1.1.1";
-    CameraLength: "camera.length", "", "|G|", "√(G · G)", "1.1.1";
-    CameraRight: "camera.right", "", "e_x", "(G×G_u)/|G×G_u|", "1.1.1";
-    CameraUp: "camera.up", "", "e_y", "((G×G_u)×G)/|(G×G_u)×G|", "1.1.1";
-    PixelColumn: "pixel.column", "", "col", "", "1.1.1";
-    PixelMiddleColumn: "pixel.middle_column", "", "col_m", "", "1.1.1";
-    PixelRow: "pixel.row", "", "row", "", "1.1.1";
-    PixelMiddleRow: "pixel.middle_row", "", "row_m", "", "1.1.1";
-    PixelSide: "pixel.side", "", "px", "2·tan(θ_v°/2)/n_v", "1.1.1";
-    PixelX: "pixel.x", "", "x", "(col − col_m)·px", "1.1.1";
-    PixelY: "pixel.y", "", "y", "(row_m − row)·px", "1.1.1";
-    RayVector: "ray.vector", "", "D", "G + |G|·(x·e_x + y·e_y)", "1.1.1";
-    RayLength: "ray.length", "", "|D|", "√(D · D)", "1.3 (1)";
-    RayDirection: "ray.direction", "", "d", "D/|D|", "1.3 (1)";
+    RayOrigin: "ray.origin", "", "O", "", "";
+    CameraDirection: "camera.direction", "", "G", "", "";
+    CameraUpAsGiven: "camera.up_as_given", "", "G_u", "", "";
+    CameraLength: "camera.length", "", "|G|", "√(G · G)", "";
+    CameraRight: "camera.right", "", "e_x", "(G×G_u)/|G×G_u|", "";
+    CameraUp: "camera.up", "", "e_y", "((G×G_u)×G)/|(G×G_u)×G|", "";
+    PixelColumn: "pixel.column", "", "col", "", "";
+    PixelMiddleColumn: "pixel.middle_column", "", "col_m", "", "";
+    PixelRow: "pixel.row", "", "row", "", "";
+    PixelMiddleRow: "pixel.middle_row", "", "row_m", "", "";
+    PixelSide: "pixel.side", "", "px", "2·tan(θ_v°/2)/n_v", "";
+    PixelX: "pixel.x", "", "x", "(col − col_m)·px", "";
+    PixelY: "pixel.y", "", "y", "(row_m − row)·px", "";
+    RayVector: "ray.vector", "", "D", "G + |G|·(x·e_x + y·e_y)", "";
+    RayLength: "ray.length", "", "|D|", "√(D · D)", "1.3";
+    RayDirection: "ray.direction", "", "d", "D/|D|", "1.3";
 
     // Plane.
-    PlaneNormal: "plane.normal", "", "N_p", "", "1.3 (2)";
-    PlaneOffset: "plane.offset", "", "D_p", "", "1.3 (2)";
-    PlaneVd: "plane.v_d", "", "V_d", "N_p · d", "1.3 (2)";
-    PlaneVo: "plane.v_o", "", "V_o", "−(N_p · O + D_p)", "1.3 (2)";
-    PlaneT: "plane.t", "", "t", "V_o/V_d", "1.3 (2)";
+    PlaneNormal: "plane.normal", "", "N_p", "", "1.3";
+    PlaneOffset: "plane.offset", "", "D_p", "", "1.3";
+    PlaneVd: "plane.v_d", "", "V_d", "N_p · d", "1.3";
+    PlaneVo: "plane.v_o", "", "V_o", "−(N_p · O + D_p)", "1.3";
+    PlaneT: "plane.t", "", "t", "V_o/V_d", "1.3";
     // What was computed with more digits than f64 has, as were its operands: the formula on logged values gives it within a bound.
-    PlaneTDoubled: "plane.t", "doubled", "t", "V_o/V_d", "1.3 (2)";
+    PlaneTDoubled: "plane.t", "doubled", "t", "V_o/V_d", "1.3";
 
     // A ray that begins on a surface and goes through it.
     TouchT: "touch.t", "", "t", "0", "";
 
     // Sphere: the geometric method of the source text, and the robust one (Haines et al., Ray Tracing Gems, chapter 7).
-    SphereCenter: "sphere.center", "", "S_c", "", "1.3 (5a)";
-    SphereRadius: "sphere.radius", "", "r", "", "1.3 (5c)";
-    SphereRadiusSquared: "sphere.radius_squared", "", "r²", "", "1.3 (5c)";
-    SphereOc: "sphere.oc", "", "OC", "S_c − O", "1.3 (5a)";
-    SphereL2oc: "sphere.l2_oc", "", "L2oc", "OC · OC", "1.3 (5a)";
-    SphereTa: "sphere.t_a", "", "T_A", "OC · d", "1.3 (5b)";
-    SphereT2a: "sphere.t2_a", "", "T2_A", "r² − L2oc + T_A²", "1.3 (5d)";
-    SphereT2aRobust: "sphere.t2_a", "robust", "T2_A", "r² − |OC − T_A·d|²", "1.3 (5d)";
-    SphereT: "sphere.t", "", "t", "T_A − √T2_A", "1.3 (5e)";
-    SphereTFar: "sphere.t", "far", "t", "T_A + √T2_A", "1.3 (5e)";
-    SphereTNearRobust: "sphere.t", "near_robust", "t", "(L2oc − r²)/(T_A + √T2_A)", "1.3 (5e)";
-    SphereTFarRobust: "sphere.t", "far_robust", "t", "(r² − L2oc)/(√T2_A − T_A)", "1.3 (5e)";
-    SphereT2aDoubled: "sphere.t2_a", "doubled", "T2_A", "r·r − |OC − T_A·d|²", "1.3 (5d)";
-    SphereTDoubled: "sphere.t", "doubled", "t", "T_A − √T2_A", "1.3 (5e)";
-    SphereFromCenter: "sphere.from_center", "", "q_s", "O − S_c + d·t", "1.3 (5f)";
-    SphereTLeaving: "sphere.t", "leaving", "t", "2·T_A", "1.3 (5e)";
+    SphereCenter: "sphere.center", "", "S_c", "", "1.3";
+    SphereRadius: "sphere.radius", "", "r", "", "1.3";
+    SphereRadiusSquared: "sphere.radius_squared", "", "r²", "", "1.3";
+    SphereOc: "sphere.oc", "", "OC", "S_c − O", "1.3";
+    SphereL2oc: "sphere.l2_oc", "", "L2oc", "OC · OC", "1.3";
+    SphereTa: "sphere.t_a", "", "T_A", "OC · d", "1.3";
+    SphereT2a: "sphere.t2_a", "", "T2_A", "r² − L2oc + T_A²", "1.3";
+    SphereT2aRobust: "sphere.t2_a", "robust", "T2_A", "r² − |OC − T_A·d|²", "1.3";
+    SphereT: "sphere.t", "", "t", "T_A − √T2_A", "1.3";
+    SphereTFar: "sphere.t", "far", "t", "T_A + √T2_A", "1.3";
+    SphereTNearRobust: "sphere.t", "near_robust", "t", "(L2oc − r²)/(T_A + √T2_A)", "1.3";
+    SphereTFarRobust: "sphere.t", "far_robust", "t", "(r² − L2oc)/(√T2_A − T_A)", "1.3";
+    SphereT2aDoubled: "sphere.t2_a", "doubled", "T2_A", "r·r − |OC − T_A·d|²", "1.3";
+    SphereTDoubled: "sphere.t", "doubled", "t", "T_A − √T2_A", "1.3";
+    SphereFromCenter: "sphere.from_center", "", "q_s", "O − S_c + d·t", "1.3";
+    SphereTLeaving: "sphere.t", "leaving", "t", "2·T_A", "1.3";
 
     // Ellipsoid. E_1, E_2 and E_3 are the rows of the linear map that makes it the sphere of its largest radius.
-    EllipsoidCenter: "ellipsoid.center", "", "E_c", "", "1.1.1";
-    EllipsoidRow1: "ellipsoid.row_1", "", "E_1", "", "1.1.1";
-    EllipsoidRow2: "ellipsoid.row_2", "", "E_2", "", "1.1.1";
-    EllipsoidRow3: "ellipsoid.row_3", "", "E_3", "", "1.1.1";
-    EllipsoidRadiusSquared: "ellipsoid.radius_squared", "", "r²", "", "1.1.1";
-    EllipsoidOrigin: "ellipsoid.origin", "", "o_e", "O − E_c", "1.1.1";
-    EllipsoidOrigin1: "ellipsoid.origin_1", "", "o_1", "E_1 · o_e", "1.1.1";
-    EllipsoidOrigin2: "ellipsoid.origin_2", "", "o_2", "E_2 · o_e", "1.1.1";
-    EllipsoidOrigin3: "ellipsoid.origin_3", "", "o_3", "E_3 · o_e", "1.1.1";
-    EllipsoidDirection1: "ellipsoid.direction_1", "", "d_1", "E_1 · d", "1.1.1";
-    EllipsoidDirection2: "ellipsoid.direction_2", "", "d_2", "E_2 · d", "1.1.1";
-    EllipsoidDirection3: "ellipsoid.direction_3", "", "d_3", "E_3 · d", "1.1.1";
-    EllipsoidA: "ellipsoid.a", "", "a", "d_1² + d_2² + d_3²", "1.1.1";
-    EllipsoidB: "ellipsoid.b", "", "b", "o_1·d_1 + o_2·d_2 + o_3·d_3", "1.1.1";
-    EllipsoidC: "ellipsoid.c", "", "c", "o_1² + o_2² + o_3² − r²", "1.1.1";
+    EllipsoidCenter: "ellipsoid.center", "", "E_c", "", "";
+    EllipsoidRow1: "ellipsoid.row_1", "", "E_1", "", "";
+    EllipsoidRow2: "ellipsoid.row_2", "", "E_2", "", "";
+    EllipsoidRow3: "ellipsoid.row_3", "", "E_3", "", "";
+    EllipsoidRadiusSquared: "ellipsoid.radius_squared", "", "r²", "", "";
+    EllipsoidOrigin: "ellipsoid.origin", "", "o_e", "O − E_c", "";
+    EllipsoidOrigin1: "ellipsoid.origin_1", "", "o_1", "E_1 · o_e", "";
+    EllipsoidOrigin2: "ellipsoid.origin_2", "", "o_2", "E_2 · o_e", "";
+    EllipsoidOrigin3: "ellipsoid.origin_3", "", "o_3", "E_3 · o_e", "";
+    EllipsoidDirection1: "ellipsoid.direction_1", "", "d_1", "E_1 · d", "";
+    EllipsoidDirection2: "ellipsoid.direction_2", "", "d_2", "E_2 · d", "";
+    EllipsoidDirection3: "ellipsoid.direction_3", "", "d_3", "E_3 · d", "";
+    EllipsoidA: "ellipsoid.a", "", "a", "d_1² + d_2² + d_3²", "";
+    EllipsoidB: "ellipsoid.b", "", "b", "o_1·d_1 + o_2·d_2 + o_3·d_3", "";
+    EllipsoidC: "ellipsoid.c", "", "c", "o_1² + o_2² + o_3² − r²", "";
     EllipsoidDiscriminant: "ellipsoid.discriminant", "", "Δ",
-        "r²·a − ((o_2·d_3 − o_3·d_2)² + (o_3·d_1 − o_1·d_3)² + (o_1·d_2 − o_2·d_1)²)", "1.1.1";
-    EllipsoidT1: "ellipsoid.t", "1", "t", "t_1", "1.1.1";
-    EllipsoidT2: "ellipsoid.t", "2", "t", "t_2", "1.1.1";
-    EllipsoidTDoubled: "ellipsoid.t", "doubled", "t", "(−b − √Δ)/a", "1.1.1";
-    EllipsoidPoint: "ellipsoid.point", "", "p_e", "O − E_c + d·t", "1.1.1";
-    EllipsoidPoint1: "ellipsoid.point_1", "", "p_1", "E_1 · p_e", "1.1.1";
-    EllipsoidPoint2: "ellipsoid.point_2", "", "p_2", "E_2 · p_e", "1.1.1";
-    EllipsoidPoint3: "ellipsoid.point_3", "", "p_3", "E_3 · p_e", "1.1.1";
-    EllipsoidOffset: "ellipsoid.offset", "", "f_e", "p_1² + p_2² + p_3² − r²", "1.1.1";
-    EllipsoidGradient: "ellipsoid.gradient", "", "g_e", "E_1·p_1 + E_2·p_2 + E_3·p_3", "1.1.1";
+        "r²·a − ((o_2·d_3 − o_3·d_2)² + (o_3·d_1 − o_1·d_3)² + (o_1·d_2 − o_2·d_1)²)", "";
+    EllipsoidT1: "ellipsoid.t", "1", "t", "t_1", "";
+    EllipsoidT2: "ellipsoid.t", "2", "t", "t_2", "";
+    EllipsoidTDoubled: "ellipsoid.t", "doubled", "t", "(−b − √Δ)/a", "";
+    EllipsoidPoint: "ellipsoid.point", "", "p_e", "O − E_c + d·t", "";
+    EllipsoidPoint1: "ellipsoid.point_1", "", "p_1", "E_1 · p_e", "";
+    EllipsoidPoint2: "ellipsoid.point_2", "", "p_2", "E_2 · p_e", "";
+    EllipsoidPoint3: "ellipsoid.point_3", "", "p_3", "E_3 · p_e", "";
+    EllipsoidOffset: "ellipsoid.offset", "", "f_e", "p_1² + p_2² + p_3² − r²", "";
+    EllipsoidGradient: "ellipsoid.gradient", "", "g_e", "E_1·p_1 + E_2·p_2 + E_3·p_3", "";
 
     // The roots of a·t² + 2·b·t + c, for the shapes that have two. Neither subtracts what nearly cancels.
-    QuadraticQAway: "quadratic.q", "away", "q", "−b − √max(Δ, 0)", "1.1.1";
-    QuadraticQToward: "quadratic.q", "toward", "q", "−b + √max(Δ, 0)", "1.1.1";
-    QuadraticT1: "quadratic.t_1", "", "t_1", "q/a", "1.1.1";
-    QuadraticT2: "quadratic.t_2", "", "t_2", "c/q", "1.1.1";
+    QuadraticQAway: "quadratic.q", "away", "q", "−b − √max(Δ, 0)", "";
+    QuadraticQToward: "quadratic.q", "toward", "q", "−b + √max(Δ, 0)", "";
+    QuadraticT1: "quadratic.t_1", "", "t_1", "q/a", "";
+    QuadraticT2: "quadratic.t_2", "", "t_2", "c/q", "";
 
     // Triangle. The edge functions are named after the corner over against the edge. N_t = (B − A) × (C − A) with all its digits.
-    TriangleA: "triangle.a", "", "A", "", "1.1.1";
-    TriangleB: "triangle.b", "", "B", "", "1.1.1";
-    TriangleC: "triangle.c", "", "C", "", "1.1.1";
-    TriangleNormal: "triangle.normal", "", "N_t", "", "1.1.1";
-    TriangleUnitNormal: "triangle.unit_normal", "", "ν_t", "", "1.1.1";
-    TriangleEdgeA: "triangle.edge_a", "", "E_a", "d · ((C − O)×(B − O))", "1.1.1";
-    TriangleEdgeB: "triangle.edge_b", "", "E_b", "d · ((A − O)×(C − O))", "1.1.1";
-    TriangleEdgeC: "triangle.edge_c", "", "E_c", "d · ((B − O)×(A − O))", "1.1.1";
-    TriangleEdgesExact: "triangle.edges_exact", "", "E", "", "1.1.1";
-    TriangleVd: "triangle.v_d", "", "V_d", "N_t · d", "1.1.1";
-    TriangleVo: "triangle.v_o", "", "V_o", "N_t · (A − O)", "1.1.1";
-    TriangleT: "triangle.t", "", "t", "V_o/V_d", "1.1.1";
-    TriangleTDoubled: "triangle.t", "doubled", "t", "(((B − A)×(C − A)) · (A − O))/(((B − A)×(C − A)) · d)", "1.1.1";
-    TriangleTNear: "triangle.t_near", "", "t_n", "", "1.1.1";
-    TriangleTFar: "triangle.t_far", "", "t_f", "", "1.1.1";
-    TriangleTInBox: "triangle.t", "in_box", "t", "min(max(t, t_n), t_f)", "1.1.1";
+    TriangleA: "triangle.a", "", "A", "", "";
+    TriangleB: "triangle.b", "", "B", "", "";
+    TriangleC: "triangle.c", "", "C", "", "";
+    TriangleNormal: "triangle.normal", "", "N_t", "", "";
+    TriangleUnitNormal: "triangle.unit_normal", "", "ν_t", "", "";
+    TriangleEdgeA: "triangle.edge_a", "", "E_a", "d · ((C − O)×(B − O))", "";
+    TriangleEdgeB: "triangle.edge_b", "", "E_b", "d · ((A − O)×(C − O))", "";
+    TriangleEdgeC: "triangle.edge_c", "", "E_c", "d · ((B − O)×(A − O))", "";
+    TriangleEdgesExact: "triangle.edges_exact", "", "E", "", "";
+    TriangleVd: "triangle.v_d", "", "V_d", "N_t · d", "";
+    TriangleVo: "triangle.v_o", "", "V_o", "N_t · (A − O)", "";
+    TriangleT: "triangle.t", "", "t", "V_o/V_d", "";
+    TriangleTDoubled: "triangle.t", "doubled", "t", "(((B − A)×(C − A)) · (A − O))/(((B − A)×(C − A)) · d)", "";
+    TriangleTNear: "triangle.t_near", "", "t_n", "", "";
+    TriangleTFar: "triangle.t_far", "", "t_f", "", "";
+    TriangleTInBox: "triangle.t", "in_box", "t", "min(max(t, t_n), t_f)", "";
 
     // The mean of the normals at a triangle's corners, by the areas over against them.
-    TriangleNormalA: "triangle.normal_a", "", "N_a", "", "1.1.1";
-    TriangleNormalB: "triangle.normal_b", "", "N_b", "", "1.1.1";
-    TriangleNormalC: "triangle.normal_c", "", "N_c", "", "1.1.1";
-    TriangleWeightA: "triangle.weight_a", "", "w_a", "(ν_t · ((B − P)×(C − P)))/(ν_t · N_t)", "1.1.1";
-    TriangleWeightB: "triangle.weight_b", "", "w_b", "(ν_t · ((C − P)×(A − P)))/(ν_t · N_t)", "1.1.1";
-    TriangleWeightC: "triangle.weight_c", "", "w_c", "1 − w_a − w_b", "1.1.1";
-    TriangleMeanNormal: "triangle.mean_normal", "", "N_m", "w_a·N_a + w_b·N_b + w_c·N_c", "1.1.1";
+    TriangleNormalA: "triangle.normal_a", "", "N_a", "", "";
+    TriangleNormalB: "triangle.normal_b", "", "N_b", "", "";
+    TriangleNormalC: "triangle.normal_c", "", "N_c", "", "";
+    TriangleWeightA: "triangle.weight_a", "", "w_a", "(ν_t · ((B − P)×(C − P)))/(ν_t · N_t)", "";
+    TriangleWeightB: "triangle.weight_b", "", "w_b", "(ν_t · ((C − P)×(A − P)))/(ν_t · N_t)", "";
+    TriangleWeightC: "triangle.weight_c", "", "w_c", "1 − w_a − w_b", "";
+    TriangleMeanNormal: "triangle.mean_normal", "", "N_m", "w_a·N_a + w_b·N_b + w_c·N_c", "";
 
     // Polygon. Q is its first corner. How many of its edges a half plane from the ray crosses has no formula.
-    PolygonCorner: "polygon.corner", "", "Q", "", "1.1.1";
-    PolygonNormal: "polygon.normal", "", "N_q", "", "1.1.1";
-    PolygonUnitNormal: "polygon.unit_normal", "", "ν_q", "", "1.1.1";
-    PolygonVd: "polygon.v_d", "", "V_d", "N_q · d", "1.1.1";
-    PolygonVo: "polygon.v_o", "", "V_o", "N_q · (Q − O)", "1.1.1";
-    PolygonT: "polygon.t", "", "t", "V_o/V_d", "1.1.1";
-    PolygonTDoubled: "polygon.t", "doubled", "t", "(N_q · (Q − O))/(N_q · d)", "1.1.1";
-    PolygonTNear: "polygon.t_near", "", "t_n", "", "1.1.1";
-    PolygonTFar: "polygon.t_far", "", "t_f", "", "1.1.1";
-    PolygonTInBox: "polygon.t", "in_box", "t", "min(max(t, t_n), t_f)", "1.1.1";
-    PolygonCrossings: "polygon.crossings", "", "κ", "", "1.1.1";
+    PolygonCorner: "polygon.corner", "", "Q", "", "";
+    PolygonNormal: "polygon.normal", "", "N_q", "", "";
+    PolygonUnitNormal: "polygon.unit_normal", "", "ν_q", "", "";
+    PolygonVd: "polygon.v_d", "", "V_d", "N_q · d", "";
+    PolygonVo: "polygon.v_o", "", "V_o", "N_q · (Q − O)", "";
+    PolygonT: "polygon.t", "", "t", "V_o/V_d", "";
+    PolygonTDoubled: "polygon.t", "doubled", "t", "(N_q · (Q − O))/(N_q · d)", "";
+    PolygonTNear: "polygon.t_near", "", "t_n", "", "";
+    PolygonTFar: "polygon.t_far", "", "t_f", "", "";
+    PolygonTInBox: "polygon.t", "in_box", "t", "min(max(t, t_n), t_f)", "";
+    PolygonCrossings: "polygon.crossings", "", "κ", "", "";
 
     // Box.
-    BoxMin: "box.min", "", "b_min", "", "1.1.1";
-    BoxMax: "box.max", "", "b_max", "", "1.1.1";
-    BoxFaceNormal: "box.face_normal", "", "ν_b", "", "1.1.1";
-    BoxToMin: "box.to_min", "", "t_lo", "(b_min − O)⊘d", "1.1.1";
-    BoxToMax: "box.to_max", "", "t_hi", "(b_max − O)⊘d", "1.1.1";
-    BoxEntry: "box.entry", "", "t_in", "max(min(t_lo, t_hi))", "1.1.1";
-    BoxExit: "box.exit", "", "t_out", "min(max(t_lo, t_hi))", "1.1.1";
-    BoxTEntry: "box.t", "entry", "t", "t_in", "1.1.1";
-    BoxTExit: "box.t", "exit", "t", "t_out", "1.1.1";
+    BoxMin: "box.min", "", "b_min", "", "";
+    BoxMax: "box.max", "", "b_max", "", "";
+    BoxFaceNormal: "box.face_normal", "", "ν_b", "", "";
+    BoxToMin: "box.to_min", "", "t_lo", "(b_min − O)⊘d", "";
+    BoxToMax: "box.to_max", "", "t_hi", "(b_max − O)⊘d", "";
+    BoxEntry: "box.entry", "", "t_in", "max(min(t_lo, t_hi))", "";
+    BoxExit: "box.exit", "", "t_out", "min(max(t_lo, t_hi))", "";
+    BoxTEntry: "box.t", "entry", "t", "t_in", "";
+    BoxTExit: "box.t", "exit", "t", "t_out", "";
 
     // The axis of a cylinder or cone, from its base to its apex; the ray and its hit along it and across.
-    AxisBase: "axis.base", "", "A_b", "", "1.1.1";
-    AxisApex: "axis.apex", "", "A_a", "", "1.1.1";
-    AxisDirection: "axis.direction", "", "w", "", "1.1.1";
-    AxisLength: "axis.length", "", "l_w", "", "1.1.1";
-    AxisOrigin: "axis.origin", "", "o_b", "O − A_b", "1.1.1";
-    AxisOriginNear: "axis.origin", "near", "o_b", "O − A_b + d·t_0", "1.1.1";
-    AxisOriginAlong: "axis.origin_along", "", "o_w", "o_b · w", "1.1.1";
-    AxisOriginAcross: "axis.origin_across", "", "o_r", "o_b × w", "1.1.1";
-    AxisRayAlong: "axis.ray_along", "", "d_w", "d · w", "1.1.1";
-    AxisRayAcross: "axis.ray_across", "", "d_r", "d × w", "1.1.1";
-    AxisTBase: "axis.t_base", "", "t_b", "−o_w/d_w", "1.1.1";
-    AxisTApex: "axis.t_apex", "", "t_a", "(l_w − o_w)/d_w", "1.1.1";
-    AxisPoint: "axis.point", "", "p_b", "O − A_b + d·t", "1.1.1";
-    AxisPointAlong: "axis.point_along", "", "p_w", "p_b · w", "1.1.1";
-    AxisPointAcross: "axis.point_across", "", "p_r", "p_b − w·p_w", "1.1.1";
+    AxisBase: "axis.base", "", "A_b", "", "";
+    AxisApex: "axis.apex", "", "A_a", "", "";
+    AxisDirection: "axis.direction", "", "w", "", "";
+    AxisLength: "axis.length", "", "l_w", "", "";
+    AxisOrigin: "axis.origin", "", "o_b", "O − A_b", "";
+    AxisOriginNear: "axis.origin", "near", "o_b", "O − A_b + d·t_0", "";
+    AxisOriginAlong: "axis.origin_along", "", "o_w", "o_b · w", "";
+    AxisOriginAcross: "axis.origin_across", "", "o_r", "o_b × w", "";
+    AxisRayAlong: "axis.ray_along", "", "d_w", "d · w", "";
+    AxisRayAcross: "axis.ray_across", "", "d_r", "d × w", "";
+    AxisTBase: "axis.t_base", "", "t_b", "−o_w/d_w", "";
+    AxisTApex: "axis.t_apex", "", "t_a", "(l_w − o_w)/d_w", "";
+    AxisPoint: "axis.point", "", "p_b", "O − A_b + d·t", "";
+    AxisPointAlong: "axis.point_along", "", "p_w", "p_b · w", "";
+    AxisPointAcross: "axis.point_across", "", "p_r", "p_b − w·p_w", "";
 
     // Cylinder.
-    CylinderRadius: "cylinder.radius", "", "r", "", "1.1.1";
-    CylinderRadiusSquared: "cylinder.radius_squared", "", "r²", "", "1.1.1";
-    CylinderA: "cylinder.a", "", "a", "d_r · d_r", "1.1.1";
-    CylinderB: "cylinder.b", "", "b", "o_r · d_r", "1.1.1";
-    CylinderC: "cylinder.c", "", "c", "o_r · o_r − r²", "1.1.1";
-    CylinderDiscriminant: "cylinder.discriminant", "", "Δ", "r²·a − |o_r × d_r|²", "1.1.1";
-    CylinderT1: "cylinder.t", "1", "t", "t_1", "1.1.1";
-    CylinderT2: "cylinder.t", "2", "t", "t_2", "1.1.1";
-    CylinderTDoubled: "cylinder.t", "doubled", "t", "(−b − √Δ)/a", "1.1.1";
-    CylinderTBase: "cylinder.t", "base", "t", "t_b", "1.1.1";
-    CylinderTApex: "cylinder.t", "apex", "t", "t_a", "1.1.1";
+    CylinderRadius: "cylinder.radius", "", "r", "", "";
+    CylinderRadiusSquared: "cylinder.radius_squared", "", "r²", "", "";
+    CylinderA: "cylinder.a", "", "a", "d_r · d_r", "";
+    CylinderB: "cylinder.b", "", "b", "o_r · d_r", "";
+    CylinderC: "cylinder.c", "", "c", "o_r · o_r − r²", "";
+    CylinderDiscriminant: "cylinder.discriminant", "", "Δ", "r²·a − |o_r × d_r|²", "";
+    CylinderT1: "cylinder.t", "1", "t", "t_1", "";
+    CylinderT2: "cylinder.t", "2", "t", "t_2", "";
+    CylinderTDoubled: "cylinder.t", "doubled", "t", "(−b − √Δ)/a", "";
+    CylinderTBase: "cylinder.t", "base", "t", "t_b", "";
+    CylinderTApex: "cylinder.t", "apex", "t", "t_a", "";
 
     // Cone. Its radius is r_b at the base and grows by k along the axis. A ray is reckoned from its point nearest to the
     // base, at t_0: there the radius is ρ_o, and it grows by ρ_d along the ray.
-    ConeBaseRadius: "cone.base_radius", "", "r_b", "", "1.1.1";
-    ConeSlope: "cone.slope", "", "k", "", "1.1.1";
-    ConeTNear: "cone.t_0", "", "t_0", "−((O − A_b) · d)/(d · d)", "1.1.1";
-    ConeOriginRadius: "cone.origin_radius", "", "ρ_o", "r_b + k·o_w", "1.1.1";
-    ConeRayRadius: "cone.ray_radius", "", "ρ_d", "k·d_w", "1.1.1";
-    ConeA: "cone.a", "", "a", "d_r · d_r − ρ_d²", "1.1.1";
-    ConeB: "cone.b", "", "b", "o_r · d_r − ρ_o·ρ_d", "1.1.1";
-    ConeC: "cone.c", "", "c", "o_r · o_r − ρ_o²", "1.1.1";
-    ConeDiscriminant: "cone.discriminant", "", "Δ", "|o_r·ρ_d − d_r·ρ_o|² − |o_r × d_r|²", "1.1.1";
-    ConeDiscriminantDoubled: "cone.discriminant", "doubled", "Δ", "|o_r·ρ_d − d_r·ρ_o|² − |o_r × d_r|²", "1.1.1";
-    ConeT1: "cone.t", "1", "t", "t_0 + t_1", "1.1.1";
-    ConeT2: "cone.t", "2", "t", "t_0 + t_2", "1.1.1";
-    ConeTBase: "cone.t", "base", "t", "t_0 + t_b", "1.1.1";
-    ConeTApex: "cone.t", "apex", "t", "t_0 + t_a", "1.1.1";
-    ConeOffset: "cone.offset", "", "f_c", "|p_r| − (r_b + k·p_w)", "1.1.1";
-    ConeGradient: "cone.gradient", "", "g_c", "p_r/|p_r| − w·k", "1.1.1";
+    ConeBaseRadius: "cone.base_radius", "", "r_b", "", "";
+    ConeSlope: "cone.slope", "", "k", "", "";
+    ConeTNear: "cone.t_0", "", "t_0", "−((O − A_b) · d)/(d · d)", "";
+    ConeOriginRadius: "cone.origin_radius", "", "ρ_o", "r_b + k·o_w", "";
+    ConeRayRadius: "cone.ray_radius", "", "ρ_d", "k·d_w", "";
+    ConeA: "cone.a", "", "a", "d_r · d_r − ρ_d²", "";
+    ConeB: "cone.b", "", "b", "o_r · d_r − ρ_o·ρ_d", "";
+    ConeC: "cone.c", "", "c", "o_r · o_r − ρ_o²", "";
+    ConeDiscriminant: "cone.discriminant", "", "Δ", "|o_r·ρ_d − d_r·ρ_o|² − |o_r × d_r|²", "";
+    ConeDiscriminantDoubled: "cone.discriminant", "doubled", "Δ", "|o_r·ρ_d − d_r·ρ_o|² − |o_r × d_r|²", "";
+    ConeT1: "cone.t", "1", "t", "t_0 + t_1", "";
+    ConeT2: "cone.t", "2", "t", "t_0 + t_2", "";
+    ConeTBase: "cone.t", "base", "t", "t_0 + t_b", "";
+    ConeTApex: "cone.t", "apex", "t", "t_0 + t_a", "";
+    ConeOffset: "cone.offset", "", "f_c", "|p_r| − (r_b + k·p_w)", "";
+    ConeGradient: "cone.gradient", "", "g_c", "p_r/|p_r| − w·k", "";
 
     // Disk.
-    DiskCenter: "disk.center", "", "C_d", "", "1.1.1";
-    DiskNormal: "disk.normal", "", "N_d", "", "1.1.1";
-    DiskUnitNormal: "disk.unit_normal", "", "ν_d", "", "1.1.1";
-    DiskRadius: "disk.radius", "", "r_d", "", "1.1.1";
-    DiskVd: "disk.v_d", "", "V_d", "N_d · d", "1.1.1";
-    DiskVo: "disk.v_o", "", "V_o", "N_d · (C_d − O)", "1.1.1";
-    DiskT: "disk.t", "", "t", "V_o/V_d", "1.1.1";
-    DiskTDoubled: "disk.t", "doubled", "t", "(N_d · (C_d − O))/(N_d · d)", "1.1.1";
-    DiskDistanceSquared: "disk.distance_squared", "", "ρ²", "|O + d·t − C_d|²", "1.1.1";
+    DiskCenter: "disk.center", "", "C_d", "", "";
+    DiskNormal: "disk.normal", "", "N_d", "", "";
+    DiskUnitNormal: "disk.unit_normal", "", "ν_d", "", "";
+    DiskRadius: "disk.radius", "", "r_d", "", "";
+    DiskVd: "disk.v_d", "", "V_d", "N_d · d", "";
+    DiskVo: "disk.v_o", "", "V_o", "N_d · (C_d − O)", "";
+    DiskT: "disk.t", "", "t", "V_o/V_d", "";
+    DiskTDoubled: "disk.t", "doubled", "t", "(N_d · (C_d − O))/(N_d · d)", "";
+    DiskDistanceSquared: "disk.distance_squared", "", "ρ²", "|O + d·t − C_d|²", "";
 
     // The nearest hit: its point, and the normal turned toward the arriving ray.
-    HitPoint: "hit.point", "", "P", "O + d·t", "1.3 (3)";
-    HitPointSphere: "hit.point", "on_sphere", "P", "S_c + q_s·(r/|q_s|)", "1.3 (5f)";
-    HitPointEllipsoid: "hit.point", "on_ellipsoid", "P", "E_c + (p_e − g_e·(f_e/(2·(g_e · g_e))))", "1.1.1";
-    HitPointCylinder: "hit.point", "on_cylinder", "P", "A_b + w·p_w + p_r·(r/|p_r|)", "1.1.1";
-    HitPointCone: "hit.point", "on_cone", "P", "A_b + (p_b − g_c·(f_c/(g_c · g_c)))", "1.1.1";
-    HitPointBaseCap: "hit.point", "on_base_cap", "P", "A_b + p_r", "1.1.1";
-    HitPointApexCap: "hit.point", "on_apex_cap", "P", "A_a + p_r", "1.1.1";
-    HitNormalPlane: "hit.normal", "plane", "N", "N_p/|N_p|", "1.3 (4)";
-    HitNormalPlaneBack: "hit.normal", "plane_back", "N", "−(N_p/|N_p|)", "1.3 (4)";
-    HitNormalFacing: "hit.normal", "facing", "N", "−d", "1.1.1";
-    HitNormalSphere: "hit.normal", "sphere", "N", "(P − S_c)/r", "1.3 (5g)";
-    HitNormalSphereBack: "hit.normal", "sphere_back", "N", "(S_c − P)/r", "1.3 (5g)";
-    HitNormalOnSphere: "hit.normal", "on_sphere", "N", "q_s/|q_s|", "1.3 (5g)";
-    HitNormalOnSphereBack: "hit.normal", "on_sphere_back", "N", "−q_s/|q_s|", "1.3 (5g)";
-    HitNormalEllipsoid: "hit.normal", "ellipsoid", "N", "g_e/|g_e|", "1.1.1";
-    HitNormalEllipsoidBack: "hit.normal", "ellipsoid_back", "N", "−g_e/|g_e|", "1.1.1";
-    HitNormalCylinder: "hit.normal", "cylinder", "N", "p_r/|p_r|", "1.1.1";
-    HitNormalCylinderBack: "hit.normal", "cylinder_back", "N", "−p_r/|p_r|", "1.1.1";
-    HitNormalCone: "hit.normal", "cone", "N", "g_c/|g_c|", "1.1.1";
-    HitNormalConeBack: "hit.normal", "cone_back", "N", "−g_c/|g_c|", "1.1.1";
-    HitNormalAlongAxis: "hit.normal", "along_axis", "N", "w", "1.1.1";
-    HitNormalAgainstAxis: "hit.normal", "against_axis", "N", "−w", "1.1.1";
-    HitNormalTriangle: "hit.normal", "triangle", "N", "ν_t", "1.1.1";
-    HitNormalTriangleBack: "hit.normal", "triangle_back", "N", "−ν_t", "1.1.1";
-    HitNormalPolygon: "hit.normal", "polygon", "N", "ν_q", "1.1.1";
-    HitNormalPolygonBack: "hit.normal", "polygon_back", "N", "−ν_q", "1.1.1";
-    HitNormalBox: "hit.normal", "box", "N", "ν_b", "1.1.1";
-    HitNormalBoxBack: "hit.normal", "box_back", "N", "−ν_b", "1.1.1";
-    HitNormalDisk: "hit.normal", "disk", "N", "ν_d", "1.1.1";
-    HitNormalDiskBack: "hit.normal", "disk_back", "N", "−ν_d", "1.1.1";
+    HitPoint: "hit.point", "", "P", "O + d·t", "1.3";
+    HitPointSphere: "hit.point", "on_sphere", "P", "S_c + q_s·(r/|q_s|)", "1.3";
+    HitPointEllipsoid: "hit.point", "on_ellipsoid", "P", "E_c + (p_e − g_e·(f_e/(2·(g_e · g_e))))", "";
+    HitPointCylinder: "hit.point", "on_cylinder", "P", "A_b + w·p_w + p_r·(r/|p_r|)", "";
+    HitPointCone: "hit.point", "on_cone", "P", "A_b + (p_b − g_c·(f_c/(g_c · g_c)))", "";
+    HitPointBaseCap: "hit.point", "on_base_cap", "P", "A_b + p_r", "";
+    HitPointApexCap: "hit.point", "on_apex_cap", "P", "A_a + p_r", "";
+    HitNormalPlane: "hit.normal", "plane", "N", "N_p/|N_p|", "1.3";
+    HitNormalPlaneBack: "hit.normal", "plane_back", "N", "−(N_p/|N_p|)", "1.3";
+    HitNormalFacing: "hit.normal", "facing", "N", "−d", "";
+    HitNormalSphere: "hit.normal", "sphere", "N", "(P − S_c)/r", "1.3";
+    HitNormalSphereBack: "hit.normal", "sphere_back", "N", "(S_c − P)/r", "1.3";
+    HitNormalOnSphere: "hit.normal", "on_sphere", "N", "q_s/|q_s|", "1.3";
+    HitNormalOnSphereBack: "hit.normal", "on_sphere_back", "N", "−q_s/|q_s|", "1.3";
+    HitNormalEllipsoid: "hit.normal", "ellipsoid", "N", "g_e/|g_e|", "";
+    HitNormalEllipsoidBack: "hit.normal", "ellipsoid_back", "N", "−g_e/|g_e|", "";
+    HitNormalCylinder: "hit.normal", "cylinder", "N", "p_r/|p_r|", "";
+    HitNormalCylinderBack: "hit.normal", "cylinder_back", "N", "−p_r/|p_r|", "";
+    HitNormalCone: "hit.normal", "cone", "N", "g_c/|g_c|", "";
+    HitNormalConeBack: "hit.normal", "cone_back", "N", "−g_c/|g_c|", "";
+    HitNormalAlongAxis: "hit.normal", "along_axis", "N", "w", "";
+    HitNormalAgainstAxis: "hit.normal", "against_axis", "N", "−w", "";
+    HitNormalTriangle: "hit.normal", "triangle", "N", "ν_t", "";
+    HitNormalTriangleBack: "hit.normal", "triangle_back", "N", "−ν_t", "";
+    HitNormalPolygon: "hit.normal", "polygon", "N", "ν_q", "";
+    HitNormalPolygonBack: "hit.normal", "polygon_back", "N", "−ν_q", "";
+    HitNormalBox: "hit.normal", "box", "N", "ν_b", "";
+    HitNormalBoxBack: "hit.normal", "box_back", "N", "−ν_b", "";
+    HitNormalDisk: "hit.normal", "disk", "N", "ν_d", "";
+    HitNormalDiskBack: "hit.normal", "disk_back", "N", "−ν_d", "";
     // Where normals are interpolated, the surface's own one has a name of its own, and the mean lies on its side.
-    HitGeometricNormalTriangle: "hit.geometric_normal", "triangle", "N_g", "ν_t", "1.1.1";
-    HitGeometricNormalTriangleBack: "hit.geometric_normal", "triangle_back", "N_g", "−ν_t", "1.1.1";
-    HitGeometricNormalPolygon: "hit.geometric_normal", "polygon", "N_g", "ν_q", "1.1.1";
-    HitGeometricNormalPolygonBack: "hit.geometric_normal", "polygon_back", "N_g", "−ν_q", "1.1.1";
-    HitNormalMean: "hit.normal", "mean", "N", "N_m/|N_m|", "1.1.1";
-    HitNormalMeanTurned: "hit.normal", "mean_turned", "N", "−N_m/|N_m|", "1.1.1";
-    HitNormalFlat: "hit.normal", "flat", "N", "N_g", "1.1.1";
+    HitGeometricNormalTriangle: "hit.geometric_normal", "triangle", "N_g", "ν_t", "";
+    HitGeometricNormalTriangleBack: "hit.geometric_normal", "triangle_back", "N_g", "−ν_t", "";
+    HitGeometricNormalPolygon: "hit.geometric_normal", "polygon", "N_g", "ν_q", "";
+    HitGeometricNormalPolygonBack: "hit.geometric_normal", "polygon_back", "N_g", "−ν_q", "";
+    HitNormalMean: "hit.normal", "mean", "N", "N_m/|N_m|", "";
+    HitNormalMeanTurned: "hit.normal", "mean_turned", "N", "−N_m/|N_m|", "";
+    HitNormalFlat: "hit.normal", "flat", "N", "N_g", "";
 
     // The two bounces.
     ReflectDirection: "reflect.direction", "", "R", "d − 2·N·(d · N)", "1.2.2";
@@ -265,7 +267,7 @@ with_effects! { names! {
     RefractDirectionBent: "refract.direction", "bent", "T", "(T − N_g·(T · N_g))/|T − N_g·(T · N_g)|", "1.2.1";
 
     // A light as a surface point sees it. ℓ is not normalised, L is.
-    LightPosition: "light.position", "", "F", "", "1.3 (6)";
+    LightPosition: "light.position", "", "F", "", "1.3";
     LightTravel: "light.travel", "", "u", "", "1.2.1";
     LightCenter: "light.center", "", "C_F", "", "1.5";
     LightEdgeU: "light.edge_u", "", "e_u", "", "1.5";
@@ -275,18 +277,18 @@ with_effects! { names! {
     LightConstant: "light.constant", "", "a_c", "", "1.2.1";
     LightLinear: "light.linear", "", "a_l", "", "1.2.1";
     LightQuadratic: "light.quadratic", "", "a_q", "", "1.2.1";
-    LightVector: "light.vector", "", "ℓ", "F − P", "1.3 (6)";
-    LightDistance: "light.distance", "", "|ℓ|", "√(ℓ · ℓ)", "1.3 (6)";
-    LightDirection: "light.direction", "", "L", "ℓ/|ℓ|", "1.3 (6)";
+    LightVector: "light.vector", "", "ℓ", "F − P", "1.3";
+    LightDistance: "light.distance", "", "|ℓ|", "√(ℓ · ℓ)", "1.3";
+    LightDirection: "light.direction", "", "L", "ℓ/|ℓ|", "1.3";
     LightDirectionFixed: "light.direction", "directional", "L", "−u", "1.2.1";
     LightAttenuation: "light.attenuation", "", "att", "min(1, 1/(a_c + a_l·|ℓ| + a_q·|ℓ|²))", "1.2.1";
     ShadowTransmittance: "shadow.transmittance", "", "τ", "Π(W_t)", "1.2.5";
 
     // The local model, in H form and in R form, and its transmitted term.
-    ViewDirection: "view.direction", "", "V", "−d", "1.3 (6)";
-    HalfSum: "half.sum", "", "h", "L + V", "1.3 (6)";
-    HalfLength: "half.length", "", "|h|", "√(h · h)", "1.3 (6)";
-    HalfDirection: "half.direction", "", "H", "h/|h|", "1.3 (6)";
+    ViewDirection: "view.direction", "", "V", "−d", "1.3";
+    HalfSum: "half.sum", "", "h", "L + V", "1.3";
+    HalfLength: "half.length", "", "|h|", "√(h · h)", "1.3";
+    HalfDirection: "half.direction", "", "H", "h/|h|", "1.3";
     MirrorDirection: "mirror.direction", "", "R_L", "2·N·N·L − L", "1.2.1";
     TransmitEta: "transmit.eta", "", "η_t", "η_2/η_1", "1.2.1";
     TransmitSum: "transmit.sum", "", "h′", "−(L + V)/(η_t − 1) − V", "1.2.1";
@@ -294,8 +296,8 @@ with_effects! { names! {
     TransmitSumPrinted: "transmit.sum", "notes", "h′", "(−L − η_t·V)/(η_t − 1)", "1.2.1";
     TransmitLength: "transmit.length", "", "|h′|", "√(h′ · h′)", "1.2.1";
     TransmitDirection: "transmit.direction", "", "H′", "h′/|h′|", "1.2.1";
-    ShadeNDotL: "shade.n_dot_l", "", "N·L", "N · L", "1.3 (7)";
-    ShadeNDotH: "shade.n_dot_h", "", "N·H", "N · H", "1.3 (7)";
+    ShadeNDotL: "shade.n_dot_l", "", "N·L", "N · L", "1.3";
+    ShadeNDotH: "shade.n_dot_h", "", "N·H", "N · H", "1.3";
     ShadeRDotV: "shade.r_dot_v", "", "R·V", "R_L · V", "1.2.1";
     ShadeNDotTransmitted: "shade.n_dot_transmitted", "", "−N·H′", "−(N · H′)", "1.2.1";
     ShadeNDotTransmittedStraight: "shade.n_dot_transmitted", "no_interface", "−N·H′", "1", "1.2.1";
@@ -347,7 +349,7 @@ with_effects! { names! {
 
     // The sum of the three contributions.
     // What the bounce at a cutoff could have added to the sample at the most: no arithmetic rounds it.
-    CutoffLoss: "cutoff.loss", "", "ΔI", "", "1.1.1";
+    CutoffLoss: "cutoff.loss", "", "ΔI", "", "";
     WeightReflected: "weight.reflected", "", "W_r", "", "1.2.3";
     WeightTransmitted: "weight.transmitted", "", "W_t", "", "1.2.3";
     IncomingReflected: "incoming.reflected", "", "I_reflected", "", "1.2.3";
@@ -381,19 +383,6 @@ with_effects! { names! {
     CellLimit: "cell.limit", "", "Δ_max", "θ·w_o", "1.4.2";
     CellDifference: "cell.difference", "", "Δ_I",
         "max(max(max(I_1, I_2), max(I_3, I_4)) − min(min(I_1, I_2), min(I_3, I_4)))", "1.4.2";
-
-    // Statistical sampling: Student's interval of the mean of the samples so far, per channel.
-    StatisticalMean: "statistical.mean", "", "I_m", "Σ_s(I)/n_p", "1.4.2";
-    StatisticalError: "statistical.standard_error", "", "σ_m", "", "1.4.2";
-    StatisticalFreedom: "statistical.degrees_of_freedom", "", "ν_m", "", "1.4.2";
-    StatisticalConfidence: "statistical.confidence", "", "γ_m", "", "1.4.2";
-    StatisticalQuantile: "statistical.t_quantile", "", "t_m", "", "1.4.2";
-    StatisticalHalfWidth: "statistical.half_width", "", "h_m", "t_m∘σ_m", "1.4.2";
-    StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
-    StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";
-    OutputWhite: "output.white", "", "w_o", "", "1.4.2";
-    StatisticalAlike: "statistical.alike_needed", "", "n_m", "ceil(ln1p(−γ_m)/ln1p(−min(ε_m, 1)))", "1.4.2";
-    StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
 } }
 
 #[cfg(test)]

@@ -8,43 +8,43 @@ use std::sync::LazyLock;
 const DIGITS: u32 = 3;
 
 /// What the numeric example (Ramos, section 1.3) prints, in its order and with its digits: the ray's path, the
-/// quantity's key, the text. The intensities are printed for red only.
-const PRINTED: &[(&str, &str, &str)] = &[
-    ("C", "ray.length", "12.689"),
-    ("C", "ray.direction", "(-0.946, 0.315, 0.079)"),
-    ("C", "plane.v_d", "-0.946"),
-    ("C", "plane.v_o", "-12"),
-    ("C", "plane.t", "12.685"),
-    ("C", "hit.point", "(4, 6, 8)"),
-    ("C", "reflect.direction", "(0.946, 0.315, 0.079)"),
-    ("C R", "sphere.oc", "(13, 3, 0)"),
-    ("C R", "sphere.l2_oc", "178"),
-    ("C R", "sphere.t_a", "13.243"),
-    ("C R", "sphere.t2_a", "6.377"),
-    ("C R", "sphere.t", "10.718"),
-    ("C R", "hit.point", "(14.139, 9.376, 8.847)"),
-    ("C R", "hit.normal", "(-0.954, 0.125, 0.282)"),
-    ("C R", "light.vector", "(-5.139, 2.624, 7.153)"),
-    ("C R", "light.distance", "9.190"),
-    ("C R", "light.direction", "(-0.559, 0.286, 0.778)"),
-    ("C R", "view.direction", "(-0.946, -0.315, -0.079)"),
-    ("C R", "half.sum", "(-1.505, -0.029, 0.699)"),
-    ("C R", "half.length", "1.66"),
-    ("C R", "half.direction", "(-0.907, -0.017, 0.421)"),
-    ("C R", "shade.n_dot_l", "0.788"),
-    ("C R", "shade.n_dot_h", "0.982"),
-    ("C R", "shade.local", "289.19"),
-    ("C", "view.direction", "(0.946, -0.315, -0.079)"),
-    ("C", "light.vector", "(5, 6, 8)"),
-    ("C", "light.distance", "11.180"),
-    ("C", "light.direction", "(0.447, 0.537, 0.716)"),
-    ("C", "half.sum", "(1.393, 0.222, 0.637)"),
-    ("C", "half.length", "1.548"),
-    ("C", "half.direction", "(0.9, 0.143, 0.412)"),
-    ("C", "shade.n_dot_l", "0.447"),
-    ("C", "shade.n_dot_h", "0.9"),
-    ("C", "shade.local", "104.838"),
-    ("C", "combine.color", "394.028"),
+/// quantity's key, the step of the calculation, the text. The intensities are printed for red only.
+const PRINTED: &[(&str, &str, &str, &str)] = &[
+    ("C", "ray.length", "1", "12.689"),
+    ("C", "ray.direction", "1", "(-0.946, 0.315, 0.079)"),
+    ("C", "plane.v_d", "2", "-0.946"),
+    ("C", "plane.v_o", "2", "-12"),
+    ("C", "plane.t", "2", "12.685"),
+    ("C", "hit.point", "3", "(4, 6, 8)"),
+    ("C", "reflect.direction", "4", "(0.946, 0.315, 0.079)"),
+    ("C R", "sphere.oc", "5a", "(13, 3, 0)"),
+    ("C R", "sphere.l2_oc", "5a", "178"),
+    ("C R", "sphere.t_a", "5b", "13.243"),
+    ("C R", "sphere.t2_a", "5d", "6.377"),
+    ("C R", "sphere.t", "5e", "10.718"),
+    ("C R", "hit.point", "5f", "(14.139, 9.376, 8.847)"),
+    ("C R", "hit.normal", "5g", "(-0.954, 0.125, 0.282)"),
+    ("C R", "light.vector", "6", "(-5.139, 2.624, 7.153)"),
+    ("C R", "light.distance", "6", "9.190"),
+    ("C R", "light.direction", "6", "(-0.559, 0.286, 0.778)"),
+    ("C R", "view.direction", "6", "(-0.946, -0.315, -0.079)"),
+    ("C R", "half.sum", "6", "(-1.505, -0.029, 0.699)"),
+    ("C R", "half.length", "6", "1.66"),
+    ("C R", "half.direction", "6", "(-0.907, -0.017, 0.421)"),
+    ("C R", "shade.n_dot_l", "7", "0.788"),
+    ("C R", "shade.n_dot_h", "7", "0.982"),
+    ("C R", "shade.local", "7", "289.19"),
+    ("C", "view.direction", "8", "(0.946, -0.315, -0.079)"),
+    ("C", "light.vector", "8", "(5, 6, 8)"),
+    ("C", "light.distance", "8", "11.180"),
+    ("C", "light.direction", "8", "(0.447, 0.537, 0.716)"),
+    ("C", "half.sum", "8", "(1.393, 0.222, 0.637)"),
+    ("C", "half.length", "8", "1.548"),
+    ("C", "half.direction", "8", "(0.9, 0.143, 0.412)"),
+    ("C", "shade.n_dot_l", "8", "0.447"),
+    ("C", "shade.n_dot_h", "8", "0.9"),
+    ("C", "shade.local", "8", "104.838"),
+    ("C", "combine.color", "8", "394.028"),
 ];
 
 /// A value as the book prints it.
@@ -54,6 +54,8 @@ pub struct PrintedValue {
     pub path: &'static str,
     /// The key of the quantity.
     pub key: &'static str,
+    /// The step of the book's calculation, such as `5d`.
+    pub step: &'static str,
     /// The text, such as `1.66` or `(4, 6, 8)`.
     pub text: &'static str,
     /// Its numbers: one component, three, or red only.
@@ -76,9 +78,15 @@ impl Printed {
     /// Everything that the book prints, in its order.
     pub fn all() -> &'static [PrintedValue] {
         static VALUES: LazyLock<Vec<PrintedValue>> = LazyLock::new(|| {
-            let value = |&(path, key, text): &(&'static str, &'static str, &'static str)| {
+            let value = |&(path, key, step, text): &(&'static str, &'static str, &'static str, &'static str)| {
                 let numbers = text.trim_matches(['(', ')']).split(", ");
-                PrintedValue { path, key, text, components: numbers.filter_map(|number| number.parse().ok()).collect() }
+                PrintedValue {
+                    path,
+                    key,
+                    step,
+                    text,
+                    components: numbers.filter_map(|number| number.parse().ok()).collect(),
+                }
             };
             PRINTED.iter().map(value).collect()
         });

@@ -3,7 +3,7 @@
 //! The colour is a sum over paths. Each path ends at a light, in the ambient light, or in the background; what it brings there is
 //! multiplied by the weights W_l, W_r and W_t of the surfaces on its way to the eye, the share of its direction in a blurred
 //! bounce, and that of its sample in the pixel. In f64 these products add up to the pixel's colour but for roundings; what the
-//! rounding of named values adds in other arithmetics is a row of its own.
+//! rounding of named values adds in other arithmetics is a row of its own, and so is what a log of another program leaves unexplained.
 
 mod groups;
 mod rays;
@@ -12,7 +12,7 @@ mod samples;
 use super::path_class::{Source, cases, notation};
 pub use groups::{Group, groups};
 
-use crate::log::{Log, Step, Tree, What};
+use crate::log::{Event, Log, Step, Tree, Unit, What};
 
 /// A colour, or a factor for each of its channels.
 pub type Color = [f64; 3];
@@ -36,6 +36,8 @@ pub enum Origin {
     Background,
     /// The rounding of named values.
     Rounding,
+    /// What the log doesn't explain: another program left operands out, or adds up otherwise.
+    Unexplained,
 }
 
 /// What a path brings.
@@ -128,8 +130,8 @@ pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
     let brought = sum(&contributions);
     let color = result.unwrap_or(brought);
     let rest = [0, 1, 2].map(|channel| color[channel] - brought[channel]);
-    if is_rounding(&rest, &color) {
-        contributions.push(Contribution::new(Origin::Rounding, String::new(), [1.0; 3], rest, None, None));
+    if let Some(origin) = origin_of_rest(log, tree, pixel, &rest, &color, &contributions) {
+        contributions.push(Contribution::new(origin, String::new(), [1.0; 3], rest, None, None));
     }
     let whole: f64 = color.iter().sum();
     for contribution in &mut contributions {
@@ -168,11 +170,38 @@ fn times(a: &Color, b: &Color) -> Color {
     [0, 1, 2].map(|channel| a[channel] * b[channel])
 }
 
-/// Whether a rest is more than f64 sums leave.
-fn is_rounding(rest: &Color, whole: &Color) -> bool {
+/// Where a rest comes from; `None` for what sums in f64 leave.
+fn origin_of_rest(
+    log: &Log,
+    tree: &Tree,
+    pixel: usize,
+    rest: &Color,
+    whole: &Color,
+    contributions: &[Contribution],
+) -> Option<Origin> {
     const NOISE: f64 = 1e-9;
-    let greatest = whole.iter().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
-    rest.iter().any(|rest| rest.is_finite() && rest.abs() > NOISE * greatest)
+    let largest = |color: &Color| color.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let (rest, whole) = (largest(rest), largest(whole));
+    if !rest.is_finite() || rest <= NOISE * whole {
+        return None;
+    }
+    // Each rounding of an intensity moves it by half a unit at the most, and the weights on its way carry that on.
+    let unit = match log.header.arithmetic.as_str() {
+        // The book's own numbers follow from no rounding.
+        "printed" => f64::INFINITY,
+        "f32" => f64::from(f32::EPSILON) * whole,
+        hand => hand
+            .strip_prefix("decimal:")
+            .and_then(|digits| digits.parse::<u32>().ok())
+            .map_or(0.0, |digits| libm::pow(10.0, -f64::from(digits))),
+    };
+    let is_intensity = |event: &&Event| match event.what {
+        What::Note { name, .. } => name.unit() == Unit::Intensity,
+        _ => false,
+    };
+    let roundings = log.events[tree.nodes()[pixel].events.clone()].iter().filter(is_intensity).count() as f64;
+    let weight = contributions.iter().fold(1.0, |weight: f64, part| weight.max(largest(&part.weight)));
+    Some(if rest <= roundings * unit * weight { Origin::Rounding } else { Origin::Unexplained })
 }
 
 /// The pixel that a node lies in: the root, but in a region.

@@ -3,7 +3,7 @@
 use super::provenance::Operand;
 mod several;
 
-use super::{Style, evaluate, number};
+use super::{Style, evaluate, forms, number};
 use crate::log::formula::{Extreme, Formula, Function, Operator, Several};
 use crate::log::{Log, Tree, Value, What, scope};
 
@@ -115,6 +115,9 @@ pub fn substituted(
     style: Style,
     links: &[Operand],
 ) -> Option<Expression> {
+    if !explains(log, tree, event, style) {
+        return None;
+    }
     let is_doubled = matches!(log.events[event].what, What::Note { name, .. } if name.is_doubled());
     Substitution { log, tree, event, light: None, style, links, is_doubled }.part(formula).shown()
 }
@@ -128,6 +131,19 @@ pub fn substituted_doubled(
     style: Style,
 ) -> Option<Expression> {
     Substitution { log, tree, event, light: None, style, links: &[], is_doubled: true }.part(formula).shown()
+}
+
+/// Whether the operands that the log holds give the value of an event by this formula, but for what rounding and the
+/// digits that are shown hide. Those of a log that another program wrote may be absent, or others of the same symbol. The book
+/// prints what doesn't follow from its formulas, and its own arithmetic is shown as it is.
+fn explains(log: &Log, tree: &Tree, event: usize, style: Style) -> bool {
+    let What::Note { name, value } = log.events[event].what else { return true };
+    match evaluate::evaluate(log, tree, event, name) {
+        Some(Ok(computed)) => {
+            log.header.arithmetic == "printed" || forms::is_near(log, &computed, &value, style.digits)
+        }
+        _ => false,
+    }
 }
 
 /// Puts numbers into the formula of one event.

@@ -2,8 +2,9 @@
 
 use super::computation::computation_in;
 use super::language::Language;
+use super::tag::tag;
 use super::{Style, decided, digits, words};
-use crate::log::{Event, Log, Name, Tree, Value, What};
+use crate::log::{Event, Log, Tree, Value, What};
 use std::fmt::Write;
 
 /// The whole log as text.
@@ -45,8 +46,10 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             return Some(format!("{}{title}", "  ".repeat(level.saturating_sub(1))));
         }
         What::Note { name, .. } => {
+            let source = [Some(name.key().to_owned()), tag(log, tree, event)];
+            let source = source.into_iter().flatten().collect::<Vec<_>>().join(" ");
             let line = computation_in(language, log, tree, event, style)?.line();
-            let body = format!("{line}{}   [{}]", digits::marker_in(language, happening), source(*name));
+            let body = format!("{line}{}   [{source}]", digits::marker_in(language, happening));
             let given = given(language, happening, style);
             if given.is_empty() {
                 body
@@ -78,8 +81,4 @@ pub fn given(language: Language, event: &Event, style: Style) -> String {
     let inputs =
         event.given.iter().map(|(name, value)| format!("{} = {}", name.symbol(), language.value(value, style)));
     inputs.collect::<Vec<_>>().join(", ")
-}
-
-fn source(name: Name) -> String {
-    format!("{} {}", name.key(), name.section())
 }

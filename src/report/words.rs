@@ -157,6 +157,7 @@ pub fn origin_in(language: Language, header: &Header, origin: Origin) -> String 
         Origin::Ambient { object } => (texts.ambient_on)(&plain(header.object(object))),
         Origin::Background => texts.from_background.to_owned(),
         Origin::Rounding => texts.from_rounding.to_owned(),
+        Origin::Unexplained => texts.unexplained.to_owned(),
     }
 }
 

@@ -250,7 +250,7 @@ fn the_angle_is_measured_as_asked() {
     let x_of = |arguments: &[&str]| {
         let text =
             prints(&[&["trace", &plain, "--pixel", "0,0", "--format", "text", "--digits", "12"], arguments].concat());
-        let computed = text.lines().find(|line| line.contains("[pixel.x ")).expect("a place");
+        let computed = text.lines().find(|line| line.contains("[pixel.x]")).expect("a place");
         let x = computed.split("   [").next().and_then(|chain| chain.rsplit(" = ").next()).expect("a number");
         x.parse::<f64>().expect("a number")
     };

@@ -11,7 +11,9 @@ pub fn of_tex(text: &str) -> Vec<(String, String)> {
         match line.split_once('=') {
             // A line that begins with the sign goes on with the equation before it.
             Some((symbol, _)) if symbol.trim() == "&" => append(&mut equations, line.trim_start_matches('&')),
-            Some((symbol, _)) if !symbol.contains("\\text") && !line.contains('$') && !line.starts_with(['#', '|', '%']) => {
+            Some((symbol, _))
+                if !symbol.contains("\\text") && !line.contains('$') && !line.starts_with(['#', '|', '%']) =>
+            {
                 equations.push(line.replacen("&=", "=", 1));
             }
             _ if line.starts_with("&\\quad {}") => append(&mut equations, line.trim_start_matches("&\\quad {}")),

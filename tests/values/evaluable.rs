@@ -54,8 +54,7 @@ fn wrong(log: &Log, arithmetic: Arithmetic) -> Vec<String> {
             // An input with a formula of its own; others under names of quantities were handed on.
             let is_made = *name == Name::PixelSide;
             if is_made
-                && evaluate(log, &tree, at, *name)
-                    .is_none_or(|found| found.is_ok_and(|found| !found.same_bits(value)))
+                && evaluate(log, &tree, at, *name).is_none_or(|found| found.is_ok_and(|found| !found.same_bits(value)))
             {
                 wrong.push(format!("{name:?} is {value:?}"));
             }

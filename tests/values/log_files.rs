@@ -169,10 +169,38 @@ fn a_damaged_record_is_named() {
     let found = read(damaged.as_bytes()).expect("what stands before");
     assert!(matches!(&found.ending, Ending::Damaged { what } if what.starts_with("6:")), "{:?}", found.ending);
     assert_eq!(found.log.events, before(4));
-    let unknown = text.replacen("plane.v_d", "plane.v_x", 1);
-    let found = read(unknown.as_bytes()).expect("what stands before");
-    assert_eq!(found.ending, Ending::Damaged { what: "6:1: unknown quantity `plane.v_x`".into() });
-    assert_eq!(found.log.events, before(4));
+}
+
+#[test]
+fn an_unknown_quantity_is_passed_over() {
+    let bytes = to_ndjson(&textbook_log()).expect("memory");
+    let text = String::from_utf8(bytes).expect("UTF-8");
+    let changed = text.replacen("plane.v_d", "plane.v_x", 1);
+    let mut expected = textbook_log().events;
+    expected.remove(4);
+    let found = read(changed.as_bytes()).expect("a log");
+    assert!(matches!(found.ending, Ending::Mismatch { .. }), "{:?}", found.ending);
+    assert_eq!(found.log.events, expected);
+    // The digest is that of what the program wrote.
+    let (before, _) = changed.trim_end().rsplit_once('\n').expect("an end line");
+    let digest = blake3::hash(format!("{before}\n").as_bytes());
+    let with = |end: &str| format!("{before}\n{{\"end\":{{\"events\":{}{end}}}}}\n", expected.len() + 1);
+    for end in [String::new(), format!(",\"digest\":\"blake3:{digest}\"")] {
+        let found = read(with(&end).as_bytes()).expect("a log");
+        assert_eq!(found.ending, Ending::Unknown { count: 1, key: "plane.v_x".into(), line: 6 });
+        assert!(!found.ending.is_whole() && found.log.events == expected);
+    }
+    // So is an input, and a form.
+    let input = text.replacen("\"plane.offset\"", "\"plane.depth\"", 1);
+    let form = text.replacen("\"form\":\"plane\"", "\"form\":\"plain\"", 1);
+    for (text, key, lost) in [(input, "plane.depth", 0), (form, "hit.normal (plain)", 1)] {
+        let (before, _) = text.trim_end().rsplit_once('\n').expect("an end line");
+        let count = textbook_log().events.len();
+        let text = format!("{before}\n{{\"end\":{{\"events\":{count}}}}}\n");
+        let found = read(text.as_bytes()).expect("a log");
+        assert!(matches!(&found.ending, Ending::Unknown { key: found, .. } if found == key), "{:?}", found.ending);
+        assert_eq!(found.log.events.len(), count - lost);
+    }
 }
 
 #[test]

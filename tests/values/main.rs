@@ -18,6 +18,7 @@ mod support;
 mod diff;
 mod digits;
 mod evaluable;
+mod foreign_logs;
 mod formulas;
 mod log_files;
 mod log_spellings;

@@ -38,6 +38,7 @@ fn rows(account: &Account) -> Vec<String> {
             Origin::Ambient { .. } => "ambient".to_owned(),
             Origin::Background => "background".to_owned(),
             Origin::Rounding => "rounding".to_owned(),
+            Origin::Unexplained => "unexplained".to_owned(),
         };
         format!("{}: {origin} {:.3} {:.2}% {}", part.path, part.color[0], 100.0 * part.share, part.class)
     };

@@ -18,6 +18,7 @@ mod figures;
 mod lines;
 mod saved;
 mod solutions;
+mod steps;
 mod tags;
 mod tools;
 

@@ -6,11 +6,12 @@ use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
 use crate::cli::walk::{left, palette};
-use raywalk::log::file::{Ending, PixelEvents, PixelReader};
+use raywalk::log::file::{PixelEvents, PixelReader};
 use raywalk::log::{Header, Log, Subject, Tree};
 use raywalk::report::diff::{
     self, Comparison, HeaderDifference, Json, Numbering, Pixel, Rows, Side, Summary, Text, header_differences,
 };
+use raywalk::report::forms;
 use raywalk::report::side_by_side::Run;
 use raywalk::report::words;
 use raywalk::scene::file::{Opened, visible};
@@ -52,9 +53,20 @@ impl Diff {
             return Err(Failure::caller(format!("--common: {a} and {b} have no value in common")));
         }
         output::print(view.end(&summary).as_bytes())?;
-        pairs.a.warn();
-        pairs.b.warn();
+        self.check_whole(&pairs)?;
         Ok(summary.is_same())
+    }
+
+    /// Tells what is wrong with the logs. One that is damaged may hide differences, so nobody is told that they are the same.
+    fn check_whole(&self, pairs: &Pairs) -> Result<(), Failure> {
+        let damaged = [&pairs.a, &pairs.b].map(Source::warn).into_iter().flatten().collect::<Vec<_>>();
+        if damaged.is_empty() || self.allow_damaged {
+            return Ok(());
+        }
+        let (names, are) = (damaged.join(" and "), if damaged.len() == 1 { "isn't" } else { "aren't" });
+        Err(Failure::caller(format!(
+            "{names} {are} whole, so that there may be more differences; expected whole logs, or --allow-damaged"
+        )))
     }
 
     /// Walks through two logs; of regions, through the first pixel that differs. `false` where they differ.
@@ -82,8 +94,7 @@ impl Diff {
                 }
             }
         }
-        pairs.a.warn();
-        pairs.b.warn();
+        let is_whole = self.check_whole(&pairs);
         let Some((pixel, a, b)) = walked else {
             return Err(Failure::caller("--walk: the two logs have no pixel in common"));
         };
@@ -98,7 +109,7 @@ impl Diff {
         let theme = Theme::new(palette(colors), self.ascii);
         let exit = beside::run(beside, &theme)
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
-        left(exit).map(|()| is_same)
+        left(exit).and(is_whole).map(|()| is_same)
     }
 
     fn view(&self) -> View {
@@ -214,6 +225,7 @@ impl Source {
     /// Puts the events of the next pixel into the log, and reads on.
     fn take(&mut self) -> Result<(), Failure> {
         self.log.events = self.next.take().map_or_else(Vec::new, |pixel| pixel.events);
+        forms::find(&mut self.log);
         self.advance()
     }
 
@@ -232,17 +244,21 @@ impl Source {
         Ok(())
     }
 
-    /// That a log is damaged or was cut off is told in any case, and why pixels may seem to be missing.
-    fn warn(&self) {
+    /// That a log is damaged or was cut off is told in any case, and why pixels may seem to be missing. Gives the name of a log
+    /// that isn't whole.
+    fn warn(&self) -> Option<&str> {
         if !self.is_in_order {
             output::tell(&format!(
                 "warning: {}: its pixels don't follow one another row by row, so they can't all be found in the other log",
                 self.name
             ));
         }
-        if let Some(warning) = self.reader.ending().and_then(Ending::warning) {
+        // In a walk up to the first pixel that differs the end isn't read.
+        let ending = self.reader.ending()?;
+        if let Some(warning) = ending.warning() {
             output::tell(&format!("warning: {}: {warning}", self.name));
         }
+        (!ending.is_whole()).then_some(self.name.as_str())
     }
 }
 

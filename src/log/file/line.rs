@@ -2,7 +2,7 @@
 
 use crate::log::event::Value;
 use crate::log::name::Name;
-use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, de};
 use std::borrow::Cow;
 use std::fmt;
@@ -219,7 +219,11 @@ pub(super) enum Mark<'t> {
 
 /// The inputs of an event, in the order of the table, whatever order the file has.
 #[derive(Default)]
-pub(super) struct Given(pub Vec<(Name, Value)>);
+pub(super) struct Given {
+    pub inputs: Vec<(Name, Value)>,
+    /// The keys that aren't in the table.
+    pub unknown: Vec<String>,
+}
 
 impl<'de> Deserialize<'de> for Given {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -230,16 +234,20 @@ impl<'de> Deserialize<'de> for Given {
                 f.write_str("an object of quantities")
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Given, A::Error> {
-                let mut pairs = Vec::new();
-                while let Some((Word(key), value)) = map.next_entry()? {
-                    let name = Name::find(&key, "");
-                    let name = name.ok_or_else(|| de::Error::custom(format!("unknown quantity `{key}`")))?;
-                    pairs.push((name, value));
+                let (mut inputs, mut unknown) = (Vec::new(), Vec::new());
+                while let Some(Word(key)) = map.next_key()? {
+                    match Name::find(&key, "") {
+                        Some(name) => inputs.push((name, map.next_value()?)),
+                        None => {
+                            map.next_value::<IgnoredAny>()?;
+                            unknown.push(key.into_owned());
+                        }
+                    }
                 }
-                pairs.sort_by_key(|(name, _)| *name);
+                inputs.sort_by_key(|(name, _)| *name);
                 // There are as many of them as events, and most are short.
-                pairs.shrink_to_fit();
-                Ok(Given(pairs))
+                inputs.shrink_to_fit();
+                Ok(Given { inputs, unknown })
             }
         }
         deserializer.deserialize_map(Pairs)

@@ -31,6 +31,15 @@ pub enum Ending {
         /// Whether the last line is incomplete (it was passed over).
         incomplete_record: bool,
     },
+    /// With an end line that fits, but the log has quantities that this program doesn't know. They were passed over.
+    Unknown {
+        /// How many there are.
+        count: usize,
+        /// What the first is called.
+        key: String,
+        /// Its line.
+        line: usize,
+    },
     /// With an end line that doesn't fit what stands before it.
     Mismatch {
         /// What doesn't fit.
@@ -44,6 +53,11 @@ pub enum Ending {
 }
 
 impl Ending {
+    /// Whether the log is whole, and all of it was read.
+    pub fn is_whole(&self) -> bool {
+        *self == Ending::Complete
+    }
+
     /// A sentence for people; `None` if all is well.
     pub fn warning(&self) -> Option<String> {
         match self {
@@ -51,6 +65,10 @@ impl Ending {
             Ending::Missing { incomplete_record: false } => Some("the log has no end line: it was cut off".into()),
             Ending::Missing { incomplete_record: true } => {
                 Some("the log was cut off: 1 incomplete record was passed over".into())
+            }
+            Ending::Unknown { count, key, line } => {
+                let values = if *count == 1 { "1 value" } else { &format!("{count} values") };
+                Some(format!("{values} of unknown quantities were passed over, the first in line {line}: `{key}`"))
             }
             Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
             Ending::Damaged { what } => Some(format!("the log is damaged, this is what stands before: {what}")),
@@ -124,7 +142,7 @@ pub(super) fn record(lines: &mut Lines<impl Read>, reader: &mut Reader) -> Resul
 /// How a log ends whose last record is read, if its packed data were damaged.
 pub(super) fn with_damage(ending: Ending, lines: &Lines<impl Read>) -> Ending {
     match (ending, lines.damage()) {
-        (Ending::Complete, Some(damage)) => Ending::Damaged { what: damage.to_string() },
+        (Ending::Complete | Ending::Unknown { .. }, Some(damage)) => Ending::Damaged { what: damage.to_string() },
         (Ending::Missing { .. }, Some(damage)) if damage.kind() == ErrorKind::InvalidData => {
             Ending::Damaged { what: damage.to_string() }
         }

@@ -5,6 +5,7 @@ use super::digest::Digest;
 use super::document::MAX_NESTING;
 use super::line::{End, Enter, Line, Mark};
 use super::read::Ending;
+use crate::log::escape::shortened;
 use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
 use crate::log::header::Header;
 use crate::log::name::Name;
@@ -24,6 +25,35 @@ pub(super) struct Reader {
     pub(super) digest: Option<Digest>,
     /// How many nodes are open.
     depth: usize,
+    /// What isn't in the table of names, and was passed over.
+    unknown: Unknown,
+}
+
+/// Quantities that this program doesn't know.
+#[derive(Default)]
+struct Unknown {
+    /// The events that were passed over.
+    events: usize,
+    /// Those, and the inputs.
+    count: usize,
+    /// What they are called, and their line; of the first.
+    first: Option<(String, usize)>,
+}
+
+impl Unknown {
+    fn add(&mut self, key: &str, line: usize) {
+        self.count += 1;
+        self.first.get_or_insert_with(|| (key.to_owned(), line));
+    }
+
+    /// How a log ends that is whole but for them.
+    fn ending(&self) -> Ending {
+        const LONGEST: usize = 60;
+        match &self.first {
+            None => Ending::Complete,
+            Some((key, line)) => Ending::Unknown { count: self.count, key: shortened(key, LONGEST), line: *line },
+        }
+    }
 }
 
 impl Reader {
@@ -39,6 +69,7 @@ impl Reader {
             handed_on: 0,
             digest: Some(Digest::new(header.clone())),
             depth: 0,
+            unknown: Unknown::default(),
         }
     }
 
@@ -54,12 +85,13 @@ impl Reader {
     /// How the log ends, by its end line and the digest of the bytes before it, if they may count. A log that another program wrote anew,
     /// with other order of keys or spelling of numbers, is whole: its digest is that of the lines as they are written here.
     pub(super) fn check_end(&mut self, end: &End, of_bytes: Option<blake3::Hash>) -> Ending {
-        let events = self.handed_on + self.events.len();
+        let events = self.handed_on + self.events.len() + self.unknown.events;
         if end.events != events as u64 {
             return Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) };
         }
         // Nobody asks for it behind the end.
-        let written_anew = self.digest.take();
+        // Of what was passed over the lines can't be written anew.
+        let written_anew = self.digest.take().filter(|_| self.unknown.count == 0);
         let fits_events = || {
             written_anew.is_some_and(|mut digest| {
                 digest.add(&self.events);
@@ -67,7 +99,7 @@ impl Reader {
             })
         };
         if end.digest.is_none() || of_bytes.is_some_and(|digest| end.has(digest)) || fits_events() {
-            return Ending::Complete;
+            return self.unknown.ending();
         }
         Ending::Mismatch { what: "its digest fits neither its bytes nor its events".into() }
     }
@@ -78,14 +110,23 @@ impl Reader {
         let missing = |field: &str| damaged(format!("expected an event, found no `{field}`"));
         let at = line.at.ok_or_else(|| missing("at"))?;
         let node = line.node.ok_or_else(|| missing("node"))?;
+        line.given.unknown.iter().for_each(|key| self.unknown.add(key, number));
         let what = if let Some(enter) = line.enter {
             let step = self.step(enter).map_err(damaged)?;
             // Nothing is around a pixel, whatever its line says.
             let parent = if matches!(step, Step::Pixel(_)) { 0 } else { line.parent };
             What::Enter { parent, step }
         } else if let Some(key) = line.note {
-            let name = Name::find(&key, &line.form).ok_or_else(|| damaged(unknown("quantity", &key)))?;
-            What::Note { name, value: line.value.ok_or_else(|| missing("value"))? }
+            let value = line.value.ok_or_else(|| missing("value"))?;
+            let Some(name) = Name::find(&key, &line.form) else {
+                let form = if line.form.is_empty() { String::new() } else { format!(" ({})", &*line.form) };
+                return self.pass_over(&format!("{}{form}", &*key), number);
+            };
+            What::Note { name, value }
+        } else if let Some(Mark::Undefined { quantity }) = &line.mark
+            && Name::all().all(|name| name.key() != &**quantity)
+        {
+            return self.pass_over(quantity, number);
         } else if let Some(mark) = line.mark {
             What::Mark(self.decision(mark).map_err(damaged)?)
         } else if line.leave.is_some() {
@@ -112,10 +153,17 @@ impl Reader {
         if self.events.len() == self.events.capacity() {
             self.ask_for_memory()?;
         }
-        self.events.push(Event { at, node, what, given: line.given.0.into(), digits: digits.map(Box::new) });
+        self.events.push(Event { at, node, what, given: line.given.inputs.into(), digits: digits.map(Box::new) });
         for child in line.children {
             self.take(child, number)?;
         }
+        Ok(())
+    }
+
+    /// Goes on without the event of a quantity that isn't in the table: a later version may have it, or another program.
+    fn pass_over(&mut self, key: &str, line: usize) -> Result<(), LogError> {
+        self.unknown.events += 1;
+        self.unknown.add(key, line);
         Ok(())
     }
 

@@ -6,6 +6,29 @@ macro_rules! with_effects {
         $table! {
             $($rows)*
 
+            // Statistical sampling: Student's interval of the mean of the samples so far, per channel.
+            StatisticalMean: "statistical.mean", "", "I_m", "Σ_s(I)/n_p", "1.4.2";
+            StatisticalError: "statistical.standard_error", "", "σ_m", "", "1.4.2";
+            StatisticalFreedom: "statistical.degrees_of_freedom", "", "ν_m", "", "1.4.2";
+            StatisticalConfidence: "statistical.confidence", "", "γ_m", "", "1.4.2";
+            StatisticalQuantile: "statistical.t_quantile", "", "t_m", "", "1.4.2";
+            StatisticalHalfWidth: "statistical.half_width", "", "h_m", "t_m∘σ_m", "1.4.2";
+            StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
+            StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";
+            OutputWhite: "output.white", "", "w_o", "", "1.4.2";
+            StatisticalAlike: "statistical.alike_needed", "", "n_m", "ceil(ln1p(−γ_m)/ln1p(−min(ε_m, 1)))", "1.4.2";
+            StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
+
+            // Quantities that raywalk notes with the form of their formula only, as another program may log them: without one.
+            EllipsoidTUntold: "ellipsoid.t", "", "t", "", "";
+            QuadraticQUntold: "quadratic.q", "", "q", "", "";
+            BoxTUntold: "box.t", "", "t", "", "";
+            CylinderTUntold: "cylinder.t", "", "t", "", "";
+            ConeTUntold: "cone.t", "", "t", "", "";
+            HitNormalUntold: "hit.normal", "", "N", "", "1.3";
+            HitGeometricNormalUntold: "hit.geometric_normal", "", "N_g", "", "";
+            PatternColorUntold: "pattern.color", "", "c_p", "", "1.2.1";
+
             // The lens. The eye is its centre; (x_D, y_D) is a point of the unit disc, to which the unit square is bent.
             CameraPosition: "camera.position", "", "O_e", "", "1.5";
             LensFocusDistance: "lens.focus_distance", "", "f_l", "", "1.5";
@@ -53,6 +76,7 @@ macro_rules! with_effects {
             HitGeometricNormalShifted: "hit.geometric_normal", "shifted", "N_g", "G_M", "1.5";
             HitGeometricNormalTurned: "hit.geometric_normal", "turned", "N_g",
                 "G_M·cosφ_M + (a_M × G_M)·sinφ_M + a_M·((a_M · G_M)·(1 − cosφ_M))", "1.5";
+            PatternPointUntold: "pattern.point", "", "P_p", "", "1.5";
             PatternPointShifted: "pattern.point", "shifted_back", "P_p", "P − s_M", "1.5";
             PatternPointTurned: "pattern.point", "turned_back", "P_p",
                 "b_M·cosφ_M − (a_M × b_M)·sinφ_M + a_M·((a_M · b_M)·(1 − cosφ_M)) + p_M", "1.5";
@@ -95,14 +119,14 @@ macro_rules! with_effects {
             LobeMean: "lobe.mean", "", "m_z", "S_z/k_z", "1.5";
 
             // The farther of two crossings, with twice the digits.
-            SphereTDoubledFar: "sphere.t", "doubled_far", "t", "T_A + √T2_A", "1.3 (5e)";
-            EllipsoidTDoubledFar: "ellipsoid.t", "doubled_far", "t", "(−b + √Δ)/a", "1.1.1";
-            CylinderTDoubledFar: "cylinder.t", "doubled_far", "t", "(−b + √Δ)/a", "1.1.1";
+            SphereTDoubledFar: "sphere.t", "doubled_far", "t", "T_A + √T2_A", "1.3";
+            EllipsoidTDoubledFar: "ellipsoid.t", "doubled_far", "t", "(−b + √Δ)/a", "";
+            CylinderTDoubledFar: "cylinder.t", "doubled_far", "t", "(−b + √Δ)/a", "";
 
             // What a ray brings that meets nothing, and what the side of a pixel is made of.
-            BackgroundColor: "background.color", "", "I_b", "", "1.1.1";
-            CameraVerticalFov: "camera.vertical_fov", "", "θ_v", "", "1.1.1";
-            CameraRows: "camera.rows", "", "n_v", "", "1.1.1";
+            BackgroundColor: "background.color", "", "I_b", "", "";
+            CameraVerticalFov: "camera.vertical_fov", "", "θ_v", "", "";
+            CameraRows: "camera.rows", "", "n_v", "", "";
 
             // The mean of samples: of n_p that count alike; of corners of cells, each w_s times; of cells, each with its area γ_c.
             SampleWeight: "sample.weight", "", "w_s", "", "1.4.2";

@@ -65,7 +65,7 @@ impl Name {
         Some(self.row().formula).filter(|text| !text.is_empty())
     }
 
-    /// The section of the source text (Ramos, "Trazado de rayos") that has the quantity.
+    /// The section of the source text (Ramos, "Trazado de rayos") that has the quantity; empty where the text has no formula for it.
     pub fn section(self) -> &'static str {
         self.row().section
     }

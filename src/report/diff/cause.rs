@@ -140,6 +140,7 @@ impl<'a> Causes<'a> {
                 }
             }
             Spot::OnlyA(_) | Spot::OnlyB(_) if self.before.is_test_alone(spot) => bare(Why::NotNeeded),
+            Spot::OnlyA(Thing::Input(..)) | Spot::OnlyB(Thing::Input(..)) => self.by_what_was_before(spot, Why::Input),
             Spot::OnlyA(_) | Spot::OnlyB(_) => self.by_what_was_before(spot, Why::First),
         }
     }

@@ -1,7 +1,7 @@
 //! The comparison of two logs for programs: one JSON document, written piece by piece.
 
 use super::summary::{Pixel, Summary};
-use super::{Comparison, Difference, Entry, HeaderDifference, Side, Told};
+use super::{Changed, Comparison, Difference, Entry, HeaderDifference, Side, Told};
 use crate::log;
 use crate::log::Header;
 use serde_json::{Value, json};
@@ -45,6 +45,10 @@ impl Json {
         }
         if let Some(pixel) = pixel {
             object["pixel"] = json!(pixel);
+        }
+        if !found.changed.is_empty() {
+            let changed = found.changed.iter();
+            object["scene"] = changed.map(|Changed { input, a, b }| json!({"input": input, "a": a, "b": b})).collect();
         }
         if let (Some(first), false) = (&found.first, self.has_first) {
             self.has_first = true;

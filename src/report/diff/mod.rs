@@ -6,6 +6,7 @@
 mod align;
 mod before;
 mod cause;
+mod changed;
 mod headers;
 mod json;
 mod operands;
@@ -16,6 +17,7 @@ mod tolerance;
 
 pub use align::{Spot, Thing};
 pub use cause::Why;
+pub use changed::Changed;
 pub use headers::{HeaderDifference, Numbering, header_differences};
 pub use json::Json;
 pub use rows::{Row, Rows};
@@ -36,6 +38,8 @@ pub struct Comparison {
     pub values: usize,
     /// What differs, in the order of the computation.
     pub differences: Vec<Difference>,
+    /// The inputs of the scene that differ, as the scene calls them.
+    pub changed: Vec<Changed>,
     /// More about the first difference; about a test that only one log has only where nothing else differs.
     pub first: Option<First>,
     /// From where the difference of the colour comes, up to the colour: always along the largest effect. Empty if the colour is the
@@ -133,6 +137,7 @@ pub fn compare(a: Run, b: Run, tolerance: &Tolerance) -> Comparison {
     let first = spots.iter().find(|spot| !comparing.causes.is_test_alone(**spot)).or(spots.first());
     Comparison {
         values,
+        changed: changed::changed(a, b, &alignment, tolerance),
         differences: spots.iter().map(|spot| comparing.difference(*spot)).collect(),
         first: first.map(|spot| comparing.first(*spot)),
         way: comparing.way_to_the_color(&spots),

@@ -1,15 +1,17 @@
 //! The comparison of two logs for people.
 
 use super::summary::{Pixel, Summary};
-use super::{Comparison, Difference, Entry, First, HeaderDifference, Side, Told, Why, telling_apart};
+use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Side, Told, Why};
+use super::{header_differences, telling_apart};
 use crate::log::Header;
 use crate::log::escape::{shortened, width};
 use crate::report::number::{self, size};
 use crate::report::words;
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 /// Writes a comparison piece by piece: what the logs are, then each pixel, then the summary.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Text {
     /// To how many decimals values were rounded before they were compared; without it they are shown with as many as tell them
     /// apart.
@@ -20,6 +22,10 @@ pub struct Text {
     has_first: bool,
     /// Whether the logs are of different arithmetics, so that the same operands give different values.
     is_rounded_otherwise: bool,
+    /// What the headers say differently of the scene and its tracing: the fields, or only the digest.
+    headers: Vec<&'static str>,
+    /// The inputs of the scene that were told already.
+    told: BTreeSet<String>,
     /// How many pixels only A had so far, and only B.
     alone: [u64; 2],
 }
@@ -34,17 +40,33 @@ impl Text {
     /// Begins a comparison. Values are shown with `digits` decimals, or with as many as tell them apart; a brief comparison has no
     /// tables.
     pub fn new(digits: Option<u32>, is_brief: bool) -> Text {
-        Text { digits, is_brief, has_first: false, is_rounded_otherwise: false, alone: [0; 2] }
+        Text {
+            digits,
+            is_brief,
+            has_first: false,
+            is_rounded_otherwise: false,
+            headers: Vec::new(),
+            told: BTreeSet::new(),
+            alone: [0; 2],
+        }
     }
 
     /// The same between these logs.
     pub fn between(self, a: &Header, b: &Header) -> Text {
-        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, ..self }
+        // What is traced, by what and in which arithmetic, is no change of the scene.
+        const NONE: [&str; 5] = ["subject", "version", "scene.name", "arithmetic", "shard"];
+        let differing = header_differences(a, b).into_iter().map(|said| said.field);
+        let mut headers: Vec<_> = differing.filter(|field| !NONE.contains(field)).collect();
+        // The digest covers the others.
+        if headers.len() > 1 {
+            headers.retain(|field| *field != "scene.digest");
+        }
+        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, headers, ..self }
     }
 
     /// What the logs are, and what their headers say differently.
     pub fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
-        *self = self.between(a, b);
+        *self = self.clone().between(a, b);
         let mut out = String::new();
         for (letter, header) in [("A", a), ("B", b)] {
             let subject: Vec<_> = words::frame(header).into_iter().chain([words::subject(header)]).collect();
@@ -66,6 +88,7 @@ impl Text {
             self.has_first = true;
             out += &self.first(pixel, first);
         }
+        out += &self.changed(&found.changed);
         if self.is_brief || found.differences.is_empty() {
             return out;
         }
@@ -86,6 +109,17 @@ impl Text {
             out += &table(without_middle(rows.collect()));
         }
         out
+    }
+
+    /// The inputs of the scene that differ, each in the first pixel that has it.
+    fn changed(&mut self, changed: &[Changed]) -> String {
+        let mut lines = String::new();
+        for Changed { input, a, b } in changed {
+            if self.told.insert(input.clone()) {
+                lines += &format!("  {input}: {a} → {b}\n");
+            }
+        }
+        if lines.is_empty() { lines } else { format!("\nChanged in the scene\n{lines}") }
     }
 
     /// A pixel that only one log has.
@@ -148,8 +182,7 @@ impl Text {
     pub fn explanation(&self, First { computations, way, why }: &First) -> Vec<String> {
         let (Some(first), Some(origin)) = (way.first(), way.last()) else { return Vec::new() };
         let [_, _, symbol, a, b, ..] = self.cells(first);
-        let from =
-            if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { self.reason(*why).to_owned() };
+        let from = if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { self.reason(*why) };
         let mut lines = match &first.what {
             Told::Value { .. } if symbol.is_empty() => vec![format!("{a} against {b}: {from}")],
             Told::Value { .. } => vec![format!("{symbol}: {a} against {b}: {from}")],
@@ -198,7 +231,7 @@ impl Text {
                 large.map(|(operand, _)| symbol(operand)).collect()
             }
             Why::Before => from.iter().take(1).map(|(before, _)| label_from(before, entry)).collect(),
-            _ => vec![self.reason(*why).to_owned()],
+            _ => vec![self.reason(*why)],
         };
         let direct = direct.join(", ");
         match origin.as_ref().map(|origin| label_from(origin, entry)).filter(|origin| *origin != direct) {
@@ -207,8 +240,11 @@ impl Text {
         }
     }
 
-    fn reason(&self, why: Why) -> &'static str {
-        match why {
+    fn reason(&self, why: Why) -> String {
+        if why == Why::First && !self.headers.is_empty() {
+            return format!("the headers differ in {}, nothing before it in the logs", self.headers.join(", "));
+        }
+        let reason = match why {
             Why::Operands => "its operands",
             Why::Itself if self.is_rounded_otherwise => "its own rounding",
             Why::Itself => "itself, no operand explains it",
@@ -217,7 +253,8 @@ impl Text {
             Why::Before => "what was before",
             Why::First => "nothing before it differs",
             Why::NotNeeded => "not needed there (`trace --tests all` logs every test)",
-        }
+        };
+        reason.to_owned()
     }
 }
 

@@ -79,6 +79,7 @@ pub(super) const TEXTS: Texts = Texts {
     ambient_on: |object| format!("ambient on {object}"),
     from_background: "background",
     from_rounding: "rounding of the values",
+    unexplained: "not explained by this log",
     light_behind: |light| format!("{light} stands behind the surface"),
     light_blocked: |light, object| format!("{light} is blocked by {object}"),
     log_ends: "the log ends before this ray does",

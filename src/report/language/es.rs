@@ -99,6 +99,7 @@ pub(super) const TEXTS: Texts = Texts {
     ambient_on: |object| format!("luz ambiente en {object}"),
     from_background: "luz de fondo",
     from_rounding: "redondeo de los valores",
+    unexplained: "este registro no lo explica",
     light_behind: |light| format!("{light} está detrás de la superficie"),
     light_blocked: |light, object| format!("{object} bloquea {light}"),
     log_ends: "el registro termina antes que este rayo",

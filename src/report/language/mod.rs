@@ -205,6 +205,8 @@ pub struct Texts {
     pub from_background: &'static str,
     /// What the rounding of values adds.
     pub from_rounding: &'static str,
+    /// What the operands that a log holds leave unexplained.
+    pub unexplained: &'static str,
     /// A light behind the surface.
     pub light_behind: OfName,
     /// A light that an object blocks.

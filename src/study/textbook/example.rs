@@ -4,7 +4,7 @@
 //! glass ball, a total reflection in it, an attenuated shadow, and the transmitted term of the local model. Its values were computed without
 //! this program, in decimal arithmetic, and stand in `scenes/refraction.csv`.
 
-use super::STEPS;
+use super::CALLED;
 use super::follow::Place;
 use crate::probe::{Printed, PrintedValue};
 use std::sync::LazyLock;
@@ -22,8 +22,6 @@ pub enum Example {
 /// A quantity of an example.
 #[derive(Clone, Debug)]
 pub(super) struct Line {
-    /// The step that it belongs to.
-    pub step: &'static str,
     /// What it is called there.
     pub called: &'static str,
     /// Which of several with its key on its path, from 0.
@@ -51,13 +49,9 @@ impl Example {
     /// Its quantities, in its order.
     pub(super) fn lines(self) -> &'static [Line] {
         static TEXTBOOK: LazyLock<Vec<Line>> = LazyLock::new(|| {
-            let line = |(printed, (step, called)): (&PrintedValue, &(&'static str, &'static str))| Line {
-                step,
-                called,
-                nth: 0,
-                printed: printed.clone(),
-            };
-            Printed::all().iter().zip(STEPS).map(line).collect()
+            let line =
+                |(printed, called): (&PrintedValue, &&'static str)| Line { called, nth: 0, printed: printed.clone() };
+            Printed::all().iter().zip(CALLED).map(line).collect()
         });
         static REFRACTION: LazyLock<Vec<Line>> = LazyLock::new(|| of_sheet(SHEET));
         match self {
@@ -91,7 +85,7 @@ fn row(text: &'static str) -> Option<Line> {
     let (path, step, called) = (cells.next()?, cells.next()?, cells.next()?);
     let numbers = text.trim_matches(['(', ')']).split(", ");
     let components = numbers.filter_map(|number| number.parse().ok()).collect();
-    Some(Line { step, called, nth: 0, printed: PrintedValue { path, key, text, components } })
+    Some(Line { called, nth: 0, printed: PrintedValue { path, key, step, text, components } })
 }
 
 #[cfg(test)]

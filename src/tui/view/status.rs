@@ -3,6 +3,7 @@
 use super::put;
 use super::text::{shown, width_of};
 use crate::log::What;
+use crate::report::tag::tag;
 use crate::tui::guide;
 use crate::tui::model::{Model, Pane};
 use crate::tui::theme::{Role, Theme};
@@ -66,8 +67,9 @@ fn places(model: &Model) -> [String; 3] {
     match model.log.events.get(model.event).map(|event| &event.what) {
         Some(What::Note { name, .. }) => {
             let key = name.key();
-            let section = (model.texts().status.section)(name.section());
-            [format!("{path}  {key}  {section}"), format!("{path}  {key}"), format!("  {key}")]
+            let tag = tag(&model.log, &model.tree, model.event);
+            let tag = tag.map_or_else(String::new, |tag| format!("  {}", (model.texts().status.section)(&tag)));
+            [format!("{path}  {key}{tag}"), format!("{path}  {key}"), format!("  {key}")]
         }
         _ => [path, String::new(), String::new()],
     }

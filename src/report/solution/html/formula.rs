@@ -6,6 +6,7 @@ use crate::log::Value;
 use crate::log::formula::Operator;
 use crate::report::decided::{self, Comparison, Relation};
 use crate::report::expression::Expression;
+use crate::report::tag::tag;
 use crate::report::{computation, digits, escape};
 use std::f64::consts::TAU;
 
@@ -14,8 +15,9 @@ pub(super) fn equation(task: &Task, event: usize) -> Option<String> {
     let equation = Equation::of(task, event)?;
     let middle = [equation.formula.as_ref(), equation.substituted.as_ref()];
     let middle = middle.into_iter().flatten().map(|part| format!("<span>= {}</span>", html(task, part)));
-    let section = (task.language.texts().solution.section)(equation.name.section());
-    let title = escape::xml(&format!("{} ({section})", equation.name.key()));
+    let tag = tag(task.log, task.tree, event).map(|tag| (task.language.texts().solution.section)(&tag));
+    let tag = tag.map_or_else(String::new, |tag| format!(" ({tag})"));
+    let title = escape::xml(&format!("{}{tag}", equation.name.key()));
     let marker = escape::xml(&digits::marker_in(task.language, &task.log.events[event]));
     Some(format!(
         "<p class=\"eq\" id=\"e{event}\"><span title=\"{title}\">{}</span>{}<span>= <b>{}</b>{marker}</span></p>",

@@ -55,6 +55,12 @@ pub(super) const MESSAGES: Messages = Messages {
             Ending::Missing { incomplete_record: true } => {
                 Some("el registro está cortado: se ha omitido 1 línea incompleta".to_owned())
             }
+            Ending::Unknown { count, key, line } => {
+                let values = if *count == 1 { "1 valor" } else { &format!("{count} valores") };
+                Some(format!(
+                    "se han omitido {values} de magnitudes desconocidas, el primero en la línea {line}: `{key}`"
+                ))
+            }
             Ending::Mismatch { what } => Some(format!("el registro ha cambiado después de escribirse: {what}")),
             Ending::Damaged { what } => Some(format!("el registro está dañado, esto es lo que hay antes: {what}")),
         },

@@ -1,0 +1,118 @@
+//! Which inputs of the scene two logs have differently, as the scene calls them: `lights.F.position`.
+
+use super::align::{Alignment, Spot, Thing, computed};
+use super::telling_apart;
+use super::tolerance::Tolerance;
+use crate::log::{Decision, Name, RayKind, Step, What};
+use crate::report::side_by_side::Run;
+use crate::report::{number, words};
+use std::collections::HashSet;
+
+/// An input of the scene that isn't the same in both logs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Changed {
+    /// What it is, such as `lights.F.position`, or `lights.F` where the light is of another kind.
+    pub input: String,
+    /// What it is in A.
+    pub a: String,
+    /// What it is in B.
+    pub b: String,
+}
+
+/// The inputs that the scenes of two aligned logs have differently, each once, in the order of A.
+pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Tolerance) -> Vec<Changed> {
+    let mut found = kinds(a, b, alignment);
+    for spot in &alignment.spots {
+        let Spot::Both(ours @ Thing::Input(at, number), theirs @ Thing::Input(there, other)) = *spot else { continue };
+        let ((name, value_a), (_, value_b)) = (a.log.events[at].given[number], b.log.events[there].given[other]);
+        let is_handed_on = computed(a, ours).is_some() || computed(b, theirs).is_some();
+        // A square says the same as its root once more.
+        if is_handed_on || name.key().ends_with("_squared") || !tolerance.tells_apart(&value_a, &value_b) {
+            continue;
+        }
+        let style = telling_apart(&value_a, &value_b, tolerance.digits);
+        let [a_says, b_says] = [value_a, value_b].map(|value| number::value(&value, style));
+        found.push(Changed { input: input(a, at, name), a: a_says, b: b_says });
+    }
+    let mut seen = HashSet::new();
+    found.retain(|changed| seen.insert(changed.input.clone()));
+    found
+}
+
+/// Lights and objects that are of another kind.
+fn kinds(a: Run, b: Run, alignment: &Alignment) -> Vec<Changed> {
+    let pairs = alignment.nodes.iter().enumerate().filter_map(|(ours, theirs)| Some((ours, (*theirs)?)));
+    let changed = pairs.filter_map(|(ours, theirs)| {
+        let (place, kind_a) = kind(a, ours)?;
+        let (_, kind_b) = kind(b, theirs)?;
+        (kind_a != kind_b).then(|| Changed { input: place, a: kind_a.to_owned(), b: kind_b.to_owned() })
+    });
+    changed.collect()
+}
+
+/// What the light or the object of a node is, told by its inputs.
+fn kind(run: Run, node: usize) -> Option<(String, &'static str)> {
+    const OBJECTS: &[(&str, &str)] = &[
+        ("plane.", "plane"),
+        ("sphere.", "sphere"),
+        ("ellipsoid.", "ellipsoid"),
+        ("triangle.", "triangle"),
+        ("polygon.", "polygon"),
+        ("box.", "box"),
+        ("cylinder.", "cylinder"),
+        ("cone.", "cone"),
+        ("disk.", "disk"),
+    ];
+    // An area light's edges come before its point does.
+    const LIGHTS: &[(&str, &str)] = &[
+        ("light.travel", "directional"),
+        ("light.edge_u", "rectangle or disk"),
+        ("light.radius", "sphere"),
+        ("light.position", "point"),
+    ];
+    let header = &run.log.header;
+    let (place, kinds) = match run.tree.nodes()[node].step? {
+        Step::Light { light, .. } => (format!("lights.{}", words::plain(header.light(light))), LIGHTS),
+        Step::Test { object, triangle: None } => (format!("objects.{}", words::plain(header.object(object))), OBJECTS),
+        _ => return None,
+    };
+    let keys =
+        || run.tree.own_events(node).flat_map(|event| run.log.events[event].given.iter().map(|(name, _)| name.key()));
+    kinds.iter().find(|(start, _)| keys().any(|key| key.starts_with(start))).map(|(_, kind)| (place, *kind))
+}
+
+/// What a scene calls the input that an event carries.
+fn input(run: Run, event: usize, name: Name) -> String {
+    let (nodes, header) = (run.tree.nodes(), &run.log.header);
+    let node = run.tree.owner(event);
+    let (kind, key) = name.key().split_once('.').unwrap_or(("", name.key()));
+    let object = |object: u32| format!("objects.{}", words::plain(header.object(object)));
+    // What a ray met, as its weighted sum and its bounces have the weights of it.
+    let nearest = || {
+        let around = std::iter::successors(Some(node), |node| (*node != 0).then(|| nodes[*node].parent));
+        let met = around.flat_map(|node| run.tree.own_events(node)).find_map(|at| match run.log.events[at].what {
+            What::Mark(Decision::Nearest { object }) => Some(object),
+            _ => None,
+        });
+        met.map_or_else(String::new, |met| format!("{}.", object(met)))
+    };
+    match (nodes[node].step, kind) {
+        (_, "weight") => format!("{}material.weights.{key}", nearest()),
+        (_, "material" | "pattern") => format!("{}{}", nearest(), name.key()),
+        (_, "light") if name == Name::AmbientLight => "ambient".to_owned(),
+        (Some(Step::Light { light, .. }), "light") => {
+            let key = if name == Name::LightTravel { "direction" } else { key };
+            format!("lights.{}.{key}", words::plain(header.light(light)))
+        }
+        (Some(Step::Test { object: tested, .. } | Step::Motion { object: tested }), _) => {
+            format!("{}.{key}", object(tested))
+        }
+        (Some(Step::Ray { kind: RayKind::Camera, .. }), "ray") if name == Name::RayOrigin => {
+            "camera.position".to_owned()
+        }
+        (Some(Step::Ray { kind: RayKind::Camera, .. }), "ray") if name == Name::RayVector => {
+            "camera.direction".to_owned()
+        }
+        _ => name.key().to_owned(),
+    }
+}
