@@ -253,7 +253,7 @@ fn pictures_show_the_viewer_after_some_keys() {
         language: Default::default(),
     };
     let svg = picture(textbook(), &options, None, "3n", (80, 24));
-    assert!(svg.contains("step 5/96"), "{svg}");
+    assert!(svg.contains("step 5/98"), "{svg}");
     assert!(svg.contains("V_d"), "{svg}");
 }
 

@@ -282,7 +282,9 @@ fn the_grid_of_corners_counts_its_rays() {
     assert!(log.contains("\"sampling\":{\"shared\":{\"n\":1}}"), "{log}");
     let text = prints(&["trace", &plain, "--pixel", "3,4", "--pixel-grid", "corners", "--format", "text"]);
     assert!(
-        text.starts_with("sample · pixel 3,4 · f64 · recursive, depth 4 · shared: n = 1\nsample 1: s_x = 0, s_y = 0\n"),
+        text.starts_with(
+            "sample · pixel 3,4 · f64 · recursive, depth 4 · shared: n = 1\nsample 1: s_x = 0, s_y = 0, w_s = 1\n"
+        ),
         "{text}"
     );
 

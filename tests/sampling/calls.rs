@@ -83,8 +83,8 @@ fn decisions_are_said_in_words() {
     for expected in [
         "sample 1: s_x = 0, s_y = 0\n",
         "→ the pixel is subdivided: A may lie in it, and no corner sees that\n",
-        "→ the cell at (0, 0) with side 0.250 is accepted: the samples agree\n",
-        "its corners differ by more than the threshold\n",
+        "→ the cell at (0, 0) with side 0.250 is accepted: the samples agree",
+        "its corners differ by more than the threshold",
         "is accepted: it may not be cut further\n",
         "Δ_max = θ·w_o = 0.050·1 = 0.050   [cell.limit 1.4.2]\n",
     ] {

@@ -89,7 +89,7 @@ fn a_log_shows_the_corners_as_samples() {
     let lines = log_file::to_ndjson(&log).expect("a log");
     let text = String::from_utf8(lines.clone()).expect("UTF-8");
     assert!(
-        text.contains("\"enter\":{\"sample\":{\"number\":4}},\"parent\":0,\"given\":{\"sample.x\":1,\"sample.y\":1}}"),
+        text.contains("\"enter\":{\"sample\":{\"number\":4}},\"parent\":0,\"given\":{\"sample.x\":1,\"sample.y\":1,\"sample.weight\":1}}"),
         "{text}"
     );
     assert!(text.contains("\"path\":\"4 C\""));

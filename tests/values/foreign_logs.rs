@@ -164,6 +164,13 @@ fn no_shown_line_is_false() {
                 _ => 0.0,
             };
             for at in 0..log.events.len() {
+                // A term that is left out may be as small as what is lost in a sum.
+                let noise = match log.events[at].what {
+                    What::Note { value, .. } => {
+                        1e-12 * value.components().iter().fold(0.0, |most: f64, x| most.max(x.abs()))
+                    }
+                    _ => 0.0,
+                };
                 let Some(computation) = computation_in(Language::English, &log, &tree, at, Style::default()) else {
                     continue;
                 };
@@ -171,7 +178,7 @@ fn no_shown_line_is_false() {
                     // What is left out of a long sum can't be read.
                     Some(line) if line.contains('…') => {}
                     Some(line) => {
-                        let verdict = agrees(&line, &computation.result, '.', rounding);
+                        let verdict = agrees(&line, &computation.result, '.', f64::max(rounding, noise));
                         let scene = &log.header.scene.name;
                         assert_eq!(
                             verdict,
@@ -198,6 +205,10 @@ fn own_logs_show_all_numbers() {
         for at in 0..log.events.len() {
             let What::Note { name, .. } = log.events[at].what else { continue };
             let Some(formula) = formula::of(name) else { continue };
+            // Where something blocks the light, or nothing weakens it, there are no factors.
+            if name == Name::ShadowTransmittance {
+                continue;
+            }
             for digits in [0, 3, 12] {
                 let shown = substituted(&log, &tree, at, formula, Style { digits }, &[]);
                 assert!(

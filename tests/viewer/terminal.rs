@@ -30,9 +30,9 @@ fn the_main_job_opens_the_numeric_example_and_steps() {
 #[test]
 fn it_breaks_searches_shrinks_and_comes_back() {
     let mut session = Session::start(&["walk", "textbook", "--pixel", "160,120"], 100, 30);
-    session.shows("step 1/96");
+    session.shows("step 1/98");
     session.press("s");
-    session.shows("step 2/96");
+    session.shows("step 2/98");
     session.press("bobject sphere\r");
     session.shows("breakpoint: object sphere");
     session.press("r");
@@ -53,7 +53,7 @@ fn it_breaks_searches_shrinks_and_comes_back() {
 #[test]
 fn it_plays_by_itself() {
     let mut session = Session::start(&["walk", "textbook"], 100, 30);
-    session.shows("step 1/96");
+    session.shows("step 1/98");
     session.press("++++++P");
     session.shows("played to the last computed value");
     session.press("q");
@@ -67,7 +67,7 @@ const MOUSE: [&str; 2] = ["\x1b[?1000h", "\x1b[?1000l"];
 fn the_mouse_is_given_back() {
     for (ending, code) in [("key", 0), ("signal", 143), ("toggle", 0)] {
         let mut session = Session::start(&["walk", "textbook"], 100, 30);
-        session.shows("step 1/96");
+        session.shows("step 1/98");
         assert!(!session.has_written(MOUSE[0]), "nobody asked for the mouse");
         session.press(":mouse\r");
         session.shows("the mouse selects and scrolls");
@@ -92,7 +92,7 @@ fn the_mouse_is_given_back() {
 #[test]
 fn values_reach_the_clipboard() {
     let mut session = Session::start(&["walk", "textbook"], 100, 30);
-    session.shows("step 1/96");
+    session.shows("step 1/98");
     session.press("0Y");
     session.shows("copied: C camera");
     session.press("q");
@@ -197,7 +197,7 @@ fn pasted(text: &str) -> String {
 #[test]
 fn a_pasted_text_is_text() {
     let mut session = Session::start(&["walk", "textbook"], 100, 30);
-    session.shows("step 1/96");
+    session.shows("step 1/98");
     session.is_taken(true);
     // As keys these would leave the viewer.
     session.press(&pasted("q:quit\r\x03"));
@@ -276,16 +276,16 @@ fn e14_no_color() {
 fn the_shell_gets_the_terminal_and_gives_it_back() {
     let mut session = Session::of("bash".as_ref(), &["--norc", "--noprofile", "-i"], 100, 30);
     session.press(concat!(env!("CARGO_BIN_EXE_raywalk"), " walk textbook\r"));
-    session.shows("step 1/96");
+    session.shows("step 1/98");
     session.is_taken(true);
     session.press("n\x1a");
     session.shows("Stopped");
     session.is_taken(false);
     session.press("fg\r");
     session.is_taken(true);
-    session.shows("step 2/96");
+    session.shows("step 2/98");
     session.press("n");
-    session.shows("step 3/96");
+    session.shows("step 3/98");
     session.press("q");
     session.shows("back here:");
     session.is_taken(false);
@@ -298,7 +298,7 @@ fn the_shell_gets_the_terminal_and_gives_it_back() {
 fn the_mouse_is_given_to_the_shell_and_taken_again() {
     let mut session = Session::of("bash".as_ref(), &["--norc", "--noprofile", "-i"], 100, 30);
     session.press(concat!(env!("CARGO_BIN_EXE_raywalk"), " walk textbook\r"));
-    session.shows("step 1/96");
+    session.shows("step 1/98");
     session.has_mouse(false);
     session.press("\x14");
     session.shows("the mouse selects and scrolls");
@@ -362,7 +362,7 @@ fn a_panic_gives_the_terminal_back() {
     let program = std::env::current_exe().expect("this program");
     let arguments = ["--ignored", "--exact", "terminal::panicking_viewer", "--nocapture"];
     let mut session = Session::of(program.as_os_str(), &arguments, 100, 30);
-    session.shows("step 1/96");
+    session.shows("step 1/98");
     session.is_taken(true);
     // The other arithmetics are asked for.
     session.press("a");

@@ -112,6 +112,7 @@ pub const MARKS: &[Kind] = &[
     kind("coincident", &[OBJECT, TRIANGLE], "another surface in the same place, which counts as lying just behind"),
     kind("immersed", &[OBJECT], "the ray begins inside this medium; of several the innermost comes last"),
     kind("background", &[], "the ray leaves the scene and gets the background's colour"),
+    kind("free", &[], "nothing weakens the light on the way of the shadow ray"),
     kind("occluded", &[OBJECT], "the shadow ray ends at an opaque object"),
     kind(
         "attenuated",

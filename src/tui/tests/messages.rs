@@ -39,8 +39,8 @@ fn the_step_stays_beside_a_message_that_leaves_room() {
         model.say(message);
         rows(&model, true).pop().unwrap_or_default()
     };
-    assert_eq!(bottom("done", 40), "step 1/96  growing  done");
-    assert_eq!(bottom("done with all of that now", 40), "step 1/96  done with all of that now");
+    assert_eq!(bottom("done", 40), "step 1/98  growing  done");
+    assert_eq!(bottom("done with all of that now", 40), "step 1/98  done with all of that now");
     assert_eq!(bottom("done with all of that now, and more", 40), "done with all of that now, and more");
 }
 
@@ -56,5 +56,5 @@ fn a_long_message_is_broken_and_a_longer_one_cut_with_a_mark() {
     let shown = rows(&model, true);
     assert!(shown[8].starts_with("warning: a message") && shown[11].starts_with(':'), "{}", shown.join("\n"));
     typed(&mut model, "Esc Esc");
-    assert!(rows(&model, true)[11].starts_with("step 1/96"));
+    assert!(rows(&model, true)[11].starts_with("step 1/98"));
 }
