@@ -4,7 +4,7 @@ use crate::calls::prints;
 use crate::support;
 use jsonschema::Validator;
 use raywalk::log::file::{to_json, to_ndjson};
-use raywalk::log::schema::{self, MARKS, STEPS, json_schema};
+use raywalk::log::schema::{self, MARKS, Of, STEPS, json_schema};
 use raywalk::log::{Acceptance, Decision, Miss, Name, SkipReason, Skippable, Split};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::builtin;
@@ -284,6 +284,14 @@ fn the_page_has_the_table_and_an_example_of_everything() {
         for kind in kinds {
             assert!(examples.iter().any(|line| line[field].get(kind.word).is_some()), "no example of `{}`", kind.word);
             assert!(before.contains(kind.meaning), "`{}` isn't explained: {}", kind.word, kind.meaning);
+            let words = kind.fields.iter().flat_map(|field| match field.value {
+                Of::Words(words) => words(),
+                _ => Vec::new(),
+            });
+            let row = before.lines().find(|line| line.starts_with(&format!("| `{{\"{}\"", kind.word))).unwrap_or("");
+            for word in words {
+                assert!(row.contains(word), "the row of `{}` lacks `{word}`: {row}", kind.word);
+            }
         }
     }
     for field in ["log", "leave", "result", "end", "note", "digits"] {
