@@ -15,6 +15,9 @@ pub fn agrees(line: &str, result: &str, mark: char, rounding: f64) -> Result<boo
     }
 }
 
+/// A function and how its call begins.
+type Named = (&'static str, fn(f64) -> f64);
+
 /// All numbers between two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
@@ -187,7 +190,7 @@ impl Reader<'_> {
                 return self.extreme(is_min, separator);
             }
         }
-        let waves: [(&str, fn(f64) -> f64); 2] = [("cos(", libm::cos), ("sin(", libm::sin)];
+        let waves: [Named; 2] = [("cos(", libm::cos), ("sin(", libm::sin)];
         for (word, f) in waves {
             if self.eat(word) {
                 let inner = self.sum()?;
@@ -199,7 +202,7 @@ impl Reader<'_> {
                 }));
             }
         }
-        let rising: [(&str, fn(f64) -> f64); 5] = [
+        let rising: [Named; 5] = [
             ("tan(", libm::tan),
             ("expm1(", libm::expm1),
             ("exp(", libm::exp),
