@@ -5,18 +5,20 @@ use raywalk::record::Arithmetic::{self, Decimal, F32, F64, Printed};
 
 #[rustfmt::skip]
 pub const PINS: &[Pin] = &[
-    pin("textbook_printed", "textbook", r#"{}"#,
+    pin("textbook_printed", "textbook", r#"{"tracing": {"formulas": "notes"}}"#,
         At::Pixel([160, 120]), Printed, "the values that the source text prints"),
     pin("depth_of_field", "depth-of-field", r#"{"sampling": {"statistical": {"confidence": 0.9, "tolerance": 0.1, "min": 2, "max": 4}}, "tracing": {"max_depth": 0}}"#,
         At::Pixel([8, 6]), F64, "samples through a lens, all alike, until there may not be more"),
     pin("equal_luminance", "equal-luminance", r#"{}"#,
         At::Pixel([10, 16]), F64, "colours of the same luminance"),
+    pin("equal_luminance_region", "equal-luminance", "{}",
+        At::Region([0, 0, 2, 1]), F64, "two pixels of a region"),
     pin("figure_16", "figure-16", r#"{"sampling": {"statistical": {"confidence": 0.9, "tolerance": 0.1, "min": 2, "max": 4}}}"#,
         At::Pixel([24, 6]), F64, "an edge of the pattern in a pixel: how many samples it takes"),
     pin("figure_17", "figure-17", r#"{"sampling": {"adaptive": {"threshold": 0.05, "depth": 1}}, "tracing": {"max_depth": 0}}"#,
         At::Pixel([24, 5]), F64, "a curve through a pixel, which is cut for its colours"),
     pin("figure_18", "figure-18", r#"{"sampling": {"stochastic": {"n": 4}}}"#,
-        At::Pixel([27, 3]), F64, "a step of a flat line: a part of the samples meets it"),
+        At::Pixel([31, 8]), F64, "a step of a flat line: a part of the samples meets it"),
     pin("figure_18_statistical", "figure-18", r#"{"sampling": {"statistical": {"confidence": 0.6, "tolerance": 0.3, "min": 2, "max": 8}}, "tracing": {"max_depth": 0}}"#,
         At::Pixel([24, 8]), F64, "another step, which takes more samples"),
     pin("figure_19", "figure-19", r#"{"sampling": {"adaptive": {"threshold": 0.05, "depth": 1}}}"#,
@@ -154,10 +156,17 @@ pub const PINS: &[Pin] = &[
         At::Pixel([0, 0]), F64, "two objects of one colour in a pixel, which is cut between them"),
     pin("made_ball_from_inside", "", r#"{"materials": {"it": {"ambient": [0.5, 0.25, 1]}}, "objects": [{"name": "it", "material": "it", "shape": {"sphere": {"center": [0.25, 0.25, -1], "radius": 3}}}]}"#,
         At::Ray([0.2, 0.1, -2.0], [-0.125, -0.25, -4.0]), F64, "an eye in a ball, its centre behind"),
+    pin("made_rim_from_inside", "", r#"{"materials": {"it": {"ambient": [0.5, 0.25, 1]}}, "objects": [{"name": "it", "material": "it", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}"#,
+        At::Ray([0.0, 0.9999999999999999, 0.0], [0.0, 0.0, -1.0]), F64, "an eye under the rim of a ball: its far crossing with twice the digits"),
     pin("made_grazed_ball", "", r#"{"materials": {"it": {"ambient": [1, 1, 1], "weights": {"local": 0.5, "transmitted": 0.5}}}, "objects": [{"name": "it", "material": "it", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}], "tracing": {"max_depth": 1}}"#,
         At::Ray([0.0, 0.9999999999999999, 4.0], [0.0, 0.0, -1.0]), F64, "through the rim of a ball"),
-    pin("made_whitted", "", r#"{"materials": {"it": {"ambient": [1, 1, 1], "diffuse": [0.5, 0.5, 0.5], "weights": {"local": 0.5, "transmitted": 0.5}}}, "objects": [{"name": "it", "material": "it", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}], "lights": [{"name": "lamp", "point": {"position": [2, 3, 4]}}], "tracing": {"max_depth": 1, "algorithm": "foley"}}"#,
-        At::Ray([0.0, 0.5, 4.0], [0.0, 0.0, -1.0]), F64, "no light but the ambient one in a solid"),
+    pin("made_whitted", "", r#"{
+            "lights": [{"name": "lamp", "point": {"position": [2, 3, 4]}}], "tracing": {"max_depth": 1, "algorithm": "whitted"},
+            "materials": {"mirror": {"ambient": [1, 1, 1], "weights": {"local": 0.5, "reflected": 0.5}}},
+            "objects": [
+                {"name": "plane", "material": "mirror", "shape": {"plane": {"coefficients": [0, 0, 1, 0]}}},
+                {"name": "behind", "material": "mirror", "shape": {"plane": {"coefficients": [0, 0, -1, 9]}}}]}"#,
+        At::Ray([0.25, 0.5, 4.0], [-0.125, -0.25, -4.0]), F64, "ambient light alone at the deepest level"),
 ];
 
 const fn pin(
