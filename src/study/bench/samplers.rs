@@ -93,7 +93,8 @@ pub fn compare(
     let own_seed = scene.seed;
     let (reference, reference_error) = match comparing.reference {
         Reference::Exact => {
-            let (exact, error) = exact::picture(&scene)?;
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(comparing.threads).build();
+            let (exact, error) = pool.map_err(RenderError::Threads)?.install(|| exact::picture(&scene))?;
             REFERENCE_SEEDS.iter().for_each(|_| done());
             (exact, error.map(|error| error / scene.output.white))
         }

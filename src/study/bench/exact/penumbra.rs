@@ -12,12 +12,13 @@ use crate::scene::area_light::{Spread, least_axis};
 use crate::scene::{AreaLight, Color, Light, LightKind, LightSurface, Material, Object, Scene};
 use crate::trace::{closest_hit, in_range};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// The most that the two rules of quadrature may differ by on a part of a row of a pixel, in units of the picture's largest value.
-const ALONG_ROW: Rule = Rule { tolerance: 1e-11, halvings: 36 };
+const ALONG_ROW: Rule = Rule { tolerance: 1e-10, halvings: 36 };
 
 /// The same of the rows of a pixel.
-const OVER_ROWS: Rule = Rule { tolerance: 1e-10, halvings: 20 };
+const OVER_ROWS: Rule = Rule { tolerance: 1e-9, halvings: 20 };
 
 /// A scene with one disk for a light, and diffuse surfaces.
 #[derive(Clone, Debug)]
@@ -67,11 +68,11 @@ impl<'a> Penumbra<'a> {
         Ok(Penumbra { scene, color: light.color, center, axes, radius, kinks, scale })
     }
 
-    /// The picture, row by row, and the root of the mean square of the estimated errors, in the unit of its colours.
+    /// The picture, row by row, computed on the threads of the pool that it is called in, and the root of the mean square of the estimated errors, in the unit of its colours.
     pub fn picture(&self) -> Estimate<Vec<Color>> {
         let [width, height] = self.scene.camera.resolution;
-        let places = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
-        let pixels: Vec<_> = places.map(|pixel| self.pixel(pixel)).collect();
+        let places: Vec<_> = (0..height).flat_map(|row| (0..width).map(move |column| [column, row])).collect();
+        let pixels: Vec<_> = places.into_par_iter().map(|pixel| self.pixel(pixel)).collect();
         let squares: f64 = pixels.iter().map(|pixel| pixel.error * pixel.error).sum();
         let error = (squares / pixels.len() as f64).sqrt();
         Estimate { value: pixels.into_iter().map(|pixel| pixel.value).collect(), error }
@@ -129,6 +130,7 @@ impl<'a> Penumbra<'a> {
         ) {
             match cone {
                 None => return Estimate { value: 0.0, error: 0.0 },
+                Some(cone) if cone.misses(center, self.radius) => (),
                 Some(cone) => hidden.push(cone),
             }
         }

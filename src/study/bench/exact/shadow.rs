@@ -97,6 +97,23 @@ impl Cone {
         Some(Cone::Flat(cone))
     }
 
+    /// Whether it certainly hides nothing of the disk with this centre.
+    pub fn misses(&self, center: DVec3, radius: f64) -> bool {
+        match self {
+            // A side has the whole disk outside.
+            Cone::Flat(sides) => sides.iter().any(|Side { normal, .. }| {
+                normal.dot(center) + radius * libm::hypot(normal.x, normal.y) < -ON_EDGE * center.length()
+            }),
+            // Both lie in round cones that are apart; a radius over the distance is no less than the sine of half an opening.
+            Cone::Round(Circle { middle, across, .. }) => {
+                let half = |sine: f64| if sine < 1.0 { libm::asin(sine) } else { PI };
+                let halves = half(radius / center.length()) + half(across[0].length() / middle.length());
+                let between = libm::atan2(middle.cross(center).length(), middle.dot(center));
+                between > halves + 1e-9
+            }
+        }
+    }
+
     /// Whether the direction of a piece of the outline of cone `own` is hidden by this one, which is number `number`. Of two sides in the same place
     /// and sense the first stays; those in opposite senses both stay, and their integrals cancel.
     fn hides(&self, direction: DVec3, number: usize, own: Option<(usize, DVec3)>) -> bool {
