@@ -157,7 +157,7 @@ fn title(measured: &Measured) -> String {
     let Comparison { reference, reference_error, .. } = comparison;
     let is_exact = *reference == Reference::Exact.to_string();
     let against = match reference_error {
-        Some(error) if is_exact => format!("the exact penumbra, integrated with an error of at most {error:.1e}"),
+        Some(error) if is_exact => format!("the exact penumbra, integrated with an error of about {error:.1e}"),
         None if is_exact => "the exact areas".to_owned(),
         Some(error) => format!("two pictures with {reference}, whose own error is {error:.1e}"),
         None => format!("two pictures with {reference}, whose own error is unknown"),

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-/// An integral, and the most that it may be off by.
+/// An integral, and an estimate of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate<T> {
     /// The integral.
