@@ -16,6 +16,7 @@ mod effects_lights;
 mod effects_lobes;
 mod effects_unbiased;
 mod exact;
+mod penumbra;
 mod physics;
 mod quality;
 mod shared_samples;

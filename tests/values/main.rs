@@ -24,6 +24,7 @@ mod log_files;
 mod log_spellings;
 mod notes;
 mod overflow;
+mod pinned;
 mod read_back;
 mod refraction;
 mod regions;

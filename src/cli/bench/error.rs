@@ -34,7 +34,8 @@ pub struct ErrorBench {
     #[arg(long, value_name = "SPEC", value_parser = sampling)]
     sampling: Vec<Sampling>,
     /// The method of the two pictures whose mean is the reference, or `exact`: the areas that flat-coloured polygons, disks, spheres and
-    /// ellipsoids cover. Without it, `exact` where the scene has nothing else, otherwise sobol:1024
+    /// ellipsoids cover, or the penumbras of a disk on diffuse surfaces. Without it, `exact` where the scene has such areas and nothing
+    /// else, otherwise sobol:1024
     #[arg(long, value_name = "SPEC", value_parser = reference)]
     reference: Option<Reference>,
     /// How often each setting renders, each time with another seed

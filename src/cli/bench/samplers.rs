@@ -10,7 +10,7 @@ use raywalk::scene::builtin;
 use raywalk::scene::file::visible;
 use raywalk::scene::{Sampling, Scene, Statistical};
 use raywalk::study::bench::chart::{self, Panel};
-use raywalk::study::bench::exact::Exact;
+use raywalk::study::bench::exact::{self, Exact};
 use raywalk::study::bench::samplers::{CompareError, Comparing, Comparison, Outcome, Reference, compare};
 use serde::Serialize;
 use std::fmt::Write;
@@ -20,7 +20,7 @@ use std::path::PathBuf;
 pub struct Request {
     /// The methods.
     pub methods: Vec<Sampling>,
-    /// What is compared with; `None` for the exact picture where there is one, and two pictures with [`OTHERWISE`] where there is none.
+    /// What is compared with; `None` for exact areas where the scene has them, and two pictures with [`OTHERWISE`] where it doesn't.
     pub reference: Option<Reference>,
     /// How often each setting renders.
     pub runs: usize,
@@ -132,7 +132,7 @@ const OTHERWISE: Sampling = Sampling::Sobol { n: 1024 };
 
 /// The built-in scenes that have an exact reference.
 fn scenes_with_exact() -> Vec<&'static str> {
-    let has_exact = |name: &&str| Scene::built_in(name).is_ok_and(|scene| Exact::of(&scene).is_ok());
+    let has_exact = |name: &&str| Scene::built_in(name).is_ok_and(|scene| exact::is_possible(&scene));
     builtin::names().filter(has_exact).collect()
 }
 
@@ -155,8 +155,10 @@ pub fn settings() -> Vec<Sampling> {
 fn title(measured: &Measured) -> String {
     let Measured { scene, size: [width, height], comparison, .. } = measured;
     let Comparison { reference, reference_error, .. } = comparison;
+    let is_exact = *reference == Reference::Exact.to_string();
     let against = match reference_error {
-        _ if *reference == Reference::Exact.to_string() => "the exact areas".to_owned(),
+        Some(error) if is_exact => format!("the exact penumbra, integrated with an error of about {error:.1e}"),
+        None if is_exact => "the exact areas".to_owned(),
         Some(error) => format!("two pictures with {reference}, whose own error is {error:.1e}"),
         None => format!("two pictures with {reference}, whose own error is unknown"),
     };

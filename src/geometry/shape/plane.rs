@@ -32,6 +32,11 @@ impl Plane {
         let certain_from = if is_axial { 2.0 * d.abs() } else { f64::INFINITY };
         Plane { normal, offset: d, unit_normal: normal / normal.length(), size, certain_from }
     }
+
+    /// How far a point lies before the plane; negative behind it.
+    pub fn height(&self, point: DVec3) -> f64 {
+        (self.normal.dot(point) + self.offset) / self.normal.length()
+    }
 }
 
 impl Kernel for Plane {

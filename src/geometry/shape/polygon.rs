@@ -59,6 +59,11 @@ impl Polygon {
         &self.corners
     }
 
+    /// Whether its normals are interpolated.
+    pub fn is_smooth(&self) -> bool {
+        self.fan.is_some()
+    }
+
     /// Whether the corners lie in one plane, up to roundings.
     pub fn is_plane(&self) -> bool {
         let height = |corner: &DVec3| self.unit_normal.dot(*corner - self.corners[0]).abs();

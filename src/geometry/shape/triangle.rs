@@ -56,6 +56,11 @@ impl Triangle {
         Triangle { facet: Facet::new(a, b, c), normals: normals.map(|normals| normals.map(DVec3::from)) }
     }
 
+    /// Whether its normals are interpolated.
+    pub fn is_smooth(&self) -> bool {
+        self.normals.is_some()
+    }
+
     /// The barycentric coordinates of a point of the triangle's plane, which aren't finite where there is no area.
     pub fn weights(&self, point: DVec3) -> [f64; 3] {
         self.facet.weights(self.facet.normal, point, &Silent)

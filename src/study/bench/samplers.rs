@@ -2,7 +2,7 @@
 
 use super::Spread;
 use super::clock::{Lap, timed};
-use super::exact::{Exact, NotExact};
+use super::exact::{self, NotExact};
 use crate::record::Arithmetic;
 use crate::render::{Counter, RenderError, Settings, render};
 use crate::scene::{Color, Sampling, Scene};
@@ -50,7 +50,8 @@ pub struct Comparison {
     /// The sampling of the two pictures whose mean is the reference, or `exact`.
     pub reference: String,
     /// The reference's own error: half of what its two pictures differ by. Errors about as small say nothing. `None` where it isn't known,
-    /// as the two pictures have their samples in the same places, and for an exact one, which is only rounded.
+    /// as the two pictures have their samples in the same places, and for exact areas, which are only rounded; of exact penumbras, the estimate of
+    /// their quadrature.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reference_error: Option<f64>,
     /// The methods, in the order in which they were asked for.
@@ -92,9 +93,10 @@ pub fn compare(
     let own_seed = scene.seed;
     let (reference, reference_error) = match comparing.reference {
         Reference::Exact => {
-            let exact = Exact::of(&scene)?.picture();
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(comparing.threads).build();
+            let (exact, error) = pool.map_err(RenderError::Threads)?.install(|| exact::picture(&scene))?;
             REFERENCE_SEEDS.iter().for_each(|_| done());
-            (exact, None)
+            (exact, error.map(|error| error / scene.output.white))
         }
         Reference::Sampled(sampling) => {
             scene.sampling = sampling;

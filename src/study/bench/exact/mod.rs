@@ -1,9 +1,15 @@
 //! Pictures that can be computed without sampling: objects of one colour each before a background, of which a pixel shows as much as
-//! they cover of it.
+//! they cover of it; and diffuse surfaces in the light of a disk.
 
 mod area;
+mod kinks;
+mod penumbra;
+mod quadrature;
+mod shadow;
 
 pub use area::{of_ellipse, of_polygon};
+pub use penumbra::Penumbra;
+pub use quadrature::Estimate;
 
 use crate::geometry::Shape;
 use crate::sampling::ellipse::Ellipse;
@@ -49,6 +55,46 @@ pub enum NotExact {
     /// Which of the two is seen would have to be known.
     #[error("objects `{0}` and `{1}` overlap in the picture")]
     Overlap(String, String),
+    /// The light isn't one whose visible part is computed.
+    #[error("its only light isn't a disk without profile and attenuation")]
+    Lights,
+    /// A surface shows more of the disk's light than its diffuse part.
+    #[error(
+        "object `{0}` isn't two-sided, opaque and diffuse only: a bounce, a highlight or a pattern changes what it shows"
+    )]
+    Diffuse(String),
+    /// The shape's shadow isn't one that is computed.
+    #[error(
+        "object `{0}` isn't a plane, box, sphere, disk, triangle or convex polygon at rest without normals of its own"
+    )]
+    Occluder(String),
+    /// A part of the shape is before the light, another behind it.
+    #[error("object `{0}` may reach through the plane of the light")]
+    BesideLight(String),
+}
+
+/// The picture of a scene without sampling, and its error if it is more than roundings, in the unit of its colours.
+///
+/// # Errors
+/// [`NotExact`] where there is none, with the reason.
+pub fn picture(scene: &Scene) -> Result<(Vec<Color>, Option<f64>), NotExact> {
+    match Exact::of(scene) {
+        Ok(exact) => Ok((exact.picture(), None)),
+        Err(why) => {
+            let Estimate { value, error } = penumbra(scene, why)?.picture();
+            Ok((value, Some(error)))
+        }
+    }
+}
+
+/// Whether a scene has a picture without sampling.
+pub fn is_possible(scene: &Scene) -> bool {
+    Exact::of(scene).is_ok() || Penumbra::of(scene).is_ok()
+}
+
+/// The penumbra of a scene that has no exact areas. What is wrong with it is told only where it has a disk for a light.
+fn penumbra(scene: &Scene, why: NotExact) -> Result<Penumbra<'_>, NotExact> {
+    Penumbra::of(scene).map_err(|other| if other == NotExact::Lights { why } else { other })
 }
 
 impl Exact {
