@@ -12,11 +12,12 @@ pub fn round_half_away(x: f64, digits: u32) -> f64 {
     // Exact: every power of ten up to 10^22 is an f64.
     let scale = (0..digits).fold(1.0, |scale, _| scale * 10.0);
     let scaled = x.abs() * scale;
-    // From 2^52 on every f64 is a whole number; so is what overflows.
-    if scaled >= 4_503_599_627_370_496.0 {
+    // From 2^52 on every f64 is a whole number; so is what overflows. What isn't a number stays none.
+    if scaled.is_nan() || scaled >= 4_503_599_627_370_496.0 {
         return x;
     }
-    let below = scaled.floor();
+    // The whole part: quicker than `floor`, which baseline x86-64 has no instruction for.
+    let below = scaled as i64 as f64;
     let paper_noise = (scaled * NOISE).min(1e-6);
     let rounded = if scaled - below >= 0.5 - paper_noise { below + 1.0 } else { below };
     let magnitude = rounded / scale;

@@ -119,6 +119,7 @@ impl Decimal {
 }
 
 impl Alteration for Decimal {
+    #[inline(always)]
     fn alter<Q: Quantity>(&mut self, _name: Name, value: Q) -> Q {
         value.map(|_, x| round_half_away(x, self.digits))
     }
