@@ -44,11 +44,15 @@ pub(super) fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe:
             continue;
         }
         light.give(probe);
-        sum += probe.within(Step::Light { light: number, split: 0 }, |probe| {
-            let arrival = light.seen_from(meeting.surface.point, probe);
-            let source = Source { light, number, split: 0, color: &light.color, among: None };
-            from_light(scene, meeting, view, &source, arrival, probe)
-        });
+        sum += probe.within(
+            Step::Light { light: number, split: 0 },
+            #[inline(always)]
+            |probe| {
+                let arrival = light.seen_from(meeting.surface.point, probe);
+                let source = Source { light, number, split: 0, color: &light.color, among: None };
+                from_light(scene, meeting, view, &source, arrival, probe)
+            },
+        );
     }
     probe.note(local_name(scene, material), in_range(sum))
 }
@@ -68,7 +72,8 @@ pub(super) struct Source<'a> {
 }
 
 /// What a light adds that is seen so; nothing if it stands at the surface point.
-#[inline]
+// Left to itself, the compiler keeps it apart or not by how often the rest of the program has it.
+#[inline(always)]
 pub(super) fn from_light<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
