@@ -25,6 +25,14 @@ pub fn operand(events: &[Event], tree: &Tree, event: usize, symbol: &str) -> Opt
     seen_from(events, tree, tree.owner(event), event, symbol)
 }
 
+/// The same if the event's own node has it, itself and not in a test inside it.
+pub fn operand_in_node(events: &[Event], tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
+    match given(&events[event], symbol) {
+        Some(value) => Some(Operand { event, value }),
+        None => in_node(events, tree, tree.owner(event), event, symbol),
+    }
+}
+
 /// What a symbol under the Σ of a local intensity stands for, in the part of one light (see [`lights`]).
 pub fn operand_of_light(events: &[Event], tree: &Tree, light: usize, symbol: &str) -> Option<Operand> {
     seen_from(events, tree, light, tree.nodes()[light].events.end, symbol)

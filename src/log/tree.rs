@@ -9,6 +9,8 @@ pub struct Tree {
     nodes: Vec<Node>,
     /// The node of each event.
     owner: Vec<u32>,
+    /// The events of pixels themselves, of the root too. A pixel may hold thousands of samples, which a search for one of these passes over.
+    of_pixels: Vec<u32>,
 }
 
 /// A node of the tree.
@@ -30,7 +32,7 @@ impl Tree {
     /// The tree of these events. Nodes that are never left (in a log that was cut off) end where the events do.
     pub fn of(events: &[Event]) -> Tree {
         let root = Node { step: None, parent: 0, level: 0, events: 0..events.len(), subtree_end: 1 };
-        let mut tree = Tree { nodes: vec![root], owner: Vec::with_capacity(events.len()) };
+        let mut tree = Tree { nodes: vec![root], owner: Vec::with_capacity(events.len()), of_pixels: Vec::new() };
         let mut open = vec![0];
         for (index, event) in events.iter().enumerate() {
             if let What::Enter { step, .. } = event.what {
@@ -49,7 +51,11 @@ impl Tree {
                 };
                 tree.nodes.push(node);
             }
-            tree.owner.push(open[open.len() - 1] as u32);
+            let owner = open[open.len() - 1];
+            tree.owner.push(owner as u32);
+            if matches!(tree.nodes[owner].step, None | Some(Step::Pixel(_))) {
+                tree.of_pixels.push(index as u32);
+            }
             if event.what == What::Leave && open.len() > 1 {
                 tree.close_down_to(open.len() - 1, &mut open, index + 1);
             }
@@ -126,7 +132,28 @@ impl OwnEvents<'_> {
         while self.tree.nodes[holder].parent != self.node && holder != 0 {
             holder = self.tree.nodes[holder].parent;
         }
-        Some(self.tree.nodes[holder].events.clone())
+        let inside = self.tree.nodes[holder].events.clone();
+        Some(if self.is_pixel() { self.gap_around(inside) } else { inside })
+    }
+
+    /// Whether the node has a list of its events.
+    fn is_pixel(&self) -> bool {
+        let is_region = || matches!(self.tree.nodes.get(1).map(|node| node.step), Some(Some(Step::Pixel(_))));
+        match self.tree.nodes[self.node].step {
+            Some(step) => matches!(step, Step::Pixel(_)),
+            None => !is_region(),
+        }
+    }
+
+    /// The nodes inside that follow one another without an event of the node itself between them, around one of them.
+    fn gap_around(&self, inside: Range<usize>) -> Range<usize> {
+        let list = &self.tree.of_pixels;
+        let next = list.partition_point(|event| (*event as usize) < inside.end);
+        let previous = list[..next].iter().rev().find(|event| (**event as usize) < inside.start);
+        let bounds = &self.tree.nodes[self.node].events;
+        let start = previous.map_or(bounds.start, |event| (*event as usize + 1).max(bounds.start));
+        let end = list.get(next).map_or(bounds.end, |event| (*event as usize).min(bounds.end));
+        start..end
     }
 }
 

@@ -3,12 +3,12 @@
 //! A log says what was decided, and has the numbers. Which of them were compared stands in one table here; what is shown holds for the
 //! logged numbers, and where the tracer took twice the digits, for those.
 
-use super::evaluate::{self, doubled_value, evaluate_with};
+use super::evaluate::{doubled_value, evaluate_with};
 use super::expression::{self, Expression};
 use super::language::Language;
 use super::{Style, computation, number};
 use crate::log::formula::{self, Formula};
-use crate::log::{Acceptance, Decision, Log, Miss, SkipReason, Skippable, Split, Step, Tree, Value, What};
+use crate::log::{Acceptance, Decision, Log, Miss, SkipReason, Skippable, Split, Step, Tree, Value, What, scope};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -132,8 +132,14 @@ fn groups(decision: &Decision) -> Groups {
     }
 }
 
+/// By what total reflection is told where the formulas are those of the source text.
+const PRINTED_REFLECTION: &str = "1 − (1 − cosφ_1²)/η² < 0";
+
 /// What is known from outside the node that decides; all else must be its own.
 const FROM_OUTSIDE: &[&str] = &["O", "d", "N", "N_g", "L", "|ℓ|"];
+
+/// How much of the largest number of a test f64 may lose of a difference: what differs by more wasn't computed from these numbers.
+const LOST: f64 = 1e-6;
 
 type Parsed = (Formula, Relation, Formula);
 
@@ -173,7 +179,9 @@ fn texts() -> impl Iterator<Item = &'static str> {
         Decision::Accepted { cell: None, why: Acceptance::Interval },
         Decision::MoreSamples { from: 0, to: 0 },
     ];
-    misses.chain(others).flat_map(|decision| groups(&decision).iter().flat_map(|group| group.iter().copied()))
+    let of_groups =
+        misses.chain(others).flat_map(|decision| groups(&decision).iter().flat_map(|group| group.iter().copied()));
+    of_groups.chain([PRINTED_REFLECTION])
 }
 
 /// The comparisons by which the decision of an event was taken; none for what isn't decided by numbers, or by some that the log hasn't.
@@ -184,6 +192,9 @@ pub fn comparisons(log: &Log, tree: &Tree, event: usize, style: Style) -> Vec<Co
         return Decider { log, tree, event: hit, style }.first(&["t < |ℓ|", "t > 0"]).into_iter().collect();
     }
     let decider = Decider { log, tree, event, style };
+    if *decision == Decision::TotalInternalReflection && log.header.tracing.formulas.as_deref() == Some("notes") {
+        return decider.first(&[PRINTED_REFLECTION]).into_iter().collect();
+    }
     let mut found = Vec::new();
     for (number, group) in groups(decision).iter().enumerate() {
         let is_of_origin = *decision == Decision::Hit && number == 0;
@@ -235,6 +246,10 @@ impl Decider<'_> {
             return Some(Comparison { relation, symbolic, substituted, values: plain, is_doubled: false, style });
         }
         let values = self.doubled(sides)?;
+        // What another program logged may contradict its own operands: then nothing is known of what it compared.
+        if (0..2).any(|side| (values[side] - plain[side]).abs() > LOST * self.size()) {
+            return None;
+        }
         let substituted = sides.map(|side| {
             let put_in = expression::substituted_doubled(self.log, self.tree, self.event, side, self.style);
             put_in.unwrap_or(Expression::Number(0.0))
@@ -267,10 +282,12 @@ impl Decider<'_> {
 
     fn operand(&self, symbol: &str) -> Option<Value> {
         let events = &self.log.events;
-        let operand = evaluate::operand(events, self.tree, self.event, symbol, None)?;
-        let own = self.tree.owner(self.event);
-        let is_own = self.tree.owner(operand.event) == own && operand.event >= self.begin();
-        (is_own || FROM_OUTSIDE.contains(&symbol)).then_some(operand.value)
+        let operand = if FROM_OUTSIDE.contains(&symbol) {
+            scope::operand(events, self.tree, self.event, symbol)
+        } else {
+            scope::operand_in_node(events, self.tree, self.event, symbol).filter(|own| own.event >= self.begin())
+        };
+        operand.map(|operand| operand.value)
     }
 
     /// Where what was noted for this decision begins: behind the last time that more samples were asked for.
@@ -282,6 +299,17 @@ impl Decider<'_> {
         } else {
             0
         }
+    }
+
+    /// The largest number that the node noted or was given so far.
+    fn size(&self) -> f64 {
+        let own = self.tree.own_events_before(self.tree.owner(self.event), self.event);
+        let values = own.flat_map(|at| {
+            let event = &self.log.events[at];
+            let noted = if let What::Note { value, .. } = event.what { Some(value) } else { None };
+            noted.into_iter().chain(event.given.iter().map(|(_, value)| *value))
+        });
+        values.fold(0.0, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
     }
 
     fn is_outside(&self) -> bool {

@@ -23,13 +23,23 @@ pub fn find(log: &mut Log) {
         Some((at, name))
     });
     let formless: Vec<_> = formless.collect();
-    if formless.iter().take(ASKED).all(|(at, name)| explains(log, &tree, *at, *name)) {
+    // Under the formulas of the source text a value often follows from the robust formula, too.
+    let follows_notes = log.header.tracing.formulas.as_deref() == Some("notes");
+    let has_forms =
+        log.events.iter().any(|event| matches!(event.what, What::Note { name, .. } if !name.form().is_empty()));
+    if (has_forms || !follows_notes) && formless.iter().take(ASKED).all(|(at, name)| explains(log, &tree, *at, *name)) {
         return;
     }
     for (at, name) in formless {
         let rivals = || [name].into_iter().chain(Name::all().filter(|rival| rival.key() == name.key()));
-        let exact = rivals().find(|rival| gives(log, &tree, at, *rival));
-        let found = exact.or_else(|| rivals().find(|rival| explains(log, &tree, at, *rival)));
+        // Of several that give the value, the one that takes up the event's own inputs, and that is of the header's formulas.
+        let rank = |rival: &Name| {
+            let formula = rival.formula().unwrap_or("");
+            let ignored = log.events[at].given.iter().filter(|(given, _)| !formula.contains(given.symbol())).count();
+            (ignored, ["notes", "normalized"].contains(&rival.form()) != follows_notes)
+        };
+        let exact = rivals().filter(|rival| gives(log, &tree, at, *rival)).min_by_key(rank);
+        let found = exact.or_else(|| rivals().filter(|rival| explains(log, &tree, at, *rival)).min_by_key(rank));
         if let (Some(form), What::Note { name, .. }) = (found, &mut log.events[at].what) {
             *name = form;
         }

@@ -6,7 +6,9 @@ use super::document::MAX_NESTING;
 use super::line::{End, Enter, Line, Mark};
 use super::read::Ending;
 use crate::log::escape::shortened;
-use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
+use crate::log::event::{
+    Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, Value, What,
+};
 use crate::log::header::Header;
 use crate::log::name::Name;
 use std::collections::HashMap;
@@ -27,6 +29,8 @@ pub(super) struct Reader {
     depth: usize,
     /// What isn't in the table of names, and was passed over.
     unknown: Unknown,
+    /// Inputs that stood on events of unknown quantities: they count from the next event on.
+    carried: Vec<(Name, Value)>,
 }
 
 /// Quantities that this program doesn't know.
@@ -70,6 +74,7 @@ impl Reader {
             digest: Some(Digest::new(header.clone())),
             depth: 0,
             unknown: Unknown::default(),
+            carried: Vec::new(),
         }
     }
 
@@ -120,12 +125,14 @@ impl Reader {
             let value = line.value.ok_or_else(|| missing("value"))?;
             let Some(name) = Name::find(&key, &line.form) else {
                 let form = if line.form.is_empty() { String::new() } else { format!(" ({})", &*line.form) };
+                self.carried.extend(line.given.inputs);
                 return self.pass_over(&format!("{}{form}", &*key), number);
             };
             What::Note { name, value }
         } else if let Some(Mark::Undefined { quantity }) = &line.mark
             && Name::all().all(|name| name.key() != &**quantity)
         {
+            self.carried.extend(line.given.inputs);
             return self.pass_over(quantity, number);
         } else if let Some(mark) = line.mark {
             What::Mark(self.decision(mark).map_err(damaged)?)
@@ -153,7 +160,14 @@ impl Reader {
         if self.events.len() == self.events.capacity() {
             self.ask_for_memory()?;
         }
-        self.events.push(Event { at, node, what, given: line.given.inputs.into(), digits: digits.map(Box::new) });
+        let given = if self.carried.is_empty() {
+            line.given.inputs
+        } else {
+            let mut carried = std::mem::take(&mut self.carried);
+            carried.extend(line.given.inputs);
+            carried
+        };
+        self.events.push(Event { at, node, what, given: given.into(), digits: digits.map(Box::new) });
         for child in line.children {
             self.take(child, number)?;
         }
