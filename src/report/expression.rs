@@ -5,7 +5,7 @@ mod several;
 
 use super::{Style, evaluate, forms, number};
 use crate::log::formula::{Extreme, Formula, Function, Operator, Several};
-use crate::log::{Log, Tree, Value, What, scope};
+use crate::log::{Log, Tree, Value, What, round_half_away, scope};
 
 /// A formula with symbols or numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -119,7 +119,12 @@ pub fn substituted(
         return None;
     }
     let is_doubled = matches!(log.events[event].what, What::Note { name, .. } if name.is_doubled());
-    Substitution { log, tree, event, light: None, style, links, is_doubled }.part(formula).shown()
+    let whole = Substitution { log, tree, event, light: None, style, links, is_doubled }.part(formula).shown()?;
+    // What stands alone needs no parentheses.
+    Some(match (whole, formula) {
+        (Expression::Grouped(inner), Formula::Binary(..)) => *inner,
+        (whole, _) => whole,
+    })
 }
 
 /// The same with the numbers as they are with twice the digits.
@@ -201,6 +206,7 @@ impl Substitution<'_> {
             Formula::Grouped(inner) => match (self.part(inner), &**inner) {
                 // A number needs no parentheses of its own.
                 (part, Formula::Symbol(_) | Formula::Positive(_)) => part,
+                (part @ Part::There(Expression::Grouped(_)), _) => part,
                 (Part::There(inside), _) => Part::There(Expression::Grouped(Box::new(inside))),
                 (absent, _) => absent,
             },
@@ -271,6 +277,18 @@ impl Substitution<'_> {
         }
     }
 
+    /// What a formula of a vector comes to.
+    fn triple(&self, formula: &Formula) -> Option<[f64; 3]> {
+        let operands = |symbol, light: Option<usize>| {
+            let operand = evaluate::operand(&self.log.events, self.tree, self.event, symbol, light.or(self.light));
+            operand.map(|operand| operand.value)
+        };
+        match evaluate::evaluate_with(&self.log.header, self.tree, self.event, formula, &operands) {
+            Ok(Value::Triple(triple)) => Some(triple),
+            _ => None,
+        }
+    }
+
     /// Whether a base is the cosine `(x)⁺` of a quantity that the log holds, whatever it comes to.
     fn has_cosine(&self, base: &Formula) -> bool {
         let Formula::Grouped(inner) = base else { return false };
@@ -291,6 +309,12 @@ impl Substitution<'_> {
     }
 
     fn binary(&self, operator: Operator, left: &Formula, right: &Formula) -> Part {
+        if operator == Operator::Times
+            && let Some(digits) = self.log.header.decimals_of_products()
+            && let (Some(a), Some(b)) = (self.triple(left), self.triple(right))
+        {
+            return rounded_products(a, b, digits);
+        }
         let is_cosine_below_zero = operator == Operator::Power && self.has_cosine(left);
         let (left, right) = (self.part(left), self.part(right));
         match (operator, left, right) {
@@ -309,6 +333,13 @@ impl Substitution<'_> {
             (operator, left, right) => joined(operator, left, right),
         }
     }
+}
+
+/// A dot product whose products were rounded before they were added, as the sum that it then is: `(0.533 + 0.036 + 0.219)`.
+fn rounded_products(a: [f64; 3], b: [f64; 3], digits: u32) -> Part {
+    let [x, y, z] = [0, 1, 2].map(|i| Expression::Value(Value::Number(round_half_away(a[i] * b[i], digits)), None));
+    let sum = |left, right| Expression::Binary(Operator::Plus, Box::new(left), Box::new(right));
+    Part::There(Expression::Grouped(Box::new(sum(sum(x, y), z))))
 }
 
 fn joined(operator: Operator, left: Part, right: Part) -> Part {

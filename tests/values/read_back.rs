@@ -19,7 +19,7 @@ use raywalk::scene::builtin;
 #[test]
 fn shown_lines_read_back() {
     let mut read = 0;
-    for arithmetic in [Arithmetic::F64, Arithmetic::Decimal(3), Arithmetic::F32] {
+    for arithmetic in [Arithmetic::F64, Arithmetic::Decimal(3), Arithmetic::DecimalProducts(3), Arithmetic::F32] {
         for name in builtin::names() {
             let scene = support::scene(name);
             for pixel in support::grid(&scene, 4) {
@@ -46,6 +46,20 @@ fn the_issue_s_lines_are_bracketed() {
         .filter_map(|computation| computation.substituted)
         .collect();
     assert!(!lines.iter().any(|line| line.contains("/1.000·10") || line.contains("⁻⁵²")), "{lines:#?}");
+}
+
+/// Where the products of dot products are rounded they are shown so: step 7 of the source text.
+#[test]
+fn rounded_products_are_shown() {
+    let scene = support::scene_in("textbook", Arithmetic::DecimalProducts(3));
+    let log = record::pixel(&scene, [160, 120], Arithmetic::DecimalProducts(3));
+    let tree = Tree::of(&log.events);
+    let lines = (0..log.events.len())
+        .filter_map(|event| computation_in(Language::English, &log, &tree, event, Style::default()))
+        .filter(|computation| computation.symbol == "N·L")
+        .map(|computation| computation.line());
+    let lines: Vec<_> = lines.collect();
+    assert_eq!(lines[1], "N·L = 0.533 + 0.035 + 0.220 = 0.788");
 }
 
 #[test]
@@ -180,7 +194,7 @@ fn total_reflection_and_lights_behind_have_their_numbers() {
 fn check(log: &Log, arithmetic: Arithmetic) -> usize {
     // By hand a value was rounded before it was shown; in single precision it may have become zero.
     let rounding = match arithmetic {
-        Arithmetic::Decimal(_) => 5.001e-4,
+        Arithmetic::Decimal(_) | Arithmetic::DecimalProducts(_) => 5.001e-4,
         Arithmetic::F32 => f64::from(f32::MIN_POSITIVE),
         _ => 0.0,
     };
