@@ -183,7 +183,7 @@ fn the_two_forms_of_h() {
     for light in [toward, -toward] {
         let bisector = (light + view).normalize();
         says("(1.2.1).** ", &triple(bisector));
-        says("**`H′` ", &format!("{:.1}°", libm::acos(-bisector.dot(normal)).to_degrees()));
+        says("(1.2.1).** ", &format!("{:.1}°", libm::acos(-bisector.dot(normal)).to_degrees()));
     }
 }
 
