@@ -52,7 +52,7 @@ pub struct Trace {
     /// What dot, svg and mermaid draw: rays with all that they meet, or the calls of the algorithm (figure 9)
     #[arg(long, value_enum, value_name = "OF", default_value = "rays")]
     tree: TreeOf,
-    /// Show one hit from near instead, as svg, latex or text: its vectors in their planes, the zones of a blurred bounce, or the points
+    /// Draw a close-up of one hit instead, as svg, latex or text: its vectors in their planes, the zones of a blurred bounce, or the points
     /// of an area light with the weights of their shadow rays
     #[arg(long, value_enum, value_name = "VIEW")]
     view: Option<CloseUpOf>,

@@ -2,7 +2,7 @@
 //!
 //! The colour is a sum over paths. Each path ends at a light, in the ambient light, or in the background; what it brings there is
 //! multiplied by the weights W_l, W_r and W_t of the surfaces on its way to the eye, the share of its direction in a blurred
-//! bounce, and that of its sample in the pixel. In f64 these products add up to the pixel's colour but for roundings; what the
+//! bounce, and that of its sample in the pixel. In f64 these products add up to the pixel's colour, up to rounding; what the
 //! rounding of named values adds in other arithmetics is a row of its own, and so is what a log of another program leaves unexplained.
 
 mod groups;

@@ -75,7 +75,7 @@ impl Facts {
         }
     }
 
-    /// What a node came to is also what the node around it came to, where that one has no say of its own.
+    /// What a node came to is also what the node around it came to, where that one has no value of its own.
     fn hand_up(&mut self, tree: &Tree, node: usize) {
         let inner = self.nodes[node];
         let parent = tree.nodes()[node].parent;

@@ -85,7 +85,7 @@ fn distributed_effects() {
 
 /// The scene is the numeric example with another camera and another light, and nothing else.
 #[test]
-fn the_numeric_example_from_aside() {
+fn the_numeric_example_from_the_side() {
     let read = |name: &str| {
         let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(name);
         std::fs::read_to_string(path).expect("a scene")

@@ -1,6 +1,6 @@
 //! docs/notes.md and docs/notes.es.md: every command of the table runs, every file of it exists, and every number of the errata is right.
 
-use crate::calls::raywalk;
+use crate::calls::{prints, raywalk};
 use crate::support::{changed_scene, scene};
 use glam::DVec3;
 use raywalk::log::{RayKind, Step, Tree};
@@ -23,6 +23,51 @@ fn rows(name: &str) -> Vec<[String; 4]> {
         <[String; 4]>::try_from(cells).expect("four cells")
     };
     text.lines().filter(|line| line.starts_with('|') && line.contains("`raywalk ")).map(cells).collect()
+}
+
+/// What a row is there to show: a part of its `what`, and a text that its command prints.
+const SHOWN: [(&str, &str); 13] = [
+    ("its weight is zero", "skipped: reflected ray (its weight is zero)"),
+    ("vectors L, N, R, T, V, H", ">R</text>"),
+    ("vectors L, N, R, T, V, H", ">T</text>"),
+    ("vectors L, N, R, T, V, H", ">H</text>"),
+    ("H′ of a light behind", ">H′</text>"),
+    ("H′ of a light behind", ">H</text>"),
+    ("semitransparent blocker", "= (0.810, 0.063, 0.040)   [shadow.transmittance 1.2.5]"),
+    ("a sample stands for all of its pixel", "+ (0.950, 0.900, 0.800) + … + (0.250, 0.350, 0.600))/16 ="),
+    ("stairs on curves", "nearest: flat profile"),
+    ("stairs on curves", "nothing is hit: background"),
+    ("objects that samples miss", "the pixel is subdivided: C may lie in it, and no corner sees that"),
+    ("its quality adjustable", "32 are taken"),
+    ("its quality adjustable", "the mean is accepted: its interval is narrow enough"),
+];
+
+#[test]
+fn commands_of_the_table_show_what_their_rows_say() {
+    let rows = rows(PAGES[0]);
+    for (part, text) in SHOWN {
+        let row = rows.iter().find(|[_, what, ..]| what.contains(part));
+        let [.., command] = row.unwrap_or_else(|| panic!("no row has {part}"));
+        let words: Vec<_> = command.trim_matches('`').split_whitespace().skip(1).collect();
+        let shown = prints(&words);
+        assert!(shown.contains(text), "{command} doesn't show {text}");
+    }
+}
+
+#[test]
+fn the_weights_of_the_shadow_rays_of_the_table_differ() {
+    let rows = rows(PAGES[0]);
+    let [.., command] = rows.iter().find(|[_, what, ..]| what.contains("the weights of those")).expect("the row");
+    let words: Vec<_> = command.trim_matches('`').split_whitespace().skip(1).collect();
+    let table = prints(&words);
+    let weights: Vec<_> = table
+        .lines()
+        .filter(|line| line.starts_with(|first: char| first.is_ascii_digit()))
+        .filter_map(|line| line.split(')').nth(1)?.split_whitespace().next())
+        .collect();
+    assert_eq!(weights.len(), 9, "{table}");
+    assert!(weights.iter().all(|weight| *weight != "0.111"), "{table}");
+    assert!(weights.windows(2).all(|pair| pair[0] != pair[1]), "{table}");
 }
 
 #[test]
@@ -114,7 +159,9 @@ fn the_equation_of_t_wants_the_incident_direction() {
 
 #[test]
 fn the_two_forms_of_h() {
-    let (normal, toward) = at_60_degrees();
+    let (normal, across) = at_60_degrees();
+    // As in the erratum about T, the light stands on the left.
+    let toward = DVec3::new(-across.x, across.y, 0.0);
     let eta = 1.5;
     let view = transmitted(-toward, normal, eta, 0.5);
     let first = (-toward - view * eta) / (eta - 1.0);
@@ -126,10 +173,18 @@ fn the_two_forms_of_h() {
     let second = (view - -toward * inverse) / (inverse - 1.0);
     assert!((first - second).length() < 1e-15, "{first} is not {second}");
     let with_the_same_signs = (view - toward * eta) / (eta - 1.0);
-    says("(−L − ηV)/(η − 1), ", &triple(with_the_same_signs));
+    for text in [triple(toward), triple(view), triple(with_the_same_signs)] {
+        says("(−L − ηV)/(η − 1), ", &text);
+    }
     // What roundings leave of its sideways part.
     assert!(first.x.abs() < 1e-15);
     says("(−L − ηV)/(η − 1), ", &triple(DVec3::new(0.0, first.y, 0.0)));
+    // Neither bisector has its direction.
+    for light in [toward, -toward] {
+        let bisector = (light + view).normalize();
+        says("(1.2.1).** ", &triple(bisector));
+        says("(1.2.1).** ", &format!("{:.1}°", libm::acos(-bisector.dot(normal)).to_degrees()));
+    }
 }
 
 #[test]

@@ -70,7 +70,7 @@ fn discs_and_edges_are_those_of_an_independent_computation() {
     }
 }
 
-/// An ellipsoid seen from aside, of which the silhouette isn't a section through its centre.
+/// An ellipsoid seen from the side, whose silhouette isn't a section through its centre.
 #[test]
 fn the_areas_of_a_near_ellipsoid_add_up() {
     let text = r#"{"format": "raywalk-scene/1",

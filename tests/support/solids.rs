@@ -162,7 +162,7 @@ pub fn solid() -> impl Strategy<Value = Solid> {
     prop_oneof![ellipsoid(), round()]
 }
 
-/// A solid and a ray toward a point near its surface, from inside, from near or from afar.
+/// A solid and a ray toward a point near its surface, from inside, from close by or from afar.
 pub fn aimed() -> impl Strategy<Value = (Solid, Ray)> {
     let origin = (direction(), -1.0..3.0).prop_map(|(direction, far)| direction * ten_to(far));
     (solid(), origin, [-1.0..1.0, -1.0..1.0], direction(), triple(), -2.0..0.5).prop_map(

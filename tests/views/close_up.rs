@@ -1,4 +1,4 @@
-//! A hit seen from near: the angles of the figure are those of the log, its areas those of the lobe, its weights those of the light.
+//! A close-up of a hit: the angles of the figure are those of the log, its areas those of the lobe, its weights those of the light.
 
 use crate::calls::prints;
 use crate::support::{grid, scene, scene_of, snapshots};

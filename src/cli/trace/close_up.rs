@@ -1,4 +1,4 @@
-//! `raywalk trace --view`: one hit seen from near.
+//! `raywalk trace --view`: a close-up of one hit.
 
 use super::{Trace, TraceFormat};
 use crate::cli::failure::Failure;

@@ -1,4 +1,4 @@
-//! One hit seen from near, as figures of the source text show it: its vectors in the planes in which they lie (figures 10 to 13), the
+//! A close-up of one hit, as figures of the source text show it: its vectors in the planes in which they lie (figures 10 to 13), the
 //! zones of a blurred bounce (figure 22), the points of an area light with the weights of their shadow rays (section 1.5).
 //!
 //! Everything comes from the log: what a figure needs and the log lacks isn't drawn. A close-up is a table and some sheets; one file a
@@ -41,7 +41,7 @@ pub struct Subject<'a> {
     pub style: Style,
 }
 
-/// A hit seen from near.
+/// A close-up of a hit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CloseUp {
     /// What it shows, and of what.

@@ -6,7 +6,7 @@ use super::tolerance::Tolerance;
 use crate::log::{Decision, Name, RayKind, Step, What};
 use crate::report::side_by_side::Run;
 use crate::report::{number, words};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 /// An input of the scene that isn't the same in both logs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,7 +21,9 @@ pub struct Changed {
 
 /// The inputs that the scenes of two aligned logs have differently, each once, in the order of A.
 pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Tolerance) -> Vec<Changed> {
-    let mut found = kinds(a, b, alignment);
+    let mut found = names(a, b);
+    found.extend(parts(a, b));
+    found.extend(kinds(a, b, alignment));
     for spot in &alignment.spots {
         let Spot::Both(ours @ Thing::Input(at, number), theirs @ Thing::Input(there, other)) = *spot else { continue };
         let ((name, value_a), (_, value_b)) = (a.log.events[at].given[number], b.log.events[there].given[other]);
@@ -37,6 +39,72 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
     let mut seen = HashSet::new();
     found.retain(|changed| seen.insert(changed.input.clone()));
     found
+}
+
+/// How it is said that an object, a light or a part of one isn't in a scene, or is, where nothing more is known.
+const ABSENT: &str = "absent";
+const PRESENT: &str = "present";
+
+/// Objects and lights that only one of the scenes has.
+fn names(a: Run, b: Run) -> Vec<Changed> {
+    let lists = |run: Run| [("objects", run.log.header.objects.clone()), ("lights", run.log.header.lights.clone())];
+    let mut found = Vec::new();
+    for ((list, ours), (_, theirs)) in lists(a).into_iter().zip(lists(b)) {
+        let only = |run: Run, names: &[String], others: &[String]| {
+            let mut only = Vec::new();
+            for name in names.iter().filter(|name| !others.contains(name)) {
+                let place = format!("{list}.{}", words::plain(name));
+                let kind = (0..run.tree.nodes().len()).filter_map(|node| kind(run, node)).find(|(at, _)| *at == place);
+                only.push((place, kind.map_or(PRESENT, |(_, kind)| kind).to_owned()));
+            }
+            only
+        };
+        let absent = || ABSENT.to_owned();
+        found.extend(only(a, &ours, &theirs).into_iter().map(|(input, a)| Changed { input, a, b: absent() }));
+        found.extend(only(b, &theirs, &ours).into_iter().map(|(input, b)| Changed { input, a: absent(), b }));
+    }
+    found
+}
+
+/// Motions and patterns that an object has in one of the scenes only, if both logs meet it.
+fn parts(a: Run, b: Run) -> Vec<Changed> {
+    let mut found = Vec::new();
+    let (moves_a, moves_b) = (moving(a), moving(b));
+    let (pattern_a, pattern_b) = (patterned(a), patterned(b));
+    for (part, ours, theirs) in [("motion", moves_a, moves_b), ("material.pattern", pattern_a, pattern_b)] {
+        for (object, has) in ours {
+            let Some(other) = theirs.get(&object).filter(|other| **other != has) else { continue };
+            let [a, b] = [has, *other].map(|has| if has { PRESENT } else { ABSENT }.to_owned());
+            found.push(Changed { input: format!("objects.{object}.{part}"), a, b });
+        }
+    }
+    found
+}
+
+/// Of each object that is tested, whether it moves.
+fn moving(run: Run) -> BTreeMap<String, bool> {
+    let nodes = run.tree.nodes();
+    let mut moving = BTreeMap::new();
+    for node in nodes {
+        if let Some(Step::Test { object, .. }) = node.step {
+            let is_moving = matches!(nodes[node.parent].step, Some(Step::Motion { .. }));
+            *moving.entry(words::plain(run.log.header.object(object)).into_owned()).or_insert(false) |= is_moving;
+        }
+    }
+    moving
+}
+
+/// Of each object that is shaded, whether its material has a pattern.
+fn patterned(run: Run) -> BTreeMap<String, bool> {
+    let mut patterned = BTreeMap::new();
+    for (node, shade) in run.tree.nodes().iter().enumerate() {
+        if let Some(Step::Shade { object }) = shade.step {
+            let mut given = run.tree.own_events(node).flat_map(|event| run.log.events[event].given.iter());
+            let has = given.any(|(name, _)| name.key().starts_with("pattern."));
+            *patterned.entry(words::plain(run.log.header.object(object)).into_owned()).or_insert(false) |= has;
+        }
+    }
+    patterned
 }
 
 /// Lights and objects that are of another kind.

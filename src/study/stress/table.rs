@@ -178,7 +178,7 @@ k         the error over 2^-53 times the answer times the case's condition numbe
 relative  the error as a part of the answer
 wrong     decisions that are wrong: a hit or a miss, an order, which object; such cases have no error
 worst, median, required are of f64 and the formulas that keep their digits. The last columns have the worst error, in the same unit, of
-notes (f64 and the formulas as printed: cos φ_2, H', the geometric sphere), of f32, and of the notes by hand; - where a way has no say.
+notes (f64 and the formulas as printed: cos φ_2, H', the geometric sphere), of f32, and of the notes by hand; - where a column doesn't apply.
 ";
 
 /// A number of three digits, or nothing.

@@ -1,4 +1,4 @@
-//! How much of a square a polygon or an ellipse covers, exactly but for roundings.
+//! How much of a square a polygon or an ellipse covers, exactly up to rounding.
 
 use crate::sampling::ellipse::Ellipse;
 

@@ -18,7 +18,7 @@ use crate::scene::{Color, Material, Object, Scene};
 use crate::trace::in_range;
 use area::edges;
 
-/// What a pixel of a scene is, exactly but for roundings.
+/// What a pixel of a scene is, exactly up to rounding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exact {
     background: Color,
