@@ -119,6 +119,7 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
         shard: None,
         objects: scene.objects.iter().map(|object| object.name.clone()).collect(),
         lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
+        only_elsewhere: Vec::new(),
     }
 }
 

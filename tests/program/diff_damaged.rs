@@ -174,6 +174,15 @@ fn a_changed_input_of_the_scene_is_named() {
             r#""box": {"min": [14, 6, 5], "max": [20, 12, 11]}"#,
             "objects.sphere: sphere → box",
         ),
+        ("renamed", r#""name": "sphere","#, r#""name": "ball","#, "objects.sphere: sphere → absent"),
+        ("new name", r#""name": "sphere","#, r#""name": "ball","#, "objects.ball: absent → sphere"),
+        (
+            "moving",
+            r#""name": "sphere","#,
+            r#""name": "sphere", "motion": {"translation": [0, 0, 1]},"#,
+            "objects.sphere.motion: absent → present",
+        ),
+        ("another light", r#""name": "F","#, r#""name": "G","#, "lights.G: absent → point"),
     ] {
         let other = folder.of_scene(name, &[(old, new)]);
         let (out, _, code) = diff(&[&folder.whole, &other]);

@@ -2,7 +2,7 @@
 
 use crate::intervals::agrees;
 use crate::random::Random;
-use crate::support::{grid, middle, scene};
+use crate::support::{grid, middle, scene, scene_in};
 use raywalk::log::file::{Ending, PixelReader, read, to_ndjson};
 use raywalk::log::formula;
 use raywalk::log::{Log, Name, Tree, Value, What};
@@ -259,4 +259,58 @@ fn near(computed: &Value, logged: &Value, log: &Log) -> bool {
         (a - b).abs() <= f64::max(hand, 0.000_500_1 * b.abs().min(1.0)) + 1e-9 * scale + least
     };
     computed.len() == logged.len() && computed.iter().zip(logged).all(near)
+}
+
+/// A value that follows from several formulas was computed by the one that the header names.
+#[test]
+fn under_the_formulas_of_the_notes_forms_are_those_of_the_notes() {
+    let mut printed = 0;
+    for name in ["textbook", "glass-and-mirror", "transmission", "total-reflection"] {
+        let scene = scene_in(name, Arithmetic::Decimal(3));
+        for pixel in grid(&scene, 6) {
+            let log = record::pixel(&scene, pixel, Arithmetic::Decimal(3));
+            let (written, _) = Foreign { omitted: 0, unknown: 0, seed: 5 }.write(&log);
+            let again = read_again(&written, 0);
+            for (ours, theirs) in log.events.iter().zip(&again.events) {
+                let (What::Note { name, .. }, What::Note { name: other, .. }) = (&ours.what, &theirs.what) else {
+                    continue;
+                };
+                if ["notes", "normalized"].contains(&name.form()) {
+                    assert_eq!(name, other, "{}", log.header.scene.name);
+                    printed += 1;
+                }
+            }
+        }
+    }
+    assert!(printed > 50, "{printed}");
+}
+
+/// No comparison is made up for a value that contradicts its own operands.
+#[test]
+fn a_contradicted_value_has_no_comparison() {
+    let scene = scene("textbook");
+    let mut log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+    let shown = |log: &Log| text(log, Style::default()).matches("T2_A < 0").count();
+    assert_eq!(shown(&log), 2);
+    for event in &mut log.events {
+        if let What::Note { name: Name::SphereT2a, value } = &mut event.what {
+            *value = Value::Number(5.0);
+        }
+    }
+    assert_eq!(shown(&log), 0);
+}
+
+/// Inputs that stand on an event of an unknown quantity count all the same.
+#[test]
+fn inputs_of_unknown_quantities_are_kept() {
+    let scene = scene("textbook");
+    let log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
+    let lines = String::from_utf8(to_ndjson(&log).expect("memory")).expect("UTF-8");
+    let renamed = lines.replace("\"note\":\"ray.length\"", "\"note\":\"my.own\"");
+    let cut = renamed.lines().filter(|line| !line.starts_with("{\"end\""));
+    let whole = cut.map(|line| line.to_owned() + "\n").collect::<String>() + "{\"end\":{\"events\":98}}\n";
+    let again = read_again(whole.as_bytes(), 1);
+    let given = |log: &Log| log.events.iter().map(|event| event.given.len()).sum::<usize>();
+    assert_eq!(given(&again), given(&log));
+    assert!(text(&again, Style::default()).contains("V_o = −(N_p · O + D_p) = −((1, 0, 0)·(16, 2, 7) + (-4)) = -12 "));
 }

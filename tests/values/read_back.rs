@@ -190,6 +190,31 @@ fn total_reflection_and_lights_behind_have_their_numbers() {
     assert!(found.iter().all(|found| *found > 10), "{found:?}");
 }
 
+/// By hand total reflection is told by the formula that is printed: that is the one whose rounded numbers decided.
+#[test]
+fn total_reflection_by_hand_is_told_by_the_printed_formula() {
+    let mut found = 0;
+    for digits in [2, 3] {
+        let arithmetic = Arithmetic::Decimal(digits);
+        for name in ["total-reflection", "glass-and-mirror", "refraction"] {
+            let scene = support::scene_in(name, arithmetic);
+            for pixel in support::grid(&scene, 16) {
+                let log = record::pixel(&scene, pixel, arithmetic);
+                let tree = Tree::of(&log.events);
+                for (event, mark) in log.events.iter().enumerate() {
+                    if mark.what == What::Mark(Decision::TotalInternalReflection) {
+                        let line = decided::line_in(Language::English, &log, &tree, event, Style::default());
+                        let line = line.expect("a comparison");
+                        assert!(line.starts_with("1 − (1 − cosφ_1²)/η² < 0: "), "{line}");
+                        found += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(found > 20, "{found}");
+}
+
 /// Reads all lines of a log in both languages; how many there were.
 fn check(log: &Log, arithmetic: Arithmetic) -> usize {
     // By hand a value was rounded before it was shown; in single precision it may have become zero.

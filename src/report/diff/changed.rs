@@ -6,7 +6,7 @@ use super::tolerance::Tolerance;
 use crate::log::{Decision, Name, RayKind, Step, What};
 use crate::report::side_by_side::Run;
 use crate::report::{number, words};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// An input of the scene that isn't the same in both logs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,23 +47,32 @@ const PRESENT: &str = "present";
 
 /// Objects and lights that only one of the scenes has.
 fn names(a: Run, b: Run) -> Vec<Changed> {
-    let lists = |run: Run| [("objects", run.log.header.objects.clone()), ("lights", run.log.header.lights.clone())];
-    let mut found = Vec::new();
-    for ((list, ours), (_, theirs)) in lists(a).into_iter().zip(lists(b)) {
-        let only = |run: Run, names: &[String], others: &[String]| {
-            let mut only = Vec::new();
-            for name in names.iter().filter(|name| !others.contains(name)) {
-                let place = format!("{list}.{}", words::plain(name));
-                let kind = (0..run.tree.nodes().len()).filter_map(|node| kind(run, node)).find(|(at, _)| *at == place);
-                only.push((place, kind.map_or(PRESENT, |(_, kind)| kind).to_owned()));
-            }
-            only
+    let only = |run: Run, other: Run| -> Vec<(String, String)> {
+        let lists = |run: Run| {
+            let header = &run.log.header;
+            let elsewhere: HashSet<_> = header.only_elsewhere.iter().collect();
+            let own = |names: &[String]| names.iter().filter(|name| !elsewhere.contains(name)).cloned().collect();
+            [("objects", own(&header.objects)), ("lights", own(&header.lights))]
         };
-        let absent = || ABSENT.to_owned();
-        found.extend(only(a, &ours, &theirs).into_iter().map(|(input, a)| Changed { input, a, b: absent() }));
-        found.extend(only(b, &theirs, &ours).into_iter().map(|(input, b)| Changed { input, a: absent(), b }));
-    }
-    found
+        let named = |(list, names): (&'static str, Vec<String>)| {
+            names.into_iter().map(move |name| format!("{list}.{}", words::plain(&name)))
+        };
+        let theirs: HashSet<String> = lists(other).into_iter().flat_map(named).collect();
+        let missing: Vec<_> = lists(run).into_iter().flat_map(named).filter(|place| !theirs.contains(place)).collect();
+        if missing.is_empty() {
+            return Vec::new();
+        }
+        let kinds: HashMap<_, _> = (0..run.tree.nodes().len()).filter_map(|node| kind(run, node)).collect();
+        let kind = |place: String| {
+            let kind = kinds.get(&place).map_or(PRESENT, |kind| *kind).to_owned();
+            (place, kind)
+        };
+        missing.into_iter().map(kind).collect()
+    };
+    let absent = || ABSENT.to_owned();
+    let removed = only(a, b).into_iter().map(|(input, a)| Changed { input, a, b: absent() });
+    let added = only(b, a).into_iter().map(|(input, b)| Changed { input, a: absent(), b });
+    removed.chain(added).collect()
 }
 
 /// Motions and patterns that an object has in one of the scenes only, if both logs meet it.
@@ -88,7 +97,7 @@ fn moving(run: Run) -> BTreeMap<String, bool> {
     for node in nodes {
         if let Some(Step::Test { object, .. }) = node.step {
             let is_moving = matches!(nodes[node.parent].step, Some(Step::Motion { .. }));
-            *moving.entry(words::plain(run.log.header.object(object)).into_owned()).or_insert(false) |= is_moving;
+            *moving.entry(words::plain(run.log.header.object(object))).or_insert(false) |= is_moving;
         }
     }
     moving
@@ -101,7 +110,7 @@ fn patterned(run: Run) -> BTreeMap<String, bool> {
         if let Some(Step::Shade { object }) = shade.step {
             let mut given = run.tree.own_events(node).flat_map(|event| run.log.events[event].given.iter());
             let has = given.any(|(name, _)| name.key().starts_with("pattern."));
-            *patterned.entry(words::plain(run.log.header.object(object)).into_owned()).or_insert(false) |= has;
+            *patterned.entry(words::plain(run.log.header.object(object))).or_insert(false) |= has;
         }
     }
     patterned

@@ -2,7 +2,7 @@
 
 use crate::log::{Decision, Event, Header, Step, Subject, What};
 use crate::report::words;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Something that the headers of two logs say differently.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,6 +59,12 @@ fn subject(header: &Header) -> String {
     }
 }
 
+/// The names of one list that another one hasn't.
+fn only_in<'a>(names: &'a [String], others: &[String]) -> impl Iterator<Item = String> + use<'a> {
+    let others: HashSet<String> = others.iter().cloned().collect();
+    names.iter().filter(move |name| !others.contains(*name)).cloned()
+}
+
 /// How the numbers of B's objects and lights become those of A, by their names; those that only B has follow A's.
 #[derive(Clone, Debug)]
 pub struct Numbering {
@@ -71,6 +77,9 @@ impl Numbering {
     /// The numbering that makes `b` agree with `a`; `b` gets the names in their new order.
     pub fn unify(a: &Header, b: &mut Header) -> Numbering {
         let is_same = a.objects == b.objects && a.lights == b.lights;
+        if !is_same {
+            b.only_elsewhere = only_in(&a.objects, &b.objects).chain(only_in(&a.lights, &b.lights)).collect();
+        }
         let objects = renumbered(&a.objects, &mut b.objects);
         let lights = renumbered(&a.lights, &mut b.lights);
         Numbering { objects, lights, is_same }
