@@ -8,7 +8,7 @@ use super::options::ColorChoice;
 use super::walk::has_terminal;
 use clap::{Args, ValueEnum};
 use raywalk::log::file::{is_log, is_utf16};
-use raywalk::render::export::{self, MAX_PICTURE_BYTES, PictureError, is_picture};
+use raywalk::render::export::{self, MAX_PICTURE_BYTES, PictureError, READABLE, is_picture};
 use raywalk::render::part::is_part;
 use raywalk::report::diff::Tolerance;
 use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, visible};
@@ -17,9 +17,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// What `--help` says behind the options.
-const MORE: &str = "\
+fn more() -> String {
+    LOGS.to_owned() + " Pictures are " + READABLE + MORE
+}
+
+const LOGS: &str = "\
 Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that \
-differs with the operands that it comes from, and how the difference grows on its way to the colour. Pictures are PNG, PPM, PGM, PFM or OpenEXR.
+differs with the operands that it comes from, and how the difference grows on its way to the colour.";
+
+const MORE: &str = ".
 
 A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s \
 being the largest component of both values. Without any, every difference counts.
@@ -37,7 +43,7 @@ Examples:
 
 /// Compare two logs or two pictures.
 #[derive(Args)]
-#[command(after_long_help = MORE)]
+#[command(after_long_help = more())]
 pub struct Diff {
     /// A log or a picture, also packed by gzip or zstd; `-` for standard input
     a: PathBuf,

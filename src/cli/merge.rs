@@ -30,6 +30,8 @@ Examples:
 /// Join the parts that shards rendered, or the logs that they traced.
 #[derive(Args)]
 #[command(after_long_help = MORE)]
+// Nothing is sampled here.
+#[command(mut_arg("white", |white| white.help("The value shown as full white")))]
 pub struct Merge {
     /// The parts that `render --shard` wrote, or the logs that `trace --region --shard` wrote
     #[arg(required = true, value_name = "PART")]

@@ -81,10 +81,15 @@ pub fn digest(path: &Path, format: Format, layers: Option<&Layers>) -> io::Resul
 /// The format that a name asks for.
 pub fn format_of(path: &Path, png16: bool) -> Result<Format, Failure> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
-    Format::of_ending(&ending, png16).ok_or_else(|| {
+    let format = Format::of_ending(&ending, png16).ok_or_else(|| {
         let path = shown(path);
         Failure::caller(format!("{path}: unknown picture format, expected a name that ends in {}", Format::endings()))
-    })
+    })?;
+    if png16 && format != Format::Png16 {
+        let path = shown(path);
+        return Err(Failure::caller(format!("--png16: only PNG has 16 bits a channel, expected .png, found {path}")));
+    }
+    Ok(format)
 }
 
 impl Place {

@@ -18,9 +18,14 @@ const FORMS: &[(&str, &str)] = &[
 
 /// Reads a method; the error says what was expected.
 pub fn sampling(text: &str) -> Result<Sampling, String> {
+    sampling_or(&[], text)
+}
+
+/// The same where other words may stand instead, which the caller reads and the error names, too.
+pub fn sampling_or(others: &[&str], text: &str) -> Result<Sampling, String> {
     let (method, parameters) = text.split_once(':').map_or((text, None), |(method, rest)| (method, Some(rest)));
     let Some((_, form)) = FORMS.iter().find(|(word, _)| *word == method) else {
-        let methods: Vec<_> = FORMS.iter().map(|(word, _)| *word).collect();
+        let methods: Vec<_> = others.iter().copied().chain(FORMS.iter().map(|(word, _)| *word)).collect();
         return Err(unknown("sampling", method, &methods));
     };
     let parameters = Parameters { form, text: parameters };

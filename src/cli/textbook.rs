@@ -8,7 +8,7 @@ use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::{Wanted, visible};
-use raywalk::study::textbook::{self, Checked, Example, MAX_TABLE_BYTES, Worked};
+use raywalk::study::textbook::{self, Checked, Example, MAX_TABLE_BYTES, TableError, Worked};
 use std::path::{Path, PathBuf};
 
 /// Show a worked example, such as the numeric example of the source text, or check one of your own
@@ -55,11 +55,9 @@ impl Textbook {
             ExampleName::Textbook => Example::Textbook,
             ExampleName::Refraction => Example::Refraction,
         };
-        let loaded = scene_argument::scene(&scene_argument::built_in(example.scene())?, &Import::default(), colors)?;
-        let by_hand = TracingOptions { arithmetic: Arithmetic::Decimal(3), ..TracingOptions::default() };
-        let scene = by_hand.apply(loaded)?;
+        let scene = scene_of(example, colors)?;
         if let Some(path) = &self.with {
-            let checked = check(path, &scene, colors)?;
+            let checked = check(path, example, &scene, colors)?;
             let text = match self.format {
                 TableFormat::Text => checked.text(),
                 TableFormat::Json => checked.json(),
@@ -79,13 +77,31 @@ impl Textbook {
     }
 }
 
-/// Reads a table and checks it.
-fn check(path: &Path, scene: &Scene, colors: ColorChoice) -> Result<Checked, Failure> {
+/// The scene of an example, by hand.
+fn scene_of(example: Example, colors: ColorChoice) -> Result<Scene, Failure> {
+    let loaded = scene_argument::scene(&scene_argument::built_in(example.scene())?, &Import::default(), colors)?;
+    let by_hand = TracingOptions { arithmetic: Arithmetic::Decimal(3), ..TracingOptions::default() };
+    by_hand.apply(loaded)
+}
+
+/// Reads a table and checks it. A table that doesn't fit the example may be one of another.
+fn check(path: &Path, example: Example, scene: &Scene, colors: ColorChoice) -> Result<Checked, Failure> {
     let wanted = Wanted { what: "a table", max_bytes: MAX_TABLE_BYTES };
     let text = wanted.read(path).map_err(|error| Failure::scene(&error, scene_argument::is_colored(colors)))?;
-    let checked = Worked::parse(&text).and_then(|worked| worked.check(scene));
-    checked.map_err(|error| {
+    let said = |error: &TableError, hint: &str| {
         let name = path.to_string_lossy();
-        Failure::caller(format!("{}: {}", visible(&name), visible(&error.to_string())))
-    })
+        Failure::caller(format!("{}: {}{hint}", visible(&name), visible(&error.to_string())))
+    };
+    let worked = Worked::parse(&text).map_err(|error| said(&error, ""))?;
+    let error = match worked.check(scene) {
+        Ok(checked) => return Ok(checked),
+        Err(error) => error,
+    };
+    for other in Example::ALL.into_iter().filter(|other| *other != example) {
+        if worked.check(&scene_of(other, colors)?).is_ok() {
+            // Its scene is named as the example is.
+            return Err(said(&error, &format!("; the table fits another example: --example {}", other.scene())));
+        }
+    }
+    Err(said(&error, ""))
 }

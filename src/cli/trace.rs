@@ -56,7 +56,8 @@ pub struct Trace {
     /// of an area light with the weights of their shadow rays
     #[arg(long, value_enum, value_name = "VIEW")]
     view: Option<CloseUpOf>,
-    /// Whose hit --view shows, such as `C R`; without it the first ray that has what it shows
+    /// Whose hit --view shows, such as `C R`; without it the first ray that has what it shows. With `--view light`, `C R S2` is light 2 at
+    /// that hit
     #[arg(long, value_name = "RAY", requires = "view")]
     path: Option<String>,
     /// Decimals in views for people

@@ -1,6 +1,6 @@
 //! Which lights reach anything that the camera sees.
 
-use crate::log::{Decision, RayKind, Step};
+use crate::log::{Decision, RayKind, SkipReason, Step};
 use crate::probe::{Erased, Probe};
 use crate::sampling;
 use crate::scene::{Sampling, Scene};
@@ -16,6 +16,10 @@ const BOUNCES: u32 = 3;
 pub struct Reach {
     /// For each light, whether it reaches a surface that the camera sees, directly or by bounces.
     pub lights: Vec<bool>,
+    /// For each light, whether there are surfaces in view of which zeros in its colour and in their coefficients leave nothing.
+    pub unusable: Vec<bool>,
+    /// For each light, whether a shadow ray to it was blocked or it stands behind a surface in view.
+    pub hidden: Vec<bool>,
     /// How many pixels were traced to find out.
     pub pixels: u32,
 }
@@ -24,7 +28,8 @@ pub struct Reach {
 pub fn reach(mut scene: Scene) -> Reach {
     scene.sampling = Sampling::Center;
     scene.tracing.max_depth = scene.tracing.max_depth.min(BOUNCES);
-    let mut probe = Lit { lights: vec![false; scene.lights.len()], open: Vec::new() };
+    let none = vec![false; scene.lights.len()];
+    let mut probe = Lit { lights: none.clone(), unusable: none.clone(), hidden: none, open: Vec::new() };
     let size = scene.camera.resolution;
     let [across, down] = [0, 1].map(|side| size[side].min(MOST[side]));
     let place = |k: u32, of: u32, side: u32| ((2 * u64::from(k) + 1) * u64::from(side) / (2 * u64::from(of))) as u32;
@@ -37,32 +42,60 @@ pub fn reach(mut scene: Scene) -> Reach {
         sampling::pixel(&scene, pixel, &mut Erased::of(&mut probe));
         pixels += 1;
     }
-    Reach { lights: probe.lights, pixels }
+    Reach { lights: probe.lights, unusable: probe.unusable, hidden: probe.hidden, pixels }
 }
 
 /// The probe that sees shadow rays arrive.
 struct Lit {
     lights: Vec<bool>,
-    /// The nodes that the computation is inside; of a shadow ray its light, as long as nothing has blocked it.
-    open: Vec<Option<u32>>,
+    unusable: Vec<bool>,
+    hidden: Vec<bool>,
+    /// The nodes that the computation is inside.
+    open: Vec<Inside>,
+}
+
+/// What a node is of.
+#[derive(Clone, Copy)]
+enum Inside {
+    /// The part of a light in a local model.
+    Light(u32),
+    /// The shadow ray to a light, as long as nothing has blocked it.
+    Shadow(u32),
+    Other,
 }
 
 impl Probe for Lit {
     fn mark(&mut self, decision: Decision) {
-        if let (Decision::Occluded { .. }, Some(light)) = (decision, self.open.last_mut()) {
-            *light = None;
+        let Some(inside) = self.open.last_mut() else { return };
+        match (decision, *inside) {
+            (Decision::Occluded { .. }, Inside::Shadow(light)) => {
+                self.hidden[light as usize] = true;
+                *inside = Inside::Other;
+            }
+            (Decision::Skipped { why, .. }, Inside::Light(light)) => {
+                let light = light as usize;
+                match why {
+                    SkipReason::Behind => self.hidden[light] = true,
+                    SkipReason::NoLocalTerm | SkipReason::ZeroLight | SkipReason::ZeroPathLight => {
+                        self.unusable[light] = true;
+                    }
+                    _ => {}
+                }
+            }
+            _ => {}
         }
     }
 
     fn enter(&mut self, step: Step) {
         self.open.push(match step {
-            Step::Ray { kind: RayKind::Shadow { light }, .. } => Some(light),
-            _ => None,
+            Step::Ray { kind: RayKind::Shadow { light }, .. } => Inside::Shadow(light),
+            Step::Light { light, .. } => Inside::Light(light),
+            _ => Inside::Other,
         });
     }
 
     fn leave(&mut self) {
-        if let Some(light) = self.open.pop().flatten() {
+        if let Some(Inside::Shadow(light)) = self.open.pop() {
             self.lights[light as usize] = true;
         }
     }

@@ -54,6 +54,8 @@ pub fn latex(text: &str) -> String {
         '×' => Some(r"$\times$".to_owned()),
         '…' => Some(r"\dots{}".to_owned()),
         '′' => Some("$'$".to_owned()),
+        '°' => Some(r"$^\circ$".to_owned()),
+        'ⁿ' => Some("$^n$".to_owned()),
         _ if raised(c).is_some() => raised(c).map(|c| format!("\\textsuperscript{{{c}}}")),
         _ if tex_letter(c).is_some() => tex_letter(c).map(|command| format!("$\\{command}$")),
         _ if c.is_ascii() || ACCENTED.contains(c) => None,

@@ -271,14 +271,39 @@ fn limits_of_the_ray_tree_are_compared() {
     }
     assert!(rungs[0]["worst"].as_f64().is_some_and(|worst| worst > 0.0), "{text}");
     assert_eq!((&rungs[6]["worst"], &rungs[6]["cutoff"]), (&0.0.into(), &0.0.into()));
-    for (ladder, columns) in [("--depths", 10), ("--cutoffs", 10)] {
+    for (ladder, columns) in [("--depths", 9), ("--cutoffs", 10)] {
         let (_, csv, _) = bench(&[&["error", ladder], &call[..], &["csv"]].concat());
         assert!(csv.lines().all(|line| line.split(',').count() == columns), "{csv}");
         let (_, text, _) = bench(&[&["error", ladder], &call[..], &["text"]].concat());
         assert!(text.starts_with("hall-of-mirrors, against "), "{text}");
+        // Of what depth limits lose there is no bound.
+        for word in ["bound", "cutoff"] {
+            assert_eq!(text.contains(word), ladder == "--cutoffs", "{text}");
+            assert_eq!(csv.contains(word), ladder == "--cutoffs", "{csv}");
+        }
     }
     assert_eq!(bench(&["error", "--depths", "--cutoffs"]).0, 2);
     assert_eq!(bench(&["error", "--depths", "--runs", "3"]).0, 2);
+}
+
+#[test]
+fn the_own_error_of_a_reference_is_spoken_of_where_it_has_one() {
+    let of = |arguments: &[&str]| {
+        let call = ["error", "figure-17", "--size", "4x3", "--runs", "1", "--sampling", "none"];
+        let (code, text, errors) = bench(&[&call[..], arguments].concat());
+        assert_eq!((code, errors.as_str()), (0, ""));
+        text
+    };
+    let own = "errors no greater than the reference's own say nothing";
+    let exact = of(&["--reference", "exact"]);
+    assert!(exact.ends_with("\nerrors in units of the scene's white\n"), "{exact}");
+    assert!(of(&["--reference", "sobol:16"]).ends_with(&format!("white; {own}\n")));
+    let (code, _, errors) = bench(&["error", "figure-17", "--reference", "foo"]);
+    assert_eq!(code, 2);
+    assert!(errors.contains("unknown sampling `foo`, expected exact, none, regular"), "{errors}");
+    // As a method to compare it is none.
+    let (_, _, errors) = bench(&["error", "figure-17", "--sampling", "exact"]);
+    assert!(errors.contains("unknown sampling `exact`, expected none, regular"), "{errors}");
 }
 
 /// A picture without an error has a place in the chart.
@@ -306,4 +331,35 @@ fn a_scene_without_anything_is_drawn() {
     ]);
     assert_eq!(code, 0);
     assert!(!fs::read_to_string(chart).expect("drawn").contains("NaN"));
+}
+
+/// A square between a disk lamp and a floor, with an error of their quadrature.
+#[test]
+fn penumbras_are_an_exact_reference() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = folder.path().join("square.json");
+    let text = r#"{"format": "raywalk-scene/1", "name": "square",
+        "camera": {"position": [0.5, -7, 4], "look_at": [0, 0, 0], "up": [0, 0, 1], "vertical_fov": 30, "resolution": [8, 6]},
+        "lights": [{"disk": {"center": [0.4, -0.3, 3], "normal": [0, 0, -1], "radius": 1}, "samples": 4}],
+        "materials": {"paper": {"diffuse": [1, 1, 1]}},
+        "objects": [{"shape": {"plane": {"coefficients": [0, 0, 1, 0]}}, "material": "paper"},
+                    {"shape": {"polygon": {"vertices": [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0.5, 0.5, 1], [-0.5, 0.5, 1]]}}, "material": "paper"}]}"#;
+    fs::write(&scene, text).expect("written");
+    let scene = scene.to_str().expect("text");
+    let call =
+        ["error", scene, "--reference", "exact", "--runs", "1", "--sampling", "sobol:4", "--sampling", "sobol:64"];
+    let (code, text, errors) = bench(&[&call[..], &["--size", "4x3", "--format", "json"]].concat());
+    assert_eq!((code, errors.as_str()), (0, ""));
+    let found: Value = serde_json::from_str(&text).expect("JSON");
+    let found = &found["scenes"][0];
+    let own = found["reference_error"].as_f64().expect("an error of the reference");
+    assert!(own > 0.0 && own < 1e-6, "{own:e}");
+    assert_eq!(found["reference"], "exact");
+    let errors: Vec<f64> = (0..2).filter_map(|k| found["outcomes"][k]["rmse"]["median"].as_f64()).collect();
+    // Sampling converges to it.
+    assert!(errors[1] < errors[0] && errors[1] > own, "{errors:?}");
+    let (code, text, _) = bench(&[&call[..], &["--size", "2x1"]].concat());
+    assert_eq!(code, 0);
+    assert!(text.contains("against the exact penumbra, integrated with an error of about "), "{text}");
+    assert!(text.ends_with("; errors no greater than the reference's own say nothing\n"), "{text}");
 }

@@ -46,6 +46,34 @@ fn background(folder: &TempDir, color: [f64; 3], output: &str) -> String {
 }
 
 #[test]
+fn sixteen_bits_are_for_png_alone() {
+    let folder = folder();
+    let part = path(&folder, "a.part");
+    prints(&["render", "figure-6", "--size", "8x6", "-q", "-o", &part, "--shard", "1/1"]);
+    for ending in LOSSLESS.iter().chain(&OTHERS).filter(|ending| **ending != "png") {
+        let picture = path(&folder, &format!("a.{ending}"));
+        let expected = "--png16: only PNG has 16 bits a channel, expected .png, found";
+        says(2, &["render", "figure-6", "--png16", "-o", &picture], expected);
+        says(2, &["merge", &part, "--png16", "-o", &picture], expected);
+        assert!(!Path::new(&picture).exists());
+    }
+    prints(&["merge", &part, "--png16", "-o", &path(&folder, "a.PNG")]);
+}
+
+/// Some of what the decoder of JPEG says ends with a line feed.
+#[test]
+fn what_a_decoder_says_is_one_line() {
+    let folder = folder();
+    let damaged = path(&folder, "damaged.jpg");
+    // The length of the first segment can't be less than its own two bytes.
+    fs::write(&damaged, b"\xff\xd8\xff\xe0\0\0JFIF\0").expect("written");
+    let output = raywalk(&["diff", &damaged, &damaged]).output().expect("it runs");
+    let said = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.ends_with("the picture is damaged: Found a marker with invalid length:0\n"), "{said}");
+}
+
+#[test]
 fn every_ending_is_written_and_compared() {
     let folder = folder();
     let reference = path(&folder, "reference.png");

@@ -106,3 +106,33 @@ fn every_arithmetic_is_its_own_result() {
     let by_hand = sampling::pixel(&scene, [160, 120], &mut Silent);
     assert_eq!(by_hand, record::pixel_color(&scene, [160, 120], Arithmetic::F64));
 }
+
+/// Where a light does reach a surface and its colour leaves nothing there, that is the reason, wherever it stands.
+#[test]
+fn lights_whose_colour_leaves_nothing_are_told_so() {
+    let check = |floor: &str, above: &str, expected: &str| {
+        let scene = format!(
+            r#"{{"format": "raywalk-scene/1", "name": "room", "camera": {{"position": [0, 2, 6], "look_at": [0, 1, 0]}},
+            "lights": [{{"point": {{"position": [1, 9, 1]}}, "color": [1, 0, 0]}}],
+            "materials": {{"cyan": {{"diffuse": {floor}}}}},
+            "objects": [{{"shape": {{"plane": {{"coefficients": [0, 1, 0, 0]}}}}, "material": "cyan"}}{above}]}}"#
+        );
+        let output = crate::calls::raywalk(&["scene", "check", "-"]).write_stdin(scene).output().expect("it runs");
+        let said = String::from_utf8(output.stderr).expect("UTF-8");
+        assert!(output.status.success() && said.contains(expected), "expected `{expected}` in: {said}");
+        said
+    };
+    let nothing = "lights nothing in view: its colour and the coefficients of the surfaces seen through 3072 pixels leave nothing";
+    let said = check("[0, 1, 1]", "", nothing);
+    assert!(!said.contains("field of view"), "{said}");
+    // The coefficients alone.
+    check("[0, 0, 0]", "", nothing);
+    // A ball has a side that the light is behind.
+    let ball = r#", {"shape": {"sphere": {"center": [0, 1, 0], "radius": 1}}, "material": "cyan"}"#;
+    check(
+        "[0, 1, 1]",
+        ball,
+        "it reaches none, or its colour and their coefficients leave nothing of any channel; it stands",
+    );
+    check("[1, 1, 1]", "", "stands outside the field of view, which it lights all the same");
+}

@@ -83,6 +83,28 @@ fn the_sheet_is_checked_as_anybody_elses() {
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stdout));
     // The numeric example has no refraction.
     says(2, &["textbook", "--with", file.to_str().expect("a plain name")], "the walk has 0 of `refract.cos_2`");
+    // A sheet of the other example is told to be one, either way round; a sheet of neither isn't.
+    says(2, &["textbook", "--with", "scenes/refraction.csv"], "; the table fits another example: --example refraction");
+    fs::write(&file, "quantity,printed,path\nsphere.t2_a,6.380,C R\n").expect("a file");
+    let arguments = ["textbook", "--example", "refraction", "--with", file.to_str().expect("a plain name")];
+    says(2, &arguments, "; the table fits another example: --example textbook");
+    fs::write(&file, "quantity,printed,path\nplane.t,12.685,C T T T T R\n").expect("a file");
+    let output = crate::calls::raywalk(&arguments).output().expect("it runs");
+    assert!(!String::from_utf8_lossy(&output.stderr).contains("--example"), "{output:?}");
+}
+
+/// What the footer names can be called, and prints the result that the footer has.
+#[test]
+fn the_call_with_rounded_products_gives_the_result_of_the_footer() {
+    for (example, result) in [("textbook", "394.024"), ("refraction", "90.342")] {
+        let table = prints(&["textbook", "--example", example]);
+        let (_, footer) = table.split_once("rounded too (`raywalk ").expect("a call");
+        let (call, footer) = footer.split_once("`)").expect("the end of the call");
+        assert!(footer.contains(result), "{footer}");
+        let call: Vec<&str> = call.split(' ').chain(["--format", "text"]).collect();
+        let walk = prints(&call);
+        assert!(walk.contains("--round-products") && walk.contains(&format!("({result}")), "{call:?}");
+    }
 }
 
 #[test]

@@ -254,6 +254,109 @@ fn weights_of_the_shadow_rays_of_a_light() {
 }
 
 #[test]
+fn a_shadow_ray_in_the_path_chooses_the_area_light() {
+    let view = ["trace", "weighted-light", "--pixel", "80,80", "--view", "light", "--format", "text"];
+    let of = |path: &[&str]| prints(&[&view[..], path].concat());
+    let first = of(&[]);
+    assert!(first.starts_with("Light even at the hit of the ray C\n"), "{first}");
+    assert!(first.ends_with("--path 'C S2' shows light weighted.\n"), "{first}");
+    let second = of(&["--path", "C S2"]);
+    assert!(second.starts_with("Light weighted at the hit of the ray C\n"), "{second}");
+    assert!(second.ends_with("--path 'C S1' shows light even.\n"), "{second}");
+    assert_eq!(
+        (of(&["--path", "C S2.3"]), of(&["--path", "C"]), of(&["--path", "C S1"])),
+        (second, first.clone(), first)
+    );
+    let unknown = [&view[..], &["--path", "C S3"]].concat();
+    crate::calls::says(2, &unknown, "expected the path of a ray in the log (C S1, C S2), found `C S3`");
+    let unknown = [&view[..], &["--path", "C T S1"]].concat();
+    crate::calls::says(2, &unknown, "expected the path of a ray in the log (C");
+}
+
+#[test]
+fn angles_name_their_lights() {
+    let call = ["trace", "figure-6", "--pixel", "160,120", "--path", "C T", "--view", "vectors", "--format", "text"];
+    let text = prints(&call);
+    let log = record::pixel(&scene("figure-6"), [160, 120], Arithmetic::F64);
+    let close_up = made(&log, Some("C T"), vectors).expect("a hit");
+    let named: Vec<_> = close_up.rows.iter().filter(|row| row[0] == "N, L").map(|row| row[3].as_str()).collect();
+    let lights: Vec<_> = scene("figure-6").lights.iter().map(|light| light.name.clone()).collect();
+    assert!(named.len() > 1, "{text}");
+    assert_eq!(named, lights.iter().map(String::as_str).take(named.len()).collect::<Vec<_>>());
+    for row in &close_up.rows {
+        // What has to do with no light names none.
+        assert_eq!(row[3].is_empty(), !row[0].contains('L') && !row[0].contains('H'), "{row:?}");
+        assert!(text.contains(&row[3]));
+    }
+}
+
+/// A room for the letters as most fonts have it, a little less than the one that is kept free.
+#[test]
+fn no_two_labels_cover_each_other() {
+    let mut checked = 0;
+    for name in raywalk::scene::builtin::names() {
+        let scene = scene(name);
+        let [width, height] = scene.camera.resolution;
+        let log = record::pixel(&scene, [width / 2, height / 2], Arithmetic::F64);
+        let tree = Tree::of(&log.events);
+        let is_ray = |node: &usize| matches!(tree.nodes()[*node].step, Some(Step::Ray { .. }));
+        for node in (0..tree.nodes().len()).filter(is_ray).take(40) {
+            for make in [vectors as Make, zones, light] {
+                let Ok(close_up) = made(&log, Some(&tree.path(node)), make) else { continue };
+                for sheet in &close_up.sheets {
+                    assert_no_overlap(&sheet.pieces, &format!("{name} {}: {}", tree.path(node), sheet.caption));
+                    checked += 1;
+                }
+            }
+        }
+    }
+    assert!(checked > 100, "{checked}");
+    for (name, pixel, path) in
+        [("textbook", [160, 120], "C"), ("transmission", [150, 95], "C"), ("polished-surface", [105, 95], "C")]
+    {
+        let log = record::pixel(&scene(name), pixel, Arithmetic::F64);
+        for make in [vectors as Make, zones] {
+            let Ok(close_up) = made(&log, Some(path), make) else { continue };
+            close_up.sheets.iter().for_each(|sheet| assert_no_overlap(&sheet.pieces, name));
+        }
+    }
+}
+
+#[track_caller]
+fn assert_no_overlap(pieces: &[Piece], about: &str) {
+    let labels: Vec<_> = pieces
+        .iter()
+        .filter_map(|piece| match piece {
+            Piece::Text { at, text, .. } => Some((text, *at, 3.4 * text.chars().count() as f64)),
+            _ => None,
+        })
+        .collect();
+    for (number, (text, at, half)) in labels.iter().enumerate() {
+        for (other, place, other_half) in &labels[..number] {
+            let is_apart = (at[0] - place[0]).abs() >= half + other_half || (at[1] - place[1]).abs() >= 11.0;
+            assert!(is_apart, "{about}: {other} at {place:?} and {text} at {at:?}");
+        }
+    }
+}
+
+#[test]
+fn latex_has_degrees_and_powers() {
+    let of = |scene: &str, pixel: &str, view: &str, more: &[&str]| {
+        prints(&[&["trace", scene, "--pixel", pixel, "--view", view, "--format", "latex"], more].concat())
+    };
+    for lang in ["en", "es"] {
+        let vectors = of("total-reflection", "130,150", "vectors", &["--lang", lang]);
+        let zones = of("polished-surface", "105,95", "zones", &["--lang", lang]);
+        let expected = if lang == "en" { r"{$57.7^\circ$}" } else { r"{$57{,}7^\circ$}" };
+        assert!(vectors.contains(expected), "{vectors}");
+        assert!(zones.contains(r"$\cos^n$"), "{zones}");
+        for text in [vectors, zones, of("weighted-light", "80,80", "light", &["--lang", lang])] {
+            assert!(!text.contains("U+"), "{text}");
+        }
+    }
+}
+
+#[test]
 fn every_format_and_language() {
     let log = record::pixel(&scene("polished-surface"), [105, 95], Arithmetic::Decimal(3));
     let tree = Tree::of(&log.events);

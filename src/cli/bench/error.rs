@@ -5,7 +5,7 @@ use super::{TableFormat, arithmetic, limits, samplers};
 use crate::cli::failure::Failure;
 use crate::cli::options::{ColorChoice, MAX_THREADS};
 use crate::cli::progress::ProgressOptions;
-use crate::cli::sampling_spec::sampling;
+use crate::cli::sampling_spec::{sampling, sampling_or};
 use clap::Args;
 use raywalk::scene::file::schema::Sampling;
 use raywalk::study::bench::limits as measured;
@@ -93,9 +93,10 @@ impl ErrorBench {
 }
 
 fn reference(text: &str) -> Result<Reference, String> {
+    const EXACT: &str = "exact";
     match text {
-        "exact" => Ok(Reference::Exact),
-        _ => sampling(text).map(|sampling| Reference::Sampled(sampling.into())),
+        EXACT => Ok(Reference::Exact),
+        _ => sampling_or(&[EXACT], text).map(|sampling| Reference::Sampled(sampling.into())),
     }
 }
 

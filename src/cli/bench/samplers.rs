@@ -122,7 +122,11 @@ impl Request {
                 text.push_str(&told(scene, target));
             }
         }
-        text.push_str("errors in units of the scene's white; errors no greater than the reference's own say nothing\n");
+        text.push_str("errors in units of the scene's white");
+        if measured.iter().any(|scene| !is_of_areas(&scene.comparison)) {
+            text.push_str("; errors no greater than the reference's own say nothing");
+        }
+        text.push('\n');
         text
     }
 }
@@ -150,6 +154,11 @@ pub fn settings() -> Vec<Sampling> {
     let statistical = |tolerance| Statistical { confidence: 0.95, tolerance, min: 8, max: 1024 };
     settings.extend([0.1, 0.05, 0.02].map(|tolerance| Sampling::Statistical(statistical(tolerance))));
     settings
+}
+
+/// Whether the reference is the exact areas, which are only rounded; exact penumbras have an error that is told.
+fn is_of_areas(comparison: &Comparison) -> bool {
+    comparison.reference == Reference::Exact.to_string() && comparison.reference_error.is_none()
 }
 
 fn title(measured: &Measured) -> String {

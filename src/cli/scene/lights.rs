@@ -13,14 +13,24 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
         return;
     }
     let is_outside: Vec<bool> = scene.lights.iter().map(|light| stands_outside(&scene, light)).collect();
-    let Reach { lights: is_lit, pixels } = reach(scene);
+    let Reach { lights: is_lit, unusable, hidden, pixels } = reach(scene);
     let finding = |light: usize| {
-        let message = match (is_lit[light], is_outside[light]) {
-            (true, false) => return None,
-            (true, true) => "stands outside the field of view, which it lights all the same".to_owned(),
-            (false, false) => format!("lights nothing in view: reaches no surface seen through {pixels} pixels"),
-            (false, true) => format!(
-                "lights nothing in view: reaches no surface seen through {pixels} pixels; it stands outside the field of view"
+        let outside = if is_outside[light] { "; it stands outside the field of view" } else { "" };
+        let message = match (is_lit[light], unusable[light], hidden[light]) {
+            (true, ..) if is_outside[light] => {
+                "stands outside the field of view, which it lights all the same".to_owned()
+            }
+            (true, ..) => return None,
+            (false, false, _) => {
+                format!("lights nothing in view: reaches no surface seen through {pixels} pixels{outside}")
+            }
+            (false, true, false) => format!(
+                "lights nothing in view: its colour and the coefficients of the surfaces seen through {pixels} pixels \
+                 leave nothing of any channel"
+            ),
+            (false, true, true) => format!(
+                "lights nothing in view: of the surfaces seen through {pixels} pixels it reaches none, or its colour and their \
+                 coefficients leave nothing of any channel{outside}"
             ),
         };
         Some(Finding { path: KeyPath::default().join("lights").join(light), message, is_about_key: false })

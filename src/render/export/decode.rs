@@ -238,10 +238,18 @@ fn unpacked_png(bytes: &[u8]) -> u64 {
     (bits.div_ceil(8) + 1).saturating_mul(u32::from_be_bytes(height).into())
 }
 
+/// A message as one line. Some end with a line feed, or stand in quotes with one escaped.
+fn one_line(text: &str) -> String {
+    let text = text.trim();
+    let unquoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+    let text = unquoted.map_or(text, |text| text.trim_end_matches("\\n"));
+    text.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
 /// What a decoder says. Names of chunks and words of headers come from the file.
 fn damaged(error: ImageError) -> PictureError {
     const SHOWN: usize = 200;
-    let said = |error: &dyn std::fmt::Display| shortened(&error.to_string(), SHOWN);
+    let said = |error: &dyn std::fmt::Display| shortened(&one_line(&error.to_string()), SHOWN);
     match error {
         ImageError::Limits(_) => PictureError::Memory,
         ImageError::Unsupported(error) => PictureError::Kind(said(&error)),

@@ -6,6 +6,9 @@ use std::ops::Range;
 /// The largest picture file that is read: 1 GiB.
 pub const MAX_PICTURE_BYTES: u64 = 1 << 30;
 
+/// The formats that are read, as a sentence has them.
+pub const READABLE: &str = "PNG, BMP, TGA, QOI, TIFF, JPEG, WebP, PPM (P3, P6), PGM (P2, P5), PFM (PF, Pf) or OpenEXR";
+
 /// A picture as its file has it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -37,9 +40,7 @@ pub(super) enum Samples {
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// It begins with something else.
-    #[error(
-        "expected a PNG, BMP, TGA, QOI, TIFF, JPEG or WebP, a PPM (P3, P6), a PGM (P2, P5), a PFM (PF, Pf) or an OpenEXR file"
-    )]
+    #[error("expected a picture as {READABLE}")]
     Unknown,
     /// Its header makes no sense.
     #[error("the header of the picture is damaged: expected {0}")]

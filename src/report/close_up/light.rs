@@ -19,6 +19,9 @@ const RADIUS: f64 = 145.0;
 /// The radius of the point of a shadow ray of mean weight.
 const DOT: f64 = 6.0;
 
+/// The most other area lights that the note names.
+const MOST_NAMED: usize = 4;
+
 /// A point of the light.
 struct Point {
     node: usize,
@@ -29,15 +32,25 @@ struct Point {
     passed: Option<[f64; 3]>,
 }
 
-/// The points of the first area light that a ray's hit asks.
+/// The points of an area light that a ray's hit asks: of the one that the path's shadow ray goes to (`C S2`, or `C S2.3` for the same light),
+/// else of the first.
 ///
 /// # Errors
 /// No ray with the path, or no area light.
 pub fn light(subject: &Subject) -> Result<CloseUp, CloseUpError> {
-    let Subject { log, tree, language, style, .. } = *subject;
+    let Subject { log, tree, language, style, path } = *subject;
     let texts = &language.texts().close_up;
-    let (ray, (shade, number_of_light, points)) =
-        subject.first("an area light (`rectangle`, `disk` or `sphere`)", |ray| of_ray(log, tree, ray))?;
+    let (path_of_ray, chosen) = path.map_or((None, None), split_path);
+    let of_its_ray = Subject { path: path_of_ray, ..*subject };
+    let (ray, (shade, area_lights)) =
+        of_its_ray.first("an area light (`rectangle`, `disk` or `sphere`)", |ray| area_lights(log, tree, ray))?;
+    let path_of = |light: u32| format!("{} S{}", tree.path(ray), light + 1);
+    let Some(number_of_light) = area_lights.iter().copied().find(|light| chosen.is_none_or(|chosen| chosen == *light))
+    else {
+        let known: Vec<_> = area_lights.iter().map(|light| path_of(*light)).collect();
+        return Err(CloseUpError::NoRay { path: path.unwrap_or_default().to_owned(), known: known.join(", ") });
+    };
+    let points = points_of(log, tree, shade, number_of_light);
     let local = local_name(log, tree, shade);
     let mean = 1.0 / points.len() as f64;
     let mut pieces = outline(log, tree, points[0].node);
@@ -69,22 +82,43 @@ pub fn light(subject: &Subject) -> Result<CloseUp, CloseUpError> {
         ]);
     }
     let total: f64 = points.iter().map(|point| point.weight).sum();
-    let name = words::plain(log.header.light(number_of_light));
+    let name_of = |light: u32| words::plain(log.header.light(light));
+    let name = name_of(number_of_light);
+    let others = area_lights.iter().filter(|light| **light != number_of_light).take(MOST_NAMED);
+    let others = others.map(|light| (texts.another_light)(&path_of(*light), &name_of(*light)));
+    let note = [texts.light_note.to_owned()].into_iter().chain(others).collect::<Vec<_>>().join(" ");
     Ok(CloseUp {
         title: (texts.light)(&name, &tree.path(ray)),
-        note: texts.light_note.to_owned(),
+        note,
         columns: texts.light_columns.map(str::to_owned).to_vec(),
         rows,
-        sheets: vec![Sheet { caption: (texts.weights)(&language.number(total, style)), size: SIZE, pieces }],
+        sheets: vec![Sheet::new((texts.weights)(&language.number(total, style)), SIZE, MIDDLE, pieces)],
     })
 }
 
-/// The local model of a ray's hit, the first area light that it asks, and the points of it.
-fn of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<(usize, u32, Vec<Point>)> {
+/// The path of a ray, and the light of the shadow ray behind it if the path ends with one.
+fn split_path(path: &str) -> (Option<&str>, Option<u32>) {
+    let (ray, last) = path.rsplit_once(' ').unwrap_or(("", path));
+    let number = last.strip_prefix('S').map(|light| light.split_once('.').map_or(light, |(light, _)| light));
+    match number.and_then(|number| number.parse::<u32>().ok()).and_then(|number| number.checked_sub(1)) {
+        Some(light) => (Some(ray), Some(light)),
+        None => (Some(path), None),
+    }
+}
+
+/// The local model of a ray's hit, and the area lights that it asks, each once; `None` if there are none.
+fn area_lights(log: &Log, tree: &Tree, ray: usize) -> Option<(usize, Vec<u32>)> {
     let shade = shade(tree, ray)?;
     let nodes = lights(tree, shade);
-    let (_, first, _) = *nodes.iter().find(|(node, ..)| value(log, tree, *node, Name::LightCenter).is_some())?;
-    let nodes: Vec<_> = nodes.into_iter().filter(|(_, light, _)| *light == first).collect();
+    let are_areas = nodes.iter().filter(|(node, ..)| value(log, tree, *node, Name::LightCenter).is_some());
+    let mut found: Vec<u32> = are_areas.map(|(_, light, _)| *light).collect();
+    found.dedup();
+    (!found.is_empty()).then_some((shade, found))
+}
+
+/// The points of a light that the local model of a ray's hit asks.
+fn points_of(log: &Log, tree: &Tree, shade: usize, light: u32) -> Vec<Point> {
+    let nodes: Vec<_> = lights(tree, shade).into_iter().filter(|(_, of, _)| *of == light).collect();
     let count = nodes.len() as f64;
     let point = |(node, _, split): &(usize, u32, u32)| Point {
         node: *node,
@@ -92,7 +126,7 @@ fn of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<(usize, u32, Vec<Point>)
         weight: number(log, tree, *node, Name::LightWeight).unwrap_or(1.0) / count,
         passed: passed(log, tree, *node),
     };
-    Some((shade, first, nodes.iter().map(point).collect()))
+    nodes.iter().map(point).collect()
 }
 
 /// What a light's shadow ray lets through; `None` where none was sent.

@@ -5,6 +5,7 @@
 //! view, one file a format.
 
 mod hit;
+mod labels;
 mod light;
 mod sheet;
 mod svg;

@@ -15,17 +15,17 @@ pub fn latex(close_up: &CloseUp) -> String {
     for ink in Ink::ALL {
         line!(out, "\\definecolor{{{}}}{{HTML}}{{{}}}", name(ink), ink.hex().to_uppercase());
     }
-    line!(out, "\\begin{{document}}\n\\section*{{{}}}", escape::latex(&close_up.title));
+    line!(out, "\\begin{{document}}\n\\section*{{{}}}", words(&close_up.title));
     for sheet in &close_up.sheets {
         line!(out, "\\begin{{minipage}}{{{:.2}cm}}\\centering", sheet.size[0] / UNITS);
         line!(out, "\\begin{{tikzpicture}}[every node/.style={{font=\\small, inner sep=1pt}}]");
         sheet.pieces.iter().for_each(|piece| draw(&mut out, piece));
-        line!(out, "\\end{{tikzpicture}}\\\\{}", escape::latex(&sheet.caption));
+        line!(out, "\\end{{tikzpicture}}\\\\{}", words(&sheet.caption));
         line!(out, "\\end{{minipage}}");
     }
-    line!(out, "\n\\medskip\\noindent {}\n", escape::latex(&close_up.note));
+    line!(out, "\n\\medskip\\noindent {}\n", words(&close_up.note));
     line!(out, "\\begin{{longtable}}{{{}}}", "l".repeat(close_up.columns.len()));
-    let row = |cells: &[String]| cells.iter().map(|cell| escape::latex(cell)).collect::<Vec<_>>().join(" & ");
+    let row = |cells: &[String]| cells.iter().map(|cell| words(cell)).collect::<Vec<_>>().join(" & ");
     line!(out, "{} \\\\\\hline", row(&close_up.columns));
     for cells in &close_up.rows {
         line!(out, "{} \\\\", row(cells));
@@ -53,8 +53,18 @@ fn draw(out: &mut String, piece: &Piece) {
             line!(out, "\\filldraw[draw={}, fill={fill}] {} circle ({:.3}cm);", name(*ink), at(*place), radius / UNITS);
         }
         Piece::Text { at: place, text, ink } => {
-            line!(out, "\\node[text={}] at {} {{{}}};", name(*ink), at(*place), escape::latex(text));
+            line!(out, "\\node[text={}] at {} {{{}}};", name(*ink), at(*place), words(text));
         }
+    }
+}
+
+/// A text of a close-up: an angle as a whole, and the power of a cosine, are mathematics.
+fn words(text: &str) -> String {
+    let is_number = |text: &&str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit() || ".,".contains(c));
+    match text.strip_suffix('°').filter(is_number) {
+        // A decimal comma would have a space behind it.
+        Some(degrees) => format!("${}^\\circ$", degrees.replace(',', "{,}")),
+        None => escape::latex(text).replace("cos$^n$", "$\\cos^n$"),
     }
 }
 

@@ -4,7 +4,7 @@
 //! halfway between them, H or H′, in a third one.
 
 use super::hit::{lights, number, shade, unit, value, vector};
-use super::sheet::{Ink, Piece, Plane, Sheet, arc, arrow};
+use super::sheet::{Ink, Piece, Place, Plane, Sheet, arc, arrow};
 use super::{CloseUp, CloseUpError, Subject};
 use crate::log::{Name, Value};
 use crate::report::words;
@@ -13,6 +13,12 @@ use glam::DVec3;
 /// The size of a sheet and the length of its unit vectors.
 const SIZE: [f64; 2] = [280.0, 260.0];
 const UNIT: f64 = 92.0;
+
+/// Where the hit is.
+const ORIGIN: Place = [SIZE[0] / 2.0, SIZE[1] / 2.0];
+
+/// The radius of the arcs of angles.
+const ARC: f64 = 34.0;
 
 /// The most lights with sheets of their own.
 const MOST_LIGHTS: usize = 4;
@@ -71,10 +77,10 @@ impl Made<'_> {
         let aside = plane.place(back * 0.6);
         pieces.push(Piece::Text { at: [aside[0] - 11.0, aside[1] + 9.0], text: "V".to_owned(), ink: Ink::Viewer });
         arrow(&mut pieces, &plane, normal, "N", Ink::Black);
-        self.angle(&mut pieces, &plane, [("N", normal), ("V", back)], 34.0);
+        self.angle(&mut pieces, &plane, [("N", normal), ("V", back)], None);
         if let Some(reflected) = vector(log, tree, ray, Name::ReflectDirection) {
             arrow(&mut pieces, &plane, reflected, "R", Ink::Reflected);
-            self.angle(&mut pieces, &plane, [("N", normal), ("R", reflected)], 34.0);
+            self.angle(&mut pieces, &plane, [("N", normal), ("R", reflected)], None);
         }
         let eta = number(log, tree, ray, Name::RefractEta);
         let transmitted = vector(log, tree, ray, Name::RefractDirection);
@@ -82,7 +88,7 @@ impl Made<'_> {
             arrow(&mut pieces, &plane, transmitted, "T", Ink::Transmitted);
             let down = plane.place(-normal);
             pieces.push(Piece::Line { from: plane.origin, to: down, ink: Ink::Grey, dashed: true });
-            self.angle(&mut pieces, &plane, [("−N", -normal), ("T", transmitted)], 34.0);
+            self.angle(&mut pieces, &plane, [("−N", -normal), ("T", transmitted)], None);
         }
         let eta = eta.map(|eta| format!("η = {}", self.subject.language.number(eta, self.subject.style)));
         let total = (eta.is_some() && transmitted.is_none()).then(|| texts.total_reflection.to_owned());
@@ -97,10 +103,10 @@ impl Made<'_> {
         let mut pieces = surface(&plane);
         arrow(&mut pieces, &plane, normal, "N", Ink::Black);
         arrow(&mut pieces, &plane, toward, "L", Ink::Light);
-        self.angle(&mut pieces, &plane, [("N", normal), ("L", toward)], 34.0);
+        self.angle(&mut pieces, &plane, [("N", normal), ("L", toward)], Some(name));
         if let Some(mirrored) = vector(log, tree, node, Name::MirrorDirection) {
             arrow(&mut pieces, &plane, mirrored, "R_L", Ink::Reflected);
-            self.angle(&mut pieces, &plane, [("N", normal), ("R_L", mirrored)], 34.0);
+            self.angle(&mut pieces, &plane, [("N", normal), ("R_L", mirrored)], Some(name));
         }
         self.add((language.texts().close_up.plane_of_light)(name), pieces);
     }
@@ -125,13 +131,13 @@ impl Made<'_> {
         arrow(&mut pieces, &plane, toward, "L", Ink::Light);
         arrow(&mut pieces, &plane, view, "V", Ink::Viewer);
         arrow(&mut pieces, &plane, half, symbol, Ink::Half);
-        self.angle(&mut pieces, &plane, [("L", toward), (symbol, half)], 34.0);
+        self.angle(&mut pieces, &plane, [("L", toward), (symbol, half)], Some(name));
         if symbol == "H" {
-            self.angle(&mut pieces, &plane, [("H", half), ("V", view)], 34.0);
+            self.angle(&mut pieces, &plane, [("H", half), ("V", view)], Some(name));
         } else {
             let down = plane.place(-half);
             pieces.push(Piece::Line { from: plane.origin, to: down, ink: Ink::Grey, dashed: true });
-            self.angle(&mut pieces, &plane, [("−H′", -half), ("V", view)], 34.0);
+            self.angle(&mut pieces, &plane, [("−H′", -half), ("V", view)], Some(name));
         }
         let mut caption = (language.texts().close_up.plane_of_view)(name);
         if let Some(Value::Number(eta)) = value(log, tree, node, Name::TransmitEta) {
@@ -140,23 +146,24 @@ impl Made<'_> {
         self.add(caption, pieces);
     }
 
-    /// The angle between two vectors: an arc, and a row of the table.
+    /// The angle between two vectors: an arc, and a row of the table, with the light that it is for.
     fn angle(
         &mut self,
         pieces: &mut Vec<Piece>,
         plane: &Plane,
         [(a, one), (b, other)]: [(&str, DVec3); 2],
-        radius: f64,
+        light: Option<&str>,
     ) {
         let Subject { language, style, .. } = *self.subject;
         let degrees = angle_of(one, other).to_degrees();
         let shown = format!("{}°", language.marked(format!("{degrees:.1}")));
-        arc(pieces, plane, [one, other], radius, shown.clone());
-        self.rows.push(vec![format!("{a}, {b}"), language.number(one.dot(other), style), shown]);
+        arc(pieces, plane, [one, other], ARC, shown.clone());
+        let light = light.unwrap_or_default().to_owned();
+        self.rows.push(vec![format!("{a}, {b}"), language.number(one.dot(other), style), shown, light]);
     }
 
     fn add(&mut self, caption: String, pieces: Vec<Piece>) {
-        self.sheets.push(Sheet { caption, size: SIZE, pieces });
+        self.sheets.push(Sheet::new(caption, SIZE, ORIGIN, pieces));
     }
 }
 
@@ -169,7 +176,7 @@ fn angle_of(a: DVec3, b: DVec3) -> f64 {
 fn plane(up: DVec3, along: DVec3) -> Option<Plane> {
     let up = unit(up)?;
     let right = unit(along - up * along.dot(up)).unwrap_or_else(|| up.any_orthonormal_vector());
-    Some(Plane { origin: [SIZE[0] / 2.0, SIZE[1] / 2.0], right, up, unit: UNIT })
+    Some(Plane { origin: ORIGIN, right, up, unit: UNIT })
 }
 
 /// The surface, where it cuts the plane.

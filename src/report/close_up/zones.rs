@@ -71,7 +71,7 @@ pub fn zones(subject: &Subject) -> Result<CloseUp, CloseUpError> {
         note: texts.zones_note.to_owned(),
         columns: texts.zone_columns.map(str::to_owned).to_vec(),
         rows,
-        sheets: vec![Sheet { caption, size: SIZE, pieces }],
+        sheets: vec![Sheet::new(caption, SIZE, MIDDLE, pieces)],
     })
 }
 

@@ -8,8 +8,8 @@ pub struct CloseUp {
     pub vectors: OfName,
     /// How their figure is to be read.
     pub vectors_note: &'static str,
-    /// Two vectors, their product, their angle.
-    pub vector_columns: [&'static str; 3],
+    /// Two vectors, their product, their angle, the light that they are for.
+    pub vector_columns: [&'static str; 4],
     /// The plane of the arriving ray and the normal.
     pub plane_of_incidence: &'static str,
     /// Nothing is transmitted.
@@ -34,6 +34,8 @@ pub struct CloseUp {
     pub light: OfNames,
     /// How their figure is to be read.
     pub light_note: &'static str,
+    /// How another area light of the hit is shown: its path and its name.
+    pub another_light: OfNames,
     /// Number, point, weight, what passes, what it adds.
     pub light_columns: [&'static str; 5],
     /// The sum of the weights.

@@ -4,8 +4,8 @@
 //! glass ball, a total reflection in it, an attenuated shadow, and the transmitted term of the local model. Its values were computed without
 //! this program, in decimal arithmetic, and stand in `scenes/refraction.csv`.
 
-use super::CALLED;
 use super::follow::Place;
+use super::{CALLED, DIGITS};
 use crate::probe::{Printed, PrintedValue};
 use std::sync::LazyLock;
 
@@ -18,6 +18,9 @@ pub enum Example {
     /// Refraction in and out, total reflection, an attenuated shadow, H′.
     Refraction,
 }
+
+/// The pixel of every example.
+const MIDDLE: [u32; 2] = [160, 120];
 
 /// A quantity of an example.
 #[derive(Clone, Debug)]
@@ -38,12 +41,21 @@ impl Line {
 }
 
 impl Example {
+    /// Every example.
+    pub const ALL: [Example; 2] = [Example::Textbook, Example::Refraction];
+
     /// The built-in scene that it is of; its middle pixel is the example.
     pub fn scene(self) -> &'static str {
         match self {
             Example::Textbook => "textbook",
             Example::Refraction => "refraction",
         }
+    }
+
+    /// The call that traces it by hand with the products of dot products rounded too.
+    pub(super) fn call_with_rounded_products(self) -> String {
+        let [column, row] = MIDDLE;
+        format!("raywalk trace {} --pixel {column},{row} --arithmetic decimal:{DIGITS} --round-products", self.scene())
     }
 
     /// Its quantities, in its order.

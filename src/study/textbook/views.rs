@@ -46,7 +46,8 @@ impl Table {
         let differing = self.steps[first..].iter().filter(|row| row.strict_products != row.strict);
         let values: Vec<_> = differing.map(|row| format!("{} {}", row.called, shown(&row.strict_products))).collect();
         let book = if self.example == Example::Textbook { ", as the book does in step 7" } else { "" };
-        let products = format!("By hand with the products of dot products rounded too (--round-products){book}");
+        let call = self.example.call_with_rounded_products();
+        let products = format!("By hand with the products of dot products rounded too (`{call}`){book}");
         (!values.is_empty()).then(|| format!("{products}: {}.", values.join(", ")))
     }
 

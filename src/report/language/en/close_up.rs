@@ -5,7 +5,7 @@ use crate::report::language::close_up::CloseUp;
 pub(super) const CLOSE_UP: CloseUp = CloseUp {
     vectors: |path| format!("Vectors at the hit of the ray {path}"),
     vectors_note: "Each figure lies in the plane of its vectors: its angles are those of the log.",
-    vector_columns: ["vectors", "product", "angle"],
+    vector_columns: ["vectors", "product", "angle", "light"],
     plane_of_incidence: "plane of incidence",
     total_reflection: "total internal reflection",
     plane_of_light: |light| format!("plane of N and L: light {light}"),
@@ -18,6 +18,7 @@ pub(super) const CLOSE_UP: CloseUp = CloseUp {
     rejected: "rejected: wrong side of the surface",
     light: |light, path| format!("Light {light} at the hit of the ray {path}"),
     light_note: "The area of a point is the weight of its shadow ray; hollow: blocked, or on the far side of a sphere.",
+    another_light: |path, light| format!("--path '{path}' shows light {light}."),
     light_columns: ["ray", "F", "weight", "τ", "adds"],
     weights: |sum| format!("sum of the weights: {sum}"),
 };

@@ -5,7 +5,7 @@ use crate::report::language::close_up::CloseUp;
 pub(super) const CLOSE_UP: CloseUp = CloseUp {
     vectors: |path| format!("Vectores en la intersección del rayo {path}"),
     vectors_note: "Cada figura está en el plano de sus vectores: sus ángulos son los del registro.",
-    vector_columns: ["vectores", "producto", "ángulo"],
+    vector_columns: ["vectores", "producto", "ángulo", "fuente"],
     plane_of_incidence: "plano de incidencia",
     total_reflection: "reflexión total",
     plane_of_light: |light| format!("plano de N y L: fuente {light}"),
@@ -18,6 +18,7 @@ pub(super) const CLOSE_UP: CloseUp = CloseUp {
     rejected: "rechazada: al otro lado de la superficie",
     light: |light, path| format!("Fuente {light} en la intersección del rayo {path}"),
     light_note: "El área de un punto es el peso de su rayo de sombra; hueco: bloqueado, o en la cara oculta de una esfera.",
+    another_light: |path, light| format!("--path '{path}' muestra la fuente {light}."),
     light_columns: ["rayo", "F", "peso", "τ", "aporta"],
     weights: |sum| format!("suma de los pesos: {sum}"),
 };
