@@ -3,7 +3,7 @@
 use super::language::Language;
 use crate::log::{Digits, Event, What};
 
-/// What stands behind a value with twice the digits, and behind a value or a decision of several perturbed runs, such as ` (14 digits)`;
+/// What follows a value with twice the digits, and a value or a decision of several perturbed runs, such as ` (14 digits)`;
 /// nothing otherwise.
 pub fn marker(event: &Event) -> String {
     marker_in(Language::English, event)

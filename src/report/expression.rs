@@ -120,7 +120,7 @@ pub fn substituted(
     }
     let is_doubled = matches!(log.events[event].what, What::Note { name, .. } if name.is_doubled());
     let whole = Substitution { log, tree, event, light: None, style, links, is_doubled }.part(formula).shown()?;
-    // What stands alone needs no parentheses.
+    // The whole right side needs no parentheses.
     Some(match (whole, formula) {
         (Expression::Grouped(inner), Formula::Binary(..)) => *inner,
         (whole, _) => whole,

@@ -60,7 +60,7 @@ impl Tex<'_> {
             self.rest = &self.rest[c.len_utf8()..];
             match c {
                 _ if Some(c) == close => return out,
-                // Braces hold together what stands in them.
+                // Braces group their contents.
                 '{' => {
                     let inner = self.until(Some('}'));
                     out += &format!("({inner})");
@@ -137,7 +137,7 @@ pub fn of_html(page: &str) -> Vec<(String, String)> {
     let parts = |equation: &str| {
         let (_, equation) = equation.split_once('>')?;
         let equation = equation.replace("<sup>2</sup>", "²").replace("<sup>+</sup>", "⁺");
-        // What stands behind the result in parentheses isn't a part of it.
+        // A remark in parentheses behind the result isn't a part of it.
         let equation = equation.split("</b>").next().unwrap_or_default();
         numbers(Html { rest: equation }.until(None).split("= ").map(str::to_owned).collect())
     };

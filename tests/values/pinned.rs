@@ -234,7 +234,7 @@ fn said_in_snapshots() -> BTreeSet<String> {
     all
 }
 
-/// What stands in no snapshot, and why.
+/// What no snapshot has, and why.
 const EXEMPT: &[(&str, &str)] = &[
     ("box.t", FOREIGN),
     ("cone.t", FOREIGN),

@@ -97,7 +97,7 @@ fn html(task: &Task, expression: &Expression) -> String {
     }
 }
 
-/// What stands between two numbers of a triple.
+/// The separator of the numbers of a triple.
 fn separator(task: &Task) -> char {
     if task.language.texts().decimal_mark == ',' { ';' } else { ',' }
 }

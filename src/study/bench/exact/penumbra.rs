@@ -1,4 +1,4 @@
-//! Pictures of diffuse surfaces in the light of a disk, with the penumbras of what stands before it: exact at each point, and integrated over
+//! Pictures of diffuse surfaces in the light of a disk, with the penumbras of its occluders: exact at each point, and integrated over
 //! each pixel with an estimate of the error.
 
 use super::NotExact;

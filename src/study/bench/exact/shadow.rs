@@ -1,4 +1,4 @@
-//! How much light of a disk reaches a point past opaque things, by integrals along the outline of what the point sees of the disk.
+//! How much light of a disk reaches a point past opaque objects, by integrals along the outline of what the point sees of the disk.
 
 use super::quadrature::{Estimate, Rule, integral, pieces, zeros};
 use glam::DVec3;
