@@ -189,6 +189,9 @@ fn a_changed_input_of_the_scene_is_named() {
         assert_eq!(code, 1, "{out}");
         assert!(out.contains(&format!("  {expected}\n")), "{name}: expected `{expected}` in: {out}");
         assert!(!out.contains("nothing before it differs"), "{name}: {out}");
+        if name == "renamed" {
+            assert!(out.contains("the other scene has no such object"), "{out}");
+        }
         let (out, _, _) = diff(&[&folder.whole, &other, "--format", "json"]);
         let document: Value = serde_json::from_str(&out).expect("JSON");
         let (input, _) = expected.split_once(": ").expect("an input");

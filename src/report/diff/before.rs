@@ -117,12 +117,30 @@ impl<'a> Before<'a> {
     /// Whether this is a test that only one log has. It decides nothing by itself: which tests a tracer needs depends on its
     /// arithmetic, and on what it was asked to log.
     pub fn is_test_alone(&self, spot: Spot) -> bool {
+        self.tested_alone(spot).is_some()
+    }
+
+    /// Whether the object of such a test is in one of the scenes only.
+    pub fn is_of_one_scene(&self, spot: Spot) -> bool {
+        let (ours, theirs) = (&self.a.log.header, &self.b.log.header);
+        match (spot, self.tested_alone(spot)) {
+            (Spot::OnlyA(_), Some(object)) => theirs.only_elsewhere.iter().any(|name| name == ours.object(object)),
+            // What only B has is numbered behind what A has.
+            (Spot::OnlyB(_), Some(object)) => object as usize >= ours.objects.len(),
+            _ => false,
+        }
+    }
+
+    fn tested_alone(&self, spot: Spot) -> Option<u32> {
         let step = match spot {
             Spot::OnlyA(Thing::Node(node)) => self.a.tree.nodes()[node].step,
             Spot::OnlyB(Thing::Node(node)) => self.b.tree.nodes()[node].step,
             _ => None,
         };
-        matches!(step, Some(Step::Test { .. } | Step::Motion { .. }))
+        match step {
+            Some(Step::Test { object, .. } | Step::Motion { object }) => Some(object),
+            _ => None,
+        }
     }
 
     fn value_differs(&self, place: usize) -> bool {

@@ -46,6 +46,8 @@ pub enum Why {
     First,
     /// A test that only one log has: the other's tracer didn't need it.
     NotNeeded,
+    /// A test with an object that the other scene doesn't have.
+    NoSuchObject,
 }
 
 impl Why {
@@ -59,6 +61,7 @@ impl Why {
             Why::Before => "before",
             Why::First => "first",
             Why::NotNeeded => "not_needed",
+            Why::NoSuchObject => "no_such_object",
         }
     }
 }
@@ -139,7 +142,9 @@ impl<'a> Causes<'a> {
                     None => bare(Why::Input),
                 }
             }
-            Spot::OnlyA(_) | Spot::OnlyB(_) if self.before.is_test_alone(spot) => bare(Why::NotNeeded),
+            Spot::OnlyA(_) | Spot::OnlyB(_) if self.before.is_test_alone(spot) => {
+                bare(if self.before.is_of_one_scene(spot) { Why::NoSuchObject } else { Why::NotNeeded })
+            }
             Spot::OnlyA(Thing::Input(..)) | Spot::OnlyB(Thing::Input(..)) => self.by_what_was_before(spot, Why::Input),
             Spot::OnlyA(_) | Spot::OnlyB(_) => self.by_what_was_before(spot, Why::First),
         }

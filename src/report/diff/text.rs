@@ -252,6 +252,7 @@ impl Text {
             Why::Input => "an input",
             Why::Before => "what was before",
             Why::First => "nothing before it differs",
+            Why::NoSuchObject => "the other scene has no such object",
             Why::NotNeeded => "not needed there (`trace --tests all` logs every test)",
         };
         reason.to_owned()
