@@ -1,6 +1,7 @@
 //! What happens in a computation, as typed data. Objects and lights are numbers here; the header of the log names them.
 
 use super::name::Name;
+use super::value::Value;
 
 /// An event of the log, in the order of the computation.
 #[derive(Clone, PartialEq, Debug)]
@@ -371,30 +372,5 @@ words! {
         Interval = "interval",
         /// There may not be more.
         Max = "max",
-    }
-}
-
-/// The value of a quantity: a number, or a triple (a point, a vector, a colour).
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Value {
-    /// A number.
-    Number(f64),
-    /// A triple.
-    Triple([f64; 3]),
-}
-
-impl Value {
-    /// The components: one or three.
-    pub fn components(&self) -> &[f64] {
-        match self {
-            Value::Number(number) => std::slice::from_ref(number),
-            Value::Triple(triple) => triple,
-        }
-    }
-
-    /// Whether the two have the same bits.
-    pub fn same_bits(&self, other: &Value) -> bool {
-        let (ours, theirs) = (self.components(), other.components());
-        ours.len() == theirs.len() && ours.iter().zip(theirs).all(|(a, b)| a.to_bits() == b.to_bits())
     }
 }

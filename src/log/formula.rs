@@ -7,7 +7,8 @@
 //! prefix   = "−" power | "√" postfix | postfix
 //! postfix  = atom { "²" | "⁺" | "°" }
 //! atom     = number [ "π" ] | symbol | "(" sum ")" | "(" sum "," sum "," sum ")" | "|" sum "|" | "⌊" sum "⌋"
-//!          | ("Σ" | "Σ_s" | "Σ_c" | "Π") "(" sum ")" | ("min" | "max") "(" sum [ "," sum ] ")"
+//!          | ("Σ" | "Σ_s" | "Σ_c" | "Π" | "se_s" | "df_s") "(" sum ")" | ("min" | "max") "(" sum [ "," sum ] ")"
+//!          | "student" "(" sum "," sum ")"
 //!          | ("cos" | "sin" | "tan" | "exp" | "expm1" | "ln1p" | "ceil") "(" sum ")"
 //! ```
 //!
@@ -20,14 +21,19 @@
 //! before it; a term of which the log holds no part is zero. `Σ_s` adds over the samples of a pixel so far, and `Σ_c` over its accepted
 //! cells, with twice the digits: the quotient that such a sum stands in is rounded once. In them `I` is the colour that a sample brought.
 //! `Π` multiplies, channel by channel, what the surfaces let through that a shadow ray crosses, in its order; it is zero where one lets
-//! nothing through. `x°` is an angle in degrees; `cos(x°)` and `sin(x°)` are exact at quarters of a turn. `expm1(x)` is eˣ − 1 and `ln1p(x)` the
+//! nothing through. `se_s` is the standard error of the mean of the samples so far, per channel, and `df_s` its degrees of freedom: samples that
+//! are a power of two, 2ᵏ, make 2^(k−1) pairs, in each of as many equal parts of the pixel one; with the differences δ of the pairs these are √Σδ²/2ᵏ and
+//! max((Σδ²)²/Σδ⁴, 1), of no differences 2^(k−1). The parts are ⌈(k−1)/2⌉ times halved down and ⌊(k−1)/2⌋ times across, or the other way
+//! round, whichever has the greater error; where both have none or there are no pairs, all samples count as one: √(Σ(I − mean)²/(n − 1)/n) and n − 1.
+//! `student(p, ν)` is the t for which a variable of Student's distribution with ν degrees of freedom lies between −t and t with probability p,
+//! to 10⁻⁹ of its value. `x°` is an angle in degrees; `cos(x°)` and `sin(x°)` are exact at quarters of a turn. `expm1(x)` is eˣ − 1 and `ln1p(x)` the
 //! logarithm of 1 + x, with their digits near 0; `ceil` rounds up. A symbol is the longest one of the table of names that the text
 //! goes on with, so `N·L` is the quantity and `N · L` its formula. Operations are done from left to right: evaluated so, a
 //! formula gives the logged value to the last bit.
 
 mod words;
 
-pub use words::{Function, Several};
+pub use words::{Function, QUANTILE, Several};
 
 use super::name::Name;
 use std::sync::LazyLock;
@@ -57,6 +63,8 @@ pub enum Formula {
     OverLights(Box<Formula>),
     /// `Σ_s(a)`, `Σ_c(a)` or `Π(a)`
     Over(Several, Box<Formula>),
+    /// `student(p, ν)`
+    Quantile(Box<Formula>, Box<Formula>),
     /// `a°`
     Degrees(Box<Formula>),
     /// `cos(a)`
@@ -196,6 +204,11 @@ impl<'t> Parser<'t> {
             if self.eat_call(function.word()) {
                 return Ok(Formula::Function(function, Box::new(self.until_closed()?)));
             }
+        }
+        if self.eat_call(QUANTILE) {
+            let probability = self.sum()?;
+            self.require(",")?;
+            return Ok(Formula::Quantile(Box::new(probability), Box::new(self.until_closed()?)));
         }
         if let Some(symbol) = self.symbol_ahead() {
             self.rest = &self.rest[symbol.len()..];

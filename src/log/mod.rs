@@ -14,13 +14,15 @@ pub mod schema;
 pub mod scope;
 pub mod shard;
 pub mod tree;
+pub mod value;
 
-pub use event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, Value, What};
+pub use event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
 pub use header::{FrameId, Header, Parameter, Subject};
 pub use name::{Name, Unit};
 pub use rounding::round_half_away;
 pub use shard::Shard;
 pub use tree::{Node, Tree};
+pub use value::Value;
 
 /// A whole log: what it says about itself, and its events.
 #[derive(Clone, Debug, PartialEq)]

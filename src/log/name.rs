@@ -302,8 +302,18 @@ with_effects! { names! {
     ShadeNDotTransmitted: "shade.n_dot_transmitted", "", "−N·H′", "−(N · H′)", "1.2.1";
     ShadeNDotTransmittedStraight: "shade.n_dot_transmitted", "no_interface", "−N·H′", "1", "1.2.1";
     // Powers of large exponents are taken from the angle itself: near 1 its cosine has lost it.
-    ShadeSpecularPower: "shade.specular_power", "", "π_e", "", "1.2.1";
-    ShadeTransmittedPower: "shade.transmitted_power", "", "π_t", "", "1.2.1";
+    ShadeSpecularPower: "shade.specular_power", "", "π_e", "((N·H)⁺)^n_e", "1.2.1";
+    ShadeSpecularPowerCompensated: "shade.specular_power", "compensated", "π_e", "((N·H)⁺)^(4·n_e)", "1.2.1";
+    ShadeSpecularPowerMirror: "shade.specular_power", "reflection_vector", "π_e", "((R·V)⁺)^n_e", "1.2.1";
+    ShadeSpecularPowerSine: "shade.specular_power", "sine", "π_e",
+        "exp(n_e/2·ln1p(−min(|H × (N − H)|²/((H · H)·(N · N)), 1)))", "1.2.1";
+    ShadeSpecularPowerCompensatedSine: "shade.specular_power", "compensated_sine", "π_e",
+        "exp(4·n_e/2·ln1p(−min(|H × (N − H)|²/((H · H)·(N · N)), 1)))", "1.2.1";
+    ShadeSpecularPowerMirrorSine: "shade.specular_power", "reflection_vector_sine", "π_e",
+        "exp(n_e/2·ln1p(−min(|R_L × (V − R_L)|²/((R_L · R_L)·(V · V)), 1)))", "1.2.1";
+    ShadeTransmittedPower: "shade.transmitted_power", "", "π_t", "((−N·H′)⁺)^n_t", "1.2.1";
+    ShadeTransmittedPowerSine: "shade.transmitted_power", "sine", "π_t",
+        "exp(n_t/2·ln1p(−min(|N × (H′ + N)|²/((N · N)·(H′ · H′)), 1)))", "1.2.1";
     AmbientLight: "light.ambient", "", "I_a", "", "1.2.1";
     MaterialAmbient: "material.ambient", "", "K_a", "", "1.2.1";
     MaterialAmbientPatterned: "material.ambient", "patterned", "K_a", "k_a∘c_p", "1.2.1";

@@ -57,10 +57,7 @@ fn rounded_event(what: What, digits: u32) -> What {
 }
 
 fn rounded_value(value: Value, digits: u32) -> Value {
-    match value {
-        Value::Number(number) => Value::Number(round_half_away(number, digits)),
-        Value::Triple(triple) => Value::Triple(triple.map(|x| round_half_away(x, digits))),
-    }
+    value.map(|x| round_half_away(x, digits))
 }
 
 #[cfg(test)]

@@ -3,10 +3,11 @@
 //! The symbols of a formula mean the latest quantity of that symbol that the computation could see: in the node itself,
 //! in the intersection test that found the nearest hit, then in the enclosing nodes.
 
-use super::event::{Decision, Event, RayKind, Step, Value, What};
+use super::event::{Decision, Event, RayKind, Step, What};
 use super::formula::Several;
 use super::name::Name;
 use super::tree::Tree;
+use super::value::Value;
 
 /// A value that a formula puts in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,7 +151,7 @@ pub fn elements(events: &[Event], tree: &Tree, event: usize, several: Several) -
     let is_sample = |child: &usize| matches!(tree.nodes()[*child].step, Some(Step::Sample { .. }));
     let is_cell = |at: &usize| matches!(events[*at].what, What::Mark(Decision::Accepted { cell: Some(_), .. }));
     match several {
-        Several::Samples => {
+        Several::Samples | Several::StandardError | Several::Freedom => {
             let before = tree.children(pixel).take_while(|child| tree.nodes()[*child].events.end <= event);
             before.filter(is_sample).map(Element::Sample).collect()
         }

@@ -3,7 +3,7 @@
 use super::Style;
 use super::expression::{self, Expression};
 use super::language::Language;
-use crate::log::formula::{self, Extreme, Operator};
+use crate::log::formula::{self, Extreme, Operator, QUANTILE};
 use crate::log::{Log, Name, Tree, What};
 use std::f64::consts::TAU;
 
@@ -89,6 +89,9 @@ pub(super) fn text(language: Language, expression: &Expression, style: Style) ->
         Expression::Elided => "…".to_owned(),
         Expression::Extreme(extreme, first, second) => {
             format!("{}({}{}{})", word(*extreme), shown(first), language.texts().separator, shown(second))
+        }
+        Expression::Quantile(probability, freedom) => {
+            format!("{QUANTILE}({}{}{})", shown(probability), language.texts().separator, shown(freedom))
         }
         Expression::ExtremeComponent(extreme, inner) => format!("{}({})", word(*extreme), shown(inner)),
         Expression::Binary(operator, left, right) => {

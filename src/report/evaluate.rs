@@ -6,6 +6,7 @@
 
 mod doubled;
 mod functions;
+mod statistics;
 mod wide;
 
 use crate::log::formula::{self, Extreme, Formula, Operator, Several};
@@ -52,11 +53,18 @@ pub fn evaluate_within(log: &Log, tree: &Tree, event: usize, name: Name) -> Opti
     }
     let logged = |symbol, light| operand(events, tree, event, symbol, light).map(|operand| operand.value);
     let result = match formula {
+        Formula::Over(several, _) if several.is_statistic() => statistics::of_samples(*several, events, tree, event),
         Formula::Over(Several::Surfaces, _) => Ok(Value::Triple(scope::transmittance(events, tree, event))),
         _ => evaluate_with(&log.header, tree, event, formula, &logged),
     };
-    let exact = |value: Value| Within { value, bound: zero_of(&value) };
-    Some(result.map(exact))
+    let bound = match formula {
+        Formula::Quantile(probability, _) => match evaluate_with(&log.header, tree, event, probability, &logged) {
+            Ok(Value::Number(probability)) => statistics::error_of_quantile(probability),
+            _ => 0.0,
+        },
+        _ => 0.0,
+    };
+    Some(result.map(|value| Within { value, bound: value.map(|x| x.abs() * bound) }))
 }
 
 /// The value of a formula at `event`, evaluated with twice the digits as the tracer does where f64 loses too many, and rounded once.
@@ -78,13 +86,6 @@ pub fn doubled_operand(events: &[Event], tree: &Tree, event: usize, symbol: &'st
 /// The colour of the pixel of a log as the last of its computations has it: the mean of its samples, or what its one ray brought.
 pub fn result(events: &[Event], tree: &Tree, pixel: usize) -> Option<Value> {
     scope::color_of_pixel(events, tree, pixel)
-}
-
-fn zero_of(value: &Value) -> Value {
-    match value {
-        Value::Number(_) => Value::Number(0.0),
-        Value::Triple(_) => Value::Triple([0.0; 3]),
-    }
 }
 
 /// What a symbol in the formula of the quantity that `event` notes stands for; under a Σ, in the part of the light whose node
@@ -175,6 +176,10 @@ impl Evaluator<'_> {
                 }
                 part => Err(format!("{extreme:?}({part:?})")),
             },
+            Formula::Quantile(probability, freedom) => {
+                let probability = self.number(probability)?;
+                map(self.part(freedom)?, |freedom| statistics::quantile(probability, freedom).unwrap_or(f64::NAN))
+            }
             Formula::OverLights(inner) => self.over_lights(Part::Zero, inner),
             Formula::Over(several, _) => Err(format!("{} stands in another formula", several.sign())),
             Formula::Degrees(inner) => map(self.part(inner)?, f64::to_radians),
@@ -232,8 +237,7 @@ impl Evaluator<'_> {
 
 fn map(part: Part, f: impl Fn(f64) -> f64) -> Result<Part, String> {
     Ok(match part {
-        Part::Value(Value::Number(x)) => Part::Value(Value::Number(f(x))),
-        Part::Value(Value::Triple(triple)) => Part::Value(Value::Triple(triple.map(f))),
+        Part::Value(value) => Part::Value(value.map(f)),
         Part::Zero => Part::Zero,
         Part::One => return Err("an absent factor outside a product".to_owned()),
     })

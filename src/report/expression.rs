@@ -44,6 +44,8 @@ pub enum Expression {
     Elided,
     /// `min(a, b)`
     Extreme(Extreme, Box<Expression>, Box<Expression>),
+    /// `student(p, ν)`
+    Quantile(Box<Expression>, Box<Expression>),
     /// `min(a)`
     ExtremeComponent(Extreme, Box<Expression>),
     /// Two operands.
@@ -73,6 +75,7 @@ impl Expression {
                 Expression::Triple(Box::new([x, y, z].map(Expression::symbolic)))
             }
             Formula::Extreme(extreme, first, second) => Expression::Extreme(*extreme, of(first), of(second)),
+            Formula::Quantile(probability, freedom) => Expression::Quantile(of(probability), of(freedom)),
             Formula::ExtremeComponent(extreme, inner) => Expression::ExtremeComponent(*extreme, of(inner)),
             Formula::Binary(operator, left, right) => Expression::Binary(*operator, of(left), of(right)),
         }
@@ -216,6 +219,12 @@ impl Substitution<'_> {
                 }
                 _ => Part::Zero,
             },
+            Formula::Quantile(probability, freedom) => {
+                match (self.part(probability).shown(), self.part(freedom).shown()) {
+                    (Some(p), Some(freedom)) => Part::There(Expression::Quantile(Box::new(p), Box::new(freedom))),
+                    _ => Part::Zero,
+                }
+            }
             Formula::ExtremeComponent(extreme, inner) => {
                 self.around_shown(inner, |inner| Expression::ExtremeComponent(*extreme, inner))
             }

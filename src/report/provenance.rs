@@ -114,7 +114,7 @@ fn each_symbol(formula: &Formula, is_under_sum: bool, f: &mut impl FnMut(&'stati
         // What samples, cells and surfaces bring isn't in the scope of the node itself.
         Formula::Over(..) => {}
         Formula::Triple(parts) => parts.iter().for_each(|part| each_symbol(part, is_under_sum, f)),
-        Formula::Extreme(_, left, right) | Formula::Binary(_, left, right) => {
+        Formula::Extreme(_, left, right) | Formula::Quantile(left, right) | Formula::Binary(_, left, right) => {
             each_symbol(left, is_under_sum, f);
             each_symbol(right, is_under_sum, f);
         }

@@ -33,7 +33,8 @@ const LAST_CELL: f64 = 9_007_199_254_740_992.0;
 
 /// The colour of the checkerboard: that of the even cubes, also where the numbers can't tell one cube from the next.
 fn color<P: Probe>(scene: &Scene, meeting: &Meeting, checker: &Checker, probe: &mut P) -> Color {
-    let axes = probe.note(Name::PatternAxes, axes(scene, meeting));
+    let axes = axes(scene, meeting);
+    probe.given(Name::PatternAxes, axes);
     let moving = own_point(scene, meeting, probe);
     let cell = (moving.unwrap_or(meeting.surface.point) / checker.size).floor();
     let is_countable = cell.is_finite() && (cell * axes).abs().max_element() <= LAST_CELL;

@@ -171,7 +171,7 @@ fn specular<P: Probe>(
         probe.mark(Decision::Skipped { what: Skippable::Specular, why: SkipReason::ZeroTerm });
         return Color::ZERO;
     }
-    let between = match scene.tracing.specular {
+    let lobe = match scene.tracing.specular {
         Specular::HalfVector | Specular::HalfVectorCompensated => {
             let sum = probe.note(Name::HalfSum, light + view);
             let length = probe.note(Name::HalfLength, probe.dot(sum, sum).sqrt());
@@ -180,16 +180,24 @@ fn specular<P: Probe>(
                 return Color::ZERO;
             }
             let half = probe.note(Name::HalfDirection, sum / length);
-            (probe.note(Name::ShadeNDotH, probe.dot(normal, half)), half, normal)
+            let names = match scene.tracing.specular {
+                Specular::HalfVectorCompensated => {
+                    [Name::ShadeSpecularPowerCompensated, Name::ShadeSpecularPowerCompensatedSine]
+                }
+                _ => [Name::ShadeSpecularPower, Name::ShadeSpecularPowerSine],
+            };
+            Lobe { cosine: probe.note(Name::ShadeNDotH, probe.dot(normal, half)), between: [half, normal], names }
         }
         Specular::ReflectionVector => {
             let mirrored = probe.note(Name::MirrorDirection, normal * 2.0 * n_dot_l - light);
-            (probe.note(Name::ShadeRDotV, probe.dot(mirrored, view)), mirrored, view)
+            let names = [Name::ShadeSpecularPowerMirror, Name::ShadeSpecularPowerMirrorSine];
+            let cosine = probe.note(Name::ShadeRDotV, probe.dot(mirrored, view));
+            Lobe { cosine, between: [mirrored, view], names }
         }
     };
     let exponent = scene.tracing.specular.exponent(material.shininess);
     let is_sharp = material.is_sharp(scene.tracing.specular);
-    material.specular * lobe(is_sharp, between, exponent, Name::ShadeSpecularPower, probe)
+    material.specular * lobe.height(is_sharp, exponent, probe)
 }
 
 /// K_t ((−N·H′)⁺)^n_t with H′ = (−L − ηV)/(η − 1), normalised; the light's side is medium 1, the viewer's medium 2.
@@ -216,22 +224,40 @@ fn transmission<P: Probe>(
         if view != -light {
             return Color::ZERO;
         }
-        let between = probe.note(Name::ShadeNDotTransmittedStraight, 1.0);
-        let along = (between, view, view);
-        return material.transmission * lobe(is_sharp, along, exponent, Name::ShadeTransmittedPower, probe);
+        let cosine = probe.note(Name::ShadeNDotTransmittedStraight, 1.0);
+        let height = if is_sharp {
+            probe.note(Name::ShadeTransmittedPower, power(cosine, exponent))
+        } else {
+            power(cosine, exponent)
+        };
+        return material.transmission * height;
     }
     let Some(half) = transmitted_half(light, view, eta, scene.tracing.formulas, probe) else { return Color::ZERO };
     let normal = meeting.surface.normal;
-    let between = (probe.note(Name::ShadeNDotTransmitted, -probe.dot(normal, half)), -normal, half);
-    material.transmission * lobe(is_sharp, between, exponent, Name::ShadeTransmittedPower, probe)
+    let cosine = probe.note(Name::ShadeNDotTransmitted, -probe.dot(normal, half));
+    let names = [Name::ShadeTransmittedPower, Name::ShadeTransmittedPowerSine];
+    let lobe = Lobe { cosine, between: [-normal, half], names };
+    material.transmission * lobe.height(is_sharp, exponent, probe)
 }
 
-/// The height of a lobe, (x⁺)^n for the noted product x of two vectors. A sharp lobe's is a quantity of its own.
-fn lobe<P: Probe>(is_sharp: bool, (x, a, b): (f64, DVec3, DVec3), exponent: f64, name: Name, probe: &mut P) -> f64 {
-    match is_sharp {
-        false => power(x, exponent),
-        true if probe.certifies() => probe.note(name, power_between(a, b, exponent)),
-        true => probe.note(name, power(x, exponent)),
+/// A power of the cosine between two vectors.
+struct Lobe {
+    cosine: f64,
+    between: [DVec3; 2],
+    /// The quantity of a sharp lobe's height, from the cosine and from the sine.
+    names: [Name; 2],
+}
+
+impl Lobe {
+    /// The height, (cos⁺)^n. A sharp lobe's is a quantity of its own.
+    #[inline(always)]
+    fn height<P: Probe>(&self, is_sharp: bool, exponent: f64, probe: &mut P) -> f64 {
+        let Lobe { cosine, between: [a, b], names: [of_cosine, of_sine] } = *self;
+        match is_sharp {
+            false => power(cosine, exponent),
+            true if probe.certifies() && cosine > 0.0 => probe.note(of_sine, power_between(a, b, exponent)),
+            true => probe.note(of_cosine, power(cosine, exponent)),
+        }
     }
 }
 

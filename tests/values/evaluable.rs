@@ -1,7 +1,5 @@
 //! From a log alone every quantity can be evaluated: each noted value by its formula on logged operands, bit for bit or within its
 //! bound, and the result by the last of them. Over random scenes, samplers and arithmetics.
-//!
-//! What has no formula is told by name: counts, choices, and what a function of statistics gives.
 
 use crate::formulas::verdict;
 use crate::random::Random;
@@ -10,22 +8,6 @@ use proptest::prelude::*;
 use raywalk::log::{Log, Name, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::evaluate::{evaluate, result};
-
-/// Noted quantities that no formula of the log gives.
-const WITHOUT: &[Name] = &[
-    // Counts and choices.
-    Name::PolygonCrossings,
-    Name::PatternAxes,
-    // Signs of exact numbers, in units that are nobody's.
-    Name::TriangleEdgesExact,
-    // Powers that are taken from the angle itself.
-    Name::ShadeSpecularPower,
-    Name::ShadeTransmittedPower,
-    // Statistics of the samples' differences, and of Student's distribution.
-    Name::StatisticalError,
-    Name::StatisticalFreedom,
-    Name::StatisticalQuantile,
-];
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
@@ -61,7 +43,6 @@ fn wrong(log: &Log, arithmetic: Arithmetic) -> Vec<String> {
         }
         match event.what {
             What::Note { name, .. } => match verdict(log, &tree, at, arithmetic) {
-                None if WITHOUT.contains(&name) => {}
                 None => wrong.push(format!("{name:?} has no formula")),
                 Some(Ok(())) => {}
                 Some(Err(why)) => wrong.push(format!("event {}: {why}", event.at)),

@@ -112,8 +112,8 @@ impl Polygon {
         if crossings.in_doubt {
             probe.fallback();
         }
-        // A count is exact in any arithmetic.
-        probe.note(Name::PolygonCrossings, f64::from(crossings.count));
+        // A count is exact in any arithmetic, and no formula gives it.
+        probe.given(Name::PolygonCrossings, f64::from(crossings.count));
         crossings.count % 2 == 1
     }
 }

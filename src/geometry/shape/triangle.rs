@@ -294,7 +294,9 @@ impl Facet {
             triple_product(ray.vector, to_a, to_c),
             triple_product(ray.vector, to_b, to_a),
         );
-        probe.note(Name::TriangleEdgesExact, edges).to_array()
+        // Their signs are exact in any arithmetic; they have no unit, and no formula of the log gives them.
+        probe.given(Name::TriangleEdgesExact, edges);
+        edges.to_array()
     }
 }
 

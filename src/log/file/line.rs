@@ -1,7 +1,7 @@
 //! The serde mirror of a line of a log, as it is read. Unknown fields are passed over: a later version may add some.
 
-use crate::log::event::Value;
 use crate::log::name::Name;
+use crate::log::value::Value;
 use serde::de::{Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, de};
 use std::borrow::Cow;

@@ -6,11 +6,10 @@ use super::document::MAX_NESTING;
 use super::line::{End, Enter, Line, Mark};
 use super::read::Ending;
 use crate::log::escape::shortened;
-use crate::log::event::{
-    Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, Value, What,
-};
+use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
 use crate::log::header::Header;
 use crate::log::name::Name;
+use crate::log::value::Value;
 use std::collections::HashMap;
 use std::io::ErrorKind;
 use std::mem;

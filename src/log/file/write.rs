@@ -1,8 +1,9 @@
 //! Writing logs. A log is written while it grows, and its last line counts and digests what stands before it.
 
-use crate::log::event::{Decision, Digits, Event, RayKind, Step, Value, What};
+use crate::log::event::{Decision, Digits, Event, RayKind, Step, What};
 use crate::log::header::Header;
 use crate::log::name::Name;
+use crate::log::value::Value;
 use crate::log::{Log, tree::path_of_child};
 use std::io::{self, Write};
 

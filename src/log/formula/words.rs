@@ -1,6 +1,9 @@
 //! The words and signs of formulas that stand for more than one operation.
 
-/// What a sum or product goes over, but for the lights.
+/// The function of Student's quantile in formulas.
+pub const QUANTILE: &str = "student";
+
+/// What a sum, product or statistic goes over, but for the lights.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Several {
     /// The samples of a pixel.
@@ -9,11 +12,16 @@ pub enum Several {
     Cells,
     /// The surfaces that a shadow ray crosses.
     Surfaces,
+    /// The samples of a pixel, for the standard error of their mean.
+    StandardError,
+    /// The samples of a pixel, for the degrees of freedom of that error.
+    Freedom,
 }
 
 impl Several {
     /// Every value.
-    pub const ALL: [Several; 3] = [Several::Samples, Several::Cells, Several::Surfaces];
+    pub const ALL: [Several; 5] =
+        [Several::Samples, Several::Cells, Several::Surfaces, Several::StandardError, Several::Freedom];
 
     /// The sign in formulas.
     pub fn sign(self) -> &'static str {
@@ -21,7 +29,14 @@ impl Several {
             Several::Samples => "Σ_s",
             Several::Cells => "Σ_c",
             Several::Surfaces => "Π",
+            Several::StandardError => "se_s",
+            Several::Freedom => "df_s",
         }
+    }
+
+    /// Whether it is a statistic, which has no terms or factors.
+    pub fn is_statistic(self) -> bool {
+        matches!(self, Several::StandardError | Several::Freedom)
     }
 }
 

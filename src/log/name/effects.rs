@@ -8,10 +8,10 @@ macro_rules! with_effects {
 
             // Statistical sampling: Student's interval of the mean of the samples so far, per channel.
             StatisticalMean: "statistical.mean", "", "I_m", "Σ_s(I)/n_p", "1.4.2";
-            StatisticalError: "statistical.standard_error", "", "σ_m", "", "1.4.2";
-            StatisticalFreedom: "statistical.degrees_of_freedom", "", "ν_m", "", "1.4.2";
+            StatisticalError: "statistical.standard_error", "", "σ_m", "se_s(I)", "1.4.2";
+            StatisticalFreedom: "statistical.degrees_of_freedom", "", "ν_m", "df_s(I)", "1.4.2";
             StatisticalConfidence: "statistical.confidence", "", "γ_m", "", "1.4.2";
-            StatisticalQuantile: "statistical.t_quantile", "", "t_m", "", "1.4.2";
+            StatisticalQuantile: "statistical.t_quantile", "", "t_m", "student(γ_m, ν_m)", "1.4.2";
             StatisticalHalfWidth: "statistical.half_width", "", "h_m", "t_m∘σ_m", "1.4.2";
             StatisticalWidest: "statistical.widest", "", "h_max", "max(h_m)", "1.4.2";
             StatisticalTolerance: "statistical.tolerance", "", "ε_m", "", "1.4.2";

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use crate::log::formula::{self, Formula, Operator};
+use crate::log::formula::{self, Formula, Operator, Several};
 use std::collections::HashSet;
 
 #[test]
@@ -66,12 +66,14 @@ fn dimension(of_name: Name, formula: &Formula) -> Result<Dimension, String> {
         | Formula::Grouped(inner)
         | Formula::Length(inner)
         | Formula::OverLights(inner)
-        | Formula::Over(_, inner)
+        | Formula::Over(Several::Samples | Several::Cells | Several::Surfaces | Several::StandardError, inner)
         | Formula::ExtremeComponent(_, inner) => of(inner),
         Formula::Degrees(angle) => match of(angle)? {
             Some([0, 0, 0, 1]) => Ok(Some([0; 4])),
             other => Err(format!("{angle:?} is {other:?}, expected an angle")),
         },
+        Formula::Over(Several::Freedom, _) => Ok(Some([0; 4])),
+        Formula::Quantile(probability, freedom) => number(probability).and(number(freedom)),
         Formula::Function(_, inner) => number(inner),
         Formula::Triple(components) => {
             components.iter().try_fold(None, |dimension, component| same(dimension, of(component)?))

@@ -11,6 +11,10 @@ const MOST: usize = 8;
 impl Substitution<'_> {
     /// A sum or product with a term or factor for each of its elements.
     pub(super) fn over(&self, several: Several, inner: &Formula) -> Part {
+        if several.is_statistic() {
+            // The text of the formula says it all: nobody follows a standard error term by term.
+            return Part::One;
+        }
         if several == Several::Surfaces {
             return self.over_surfaces();
         }

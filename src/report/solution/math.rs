@@ -3,7 +3,7 @@
 use super::Task;
 use super::equation::{Equation, terms};
 use crate::log::Value;
-use crate::log::formula::{Function, Operator, Several};
+use crate::log::formula::{Function, Operator, QUANTILE, Several};
 use crate::report::decided::{self, Comparison, Relation};
 use crate::report::expression::Expression;
 use crate::report::{computation, digits, escape, number};
@@ -94,6 +94,10 @@ pub(super) fn tex(task: &Task, expression: &Expression) -> String {
             let mark = task.language.texts().separator.trim_end();
             format!("\\{}\\left({}{mark}\\; {}\\right)", computation::word(*extreme), of(first), of(second))
         }
+        Expression::Quantile(probability, freedom) => {
+            let mark = task.language.texts().separator.trim_end();
+            format!("\\operatorname{{{QUANTILE}}}\\left({}{mark}\\; {}\\right)", of(probability), of(freedom))
+        }
         Expression::ExtremeComponent(extreme, inner) => {
             format!("\\{}\\left({}\\right)", computation::word(*extreme), of(inner))
         }
@@ -137,6 +141,8 @@ fn sign(several: Several) -> &'static str {
         Several::Samples => "\\sum_s",
         Several::Cells => "\\sum_c",
         Several::Surfaces => "\\prod",
+        Several::StandardError => "\\operatorname{se}_s",
+        Several::Freedom => "\\operatorname{df}_s",
     }
 }
 
@@ -266,6 +272,7 @@ fn width(task: &Task, expression: &Expression) -> usize {
         Expression::Length(inner) | Expression::Floor(inner) | Expression::Grouped(inner) => of(inner) + 2,
         Expression::OverLights(inner) => of(inner) + 3,
         Expression::Extreme(_, first, second) => of(first) + of(second) + 7,
+        Expression::Quantile(probability, freedom) => of(probability) + of(freedom) + 11,
         Expression::ExtremeComponent(_, inner) => of(inner) + 5,
         Expression::Binary(Operator::Over, left, right) => of(left).max(of(right)),
         Expression::Binary(Operator::Power, left, right) => of(left) + of(right),

@@ -3,7 +3,7 @@
 use super::super::Task;
 use super::super::equation::Equation;
 use crate::log::Value;
-use crate::log::formula::Operator;
+use crate::log::formula::{Operator, QUANTILE};
 use crate::report::decided::{self, Comparison, Relation};
 use crate::report::expression::Expression;
 use crate::report::tag::tag;
@@ -80,6 +80,9 @@ fn html(task: &Task, expression: &Expression) -> String {
         Expression::Elided => "…".to_owned(),
         Expression::Extreme(extreme, first, second) => {
             format!("{}({}{} {})", computation::word(*extreme), of(first), separator(task), of(second))
+        }
+        Expression::Quantile(probability, freedom) => {
+            format!("{QUANTILE}({}{} {})", of(probability), separator(task), of(freedom))
         }
         Expression::ExtremeComponent(extreme, inner) => format!("{}({})", computation::word(*extreme), of(inner)),
         Expression::Binary(Operator::Over, left, right) => format!(
