@@ -60,7 +60,7 @@ pub struct Render {
     /// Keep what is rendered in FILE.checkpoint until the picture is there, and go on from there if the same call was ended early
     #[arg(long, conflicts_with = "stats")]
     resume: bool,
-    /// Write PNG with 16 bits a channel
+    /// Write PNG with 16 bits a channel; for shards `raywalk merge` takes it
     #[arg(long)]
     png16: bool,
     /// Print counts and times to standard output
@@ -113,6 +113,11 @@ impl Render {
 
     /// Refuses what can't be done before anything is read.
     fn check(&self) -> Result<(), Failure> {
+        if self.shard.is_some() && self.png16 {
+            return Err(Failure::caller(
+                "--png16: a part holds the traced values themselves; expected --png16 at `raywalk merge`, which writes the picture",
+            ));
+        }
         let format = self.format()?;
         if let (Some(layers), Some(format)) = (&self.layers, format) {
             layers.check(format)?;

@@ -1,6 +1,6 @@
 //! Which lights reach anything that the camera sees.
 
-use crate::log::{Decision, RayKind, SkipReason, Step};
+use crate::log::{Decision, RayKind, SkipReason, Skippable, Step};
 use crate::probe::{Erased, Probe};
 use crate::sampling;
 use crate::scene::{Sampling, Scene};
@@ -20,6 +20,8 @@ pub struct Reach {
     pub unusable: Vec<bool>,
     /// For each light, whether a shadow ray to it was blocked or it stands behind a surface in view.
     pub hidden: Vec<bool>,
+    /// Whether surfaces are in view and none of them has a local term: the weight of each is zero.
+    pub is_unweighted: bool,
     /// How many pixels were traced to find out.
     pub pixels: u32,
 }
@@ -29,7 +31,14 @@ pub fn reach(mut scene: Scene) -> Reach {
     scene.sampling = Sampling::Center;
     scene.tracing.max_depth = scene.tracing.max_depth.min(BOUNCES);
     let none = vec![false; scene.lights.len()];
-    let mut probe = Lit { lights: none.clone(), unusable: none.clone(), hidden: none, open: Vec::new() };
+    let mut probe = Lit {
+        lights: none.clone(),
+        unusable: none.clone(),
+        hidden: none,
+        has_local: false,
+        has_unweighted: false,
+        open: Vec::new(),
+    };
     let size = scene.camera.resolution;
     let [across, down] = [0, 1].map(|side| size[side].min(MOST[side]));
     let place = |k: u32, of: u32, side: u32| ((2 * u64::from(k) + 1) * u64::from(side) / (2 * u64::from(of))) as u32;
@@ -42,7 +51,12 @@ pub fn reach(mut scene: Scene) -> Reach {
         sampling::pixel(&scene, pixel, &mut Erased::of(&mut probe));
         pixels += 1;
     }
-    Reach { lights: probe.lights, unusable: probe.unusable, hidden: probe.hidden, pixels }
+    let Lit { lights, mut unusable, hidden, has_local, has_unweighted, .. } = probe;
+    if has_unweighted {
+        // No surface without a local term asks for any light.
+        unusable.fill(true);
+    }
+    Reach { lights, unusable, hidden, is_unweighted: has_unweighted && !has_local, pixels }
 }
 
 /// The probe that sees shadow rays arrive.
@@ -50,6 +64,10 @@ struct Lit {
     lights: Vec<bool>,
     unusable: Vec<bool>,
     hidden: Vec<bool>,
+    /// Whether a surface had a local term.
+    has_local: bool,
+    /// Whether a surface had none, because its weight, or the weights on the path to it, leave nothing of it.
+    has_unweighted: bool,
     /// The nodes that the computation is inside.
     open: Vec<Inside>,
 }
@@ -66,6 +84,9 @@ enum Inside {
 
 impl Probe for Lit {
     fn mark(&mut self, decision: Decision) {
+        if let Decision::Skipped { what: Skippable::Local, .. } = decision {
+            self.has_unweighted = true;
+        }
         let Some(inside) = self.open.last_mut() else { return };
         match (decision, *inside) {
             (Decision::Occluded { .. }, Inside::Shadow(light)) => {
@@ -87,6 +108,7 @@ impl Probe for Lit {
     }
 
     fn enter(&mut self, step: Step) {
+        self.has_local |= matches!(step, Step::Shade { .. });
         self.open.push(match step {
             Step::Ray { kind: RayKind::Shadow { light }, .. } => Inside::Shadow(light),
             Step::Light { light, .. } => Inside::Light(light),

@@ -72,6 +72,7 @@ pub(super) fn text(language: Language, expression: &Expression, style: Style) ->
         Expression::Number(x) => language.number(*x, style),
         Expression::Symbol(symbol) => (*symbol).to_owned(),
         Expression::Value(value, _) => language.value(value, style),
+        Expression::Precise(x, digits, _) => language.number(*x, style.at_least(*digits)),
         Expression::Negated(inner) => format!("−{}", behind_operator(inner)),
         Expression::Root(inner) => format!("√{}", as_one(inner)),
         Expression::Squared(inner) => format!("{}²", as_one(inner)),

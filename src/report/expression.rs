@@ -1,6 +1,7 @@
 //! A formula ready to be written in any format: with its symbols, or with the numbers put in.
 
 use super::provenance::Operand;
+mod floor;
 mod several;
 
 use super::{Style, evaluate, forms, number};
@@ -16,6 +17,8 @@ pub enum Expression {
     Symbol(&'static str),
     /// The value of a quantity, and the event that computed it, if one did and it is known.
     Value(Value, Option<usize>),
+    /// A number with so many decimals, which are more than others have, and the event that computed it.
+    Precise(f64, u32, Option<usize>),
     /// `−a`
     Negated(Box<Expression>),
     /// `√a`
@@ -84,7 +87,7 @@ impl Expression {
     /// Whether its text begins with a minus sign, so that behind an operator it needs parentheses.
     pub fn begins_negative(&self) -> bool {
         match self {
-            Expression::Number(x) | Expression::Value(Value::Number(x), _) => *x < 0.0,
+            Expression::Number(x) | Expression::Value(Value::Number(x), _) | Expression::Precise(x, ..) => *x < 0.0,
             Expression::Negated(_) => true,
             Expression::Symbol(symbol) => symbol.starts_with('−'),
             Expression::Binary(operator, left, _) => *operator != Operator::Power && left.begins_negative(),
@@ -96,6 +99,7 @@ impl Expression {
     pub fn has_power_of_ten(&self, style: Style) -> bool {
         match self {
             Expression::Number(x) | Expression::Value(Value::Number(x), _) => number::has_power_of_ten(*x, style),
+            Expression::Precise(x, digits, _) => number::has_power_of_ten(*x, style.at_least(*digits)),
             _ => false,
         }
     }
@@ -204,7 +208,7 @@ impl Substitution<'_> {
             Formula::Root(inner) => self.around(inner, Expression::Root),
             Formula::Squared(inner) => self.around(inner, Expression::Squared),
             Formula::Length(inner) => self.around_shown(inner, Expression::Length),
-            Formula::Floor(inner) => self.around_shown(inner, Expression::Floor),
+            Formula::Floor(inner) => self.floor(inner),
             Formula::Positive(inner) => self.positive(inner),
             Formula::Grouped(inner) => match (self.part(inner), &**inner) {
                 // A number needs no parentheses of its own.

@@ -39,6 +39,13 @@ pub struct Style {
     pub digits: u32,
 }
 
+impl Style {
+    /// With so many decimals, or more where it has more.
+    fn at_least(self, digits: u32) -> Style {
+        Style { digits: self.digits.max(digits) }
+    }
+}
+
 impl Default for Style {
     fn default() -> Self {
         Style { digits: 3 }

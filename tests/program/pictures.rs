@@ -60,6 +60,24 @@ fn sixteen_bits_are_for_png_alone() {
     prints(&["merge", &part, "--png16", "-o", &path(&folder, "a.PNG")]);
 }
 
+/// A part has no bits a channel: whoever asks for them is told where to.
+#[test]
+fn parts_have_no_sixteen_bits() {
+    let folder = folder();
+    let part = path(&folder, "a.part");
+    let call = ["render", "figure-6", "--size", "8x6", "-q", "-o", &part, "--shard", "1/1"];
+    let expected = "--png16: a part holds the traced values themselves; expected --png16 at `raywalk merge`";
+    for more in [&["--png16"][..], &["--png16", "--resume"], &["--png16", "--digits"]] {
+        says(2, &[&call[..], more].concat(), expected);
+        assert!(!Path::new(&part).exists());
+    }
+    prints(&call);
+    prints(&["merge", &part, "--png16", "-o", &path(&folder, "a.png")]);
+    prints(&["render", "figure-6", "--size", "8x6", "-q", "--png16", "-o", &path(&folder, "b.png")]);
+    let bytes = |name: &str| bytes(&path(&folder, name));
+    assert!(bytes("a.png") == bytes("b.png"));
+}
+
 /// Some of what the decoder of JPEG says ends with a line feed.
 #[test]
 fn what_a_decoder_says_is_one_line() {

@@ -136,3 +136,30 @@ fn lights_whose_colour_leaves_nothing_are_told_so() {
     );
     check("[1, 1, 1]", "", "stands outside the field of view, which it lights all the same");
 }
+
+/// A surface whose local weight is 0 asks for no light: that is the reason, not that the light doesn't get there.
+#[test]
+fn lights_of_surfaces_without_a_local_term_are_told_so() {
+    let check = |floor: [f64; 3], ball: &str| {
+        let scene = format!(
+            r#"{{"format": "raywalk-scene/1", "name": "room", "camera": {{"position": [0, 2, 6], "look_at": [0, 1, 0]}},
+            "lights": [{{"point": {{"position": [1, 2, 1]}}}}, {{"point": {{"position": [0, -1, 0]}}}}],
+            "materials": {{"mirror": {{"diffuse": [1, 1, 1], "weights": {{"local": {floor:?}, "reflected": 1}}}}, "clay": {{"diffuse": [1, 1, 1]}}}},
+            "objects": [{{"shape": {{"plane": {{"coefficients": [0, 1, 0, 0]}}}}, "material": "mirror"}},
+                        {{"shape": {{"sphere": {{"center": [0, 1, 0], "radius": 1}}}}, "material": "{ball}"}}]}}"#
+        );
+        let output = crate::calls::raywalk(&["scene", "check", "-"]).write_stdin(scene).output().expect("it runs");
+        let said = String::from_utf8(output.stderr).expect("UTF-8");
+        assert!(output.status.success(), "{said}");
+        let reasons = said.lines().filter_map(|line| line.split_once(": lights nothing in view: "));
+        reasons.map(|(light, why)| (light.ends_with("lights[0]"), why.to_owned())).collect::<Vec<_>>()
+    };
+    let unweighted = "no surface seen through 3072 pixels has a local term that weighs more than 0".to_owned();
+    assert_eq!(check([0.0; 3], "mirror"), [(true, unweighted.clone()), (false, unweighted)]);
+    // The ball has one, which the first light reaches and the second doesn't, whatever it does to the floor.
+    let why = "of the surfaces seen through 3072 pixels it reaches none, or its colour and their coefficients leave nothing of any channel";
+    assert_eq!(check([0.0; 3], "clay"), [(false, why.to_owned())]);
+    // The floor has one in green.
+    let why = "reaches no surface seen through 3072 pixels".to_owned();
+    assert_eq!(check([0.0, 0.5, 0.0], "mirror"), [(false, why)]);
+}

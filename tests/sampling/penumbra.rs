@@ -4,8 +4,8 @@ use crate::support;
 use proptest::prelude::*;
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::{Color, Sampling, Scene};
-use raywalk::study::bench::exact::{self, NotExact, Penumbra};
-use raywalk::study::bench::samplers::{Comparing, Reference, compare};
+use raywalk::study::bench::exact::{self, Estimate, NotExact, Penumbra};
+use std::sync::LazyLock;
 
 /// A floor z = 0 under a lamp of radius 1 at height 3 over the origin, at which the eye looks; ambient 0.25, K_d·I = 1.
 fn scene(lamp: &str, objects: &str, resolution: [u32; 2], samples: u32) -> Scene {
@@ -140,15 +140,29 @@ fn wall_and_ball() -> String {
         + &object("ball", r#"{"sphere": {"center": [0.8, 0.3, 0.6], "radius": 0.5}}"#)
 }
 
+/// A scene with the shadows of a wall and a ball on a floor, of so many pixels.
+fn shadows(resolution: [u32; 2]) -> Scene {
+    scene(&LAMP.replace("[0, 0, 3]", "[0.4, -0.3, 3]"), &wall_and_ball(), resolution, 4)
+}
+
+/// Pixels of that scene by 6 × 4: the lit floor, the wall's outline and its shadow, the ball's outline and its shadow, both shadows.
+/// Those of which most takes long, and which show no other kinds of edges, aren't among them.
+const PIXELS: [[u32; 2]; 7] = [[0, 0], [2, 0], [4, 0], [1, 2], [2, 2], [4, 2], [2, 3]];
+
+/// What they show: computed once for the tests that need it.
+static WHOLE: LazyLock<Vec<Estimate<Color>>> = LazyLock::new(|| {
+    let scene = shadows([6, 4]);
+    let exact = of(&scene);
+    PIXELS.iter().map(|pixel| exact.pixel(*pixel)).collect()
+});
+
 /// The mean over a pixel is that over its quarters, which have their nodes elsewhere.
 #[test]
 fn pixels_are_the_means_of_their_quarters() {
-    let lamp = LAMP.replace("[0, 0, 3]", "[0.4, -0.3, 3]");
-    let (coarse, fine) = (scene(&lamp, &wall_and_ball(), [6, 4], 1), scene(&lamp, &wall_and_ball(), [12, 8], 1));
-    let (coarse, fine) = (of(&coarse), of(&fine));
+    let fine = shadows([12, 8]);
+    let fine = of(&fine);
     let mut worst: f64 = 0.0;
-    for [column, row] in (0..24).step_by(5).map(|k| [k % 6, k / 6]) {
-        let whole = coarse.pixel([column, row]);
+    for ([column, row], whole) in PIXELS.into_iter().zip(&*WHOLE) {
         let quarters = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[x, y]| fine.pixel([2 * column + x, 2 * row + y]));
         let mean = quarters.iter().map(|quarter| quarter.value).sum::<Color>() / 4.0;
         let told = whole.error + quarters.iter().map(|quarter| quarter.error).sum::<f64>() / 4.0;
@@ -161,16 +175,29 @@ fn pixels_are_the_means_of_their_quarters() {
 
 #[test]
 fn sobol_converges_to_it() {
-    let scene = scene(&LAMP.replace("[0, 0, 3]", "[0.4, -0.3, 3]"), &wall_and_ball(), [8, 6], 4);
-    let methods = [4, 16, 64, 256].map(|n| Sampling::Sobol { n });
-    let comparing = Comparing { reference: Reference::Exact, runs: 3, threads: 0 };
-    let comparison = compare(&scene, &methods, comparing, || ()).expect("an exact penumbra");
-    let own = comparison.reference_error.expect("an estimate");
+    const SEEDS: u64 = 8;
+    let scene = shadows([6, 4]);
+    let own = WHOLE.iter().map(|whole| whole.error).fold(0.0, f64::max);
     assert!(own < 1e-7, "{own:e}");
-    let errors: Vec<_> = comparison.outcomes.iter().map(|outcome| outcome.rmse.median).collect();
+    let squares = |n| {
+        let of_seed = |seed| {
+            let scene = Scene { sampling: Sampling::Sobol { n }, seed, ..scene.clone() };
+            let square = |(pixel, whole): (&[u32; 2], &Estimate<Color>)| {
+                (record::pixel_color(&scene, *pixel, Arithmetic::F64) - whole.value).length_squared() / 3.0
+            };
+            PIXELS.iter().zip(&*WHOLE).map(square).sum::<f64>()
+        };
+        (0..SEEDS).map(of_seed).sum::<f64>() / (SEEDS as f64 * PIXELS.len() as f64)
+    };
+    let errors = [4, 16, 64, 256].map(|n| squares(n).sqrt());
     // At least as the root of the number, as independent samples do: 64 times as many err an eighth as much.
     assert!(errors.windows(2).all(|pair| pair[1] < pair[0] / 1.5) && errors[3] < errors[0] / 8.0, "{errors:?}");
     assert!(errors[3] > 100.0 * own, "{errors:?}");
+    // Values between 0 and V = 1.25, the ambient part and the lamp's, have a variance of V²/4 at the most (Popoviciu), and Sobol's
+    // points err less than independent ones.
+    for (n, error) in [4.0_f64, 16.0, 64.0, 256.0].into_iter().zip(errors) {
+        assert!(error < 1.25 / (2.0 * n.sqrt()), "{n}: {errors:?}");
+    }
 }
 
 #[test]

@@ -13,7 +13,7 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
         return;
     }
     let is_outside: Vec<bool> = scene.lights.iter().map(|light| stands_outside(&scene, light)).collect();
-    let Reach { lights: is_lit, unusable, hidden, pixels } = reach(scene);
+    let Reach { lights: is_lit, unusable, hidden, is_unweighted, pixels } = reach(scene);
     let finding = |light: usize| {
         let outside = if is_outside[light] { "; it stands outside the field of view" } else { "" };
         let message = match (is_lit[light], unusable[light], hidden[light]) {
@@ -21,6 +21,9 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
                 "stands outside the field of view, which it lights all the same".to_owned()
             }
             (true, ..) => return None,
+            _ if is_unweighted => format!(
+                "lights nothing in view: no surface seen through {pixels} pixels has a local term that weighs more than 0"
+            ),
             (false, false, _) => {
                 format!("lights nothing in view: reaches no surface seen through {pixels} pixels{outside}")
             }

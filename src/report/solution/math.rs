@@ -74,6 +74,7 @@ pub(super) fn tex(task: &Task, expression: &Expression) -> String {
         Expression::Number(x) => value(task, &Value::Number(*x)),
         Expression::Symbol(symbol) => self::symbol(symbol),
         Expression::Value(there, _) => value(task, there),
+        Expression::Precise(x, digits, _) => value(&task.shown_in(task.style.at_least(*digits)), &Value::Number(*x)),
         Expression::Negated(inner) => format!("-{}", operand(task, inner)),
         Expression::Root(inner) => format!("\\sqrt{{{}}}", of(inner.ungrouped())),
         Expression::Squared(inner) => format!("{}^2", base(task, inner)),
@@ -180,7 +181,7 @@ fn base(task: &Task, expression: &Expression) -> String {
     let text = tex(task, expression);
     let is_one = match expression {
         Expression::Symbol(symbol) => symbol.chars().all(|c| c.is_alphanumeric() || c == '_'),
-        Expression::Value(Value::Number(x), _) => *x >= 0.0 && !text.contains("10^"),
+        Expression::Value(Value::Number(x), _) | Expression::Precise(x, ..) => *x >= 0.0 && !text.contains("10^"),
         Expression::Number(_) | Expression::Length(_) | Expression::Grouped(_) => true,
         Expression::Value(Value::Triple(_), _) => true,
         _ => false,
@@ -261,6 +262,7 @@ fn width(task: &Task, expression: &Expression) -> usize {
         Expression::Number(x) => task.language.number(*x, task.style).chars().count(),
         Expression::Symbol(symbol) => symbol.split(['_', '·']).map(|part| part.chars().count().min(4)).sum(),
         Expression::Value(value, _) => task.language.value(value, task.style).chars().count(),
+        Expression::Precise(x, digits, _) => task.language.number(*x, task.style.at_least(*digits)).chars().count(),
         Expression::Negated(inner)
         | Expression::Root(inner)
         | Expression::Squared(inner)

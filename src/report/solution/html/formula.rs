@@ -65,6 +65,9 @@ fn html(task: &Task, expression: &Expression) -> String {
         Expression::Number(x) => value(task, &Value::Number(*x)),
         Expression::Symbol(name) => symbol(name),
         Expression::Value(there, source) => linked(&value(task, there), *source),
+        Expression::Precise(x, digits, source) => {
+            linked(&value(&task.shown_in(task.style.at_least(*digits)), &Value::Number(*x)), *source)
+        }
         Expression::Negated(inner) => format!("−{}", operand(task, inner)),
         Expression::Root(inner) => format!("√<span class=\"root\">{}</span>", of(inner.ungrouped())),
         Expression::Squared(inner) => format!("{}<sup>2</sup>", base(task, inner)),
