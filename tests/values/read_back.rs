@@ -161,7 +161,9 @@ fn round_bodies_decide_by_numbers() {
                         Decision::Outside | Decision::Inside => "side",
                         _ => continue,
                     };
-                    assert!(line.is_some(), "{} {pixel:?} {arithmetic:?}: {body}: {decision:?}", scene.name);
+                    let noted =
+                        || tree.own_events(tree.owner(event)).map(|at| &log.events[at].what).collect::<Vec<_>>();
+                    assert!(line.is_some(), "{} {pixel:?} {arithmetic:?}: {body}: {:#?}", scene.name, noted());
                     *counts.entry((body, kind)).or_default() += 1;
                 }
             }

@@ -110,6 +110,7 @@ const BESIDE: Reasons = &[
     // The ray begins at the other one.
     &["max(t_1, t_2) > max(t_b, t_a)"],
     &["min(t_1, t_2) < min(t_b, t_a)"],
+    &["min(t_1, t_2) ≤ 0"],
     // No crossings are noted where they have twice the digits.
     &["(−b − √Δ)/a > max(t_b, t_a)"],
     &["(−b + √Δ)/a < min(t_b, t_a)"],
@@ -146,6 +147,7 @@ const BESIDE_CONE: Reasons = &[
     // The ray begins at the other crossing.
     &["max(t_1, t_2) > max(t_b, t_a)"],
     &["min(t_1, t_2) < min(t_b, t_a)"],
+    &["t_0 + min(t_1, t_2) ≤ 0"],
 ];
 
 /// Two sides, and how they are compared.
