@@ -3,14 +3,15 @@
 //! A log says what was decided, and has the numbers. Which of them were compared stands in one table here; what is shown holds for the
 //! logged numbers, and where the tracer took twice the digits, for those.
 
+mod table;
+
 use super::evaluate::{doubled_value, evaluate_with};
 use super::expression::{self, Expression};
 use super::language::Language;
 use super::{Style, computation, number};
-use crate::log::formula::{self, Formula};
-use crate::log::{Acceptance, Decision, Log, Miss, SkipReason, Skippable, Split, Step, Tree, Value, What, scope};
-use std::collections::HashMap;
-use std::sync::LazyLock;
+use crate::log::formula::Formula;
+use crate::log::{Decision, Log, Name, Step, Tree, Value, What, scope};
+use table::{PRINTED_REFLECTION, Parsed, Reasons, SETS_OFF_INWARD, groups, misses, parsed};
 
 /// How two sides are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +45,20 @@ pub struct Comparison {
     pub style: Style,
 }
 
+impl Comparison {
+    /// Both sides with the numbers put in, and behind what is computed what it comes to: `1 − 0.704/0.391 = -0.802`. What equals a
+    /// number has that on the other side.
+    pub fn numbers(&self, text: &dyn Fn(&Expression) -> String) -> [String; 2] {
+        [0, 1].map(|side| {
+            let put_in = &self.substituted[side];
+            match (put_in.ungrouped(), self.relation) {
+                (Expression::Number(_) | Expression::Value(..), _) | (_, Relation::Equal) => text(put_in),
+                _ => format!("{} = {}", text(put_in), text(&Expression::Value(Value::Number(self.values[side]), None))),
+            }
+        })
+    }
+}
+
 impl Relation {
     /// Every relation with its sign.
     pub const SIGNS: [(Relation, &'static str); 5] = [
@@ -71,118 +86,11 @@ impl Relation {
     }
 }
 
-/// What may be compared: of each group the first comparison whose quantities the log holds, and which holds for them.
-type Groups = &'static [&'static [&'static str]];
-
-/// The point of the line is on the surface.
-const MEETS: &[&str] = &[
-    "T2_A ≥ 0",
-    "Δ ≥ 0",
-    "t_in ≤ t_out",
-    "min(E) ≥ 0",
-    "max(E) ≤ 0",
-    "min(E_a, min(E_b, E_c)) ≥ 0",
-    "max(E_a, max(E_b, E_c)) ≤ 0",
-    "ρ² ≤ r_d·r_d",
-    "κ − 2·⌊κ/2⌋ = 1",
-];
-
-/// It isn't.
-const MISSES: &[&str] = &[
-    "T2_A < 0",
-    "T2_A = 0",
-    "Δ < 0",
-    "t_in > t_out",
-    "min(E) < 0",
-    "min(E_a, min(E_b, E_c)) < 0",
-    "ρ² > r_d·r_d",
-    "κ − 2·⌊κ/2⌋ = 0",
-];
-
-/// By which comparisons a decision is taken; several groups hold together.
-fn groups(decision: &Decision) -> Groups {
-    match decision {
-        Decision::Outside => &[&["L2oc > r²", "c > 0", "min(min(O − b_min, b_max − O)) < 0"]],
-        Decision::Inside => &[&["L2oc ≤ r²", "c ≤ 0", "min(min(O − b_min, b_max − O)) ≥ 0"]],
-        Decision::Hit => &[&["T_A > 0"], MEETS, &["t > 0", "t = 0"], &["t < |ℓ|"]],
-        Decision::Miss { why: Miss::Parallel } => &[&["V_d = 0", "a = 0"]],
-        Decision::Miss { why: Miss::Behind } => {
-            &[&["t ≤ 0", "t_out ≤ 0", "t_0 + max(t_1, t_2) ≤ 0", "max(t_1, t_2) ≤ 0", "T_A < 0"]]
-        }
-        Decision::Miss { why: Miss::Beside } => &[MISSES, &["max(E) > 0", "max(E_a, max(E_b, E_c)) > 0"]],
-        Decision::Miss { why: Miss::Beyond } => {
-            &[&["t ≥ |ℓ|", "t_in ≥ |ℓ|", "t_0 + min(t_1, t_2) ≥ |ℓ|", "min(t_1, t_2) ≥ |ℓ|"]]
-        }
-        Decision::Miss { why: Miss::FacesAway } => &[&["V_d > 0"]],
-        Decision::TotalInternalReflection => &[&["η² − |d + cosφ_1·N|² < 0"]],
-        Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind } => &[&["N·L < 0", "N·L = 0"]],
-        Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm } => &[&["N·L > 0"]],
-        Decision::Rejected { what: Skippable::Transmitted } => &[&["h_z > 0"]],
-        Decision::Rejected { .. } => &[&["h_z < 0"]],
-        Decision::LeakGuard { .. } => &[&["N_g · L < 0", "N_g · L > 0"]],
-        Decision::Bent { what: Skippable::Transmitted } => &[&["N_g · T > 0"]],
-        Decision::Bent { .. } => &[&["N_g · R < 0"]],
-        Decision::Undefined { .. } => &[&["|D| = 0"]],
-        Decision::Subdivided { why: Split::Color, .. } => &[&["Δ_I > Δ_max"]],
-        Decision::Accepted { cell: Some(_), why: Acceptance::Alike } => &[&["Δ_I ≤ Δ_max"]],
-        Decision::Accepted { cell: None, why: Acceptance::Alike } => &[&["n_p ≥ n_m"]],
-        Decision::Accepted { why: Acceptance::Interval, .. } => &[&["h_max ≤ h_lim"]],
-        Decision::MoreSamples { .. } => &[&["h_max > h_lim", "n_p < n_m"]],
-        _ => &[],
-    }
-}
-
-/// By what total reflection is told where the formulas are those of the source text.
-const PRINTED_REFLECTION: &str = "1 − (1 − cosφ_1²)/η² < 0";
-
 /// What is known from outside the node that decides; all else must be its own.
 const FROM_OUTSIDE: &[&str] = &["O", "d", "N", "N_g", "L", "|ℓ|"];
 
 /// How much of the largest number of a test f64 may lose of a difference: what differs by more wasn't computed from these numbers.
 const LOST: f64 = 1e-6;
-
-type Parsed = (Formula, Relation, Formula);
-
-/// The comparisons of the table, parsed.
-fn parsed(text: &str) -> Option<&'static Parsed> {
-    static PARSED: LazyLock<HashMap<&'static str, Parsed>> =
-        LazyLock::new(|| texts().filter_map(|text| Some((text, parse(text)?))).collect());
-    PARSED.get(text)
-}
-
-fn parse(text: &str) -> Option<Parsed> {
-    let (relation, sign) = Relation::SIGNS.iter().find(|(_, sign)| text.contains(sign))?;
-    let (left, right) = text.split_once(sign)?;
-    Some((formula::parse(left).ok()?, *relation, formula::parse(right).ok()?))
-}
-
-/// Every text of the table.
-fn texts() -> impl Iterator<Item = &'static str> {
-    use Skippable::{Reflected, Shadow, Transmitted};
-    let misses = Miss::ALL.iter().map(|why| Decision::Miss { why: *why });
-    let others = [
-        Decision::Outside,
-        Decision::Inside,
-        Decision::Hit,
-        Decision::TotalInternalReflection,
-        Decision::Skipped { what: Shadow, why: SkipReason::Behind },
-        Decision::Skipped { what: Shadow, why: SkipReason::NoLocalTerm },
-        Decision::Rejected { what: Transmitted },
-        Decision::Rejected { what: Reflected },
-        Decision::LeakGuard { what: Shadow },
-        Decision::Bent { what: Transmitted },
-        Decision::Bent { what: Reflected },
-        Decision::Undefined { quantity: crate::log::Name::RayDirection },
-        Decision::Subdivided { cell: [0.0; 3], why: Split::Color, object: None },
-        Decision::Accepted { cell: Some([0.0; 3]), why: Acceptance::Alike },
-        Decision::Accepted { cell: None, why: Acceptance::Alike },
-        Decision::Accepted { cell: None, why: Acceptance::Interval },
-        Decision::MoreSamples { from: 0, to: 0 },
-    ];
-    let of_groups =
-        misses.chain(others).flat_map(|decision| groups(&decision).iter().flat_map(|group| group.iter().copied()));
-    of_groups.chain([PRINTED_REFLECTION])
-}
 
 /// The comparisons by which the decision of an event was taken; none for what isn't decided by numbers, or by some that the log hasn't.
 pub fn comparisons(log: &Log, tree: &Tree, event: usize, style: Style) -> Vec<Comparison> {
@@ -195,20 +103,16 @@ pub fn comparisons(log: &Log, tree: &Tree, event: usize, style: Style) -> Vec<Co
     if *decision == Decision::TotalInternalReflection && log.header.tracing.formulas.as_deref() == Some("notes") {
         return decider.first(&[PRINTED_REFLECTION]).into_iter().collect();
     }
-    let mut found = Vec::new();
-    for (number, group) in groups(decision).iter().enumerate() {
-        let is_of_origin = *decision == Decision::Hit && number == 0;
-        if is_of_origin && !decider.is_outside() {
-            continue;
-        }
-        match decider.first(group) {
-            Some(comparison) => found.push(comparison),
-            // That edges lie on both sides says nothing alone.
-            None if matches!(decision, Decision::Miss { .. }) => break,
-            None => {}
-        }
+    if let Decision::Miss { why } = decision {
+        return decider.reason(misses(*why, decider.operand("t_0").is_some()));
     }
-    found
+    if *decision == Decision::Inside && decider.leaves_sphere() {
+        return decider.first(&[SETS_OFF_INWARD]).into_iter().collect();
+    }
+    let groups = groups(decision).iter().enumerate();
+    let is_of_origin = |number: usize| *decision == Decision::Hit && number == 0;
+    let groups = groups.filter(|(number, _)| !is_of_origin(*number) || decider.is_outside());
+    groups.filter_map(|(_, group)| decider.first(group)).collect()
 }
 
 /// The hit of the test that found what blocks a shadow ray.
@@ -232,19 +136,41 @@ impl Decider<'_> {
         group.iter().find_map(|text| self.comparison(parsed(text)?))
     }
 
-    fn comparison(&self, (left, relation, right): &Parsed) -> Option<Comparison> {
+    /// The comparisons of the first reason all of which hold: for the logged numbers, or else with twice the digits.
+    fn reason(&self, reasons: Reasons) -> Vec<Comparison> {
+        let all = |texts: &[&str], holds: &dyn Fn(&Parsed) -> Option<Comparison>| {
+            texts.iter().map(|text| holds(parsed(text)?)).collect::<Option<Vec<_>>>()
+        };
+        let plain = reasons.iter().find_map(|texts| all(texts, &|parsed| self.plain_comparison(parsed)));
+        plain
+            .or_else(|| reasons.iter().find_map(|texts| all(texts, &|parsed| self.comparison(parsed))))
+            .unwrap_or_default()
+    }
+
+    fn comparison(&self, parsed: &Parsed) -> Option<Comparison> {
+        self.plain_comparison(parsed).or_else(|| self.doubled_comparison(parsed))
+    }
+
+    /// A comparison that holds for the logged numbers.
+    fn plain_comparison(&self, (left, relation, right): &Parsed) -> Option<Comparison> {
         let sides = [left, right];
-        let plain = self.plain(sides)?;
+        let values = self.plain(sides)?;
+        if !relation.holds(values) {
+            return None;
+        }
         let substituted = sides.map(|side| {
             let put_in = expression::substituted(self.log, self.tree, self.event, side, self.style, &[]);
             put_in.unwrap_or(Expression::Number(0.0))
         });
-        let symbolic = sides.map(Expression::symbolic);
-        let (relation, style) = (*relation, self.style);
-        if relation.holds(plain) {
-            let style = telling(relation, plain, style);
-            return Some(Comparison { relation, symbolic, substituted, values: plain, is_doubled: false, style });
-        }
+        let (relation, symbolic) = (*relation, sides.map(Expression::symbolic));
+        let style = telling(relation, values, self.style);
+        Some(Comparison { relation, symbolic, substituted, values, is_doubled: false, style })
+    }
+
+    /// A comparison that holds with twice the digits.
+    fn doubled_comparison(&self, (left, relation, right): &Parsed) -> Option<Comparison> {
+        let sides = [left, right];
+        let plain = self.plain(sides)?;
         let values = self.doubled(sides)?;
         // What another program logged may contradict its own operands: then nothing is known of what it compared.
         if (0..2).any(|side| (values[side] - plain[side]).abs() > LOST * self.size()) {
@@ -254,7 +180,8 @@ impl Decider<'_> {
             let put_in = expression::substituted_doubled(self.log, self.tree, self.event, side, self.style);
             put_in.unwrap_or(Expression::Number(0.0))
         });
-        let style = telling(relation, values, style);
+        let (relation, symbolic) = (*relation, sides.map(Expression::symbolic));
+        let style = telling(relation, values, self.style);
         let is_doubled = true;
         relation.holds(values).then_some(Comparison { relation, symbolic, substituted, values, is_doubled, style })
     }
@@ -312,6 +239,14 @@ impl Decider<'_> {
         values.fold(0.0, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
     }
 
+    /// Whether the ray leaves the sphere that is tested: its other end is then at 2·T_A, and nothing tells where it begins but the side on
+    /// which it was sent off.
+    fn leaves_sphere(&self) -> bool {
+        let is_other_end =
+            |at: usize| matches!(self.log.events[at].what, What::Note { name: Name::SphereTLeaving, .. });
+        self.tree.own_events(self.tree.owner(self.event)).any(is_other_end)
+    }
+
     fn is_outside(&self) -> bool {
         let own = self.tree.owner(self.event);
         let is_outside = |at: usize| self.log.events[at].what == What::Mark(Decision::Outside);
@@ -319,13 +254,11 @@ impl Decider<'_> {
     }
 }
 
-/// A style in which two different numbers look different, or the one there is.
-fn telling(relation: Relation, [left, right]: [f64; 2], style: Style) -> Style {
-    const MOST: u32 = 17;
-    let is_told = |style: &Style| number::number(left, *style) != number::number(right, *style);
+/// A style in which a side that is less than the other looks different.
+fn telling(relation: Relation, values: [f64; 2], style: Style) -> Style {
+    let [left, right] = values.map(Value::Number);
     let is_strict = matches!(relation, Relation::Less | Relation::Greater);
-    let styles = (style.digits..=MOST).map(|digits| Style { digits });
-    if is_strict { styles.into_iter().find(is_told).unwrap_or(style) } else { style }
+    if is_strict { number::telling(&left, &right, style) } else { style }
 }
 
 /// The comparisons of a decision in one line of plain text; nothing where there are none.
@@ -346,23 +279,9 @@ pub fn written(
     sign: impl Fn(Relation) -> String,
 ) -> String {
     let sign = sign(comparison.relation);
-    let sides = |[left, right]: &[Expression; 2]| format!("{} {sign} {}", text(left), text(right));
+    let sides = |[left, right]: [String; 2]| format!("{left} {sign} {right}");
     let doubled =
         if comparison.is_doubled { format!(" ({})", language.texts().twice_the_digits) } else { String::new() };
-    let numbers = sides(&comparison.substituted);
-    format!("{}: {numbers}{doubled}", sides(&comparison.symbolic))
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_comparison_of_the_table_parses() {
-        assert!(texts().count() > 40);
-        for text in texts() {
-            assert!(parsed(text).is_some(), "{text}");
-        }
-    }
+    let numbers = sides(comparison.numbers(text));
+    format!("{}: {numbers}{doubled}", sides(comparison.symbolic.each_ref().map(text)))
 }

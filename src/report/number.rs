@@ -36,6 +36,15 @@ pub fn has_power_of_ten(x: f64, style: Style) -> bool {
     number(x, style).contains("·10")
 }
 
+/// The style with the fewest decimals, at least those of `style`, in which two values look different; `style` where they are the same.
+pub fn telling(a: &Value, b: &Value, style: Style) -> Style {
+    // Of mantissas 17 decimals tell all; what has no power of ten even with 17 decimals is at least 10⁻¹⁷, and has 17 digits by the 34th.
+    const MOST: u32 = 34;
+    let styles = (style.digits..=MOST).map(|digits| Style { digits });
+    let mut telling = styles.into_iter().filter(|style| value(a, *style) != value(b, *style));
+    telling.next().unwrap_or(style)
+}
+
 fn fixed(x: f64, digits: u32) -> String {
     format!("{:.*}", digits as usize, round_half_away(x, digits))
 }
@@ -45,6 +54,13 @@ fn scientific(x: f64, style: Style) -> String {
     // The shortest decimal digits of the value, exactly: no power is computed.
     let text = format!("{x:e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let decimals = mantissa.split_once('.').map_or("", |(_, decimals)| decimals);
+    let missing = (style.digits as usize).checked_sub(decimals.len());
+    if let (Some(missing), Ok(exponent)) = (missing, exponent.parse()) {
+        // As it is: read as a number, a mantissa of 17 digits may become its neighbour.
+        let point = if decimals.is_empty() && missing > 0 { "." } else { "" };
+        return format!("{mantissa}{point}{}·10{}", "0".repeat(missing), superscript(exponent));
+    }
     let mut mantissa: f64 = mantissa.parse().unwrap_or(x);
     let mut exponent: i32 = exponent.parse().unwrap_or(0);
     mantissa = round_half_away(mantissa, style.digits);
@@ -105,6 +121,36 @@ mod tests {
         shows(0.0, "0");
         shows(-0.0, "0");
         shows(4.000_000_000_000_001, "4.000");
+    }
+
+    proptest::proptest! {
+        /// Neighbours among all numbers look different where they are to be told apart.
+        #[test]
+        fn neighbours_are_told_apart(bits in 0_u64..0x7fef_ffff_ffff_ffff, digits in 0_u32..6, is_negative: bool) {
+            let sign = if is_negative { -1.0 } else { 1.0 };
+            let [a, b] = [bits, bits + 1].map(|bits| Value::Number(sign * f64::from_bits(bits)));
+            let style = telling(&a, &b, Style { digits });
+            proptest::prop_assert_ne!(value(&a, style), value(&b, style));
+        }
+
+        #[test]
+        fn neighbours_of_a_usual_size_are_told_apart(x in 1e-30_f64..1e12, power in -30_i32..1) {
+            let x = x * 10_f64.powi(power);
+            let [a, b] = [x, f64::from_bits(x.to_bits() + 1)].map(Value::Number);
+            let style = telling(&a, &b, Style::default());
+            proptest::prop_assert_ne!(value(&a, style), value(&b, style));
+        }
+    }
+
+    #[test]
+    fn no_more_digits_than_tell_two_values_apart() {
+        let telling = |a, b| telling(&Value::Number(a), &Value::Number(b), Style::default()).digits;
+        assert_eq!(telling(1.0, 2.0), 3);
+        assert_eq!(telling(0.12345, 0.12344), 4);
+        assert_eq!(telling(0.3, 0.3), 3);
+        assert_eq!(telling(0.1 + 0.2, 0.3), 16);
+        // 2³³ less a bit has a mantissa of 17 digits.
+        assert_eq!(number(8_589_934_591.999_998, Style { digits: 15 }), "8.589934591999998·10⁹");
     }
 
     #[test]

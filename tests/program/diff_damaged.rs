@@ -76,6 +76,10 @@ fn a_log_that_is_not_whole_ends_with_2_and_its_differences_are_told() {
     garbled[30] = "{\"at\":30,\"node\":".to_owned();
     let mut edited = lines.clone();
     edited[3] = edited[3].replace("-0.945", "-0.944");
+    let mut one_unknown = rewritten(&lines, |line| {
+        line["end"].as_object_mut().map(|end| end.remove("digest"));
+    });
+    one_unknown[7] = one_unknown[7].replace("\"plane.t\"", "\"plane.time\"");
     let cases = [
         ("cut", lines[..lines.len() - 1].to_vec(), "cut off"),
         ("miscounted", miscounted, "counts"),
@@ -90,6 +94,7 @@ fn a_log_that_is_not_whole_ends_with_2_and_its_differences_are_told() {
             }),
             "values of unknown quantities were passed over, the first in line 8: `plane.time`",
         ),
+        ("one unknown", one_unknown, "1 value of an unknown quantity was passed over, in line 8: `plane.time`"),
     ];
     for (name, lines, warning) in cases {
         let log = folder.written(name, &lines);

@@ -5,7 +5,7 @@ use raywalk::log::{Event, Log, Name, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::diff::{
     Comparison, Difference, Entry, Json, Numbering, Side, Summary, Text, Told, Tolerance, Why, compare,
-    header_differences,
+    header_differences, telling_apart,
 };
 use raywalk::report::side_by_side::Run;
 use raywalk::scene::file::schema::SceneFile;
@@ -112,6 +112,55 @@ fn the_views_of_the_numeric_example() {
         let document: serde_json::Value = serde_json::from_str(&shown.concat()).expect("JSON");
         insta::assert_json_snapshot!("diff_textbook_json", document);
     });
+}
+
+/// A plane that becomes a box is tested by other steps: none of them comes from a decision that the test takes after it.
+#[test]
+fn no_cause_comes_after_its_effect() {
+    let plane = textbook(Arithmetic::F64);
+    let of_box = changed("textbook", |scene| {
+        let shape = serde_json::json!({"box": {"min": [3, -50, -50], "max": [4, 50, 50]}});
+        scene.objects[0].shape = serde_json::from_value(shape).expect("a box");
+    });
+    for (a, b) in [(&plane, &of_box), (&of_box, &plane)] {
+        let found = compared(a, b, &EXACT);
+        let mut inputs = 0;
+        for Difference { entry, from, origin, why, .. } in &found.differences {
+            let what = quantity(entry);
+            if ["plane.normal", "plane.offset", "box.min", "box.max"].iter().any(|key| what.starts_with(key)) {
+                assert_eq!((*why, from.len(), origin), (Why::Input, 0, &None), "{what}");
+                inputs += 1;
+            }
+            if ["plane.v_", "plane.t", "box.to_", "box.entry"].iter().any(|key| what.starts_with(key)) {
+                assert_eq!(from.len(), 0, "{what} from {from:?}");
+            }
+            // The box notes its distance after it has told the side.
+            if what.starts_with("box.t =") {
+                assert_eq!(quantity(&from[0].0), "the ray begins outside");
+            }
+        }
+        assert_eq!(inputs, 8, "the test of the camera's ray and that of the shadow ray");
+    }
+}
+
+#[test]
+fn different_values_look_different() {
+    let scene = |x: f64| changed("textbook", |scene| scene.camera.position[0] = x.into());
+    let (a, b) = (scene(16.0), scene(16.000_000_000_000_004));
+    let found = compared(&a, &b, &EXACT);
+    let mut text = Text::new(None, false);
+    let shown = text.pixel(None, &found);
+    assert!(shown.contains("  camera.position: "), "{shown}");
+    let mut values = 0;
+    for Difference { entry, .. } in &found.differences {
+        let Told::Value { a, b, .. } = &entry.what else { continue };
+        let style = telling_apart(a, b, None);
+        let [a, b] = [a, b].map(|value| raywalk::report::number::value(value, style));
+        assert_ne!(a, b);
+        assert!(shown.contains(&format!("{a}  ")) && shown.contains(&format!("{b}  ")), "{a}, {b}: {shown}");
+        values += 1;
+    }
+    assert!(values > 20, "{values}");
 }
 
 #[test]

@@ -66,10 +66,12 @@ impl Ending {
             Ending::Missing { incomplete_record: true } => {
                 Some("the log was cut off: 1 incomplete record was passed over".into())
             }
-            Ending::Unknown { count, key, line } => {
-                let values = if *count == 1 { "1 value" } else { &format!("{count} values") };
-                Some(format!("{values} of unknown quantities were passed over, the first in line {line}: `{key}`"))
-            }
+            Ending::Unknown { count, key, line } => Some(match count {
+                1 => format!("1 value of an unknown quantity was passed over, in line {line}: `{key}`"),
+                _ => {
+                    format!("{count} values of unknown quantities were passed over, the first in line {line}: `{key}`")
+                }
+            }),
             Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
             Ending::Damaged { what } => Some(format!("the log is damaged, this is what stands before: {what}")),
         }

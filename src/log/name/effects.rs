@@ -20,14 +20,14 @@ macro_rules! with_effects {
             StatisticalLimit: "statistical.limit", "", "h_lim", "ε_m·w_o", "1.4.2";
 
             // Quantities that raywalk notes with the form of their formula only, as another program may log them: without one.
-            EllipsoidTUntold: "ellipsoid.t", "", "t", "", "";
-            QuadraticQUntold: "quadratic.q", "", "q", "", "";
-            BoxTUntold: "box.t", "", "t", "", "";
-            CylinderTUntold: "cylinder.t", "", "t", "", "";
-            ConeTUntold: "cone.t", "", "t", "", "";
-            HitNormalUntold: "hit.normal", "", "N", "", "1.3";
-            HitGeometricNormalUntold: "hit.geometric_normal", "", "N_g", "", "";
-            PatternColorUntold: "pattern.color", "", "c_p", "", "1.2.1";
+            EllipsoidTFormless: "ellipsoid.t", "", "t", "", "";
+            QuadraticQFormless: "quadratic.q", "", "q", "", "";
+            BoxTFormless: "box.t", "", "t", "", "";
+            CylinderTFormless: "cylinder.t", "", "t", "", "";
+            ConeTFormless: "cone.t", "", "t", "", "";
+            HitNormalFormless: "hit.normal", "", "N", "", "1.3";
+            HitGeometricNormalFormless: "hit.geometric_normal", "", "N_g", "", "";
+            PatternColorFormless: "pattern.color", "", "c_p", "", "1.2.1";
 
             // The lens. The eye is its centre; (x_D, y_D) is a point of the unit disc, to which the unit square is bent.
             CameraPosition: "camera.position", "", "O_e", "", "1.5";
@@ -76,7 +76,7 @@ macro_rules! with_effects {
             HitGeometricNormalShifted: "hit.geometric_normal", "shifted", "N_g", "G_M", "1.5";
             HitGeometricNormalTurned: "hit.geometric_normal", "turned", "N_g",
                 "G_M·cosφ_M + (a_M × G_M)·sinφ_M + a_M·((a_M · G_M)·(1 − cosφ_M))", "1.5";
-            PatternPointUntold: "pattern.point", "", "P_p", "", "1.5";
+            PatternPointFormless: "pattern.point", "", "P_p", "", "1.5";
             PatternPointShifted: "pattern.point", "shifted_back", "P_p", "P − s_M", "1.5";
             PatternPointTurned: "pattern.point", "turned_back", "P_p",
                 "b_M·cosφ_M − (a_M × b_M)·sinφ_M + a_M·((a_M · b_M)·(1 − cosφ_M)) + p_M", "1.5";

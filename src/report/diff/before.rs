@@ -14,14 +14,25 @@ pub(super) struct Before<'a> {
     b: Run<'a>,
     alignment: Rc<Alignment>,
     places: HashMap<Spot, usize>,
+    /// When each of them is in both logs.
+    times: Vec<[Time; 2]>,
     /// By the nodes of A, the decisions in them that differ.
     decisions: HashMap<usize, Vec<usize>>,
+}
+
+/// When a thing is in a log: how many things that were compared are before it there.
+#[derive(Clone, Copy, Debug, Default)]
+struct Time {
+    count: usize,
+    /// Whether the log has it. If not, it would be behind the last thing before it that both have.
+    is_there: bool,
 }
 
 impl<'a> Before<'a> {
     pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>) -> Before<'a> {
         let places = alignment.spots.iter().enumerate().map(|(place, spot)| (*spot, place)).collect();
-        let mut before = Before { a, b, alignment, places, decisions: HashMap::new() };
+        let times = times(a, b, &alignment);
+        let mut before = Before { a, b, alignment, places, times, decisions: HashMap::new() };
         for place in 0..before.alignment.spots.len() {
             if before.decides_otherwise(place) {
                 before.decisions.entry(before.alignment.homes[place]).or_default().push(place);
@@ -38,13 +49,10 @@ impl<'a> Before<'a> {
         let home = self.alignment.homes[place];
         let is_decision = self.decides_otherwise(place);
         let is_step_alone = !matches!(spot, Spot::Both(..)) && !is_decision;
-        // A decision is no cause of what stands before it in the same log: the other one may have been cut off.
-        let is_of_same_log = |other: usize| {
-            let spots = (self.alignment.spots[other], spot);
-            matches!(spots, (Spot::OnlyA(_), Spot::OnlyA(_)) | (Spot::OnlyB(_), Spot::OnlyB(_)))
-        };
-        let may_cause = |other: &usize| *other < place || !is_of_same_log(*other);
-        let decided_here = self.decisions.get(&home).and_then(|places| places.iter().copied().find(may_cause));
+        let decided_here = self
+            .decisions
+            .get(&home)
+            .and_then(|places| places.iter().copied().find(|other| self.may_cause(*other, place)));
         let found = decided_here.filter(|_| is_step_alone).or_else(|| {
             let is_here = |other: &usize| self.alignment.homes[*other] == home;
             let value_here = self.earlier(place).find(|other| is_here(other) && self.value_differs(*other));
@@ -78,12 +86,24 @@ impl<'a> Before<'a> {
         self.places.contains_key(&spot)
     }
 
+    /// Whether what is at one place comes before what is at another, in a log that has the first: there the second follows, or would if the
+    /// log had it. A test that misses in A has no further steps; those of B come from that miss, which is the next that A has instead.
+    fn may_cause(&self, cause: usize, effect: usize) -> bool {
+        let is_before = |(cause, effect): (&Time, &Time)| match effect.is_there {
+            true => cause.count < effect.count,
+            false => cause.count <= effect.count,
+        };
+        let logs = self.times[cause].iter().zip(&self.times[effect]);
+        logs.filter(|(cause, _)| cause.is_there).any(is_before)
+    }
+
     /// What stands before a place in its ray, the last first.
     fn earlier(&self, place: usize) -> impl Iterator<Item = usize> + '_ {
         let ray = self.ray_around(self.alignment.homes[place]);
         let within = ray..self.a.tree.nodes()[ray].subtree_end;
         // The order is that of A's tree: what belongs to a ray stands together.
-        (0..place).rev().take_while(move |other| within.contains(&self.alignment.homes[*other]))
+        let of_ray = (0..place).rev().take_while(move |other| within.contains(&self.alignment.homes[*other]));
+        of_ray.filter(move |other| self.may_cause(*other, place))
     }
 
     /// The node in A of the ray in which a node stands; the root if it stands in none.
@@ -146,6 +166,52 @@ impl<'a> Before<'a> {
     fn value_differs(&self, place: usize) -> bool {
         values_of(self.a, self.b, self.alignment.spots[place])
             .is_some_and(|(ours, theirs)| Tolerance::default().tells_apart(&ours, &theirs))
+    }
+}
+
+/// When each thing that is compared is in both logs.
+fn times(a: Run, b: Run, alignment: &Alignment) -> Vec<[Time; 2]> {
+    let runs = [a, b];
+    let mut times = vec![[Time::default(); 2]; alignment.spots.len()];
+    let things: Vec<[Option<Thing>; 2]> = alignment.spots.iter().map(|spot| things(*spot)).collect();
+    let in_order = [0, 1].map(|log| {
+        let mut places: Vec<usize> = (0..things.len()).filter(|place| things[*place][log].is_some()).collect();
+        places.sort_by_key(|place| things[*place][log].map(|thing| order(runs[log], thing)));
+        places
+    });
+    for (log, places) in in_order.iter().enumerate() {
+        for (count, place) in places.iter().enumerate() {
+            times[*place][log] = Time { count, is_there: true };
+        }
+    }
+    for (log, places) in in_order.iter().enumerate() {
+        let other = 1 - log;
+        let mut behind = 0;
+        for place in places {
+            match times[*place][other] {
+                Time { count, is_there: true } => behind = count + 1,
+                Time { .. } => times[*place][other].count = behind,
+            }
+        }
+    }
+    times
+}
+
+/// The things of both logs in a place.
+fn things(spot: Spot) -> [Option<Thing>; 2] {
+    match spot {
+        Spot::Both(ours, theirs) => [Some(ours), Some(theirs)],
+        Spot::OnlyA(thing) => [Some(thing), None],
+        Spot::OnlyB(thing) => [None, Some(thing)],
+    }
+}
+
+/// Where a thing is in its log: the inputs of an event before what it says.
+fn order(run: Run, thing: Thing) -> (usize, usize) {
+    match thing {
+        Thing::Event(event) => (event, usize::MAX),
+        Thing::Input(event, number) => (event, number),
+        Thing::Node(node) => (run.tree.nodes()[node].events.start, 0),
     }
 }
 

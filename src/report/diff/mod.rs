@@ -236,12 +236,7 @@ impl Comparing<'_> {
 
 /// The style with the fewest decimals, at least those that are asked for, or else 3, that show two values differently.
 pub fn telling_apart(a: &Value, b: &Value, digits: Option<u32>) -> Style {
-    const MOST: u32 = 15;
-    let fewest = digits.unwrap_or(Style::default().digits);
-    let styles = (fewest..=MOST).map(|digits| Style { digits });
-    let shows = |style: &Style| super::number::value(a, *style) != super::number::value(b, *style);
-    let is_same = !Tolerance::default().tells_apart(a, b);
-    styles.into_iter().find(|style| is_same || shows(style)).unwrap_or(Style { digits: MOST })
+    super::number::telling(a, b, digits.map_or(Style::default(), |digits| Style { digits }))
 }
 
 fn entry_in(run: Run, thing: Thing, what: Told) -> Entry {

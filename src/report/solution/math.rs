@@ -124,9 +124,9 @@ pub(super) fn compared(task: &Task, event: usize) -> String {
     let line = |comparison: &Comparison| {
         let task = &task.shown_in(comparison.style);
         let text = |expression: &Expression| tex(task, expression);
-        let sides =
-            |[left, right]: &[Expression; 2]| format!("${} {} {}$", text(left), sign(comparison.relation), text(right));
-        format!("{}: {}", sides(&comparison.symbolic), sides(&comparison.substituted)) + &doubled(task, comparison)
+        let sides = |[left, right]: [String; 2]| format!("${left} {} {right}$", sign(comparison.relation));
+        let symbols = comparison.symbolic.each_ref().map(text);
+        format!("{}: {}", sides(symbols), sides(comparison.numbers(&text))) + &doubled(task, comparison)
     };
     let found = decided::comparisons(task.log, task.tree, event, task.style);
     let lines: Vec<_> = found.iter().map(line).collect();
