@@ -145,7 +145,7 @@ fn no_cause_comes_after_its_effect() {
 
 #[test]
 fn different_values_look_different() {
-    let scene = |x: f64| changed("textbook", |scene| scene.camera.position[0] = x.into());
+    let scene = |x: f64| changed("textbook", |scene| scene.camera.position[0] = x);
     let (a, b) = (scene(16.0), scene(16.000_000_000_000_004));
     let found = compared(&a, &b, &EXACT);
     let mut text = Text::new(None, false);

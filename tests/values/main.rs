@@ -15,9 +15,11 @@ mod random_scenes;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod decisions;
 mod diff;
 mod digits;
 mod evaluable;
+mod floors;
 mod foreign_logs;
 mod formulas;
 mod log_files;
