@@ -135,7 +135,7 @@ mod tests {
 
         #[test]
         fn neighbours_of_a_usual_size_are_told_apart(x in 1e-30_f64..1e12, power in -30_i32..1) {
-            let x = x * 10_f64.powi(power);
+            let x = x * libm::exp10(f64::from(power));
             let [a, b] = [x, f64::from_bits(x.to_bits() + 1)].map(Value::Number);
             let style = telling(&a, &b, Style::default());
             proptest::prop_assert_ne!(value(&a, style), value(&b, style));
