@@ -164,6 +164,8 @@ impl Reader {
         } else {
             let mut carried = std::mem::take(&mut self.carried);
             carried.extend(line.given.inputs);
+            // In the order of the table, as those of a line are.
+            carried.sort_by_key(|(name, _)| *name);
             carried
         };
         self.events.push(Event { at, node, what, given: given.into(), digits: digits.map(Box::new) });
