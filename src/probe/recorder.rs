@@ -3,8 +3,8 @@
 use super::{Probe, Quantity};
 use crate::log::{Decision, Event, Name, Step, Value, What};
 use std::any::Any;
-use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::{io, iter};
 
 /// Where events go that are not kept.
 pub type Outlet<'o> = dyn FnMut(&[Event]) -> io::Result<()> + 'o;
@@ -90,17 +90,20 @@ impl<'o> Recorder<'o> {
         self.open.last().copied().unwrap_or(0)
     }
 
-    #[inline]
+    #[inline(always)]
     fn push(&mut self, node: u32, what: What) {
         if self.events.len() == self.full {
             self.go_on();
         }
         let given = if self.given.is_empty() { Box::default() } else { self.take_given() };
         let at = self.gone + self.events.len() as u32 + 1;
-        self.events.push(Event { at, node, what, given, digits: None });
+        // `Vec::push` makes the event beside its place and copies it there with loads that are wider than the stores just before, for
+        // which the processor waits.
+        self.events.extend(iter::once_with(|| Event { at, node, what, given, digits: None }));
     }
 
     /// The inputs in a piece of memory of their size, in the order of the table.
+    #[inline(never)]
     fn take_given(&mut self) -> Box<[(Name, Value)]> {
         self.given.sort_by_key(|(name, _)| *name);
         let given = Box::from(self.given.as_slice());
@@ -168,15 +171,18 @@ impl Probe for Recorder<'_> {
         self.given.push((name, value.value()));
     }
 
+    #[inline(always)]
     fn note<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
         self.push(self.here(), What::Note { name, value: value.value() });
         value
     }
 
+    #[inline(always)]
     fn mark(&mut self, decision: Decision) {
         self.push(self.here(), What::Mark(decision));
     }
 
+    #[inline(always)]
     fn enter(&mut self, step: Step) {
         let parent = self.here();
         self.nodes += 1;
@@ -184,6 +190,7 @@ impl Probe for Recorder<'_> {
         self.push(self.nodes, What::Enter { parent, step });
     }
 
+    #[inline(always)]
     fn leave(&mut self) {
         self.push(self.here(), What::Leave);
         self.open.pop();
