@@ -58,8 +58,8 @@ impl Traced<'_> {
                     waiting.fetch_sub(lines.bytes().len(), Ordering::Relaxed);
                 }
                 Made::TooLong => {
-                    writer.write(&[Event::opening(pixel)])?;
-                    let write = &mut |events: &[_]| writer.write(events);
+                    writer.write(&Event::opening(pixel).into())?;
+                    let write = &mut |events: &_| writer.write(events);
                     record::stream(self.scene, Part::Pixel(pixel), self.arithmetic, write).map_err(plain)?;
                 }
                 Made::Failed(cut_off) => return Err(plain(cut_off)),
@@ -72,7 +72,7 @@ impl Traced<'_> {
 
     fn lines<'h>(&self, header: &'h Header, pixel: [u32; 2], waiting: &AtomicUsize) -> Made<'h> {
         let mut lines = Lines::new(header);
-        lines.push(&[Event::opening(pixel)]);
+        lines.push(&Event::opening(pixel).into());
         if let Arithmetic::Perturbed(_) = self.arithmetic {
             // Its runs are compared before there are digits to write.
             match region::of_pixel(self.scene, pixel, self.arithmetic, MAX_EVENTS) {
@@ -83,7 +83,7 @@ impl Traced<'_> {
             return Made::Lines(lines);
         }
         let mut told = 0;
-        let mut push = |events: &[_]| {
+        let mut push = |events: &_| {
             lines.push(events);
             let more = lines.bytes().len() - told;
             told += more;

@@ -2,9 +2,10 @@
 
 use super::name::Name;
 use super::value::Value;
+use std::ops::Range;
 
 /// An event of the log, in the order of the computation.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Debug)]
 pub struct Event {
     /// The number of the event in its pixel, from 1 (0 opens a pixel of a region log).
     pub at: u32,
@@ -12,8 +13,8 @@ pub struct Event {
     pub node: u32,
     /// What happened.
     pub what: What,
-    /// Inputs that the problem states and no arithmetic rounds, used from this event on.
-    pub given: Box<[(Name, Value)]>,
+    /// Inputs that the problem states and no arithmetic rounds, used from this event on: [`Events::given`](super::Events::given) has them.
+    pub given: Given,
     /// How far several perturbed runs agree on it, if there were any.
     pub digits: Option<Box<Digits>>,
 }
@@ -22,7 +23,25 @@ impl Event {
     /// The one that opens a pixel of a region log.
     pub fn opening(pixel: [u32; 2]) -> Event {
         let what = What::Enter { parent: 0, step: Step::Pixel(pixel) };
-        Event { at: 0, node: 0, what, given: Box::default(), digits: None }
+        Event { at: 0, node: 0, what, given: Given::default(), digits: None }
+    }
+}
+
+/// Where the inputs of an event stand among those of its log.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Given {
+    start: u32,
+    end: u32,
+}
+
+impl Given {
+    /// Events have numbers of 32 bits, too.
+    pub(super) fn of(start: usize, end: usize) -> Given {
+        Given { start: start as u32, end: end as u32 }
+    }
+
+    pub(super) fn range(self) -> Range<usize> {
+        self.start as usize..self.end as usize
     }
 }
 

@@ -5,6 +5,7 @@
 
 pub mod escape;
 pub mod event;
+pub mod events;
 pub mod file;
 pub mod formula;
 pub mod header;
@@ -16,7 +17,8 @@ pub mod shard;
 pub mod tree;
 pub mod value;
 
-pub use event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
+pub use event::{Acceptance, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
+pub use events::{Events, Input};
 pub use header::{FrameId, Header, Parameter, Subject};
 pub use name::{Name, Unit};
 pub use rounding::round_half_away;
@@ -30,5 +32,12 @@ pub struct Log {
     /// What the log says about itself.
     pub header: Header,
     /// The events, in the order of the computation.
-    pub events: Vec<Event>,
+    pub events: Events,
+}
+
+impl Log {
+    /// The inputs of the event at this index, in the order of the table of names.
+    pub fn given(&self, event: usize) -> &[Input] {
+        self.events.given(&self.events[event])
+    }
 }

@@ -2,7 +2,7 @@
 
 #[cfg(test)]
 use super::Name;
-use super::{Decision, Event, Log, Value, What};
+use super::{Decision, Log, Value, What};
 
 /// Rounds to a number of decimals as one does by hand: half away from zero, and `-0` becomes `0`.
 ///
@@ -32,12 +32,12 @@ impl Log {
     /// and machines are to reproduce, and in which people see what changed. What the header says stays as it is.
     #[must_use]
     pub fn rounded(&self, digits: u32) -> Log {
-        let event = |event: &Event| Event {
-            what: rounded_event(event.what.clone(), digits),
-            given: event.given.iter().map(|(name, value)| (*name, rounded_value(*value, digits))).collect(),
-            ..event.clone()
-        };
-        Log { header: self.header.clone(), events: self.events.iter().map(event).collect() }
+        let mut events = self.events.clone();
+        events.map_given(|value| rounded_value(value, digits));
+        for event in &mut events {
+            event.what = rounded_event(event.what.clone(), digits);
+        }
+        Log { header: self.header.clone(), events }
     }
 }
 

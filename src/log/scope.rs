@@ -4,6 +4,7 @@
 //! in the intersection test that found the nearest hit, then in the enclosing nodes.
 
 use super::event::{Decision, Event, RayKind, Step, What};
+use super::events::Events;
 use super::formula::Several;
 use super::name::Name;
 use super::tree::Tree;
@@ -19,23 +20,23 @@ pub struct Operand {
 }
 
 /// What a symbol in the formula of the quantity noted by `event` stands for.
-pub fn operand(events: &[Event], tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
-    if let Some(value) = given(&events[event], symbol) {
+pub fn operand(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
+    if let Some(value) = given(events, event, symbol) {
         return Some(Operand { event, value });
     }
     seen_from(events, tree, tree.owner(event), event, symbol)
 }
 
 /// The same if the event's own node has it, itself and not in a test inside it.
-pub fn operand_in_node(events: &[Event], tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
-    match given(&events[event], symbol) {
+pub fn operand_in_node(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
+    match given(events, event, symbol) {
         Some(value) => Some(Operand { event, value }),
         None => in_node(events, tree, tree.owner(event), event, symbol),
     }
 }
 
 /// What a symbol under the Σ of a local intensity stands for, in the part of one light (see [`lights`]).
-pub fn operand_of_light(events: &[Event], tree: &Tree, light: usize, symbol: &str) -> Option<Operand> {
+pub fn operand_of_light(events: &Events, tree: &Tree, light: usize, symbol: &str) -> Option<Operand> {
     seen_from(events, tree, light, tree.nodes()[light].events.end, symbol)
 }
 
@@ -51,7 +52,7 @@ pub fn lights<'t>(tree: &'t Tree, event: usize) -> impl Iterator<Item = usize> +
 }
 
 /// The latest computed quantity of this symbol that can be seen from where an event stands, before it; inputs don't count.
-pub fn noted_before(events: &[Event], tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
+pub fn noted_before(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
     let mut before = event;
     let mut node = tree.owner(event);
     loop {
@@ -67,7 +68,7 @@ pub fn noted_before(events: &[Event], tree: &Tree, event: usize, symbol: &str) -
     }
 }
 
-fn seen_from(events: &[Event], tree: &Tree, mut node: usize, mut before: usize, symbol: &str) -> Option<Operand> {
+fn seen_from(events: &Events, tree: &Tree, mut node: usize, mut before: usize, symbol: &str) -> Option<Operand> {
     loop {
         let found = in_node(events, tree, node, before, symbol).or_else(|| {
             nearest_test(events, tree, node, before).and_then(|test| in_node(events, tree, test, before, symbol))
@@ -80,16 +81,16 @@ fn seen_from(events: &[Event], tree: &Tree, mut node: usize, mut before: usize, 
     }
 }
 
-fn in_node(events: &[Event], tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
+fn in_node(events: &Events, tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
     tree.own_events_before(node, before).rev().find_map(|event| {
-        let value = noted(&events[event], symbol).or_else(|| given(&events[event], symbol))?;
+        let value = noted(&events[event], symbol).or_else(|| given(events, event, symbol))?;
         Some(Operand { event, value })
     })
 }
 
 /// The test, directly inside `node` or in a moving object's frame there, that found the nearest object. A mesh has a test for each triangle; the one at the
 /// least distance found it, of several the one of the first triangle.
-pub fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -> Option<usize> {
+pub fn nearest_test(events: &Events, tree: &Tree, node: usize, before: usize) -> Option<usize> {
     let nearest = tree.own_events_before(node, before).find_map(|event| match events[event].what {
         What::Mark(Decision::Nearest { object }) => Some(object),
         _ => None,
@@ -118,7 +119,7 @@ pub fn nearest_test(events: &[Event], tree: &Tree, node: usize, before: usize) -
 }
 
 /// How far along the ray a test found its object.
-fn distance(events: &[Event], tree: &Tree, test: usize) -> Option<f64> {
+fn distance(events: &Events, tree: &Tree, test: usize) -> Option<f64> {
     match in_node(events, tree, test, usize::MAX, Name::PlaneT.symbol())?.value {
         Value::Number(distance) => Some(distance),
         Value::Triple(_) => None,
@@ -132,8 +133,8 @@ fn noted(event: &Event, symbol: &str) -> Option<Value> {
     }
 }
 
-fn given(event: &Event, symbol: &str) -> Option<Value> {
-    event.given.iter().rev().find(|(name, _)| name.symbol() == symbol).map(|(_, value)| *value)
+fn given(events: &Events, event: usize, symbol: &str) -> Option<Value> {
+    events.given(&events[event]).iter().rev().find(|(name, _)| name.symbol() == symbol).map(|(_, value)| *value)
 }
 
 /// What `Σ_s` and `Σ_c` add over.
@@ -146,7 +147,7 @@ pub enum Element {
 }
 
 /// What a sum in the formula of `event` adds over: the samples or the accepted cells of its pixel so far.
-pub fn elements(events: &[Event], tree: &Tree, event: usize, several: Several) -> Vec<Element> {
+pub fn elements(events: &Events, tree: &Tree, event: usize, several: Several) -> Vec<Element> {
     let pixel = tree.owner(event);
     let is_sample = |child: &usize| matches!(tree.nodes()[*child].step, Some(Step::Sample { .. }));
     let is_cell = |at: &usize| matches!(events[*at].what, What::Mark(Decision::Accepted { cell: Some(_), .. }));
@@ -161,22 +162,25 @@ pub fn elements(events: &[Event], tree: &Tree, event: usize, several: Several) -
 }
 
 /// What a symbol under `Σ_s` or `Σ_c` stands for in the part of one sample or cell.
-pub fn operand_of_element(events: &[Event], tree: &Tree, element: Element, symbol: &str) -> Option<Value> {
+pub fn operand_of_element(events: &Events, tree: &Tree, element: Element, symbol: &str) -> Option<Value> {
     match element {
         Element::Cell(mark) => in_node(events, tree, tree.owner(mark), mark + 1, symbol).map(|operand| operand.value),
         Element::Sample(sample) if symbol == Name::CombineColor.symbol() => brought(events, tree, sample),
-        Element::Sample(sample) => given(events.get(tree.nodes()[sample].events.start)?, symbol),
+        Element::Sample(sample) => {
+            let start = tree.nodes()[sample].events.start;
+            events.get(start).and_then(|_| given(events, start, symbol))
+        }
     }
 }
 
 /// The colour that the camera's ray inside a pixel or a sample brought.
-fn brought(events: &[Event], tree: &Tree, around: usize) -> Option<Value> {
+fn brought(events: &Events, tree: &Tree, around: usize) -> Option<Value> {
     let ray = tree.children(around).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })))?;
     color_of_ray(events, tree, ray)
 }
 
 /// The colour that a ray brought: that of what it met, or the background.
-pub fn color_of_ray(events: &[Event], tree: &Tree, ray: usize) -> Option<Value> {
+pub fn color_of_ray(events: &Events, tree: &Tree, ray: usize) -> Option<Value> {
     let combine = tree.children(ray).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last();
     match combine {
         Some(combine) => in_node(events, tree, combine, usize::MAX, Name::CombineColor.symbol()),
@@ -186,7 +190,7 @@ pub fn color_of_ray(events: &[Event], tree: &Tree, ray: usize) -> Option<Value> 
 }
 
 /// The colour of a pixel as the last of its computations has it: the mean of its samples, or what its one ray brought.
-pub fn color_of_pixel(events: &[Event], tree: &Tree, pixel: usize) -> Option<Value> {
+pub fn color_of_pixel(events: &Events, tree: &Tree, pixel: usize) -> Option<Value> {
     let mean = tree.own_events(pixel).rev().find_map(|at| match events[at].what {
         What::Note { name, value } if name.key() == Name::PixelMean.key() || name == Name::StatisticalMean => {
             Some(value)
@@ -198,7 +202,7 @@ pub fn color_of_pixel(events: &[Event], tree: &Tree, pixel: usize) -> Option<Val
 
 /// What the surfaces let through that the shadow ray of a light crosses, whose transmittance `event` notes. It is zero where one lets
 /// nothing through, and where the light would leak through the surface itself.
-pub fn transmittance(events: &[Event], tree: &Tree, event: usize) -> [f64; 3] {
+pub fn transmittance(events: &Events, tree: &Tree, event: usize) -> [f64; 3] {
     let light = tree.owner(event);
     let leaks = |at: usize| matches!(events[at].what, What::Mark(Decision::LeakGuard { .. }));
     if tree.own_events_before(light, event).any(leaks) {
@@ -215,7 +219,7 @@ pub fn transmittance(events: &[Event], tree: &Tree, event: usize) -> [f64; 3] {
 }
 
 /// The factors of that product, in the order of the ray; `None` for what lets nothing through.
-pub fn factors(events: &[Event], tree: &Tree, event: usize) -> Vec<Option<[f64; 3]>> {
+pub fn factors(events: &Events, tree: &Tree, event: usize) -> Vec<Option<[f64; 3]>> {
     let shadow = tree.children(tree.owner(event)).filter(|child| {
         let is_shadow = matches!(tree.nodes()[*child].step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }));
         is_shadow && tree.nodes()[*child].events.end <= event

@@ -1,13 +1,13 @@
 //! The probe that keeps the log.
 
 use super::{Probe, Quantity};
-use crate::log::{Decision, Event, Name, Step, Value, What};
+use crate::log::{Decision, Event, Events, Name, Step, What};
 use std::any::Any;
+use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::{io, iter};
 
 /// Where events go that are not kept.
-pub type Outlet<'o> = dyn FnMut(&[Event]) -> io::Result<()> + 'o;
+pub type Outlet<'o> = dyn FnMut(&Events) -> io::Result<()> + 'o;
 
 /// How many events are handed on at a time.
 const PIECE: usize = 4096;
@@ -18,14 +18,15 @@ const BYTES_BESIDE: usize = 250;
 /// How many events there is room for at first, so that the log of a simple pixel is never moved.
 const AT_FIRST: usize = 256;
 
+/// How many nodes are open at once in most pixels.
+const DEEP: usize = 16;
+
 /// From so many events on memory is asked for before it is used: less is always there.
 const MANY: usize = 1 << 14;
 
 /// Keeps every event of the computation, or hands them on as they come.
 pub struct Recorder<'o> {
-    events: Vec<Event>,
-    /// The inputs of the next event; emptied and used again for each.
-    given: Vec<(Name, Value)>,
+    events: Events,
     nodes: u32,
     open: Vec<u32>,
     /// How many events are kept before something must be done about it.
@@ -63,8 +64,8 @@ impl Default for Recorder<'_> {
 impl<'o> Recorder<'o> {
     /// Keeps so many events; one more ends the computation, see [`until_cut_off`].
     pub fn of_at_most(room: usize) -> Recorder<'o> {
-        let (events, given, open) = (Vec::new(), Vec::new(), Vec::new());
-        Recorder { events, given, nodes: 0, open, room, full: 0, gone: 0, outlet: None }
+        let (events, open) = (Events::new(), Vec::with_capacity(DEEP));
+        Recorder { events, nodes: 0, open, room, full: 0, gone: 0, outlet: None }
     }
 
     /// Hands events on as they come; an error ends the computation, see [`until_cut_off`].
@@ -73,12 +74,12 @@ impl<'o> Recorder<'o> {
     }
 
     /// The events so far, less those that were handed on.
-    pub fn events(&self) -> &[Event] {
+    pub fn events(&self) -> &Events {
         &self.events
     }
 
     /// Ends the computation of a pixel with its colour and gives its events, or hands the last of them on.
-    pub fn finish(mut self, color: [f64; 3]) -> Vec<Event> {
+    pub fn finish(mut self, color: [f64; 3]) -> Events {
         self.push(0, What::Result { color });
         if self.outlet.is_some() {
             self.make_room();
@@ -95,20 +96,8 @@ impl<'o> Recorder<'o> {
         if self.events.len() == self.full {
             self.go_on();
         }
-        let given = if self.given.is_empty() { Box::default() } else { self.take_given() };
         let at = self.gone + self.events.len() as u32 + 1;
-        // `Vec::push` makes the event beside its place and copies it there with loads that are wider than the stores just before, for
-        // which the processor waits.
-        self.events.extend(iter::once_with(|| Event { at, node, what, given, digits: None }));
-    }
-
-    /// The inputs in a piece of memory of their size, in the order of the table.
-    #[inline(never)]
-    fn take_given(&mut self) -> Box<[(Name, Value)]> {
-        self.given.sort_by_key(|(name, _)| *name);
-        let given = Box::from(self.given.as_slice());
-        self.given.clear();
-        given
+        self.events.add(|given| Event { at, node, what, given, digits: None });
     }
 
     /// Sees to it that one more event can be kept.
@@ -167,8 +156,9 @@ pub fn until_cut_off<T>(run: impl FnOnce() -> T) -> Result<T, CutOff> {
 }
 
 impl Probe for Recorder<'_> {
+    #[inline(always)]
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
-        self.given.push((name, value.value()));
+        self.events.give(name, || value.value());
     }
 
     #[inline(always)]
@@ -202,7 +192,7 @@ mod tests {
     use super::*;
 
     /// Records `count` marks and the result.
-    fn record(mut recorder: Recorder, count: usize) -> Vec<Event> {
+    fn record(mut recorder: Recorder, count: usize) -> Events {
         (0..count).for_each(|_| recorder.mark(Decision::Hit));
         recorder.finish([0.0; 3])
     }
@@ -210,13 +200,13 @@ mod tests {
     #[test]
     fn what_is_handed_on_is_what_would_have_been_kept() {
         for count in [0, 1, PIECE - 1, PIECE, 3 * PIECE + 5] {
-            let mut handed_on = Vec::new();
-            let mut outlet = |events: &[Event]| {
+            let mut handed_on = Events::new();
+            let mut outlet = |events: &Events| {
                 assert!(events.len() <= PIECE);
-                handed_on.extend_from_slice(events);
+                handed_on.add_all(events);
                 Ok(())
             };
-            assert_eq!(record(Recorder::to_outlet(&mut outlet), count), []);
+            assert_eq!(record(Recorder::to_outlet(&mut outlet), count), Events::new());
             assert_eq!(handed_on, record(Recorder::default(), count));
         }
     }
@@ -230,7 +220,7 @@ mod tests {
 
     #[test]
     fn a_log_that_nobody_takes_ends_the_computation() {
-        let mut outlet = |_: &[Event]| Err(io::ErrorKind::BrokenPipe.into());
+        let mut outlet = |_: &Events| Err(io::ErrorKind::BrokenPipe.into());
         let cut_off = until_cut_off(|| record(Recorder::to_outlet(&mut outlet), usize::MAX));
         assert!(matches!(cut_off, Err(CutOff::Io(error)) if error.kind() == io::ErrorKind::BrokenPipe));
     }

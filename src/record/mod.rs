@@ -8,7 +8,7 @@ pub use arithmetic::{Arithmetic, ArithmeticError, Computation};
 
 use crate::geometry::Ray;
 use crate::log::header::{FORMAT, SceneId, TracingId};
-use crate::log::{Event, Header, Log, Parameter, SkipReason, Subject};
+use crate::log::{Events, Header, Log, Parameter, SkipReason, Subject};
 use crate::probe::{CutOff, Outlet, Probe, Recorder, until_cut_off};
 use crate::sampling;
 use crate::scene::{Algorithm, Color, Formulas, ReflectedScale, Sampling, Scene, Skip, camera};
@@ -71,7 +71,7 @@ fn whole(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Log {
     Log { header: header(scene, part.subject(), arithmetic), events }
 }
 
-fn record(scene: &Scene, part: Part, arithmetic: Arithmetic, recorder: Recorder) -> Vec<Event> {
+fn record(scene: &Scene, part: Part, arithmetic: Arithmetic, recorder: Recorder) -> Events {
     let (color, recorder) = arithmetic.run(recorder, PartOf { scene, part });
     recorder.finish(color.to_array())
 }

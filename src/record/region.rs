@@ -4,7 +4,7 @@
 //! A pixel's log doesn't depend on other pixels, so that they may be made on several threads; they come in order all the same.
 
 use super::{Arithmetic, MAX_EVENTS, Part, digits, header, record};
-use crate::log::{Event, Log, Shard, Subject};
+use crate::log::{Event, Events, Log, Shard, Subject};
 use crate::probe::{CutOff, Recorder, until_cut_off};
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -30,11 +30,11 @@ pub fn pixels_of(region: Region, shard: Shard) -> impl Iterator<Item = [u32; 2]>
 /// The log of a region, if it has at most [`MAX_EVENTS`] events.
 pub fn bounded(scene: &Scene, region: Region, arithmetic: Arithmetic) -> Result<Log, CutOff> {
     let too_long = || CutOff::TooLong { most: MAX_EVENTS };
-    let mut events = Vec::new();
+    let mut events = Events::new();
     for pixel in pixels(region) {
         events.push(Event::opening(pixel));
         let room = MAX_EVENTS.checked_sub(events.len()).filter(|room| *room > 0).ok_or_else(too_long)?;
-        events.append(&mut of_pixel(scene, pixel, arithmetic, room).map_err(|cut_off| match cut_off {
+        events.add_all(&of_pixel(scene, pixel, arithmetic, room).map_err(|cut_off| match cut_off {
             // Told of the whole log, not of what was left for this pixel.
             CutOff::TooLong { .. } => too_long(),
             other => other,
@@ -44,7 +44,7 @@ pub fn bounded(scene: &Scene, region: Region, arithmetic: Arithmetic) -> Result<
 }
 
 /// The events of a pixel, of which there are at most `room`; in perturbed arithmetic with their numbers of digits.
-pub fn of_pixel(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic, room: usize) -> Result<Vec<Event>, CutOff> {
+pub fn of_pixel(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic, room: usize) -> Result<Events, CutOff> {
     let run = |arithmetic| until_cut_off(|| record(scene, Part::Pixel(pixel), arithmetic, Recorder::of_at_most(room)));
     let mut events = run(arithmetic)?;
     if let Arithmetic::Perturbed(seed) = arithmetic {

@@ -232,9 +232,8 @@ impl Decider<'_> {
     fn size(&self) -> f64 {
         let own = self.tree.own_events_before(self.tree.owner(self.event), self.event);
         let values = own.flat_map(|at| {
-            let event = &self.log.events[at];
-            let noted = if let What::Note { value, .. } = event.what { Some(value) } else { None };
-            noted.into_iter().chain(event.given.iter().map(|(_, value)| *value))
+            let noted = if let What::Note { value, .. } = self.log.events[at].what { Some(value) } else { None };
+            noted.into_iter().chain(self.log.given(at).iter().map(|(_, value)| *value))
         });
         values.fold(0.0, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
     }

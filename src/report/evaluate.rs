@@ -11,7 +11,7 @@ mod wide;
 
 use crate::log::formula::{self, Extreme, Formula, Operator, Several};
 use crate::log::scope::{self, Operand};
-use crate::log::{Event, Header, Log, Name, Tree, Value, round_half_away};
+use crate::log::{Events, Header, Log, Name, Tree, Value, round_half_away};
 
 /// The value of the formula of the quantity `name` that `event` notes, before any rounding; `None` for what has no
 /// formula.
@@ -71,7 +71,7 @@ pub fn evaluate_within(log: &Log, tree: &Tree, event: usize, name: Name) -> Opti
 ///
 /// # Errors
 /// As those of [`evaluate`].
-pub fn doubled_value(events: &[Event], tree: &Tree, event: usize, formula: &Formula) -> Result<Value, String> {
+pub fn doubled_value(events: &Events, tree: &Tree, event: usize, formula: &Formula) -> Result<Value, String> {
     doubled::evaluate(events, tree, event, formula).map(|within| within.value)
 }
 
@@ -79,18 +79,18 @@ pub fn doubled_value(events: &[Event], tree: &Tree, event: usize, formula: &Form
 ///
 /// # Errors
 /// As those of [`evaluate`].
-pub fn doubled_operand(events: &[Event], tree: &Tree, event: usize, symbol: &'static str) -> Result<Value, String> {
+pub fn doubled_operand(events: &Events, tree: &Tree, event: usize, symbol: &'static str) -> Result<Value, String> {
     doubled_value(events, tree, event, &Formula::Symbol(symbol))
 }
 
 /// The colour of the pixel of a log as the last of its computations has it: the mean of its samples, or what its one ray brought.
-pub fn result(events: &[Event], tree: &Tree, pixel: usize) -> Option<Value> {
+pub fn result(events: &Events, tree: &Tree, pixel: usize) -> Option<Value> {
     scope::color_of_pixel(events, tree, pixel)
 }
 
 /// What a symbol in the formula of the quantity that `event` notes stands for; under a Σ, in the part of the light whose node
 /// is `light`.
-pub fn operand(events: &[Event], tree: &Tree, event: usize, symbol: &str, light: Option<usize>) -> Option<Operand> {
+pub fn operand(events: &Events, tree: &Tree, event: usize, symbol: &str, light: Option<usize>) -> Option<Operand> {
     match light {
         Some(light) => scope::operand_of_light(events, tree, light, symbol),
         None => scope::operand(events, tree, event, symbol),

@@ -35,7 +35,7 @@ pub fn find(log: &mut Log) {
         // Of several that give the value, the one that takes up the event's own inputs, and that is of the header's formulas.
         let rank = |rival: &Name| {
             let formula = rival.formula().unwrap_or("");
-            let ignored = log.events[at].given.iter().filter(|(given, _)| !formula.contains(given.symbol())).count();
+            let ignored = log.given(at).iter().filter(|(given, _)| !formula.contains(given.symbol())).count();
             (ignored, ["notes", "normalized"].contains(&rival.form()) != follows_notes)
         };
         let exact = rivals().filter(|rival| gives(log, &tree, at, *rival)).min_by_key(rank);

@@ -67,7 +67,7 @@ fn operand(log: &Log, tree: &Tree, event: usize, symbol: &'static str, light: Op
 }
 
 fn inputs(log: &Log, tree: &Tree, event: usize) -> Vec<Operand> {
-    let inputs = log.events[event].given.iter().map(|(name, value)| Operand {
+    let inputs = log.given(event).iter().map(|(name, value)| Operand {
         symbol: name.symbol(),
         value: *value,
         event,
@@ -91,7 +91,7 @@ pub fn color_of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<usize> {
 
 /// The event that computed an input.
 fn handed_on(log: &Log, tree: &Tree, event: usize, symbol: &str, value: Value) -> Option<usize> {
-    let (name, _) = log.events[event].given.iter().rev().find(|(name, _)| name.symbol() == symbol)?;
+    let (name, _) = log.given(event).iter().rev().find(|(name, _)| name.symbol() == symbol)?;
     handed::origin(log, tree, event, *name, &value)
 }
 
@@ -127,8 +127,8 @@ fn notes(event: &Event, symbol: &str) -> bool {
 }
 
 /// Whether an event has an input of this symbol.
-fn gives(event: &Event, symbol: &str) -> bool {
-    event.given.iter().any(|(name, _)| name.symbol() == symbol)
+fn gives(log: &Log, event: usize, symbol: &str) -> bool {
+    log.given(event).iter().any(|(name, _)| name.symbol() == symbol)
 }
 
 /// The quantity that an event notes.

@@ -42,12 +42,12 @@ pub fn segment(log: &Log, tree: &Tree, node: usize, last: usize) -> Option<Segme
     let mut ray =
         Segment { node, kind, from: [f64::NAN; 3], direction: [f64::NAN; 3], length: None, is_blocked: false };
     for event in tree.own_events(node).take_while(|event| *event <= last) {
-        let event = &log.events[event];
-        let noted = match event.what {
+        let what = &log.events[event].what;
+        let noted = match *what {
             What::Note { name, value } => Some((name, value)),
             _ => None,
         };
-        for (name, value) in event.given.iter().copied().chain(noted) {
+        for (name, value) in log.given(event).iter().copied().chain(noted) {
             match value {
                 Value::Triple(origin) if name.key() == Name::RayOrigin.key() => ray.from = origin,
                 Value::Triple(direction) if name.key() == Name::RayDirection.key() => ray.direction = direction,
@@ -57,7 +57,7 @@ pub fn segment(log: &Log, tree: &Tree, node: usize, last: usize) -> Option<Segme
                 _ => {}
             }
         }
-        ray.is_blocked |= matches!(event.what, What::Mark(Decision::Occluded { .. }));
+        ray.is_blocked |= matches!(what, What::Mark(Decision::Occluded { .. }));
     }
     if matches!(kind, RayKind::Shadow { .. }) {
         ray.length =

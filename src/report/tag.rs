@@ -4,7 +4,7 @@
 //! example itself has steps, and there only what the book computes: it leaves out the camera ray's test of the sphere and all
 //! shadow rays.
 
-use crate::log::{Event, Log, Name, RayKind, Step, Tree, Value, What};
+use crate::log::{Input, Log, Name, RayKind, Step, Tree, Value, What};
 use crate::probe::Printed;
 
 /// What the book computes without printing it: the ray's path, the quantity's key, the step. The normal of the plane is put into
@@ -51,13 +51,13 @@ fn is_of_the_example(log: &Log, tree: &Tree, node: usize) -> bool {
     let mut around =
         std::iter::successors(Some(node), |node| Some(nodes[*node].parent).filter(|parent| parent != node));
     let Some(camera) = around.find(|node| is_camera(*node)) else { return false };
-    let sets_out = EYE.iter().all(|input| tree.own_events(camera).any(|event| has(&log.events[event], input)));
+    let sets_out = EYE.iter().all(|input| tree.own_events(camera).any(|event| has(log.given(event), input)));
     let agrees =
         |(name, value): &(Name, Value)| EXAMPLE.iter().all(|(known, there)| known != name || there.same_bits(value));
-    sets_out && log.events[nodes[camera].events.clone()].iter().all(|event| event.given.iter().all(agrees))
+    sets_out && nodes[camera].events.clone().all(|event| log.given(event).iter().all(agrees))
 }
 
-/// Whether an event has this input.
-fn has(event: &Event, (name, value): &(Name, Value)) -> bool {
-    event.given.iter().any(|(there, of)| there == name && of.same_bits(value))
+/// Whether this input is among those.
+fn has(given: &[Input], (name, value): &Input) -> bool {
+    given.iter().any(|(there, of)| there == name && of.same_bits(value))
 }

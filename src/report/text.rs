@@ -4,7 +4,7 @@ use super::computation::computation_in;
 use super::language::Language;
 use super::tag::tag;
 use super::{Style, decided, digits, words};
-use crate::log::{Event, Log, Tree, Value, What};
+use crate::log::{Input, Log, Tree, Value, What};
 use std::fmt::Write;
 
 /// The whole log as text.
@@ -40,7 +40,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
     let happening = &log.events[event];
     let body = match &happening.what {
         What::Enter { .. } => {
-            let given = given(language, happening, style);
+            let given = given(language, log.given(event), style);
             let title = words::title_in(language, log, tree, node);
             let title = if given.is_empty() { title } else { format!("{title}: {given}") };
             return Some(format!("{}{title}", "  ".repeat(level.saturating_sub(1))));
@@ -50,7 +50,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             let source = source.into_iter().flatten().collect::<Vec<_>>().join(" ");
             let line = computation_in(language, log, tree, event, style)?.line();
             let body = format!("{line}{}   [{source}]", digits::marker_in(language, happening));
-            let given = given(language, happening, style);
+            let given = given(language, log.given(event), style);
             if given.is_empty() {
                 body
             } else {
@@ -58,7 +58,8 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             }
         }
         What::Mark(decision) => {
-            let lost = words::lost_in(language, happening, style).map_or(String::new(), |lost| format!("; {lost}"));
+            let lost =
+                words::lost_in(language, log.given(event), style).map_or(String::new(), |lost| format!("; {lost}"));
             let numbers = decided::line_in(language, log, tree, event, style);
             let numbers = numbers.map_or(String::new(), |numbers| format!(" ({numbers})"));
             format!(
@@ -77,8 +78,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
 }
 
 /// The inputs of an event: `r = 3, S_c = (17, 9, 8)`.
-pub fn given(language: Language, event: &Event, style: Style) -> String {
-    let inputs =
-        event.given.iter().map(|(name, value)| format!("{} = {}", name.symbol(), language.value(value, style)));
+pub fn given(language: Language, inputs: &[Input], style: Style) -> String {
+    let inputs = inputs.iter().map(|(name, value)| format!("{} = {}", name.symbol(), language.value(value, style)));
     inputs.collect::<Vec<_>>().join(", ")
 }

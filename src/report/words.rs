@@ -4,7 +4,7 @@ use super::Style;
 use super::contributions::{Ended, Origin, Why};
 use super::language::Language;
 use crate::log::{
-    Decision, Event, Header, Log, Name, Parameter, RayKind, SkipReason, Step, Subject, Tree, Value, What,
+    Decision, Header, Input, Log, Name, Parameter, RayKind, SkipReason, Step, Subject, Tree, Value, What,
 };
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
@@ -138,14 +138,14 @@ pub fn decision_in(language: Language, header: &Header, decision: &Decision, sty
     }
 }
 
-/// What a decision cost at most, where it cost anything: `at most (0.1, 0, 0) of the sample was lost`.
-pub fn lost(event: &Event, style: Style) -> Option<String> {
-    lost_in(Language::English, event, style)
+/// What a decision with these inputs cost at most, where it cost anything: `at most (0.1, 0, 0) of the sample was lost`.
+pub fn lost(given: &[Input], style: Style) -> Option<String> {
+    lost_in(Language::English, given, style)
 }
 
-/// What a decision cost at most, in a language.
-pub fn lost_in(language: Language, event: &Event, style: Style) -> Option<String> {
-    let (_, bound) = event.given.iter().find(|(name, _)| *name == Name::CutoffLoss)?;
+/// What a decision with these inputs cost at most, in a language.
+pub fn lost_in(language: Language, given: &[Input], style: Style) -> Option<String> {
+    let (_, bound) = given.iter().find(|(name, _)| *name == Name::CutoffLoss)?;
     Some((language.texts().lost)(&language.value(bound, style)))
 }
 
@@ -165,8 +165,7 @@ pub fn origin_in(language: Language, header: &Header, origin: Origin) -> String 
 pub fn ended_in(language: Language, log: &Log, ended: &Ended, style: Style) -> String {
     let (header, texts) = (&log.header, language.texts());
     let light = |light: u32| plain(header.light(light));
-    let event = &log.events[ended.event];
-    let decision = match event.what {
+    let decision = match log.events[ended.event].what {
         What::Mark(decision) => Some(decision),
         _ => None,
     };
@@ -177,7 +176,8 @@ pub fn ended_in(language: Language, log: &Log, ended: &Ended, style: Style) -> S
             (texts.light_blocked)(&light(number), &plain(header.object(object)))
         }
         (_, Some(decision)) => {
-            let lost = lost_in(language, event, style).map_or(String::new(), |lost| format!("; {lost}"));
+            let lost =
+                lost_in(language, log.given(ended.event), style).map_or(String::new(), |lost| format!("; {lost}"));
             format!("{}{lost}", decision_in(language, header, &decision, style))
         }
         (_, None) => texts.nothing.to_owned(),

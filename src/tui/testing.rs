@@ -2,7 +2,7 @@
 
 use super::keys;
 use super::{Action, Effect, Model, update};
-use crate::log::{Event, Header, Log, Name, Step, Subject, Value, What};
+use crate::log::{Event, Events, Header, Log, Name, Step, Subject, Value, What};
 use crate::record::{self, Arithmetic};
 use crate::scene::{Scene, build, builtin, file};
 use std::collections::BTreeMap;
@@ -57,7 +57,7 @@ fn scene(text: &str) -> Scene {
 pub(super) fn nested(shape: &str) -> Log {
     let mut open = vec![0];
     let mut nodes = 0;
-    let mut events = Vec::new();
+    let mut events = Events::new();
     for (at, character) in (1..).zip(shape.chars()) {
         let parent = open.last().copied().unwrap_or(0);
         let what = match character {
@@ -73,7 +73,7 @@ pub(super) fn nested(shape: &str) -> Log {
         if what == What::Leave {
             open.pop();
         }
-        events.push(Event { at, node, what, given: Box::default(), digits: None });
+        events.add(|given| Event { at, node, what, given, digits: None });
     }
     Log { header: header(), events }
 }

@@ -266,7 +266,8 @@ fn a_log_that_was_cut_off_claims_nothing_that_it_does_not_hold() {
     };
     let begins = whole.events.iter().position(is_shadow).unwrap_or_default();
     let shown = |events: usize| {
-        let log = Log { events: whole.events[..events].to_vec(), ..whole.clone() };
+        let mut log = whole.clone();
+        log.events.truncate(events);
         let mut model = sized(log, 200, 60);
         typed(&mut model, "E");
         dump(&frame(&model, 200, 60, &theme))

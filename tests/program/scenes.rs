@@ -3,7 +3,7 @@
 //! A new file in `scenes/` is a new test without code.
 
 use crate::support::{ARITHMETICS, grid, middle, scene, scene_of, snapshots};
-use raywalk::log::{Event, Value, What};
+use raywalk::log::{Event, Input, Value, What};
 use raywalk::probe::Silent;
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::{Style, outline};
@@ -64,7 +64,7 @@ fn logs_hold_finite_numbers_and_nodes_that_nest() {
             let arithmetics = [&ARITHMETICS[..], &[Arithmetic::Decimal(0), Arithmetic::Decimal(1)]].concat();
             for arithmetic in arithmetics {
                 let log = record::pixel(&scene, pixel, arithmetic);
-                assert!(log.events.iter().all(is_finite), "{name} {pixel:?} {arithmetic}");
+                assert!(log.events.with_given().all(is_finite), "{name} {pixel:?} {arithmetic}");
             }
             let log = record::pixel(&scene, pixel, Arithmetic::F64);
             let mut open = vec![0];
@@ -84,14 +84,14 @@ fn logs_hold_finite_numbers_and_nodes_that_nest() {
     }
 }
 
-fn is_finite(event: &Event) -> bool {
+fn is_finite((event, given): (&Event, &[Input])) -> bool {
     let all = |value: &Value| value.components().iter().all(|x| x.is_finite());
     let noted = match &event.what {
         What::Note { value, .. } => all(value),
         What::Result { color } => color.iter().all(|x| x.is_finite()),
         _ => true,
     };
-    noted && event.given.iter().all(|(_, value)| all(value))
+    noted && given.iter().all(|(_, value)| all(value))
 }
 
 #[test]

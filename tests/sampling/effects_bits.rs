@@ -85,7 +85,7 @@ fn splits_have_numbers_and_differ() {
         for event in &log.events {
             if let What::Enter { step: Step::Ray { kind: RayKind::Reflected, split, .. }, .. } = event.what {
                 splits.push(split);
-                let given = event.given.iter().find(|(name, _)| name.key() == "ray.direction");
+                let given = log.events.given(event).iter().find(|(name, _)| name.key() == "ray.direction");
                 let Some((_, Value::Triple(direction))) = given else { panic!("a ray is given its direction") };
                 directions.insert(direction.map(f64::to_bits));
             }

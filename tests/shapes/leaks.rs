@@ -2,7 +2,7 @@
 
 use crate::support::scene_of;
 use raywalk::log::file::{read, to_ndjson};
-use raywalk::log::{Decision, Event, Name, RayKind, Skippable, Step, Value, What};
+use raywalk::log::{Decision, Event, Events, Name, RayKind, Skippable, Step, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::Scene;
 
@@ -30,7 +30,7 @@ const GLASS: &str = r#""ior": 1.5, "weights": {"local": 0, "reflected": 0, "tran
 const TILTED: &str = r#", "normals": [[2, 0, 1], [2, 0, 1], [2, 0, 1]]"#;
 const UPRIGHT: &str = r#", "normals": [[0, 0, 1], [0, 0, 3], [0, 0, 0.2]]"#;
 
-fn events(scene: &Scene) -> (Vec<Event>, [f64; 3]) {
+fn events(scene: &Scene) -> (Events, [f64; 3]) {
     let log = record::pixel(scene, [2, 2], Arithmetic::F64);
     let Some(What::Result { color }) = log.events.last().map(|event| event.what.clone()) else {
         panic!("a log ends with the result");

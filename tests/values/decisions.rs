@@ -80,7 +80,7 @@ fn round_bodies_decide_by_numbers() {
 fn round_body(log: &Log, tree: &Tree, event: usize) -> Option<&'static str> {
     let node = tree.owner(event);
     let is_test = matches!(tree.nodes()[node].step, Some(Step::Test { .. }));
-    let keys = || tree.own_events(node).flat_map(|at| log.events[at].given.iter()).map(|(name, _)| name.key());
+    let keys = || tree.own_events(node).flat_map(|at| log.given(at)).map(|(name, _)| name.key());
     let is_of = |body: &&str| keys().any(|key| key.split('.').next() == Some(body));
     is_test.then(|| ["sphere", "cylinder", "cone"].into_iter().find(is_of)).flatten()
 }

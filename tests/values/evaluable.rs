@@ -32,7 +32,7 @@ fn wrong(log: &Log, arithmetic: Arithmetic) -> Vec<String> {
     let (events, tree) = (&log.events, Tree::of(&log.events));
     let mut wrong = Vec::new();
     for (at, event) in events.iter().enumerate() {
-        for (name, value) in &event.given {
+        for (name, value) in log.given(at) {
             // An input with a formula of its own; others under names of quantities were handed on.
             let is_made = *name == Name::PixelSide;
             if is_made

@@ -240,9 +240,7 @@ fn what_a_log_leaves_open_is_no_rounding() {
         };
         assert!(!origins(&log).contains(&Origin::Unexplained));
         // The weights are what the account needs.
-        for event in &mut log.events {
-            event.given = event.given.iter().copied().filter(|(name, _)| *name != Name::WeightReflected).collect();
-        }
+        log.events = log.events.with_inputs_where(|(name, _)| *name != Name::WeightReflected);
         assert_eq!(origins(&log), [Origin::Unexplained], "{arithmetic}");
     }
 }
@@ -310,7 +308,7 @@ fn inputs_of_unknown_quantities_are_kept() {
     let cut = renamed.lines().filter(|line| !line.starts_with("{\"end\""));
     let whole = cut.map(|line| line.to_owned() + "\n").collect::<String>() + "{\"end\":{\"events\":98}}\n";
     let again = read_again(whole.as_bytes(), 1);
-    let given = |log: &Log| log.events.iter().map(|event| event.given.len()).sum::<usize>();
+    let given = |log: &Log| log.events.with_given().map(|(_, given)| given.len()).sum::<usize>();
     assert_eq!(given(&again), given(&log));
     // They are written and read in the order of the table, as all inputs are.
     let off_middle = to_ndjson(&record::pixel(&scene, [10, 20], Arithmetic::F64)).expect("memory");

@@ -202,7 +202,7 @@ fn an_end_without_a_digest_counts() {
 
 #[test]
 fn damage_in_a_log_of_long_values_has_its_place() {
-    let log = record::pixel(&scene("textbook"), [160, 120], Arithmetic::F64);
+    let mut log = record::pixel(&scene("textbook"), [160, 120], Arithmetic::F64);
     let lines = values(&to_ndjson(&log).expect("memory"));
     let pretty: Vec<_> = lines.iter().map(|line| serde_json::to_string_pretty(line).expect("JSON")).collect();
     let text = pretty.join("\n").replacen("\"at\": 2,", "\"at\": x,", 1);
@@ -210,5 +210,6 @@ fn damage_in_a_log_of_long_values_has_its_place() {
     let found = read(text.as_bytes()).expect("a log");
     let Ending::Damaged { what } = &found.ending else { panic!("{:?}", found.ending) };
     assert!(what.starts_with(&format!("{line}:9: ")), "{what}, not {line}");
-    assert_eq!(found.log.events, log.events[..1]);
+    log.events.truncate(1);
+    assert_eq!(found.log.events, log.events);
 }

@@ -34,7 +34,7 @@ fn largest(log: &Log) -> f64 {
             What::Result { color } => Some(Value::Triple(color)),
             _ => None,
         };
-        let all = value.into_iter().chain(event.given.iter().map(|(_, value)| *value));
+        let all = value.into_iter().chain(log.events.given(event).iter().map(|(_, value)| *value));
         all.flat_map(|value| value.components().to_vec()).collect::<Vec<_>>()
     };
     let numbers = log.events.iter().flat_map(of_event).map(f64::abs);

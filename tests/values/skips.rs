@@ -301,7 +301,7 @@ fn a_log_says_what_a_cutoff_lost_at_the_most() {
     for log in logs {
         for event in &log.events {
             let is_cutoff = matches!(event.what, What::Mark(Decision::Skipped { why: SkipReason::Cutoff, .. }));
-            let bound = event.given.iter().find(|(name, _)| *name == Name::CutoffLoss);
+            let bound = log.events.given(event).iter().find(|(name, _)| *name == Name::CutoffLoss);
             assert_eq!(is_cutoff, bound.is_some());
             cutoffs += usize::from(is_cutoff);
         }

@@ -2,7 +2,7 @@
 
 use crate::support::{grid, middle, scene};
 use raywalk::log::file::{read, to_ndjson};
-use raywalk::log::{Event, Log, Name, Step, Subject, Tree, Value, What};
+use raywalk::log::{Event, Events, Log, Name, Step, Subject, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::contributions::{self, Account, Origin, Why};
 use raywalk::report::provenance::{operands, uses};
@@ -125,11 +125,10 @@ fn samples_add_up_by_every_method() {
 
 /// The log of several pixels: each is opened by an event of its own and never left. (Nothing writes such logs yet; they are read.)
 fn region(scene: &raywalk::scene::Scene, [left, top, right, bottom]: [u32; 4]) -> Log {
-    let mut events = Vec::new();
+    let mut events = Events::new();
     for pixel in (top..bottom).flat_map(|y| (left..right).map(move |x| [x, y])) {
-        let what = What::Enter { parent: 0, step: Step::Pixel(pixel) };
-        events.push(Event { at: 0, node: 0, what, given: Box::default(), digits: None });
-        events.extend(record::pixel(scene, pixel, Arithmetic::F64).events);
+        events.add_all(&Event::opening(pixel).into());
+        events.add_all(&record::pixel(scene, pixel, Arithmetic::F64).events);
     }
     let header = record::header(scene, Subject::Region([left, top, right, bottom]), Arithmetic::F64);
     let text = to_ndjson(&Log { header, events }).expect("a log can be written");
@@ -185,7 +184,8 @@ fn what_brings_nothing_says_why() {
 fn a_log_that_was_cut_off_is_accounted_for_as_far_as_it_goes() {
     let (log, _) = by_hand();
     for length in 0..log.events.len() {
-        let log = Log { events: log.events[..length].to_vec(), ..log.clone() };
+        let mut log = log.clone();
+        log.events.truncate(length);
         account_of(&log, &Tree::of(&log.events));
     }
 }
@@ -268,10 +268,11 @@ fn a_step_is_among_the_uses_of_its_operands_and_only_of_those() {
 fn uses_are_found_in_a_million_events() {
     let (log, _) = by_hand();
     let ray = Tree::of(&log.events).nodes()[1].events.clone();
-    let mut events = log.events[..3].to_vec();
-    let inner: Vec<_> = log.events[3..ray.end - 1].iter().collect();
+    let mut events = log.events.clone();
+    let inner = events[3..ray.end - 1].to_vec();
+    events.truncate(3);
     while events.len() < 1_000_000 {
-        events.extend(inner.iter().map(|event| (*event).clone()));
+        events.extend(inner.iter().cloned());
     }
     let large = Log { events, ..log };
     let tree = Tree::of(&large.events);
@@ -343,7 +344,8 @@ fn arithmetics_side_by_side() {
     assert_eq!(f64::from(numbers[1] as f32), numbers[1]);
     assert!((numbers[2] - 6.304_347_826_086_957).abs() < 1e-12);
     // A run that is cut off never comes there.
-    let short = Log { events: logs[2].0.events[..10].to_vec(), ..logs[2].0.clone() };
+    let mut short = logs[2].0.clone();
+    short.events.truncate(10);
     let short_tree = Tree::of(&short.events);
     let cut = raywalk::report::side_by_side::table(
         &[runs[0], Run { log: &short, tree: &short_tree }],

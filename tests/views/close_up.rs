@@ -36,12 +36,11 @@ fn angle_on_page(a: [f64; 2], b: [f64; 2]) -> f64 {
 /// The last vector of a key that a node notes or is given.
 fn logged(log: &Log, tree: &Tree, node: usize, key: &str) -> Option<[f64; 3]> {
     let of = |event: usize| {
-        let event = &log.events[event];
-        let noted = match event.what {
+        let noted = match log.events[event].what {
             What::Note { name, value } if name.key() == key => Some(value),
             _ => None,
         };
-        noted.or(event.given.iter().find(|(name, _)| name.key() == key).map(|(_, value)| *value))
+        noted.or(log.given(event).iter().find(|(name, _)| name.key() == key).map(|(_, value)| *value))
     };
     match tree.own_events(node).filter_map(of).next_back()? {
         Value::Triple(xyz) => Some(xyz),

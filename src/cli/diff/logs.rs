@@ -7,7 +7,7 @@ use crate::cli::output;
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
 use crate::cli::walk::{left, palette};
 use raywalk::log::file::{PixelEvents, PixelReader};
-use raywalk::log::{Header, Log, Subject, Tree};
+use raywalk::log::{Events, Header, Log, Subject, Tree};
 use raywalk::report::diff::{
     self, Comparison, HeaderDifference, Json, Numbering, Pixel, Rows, Side, Summary, Text, header_differences,
 };
@@ -216,7 +216,7 @@ impl Source {
         if let Some(again) = again {
             reader = reader.with_again(move || again().ok().map(input));
         }
-        let log = Log { header: reader.header().clone(), events: Vec::new() };
+        let log = Log { header: reader.header().clone(), events: Events::new() };
         let mut source = Source { name, reader, log, next: None, last: None, is_in_order: true };
         source.advance()?;
         Ok(source)
@@ -224,7 +224,7 @@ impl Source {
 
     /// Puts the events of the next pixel into the log, and reads on.
     fn take(&mut self) -> Result<(), Failure> {
-        self.log.events = self.next.take().map_or_else(Vec::new, |pixel| pixel.events);
+        self.log.events = self.next.take().map_or_else(Events::new, |pixel| pixel.events);
         forms::find(&mut self.log);
         self.advance()
     }

@@ -1,7 +1,7 @@
 //! The digest by which a log is known again that another program wrote anew.
 
 use super::write::{Lines, header_line};
-use crate::log::event::Event;
+use crate::log::events::Events;
 use crate::log::header::Header;
 use std::mem;
 
@@ -22,7 +22,7 @@ impl Digest {
     }
 
     /// Adds further events.
-    pub fn add(&mut self, events: &[Event]) {
+    pub fn add(&mut self, events: &Events) {
         let hasher = &mut self.hasher;
         let mut lines = Lines::new(&self.header);
         lines.paths = mem::take(&mut self.paths);

@@ -8,9 +8,10 @@ use super::reader::Reader;
 use super::sniff::is_document;
 use super::{LogError, Writer};
 use crate::log::event::{Event, Step, What};
+use crate::log::events::Events;
 use crate::log::header::{Header, Subject};
 use std::io::{Read, Write};
-use std::{mem, vec};
+use std::mem;
 
 /// A log that is read a pixel at a time.
 pub struct PixelReader<R> {
@@ -33,7 +34,9 @@ enum Source<R> {
     },
     /// What is one document is read as a whole.
     Document {
-        rest: vec::IntoIter<Event>,
+        rest: Events,
+        /// How many of them were handed on.
+        taken: usize,
         ending: Ending,
     },
 }
@@ -44,7 +47,7 @@ pub struct PixelEvents {
     /// Its column and row; `None` for the log of a ray.
     pub pixel: Option<[u32; 2]>,
     /// The events.
-    pub events: Vec<Event>,
+    pub events: Events,
 }
 
 impl<R: Read> PixelReader<R> {
@@ -56,7 +59,7 @@ impl<R: Read> PixelReader<R> {
         let mut lines = Lines::of(input);
         if is_document(lines.beginning()?) {
             let ReadLog { log, ending } = document::read(&lines.whole()?)?;
-            let source = Source::Document { rest: log.events.into_iter(), ending };
+            let source = Source::Document { rest: log.events, taken: 0, ending };
             return Ok(PixelReader::of(log.header, source));
         }
         let header = read::header(&mut lines)?;
@@ -97,7 +100,7 @@ impl<R: Read> PixelReader<R> {
     /// # Errors
     /// Those of [`super::read_from`].
     pub fn next_pixel(&mut self) -> Result<Option<PixelEvents>, LogError> {
-        let mut events = Vec::new();
+        let mut events = Events::new();
         while self.ending.is_none() {
             let next = self.read_to_pixel(&mut events)?;
             let pixel = mem::replace(&mut self.opened, next);
@@ -146,8 +149,9 @@ impl<R: Read> PixelReader<R> {
     pub fn add_to(self, writer: &mut Writer<'_, impl Write>) -> Result<(), LogError> {
         const PIECE: usize = 4096;
         let ending = match self.source {
-            Source::Document { rest, ending } => {
-                writer.write(rest.as_slice())?;
+            Source::Document { mut rest, taken, ending } => {
+                rest.drain(..taken);
+                writer.write(&rest)?;
                 ending
             }
             Source::Lines { mut lines, mut reader } => loop {
@@ -169,14 +173,15 @@ impl<R: Read> PixelReader<R> {
     }
 
     /// Reads events up to the one that opens a pixel, or to the end; gives the pixel.
-    fn read_to_pixel(&mut self, events: &mut Vec<Event>) -> Result<Option<[u32; 2]>, LogError> {
+    fn read_to_pixel(&mut self, events: &mut Events) -> Result<Option<[u32; 2]>, LogError> {
         match &mut self.source {
-            Source::Document { rest, ending } => {
-                for event in rest.by_ref() {
-                    if let Some(pixel) = opens(&event) {
+            Source::Document { rest, taken, ending } => {
+                for event in &rest[*taken..] {
+                    *taken += 1;
+                    if let Some(pixel) = opens(event) {
                         return Ok(Some(pixel));
                     }
-                    events.push(event);
+                    events.add_from(rest, event);
                 }
                 self.ending = Some(ending.clone());
             }

@@ -7,6 +7,7 @@ use super::line::{End, Enter, Line, Mark};
 use super::read::Ending;
 use crate::log::escape::shortened;
 use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
+use crate::log::events::Events;
 use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::value::Value;
@@ -19,7 +20,7 @@ pub(super) struct Reader {
     objects: HashMap<String, u32>,
     lights: HashMap<String, u32>,
     /// Those that weren't handed on.
-    pub(super) events: Vec<Event>,
+    pub(super) events: Events,
     /// How many were.
     handed_on: usize,
     /// The digest of those, written anew, while it may be asked for.
@@ -68,7 +69,7 @@ impl Reader {
         Reader {
             objects: numbered(&header.objects),
             lights: numbered(&header.lights),
-            events: Vec::new(),
+            events: Events::new(),
             handed_on: 0,
             digest: Some(Digest::new(header.clone())),
             depth: 0,
@@ -78,7 +79,7 @@ impl Reader {
     }
 
     /// Hands the events on.
-    pub(super) fn hand_on(&mut self) -> Vec<Event> {
+    pub(super) fn hand_on(&mut self) -> Events {
         if let Some(digest) = &mut self.digest {
             digest.add(&self.events);
         }
@@ -159,16 +160,10 @@ impl Reader {
         if self.events.len() == self.events.capacity() {
             self.ask_for_memory()?;
         }
-        let given = if self.carried.is_empty() {
-            line.given.inputs
-        } else {
-            let mut carried = std::mem::take(&mut self.carried);
-            carried.extend(line.given.inputs);
-            // In the order of the table, as those of a line are.
-            carried.sort_by_key(|(name, _)| *name);
-            carried
-        };
-        self.events.push(Event { at, node, what, given: given.into(), digits: digits.map(Box::new) });
+        for (name, value) in self.carried.drain(..).chain(line.given.inputs) {
+            self.events.give(name, || value);
+        }
+        self.events.add(|given| Event { at, node, what, given, digits: digits.map(Box::new) });
         for child in line.children {
             self.take(child, number)?;
         }

@@ -1,6 +1,7 @@
 //! Writing logs. A log is written while it grows, and its last line counts and digests what stands before it.
 
 use crate::log::event::{Decision, Digits, Event, RayKind, Step, What};
+use crate::log::events::{Events, Input};
 use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::value::Value;
@@ -23,23 +24,24 @@ impl<'h> Lines<'h> {
     }
 
     /// Adds further events.
-    pub fn push(&mut self, events: &[Event]) {
+    pub fn push(&mut self, events: &Events) {
+        self.push_some(events, events);
+    }
+
+    /// Adds some of the events.
+    fn push_some(&mut self, all: &Events, events: &[Event]) {
         for event in events {
-            event_fields(&mut self.bytes, self.header, event, &mut self.paths);
+            event_fields(&mut self.bytes, self.header, (event, all.given(event)), &mut self.paths);
             self.bytes.extend_from_slice(b"}\n");
         }
         self.events += events.len() as u64;
     }
 
     /// Makes further events, and hands their text on in pieces, lest it take much room.
-    pub(super) fn hand_on(
-        &mut self,
-        events: &[Event],
-        mut take: impl FnMut(&[u8]) -> io::Result<()>,
-    ) -> io::Result<()> {
+    pub(super) fn hand_on(&mut self, events: &Events, mut take: impl FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
         const PIECE: usize = 4096;
         for piece in events.chunks(PIECE) {
-            self.push(piece);
+            self.push_some(events, piece);
             take(&self.bytes)?;
             self.bytes.clear();
         }
@@ -69,7 +71,7 @@ impl<'h, W: Write> Writer<'h, W> {
     }
 
     /// Writes further events.
-    pub fn write(&mut self, events: &[Event]) -> io::Result<()> {
+    pub fn write(&mut self, events: &Events) -> io::Result<()> {
         let (out, hasher) = (&mut self.out, &mut self.hasher);
         self.lines.hand_on(events, |text| {
             hasher.update(text);
@@ -139,7 +141,7 @@ pub fn to_json(log: &Log) -> io::Result<Vec<u8>> {
         let is_inside = !paths.is_empty();
         out.extend_from_slice(if first_child { b"\n" } else { b",\n" });
         out.resize(out.len() + paths.len() + 1, b' ');
-        event_fields(&mut out, &log.header, event, &mut paths);
+        event_fields(&mut out, &log.header, (event, log.events.given(event)), &mut paths);
         first_child = matches!(event.what, What::Enter { .. });
         match event.what {
             What::Enter { .. } => out.extend_from_slice(b",\"children\":["),
@@ -163,7 +165,7 @@ fn end_object(events: u64, hasher: &blake3::Hasher) -> String {
 }
 
 /// The event as a JSON object without its closing brace.
-fn event_fields(out: &mut Vec<u8>, header: &Header, event: &Event, paths: &mut Vec<String>) {
+fn event_fields(out: &mut Vec<u8>, header: &Header, (event, given): (&Event, &[Input]), paths: &mut Vec<String>) {
     text(out, &format!("{{\"at\":{},\"node\":{}", event.at, event.node));
     match &event.what {
         What::Enter { parent, step } => {
@@ -201,9 +203,9 @@ fn event_fields(out: &mut Vec<u8>, header: &Header, event: &Event, paths: &mut V
     if let Some(agreed) = &event.digits {
         digits(out, &event.what, agreed);
     }
-    if !event.given.is_empty() {
+    if !given.is_empty() {
         text(out, ",\"given\":{");
-        for (index, (name, given)) in event.given.iter().enumerate() {
+        for (index, (name, given)) in given.iter().enumerate() {
             text(out, if index == 0 { "\"" } else { ",\"" });
             text(out, name.key());
             text(out, "\":");

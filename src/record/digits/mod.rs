@@ -7,7 +7,7 @@ mod significant;
 pub use significant::{ALL_DIGITS, RUNS, significant};
 
 use super::{Arithmetic, Computation};
-use crate::log::{Digits, Event, Value, What};
+use crate::log::{Digits, Events, Value, What};
 use crate::probe::{CutOff, Erased, Perturbed, Probe, RayTree};
 use align::{Alignment, Run, components};
 
@@ -39,9 +39,9 @@ pub fn of_color<P: Probe, C: Computation + Copy>(computation: C, seed: u64, mut 
 /// # Errors
 /// [`CutOff`] if another run has no place, or there is no memory to compare them.
 pub(super) fn put_into(
-    events: &mut [Event],
+    events: &mut Events,
     seed: u64,
-    record: impl Fn(Arithmetic) -> Result<Vec<Event>, CutOff>,
+    record: impl Fn(Arithmetic) -> Result<Events, CutOff>,
 ) -> Result<(), CutOff> {
     // The numbers of digits themselves: in the middle of the work an allocation that fails could only abort.
     let asked = Vec::<Digits>::new().try_reserve_exact(2 * events.len());

@@ -16,12 +16,11 @@ pub(super) fn rays(tree: &Tree) -> Vec<usize> {
 pub(super) fn value(log: &Log, tree: &Tree, node: usize, name: Name) -> Option<Value> {
     let events: Vec<usize> = tree.own_events(node).collect();
     events.into_iter().rev().find_map(|event| {
-        let event = &log.events[event];
-        let noted = match event.what {
+        let noted = match log.events[event].what {
             What::Note { name, value } => Some((name, value)),
             _ => None,
         };
-        let mut values = noted.into_iter().chain(event.given.iter().rev().copied());
+        let mut values = noted.into_iter().chain(log.given(event).iter().rev().copied());
         values.find(|(found, _)| found.key() == name.key()).map(|(_, value)| value)
     })
 }

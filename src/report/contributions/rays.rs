@@ -232,7 +232,7 @@ impl<'a> Walk<'a> {
     }
 
     fn given(&self, event: usize, wanted: Name) -> Option<Value> {
-        self.log.events[event].given.iter().find(|(name, _)| *name == wanted).map(|(_, value)| *value)
+        self.log.given(event).iter().find(|(name, _)| *name == wanted).map(|(_, value)| *value)
     }
 
     fn decision(&self, event: usize) -> Option<Decision> {

@@ -54,7 +54,7 @@ fn of_corners(log: &Log, tree: &Tree, samples: &[usize], cells: Vec<[f64; 3]>) -
         }
     }
     let weight = |sample: &usize| {
-        let given = &log.events[tree.nodes()[*sample].events.start].given;
+        let given = log.given(tree.nodes()[*sample].events.start);
         let coordinate = |wanted: Name| {
             given.iter().find_map(|(name, value)| match value {
                 Value::Number(x) if *name == wanted => Some(*x),

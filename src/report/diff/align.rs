@@ -4,7 +4,7 @@
 //! decision answers, what a node inside is) and by how many of that kind stand before it in the node. So tests may come in another
 //! order, and a step that only one log has shifts no other.
 
-use crate::log::{Decision, Event, Name, Skippable, Step, What};
+use crate::log::{Decision, Name, Skippable, Step, What};
 use crate::report::provenance;
 use crate::report::side_by_side::Run;
 use std::collections::{HashMap, VecDeque};
@@ -122,7 +122,7 @@ impl Alignment {
 /// The event that computed what an input hands on.
 pub(super) fn computed(run: Run, thing: Thing) -> Option<usize> {
     let Thing::Input(event, number) = thing else { return None };
-    let (name, value) = run.log.events[event].given[number];
+    let (name, value) = run.log.given(event)[number];
     provenance::handed_on_from(run.log, run.tree, event, name, &value)
 }
 
@@ -131,9 +131,8 @@ fn things(run: Run, node: usize) -> Vec<Thing> {
     let Run { log, tree } = run;
     let mut things: Vec<(usize, Thing)> = Vec::new();
     for event in tree.own_events(node) {
-        let Event { what, given, .. } = &log.events[event];
-        things.extend((0..given.len()).map(|number| (event, Thing::Input(event, number))));
-        if !matches!(what, What::Enter { .. } | What::Leave) {
+        things.extend((0..log.given(event).len()).map(|number| (event, Thing::Input(event, number))));
+        if !matches!(log.events[event].what, What::Enter { .. } | What::Leave) {
             things.push((event, Thing::Event(event)));
         }
     }
@@ -175,7 +174,7 @@ enum Question {
 fn key(run: Run, thing: Thing) -> Key {
     match thing {
         Thing::Node(node) => Key::Node(run.tree.nodes()[node].step),
-        Thing::Input(event, number) => Key::Quantity(run.log.events[event].given[number].0.key()),
+        Thing::Input(event, number) => Key::Quantity(run.log.given(event)[number].0.key()),
         Thing::Event(event) => match run.log.events[event].what {
             What::Note { name, .. } => Key::Quantity(name.key()),
             What::Mark(decision) => Key::Decision(question(decision)),

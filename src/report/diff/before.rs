@@ -241,7 +241,7 @@ pub(super) fn value(run: Run, thing: Thing) -> Option<Value> {
             What::Mark(Decision::Attenuated { factor, .. }) => Some(Value::Triple(factor)),
             _ => None,
         },
-        Thing::Input(event, number) => Some(run.log.events[event].given[number].1),
+        Thing::Input(event, number) => Some(run.log.given(event)[number].1),
         Thing::Node(_) => None,
     }
 }

@@ -274,7 +274,7 @@ fn source(run: Run, event: usize, operand: &Operand, symbol: &str) -> Thing {
     if operand.event < event && is_noted {
         return Thing::Event(operand.event);
     }
-    match holder.given.iter().rposition(|(name, _)| name.symbol() == symbol) {
+    match run.log.given(operand.event).iter().rposition(|(name, _)| name.symbol() == symbol) {
         Some(number) => {
             let input = Thing::Input(operand.event, number);
             computed(run, input).map_or(input, Thing::Event)

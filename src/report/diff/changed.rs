@@ -26,7 +26,7 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
     found.extend(kinds(a, b, alignment));
     for spot in &alignment.spots {
         let Spot::Both(ours @ Thing::Input(at, number), theirs @ Thing::Input(there, other)) = *spot else { continue };
-        let ((name, value_a), (_, value_b)) = (a.log.events[at].given[number], b.log.events[there].given[other]);
+        let ((name, value_a), (_, value_b)) = (a.log.given(at)[number], b.log.given(there)[other]);
         let is_handed_on = computed(a, ours).is_some() || computed(b, theirs).is_some();
         // A square says the same as its root once more.
         if is_handed_on || name.key().ends_with("_squared") || !tolerance.tells_apart(&value_a, &value_b) {
@@ -108,7 +108,7 @@ fn patterned(run: Run) -> BTreeMap<String, bool> {
     let mut patterned = BTreeMap::new();
     for (node, shade) in run.tree.nodes().iter().enumerate() {
         if let Some(Step::Shade { object }) = shade.step {
-            let mut given = run.tree.own_events(node).flat_map(|event| run.log.events[event].given.iter());
+            let mut given = run.tree.own_events(node).flat_map(|event| run.log.given(event).iter());
             let has = given.any(|(name, _)| name.key().starts_with("pattern."));
             *patterned.entry(words::plain(run.log.header.object(object))).or_insert(false) |= has;
         }
@@ -153,8 +153,7 @@ fn kind(run: Run, node: usize) -> Option<(String, &'static str)> {
         Step::Test { object, triangle: None } => (format!("objects.{}", words::plain(header.object(object))), OBJECTS),
         _ => return None,
     };
-    let keys =
-        || run.tree.own_events(node).flat_map(|event| run.log.events[event].given.iter().map(|(name, _)| name.key()));
+    let keys = || run.tree.own_events(node).flat_map(|event| run.log.given(event).iter().map(|(name, _)| name.key()));
     kinds.iter().find(|(start, _)| keys().any(|key| key.starts_with(start))).map(|(_, kind)| (place, *kind))
 }
 

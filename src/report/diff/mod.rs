@@ -260,7 +260,7 @@ fn quantity(run: Run, thing: Thing) -> Option<Name> {
             What::Note { name, .. } => Some(name),
             _ => None,
         },
-        Thing::Input(event, number) => Some(run.log.events[event].given[number].0),
+        Thing::Input(event, number) => Some(run.log.given(event)[number].0),
         Thing::Node(_) => None,
     }
 }

@@ -8,7 +8,7 @@ use super::Within;
 use super::wide::Wide;
 use crate::log::formula::{self, Formula, Operator, Several};
 use crate::log::scope::{self, Element};
-use crate::log::{Event, Name, Step, Tree, Value, What};
+use crate::log::{Events, Name, Step, Tree, Value, What};
 
 /// How far the tracer's own arithmetic may be from the exact value, as a part of it: two units in the last place.
 const OF_RESULT: f64 = 2.0 * f64::EPSILON;
@@ -30,7 +30,7 @@ const MADE: [Name; 9] = [
 ];
 
 /// Evaluates the formula of a quantity that `event` notes.
-pub(super) fn evaluate(events: &[Event], tree: &Tree, event: usize, formula: &Formula) -> Result<Within, String> {
+pub(super) fn evaluate(events: &Events, tree: &Tree, event: usize, formula: &Formula) -> Result<Within, String> {
     let scope = Scope { events, tree, event, element: None };
     let value = scope.part(formula)?;
     // The mean of samples is exact but for its last rounding.
@@ -60,7 +60,7 @@ enum Part {
 /// Where the symbols of a formula are looked up.
 #[derive(Clone, Copy)]
 struct Scope<'a> {
-    events: &'a [Event],
+    events: &'a Events,
     tree: &'a Tree,
     /// The event that notes the quantity.
     event: usize,
@@ -126,7 +126,7 @@ impl Scope<'_> {
         if symbol == Name::RayDirection.symbol() {
             return unit(exact(operand.value));
         }
-        let given = source.given.iter().rev().find(|(name, _)| name.symbol() == symbol);
+        let given = self.events.given(source).iter().rev().find(|(name, _)| name.symbol() == symbol);
         let is_made = given.is_some_and(|(name, value)| MADE.contains(name) && value.same_bits(&operand.value));
         Ok(if is_made { made(operand.value) } else { exact(operand.value) })
     }

@@ -3,7 +3,7 @@
 use super::wide::Wide;
 use crate::log::formula::Several;
 use crate::log::scope::{self, Element};
-use crate::log::{Event, Name, Tree, Value};
+use crate::log::{Events, Name, Tree, Value};
 
 /// How far the mean of the samples may be from the pixel's value.
 struct Spread {
@@ -15,7 +15,7 @@ struct Spread {
 ///
 /// # Errors
 /// Which value of which sample the log doesn't hold.
-pub(super) fn of_samples(statistic: Several, events: &[Event], tree: &Tree, event: usize) -> Result<Value, String> {
+pub(super) fn of_samples(statistic: Several, events: &Events, tree: &Tree, event: usize) -> Result<Value, String> {
     let elements = scope::elements(events, tree, event, statistic);
     let colors: Vec<[f64; 3]> = elements
         .iter()
@@ -39,10 +39,10 @@ pub(super) fn of_samples(statistic: Several, events: &[Event], tree: &Tree, even
 }
 
 /// Where in its pixel a sample lies: what a logged place was made of tells it before any rounding.
-fn place(events: &[Event], tree: &Tree, sample: Element) -> Result<[f64; 2], String> {
+fn place(events: &Events, tree: &Tree, sample: Element) -> Result<[f64; 2], String> {
     let Element::Sample(sample) = sample else { return Err("cells have no place".to_owned()) };
     let given = |name: Name| {
-        let mut inputs = tree.own_events(sample).flat_map(|at| events[at].given.iter());
+        let mut inputs = tree.own_events(sample).flat_map(|at| events.given(&events[at]));
         inputs.find(|(given, _)| *given == name).and_then(|(_, value)| value.components().first().copied())
     };
     let in_its_part = || {

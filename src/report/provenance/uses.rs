@@ -87,7 +87,7 @@ impl<'a> Seeker<'a> {
     }
 
     fn redefines(&self, at: usize) -> bool {
-        notes(&self.log.events[at], self.symbol) || gives(&self.log.events[at], self.symbol)
+        notes(&self.log.events[at], self.symbol) || gives(self.log, at, self.symbol)
     }
 
     /// The steps among these events, which lie in `top` or inside it, that take the value from there.
@@ -107,7 +107,7 @@ impl<'a> Seeker<'a> {
             }
             let Some((_, is_hidden)) = open.last_mut() else { break };
             let happening = &self.log.events[at];
-            let is_given_anew = gives(happening, self.symbol);
+            let is_given_anew = gives(self.log, at, self.symbol);
             if let What::Note { name, .. } = happening.what {
                 let takes = self.plain[name as usize] && !*is_hidden && !is_given_anew;
                 if takes || self.summed[name as usize] && self.sums_it(at) {
@@ -168,7 +168,7 @@ impl<'a> Seeker<'a> {
         let inside = self.tree.children(holder).flat_map(|child| self.with_inner(child));
         let events = std::iter::once(holder).chain(inside).flat_map(|node| self.tree.own_events(node));
         let may_take = |at: &usize| {
-            let mut inputs = self.log.events[*at].given.iter();
+            let mut inputs = self.log.given(*at).iter();
             *at > self.event && inputs.any(|(name, _)| handed::may_come_from(*name, self.symbol))
         };
         let later = events.filter(may_take);
@@ -193,7 +193,7 @@ impl<'a> Seeker<'a> {
         let is_it = |name: Name, value: &_| {
             handed::may_come_from(name, self.symbol) && handed::origin(log, tree, at, name, value) == Some(self.event)
         };
-        let handed = log.events[at].given.iter().filter(|(name, value)| is_it(*name, value));
+        let handed = log.given(at).iter().filter(|(name, value)| is_it(*name, value));
         let mut found: Vec<_> = handed.flat_map(|(name, _)| Seeker::new(log, tree, at, *name).in_own_node()).collect();
         if operands(log, tree, at).iter().any(|operand| operand.computed == Some(self.event)) {
             found.push(at);

@@ -25,8 +25,8 @@ impl Data {
         let mut data = Data { groups: Vec::new() };
         // What has another value elsewhere, as the points of an area light have, is told where it is put in.
         let mut varying: Vec<(Owner, Name)> = Vec::new();
-        for (index, event) in log.events.iter().enumerate() {
-            for (name, value) in &event.given {
+        for (index, (_, given)) in log.events.with_given().enumerate() {
+            for (name, value) in given {
                 let Some(owner) = owner(tree, index, *name) else { continue };
                 match data.find(owner, *name) {
                     Some(known) if known.same_bits(value) => {}

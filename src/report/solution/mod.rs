@@ -138,7 +138,8 @@ fn lowered(text: &str) -> String {
 fn decision(task: &Task, event: usize) -> Option<String> {
     let happening = &task.log.events[event];
     let What::Mark(decision) = &happening.what else { return None };
-    let lost = words::lost_in(task.language, happening, task.style).map_or(String::new(), |lost| format!("; {lost}"));
+    let lost = words::lost_in(task.language, task.log.given(event), task.style)
+        .map_or(String::new(), |lost| format!("; {lost}"));
     let words = words::decision_in(task.language, &task.log.header, decision, task.style);
     Some(format!("{words}{lost}{}", digits::marker_in(task.language, happening)))
 }

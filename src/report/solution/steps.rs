@@ -125,7 +125,7 @@ impl Maker<'_> {
         let (log, tree) = (self.task.log, self.task.tree);
         let happening = &log.events[event];
         let mut items = Vec::new();
-        let needed = happening.given.iter().filter(|(name, _)| !self.data.has(tree, event, *name));
+        let needed = log.events.given(happening).iter().filter(|(name, _)| !self.data.has(tree, event, *name));
         let needed: Vec<_> = needed.filter(|(name, _)| *name != Name::CutoffLoss).copied().collect();
         if !needed.is_empty() {
             let source = |name: Name, value| (name, value, provenance::origin(log, tree, event, name, &value));

@@ -162,7 +162,7 @@ impl<'s> Experiments<'s> {
     }
 
     /// The log of the computation with nothing rounded.
-    fn record(&self) -> Result<Vec<crate::log::Event>, CutOff> {
+    fn record(&self) -> Result<crate::log::Events, CutOff> {
         until_cut_off(|| {
             let alteration = Rounded::new(self.rounding, Which::None);
             let mut probe = Altered { alteration, probe: Recorder::of_at_most(record::MAX_EVENTS) };

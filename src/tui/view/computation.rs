@@ -168,13 +168,14 @@ fn decision_pieces(model: &Model, decision: &Decision, theme: &Theme) -> Vec<Pie
 
 /// The inputs of an event.
 fn given(model: &Model, event: &Event, theme: &Theme) -> Option<Vec<Piece>> {
-    if event.given.is_empty() {
+    let inputs = model.log.events.given(event);
+    if inputs.is_empty() {
         return None;
     }
     let faint = theme.style(Role::Faint);
-    let last = event.given.len() - 1;
+    let last = inputs.len() - 1;
     let mut pieces = vec![(format!("{} ", model.language.texts().given), faint)];
-    for (index, (name, value)) in event.given.iter().enumerate() {
+    for (index, (name, value)) in inputs.iter().enumerate() {
         let comma = if index == last { "" } else { ", " };
         let text = format!("{} = {}{comma}", name.symbol(), model.value(value));
         pieces.push((shown(&text, theme), faint));

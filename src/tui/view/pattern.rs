@@ -104,7 +104,7 @@ fn place(model: &Model, node: usize) -> Option<[f64; 2]> {
     let number = |wanted: Name| {
         model.tree.own_events(node).take(FIRST).find_map(|event| {
             let event = &model.log.events[event];
-            let given = event.given.iter().find(|(name, _)| *name == wanted).map(|(_, value)| *value);
+            let given = model.log.events.given(event).iter().find(|(name, _)| *name == wanted).map(|(_, value)| *value);
             let noted = match event.what {
                 What::Note { name, value } if name == wanted => Some(value),
                 _ => None,

@@ -126,7 +126,7 @@ fn every_ray_of_a_lens_or_among_moving_solids_asks_for_itself() {
                         What::Note { name, value } => Some((name, value)),
                         _ => None,
                     };
-                    event.given.iter().copied().chain(noted)
+                    log.events.given(event).iter().copied().chain(noted)
                 });
                 values.find(|(known, _)| *known == name).map(|(_, value)| triple(value))
             };

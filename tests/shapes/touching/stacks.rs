@@ -52,7 +52,10 @@ pub fn meetings(log: &Log) -> Vec<Meeting> {
     for node in 0..tree.nodes().len() {
         let own: Vec<_> = tree.own_events(node).map(|index| &log.events[index]).collect();
         let given = |name: Name| {
-            own.iter().flat_map(|event| event.given.iter()).find(|(known, _)| *known == name).map(|(_, value)| *value)
+            own.iter()
+                .flat_map(|event| log.events.given(event))
+                .find(|(known, _)| *known == name)
+                .map(|(_, value)| *value)
         };
         let noted = |key: &str| {
             own.iter().find_map(|event| match event.what {

@@ -2,7 +2,7 @@
 
 use super::is_short;
 use raywalk::log::file::{Ending, PixelReader, read, to_json, to_ndjson};
-use raywalk::log::{Event, Log, Tree};
+use raywalk::log::{Events, Log, Tree};
 use raywalk::report::diff::{self, Json, Numbering, Rows, Summary, Text, Tolerance};
 use raywalk::report::language::Language;
 use raywalk::report::ray_tree::{self, Figure};
@@ -28,13 +28,13 @@ pub fn log(bytes: &[u8]) {
 }
 
 /// A log that is read a pixel at a time has the same events.
-fn comes_pixel_by_pixel(bytes: &[u8], events: &[Event], ending: &Ending) {
+fn comes_pixel_by_pixel(bytes: &[u8], events: &Events, ending: &Ending) {
     let mut reader = PixelReader::open(bytes).expect("it was read as a whole");
     let mut left = events.iter();
     while let Some(pixel) = reader.next_pixel().expect("it was read as a whole") {
         for event in &pixel.events {
             // Those that open a pixel aren't handed on.
-            assert!(left.any(|other| other == event), "{event:?}");
+            assert!(left.any(|other| events.says_as(other, &pixel.events, event)), "{event:?}");
         }
     }
     assert_eq!(reader.ending(), Some(ending));

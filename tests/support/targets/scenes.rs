@@ -2,7 +2,7 @@
 
 use super::is_a_message;
 use raywalk::log::file::{Ending, read, to_ndjson};
-use raywalk::log::{Event, Log, Subject, Value, What};
+use raywalk::log::{Event, Input, Log, Subject, Value, What};
 use raywalk::record::{self, Arithmetic, region};
 use raywalk::scene::file::mesh::{self, Folder};
 use raywalk::scene::file::nff::Import;
@@ -70,7 +70,7 @@ fn logged(scene: &Scene, arithmetic: Arithmetic) {
     let pixel = scene.camera.resolution.map(|side| side / 2);
     let Ok(events) = region::of_pixel(scene, pixel, arithmetic, EVENTS) else { return };
     assert!(!events.is_empty());
-    events.iter().for_each(|event| is_of_numbers(event, arithmetic));
+    events.with_given().for_each(|(event, given)| is_of_numbers(event, given, arithmetic));
     let log = Log { header: record::header(scene, Subject::Pixel(pixel), arithmetic), events };
     let written = to_ndjson(&log).expect("there is memory");
     let again = read(&written).expect("what was written can be read");
@@ -78,7 +78,7 @@ fn logged(scene: &Scene, arithmetic: Arithmetic) {
     assert_eq!(again.log, log);
 }
 
-fn is_of_numbers(event: &Event, arithmetic: Arithmetic) {
+fn is_of_numbers(event: &Event, given: &[Input], arithmetic: Arithmetic) {
     let is_finite = |value: &Value| match value {
         Value::Number(x) => x.is_finite(),
         Value::Triple(xyz) => xyz.iter().all(|x| x.is_finite()),
@@ -88,6 +88,6 @@ fn is_of_numbers(event: &Event, arithmetic: Arithmetic) {
         What::Result { color } => Some(Value::Triple(color)),
         _ => None,
     };
-    let all = value.iter().chain(event.given.iter().map(|(_, value)| value)).all(is_finite);
+    let all = value.iter().chain(given.iter().map(|(_, value)| value)).all(is_finite);
     assert!(all, "{arithmetic}: {event:?}");
 }
