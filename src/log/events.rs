@@ -20,6 +20,8 @@ pub struct Events {
     inputs: Vec<Input>,
     /// How many inputs belong to events; those behind them are the next event's.
     owned: usize,
+    /// Whether those aren't in the order of the table.
+    is_disordered: bool,
 }
 
 impl Events {
@@ -51,20 +53,22 @@ impl Events {
     pub fn give(&mut self, name: Name, value: impl FnOnce() -> Value) {
         let before = self.inputs.len();
         self.inputs.extend(iter::once_with(|| (name, value())));
-        if before > self.owned && self.inputs[before - 1].0 > name {
-            self.sort_given();
-        }
+        self.is_disordered |= before > self.owned && self.inputs[before - 1].0 > name;
     }
 
     #[cold]
     #[inline(never)]
     fn sort_given(&mut self) {
         self.inputs[self.owned..].sort_by_key(|(name, _)| *name);
+        self.is_disordered = false;
     }
 
     /// Adds an event, which is told where its inputs stand.
     #[inline(always)]
     pub fn add(&mut self, event: impl FnOnce(Given) -> Event) {
+        if self.is_disordered {
+            self.sort_given();
+        }
         let given = Given::of(self.owned, self.inputs.len());
         self.owned = self.inputs.len();
         // `Vec::push` makes the event beside its place and copies it there with loads that are wider than the stores just before, for
@@ -109,6 +113,12 @@ impl Events {
         self.inputs.try_reserve_exact(inputs)
     }
 
+    /// Gives memory back that isn't used.
+    pub fn shrink_to_fit(&mut self) {
+        self.list.shrink_to_fit();
+        self.inputs.shrink_to_fit();
+    }
+
     /// Removes all events, but no inputs of the next one.
     pub fn clear(&mut self) {
         self.list.clear();
@@ -126,6 +136,7 @@ impl From<Event> for Events {
     }
 }
 
+/// Events of other logs have their inputs there: they come in by [`Events::add_from`].
 impl Deref for Events {
     type Target = Vec<Event>;
 
@@ -162,5 +173,72 @@ impl<'e> IntoIterator for &'e mut Events {
 impl PartialEq for Events {
     fn eq(&self, other: &Events) -> bool {
         self.len() == other.len() && self.iter().zip(other).all(|(ours, theirs)| self.says_as(ours, other, theirs))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::log::{Decision, What};
+
+    /// Adds a hit with these inputs.
+    fn add(events: &mut Events, inputs: &[(Name, f64)]) {
+        inputs.iter().for_each(|(name, x)| events.give(*name, || Value::Number(*x)));
+        let (at, what) = (events.len() as u32 + 1, What::Mark(Decision::Hit));
+        events.add(|given| Event { at, node: 0, what, given, digits: None });
+    }
+
+    fn given(events: &Events, at: usize) -> Vec<(Name, f64)> {
+        let number = |(name, value): &Input| (*name, value.components()[0]);
+        events.given(&events[at]).iter().map(number).collect()
+    }
+
+    const X: Name = Name::PixelX;
+    const Y: Name = Name::PixelY;
+
+    #[test]
+    fn each_event_has_its_own_inputs_in_the_order_of_the_table() {
+        let mut events = Events::new();
+        add(&mut events, &[(Y, 1.0), (X, 2.0), (Y, 3.0)]);
+        add(&mut events, &[]);
+        add(&mut events, &[(X, 4.0)]);
+        assert_eq!(
+            [0, 1, 2].map(|at| given(&events, at)),
+            [vec![(X, 2.0), (Y, 1.0), (Y, 3.0)], vec![], vec![(X, 4.0)]]
+        );
+    }
+
+    #[test]
+    fn inputs_of_the_next_event_outlive_those_before() {
+        let mut events = Events::new();
+        add(&mut events, &[(X, 1.0)]);
+        events.give(Y, || Value::Number(2.0));
+        events.clear();
+        add(&mut events, &[(X, 3.0)]);
+        assert_eq!(given(&events, 0), [(X, 3.0), (Y, 2.0)]);
+    }
+
+    #[test]
+    fn events_are_equal_wherever_their_inputs_stand() {
+        let (mut all, mut cut, mut alone) = (Events::new(), Events::new(), Events::new());
+        add(&mut all, &[(X, 1.0)]);
+        add(&mut all, &[(Y, 2.0)]);
+        cut.add_all(&all);
+        assert_eq!(cut, all);
+        cut.remove(0);
+        alone.add_from(&all, &all[1]);
+        assert_eq!(alone, cut);
+        assert_eq!(given(&alone, 0), [(Y, 2.0)]);
+        alone.map_given(|value| value.map(|x| x + 1.0));
+        assert_ne!(alone, cut);
+    }
+
+    #[test]
+    fn inputs_are_left_out() {
+        let mut events = Events::new();
+        add(&mut events, &[(X, 1.0), (Y, 2.0)]);
+        add(&mut events, &[(X, 3.0)]);
+        let kept = events.with_inputs_where(|(name, _)| *name == Y);
+        assert_eq!([0, 1].map(|at| given(&kept, at)), [vec![(Y, 2.0)], vec![]]);
     }
 }

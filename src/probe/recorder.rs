@@ -16,7 +16,7 @@ const PIECE: usize = 4096;
 const BYTES_BESIDE: usize = 250;
 
 /// How many events there is room for at first, so that the log of a simple pixel is never moved.
-const AT_FIRST: usize = 256;
+const AT_FIRST: usize = 1024;
 
 /// How many nodes are open at once in most pixels.
 const DEEP: usize = 16;
@@ -190,6 +190,7 @@ impl Probe for Recorder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::log::Value;
 
     /// Records `count` marks and the result.
     fn record(mut recorder: Recorder, count: usize) -> Events {
@@ -209,6 +210,26 @@ mod tests {
             assert_eq!(record(Recorder::to_outlet(&mut outlet), count), Events::new());
             assert_eq!(handed_on, record(Recorder::default(), count));
         }
+    }
+
+    #[test]
+    fn inputs_given_at_the_end_of_a_piece_belong_to_the_event_behind_it() {
+        let run = |mut recorder: Recorder| {
+            for number in 0..PIECE + 3 {
+                recorder.given(Name::RayLength, number as f64);
+                recorder.mark(Decision::Hit);
+            }
+            recorder.finish([0.0; 3])
+        };
+        let mut handed_on = Events::new();
+        let mut outlet = |events: &Events| {
+            handed_on.add_all(events);
+            Ok(())
+        };
+        run(Recorder::to_outlet(&mut outlet));
+        assert_eq!(handed_on, run(Recorder::default()));
+        let first_of_next = handed_on.given(&handed_on[PIECE]);
+        assert_eq!(first_of_next, [(Name::RayLength, Value::Number(PIECE as f64))]);
     }
 
     #[test]
