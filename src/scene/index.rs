@@ -12,6 +12,8 @@ use glam::DVec3;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Index {
     tree: Bvh,
+    /// A box around all objects; `None` where one has no end.
+    bounds: Option<Bounds>,
     /// What is known of each object, in the order of the scene; nothing where there is a tree.
     extents: Vec<Extent>,
     /// Whether it was asked to show every ray all objects.
@@ -82,14 +84,15 @@ impl Index {
                 if objects.len() <= MOST_BETWEEN { objects.iter().map(Extent::of).collect() } else { Vec::new() };
             return Index { extents, shows_all: false, ..Index::of_all(objects) };
         }
+        let bounds = bounds_of(objects);
         let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
-        Index { tree: Bvh::new(unbounded, &bounded, form), extents: Vec::new(), shows_all: false }
+        Index { tree: Bvh::new(unbounded, &bounded, form), bounds, extents: Vec::new(), shows_all: false }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
     pub fn of_all(objects: &[Object]) -> Index {
         let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
-        Index { tree, extents: Vec::new(), shows_all: true }
+        Index { tree, bounds: bounds_of(objects), extents: Vec::new(), shows_all: true }
     }
 
     /// Whether it was asked to show every ray all objects.
@@ -107,6 +110,12 @@ impl Index {
         let reaches =
             |(object, extent): (u32, &Extent)| extent.reaches(point, ball, object == leaving).then_some(object);
         Some((0..).zip(&self.extents).filter_map(reaches).collect())
+    }
+
+    /// Whether a half line, its direction of any length, certainly meets no object.
+    #[inline(always)]
+    pub fn is_surely_missed(&self, origin: DVec3, direction: DVec3) -> bool {
+        self.bounds.is_some_and(|bounds| bounds.is_surely_missed(origin, direction))
     }
 
     /// Shows `meet` every object that the ray can meet, near ones first. `meet` gives the distance up to which objects still
@@ -133,6 +142,11 @@ impl Index {
         );
         probe.bounds_tested(tested);
     }
+}
+
+/// A box around all objects; `None` where one has no end.
+fn bounds_of(objects: &[Object]) -> Option<Bounds> {
+    objects.iter().try_fold(Bounds::EMPTY, |bounds, object| Some(bounds.union(object.shape.bounds()?)))
 }
 
 #[cfg(test)]

@@ -67,6 +67,9 @@ impl Query {
 
     /// The nearest hit, with the surface there.
     pub fn nearest(&self, scene: &Scene) -> Option<Answer> {
+        if self.surely_misses(scene) {
+            return None;
+        }
         let (ray, length) = self.ray(scene);
         let (ray, hit, t) = self.first_hit(ray, length, scene)?;
         let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
@@ -88,6 +91,9 @@ impl Query {
     /// Where the nearest hit is, for those who don't ask what the surface is like there.
     #[inline]
     pub fn hit(&self, scene: &Scene) -> Option<RayHit> {
+        if self.surely_misses(scene) {
+            return None;
+        }
         with_unit(
             self.direction,
             #[inline(always)]
@@ -102,6 +108,9 @@ impl Query {
     /// Whether there is any hit.
     #[inline]
     pub fn is_occluded(&self, scene: &Scene) -> bool {
+        if self.surely_misses(scene) {
+            return false;
+        }
         with_unit(
             self.direction,
             #[inline(always)]
@@ -116,6 +125,12 @@ impl Query {
                 }
             },
         )
+    }
+
+    /// Whether a look at the box around everything shows that the ray meets nothing: its unit vector takes far longer than that.
+    #[inline(always)]
+    fn surely_misses(&self, scene: &Scene) -> bool {
+        scene.index.is_surely_missed(self.origin, self.direction)
     }
 
     /// The ray, what it meets first, and the distance in units of the direction as given.

@@ -39,6 +39,9 @@ struct Tally {
     hits: AtomicU64,
     misses: AtomicU64,
     sorted_out: AtomicU64,
+    /// Boxes that a look says to be missed, and others.
+    missed_boxes: AtomicU64,
+    boxes: AtomicU64,
 }
 
 /// What a world is made of, in a cube around the origin with sides of 2.
@@ -325,6 +328,7 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
             );
         }
     }
+    are_missed_boxes_empty(world, number, ray, &all, tally);
     let quick = ray.without_distance();
     let mut is_occluded = false;
     world.tree.visit::<Silent>(&quick, search(false), |thing| {
@@ -346,6 +350,23 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     nearest
 }
 
+/// No shape is met whose box a look says to be missed, whatever the length of the direction.
+fn are_missed_boxes_empty(world: &World, number: u64, ray: &Ray, all: &[(u32, Crossing)], tally: &Tally) {
+    // Of middling length, and so short that squares vanish.
+    for scale in [1.0, 0.75e-3, 1e-200] {
+        for (thing, shape) in (0..).zip(&world.shapes) {
+            let Some(bounds) = shape.bounds() else { continue };
+            if bounds.is_surely_missed(ray.origin, ray.direction * scale) {
+                tally.missed_boxes.fetch_add(1, Ordering::Relaxed);
+                let met = all.iter().find(|(met, _)| *met == thing);
+                assert!(met.is_none(), "world {number}: {ray:?} meets {thing} outside its box: {met:?}");
+            } else if scale == 1.0 {
+                tally.boxes.fetch_add(1, Ordering::Relaxed);
+            }
+        }
+    }
+}
+
 /// Compares this many worlds, each with this many rays and as many as leave what those have met.
 fn compare_worlds(worlds: u64, rays: u64) {
     let tally = Tally::default();
@@ -362,7 +383,10 @@ fn compare_worlds(worlds: u64, rays: u64) {
             }
         }
     });
-    let [hits, misses, sorted_out] = [tally.hits, tally.misses, tally.sorted_out].map(AtomicU64::into_inner);
+    let [hits, misses, sorted_out] =
+        [&tally.hits, &tally.misses, &tally.sorted_out].map(|count| count.load(Ordering::Relaxed));
+    let [missed_boxes, boxes] = [&tally.missed_boxes, &tally.boxes].map(|count| count.load(Ordering::Relaxed));
+    assert!(missed_boxes > 10 * boxes, "{missed_boxes} boxes were missed, {boxes} weren't");
     println!("{hits} hits, {misses} misses, {sorted_out} things not shown");
     assert!(hits > worlds * rays / 4 && misses > worlds * rays / 8, "{hits} hits, {misses} misses");
     assert!(sorted_out / (hits + misses) > 30, "{sorted_out} things weren't shown: the tree sorts out next to nothing");
