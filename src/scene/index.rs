@@ -2,8 +2,7 @@
 
 use super::Object;
 use crate::geometry::bvh::{Bvh, Form, Search};
-use crate::geometry::ray::Ray;
-use crate::geometry::{Bounds, Shape};
+use crate::geometry::{Bounds, RaySource, Shape};
 use crate::probe::Probe;
 use arrayvec::ArrayVec;
 use glam::DVec3;
@@ -118,27 +117,21 @@ impl Index {
         self.bounds.is_some_and(|bounds| bounds.is_surely_missed(origin, direction))
     }
 
-    /// Shows `meet` every object that the ray can meet, near ones first. `meet` gives the distance up to which objects still
-    /// matter; a negative one ends the search.
+    /// Shows `meet` every object that the ray can meet, in the order that is searched in, and says whether it certainly crosses it. `meet`
+    /// gives the distance up to which objects still matter; a negative one ends the search.
     #[inline(always)]
-    pub fn nearest_first<P: Probe>(&self, ray: &Ray, probe: &mut P, meet: impl FnMut(u32, &mut P) -> f64) {
-        self.visit(ray, true, probe, meet);
-    }
-
-    /// The same without any order.
-    #[inline(always)]
-    pub fn in_any_order<P: Probe>(&self, ray: &Ray, probe: &mut P, meet: impl FnMut(u32, &mut P) -> f64) {
-        self.visit(ray, false, probe, meet);
-    }
-
-    #[inline(always)]
-    fn visit<P: Probe>(&self, ray: &Ray, nearest_first: bool, probe: &mut P, mut meet: impl FnMut(u32, &mut P) -> f64) {
-        let search = Search { nearest_first, one_by_one: probe.certifies() };
+    pub fn visit<P: Probe>(
+        &self,
+        source: &impl RaySource,
+        search: Search,
+        probe: &mut P,
+        mut meet: impl FnMut(u32, bool, &mut P) -> f64,
+    ) {
         let tested = self.tree.visit::<P>(
-            ray,
+            source,
             search,
             #[inline(always)]
-            |object| meet(object, probe),
+            |object, is_sure| meet(object, is_sure, probe),
         );
         probe.bounds_tested(tested);
     }

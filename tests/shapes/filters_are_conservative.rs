@@ -312,7 +312,7 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     let nearest = all.iter().copied().min_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)));
     let mut shown = Vec::new();
     let mut t_max = ray.t_max;
-    world.tree.visit::<Silent>(ray, search(true), |thing| {
+    world.tree.visit::<Silent>(ray, search(true), |thing, _| {
         shown.push(thing);
         if let Some(crossing) = meet(thing, ray) {
             t_max = t_max.min(crossing.t);
@@ -331,7 +331,7 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     are_missed_boxes_empty(world, number, ray, &all, tally);
     let quick = ray.without_distance();
     let mut is_occluded = false;
-    world.tree.visit::<Silent>(&quick, search(false), |thing| {
+    world.tree.visit::<Silent>(&quick, search(false), |thing, _| {
         is_occluded |= meet(thing, &quick).is_some();
         if is_occluded { -1.0 } else { ray.t_max }
     });
