@@ -126,13 +126,7 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut 
 
 /// Whether the ray crosses an object; `is_sure` where that is known but for the ray's own surface and the object's side.
 #[inline(always)]
-fn is_blocked_by<P: Probe>(
-    scene: &Scene,
-    source: &impl RaySource,
-    object: u32,
-    is_sure: bool,
-    probe: &mut P,
-) -> bool {
+fn is_blocked_by<P: Probe>(scene: &Scene, source: &impl RaySource, object: u32, is_sure: bool, probe: &mut P) -> bool {
     let thing = &scene.objects[object as usize];
     let is_left = || source.leaving().is_some_and(|leaving| leaving.object == object);
     (is_sure && !thing.one_sided && !is_left()) || thing.shape.is_crossed(object, thing.one_sided, source, probe)

@@ -39,6 +39,8 @@ struct Tally {
     hits: AtomicU64,
     misses: AtomicU64,
     sorted_out: AtomicU64,
+    /// Hits of which the tree was sure.
+    sure: AtomicU64,
     /// Boxes that a look says to be missed, and others.
     missed_boxes: AtomicU64,
     boxes: AtomicU64,
@@ -281,10 +283,6 @@ fn spawned(world: &World, from: &Ray, object: u32, crossing: Crossing, random: &
     Ray { leaving, slack: from.slack_at(surface.point, &Silent), ..Ray::along(surface.point, way) }
 }
 
-fn search(nearest_first: bool) -> Search {
-    Search { nearest_first, one_by_one: true }
-}
-
 /// The first of the crossings with triangles that are in the same place as the nearest one: within 64 roundings of all coordinates, and not
 /// on a triangle that shares one or two corners with it.
 fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Option<(u32, Crossing)> {
@@ -312,7 +310,7 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     let nearest = all.iter().copied().min_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)));
     let mut shown = Vec::new();
     let mut t_max = ray.t_max;
-    world.tree.visit::<Silent>(ray, search(true), |thing, _| {
+    world.tree.visit::<Silent>(ray, Search::nearest_first(&Silent), |thing, _| {
         shown.push(thing);
         if let Some(crossing) = meet(thing, ray) {
             t_max = t_max.min(crossing.t);
@@ -331,8 +329,16 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     are_missed_boxes_empty(world, number, ray, &all, tally);
     let quick = ray.without_distance();
     let mut is_occluded = false;
-    world.tree.visit::<Silent>(&quick, search(false), |thing, _| {
-        is_occluded |= meet(thing, &quick).is_some();
+    world.tree.visit::<Silent>(&quick, Search::of_any(&Silent), |thing, is_sure| {
+        let is_met = meet(thing, &quick).is_some();
+        // The object that a ray leaves is told apart by who asks.
+        let is_left = ray.leaving.is_some_and(|leaving| leaving.object == thing);
+        assert!(
+            is_met || is_left || !is_sure,
+            "world {number}: {ray:?} doesn't cross {thing}, of which the tree is sure"
+        );
+        tally.sure.fetch_add(u64::from(is_sure), Ordering::Relaxed);
+        is_occluded |= is_met;
         if is_occluded { -1.0 } else { ray.t_max }
     });
     assert_eq!(is_occluded, nearest.is_some(), "world {number}: occlusion of {ray:?} by {nearest:?}");
@@ -386,6 +392,7 @@ fn compare_worlds(worlds: u64, rays: u64) {
     let [hits, misses, sorted_out] =
         [&tally.hits, &tally.misses, &tally.sorted_out].map(|count| count.load(Ordering::Relaxed));
     let [missed_boxes, boxes] = [&tally.missed_boxes, &tally.boxes].map(|count| count.load(Ordering::Relaxed));
+    assert!(tally.sure.into_inner() > hits / 4, "the tree is hardly ever sure");
     assert!(missed_boxes > 10 * boxes, "{missed_boxes} boxes were missed, {boxes} weren't");
     println!("{hits} hits, {misses} misses, {sorted_out} things not shown");
     assert!(hits > worlds * rays / 4 && misses > worlds * rays / 8, "{hits} hits, {misses} misses");

@@ -162,7 +162,8 @@ impl Block for TriangleBlock {
             Some([after, before]) if possible != 0 => {
                 // What errors may take on one side they may add on the other. Where the ray runs steeply, nothing here is an end of it.
                 let minus = |x| lanes.sub(lanes.splat(0.0), x);
-                let inside = lanes.at_least(lanes.min(of_b, of_c), minus(margin)) & lanes.at_least(of_a, minus(margin_a));
+                let inside =
+                    lanes.at_least(lanes.min(of_b, of_c), minus(margin)) & lanes.at_least(of_a, minus(margin_a));
                 let at = lanes.splat(e2 * (OF_DISTANCE + 4.0 * slack));
                 let [of_after, of_before] =
                     [after, before].map(|t| lanes.add(at, lanes.mul(by_t, lanes.splat(t.abs()))));

@@ -110,7 +110,12 @@ impl Bvh {
     /// For a hurried probe the walk is there twice, for the processor's best instructions and for any processor; kernels
     /// meet the same things in both.
     #[inline(always)]
-    pub fn visit<P: Probe>(&self, source: &impl RaySource, search: Search, mut meet: impl FnMut(u32, bool) -> f64) -> u64 {
+    pub fn visit<P: Probe>(
+        &self,
+        source: &impl RaySource,
+        search: Search,
+        mut meet: impl FnMut(u32, bool) -> f64,
+    ) -> u64 {
         let mut t_max = source.reach();
         for thing in &self.beside {
             t_max = meet(*thing, false);

@@ -111,13 +111,7 @@ impl TriangleMesh {
     }
 
     /// Whether the ray crosses the object at all. Ends with the first triangle that is found.
-    pub fn is_crossed<P: Probe>(
-        &self,
-        object: u32,
-        one_sided: bool,
-        source: &impl RaySource,
-        probe: &mut P,
-    ) -> bool {
+    pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, source: &impl RaySource, probe: &mut P) -> bool {
         let left = self.left(object, source);
         let mut is_crossed = false;
         let tested = self.tree.visit::<P>(

@@ -166,7 +166,9 @@ impl Shape {
         match self {
             Shape::Mesh(mesh) => mesh.is_crossed(object, one_sided, source, probe),
             Shape::Moving(moving) => moving.is_crossed(object, one_sided, source.ray(), probe),
-            _ => kernel!(self, kernel => kernel.first_of(object, one_sided, source.ray(), probe).is_some(), _mesh => false),
+            _ => {
+                kernel!(self, kernel => kernel.first_of(object, one_sided, source.ray(), probe).is_some(), _mesh => false)
+            }
         }
     }
 
