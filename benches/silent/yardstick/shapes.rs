@@ -135,16 +135,21 @@ impl Meet for Sphere {
 
     #[inline(always)]
     fn surface(&self, ray: &Ray, crossing: Crossing) -> (DVec3, DVec3) {
+        let is_outside = crossing.behind == self.is_hollow;
         let along = ray.origin + ray.direction * crossing.t;
-        let point = if self.is_geometric {
-            along
-        } else {
-            let from_center = along - self.center;
-            let distance = from_center.length();
-            if distance == 0.0 { along } else { self.center + from_center * (self.radius / distance) }
-        };
-        let outward = if crossing.behind == self.is_hollow { point - self.center } else { self.center - point };
-        (point, outward / self.radius)
+        if self.is_geometric {
+            let outward = if is_outside { along - self.center } else { self.center - along };
+            return (along, outward / self.radius);
+        }
+        // From the centre on, so that the digits of where the sphere stands don't get into its normal.
+        let from_center = ray.origin - self.center + ray.direction * crossing.t;
+        let distance = from_center.length();
+        if distance == 0.0 {
+            return (along, -ray.direction);
+        }
+        let point = self.center + from_center * (self.radius / distance);
+        let outward = if is_outside { from_center } else { -from_center };
+        (point, outward / distance)
     }
 }
 
