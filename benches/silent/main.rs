@@ -114,6 +114,7 @@ impl Contest {
             from: None,
             start: ray.t_min,
             end: ray.t_max,
+            slack: ray.slack,
         };
         Contest { rays_by_hand: rays.iter().map(by_hand).collect(), rays, yardstick: Yardstick::new(&file), scene }
     }
