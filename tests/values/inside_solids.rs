@@ -7,10 +7,11 @@ use raywalk::log::{Decision, Log, Miss, RayKind, Step, Tree, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::Style;
 use raywalk::report::decided;
+use raywalk::report::language::Language;
 use raywalk::scene::Scene;
 use serde_json::{Value, json};
 
-/// A point of a box, a ball and a circle, each clearly inside, by numbers between −1 and 1.
+/// A point clearly inside the unit ball, of a place of the cube; inside the circle, of one whose z is 0.
 fn in_ball([x, y, z]: [f64; 3]) -> DVec3 {
     let point = DVec3::new(x, y, z);
     point * (0.9 * point.abs().max_element() / point.length().max(1e-9))
@@ -93,6 +94,70 @@ fn on_the_shadow_ray(log: &Log) -> Vec<(Miss, usize)> {
         _ => None,
     };
     (0..log.events.len()).filter(of_solid).filter_map(reason).collect()
+}
+
+/// A shadow ray through a transmitting solid asks for all of its crossings and chooses none: which of them are met is told by their
+/// distances. By hand, for a ray along the x axis from x = −5 to a light at x = 5.
+#[test]
+fn hits_of_transmitting_solids_say_at_which_crossing() {
+    let (base, apex) = ([0, 0, -1], [0, 0, 1]);
+    let along = ([-1, 0, 0], [1, 0, 0]);
+    for (shape, expected) in [
+        // Entered at t = 4, left at 6; open or not.
+        (json!({"box": {"min": [-1, -1, -1], "max": [1, 1, 1]}}), "t_in ≤ t_out; t_in > 0; t_in < |ℓ|"),
+        (
+            json!({"ellipsoid": {"center": [0, 0, 0], "radii": [1, 2, 3]}}),
+            "Δ ≥ 0; min(t_1, t_2) > 0; min(t_1, t_2) < |ℓ|",
+        ),
+        (
+            json!({"cylinder": {"base": base, "apex": apex, "radius": 1, "caps": true}}),
+            "Δ ≥ 0; min(t_1, t_2) > 0; min(t_1, t_2) < |ℓ|",
+        ),
+        (
+            json!({"cone": {"base": base, "base_radius": 1, "apex": apex, "apex_radius": 2, "caps": false}}),
+            "Δ ≥ 0; d_w = 0; t_0 + min(t_1, t_2) > 0; t_0 + min(t_1, t_2) < |ℓ|",
+        ),
+        // Through both caps at t = 4 and 6.
+        (
+            json!({"cylinder": {"base": along.0, "apex": along.1, "radius": 1, "caps": true}}),
+            "min(t_b, t_a) > 0; min(t_b, t_a) < |ℓ|",
+        ),
+        // The ray begins inside, and comes out at t = 2.
+        (json!({"box": {"min": [-9, -1, -1], "max": [-3, 1, 1]}}), "t_in ≤ t_out; t_out > 0; t_out < |ℓ|"),
+        (
+            json!({"ellipsoid": {"center": [-5, 0, 0], "radii": [2, 1, 1]}}),
+            "Δ ≥ 0; max(t_1, t_2) > 0; max(t_1, t_2) < |ℓ|",
+        ),
+    ] {
+        let scene = json!({
+            "format": "raywalk-scene/1",
+            "camera": {"position": [0, 0, 9], "direction": [0, 0, -1], "vertical_fov": 1, "resolution": [1, 1]},
+            "lights": [{"name": "lamp", "point": {"position": [5, 0, 0]}}],
+            "materials": {"m": {"diffuse": [0.5, 0.5, 0.5]}, "glass": {"weights": {"local": 0.5, "transmitted": 0.5}}},
+            "objects": [
+                {"name": "speck", "material": "m", "shape": {"disk": {"center": [-5, 0, 0], "normal": [1, 0, 0], "radius": 0.01}}},
+                {"name": "solid", "material": "glass", "shape": shape},
+            ],
+            "tracing": {"max_depth": 0},
+        });
+        let scene = support::scene_of(scene.to_string().as_bytes(), "glass");
+        // From between the speck and the solid.
+        let log = record::ray(&scene, DVec3::new(-4.5, 0.0, 0.0), DVec3::NEG_X, Arithmetic::F64);
+        let tree = Tree::of(&log.events);
+        let is_hit = |event: &usize| {
+            let node = tree.owner(*event);
+            log.events[*event].what == What::Mark(Decision::Hit)
+                && matches!(tree.nodes()[node].step, Some(Step::Test { object: 1, .. }))
+                && matches!(
+                    tree.nodes()[tree.nodes()[node].parent].step,
+                    Some(Step::Ray { kind: RayKind::Shadow { .. }, .. })
+                )
+        };
+        let hit = (0..log.events.len()).find(is_hit).unwrap_or_else(|| panic!("{expected}: {:#?}", log.events));
+        let line = decided::line_in(Language::English, &log, &tree, hit, Style::default()).expect("a comparison");
+        let symbols: Vec<_> = line.split("; ").filter_map(|part| part.split(": ").next()).collect();
+        assert_eq!(symbols.join("; "), expected, "{line}");
+    }
 }
 
 fn place() -> impl Strategy<Value = [f64; 3]> {

@@ -39,7 +39,9 @@ pub(super) fn groups(decision: &Decision) -> Groups {
         Decision::Hit => &[&["T_A > 0"], MEETS, &["t > 0", "t = 0"], &["t < |ℓ|"]],
         Decision::TotalInternalReflection => &[&["η² − |d + cosφ_1·N|² < 0"]],
         Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind } => &[&["N·L < 0", "N·L = 0"]],
-        Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm } => &[&["N·L > 0"]],
+        Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm } => {
+            &[&["max(K_d) = 0"], &["max(K_e) = 0"]]
+        }
         Decision::Rejected { what: Skippable::Transmitted } => &[&["h_z > 0"]],
         Decision::Rejected { .. } => &[&["h_z < 0"]],
         Decision::LeakGuard { .. } => &[&["N_g · L < 0", "N_g · L > 0"]],
@@ -54,6 +56,46 @@ pub(super) fn groups(decision: &Decision) -> Groups {
         _ => &[],
     }
 }
+
+/// Which crossing a ray meets, where all were asked for and none was chosen: it lies on the surface, and between the ends of the ray. A
+/// crossing of the wall must be between the ends of the solid; one of the solid may be of a cap.
+pub(super) fn hits(is_cone: bool) -> Reasons {
+    if is_cone { HITS_CONE } else { HITS }
+}
+
+const HITS: Reasons = &[
+    &["t_in > 0", "t_in < |ℓ|"],
+    &["t_out > 0", "t_out < |ℓ|"],
+    &["min(t_1, t_2) ≥ min(t_b, t_a)", "min(t_1, t_2) ≤ max(t_b, t_a)", "min(t_1, t_2) > 0", "min(t_1, t_2) < |ℓ|"],
+    &["max(t_1, t_2) ≥ min(t_b, t_a)", "max(t_1, t_2) ≤ max(t_b, t_a)", "max(t_1, t_2) > 0", "max(t_1, t_2) < |ℓ|"],
+    &["min(t_1, t_2) ≤ min(t_b, t_a)", "min(t_b, t_a) ≤ max(t_1, t_2)", "min(t_b, t_a) > 0", "min(t_b, t_a) < |ℓ|"],
+    &["min(t_1, t_2) ≤ max(t_b, t_a)", "max(t_b, t_a) ≤ max(t_1, t_2)", "max(t_b, t_a) > 0", "max(t_b, t_a) < |ℓ|"],
+    // Across the axis, or an ellipsoid; along the axis.
+    &["min(t_1, t_2) > 0", "min(t_1, t_2) < |ℓ|"],
+    &["max(t_1, t_2) > 0", "max(t_1, t_2) < |ℓ|"],
+    &["min(t_b, t_a) > 0", "min(t_b, t_a) < |ℓ|"],
+    &["max(t_b, t_a) > 0", "max(t_b, t_a) < |ℓ|"],
+];
+
+const HITS_CONE: Reasons = &[
+    &[
+        "min(t_1, t_2) ≥ min(t_b, t_a)",
+        "min(t_1, t_2) ≤ max(t_b, t_a)",
+        "t_0 + min(t_1, t_2) > 0",
+        "t_0 + min(t_1, t_2) < |ℓ|",
+    ],
+    &[
+        "max(t_1, t_2) ≥ min(t_b, t_a)",
+        "max(t_1, t_2) ≤ max(t_b, t_a)",
+        "t_0 + max(t_1, t_2) > 0",
+        "t_0 + max(t_1, t_2) < |ℓ|",
+    ],
+    &["a = 0", "t_2 ≥ min(t_b, t_a)", "t_2 ≤ max(t_b, t_a)", "t_0 + t_2 > 0", "t_0 + t_2 < |ℓ|"],
+    &["d_w = 0", "t_0 + min(t_1, t_2) > 0", "t_0 + min(t_1, t_2) < |ℓ|"],
+    &["d_w = 0", "t_0 + max(t_1, t_2) > 0", "t_0 + max(t_1, t_2) < |ℓ|"],
+    &["t_0 + min(t_b, t_a) > 0", "t_0 + min(t_b, t_a) < |ℓ|"],
+    &["t_0 + max(t_b, t_a) > 0", "t_0 + max(t_b, t_a) < |ℓ|"],
+];
 
 /// Why a surface is missed. A cone's crossings t_1, t_2 and those of its ends t_b, t_a are counted from t_0.
 pub(super) fn misses(why: Miss, is_cone: bool) -> Reasons {
@@ -245,7 +287,8 @@ fn texts() -> impl Iterator<Item = &'static str> {
     let of_groups = others.into_iter().flat_map(|decision| groups(&decision).iter().copied());
     let of_misses = Miss::ALL.iter().flat_map(|why| [false, true].map(|is_cone| misses(*why, is_cone)));
     let of_misses = of_misses.flat_map(|reasons| reasons.iter().copied());
-    of_groups.chain(of_misses).flatten().copied().chain([SETS_OFF_INWARD, PRINTED_REFLECTION])
+    let of_hits = [false, true].into_iter().flat_map(|is_cone| hits(is_cone).iter().copied());
+    of_groups.chain(of_misses).chain(of_hits).flatten().copied().chain([SETS_OFF_INWARD, PRINTED_REFLECTION])
 }
 
 #[cfg(test)]
