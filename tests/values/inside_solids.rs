@@ -179,7 +179,7 @@ proptest! {
         let axis = DVec3::from_array(axis);
         prop_assume!(axis.length() > 0.2);
         let (shape, point) = solid(kind, DVec3::from_array(center), sizes, axis);
-        let points @ [eye, speck, light] = places.map(|place| point(place));
+        let points @ [eye, speck, light] = places.map(point);
         let (to_eye, to_light) = ((eye - speck).normalize(), (light - speck).normalize());
         prop_assume!((to_eye + to_light).length() > 0.1 && (eye - speck).length().min((light - speck).length()) > 1e-2);
         for (two_sided, expected) in [(true, Miss::Beyond), (false, Miss::FacesAway)] {
