@@ -79,9 +79,7 @@ fn steps_of_another_kind_of_shape_come_from_that_change() {
                 let of_test = difference.entry.node.strip_prefix("test ").filter(|_| is_alone);
                 let of_test = of_test.map(|object| format!("objects.{object}"));
                 // Every difference comes from one of the changes, and a step of a test that only one log has from that of its object.
-                // (By another formula, whose operands one log has alone, a value may come from nowhere else.)
-                let has_cause = kind.is_some() || difference.why == Why::OtherFormula || difference.origin.is_some();
-                assert!(has_cause && (of_test.is_none() || of_test == kind), "{difference:#?}");
+                assert!(kind.is_some() && (of_test.is_none() || of_test == kind), "{difference:#?}");
                 assert!(difference.why != Why::Itself && difference.why != Why::First, "{difference:#?}");
             }
             assert_eq!(comparison.first.expect("a difference").why, Why::OtherKind);

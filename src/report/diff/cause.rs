@@ -198,7 +198,7 @@ impl<'a> Causes<'a> {
         match largest.map(|largest| largest.spot) {
             from @ Some(_) => Attribution { from, operands, own, ..bare(Why::Operands) },
             None if by_formula > own => {
-                let from = self.before.of_spot(spot);
+                let from = self.before.of_spot(spot).or_else(|| operands.first().map(|operand| operand.spot));
                 Attribution { from, operands, own: by_formula, ..bare(Why::OtherFormula) }
             }
             None => Attribution { operands, own, ..bare(Why::Itself) },
