@@ -8,6 +8,7 @@ use raywalk::record::Arithmetic;
 use raywalk::render::{Settings, render};
 use raywalk::scene::{Sampling, Scene, Statistical, build, builtin, file};
 use std::sync::atomic::AtomicBool;
+use support::Extent;
 
 /// The samples of the pictures that count as exact.
 const EXACT: u32 = 1 << 14;
@@ -16,9 +17,10 @@ const EXACT: u32 = 1 << 14;
 const SEEDS: u64 = 8;
 
 fn main() {
-    // Among the tests cargo only asks whether the bench works.
-    let is_measured = std::env::args().any(|argument| argument == "--bench");
-    let (exact, seeds) = if is_measured { (EXACT, SEEDS) } else { (16, 1) };
+    let (exact, seeds) = match Extent::asked() {
+        Extent::Whole => (EXACT, SEEDS),
+        Extent::Short => (16, 1),
+    };
     for (name, scene) in scenes() {
         let reference = picture(&scene, Sampling::Sobol { n: exact }, 1 << 20).0;
         println!("{name}, {} pixels", reference.len());

@@ -15,6 +15,7 @@ use std::io;
 use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
+use support::Extent;
 use tempfile::NamedTempFile;
 
 const SCREEN: (u16, u16) = (200, 60);
@@ -45,10 +46,10 @@ fn main() -> io::Result<()> {
     {
         return measure(Path::new(file), frames.parse().unwrap_or(1));
     }
-    // Among the tests cargo only asks whether the bench works.
-    let is_measured = arguments.iter().any(|argument| argument == "--bench");
-    let (sizes, frames): (&[usize], usize) =
-        if is_measured { (&[1_000, 100_000, 1_000_000], 60) } else { (&[1_000], 2) };
+    let (sizes, frames): (&[usize], usize) = match Extent::asked() {
+        Extent::Whole => (&[1_000, 100_000, 1_000_000], 60),
+        Extent::Short => (&[1_000], 2),
+    };
     for size in sizes {
         let file = NamedTempFile::new()?;
         std::fs::write(&file, log_of(*size))?;

@@ -5,6 +5,7 @@ pub mod bounds;
 pub mod bvh;
 pub(crate) mod doubled;
 mod exact;
+mod line;
 pub mod mesh;
 pub mod motion;
 pub mod nearest;
@@ -15,6 +16,7 @@ pub(crate) mod unit;
 
 pub use bounds::Bounds;
 pub use bvh::{Bvh, Form, Search};
+pub use line::{Line, RaySource};
 pub use mesh::Mesh;
 pub use nearest::{Contenders, Hit};
 pub use ray::{Crossing, Leaving, Ray, Side, Surface};

@@ -48,6 +48,9 @@ impl Leaving {
 }
 
 /// A side of a surface: the front is where its outward normal points.
+// As wide as what lies beside it in crossings and hits: these are copied whole then, and not in pieces that overlap, which make the processor
+// wait for the stores before them.
+#[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// The side of the outward normal.

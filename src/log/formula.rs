@@ -18,18 +18,22 @@
 //! triple they are its least and its greatest component; `x⁺` is the number between 0 and 1 that is nearest to x; `|v|` is a
 //! length, and `|v|²` is v · v, without a root; `⌊x⌋` is the greatest whole number that isn't above x, of a triple component
 //! by component. `Σ` adds over the lights of a surface point, one after the other, to the sum
-//! before it; a term of which the log holds no part is zero. `Σ_s` adds over the samples of a pixel so far, and `Σ_c` over its accepted
+//! before it; a term of which the log holds no part is zero, but `att` and `τ` that are absent count as 1 (a light that doesn't fade, a
+//! shadow ray that nothing crosses). `Σ_s` adds over the samples of a pixel so far, and `Σ_c` over its accepted
 //! cells, with twice the digits: the quotient that such a sum stands in is rounded once. In them `I` is the colour that a sample brought.
 //! `Π` multiplies, channel by channel, what the surfaces let through that a shadow ray crosses, in its order; it is zero where one lets
-//! nothing through. `se_s` is the standard error of the mean of the samples so far, per channel, and `df_s` its degrees of freedom: samples that
+//! nothing through, and no channel of it is above 10¹⁵⁰. `se_s` is the standard error of the mean of the samples so far, per channel, and `df_s` its degrees of freedom: samples that
 //! are a power of two, 2ᵏ, make 2^(k−1) pairs, in each of as many equal parts of the pixel one; with the differences δ of the pairs these are √Σδ²/2ᵏ and
-//! max((Σδ²)²/Σδ⁴, 1), of no differences 2^(k−1). The parts are ⌈(k−1)/2⌉ times halved down and ⌊(k−1)/2⌋ times across, or the other way
-//! round, whichever has the greater error; where both have none or there are no pairs, all samples count as one: √(Σ(I − mean)²/(n − 1)/n) and n − 1.
+//! max((Σδ²)²/Σδ⁴, 1). The parts are ⌈(k−1)/2⌉ times halved down and ⌊(k−1)/2⌋ times across, or the other way
+//! round, whichever has the greater error, and the first where both have the same; where both have none or there are no pairs, all samples count
+//! as one: √(Σ(I − mean)²/(n − 1)/n) and n − 1. In both the sums are those of quotients by the greatest |δ| or |I − mean|, in the order of the
+//! second samples of the pairs or of all samples, by which the root is multiplied again. The place of a sample is
+//! ((i_s + ξ_x)/c_s, (a_s + ξ_y·c_s)/n_s) of its inputs, or (s_x, s_y) where these are inputs, not rounded.
 //! `student(p, ν)` is the t for which a variable of Student's distribution with ν degrees of freedom lies between −t and t with probability p,
 //! to 10⁻⁹ of its value. `x°` is an angle in degrees; `cos(x°)` and `sin(x°)` are exact at quarters of a turn. `expm1(x)` is eˣ − 1 and `ln1p(x)` the
-//! logarithm of 1 + x, with their digits near 0; `ceil` rounds up. A symbol is the longest one of the table of names that the text
+//! logarithm of 1 + x, with their digits near 0; `ceil` rounds up. The names of functions, with the parenthesis behind them, are tried first. A symbol is the longest one of the table of names that the text
 //! goes on with, so `N·L` is the quantity and `N · L` its formula. Operations are done from left to right: evaluated so, a
-//! formula gives the logged value to the last bit.
+//! formula gives the logged value to the last bit, but for `student`; docs/log.md says what other programs may compute otherwise.
 
 mod words;
 

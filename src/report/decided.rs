@@ -11,7 +11,7 @@ use super::language::Language;
 use super::{Style, computation, number};
 use crate::log::formula::Formula;
 use crate::log::{Decision, Log, Name, Step, Tree, Value, What, scope};
-use table::{PRINTED_REFLECTION, Parsed, Reasons, SETS_OFF_INWARD, groups, misses, parsed};
+use table::{PRINTED_REFLECTION, Parsed, Reasons, SETS_OFF_INWARD, groups, hits, misses, parsed};
 
 /// How two sides are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +87,7 @@ impl Relation {
 }
 
 /// What is known from outside the node that decides; all else must be its own.
-const FROM_OUTSIDE: &[&str] = &["O", "d", "N", "N_g", "L", "|ℓ|"];
+const FROM_OUTSIDE: &[&str] = &["O", "d", "N", "N_g", "L", "|ℓ|", "K_d", "K_e"];
 
 /// How much of the largest number of a test f64 may lose of a difference: what differs by more wasn't computed from these numbers.
 const LOST: f64 = 1e-6;
@@ -112,7 +112,11 @@ pub fn comparisons(log: &Log, tree: &Tree, event: usize, style: Style) -> Vec<Co
     let groups = groups(decision).iter().enumerate();
     let is_of_origin = |number: usize| *decision == Decision::Hit && number == 0;
     let groups = groups.filter(|(number, _)| !is_of_origin(*number) || decider.is_outside());
-    groups.filter_map(|(_, group)| decider.first(group)).collect()
+    let mut found: Vec<Comparison> = groups.filter_map(|(_, group)| decider.first(group)).collect();
+    if *decision == Decision::Hit && decider.operand("t").is_none() {
+        found.extend(decider.reason(hits(decider.operand("t_0").is_some())));
+    }
+    found
 }
 
 /// The hit of the test that found what blocks a shadow ray.

@@ -36,13 +36,24 @@ pub fn has_power_of_ten(x: f64, style: Style) -> bool {
     number(x, style).contains("·10")
 }
 
-/// The style with the fewest decimals, at least those of `style`, in which two values look different; `style` where they are the same.
+/// The style with the fewest decimals, at least those of `style`, in which two values look different: read back, they are other numbers,
+/// which `9` and `9.000` aren't. `style` where they are the same.
 pub fn telling(a: &Value, b: &Value, style: Style) -> Style {
     // Of mantissas 17 decimals tell all; what has no power of ten even with 17 decimals is at least 10⁻¹⁷, and has 17 digits by the 34th.
     const MOST: u32 = 34;
     let styles = (style.digits..=MOST).map(|digits| Style { digits });
-    let mut telling = styles.into_iter().filter(|style| value(a, *style) != value(b, *style));
+    let mut telling = styles.into_iter().filter(|style| {
+        let pairs = a.components().iter().zip(b.components());
+        pairs.into_iter().any(|(a, b)| read_back(*a, *style) != read_back(*b, *style))
+    });
     telling.next().unwrap_or(style)
+}
+
+/// The number that is shown of a number.
+fn read_back(x: f64, style: Style) -> f64 {
+    let text = number(x, style);
+    let (mantissa, exponent) = text.split_once("·10").unwrap_or((&text, ""));
+    format!("{mantissa}e{}", if exponent.is_empty() { "0".to_owned() } else { lowered(exponent) }).parse().unwrap_or(x)
 }
 
 fn fixed(x: f64, digits: u32) -> String {
@@ -131,6 +142,18 @@ mod tests {
             let [a, b] = [bits, bits + 1].map(|bits| Value::Number(sign * f64::from_bits(bits)));
             let style = telling(&a, &b, Style { digits });
             proptest::prop_assert_ne!(value(&a, style), value(&b, style));
+            let [a, b] = [a, b].map(|x| read_back(x.components()[0], style));
+            proptest::prop_assert_ne!(a, b);
+        }
+
+        /// A whole number and what is near it, too.
+        #[test]
+        fn whole_numbers_are_told_from_their_neighbours(whole in 1_u32..1_000_000, ulps in 1_u64..1_000_000_000) {
+            let whole = f64::from(whole);
+            let near = f64::from_bits(whole.to_bits() + ulps);
+            let style = telling(&Value::Number(whole), &Value::Number(near), Style::default());
+            let [shown, near] = [whole, near].map(|x| number(x, style).parse::<f64>().expect("no power of ten"));
+            proptest::prop_assert!(near > shown, "{} {}", near, shown);
         }
 
         #[test]
@@ -149,6 +172,9 @@ mod tests {
         assert_eq!(telling(0.12345, 0.12344), 4);
         assert_eq!(telling(0.3, 0.3), 3);
         assert_eq!(telling(0.1 + 0.2, 0.3), 16);
+        // `3 against 3.000` and `9.000 > 9` tell nothing; a ulp of 9 is 2⁻⁴⁹ ≈ 1.8·10⁻¹⁵.
+        assert_eq!(telling(3.0, 3.000_000_1), 7);
+        assert_eq!(telling(9.0, 9.000_000_000_000_002), 15);
         // 2³³ less a bit has a mantissa of 17 digits.
         assert_eq!(number(8_589_934_591.999_998, Style { digits: 15 }), "8.589934591999998·10⁹");
     }

@@ -2,8 +2,7 @@
 
 use super::Object;
 use crate::geometry::bvh::{Bvh, Form, Search};
-use crate::geometry::ray::Ray;
-use crate::geometry::{Bounds, Shape};
+use crate::geometry::{Bounds, RaySource, Shape};
 use crate::probe::Probe;
 use arrayvec::ArrayVec;
 use glam::DVec3;
@@ -12,6 +11,8 @@ use glam::DVec3;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Index {
     tree: Bvh,
+    /// A box around all objects; `None` where one has no end.
+    bounds: Option<Bounds>,
     /// What is known of each object, in the order of the scene; nothing where there is a tree.
     extents: Vec<Extent>,
     /// Whether it was asked to show every ray all objects.
@@ -82,14 +83,15 @@ impl Index {
                 if objects.len() <= MOST_BETWEEN { objects.iter().map(Extent::of).collect() } else { Vec::new() };
             return Index { extents, shows_all: false, ..Index::of_all(objects) };
         }
+        let bounds = bounds_of(objects);
         let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
-        Index { tree: Bvh::new(unbounded, &bounded, form), extents: Vec::new(), shows_all: false }
+        Index { tree: Bvh::new(unbounded, &bounded, form), bounds, extents: Vec::new(), shows_all: false }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
     pub fn of_all(objects: &[Object]) -> Index {
         let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
-        Index { tree, extents: Vec::new(), shows_all: true }
+        Index { tree, bounds: bounds_of(objects), extents: Vec::new(), shows_all: true }
     }
 
     /// Whether it was asked to show every ray all objects.
@@ -109,30 +111,35 @@ impl Index {
         Some((0..).zip(&self.extents).filter_map(reaches).collect())
     }
 
-    /// Shows `meet` every object that the ray can meet, near ones first. `meet` gives the distance up to which objects still
-    /// matter; a negative one ends the search.
+    /// Whether a half line, its direction of any length, certainly meets no object.
     #[inline(always)]
-    pub fn nearest_first<P: Probe>(&self, ray: &Ray, probe: &mut P, meet: impl FnMut(u32, &mut P) -> f64) {
-        self.visit(ray, true, probe, meet);
+    pub fn is_surely_missed(&self, origin: DVec3, direction: DVec3) -> bool {
+        self.bounds.is_some_and(|bounds| bounds.is_surely_missed(origin, direction))
     }
 
-    /// The same without any order.
+    /// Shows `meet` every object that the ray can meet, in the order that is searched in, and says whether it certainly crosses it. `meet`
+    /// gives the distance up to which objects still matter; a negative one ends the search.
     #[inline(always)]
-    pub fn in_any_order<P: Probe>(&self, ray: &Ray, probe: &mut P, meet: impl FnMut(u32, &mut P) -> f64) {
-        self.visit(ray, false, probe, meet);
-    }
-
-    #[inline(always)]
-    fn visit<P: Probe>(&self, ray: &Ray, nearest_first: bool, probe: &mut P, mut meet: impl FnMut(u32, &mut P) -> f64) {
-        let search = Search { nearest_first, one_by_one: probe.certifies() };
+    pub fn visit<P: Probe>(
+        &self,
+        source: &impl RaySource,
+        search: Search,
+        probe: &mut P,
+        mut meet: impl FnMut(u32, bool, &mut P) -> f64,
+    ) {
         let tested = self.tree.visit::<P>(
-            ray,
+            source,
             search,
             #[inline(always)]
-            |object| meet(object, probe),
+            |object, is_sure| meet(object, is_sure, probe),
         );
         probe.bounds_tested(tested);
     }
+}
+
+/// A box around all objects; `None` where one has no end.
+fn bounds_of(objects: &[Object]) -> Option<Bounds> {
+    objects.iter().try_fold(Bounds::EMPTY, |bounds, object| Some(bounds.union(object.shape.bounds()?)))
 }
 
 #[cfg(test)]

@@ -3,10 +3,11 @@
 use super::visibility::{closest_hit, is_any_hit};
 use crate::geometry::Hit;
 use crate::geometry::unit::{unit, with_unit};
-use crate::geometry::{Leaving, Ray, Side};
+use crate::geometry::{Leaving, Line, Ray, RaySource, Side};
 use crate::probe::Silent;
 use crate::scene::Scene;
 use glam::DVec3;
+use std::cell::OnceCell;
 
 /// A question about one ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +68,9 @@ impl Query {
 
     /// The nearest hit, with the surface there.
     pub fn nearest(&self, scene: &Scene) -> Option<Answer> {
+        if self.surely_misses(scene) {
+            return None;
+        }
         let (ray, length) = self.ray(scene);
         let (ray, hit, t) = self.first_hit(ray, length, scene)?;
         let surface = scene.objects[hit.object as usize].shape.surface(&ray, hit.crossing, &mut Silent);
@@ -88,6 +92,9 @@ impl Query {
     /// Where the nearest hit is, for those who don't ask what the surface is like there.
     #[inline]
     pub fn hit(&self, scene: &Scene) -> Option<RayHit> {
+        if self.surely_misses(scene) {
+            return None;
+        }
         with_unit(
             self.direction,
             #[inline(always)]
@@ -102,20 +109,29 @@ impl Query {
     /// Whether there is any hit.
     #[inline]
     pub fn is_occluded(&self, scene: &Scene) -> bool {
-        with_unit(
-            self.direction,
-            #[inline(always)]
-            |(direction, vector, length)| {
-                let ray = self.ray_along(direction, vector, length, scene);
-                let is_exact = |bound: f64| bound == 0.0 || (bound.is_normal() && (bound * length).is_normal());
-                // Where an end has fewer digits than others, its distance in units of the direction decides.
-                if is_exact(self.t_min) && (self.t_max == f64::INFINITY || is_exact(self.t_max)) {
-                    is_any_hit(scene, &ray, &mut Silent)
-                } else {
-                    self.first_hit(ray, length, scene).is_some()
-                }
-            },
-        )
+        if self.surely_misses(scene) {
+            return false;
+        }
+        /// Bounds whose products with the length of a line have all their digits.
+        const PLAIN: std::ops::Range<f64> = 1e-200..1e200;
+        // Where an end has fewer digits than others, its distance in units of the direction decides.
+        let has_plain_ends = (self.t_min == 0.0 || PLAIN.contains(&self.t_min))
+            && (self.t_max == f64::INFINITY || PLAIN.contains(&self.t_max));
+        match Line::along(self.origin, self.direction, [self.t_min, self.t_max]) {
+            Some(line) if has_plain_ends => {
+                is_any_hit(scene, &Asked { query: self, scene, line, ray: OnceCell::new() }, &mut Silent)
+            }
+            _ => {
+                let (ray, length) = self.ray(scene);
+                self.first_hit(ray, length, scene).is_some()
+            }
+        }
+    }
+
+    /// Whether a look at the box around everything shows that the ray meets nothing: its unit vector takes far longer than that.
+    #[inline(always)]
+    fn surely_misses(&self, scene: &Scene) -> bool {
+        scene.index.is_surely_missed(self.origin, self.direction)
     }
 
     /// The ray, what it meets first, and the distance in units of the direction as given.
@@ -142,14 +158,56 @@ impl Query {
     /// The ray along the direction, of which the unit vector, the vector of middling size and the length are known.
     #[inline(always)]
     fn ray_along(&self, direction: DVec3, vector: DVec3, length: f64, scene: &Scene) -> Ray {
-        let leaving = self.from.map(|(object, primitive)| {
-            let side = scene.objects[object as usize].shape.returning_side();
-            Leaving { object, primitive, side }
-        });
         let t_min = if self.t_min == 0.0 { 0.0 } else { -first_beyond(-self.t_min, length) };
         let t_max = if self.t_max == f64::INFINITY { self.t_max } else { first_beyond(self.t_max, length) };
         let time = scene.camera.opening();
-        Ray { vector, leaving, t_min, t_max, time, ..Ray::new(self.origin, direction) }
+        Ray { vector, leaving: self.leaving(scene), t_min, t_max, time, ..Ray::new(self.origin, direction) }
+    }
+
+    #[inline(always)]
+    fn leaving(&self, scene: &Scene) -> Option<Leaving> {
+        self.from.map(|(object, primitive)| {
+            let side = scene.objects[object as usize].shape.returning_side();
+            Leaving { object, primitive, side }
+        })
+    }
+}
+
+/// A query whose ray is made when the first kernel asks for it: most rays that meet nothing never need it, and many that do, neither.
+struct Asked<'a> {
+    query: &'a Query,
+    scene: &'a Scene,
+    /// The line, its ends in units of the direction as given.
+    line: Line,
+    ray: OnceCell<Ray>,
+}
+
+impl RaySource for Asked<'_> {
+    #[inline(always)]
+    fn line(&self) -> Option<Line> {
+        // Kernels give distances in units of length.
+        let Line { unit, t_min, t_max, .. } = self.line;
+        Some(Line { unit: 1.0, t_min: t_min * unit, t_max: t_max * unit, ..self.line })
+    }
+
+    #[inline(always)]
+    fn reach(&self) -> f64 {
+        self.line.t_max * self.line.unit
+    }
+
+    #[inline(always)]
+    fn slack(&self) -> f64 {
+        0.0
+    }
+
+    #[inline(always)]
+    fn leaving(&self) -> Option<Leaving> {
+        self.query.leaving(self.scene)
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> &Ray {
+        self.ray.get_or_init(|| Ray { wants_distance: false, ..self.query.ray(self.scene).0 })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Layer, Place, in_range};
 use crate::geometry::nearest::is_close;
-use crate::geometry::{Contenders, Crossing, Hit, Ray};
+use crate::geometry::{Contenders, Crossing, Hit, Ray, RaySource, Search};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::{Probe, Spared};
 use crate::scene::{Color, Scene, Shadows};
@@ -34,7 +34,7 @@ fn order<P: Probe>(scene: &Scene, ray: &Ray, one: Hit, other: Hit, probe: &mut P
 pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Vec<Hit> {
     let mut hits = Vec::new();
     let mut crossings = Vec::new();
-    scene.index.in_any_order(ray, probe, |object, probe| {
+    scene.index.visit(ray, Search::in_any_order(probe), probe, |object, _, probe| {
         let thing = &scene.objects[object as usize];
         thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
         hits.extend(crossings.drain(..).map(|crossing| Hit { object, crossing }));
@@ -61,11 +61,12 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 #[inline(always)]
 pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Contenders, probe: &mut P) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    scene.index.nearest_first(
+    scene.index.visit(
         ray,
+        Search::nearest_first(probe),
         probe,
         #[inline(always)]
-        |object, probe| {
+        |object, _, probe| {
             let thing = &scene.objects[object as usize];
             if let Some(crossing) = thing.shape.nearest(object, thing.one_sided, ray, contenders, probe) {
                 if let Some(best) = &nearest
@@ -112,16 +113,23 @@ pub(super) fn touched<P: Probe>(scene: &Scene, ray: &Ray, place: &Place, probe: 
     layer.touched()
 }
 
-/// Whether the ray meets anything at all.
-pub fn is_any_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> bool {
+/// Whether a ray meets anything at all. Kernels save digits where it doesn't want distances.
+#[inline(always)]
+pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut P) -> bool {
     let mut is_hit = false;
-    let ray = &ray.without_distance();
-    scene.index.in_any_order(ray, probe, |object, probe| {
-        let thing = &scene.objects[object as usize];
-        is_hit |= thing.shape.is_crossed(object, thing.one_sided, ray, probe);
-        if is_hit { -1.0 } else { ray.t_max }
+    scene.index.visit(source, Search::of_any(probe), probe, |object, is_sure, probe| {
+        is_hit = is_blocked_by(scene, source, object, is_sure, probe);
+        if is_hit { -1.0 } else { source.reach() }
     });
     is_hit
+}
+
+/// Whether the ray crosses an object; `is_sure` where that is known but for the ray's own surface and the object's side.
+#[inline(always)]
+fn is_blocked_by<P: Probe>(scene: &Scene, source: &impl RaySource, object: u32, is_sure: bool, probe: &mut P) -> bool {
+    let thing = &scene.objects[object as usize];
+    let is_left = || source.leaving().is_some_and(|leaving| leaving.object == object);
+    (is_sure && !thing.one_sided && !is_left()) || thing.shape.is_crossed(object, thing.one_sided, source, probe)
 }
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
@@ -170,12 +178,12 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &m
             return Color::ZERO;
         }
     }
-    let mut meet = |object: u32, probe: &mut P| {
+    let mut meet = |object: u32, is_sure: bool, probe: &mut P| {
         let thing = &scene.objects[object as usize];
         if lets_light_pass && scene.materials[thing.material].transmits() {
             thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
-        } else if thing.shape.is_crossed(object, thing.one_sided, ray, probe) {
+        } else if is_blocked_by(scene, ray, object, is_sure, probe) {
             if !is_blocked {
                 probe.mark(Decision::Occluded { object });
             }
@@ -188,10 +196,10 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &m
         ray.t_max
     };
     match obstacles.among {
-        None => scene.index.in_any_order(ray, probe, meet),
+        None => scene.index.visit(ray, Search::of_any(probe), probe, meet),
         Some(objects) => {
             // One that blocks the ray ends the search.
-            let _ = objects.iter().any(|object| meet(*object, probe) < 0.0);
+            let _ = objects.iter().any(|object| meet(*object, false, probe) < 0.0);
         }
     }
     if is_blocked { Color::ZERO } else { attenuation(scene, crossed, probe) }

@@ -125,16 +125,35 @@ fn lights_whose_colour_leaves_nothing_are_told_so() {
     let nothing = "lights nothing in view: its colour and the coefficients of the surfaces seen through 3072 pixels leave nothing";
     let said = check("[0, 1, 1]", "", nothing);
     assert!(!said.contains("field of view"), "{said}");
-    // The coefficients alone.
-    check("[0, 0, 0]", "", nothing);
-    // A ball has a side that the light is behind.
+    // The coefficients alone, wherever the light stands: a ball has a side that the light is behind.
     let ball = r#", {"shape": {"sphere": {"center": [0, 1, 0], "radius": 1}}, "material": "cyan"}"#;
     check(
         "[0, 1, 1]",
         ball,
         "it reaches none, or its colour and their coefficients leave nothing of any channel; it stands",
     );
+    for above in ["", ball] {
+        check("[0, 0, 0]", above, "lights nothing in view: K_d, K_e and K_t of every surface are 0 in every channel");
+    }
     check("[1, 1, 1]", "", "stands outside the field of view, which it lights all the same");
+}
+
+/// A light that is off is told so, whether surfaces are turned to it or not.
+#[test]
+fn lights_without_a_colour_are_told_so() {
+    let scene = r#"{"format": "raywalk-scene/1", "name": "room", "camera": {"position": [0, 2, 6], "look_at": [0, 1, 0]},
+        "lights": [{"point": {"position": [1, 9, 1]}, "color": [0, 0, 0]}, {"point": {"position": [1, 9, 1]}}],
+        "materials": {"clay": {"diffuse": [1, 1, 1]}},
+        "objects": [{"shape": {"plane": {"coefficients": [0, 1, 0, 0]}}, "material": "clay"},
+                    {"shape": {"sphere": {"center": [0, 1, 0], "radius": 1}}, "material": "clay"}]}"#;
+    let output = crate::calls::raywalk(&["scene", "check", "-"]).write_stdin(scene).output().expect("it runs");
+    let said = String::from_utf8(output.stderr).expect("UTF-8");
+    let of_lights: Vec<_> = said.lines().filter(|line| line.contains("lights nothing")).collect();
+    assert!(
+        of_lights.len() == 1
+            && of_lights[0].ends_with("lights[0]: lights nothing in view: its colour is 0 in every channel"),
+        "{said}"
+    );
 }
 
 /// A surface whose local weight is 0 asks for no light: that is the reason, not that the light doesn't get there.

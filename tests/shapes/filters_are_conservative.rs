@@ -6,12 +6,11 @@
 //! ```
 
 use crate::random::Random;
+use crate::worlds::{World, corners_of, magnitude, world};
 use glam::DVec3;
 use rayon::prelude::*;
-use raywalk::geometry::shape::{Cone, Cuboid, Cylinder, Disk, Ellipsoid, Sphere, SphereMethod, Triangle, TriangleMesh};
-use raywalk::geometry::{Bvh, Crossing, Leaving, Mesh, Ray, Search, Shape};
+use raywalk::geometry::{Crossing, Leaving, Ray, Search, Shape};
 use raywalk::probe::Silent;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Hits this close to the nearest, in parts of its distance, are compared with more digits, so they must be shown too.
@@ -21,206 +20,17 @@ const NEAR_TIE: f64 = 8.0 * f64::EPSILON;
 /// doesn't begin where it says.
 const NEARBY: f64 = 1e6;
 
-/// Things, and a tree over them.
-struct World {
-    shapes: Vec<Shape>,
-    tree: Bvh,
-    /// The same triangles as a mesh, if there is nothing else.
-    mesh: Option<Shape>,
-    /// Points where the tests are hardest: corners, and points of edges and surfaces.
-    targets: Vec<DVec3>,
-    middle: DVec3,
-    size: f64,
-}
-
 /// How many rays hit and missed, so that a test that sees one of both only is seen through.
 #[derive(Default)]
 struct Tally {
     hits: AtomicU64,
     misses: AtomicU64,
     sorted_out: AtomicU64,
-}
-
-/// What a world is made of, in a cube around the origin with sides of 2.
-const MAKERS: [fn(&mut Random) -> Vec<Shape>; 9] =
-    [soup, balls, shells, everything, grid, twice, ball_of_triangles, needles, on_a_huge_floor];
-
-fn corners_of(shape: &Shape) -> Option<[DVec3; 3]> {
-    match shape {
-        Shape::Triangle(triangle) => Some(triangle.corners()),
-        _ => None,
-    }
-}
-
-fn triangle(corners: [DVec3; 3]) -> Shape {
-    Shape::Triangle(Triangle::new(corners.map(|corner| corner.to_array()), None))
-}
-
-fn sphere(center: DVec3, radius: f64) -> Shape {
-    Shape::Sphere(Sphere::new(center, radius, false, SphereMethod::Robust))
-}
-
-/// A power of ten from 10^low to 10^high.
-fn magnitude(random: &mut Random, low: i32, high: i32) -> f64 {
-    let power = low + random.below((high - low + 1) as usize) as i32;
-    libm::pow(10.0, f64::from(power))
-}
-
-fn soup(random: &mut Random) -> Vec<Shape> {
-    let size = magnitude(random, -6, 0);
-    let one = |random: &mut Random| {
-        let a = random.point();
-        triangle([a, a + random.point() * size, a + random.point() * size])
-    };
-    (0..90).map(|_| one(random)).collect()
-}
-
-fn balls(random: &mut Random) -> Vec<Shape> {
-    let largest = magnitude(random, -4, 0);
-    (0..90).map(|_| sphere(random.point(), largest * (0.01 + random.part()))).collect()
-}
-
-/// Spheres around one centre, some of which differ by next to nothing.
-fn shells(random: &mut Random) -> Vec<Shape> {
-    let center = random.point() * 0.1;
-    let step = magnitude(random, -16, -1);
-    (0..40).map(|k| sphere(center, 0.5 + step * f64::from(k))).collect()
-}
-
-fn everything(random: &mut Random) -> Vec<Shape> {
-    let one = |random: &mut Random| {
-        let (at, size) = (random.point(), 0.02 + 0.2 * random.part());
-        let end = at + random.unit() * size;
-        match random.below(8) {
-            0 => Shape::Cuboid(Cuboid::new(at, at + DVec3::splat(size))),
-            1 => Shape::Disk(Disk::new(at, random.unit(), size)),
-            2 => Shape::Ellipsoid(Ellipsoid::new(at, DVec3::new(size, size * 0.5, size * 2.0), None)),
-            3 => Shape::Cylinder(Cylinder::new(at, end, size * 0.3, true, false)),
-            4 => Shape::Cone(Cone::new((at, size * 0.5), (end, 0.0), true, false)),
-            5 => Shape::Sphere(Sphere::new(at, size, false, SphereMethod::Geometric)),
-            6 => sphere(at, size),
-            _ => triangle([at, end, at + random.point() * size]),
-        }
-    };
-    (0..60).map(|_| one(random)).collect()
-}
-
-/// Squares along the axes, cut into triangles, that share edges and lie in the faces of boxes.
-fn grid(random: &mut Random) -> Vec<Shape> {
-    let mut shapes = Vec::new();
-    let height = if random.part() < 0.5 { 0.0 } else { 0.3 };
-    for k in 0..36 {
-        let a = DVec3::new(f64::from(k % 6) / 3.0 - 1.0, f64::from(k / 6) / 3.0 - 1.0, height);
-        let [b, c] = [a + DVec3::X / 3.0, a + DVec3::Y / 3.0];
-        let turned = |corner: DVec3| if k % 2 == 0 { corner } else { DVec3::new(corner.z, corner.x, corner.y) };
-        shapes.push(triangle([a, b, c].map(turned)));
-        shapes.push(triangle([b, b + DVec3::Y / 3.0, c].map(turned)));
-    }
-    shapes
-}
-
-/// Everything again, so that all distances are the same twice.
-fn twice(random: &mut Random) -> Vec<Shape> {
-    let mut shapes = if random.part() < 0.5 { soup(random) } else { balls(random) };
-    shapes.truncate(40);
-    shapes.extend(shapes.clone());
-    shapes
-}
-
-fn ball_of_triangles(_: &mut Random) -> Vec<Shape> {
-    let ball = octahedron(2);
-    (0..ball.faces.len() as u32).map(|face| triangle(ball.corners(face))).collect()
-}
-
-/// An octahedron, its faces cut into four and pushed out so many times.
-fn octahedron(times: u32) -> Mesh {
-    let mut faces = Vec::new();
-    for signs in 0..8 {
-        let axis = |k: u32| DVec3::AXES[k as usize] * if signs >> k & 1 == 0 { 1.0 } else { -1.0 };
-        faces.push([axis(0), axis(1), axis(2)]);
-    }
-    for _ in 0..times {
-        let cut = |[a, b, c]: [DVec3; 3]| {
-            let middle = |p: DVec3, q: DVec3| (p + q) / (p + q).length();
-            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-            [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-        };
-        faces = faces.into_iter().flat_map(cut).collect();
-    }
-    let positions = faces.iter().flatten().copied().collect();
-    let numbers = (0..faces.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
-    Mesh { positions, normals: None, faces: numbers }
-}
-
-/// Triangles next to no width.
-fn needles(random: &mut Random) -> Vec<Shape> {
-    let one = |random: &mut Random| {
-        let (a, along) = (random.point(), random.unit());
-        let width = magnitude(random, -12, -1);
-        triangle([a, a + along * random.part(), a + along * random.part() + random.point() * width])
-    };
-    (0..70).map(|_| one(random)).collect()
-}
-
-/// A few small things on one that is larger than all of them by far.
-fn on_a_huge_floor(random: &mut Random) -> Vec<Shape> {
-    let size = magnitude(random, 2, 9);
-    let mut shapes = soup(random);
-    shapes.truncate(40);
-    shapes.extend((0..20).map(|_| sphere(random.point(), 0.1)));
-    shapes.push(match random.below(3) {
-        0 => sphere(DVec3::new(0.0, 0.0, -size - 1.0), size),
-        1 => triangle([DVec3::new(-size, -size, -1.0), DVec3::new(size, -size, -1.0), DVec3::new(0.0, size, -1.0)]),
-        _ => Shape::Cuboid(Cuboid::new(DVec3::splat(-size), DVec3::new(size, size, -1.0))),
-    });
-    shapes
-}
-
-/// The shape in a world `scale` times as large whose origin has been moved.
-fn placed(shape: Shape, scale: f64, offset: DVec3) -> Option<Shape> {
-    let at = |point: DVec3| point * scale + offset;
-    match shape {
-        Shape::Triangle(ref shape) => Some(triangle(shape.corners().map(at))),
-        Shape::Sphere(_) => {
-            let bounds = shape.bounds()?;
-            Some(sphere(at(bounds.center()), (bounds.max.x - bounds.min.x) * 0.5 * scale))
-        }
-        other if scale == 1.0 && offset == DVec3::ZERO => Some(other),
-        _ => None,
-    }
-}
-
-fn world(number: u64) -> World {
-    let mut random = Random::new(number);
-    let make = MAKERS[number as usize % MAKERS.len()];
-    let scale = if random.part() < 0.5 { 1.0 } else { magnitude(&mut random, -90, 90) };
-    let offset = match random.below(3) {
-        0 => DVec3::ZERO,
-        _ => random.point() * scale * magnitude(&mut random, 0, 9),
-    };
-    let offset = if random.part() < 0.5 { DVec3::ZERO } else { offset };
-    let shapes: Vec<Shape> = make(&mut random).into_iter().filter_map(|shape| placed(shape, scale, offset)).collect();
-    let things: Vec<u32> = (0..shapes.len() as u32).collect();
-    let tree = Bvh::new(Vec::new(), &things, |thing| shapes[thing as usize].form().expect("bounded"));
-    let mut targets = Vec::new();
-    for shape in &shapes {
-        match corners_of(shape) {
-            Some([a, b, c]) => targets.extend([a, b, c, a * 0.5 + b * 0.5, a * 0.3 + c * 0.7, (a + b + c) / 3.0]),
-            None => targets.extend(shape.bounds().into_iter().flat_map(|bounds| {
-                let side = (bounds.max - bounds.min) * 0.5;
-                [bounds.center(), bounds.center() + random.unit() * side, bounds.min, bounds.max]
-            })),
-        }
-    }
-    let mesh = mesh_of(&shapes);
-    World { shapes, tree, mesh, targets, middle: offset, size: scale }
-}
-
-fn mesh_of(shapes: &[Shape]) -> Option<Shape> {
-    let corners: Option<Vec<[DVec3; 3]>> = shapes.iter().map(corners_of).collect();
-    let corners = corners?;
-    let faces = (0..corners.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
-    Some(Shape::Mesh(Arc::new(TriangleMesh::new(Arc::new(Mesh { positions: corners.concat(), normals: None, faces })))))
+    /// Hits of which the tree was sure.
+    sure: AtomicU64,
+    /// Boxes that a look says to be missed, and others.
+    missed_boxes: AtomicU64,
+    boxes: AtomicU64,
 }
 
 /// A ray that is hard on the tests.
@@ -278,10 +88,6 @@ fn spawned(world: &World, from: &Ray, object: u32, crossing: Crossing, random: &
     Ray { leaving, slack: from.slack_at(surface.point, &Silent), ..Ray::along(surface.point, way) }
 }
 
-fn search(nearest_first: bool) -> Search {
-    Search { nearest_first, one_by_one: true }
-}
-
 /// The first of the crossings with triangles that are in the same place as the nearest one: within 64 roundings of all coordinates, and not
 /// on a triangle that shares one or two corners with it.
 fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Option<(u32, Crossing)> {
@@ -309,7 +115,7 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     let nearest = all.iter().copied().min_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)));
     let mut shown = Vec::new();
     let mut t_max = ray.t_max;
-    world.tree.visit::<Silent>(ray, search(true), |thing| {
+    world.tree.visit::<Silent>(ray, Search::nearest_first(&Silent), |thing, _| {
         shown.push(thing);
         if let Some(crossing) = meet(thing, ray) {
             t_max = t_max.min(crossing.t);
@@ -325,10 +131,19 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
             );
         }
     }
+    are_missed_boxes_empty(world, number, ray, &all, tally);
     let quick = ray.without_distance();
     let mut is_occluded = false;
-    world.tree.visit::<Silent>(&quick, search(false), |thing| {
-        is_occluded |= meet(thing, &quick).is_some();
+    world.tree.visit::<Silent>(&quick, Search::of_any(&Silent), |thing, is_sure| {
+        let is_met = meet(thing, &quick).is_some();
+        // The object that a ray leaves is told apart by who asks.
+        let is_left = ray.leaving.is_some_and(|leaving| leaving.object == thing);
+        assert!(
+            is_met || is_left || !is_sure,
+            "world {number}: {ray:?} doesn't cross {thing}, of which the tree is sure"
+        );
+        tally.sure.fetch_add(u64::from(is_sure), Ordering::Relaxed);
+        is_occluded |= is_met;
         if is_occluded { -1.0 } else { ray.t_max }
     });
     assert_eq!(is_occluded, nearest.is_some(), "world {number}: occlusion of {ray:?} by {nearest:?}");
@@ -344,6 +159,23 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     let outcome = if nearest.is_some() { &tally.hits } else { &tally.misses };
     outcome.fetch_add(1, Ordering::Relaxed);
     nearest
+}
+
+/// No shape is met whose box a look says to be missed, whatever the length of the direction.
+fn are_missed_boxes_empty(world: &World, number: u64, ray: &Ray, all: &[(u32, Crossing)], tally: &Tally) {
+    // Of middling length, and so short that squares vanish.
+    for scale in [1.0, 0.75e-3, 1e-200] {
+        for (thing, shape) in (0..).zip(&world.shapes) {
+            let Some(bounds) = shape.bounds() else { continue };
+            if bounds.is_surely_missed(ray.origin, ray.direction * scale) {
+                tally.missed_boxes.fetch_add(1, Ordering::Relaxed);
+                let met = all.iter().find(|(met, _)| *met == thing);
+                assert!(met.is_none(), "world {number}: {ray:?} meets {thing} outside its box: {met:?}");
+            } else if scale == 1.0 {
+                tally.boxes.fetch_add(1, Ordering::Relaxed);
+            }
+        }
+    }
 }
 
 /// Compares this many worlds, each with this many rays and as many as leave what those have met.
@@ -362,7 +194,11 @@ fn compare_worlds(worlds: u64, rays: u64) {
             }
         }
     });
-    let [hits, misses, sorted_out] = [tally.hits, tally.misses, tally.sorted_out].map(AtomicU64::into_inner);
+    let [hits, misses, sorted_out] =
+        [&tally.hits, &tally.misses, &tally.sorted_out].map(|count| count.load(Ordering::Relaxed));
+    let [missed_boxes, boxes] = [&tally.missed_boxes, &tally.boxes].map(|count| count.load(Ordering::Relaxed));
+    assert!(tally.sure.into_inner() > hits / 4, "the tree is hardly ever sure");
+    assert!(missed_boxes > 10 * boxes, "{missed_boxes} boxes were missed, {boxes} weren't");
     println!("{hits} hits, {misses} misses, {sorted_out} things not shown");
     assert!(hits > worlds * rays / 4 && misses > worlds * rays / 8, "{hits} hits, {misses} misses");
     assert!(sorted_out / (hits + misses) > 30, "{sorted_out} things weren't shown: the tree sorts out next to nothing");

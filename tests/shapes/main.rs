@@ -30,3 +30,4 @@ mod shape_walks;
 mod shared_edges;
 mod stress;
 mod touching;
+mod worlds;

@@ -9,6 +9,7 @@ use raywalk::report::diff::{
 };
 use raywalk::report::side_by_side::Run;
 use raywalk::scene::file::schema::SceneFile;
+use serde_json::json;
 
 const EXACT: Tolerance = Tolerance { digits: None, absolute: None, relative: None, is_of_common: false };
 const BY_THREE: Tolerance = Tolerance { digits: Some(3), ..EXACT };
@@ -48,6 +49,50 @@ fn way(entries: &[Entry]) -> Vec<(&str, &str)> {
 fn found<'c>(comparison: &'c Comparison, path: &str, key: &str) -> &'c Difference {
     let is_it = |difference: &&Difference| difference.entry.path == path && quantity(&difference.entry) == key;
     comparison.differences.iter().find(is_it).unwrap_or_else(|| panic!("no difference of {key} in {path}"))
+}
+
+/// What comes from an object of another kind says so, and nothing comes from a decision of another object's test.
+#[test]
+fn steps_of_another_kind_of_shape_come_from_that_change() {
+    let shape = |shape: serde_json::Value| serde_json::from_value(shape).expect("a shape");
+    let wall = json!({"box": {"min": [3, -50, -50], "max": [4, 50, 50]}});
+    let ball = json!({"box": {"min": [15, 7, 6], "max": [19, 11, 10]}});
+    let tower = json!({"cylinder": {"base": [17, 9, 5], "apex": [17, 9, 11], "radius": 3, "caps": true}});
+    let textbook = textbook(Arithmetic::F64);
+    for (plane, sphere) in [(Some(&wall), Some(&ball)), (Some(&wall), None), (None, Some(&tower))] {
+        let other = changed("textbook", |scene| {
+            for (object, of) in [(0, plane), (1, sphere)] {
+                if let Some(of) = of {
+                    scene.objects[object].shape = shape(of.clone());
+                }
+            }
+        });
+        for [a, b] in [[&textbook, &other], [&other, &textbook]] {
+            let comparison = compared(a, b, &EXACT);
+            let kinds: Vec<_> = comparison.changed.iter().map(|changed| changed.input.clone()).collect();
+            let expected = [("objects.plane", plane), ("objects.sphere", sphere)];
+            let expected: Vec<_> = expected.into_iter().filter(|(_, of)| of.is_some()).map(|(name, _)| name).collect();
+            assert_eq!(kinds, expected);
+            for difference in &comparison.differences {
+                let kind = difference.kind.as_ref().map(|kind| kind.input.clone());
+                let is_alone = matches!(difference.entry.what, Told::Only { .. });
+                let of_test = difference.entry.node.strip_prefix("test ").filter(|_| is_alone);
+                let of_test = of_test.map(|object| format!("objects.{object}"));
+                // Every difference comes from one of the changes, and a step of a test that only one log has from that of its object.
+                assert!(kind.is_some() && (of_test.is_none() || of_test == kind), "{difference:#?}");
+                assert!(difference.why != Why::Itself && difference.why != Why::First, "{difference:#?}");
+            }
+            assert_eq!(comparison.first.expect("a difference").why, Why::OtherKind);
+        }
+    }
+    // The point where the reflected ray meets the box is O + d·t in both logs: t alone moves it.
+    let other = changed("textbook", |scene| scene.objects[1].shape = shape(ball.clone()));
+    let comparison = compared(&textbook, &other, &EXACT);
+    let point = found(&comparison, "C R", "hit.point");
+    assert_eq!(point.why, Why::Operands);
+    let from: Vec<_> = point.from.iter().map(|(entry, _)| quantity(entry).split(' ').next()).collect();
+    assert_eq!(from, [Some("sphere.t")]);
+    assert!(point.own < 1e-12 && (point.from[0].1 - 0.853).abs() < 1e-3, "{point:#?}");
 }
 
 #[test]
@@ -128,15 +173,15 @@ fn no_cause_comes_after_its_effect() {
         for Difference { entry, from, origin, why, .. } in &found.differences {
             let what = quantity(entry);
             if ["plane.normal", "plane.offset", "box.min", "box.max"].iter().any(|key| what.starts_with(key)) {
-                assert_eq!((*why, from.len(), origin), (Why::Input, 0, &None), "{what}");
+                assert_eq!((*why, from.len(), origin), (Why::OtherKind, 0, &None), "{what}");
                 inputs += 1;
             }
             if ["plane.v_", "plane.t", "box.to_", "box.entry"].iter().any(|key| what.starts_with(key)) {
                 assert_eq!(from.len(), 0, "{what} from {from:?}");
             }
-            // The box notes its distance after it has told the side.
+            // That a box tells the side before it notes its distance doesn't matter: a plane tells none.
             if what.starts_with("box.t =") {
-                assert_eq!(quantity(&from[0].0), "the ray begins outside");
+                assert_eq!((*why, from.len()), (Why::OtherKind, 0));
             }
         }
         assert_eq!(inputs, 8, "the test of the camera's ray and that of the shadow ray");

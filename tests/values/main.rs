@@ -22,6 +22,7 @@ mod evaluable;
 mod floors;
 mod foreign_logs;
 mod formulas;
+mod inside_solids;
 mod log_files;
 mod log_spellings;
 mod notes;

@@ -8,7 +8,7 @@ pub mod shapes;
 
 use glam::DVec3;
 use raywalk::scene::file::schema::{Algorithm, SpecularForm};
-use shapes::{Crossing, Ray, Shape};
+use shapes::{Crossing, ROUNDINGS, Ray, Shape};
 
 /// A scene, ready to be traced, with every option of the program that a tracer of planes and spheres has to ask for.
 pub struct Yardstick {
@@ -75,7 +75,7 @@ impl Yardstick {
         let is_center = x == 0.0 && y == 0.0;
         let offset = (self.right * x + self.up * y) * self.length;
         let direction = unit(if is_center { self.forward } else { self.forward + offset });
-        let ray = Ray { origin: self.eye, direction, from: None, start: 0.0, end: f64::INFINITY };
+        let ray = Ray { origin: self.eye, direction, from: None, start: 0.0, end: f64::INFINITY, slack: 0.0 };
         self.color(&ray, 0, DVec3::ONE, &Media::new())
     }
 
@@ -93,11 +93,13 @@ impl Yardstick {
         let object = &self.objects[number];
         let material = &self.materials[object.material];
         let (point, normal) = object.shape.surface(ray, crossing);
+        let slack =
+            ROUNDINGS * (2.0 * (ray.origin.abs() + point.abs()).element_sum()) + ROUNDINGS * object.shape.size();
         let goes_deeper = match self.rules.algorithm {
             Algorithm::Recursive => depth < self.rules.max_depth,
             Algorithm::Whitted | Algorithm::Foley => depth + 1 < self.rules.max_depth,
         };
-        let hit = Hit { number, material, point, normal, behind: crossing.behind, view: -ray.direction };
+        let hit = Hit { number, material, point, normal, behind: crossing.behind, view: -ray.direction, slack };
         let is_ambient_only = self.rules.algorithm == Algorithm::Whitted && !goes_deeper;
         let local = if is_ambient_only { self.ambient * material.ambient } else { self.local(&hit, media) };
         let mut color = material.local * local;
@@ -108,15 +110,27 @@ impl Yardstick {
         let reflects = material.reflected != DVec3::ZERO || transmits;
         if reflects && !self.is_skipped(weight, material.reflected) {
             let direction = ray.direction - normal * 2.0 * ray.direction.dot(normal);
-            let ray =
-                Ray { origin: point, direction, from: Some((number, hit.behind)), start: 0.0, end: f64::INFINITY };
+            let ray = Ray {
+                origin: point,
+                direction,
+                from: Some((number, hit.behind)),
+                start: 0.0,
+                end: f64::INFINITY,
+                slack,
+            };
             color += material.reflected * self.color(&ray, depth + 1, weight * material.reflected, media);
         }
         if transmits && !self.is_skipped(weight, material.transmitted) {
             let beyond = beyond(media, number, material.ior, hit.behind);
             if let Some(direction) = refract(ray.direction, normal, ior(&beyond) / ior(media)) {
-                let ray =
-                    Ray { origin: point, direction, from: Some((number, !hit.behind)), start: 0.0, end: f64::INFINITY };
+                let ray = Ray {
+                    origin: point,
+                    direction,
+                    from: Some((number, !hit.behind)),
+                    start: 0.0,
+                    end: f64::INFINITY,
+                    slack,
+                };
                 color += material.transmitted * self.color(&ray, depth + 1, weight * material.transmitted, &beyond);
             }
         }
@@ -156,7 +170,14 @@ impl Yardstick {
                 continue;
             }
             let from = Some((hit.number, hit.behind != (n_dot_l < 0.0)));
-            let passed = self.passed(&Ray { origin: hit.point, direction: toward, from, start: 0.0, end: distance });
+            let passed = self.passed(&Ray {
+                origin: hit.point,
+                direction: toward,
+                from,
+                start: 0.0,
+                end: distance,
+                slack: hit.slack,
+            });
             if passed == DVec3::ZERO {
                 continue;
             }
@@ -223,6 +244,8 @@ struct Hit<'a> {
     normal: DVec3,
     behind: bool,
     view: DVec3,
+    /// How far rounding may have moved the point.
+    slack: f64,
 }
 
 /// The transmitted term of the local model.

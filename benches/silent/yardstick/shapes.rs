@@ -26,13 +26,14 @@ pub struct Sphere {
 }
 
 /// A ray; it counts between `start` and `end`, and `from` is the object that it leaves and whether it sets off behind its
-/// surface.
+/// surface. Rounding may have moved its origin by `slack`: what lies no farther from an end is in the same place, and isn't crossed.
 pub struct Ray {
     pub origin: DVec3,
     pub direction: DVec3,
     pub from: Option<(usize, bool)>,
     pub start: f64,
     pub end: f64,
+    pub slack: f64,
 }
 
 /// Where a ray crosses a surface; from behind, if it does.
@@ -41,6 +42,16 @@ pub struct Crossing {
     pub t: f64,
     pub behind: bool,
 }
+
+/// The end of a ray at which a crossing lies.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    Start,
+    Light,
+}
+
+/// A bound of what rounding does to a point, as a part of the sizes of its numbers.
+pub const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
 
 /// The part of a ray's line inside a sphere.
 struct Chord {
@@ -53,6 +64,13 @@ struct Chord {
 impl Ray {
     fn reaches(&self, crossing: Crossing) -> Option<Crossing> {
         (self.start < crossing.t && crossing.t < self.end).then_some(crossing)
+    }
+
+    /// Whether a crossing may lie at an end of the ray, seen however flat.
+    #[inline(always)]
+    fn is_near_an_end(&self, t: f64) -> bool {
+        let near = (1_u64 << 40) as f64 * self.slack;
+        self.start < t && t < self.end && (t <= near || self.end - t <= near)
     }
 
     /// Whether the ray leaves this object, and if so, whether it sets off behind its surface.
@@ -76,8 +94,10 @@ impl Shape {
     pub fn all_crossings(&self, number: usize, ray: &Ray) -> [Option<Crossing>; 2] {
         if let (Shape::Sphere(sphere), None) = (self, ray.leaves(number)) {
             return match sphere.chord(ray) {
-                Some(chord) if chord.is_outside => [ray.reaches(sphere.near(&chord)), ray.reaches(sphere.far(&chord))],
-                Some(chord) => [ray.reaches(sphere.far(&chord)), None],
+                Some(chord) if chord.is_outside => {
+                    [sphere.near(&chord), sphere.far(&chord)].map(|crossing| sphere.counted(ray, false, crossing))
+                }
+                Some(chord) => [sphere.counted(ray, false, sphere.far(&chord)), None],
                 None => [None, None],
             };
         }
@@ -91,6 +111,14 @@ impl Shape {
             Shape::Sphere(sphere) => sphere.surface(ray, crossing),
         }
     }
+
+    /// The greatest of the numbers that say where the surface is.
+    pub fn size(&self) -> f64 {
+        match self {
+            Shape::Plane(plane) => plane.size(),
+            Shape::Sphere(sphere) => sphere.size(),
+        }
+    }
 }
 
 /// How a ray meets a shape.
@@ -100,6 +128,35 @@ pub trait Meet {
 
     /// The point of a crossing, and the normal on the ray's side.
     fn surface(&self, ray: &Ray, crossing: Crossing) -> (DVec3, DVec3);
+
+    /// The greatest of the numbers that say where the surface is.
+    fn size(&self) -> f64;
+
+    /// Whether a ray that begins on the surface begins where it crosses it so.
+    fn may_begin(&self, _ray: &Ray, _behind: bool) -> bool {
+        true
+    }
+
+    /// The end of the ray at which a crossing lies, as far as rounding can tell.
+    #[cold]
+    #[inline(never)]
+    fn end_at(&self, ray: &Ray, leaves: bool, t: f64, behind: bool) -> Option<End> {
+        let slope = self.surface(ray, Crossing { t, behind }).1.dot(ray.direction).abs();
+        let is_at = |along: f64| ray.slack > 0.0 && (along * slope).abs() <= ray.slack + ROUNDINGS * self.size();
+        match () {
+            _ if !leaves && is_at(t) => self.may_begin(ray, behind).then_some(End::Start),
+            _ if is_at(ray.end - t) => Some(End::Light),
+            _ => None,
+        }
+    }
+
+    /// A crossing that the ray reaches, unless it is an end of the ray.
+    #[inline(always)]
+    fn counted(&self, ray: &Ray, leaves: bool, crossing: Crossing) -> Option<Crossing> {
+        let Crossing { t, behind } = crossing;
+        let is_an_end = ray.is_near_an_end(t) && self.end_at(ray, leaves, t, behind).is_some();
+        if is_an_end { None } else { ray.reaches(crossing) }
+    }
 }
 
 impl Meet for Plane {
@@ -110,13 +167,17 @@ impl Meet for Plane {
         if v_d == 0.0 || !t.is_finite() || (is_one_sided && v_d > 0.0) {
             return None;
         }
-        ray.reaches(Crossing { t, behind: v_d > 0.0 })
+        self.counted(ray, false, Crossing { t, behind: v_d > 0.0 })
     }
 
     #[inline(always)]
     fn surface(&self, ray: &Ray, crossing: Crossing) -> (DVec3, DVec3) {
         let normal = if crossing.behind { -self.unit_normal } else { self.unit_normal };
         (ray.origin + ray.direction * crossing.t, normal)
+    }
+
+    fn size(&self) -> f64 {
+        self.offset.abs() / self.normal.length()
     }
 }
 
@@ -128,23 +189,40 @@ impl Meet for Sphere {
         } else {
             let chord = self.chord(ray)?;
             let near = (chord.is_outside && !(is_one_sided && self.is_hollow)).then(|| self.near(&chord));
-            near.filter(|near| near.t > ray.start).unwrap_or_else(|| self.far(&chord))
+            let begins_at = |near: &Crossing| {
+                ray.is_near_an_end(near.t) && self.end_at(ray, false, near.t, near.behind) == Some(End::Start)
+            };
+            near.filter(|near| near.t > ray.start && !begins_at(near)).unwrap_or_else(|| self.far(&chord))
         };
-        if is_one_sided && crossing.behind { None } else { ray.reaches(crossing) }
+        if is_one_sided && crossing.behind { None } else { self.counted(ray, leaves, crossing) }
     }
 
     #[inline(always)]
     fn surface(&self, ray: &Ray, crossing: Crossing) -> (DVec3, DVec3) {
+        let is_outside = crossing.behind == self.is_hollow;
         let along = ray.origin + ray.direction * crossing.t;
-        let point = if self.is_geometric {
-            along
-        } else {
-            let from_center = along - self.center;
-            let distance = from_center.length();
-            if distance == 0.0 { along } else { self.center + from_center * (self.radius / distance) }
-        };
-        let outward = if crossing.behind == self.is_hollow { point - self.center } else { self.center - point };
-        (point, outward / self.radius)
+        if self.is_geometric {
+            let outward = if is_outside { along - self.center } else { self.center - along };
+            return (along, outward / self.radius);
+        }
+        // From the centre on, so that the digits of where the sphere stands don't get into its normal.
+        let from_center = ray.origin - self.center + ray.direction * crossing.t;
+        let distance = from_center.length();
+        if distance == 0.0 {
+            return (along, -ray.direction);
+        }
+        let point = self.center + from_center * (self.radius / distance);
+        let outward = if is_outside { from_center } else { -from_center };
+        (point, outward / distance)
+    }
+
+    fn size(&self) -> f64 {
+        (self.center.abs() + self.radius).max_element()
+    }
+
+    /// It begins at the nearer of the two crossings.
+    fn may_begin(&self, ray: &Ray, behind: bool) -> bool {
+        behind == self.is_hollow || (self.center - ray.origin).dot(ray.direction) < 0.0
     }
 }
 

@@ -4,7 +4,7 @@ use crate::cli::options::ColorChoice;
 use crate::cli::scene_argument::{self, Input};
 use raywalk::render::reach::{Reach, reach};
 use raywalk::scene::file::{self, Finding, KeyPath};
-use raywalk::scene::{Light, LightKind, Scene};
+use raywalk::scene::{Color, Light, LightKind, Material, Scene};
 
 /// Warns of lights that light nothing in view, and of those that light it from outside the field of view.
 pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
@@ -13,6 +13,13 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
         return;
     }
     let is_outside: Vec<bool> = scene.lights.iter().map(|light| stands_outside(&scene, light)).collect();
+    let is_dark: Vec<bool> = scene.lights.iter().map(|light| light.color == Color::ZERO).collect();
+    let uses_light = |material: &Material| {
+        [material.diffuse, material.specular, material.transmission]
+            .iter()
+            .any(|coefficient| *coefficient != Color::ZERO)
+    };
+    let is_light_used = scene.objects.iter().any(|object| uses_light(&scene.materials[object.material]));
     let Reach { lights: is_lit, unusable, hidden, is_unweighted, pixels } = reach(scene);
     let finding = |light: usize| {
         let outside = if is_outside[light] { "; it stands outside the field of view" } else { "" };
@@ -21,6 +28,10 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
                 "stands outside the field of view, which it lights all the same".to_owned()
             }
             (true, ..) => return None,
+            _ if is_dark[light] => "lights nothing in view: its colour is 0 in every channel".to_owned(),
+            _ if !is_light_used => {
+                "lights nothing in view: K_d, K_e and K_t of every surface are 0 in every channel".to_owned()
+            }
             _ if is_unweighted => format!(
                 "lights nothing in view: no surface seen through {pixels} pixels has a local term that weighs more than 0"
             ),

@@ -51,8 +51,24 @@ pub(super) trait Block: Sized {
         self.things().into_iter().filter(|thing| *thing != NOTHING)
     }
 
-    /// A bit for each lane that the ray may meet by `t_max`. Errs on the side of meeting.
-    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight) -> u32;
+    /// The lanes that the ray may meet by `t_max`, and those that it certainly crosses between two other distances, if these are given.
+    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight, sure: Option<[f32; 2]>) -> Sorted;
+}
+
+/// The lanes of a block that matter, a bit for each.
+#[derive(Clone, Copy)]
+pub(super) struct Sorted {
+    /// Those that the ray may meet.
+    pub possible: u32,
+    /// Those of them that it certainly crosses.
+    pub sure: u32,
+}
+
+impl Sorted {
+    /// Lanes that may be met, none certainly.
+    pub const fn possible(bits: u32) -> Sorted {
+        Sorted { possible: bits, sure: 0 }
+    }
 }
 
 /// A ray, ready for the things of leaves.
@@ -115,7 +131,7 @@ impl Block for TriangleBlock {
 
     /// Möller and Trumbore's test (1997) of the ray's line, and of the distance where the ray isn't along the triangle.
     #[inline(always)]
-    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight) -> u32 {
+    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight, sure: Option<[f32; 2]>) -> Sorted {
         let load = |eights: &[Eight; 3]| [lanes.load(&eights[0]), lanes.load(&eights[1]), lanes.load(&eights[2])];
         let (corner, to_b, to_c) = (load(&self.corner), load(&self.to_b), load(&self.to_c));
         let seen: [_; 3] = std::array::from_fn(|axis| lanes.sub(ray.origin[axis], corner[axis]));
@@ -131,7 +147,7 @@ impl Block for TriangleBlock {
         let margin_a = lanes.splat(-e * (OF_LAST_WEIGHT + 4.0 * slack + (PARALLEL + 16.0 * U) * e));
         let inside = lanes.at_least(lanes.min(of_b, of_c), margin) & lanes.at_least(of_a, margin_a);
         if inside == 0 {
-            return 0;
+            return Sorted::possible(0);
         }
         let distance = lanes.negated_as(lanes.dot(to_c, turned), det);
         let e2 = e * e;
@@ -141,9 +157,29 @@ impl Block for TriangleBlock {
         let lower = lanes.sub(lanes.sub(lanes.mul(size, ray.t_min), at), lanes.mul(by_t, size_of(ray.t_min)));
         let upper = lanes.add(lanes.add(lanes.mul(size, t_max), at), lanes.mul(by_t, size_of(t_max)));
         let within = lanes.at_least(distance, lower) & lanes.at_least(upper, distance);
-        inside & (within | lanes.at_least(by_t, size))
+        let possible = inside & (within | lanes.at_least(by_t, size));
+        let sure = match sure {
+            Some([after, before]) if possible != 0 => {
+                // What errors may take on one side they may add on the other. Where the ray runs steeply, nothing here is an end of it.
+                let minus = |x| lanes.sub(lanes.splat(0.0), x);
+                let inside =
+                    lanes.at_least(lanes.min(of_b, of_c), minus(margin)) & lanes.at_least(of_a, minus(margin_a));
+                let at = lanes.splat(e2 * (OF_DISTANCE + 4.0 * slack));
+                let [of_after, of_before] =
+                    [after, before].map(|t| lanes.add(at, lanes.mul(by_t, lanes.splat(t.abs()))));
+                let lower = lanes.times_plus(size, lanes.splat(after), of_after);
+                let upper = lanes.times_minus(size, lanes.splat(before), of_before);
+                let within = lanes.at_least(distance, lower) & lanes.at_least(upper, distance);
+                inside & within & lanes.at_least(size, lanes.splat(e2 * STEEP))
+            }
+            _ => 0,
+        };
+        Sorted { possible, sure: possible & sure }
     }
 }
+
+/// The part of the square of the longest edge that a determinant is at least, for a ray that certainly crosses a triangle.
+const STEEP: f32 = 1.0 / 128.0;
 
 /// The error of a weight, as a part of the longest edge.
 const OF_WEIGHT: f32 = 50.0 * U;
@@ -176,7 +212,7 @@ impl Block for SphereBlock {
 
     /// The chord by the way from the centre to the line (Haines et al., Ray Tracing Gems, chapter 7).
     #[inline(always)]
-    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight) -> u32 {
+    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight, sure: Option<[f32; 2]>) -> Sorted {
         let seen: [_; 3] = std::array::from_fn(|axis| lanes.sub(lanes.load(&self.center[axis]), ray.origin[axis]));
         let middle = lanes.dot(seen, ray.direction);
         let way: [_; 3] = std::array::from_fn(|axis| lanes.less_times(seen[axis], middle, ray.direction[axis]));
@@ -189,20 +225,41 @@ impl Block for SphereBlock {
         let zero = lanes.splat(0.0);
         let touched = lanes.at_least(squared, zero);
         if touched == 0 {
-            return 0;
+            return Sorted::possible(0);
         }
         let half = lanes.add(lanes.sqrt(lanes.max(squared, zero)), lanes.splat(OF_CHORD_END + ray.slack));
         let before = lanes.at_least(t_max, lanes.sub(middle, half));
         let behind = lanes.at_least(lanes.add(middle, half), ray.t_min);
-        touched & before & behind
+        let possible = touched & before & behind;
+        let sure = match sure {
+            Some([after, before]) if possible != 0 => {
+                // The chord is as long as this at least, and so much of the direction is along the normal at its ends that neither is an end
+                // of the ray.
+                let least = lanes.sub(squared, lanes.add(margin, margin));
+                let steep = lanes.at_least(least, lanes.mul(r2, lanes.splat(STEEP_CHORD)));
+                let short = lanes.sub(lanes.sqrt(lanes.max(least, zero)), lanes.splat(OF_CHORD_END + ray.slack));
+                let off = 16.0 * (OF_CHORD_END + ray.slack);
+                let (after, before) = (lanes.splat(after + off), lanes.splat(before - off));
+                let is_between =
+                    |from: L::Eight, to: L::Eight| lanes.at_least(from, after) & lanes.at_least(before, to);
+                let first = is_between(lanes.sub(middle, half), lanes.sub(middle, short));
+                let last = is_between(lanes.add(middle, short), lanes.add(middle, half));
+                steep & (first | last)
+            }
+            _ => 0,
+        };
+        Sorted { possible, sure: possible & sure }
     }
 }
 
+/// The part of the square of the radius that the square of half a chord is at least, for a ray that certainly crosses a sphere.
+const STEEP_CHORD: f32 = 1.0 / 64.0;
+
 /// The error of the way from the centre to the line, across the line.
-const OF_WAY: f32 = 25.0 * U;
+const OF_WAY: f32 = 30.0 * U;
 
 /// The error of the ends of the chord along the line.
-const OF_CHORD_END: f32 = 64.0 * U;
+const OF_CHORD_END: f32 = 80.0 * U;
 
 impl PartialEq for TriangleBlock {
     fn eq(&self, other: &TriangleBlock) -> bool {

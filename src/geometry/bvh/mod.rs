@@ -14,7 +14,7 @@ mod split;
 mod walk;
 
 use super::bounds::Bounds;
-use super::ray::Ray;
+use super::line::RaySource;
 use crate::probe::Probe;
 use block::{SphereBlock, TriangleBlock};
 use glam::DVec3;
@@ -76,6 +76,26 @@ pub struct Search {
     /// Whether triangles and spheres are sorted out one by one. That is for kernels that certify their decisions: an arithmetic of its own
     /// may meet what the ray passes by.
     pub one_by_one: bool,
+    /// Whether it shall be told of triangles and spheres that the ray certainly crosses, so that no kernel need be asked. For rays of which only
+    /// that is wanted, before kernels that certify.
+    pub tells_sure_hits: bool,
+}
+
+impl Search {
+    /// Near things before far ones.
+    pub fn nearest_first<P: Probe>(probe: &P) -> Search {
+        Search { nearest_first: true, ..Search::in_any_order(probe) }
+    }
+
+    /// Things in any order.
+    pub fn in_any_order<P: Probe>(probe: &P) -> Search {
+        Search { nearest_first: false, one_by_one: probe.certifies(), tells_sure_hits: false }
+    }
+
+    /// Whether anything is met at all. Who watches tests sees them all, and is told of none that isn't needed.
+    pub fn of_any<P: Probe>(probe: &P) -> Search {
+        Search { tells_sure_hits: P::IS_SILENT && probe.certifies(), ..Search::in_any_order(probe) }
+    }
 }
 
 impl Bvh {
@@ -84,22 +104,27 @@ impl Bvh {
         self.bounds
     }
 
-    /// Shows `meet` every thing that the ray can meet before its end, first those beside the tree. `meet` gives the distance up to which
-    /// things still matter; a negative one ends the search. Returns how many boxes were tested.
+    /// Shows `meet` every thing that the ray can meet before its end, first those beside the tree, and says whether it certainly crosses it.
+    /// `meet` gives the distance up to which things still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
     /// For a hurried probe the walk is there twice, for the processor's best instructions and for any processor; kernels
     /// meet the same things in both.
     #[inline(always)]
-    pub fn visit<P: Probe>(&self, ray: &Ray, search: Search, mut meet: impl FnMut(u32) -> f64) -> u64 {
-        let mut t_max = ray.t_max;
+    pub fn visit<P: Probe>(
+        &self,
+        source: &impl RaySource,
+        search: Search,
+        mut meet: impl FnMut(u32, bool) -> f64,
+    ) -> u64 {
+        let mut t_max = source.reach();
         for thing in &self.beside {
-            t_max = meet(*thing);
+            t_max = meet(*thing, false);
             if t_max < 0.0 {
                 return 0;
             }
         }
         match self.root {
-            Some(root) => self.visit_tree::<P>(root, ray, t_max, search, meet),
+            Some(root) => self.visit_tree::<P>(root, source, t_max, search, meet),
             None => 0,
         }
     }
@@ -109,21 +134,21 @@ impl Bvh {
     fn visit_tree<P: Probe>(
         &self,
         root: Child,
-        ray: &Ray,
+        source: &impl RaySource,
         t_max: f64,
         search: Search,
-        meet: impl FnMut(u32) -> f64,
+        meet: impl FnMut(u32, bool) -> f64,
     ) -> u64 {
-        let walk = Walk { tree: self, ray, search, t_max, meet };
+        let walk = Walk { tree: self, source, search, meet };
         #[cfg(target_arch = "x86_64")]
         if P::IS_HURRIED
             && let Instructions::Avx2(avx2) = self.instructions
         {
             return avx2.run(
                 #[inline(always)]
-                || walk.run(avx2, root),
+                || walk.run(avx2, root, t_max),
             );
         }
-        walk.run(Plain, root)
+        walk.run(Plain, root, t_max)
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::{exponent, scaled};
-use crate::geometry::ray::Ray;
+use crate::geometry::line::Line;
 use glam::{DVec3, Vec3, Vec4};
 
 /// The rounding error of one operation in single precision, as a part of the result.
@@ -36,12 +36,17 @@ pub(super) struct LocalRay {
     pub slack: f32,
     /// What lies before this can't be met.
     pub t_min: f32,
+    /// The least distance along the ray that counts, in its own units.
+    begin: f64,
     pub distance: Distance,
 }
 
 /// How distances along the ray become those of the tree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Distance {
+    /// A unit of length in the tree's space.
+    unit: f64,
+    /// A unit of distances along the ray.
     scale: f64,
     shift: f64,
     slack: f64,
@@ -67,11 +72,11 @@ impl Space {
         length * self.scale
     }
 
-    /// The ray; `None` where it is so far away, or so ill-defined, that it may meet anything.
+    /// The line as a ray of the tree's space; `None` where it is so far away, or so ill-defined, that it may meet anything.
     #[inline(always)]
-    pub fn ray(&self, ray: &Ray) -> Option<LocalRay> {
-        let (direction, length) = unit(ray.direction)?;
-        let mut origin = self.point(ray.origin);
+    pub fn ray(&self, line: &Line) -> Option<LocalRay> {
+        let direction = line.direction;
+        let mut origin = self.point(line.origin);
         let mut shift = 0.0;
         let size = sum_of_magnitudes(origin);
         if origin.dot(origin) > NEAR {
@@ -79,20 +84,20 @@ impl Space {
             shift = -origin.dot(direction) - 2.0;
             origin += direction * shift;
         }
-        let offset = sum_of_magnitudes(ray.origin) * self.scale;
+        let offset = sum_of_magnitudes(line.origin) * self.scale;
         let slack = ROUNDINGS * (size + shift.abs() + offset + 8.0);
         if slack.is_nan() || slack >= WIDEST {
             return None;
         }
-        let distance = Distance { scale: length * self.scale, shift, slack };
-        let t_min = distance.earliest(ray.t_min);
-        Some(LocalRay::new(origin.as_vec3(), direction.as_vec3(), slack as f32 * (1.0 + 4.0 * U), t_min, distance))
+        let distance = Distance { unit: self.scale, scale: line.unit * self.scale, shift, slack };
+        let slack = slack as f32 * (1.0 + 4.0 * U);
+        Some(LocalRay::new(origin.as_vec3(), direction.as_vec3(), slack, line.t_min, distance))
     }
 }
 
 impl LocalRay {
     #[inline(always)]
-    fn new(origin: Vec3, direction: Vec3, slack: f32, t_min: f32, distance: Distance) -> LocalRay {
+    fn new(origin: Vec3, direction: Vec3, slack: f32, t_min: f64, distance: Distance) -> LocalRay {
         let [x, y, z] = direction.to_array();
         // Over the distances that count, so little moves the ray less than the margin.
         let along = |x: f32| if x.abs() < LEAST { LEAST.copysign(x) } else { x };
@@ -109,9 +114,20 @@ impl LocalRay {
             far: three(center - around),
             near_side: [x, y, z].map(|x| usize::from(x.is_sign_negative())),
             slack,
-            t_min,
+            t_min: distance.earliest(t_min),
+            begin: t_min,
             distance,
         }
+    }
+}
+
+impl LocalRay {
+    /// Between which distances a crossing certainly counts of a ray up to `t_max` whose origin rounding may have moved by `slack`; `None` where
+    /// that is more than filters allow for.
+    #[inline(always)]
+    pub fn surely_within(&self, t_max: f64, slack: f64) -> Option<[f32; 2]> {
+        let before = if t_max == f64::INFINITY { LATEST } else { self.distance.earliest(t_max) };
+        (slack * self.distance.unit <= self.distance.slack).then(|| [self.distance.latest(self.begin), before])
     }
 }
 
@@ -137,17 +153,6 @@ fn sum_of_magnitudes(vector: DVec3) -> f64 {
     x.abs() + y.abs() + z.abs()
 }
 
-/// The direction at unit length, and its length.
-#[inline(always)]
-fn unit(direction: DVec3) -> Option<(DVec3, f64)> {
-    let squared = direction.dot(direction);
-    if (squared - 1.0).abs() <= 16.0 * f64::EPSILON {
-        return Some((direction, 1.0));
-    }
-    let length = squared.sqrt();
-    (length > 1e-100 && length < 1e100).then(|| (direction / length, length))
-}
-
 /// Two near ties are told apart with more digits, so what lies a little beyond the nearest hit still counts.
 const NEAR_TIE: f64 = 16.0 * f64::EPSILON;
 
@@ -168,7 +173,8 @@ impl Distance {
     fn rounded_up(&self, t: f64, sign: f64) -> f32 {
         let t = t * self.scale;
         let t = (t + t.abs() * NEAR_TIE - sign * self.shift + self.slack) as f32;
-        let t = t + t.abs() * (2.0 * U);
+        // A rounding here, and what the direction and the unit of distances may be off by.
+        let t = t + t.abs() * (4.0 * U);
         // Also where −∞ has become no number.
         if t < LATEST { t } else { LATEST }
     }
@@ -195,6 +201,10 @@ mod tests {
         Space::around(Bounds { min: DVec3::new(9.0, -1.0, -3.0), max: DVec3::new(11.0, 1.0, 3.0) })
     }
 
+    fn of(origin: DVec3, direction: DVec3) -> Option<LocalRay> {
+        Line::along(origin, direction, [0.0, f64::INFINITY]).and_then(|line| space().ray(&line))
+    }
+
     #[test]
     fn what_it_is_around_lies_between_minus_one_and_one() {
         assert_eq!(space().point(DVec3::new(11.0, 0.0, -3.0)), DVec3::new(0.25, 0.0, -0.75));
@@ -203,8 +213,7 @@ mod tests {
 
     #[test]
     fn a_far_ray_begins_near() {
-        let ray = Ray::new(DVec3::new(10.0, 0.0, 1e6), DVec3::NEG_Z);
-        let local = space().ray(&ray).expect("near enough");
+        let local = of(DVec3::new(10.0, 0.0, 1e6), DVec3::NEG_Z).expect("near enough");
         assert_eq!(local.origin, [0.0, 0.0, 2.0]);
         // The nearest side is at 3, and t counts from the ray's own origin.
         let side = local.distance.latest(1e6 - 3.0);
@@ -213,12 +222,9 @@ mod tests {
 
     #[test]
     fn what_has_no_place_has_no_ray() {
-        let mut ray = Ray::new(DVec3::ZERO, DVec3::ZERO);
-        assert!(space().ray(&ray).is_none());
-        ray.direction = DVec3::X;
-        assert!(space().ray(&ray).is_some());
-        ray.origin = DVec3::X * 1e30;
-        assert!(space().ray(&ray).is_none());
+        assert!(of(DVec3::ZERO, DVec3::ZERO).is_none());
+        assert!(of(DVec3::ZERO, DVec3::X).is_some());
+        assert!(of(DVec3::X * 1e30, DVec3::X).is_none());
     }
 
     #[test]

@@ -1,42 +1,44 @@
 //! The walk through the tree along a ray.
 
-use super::block::{Block, LeafRay};
+use super::block::{Block, LeafRay, Sorted};
 use super::lanes::Lanes;
 use super::node::{BoxRay, Child, Content, Node};
 use super::{Bvh, Search};
-use crate::geometry::ray::Ray;
+use crate::geometry::line::RaySource;
 use arrayvec::ArrayVec;
 
 /// The most nodes that wait: seven for each level of the deepest tree, and one.
 pub(super) const STACK: usize = 7 * super::build::MAX_LEVELS + 1;
 
 /// A walk, and what it is for.
-pub(super) struct Walk<'a, M> {
+pub(super) struct Walk<'a, S, M> {
     pub tree: &'a Bvh,
-    pub ray: &'a Ray,
+    pub source: &'a S,
     pub search: Search,
-    /// How far things matter.
-    pub t_max: f64,
-    /// Shows a thing; gives the distance up to which things still matter, a negative one to end the walk.
+    /// Shows a thing, and says whether the ray certainly crosses it; gives the distance up to which things still matter, a negative one to end the walk.
     pub meet: M,
 }
 
 /// A child that waits, and where the ray enters its box.
 type Waiting = (f32, Child);
 
-impl<M: FnMut(u32) -> f64> Walk<'_, M> {
-    /// Walks from this child on. Returns how many boxes were tested.
+impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
+    /// Walks from this child on, up to a distance. Returns how many boxes were tested.
     #[inline(always)]
-    pub fn run<L: Lanes>(mut self, lanes: L, root: Child) -> u64 {
+    pub fn run<L: Lanes>(mut self, lanes: L, root: Child, t_max: f64) -> u64 {
         let tree = self.tree;
-        let Some(ray) = tree.space.ray(self.ray) else {
+        let Some(ray) = self.source.line().and_then(
+            #[inline(always)]
+            |line| tree.space.ray(&line),
+        ) else {
             self.show_all();
             return 0;
         };
         let box_ray = BoxRay::new(lanes, &ray);
         let leaf_ray = LeafRay::new(lanes, &ray);
         let distance = ray.distance;
-        let mut t_max = distance.latest(self.t_max);
+        let sure = if self.search.tells_sure_hits { ray.surely_within(t_max, self.source.slack()) } else { None };
+        let mut t_max = distance.latest(t_max);
         let mut waiting: ArrayVec<Waiting, STACK> = ArrayVec::new();
         let mut nodes_tested = 0;
         let mut child = root;
@@ -58,19 +60,21 @@ impl<M: FnMut(u32) -> f64> Walk<'_, M> {
                 }
                 Content::Triangles(number) => {
                     let block = &tree.triangles[number as usize];
-                    Leaf { bits: self.sorted_out(lanes, block, &leaf_ray, t_max), things: block.things() }
+                    Leaf { sorted: self.sorted_out(lanes, block, &leaf_ray, t_max, sure), things: block.things() }
                 }
                 Content::Spheres(number) => {
                     let block = &tree.spheres[number as usize];
-                    Leaf { bits: self.sorted_out(lanes, block, &leaf_ray, t_max), things: block.things() }
+                    Leaf { sorted: self.sorted_out(lanes, block, &leaf_ray, t_max, sure), things: block.things() }
                 }
-                Content::Thing(thing) => Leaf { bits: 1, things: [thing; 8] },
+                Content::Thing(thing) => Leaf { sorted: Sorted::possible(1), things: [thing; 8] },
             };
-            let mut bits = leaf.bits;
-            while bits != 0 {
-                let lane = bits.trailing_zeros() as usize;
-                bits &= bits - 1;
-                let limit = (self.meet)(leaf.things[lane & 7]);
+            let Sorted { mut possible, mut sure } = leaf.sorted;
+            while possible != 0 {
+                // A sure one may end the search.
+                let is_sure = sure != 0;
+                let lane = if is_sure { sure } else { possible }.trailing_zeros() as usize;
+                (possible, sure) = (possible & !(1 << lane), sure & !(1 << lane));
+                let limit = (self.meet)(leaf.things[lane & 7], is_sure);
                 if limit < 0.0 {
                     return 8 * nodes_tested;
                 }
@@ -88,26 +92,37 @@ impl<M: FnMut(u32) -> f64> Walk<'_, M> {
     #[inline(never)]
     fn show_all(mut self) {
         for thing in self.tree.things() {
-            if (self.meet)(thing) < 0.0 {
+            if (self.meet)(thing, false) < 0.0 {
                 return;
             }
         }
     }
 
     #[inline(always)]
-    fn sorted_out<L: Lanes>(&self, lanes: L, block: &impl Block, ray: &LeafRay<L>, t_max: f32) -> u32 {
-        if self.search.one_by_one { block.filtered(lanes, ray, lanes.splat(t_max)) } else { block.used() }
+    fn sorted_out<L: Lanes>(
+        &self,
+        lanes: L,
+        block: &impl Block,
+        ray: &LeafRay<L>,
+        t_max: f32,
+        sure: Option<[f32; 2]>,
+    ) -> Sorted {
+        if self.search.one_by_one {
+            block.filtered(lanes, ray, lanes.splat(t_max), sure)
+        } else {
+            Sorted::possible(block.used())
+        }
     }
 }
 
 /// The things of a leaf that the ray may meet.
 struct Leaf {
-    bits: u32,
+    sorted: Sorted,
     things: [u32; 8],
 }
 
 impl Leaf {
-    const NONE: Leaf = Leaf { bits: 0, things: [0; 8] };
+    const NONE: Leaf = Leaf { sorted: Sorted::possible(0), things: [0; 8] };
 }
 
 /// The next child that the ray enters in time.

@@ -71,6 +71,10 @@ impl Cuboid {
             Some(Leaving::ANY_PRIMITIVE) => [true, false],
             Some(face) => [true, face == span.exit_face],
         };
+        if entry_is_left && exit_is_left {
+            probe.mark(Decision::Miss { why: Miss::BeginsThere });
+            return None;
+        }
         // Numbers near the greatest one may have no point.
         let has_point = |t: f64| (ray.origin + ray.direction * t).is_finite();
         let root = |t: f64, primitive: u32, is_left: bool, name: Name| {

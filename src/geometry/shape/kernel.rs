@@ -65,14 +65,21 @@ pub trait Kernel {
     /// Marks the only candidate of a flat shape as hit or missed.
     #[inline(always)]
     fn decide<P: Probe>(&self, ray: &Ray, approach: Approach, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
-        // A call at the end, before which no register need be saved.
-        if ray.is_near_an_end(candidate.t) {
-            return self.decide_near_end(ray, approach, candidate, probe);
-        }
-        decide(ray, approach, candidate, None, probe)
+        let Crossing { t, side, primitive } = candidate;
+        let at_an_end =
+            if ray.is_near_an_end(t) { self.at_a_near_end(ray, approach, t, side, primitive) } else { None };
+        decide(ray, approach, candidate, at_an_end, probe)
     }
 
-    /// The rest of [`Kernel::decide`].
+    /// [`Kernel::at_an_end`], called with what fits into registers. A crossing that is handed to a call stands in memory, on the way without
+    /// the call, too; there it is written piece by piece and read in one, which waits for the pieces, longer than a plane's test takes.
+    #[cold]
+    #[inline(never)]
+    fn at_a_near_end(&self, ray: &Ray, approach: Approach, t: f64, side: Side, primitive: u32) -> Option<Miss> {
+        self.at_an_end(ray, approach, Crossing { t, side, primitive })
+    }
+
+    /// [`Kernel::decide`] for a crossing near an end of the ray.
     #[cold]
     #[inline(never)]
     fn decide_near_end<P: Probe>(

@@ -10,6 +10,7 @@ use super::{Approach, at_an_end, decide, touched};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
+use crate::geometry::line::RaySource;
 use crate::geometry::mesh::{Mesh, Winding};
 use crate::geometry::nearest::{Contenders, Hit, is_close};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
@@ -31,9 +32,6 @@ pub struct TriangleMesh {
     /// What [`TriangleMesh::inside`] found; only media need it.
     inside: OnceLock<Option<Side>>,
 }
-
-const NEAREST_FIRST: bool = true;
-const IN_ANY_ORDER: bool = false;
 
 impl TriangleMesh {
     /// Builds the tree. Triangles without area are left out of it.
@@ -77,7 +75,7 @@ impl TriangleMesh {
         probe: &mut P,
     ) -> Option<Crossing> {
         let mut nearest: Option<Crossing> = None;
-        self.visit(object, one_sided, ray, NEAREST_FIRST, probe, |crossing, probe| {
+        self.visit(object, one_sided, ray, Search::nearest_first(probe), probe, |crossing, probe| {
             let hit = |crossing| Hit { object, crossing };
             if let Some(best) = nearest
                 && is_close(crossing.t, best.t, ray, probe)
@@ -113,12 +111,23 @@ impl TriangleMesh {
     }
 
     /// Whether the ray crosses the object at all. Ends with the first triangle that is found.
-    pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> bool {
+    pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, source: &impl RaySource, probe: &mut P) -> bool {
+        let left = self.left(object, source);
         let mut is_crossed = false;
-        self.visit(object, one_sided, ray, IN_ANY_ORDER, probe, |_, _| {
-            is_crossed = true;
-            -1.0
-        });
+        let tested = self.tree.visit::<P>(
+            source,
+            Search::of_any(probe),
+            #[inline(always)]
+            |triangle, is_sure| {
+                is_crossed = if is_sure && !one_sided && left.is_none() {
+                    true
+                } else {
+                    self.meet(object, one_sided, triangle, source.ray(), left.as_ref(), probe).is_some()
+                };
+                if is_crossed { -1.0 } else { source.reach() }
+            },
+        );
+        probe.bounds_tested(tested);
         is_crossed
     }
 
@@ -132,7 +141,7 @@ impl TriangleMesh {
         probe: &mut P,
     ) {
         let before = found.len();
-        self.visit(object, one_sided, ray, IN_ANY_ORDER, probe, |crossing, _| {
+        self.visit(object, one_sided, ray, Search::in_any_order(probe), probe, |crossing, _| {
             found.push(crossing);
             ray.t_max
         });
@@ -184,25 +193,18 @@ impl TriangleMesh {
         object: u32,
         one_sided: bool,
         ray: &Ray,
-        nearest_first: bool,
+        search: Search,
         probe: &mut P,
         mut meet: impl FnMut(Crossing, &P) -> f64,
     ) {
-        let left = ray.leaving.filter(|leaving| leaving.object == object);
-        let left = left.and_then(|leaving| LeftTriangle::of(&self.mesh, &self.normals, leaving, ray));
-        let approach = Approach { leaving: None, one_sided };
+        let left = self.left(object, ray);
         let mut t_max = ray.t_max;
-        let search = Search { nearest_first, one_by_one: probe.certifies() };
         let tested = self.tree.visit::<P>(
             ray,
             search,
             #[inline(always)]
-            |triangle| {
-                let is_out_of_reach =
-                    left.as_ref().is_some_and(|left| left.bars(&self.mesh, &self.normals, triangle, ray));
-                if !is_out_of_reach
-                    && let Some(crossing) = self.test(object, triangle, ray, approach, left.as_ref(), probe)
-                {
+            |triangle, _| {
+                if let Some(crossing) = self.meet(object, one_sided, triangle, ray, left.as_ref(), probe) {
                     t_max = meet(crossing, probe);
                 }
                 t_max
@@ -211,16 +213,28 @@ impl TriangleMesh {
         probe.bounds_tested(tested);
     }
 
+    /// The triangle that the ray leaves, if it leaves one.
     #[inline(always)]
-    fn test<P: Probe>(
+    fn left(&self, object: u32, source: &impl RaySource) -> Option<LeftTriangle> {
+        let leaving = source.leaving().filter(|leaving| leaving.object == object)?;
+        LeftTriangle::of(&self.mesh, &self.normals, leaving, source.ray())
+    }
+
+    /// The crossing with a triangle, unless the triangle that the ray leaves bars it.
+    #[inline(always)]
+    fn meet<P: Probe>(
         &self,
         object: u32,
+        one_sided: bool,
         triangle: u32,
         ray: &Ray,
-        approach: Approach,
         left: Option<&LeftTriangle>,
         probe: &mut P,
     ) -> Option<Crossing> {
+        if left.is_some_and(|left| left.bars(&self.mesh, &self.normals, triangle, ray)) {
+            return None;
+        }
+        let approach = Approach { leaving: None, one_sided };
         let facet = self.facet(triangle);
         let near_end = |crossing: Crossing, probe: &mut P| self.decide_near_end(ray, approach, crossing, left, probe);
         facet.give(probe);

@@ -41,6 +41,7 @@ pub use triangle::Triangle;
 use super::bounds::Bounds;
 use super::bvh::Form;
 use super::doubled::Doubled;
+use super::line::RaySource;
 use super::nearest::{Contenders, Hit};
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::probe::{Probe, ROUNDINGS, Silent};
@@ -161,11 +162,13 @@ impl Shape {
 
     /// Whether the ray crosses the object at all.
     #[inline(always)]
-    pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> bool {
+    pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, source: &impl RaySource, probe: &mut P) -> bool {
         match self {
-            Shape::Mesh(mesh) => mesh.is_crossed(object, one_sided, ray, probe),
-            Shape::Moving(moving) => moving.is_crossed(object, one_sided, ray, probe),
-            _ => kernel!(self, kernel => kernel.first_of(object, one_sided, ray, probe).is_some(), _mesh => false),
+            Shape::Mesh(mesh) => mesh.is_crossed(object, one_sided, source, probe),
+            Shape::Moving(moving) => moving.is_crossed(object, one_sided, source.ray(), probe),
+            _ => {
+                kernel!(self, kernel => kernel.first_of(object, one_sided, source.ray(), probe).is_some(), _mesh => false)
+            }
         }
     }
 

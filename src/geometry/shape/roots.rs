@@ -142,14 +142,23 @@ impl Roots {
         ]
     }
 
+    /// Says why no crossing counts. Of a ray that begins inside one crossing lies behind it, and the other one tells.
     fn mark_miss<P: Probe>(&self, ray: &Ray, approach: Approach, ends: Ends, probe: &mut P) {
+        let is_entry_nearest = self.is_entry_nearest();
+        let is_left = [ends.has_left && is_entry_nearest, ends.has_left && !is_entry_nearest];
+        let [entry, exit] = [(&self.entry, is_left[0]), (&self.exit, is_left[1])];
+        let is_ahead = |(root, is_left): (&Root, bool)| root.is_on_surface && !is_left && root.t > ray.t_min;
+        let is_behind = |(root, is_left): (&Root, bool)| is_left || root.t <= ray.t_min;
+        let is_beyond = |root| is_ahead(root) && root.0.t >= ray.t_max;
+        let faces_away = |root, side| is_ahead(root) && !approach.shows(side);
+        let is_on_surface = (entry.0.is_on_surface && !entry.1) || (exit.0.is_on_surface && !exit.1);
         let why = match () {
             _ if ends.light != [false; 2] => Miss::Beyond,
+            _ if is_beyond(entry) => Miss::Beyond,
+            _ if faces_away(entry, self.outer) || faces_away(exit, self.outer.opposite()) => Miss::FacesAway,
+            _ if is_beyond(exit) => Miss::Beyond,
             _ if ends.has_left && approach.leaving.is_none() => Miss::BeginsThere,
-            _ if !self.entry.is_on_surface && !self.exit.is_on_surface => Miss::Beside,
-            _ if self.exit.t <= ray.t_min => Miss::Behind,
-            _ if self.entry.t >= ray.t_max => Miss::Beyond,
-            _ if approach.one_sided => Miss::FacesAway,
+            _ if is_on_surface && is_behind(entry) && is_behind(exit) => Miss::Behind,
             _ => Miss::Beside,
         };
         probe.mark(Decision::Miss { why });

@@ -51,6 +51,7 @@ struct End {
     name: Name,
     t: f64,
     side: Side,
+    /// Whether its digits are enough, or no more are wanted.
     is_settled: bool,
 }
 
@@ -170,34 +171,37 @@ impl Sphere {
 
     /// Where the chord begins.
     #[inline(always)]
-    fn near(&self, ray: &Ray, chord: &Chord) -> End {
+    fn near<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &P) -> End {
         let (name, t, has_its_digits) = match self.method {
             SphereMethod::Geometric => (Name::SphereT, chord.t_a - chord.t2_a.sqrt(), true),
             SphereMethod::Robust => {
                 let t = (chord.l2_oc - self.radius_squared) / (chord.t_a + chord.t2_a.sqrt());
-                let has_its_digits = self.has_its_digits(chord, t) && self.keeps(chord.l2_oc, LEAST_DIFFERENCE);
+                let has_its_digits =
+                    self.is_steep_at_most(chord, t, STEEPEST) && self.keeps(chord.l2_oc, LEAST_DIFFERENCE);
                 (Name::SphereTNearRobust, t, has_its_digits)
             }
         };
-        End { name, t, side: self.outer, is_settled: has_its_digits || self.is_settled_by_half(ray, chord, t) }
+        let is_settled = has_its_digits || self.is_settled_by_half(ray, chord, t) || !probe.certifies();
+        End { name, t, side: self.outer, is_settled }
     }
 
     /// Where the chord ends.
     #[inline(always)]
-    fn far(&self, ray: &Ray, chord: &Chord) -> End {
+    fn far<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &P) -> End {
         let (name, t, has_its_digits) = match self.method {
             SphereMethod::Geometric => (Name::SphereTFar, chord.t_a + chord.t2_a.sqrt(), true),
             SphereMethod::Robust if chord.t_a < 0.0 => {
                 let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
-                let has_its_digits = self.has_its_digits(chord, t) && self.keeps(chord.l2_oc, LEAST_DIFFERENCE);
+                let has_its_digits =
+                    self.is_steep_at_most(chord, t, STEEPEST) && self.keeps(chord.l2_oc, LEAST_DIFFERENCE);
                 (Name::SphereTFarRobust, t, has_its_digits)
             }
             SphereMethod::Robust => {
                 let t = chord.t_a + chord.t2_a.sqrt();
-                (Name::SphereTFar, t, self.has_its_digits(chord, t))
+                (Name::SphereTFar, t, self.is_steep_at_most(chord, t, STEEPEST))
             }
         };
-        let is_settled = has_its_digits || self.is_settled_by_half(ray, chord, t);
+        let is_settled = has_its_digits || self.is_settled_by_half(ray, chord, t) || !probe.certifies();
         End { name, t, side: self.outer.opposite(), is_settled }
     }
 
@@ -205,17 +209,11 @@ impl Sphere {
     #[inline]
     fn crossing<P: Probe>(&self, ray: &Ray, l2_oc: f64, end: End, probe: &mut P) -> Crossing {
         let End { name, t, side, is_settled } = end;
-        if is_settled || !probe.certifies() {
+        if is_settled {
             return Crossing { t: probe.note(name, t), side, primitive: 0 };
         }
         probe.fallback();
         self.note_doubled(Crossing { t: self.corrected(ray, l2_oc, t), side, primitive: 0 }, probe)
-    }
-
-    /// Whether the distance of an end has too few digits, or it may be an end of the ray.
-    #[inline(always)]
-    fn needs_care<P: Probe>(&self, ray: &Ray, end: &End, probe: &P) -> bool {
-        (!end.is_settled && probe.certifies()) || ray.is_near_an_end(end.t)
     }
 
     /// The first crossing, where the end that it is at needs care.
@@ -232,7 +230,7 @@ impl Sphere {
         let crossing = self.crossing(ray, chord.l2_oc, end, probe);
         let at_an_end = self.is_end_of(ray, approach, crossing);
         if end.side == self.outer && (crossing.t <= ray.t_min || at_an_end == Some(Miss::BeginsThere)) {
-            let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord), probe);
+            let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord, probe), probe);
             return decide(ray, approach, far, self.is_end_of(ray, approach, far), probe);
         }
         decide(ray, approach, crossing, at_an_end, probe)
@@ -252,12 +250,7 @@ impl Sphere {
     }
 
     /// Whether a distance of this chord has lost no more than a bit or two by the way p from the centre to the line, which errs
-    /// by roundings of |OC|: √T2_A shows them p/√T2_A times as large.
-    #[inline(always)]
-    fn has_its_digits(&self, chord: &Chord, t: f64) -> bool {
-        self.is_steep_at_most(chord, t, STEEPEST)
-    }
-
+    /// by roundings of |OC|: √T2_A shows them p/√T2_A times as large. That is so if the square of that factor is [`STEEPEST`] at most.
     #[inline(always)]
     fn is_steep_at_most(&self, chord: &Chord, t: f64, most: f64) -> bool {
         let p2 = self.radius_squared - chord.t2_a;
@@ -290,6 +283,12 @@ impl Sphere {
     }
 }
 
+/// Whether the distance of an end has too few digits, or it may be an end of the ray.
+#[inline(always)]
+fn needs_care(ray: &Ray, end: &End) -> bool {
+    !end.is_settled || ray.is_near_an_end(end.t)
+}
+
 impl Kernel for Sphere {
     fn give<P: Probe>(&self, probe: &mut P) {
         probe.given(Name::SphereCenter, self.center);
@@ -308,8 +307,8 @@ impl Kernel for Sphere {
             Line::InDoubt => return self.first_doubled(ray, approach, probe),
         };
         if chord.is_origin_outside && approach.shows(self.outer) {
-            let near = self.near(ray, &chord);
-            if self.needs_care(ray, &near, probe) {
+            let near = self.near(ray, &chord, probe);
+            if needs_care(ray, &near) {
                 return self.first_with_care(ray, approach, chord, near, probe);
             }
             let t = probe.note(near.name, near.t);
@@ -318,8 +317,8 @@ impl Kernel for Sphere {
                 return decide(ray, approach, Crossing { t, side: near.side, primitive: 0 }, None, probe);
             }
         }
-        let far = self.far(ray, &chord);
-        if self.needs_care(ray, &far, probe) {
+        let far = self.far(ray, &chord, probe);
+        if needs_care(ray, &far) {
             return self.first_with_care(ray, approach, chord, far, probe);
         }
         let t = probe.note(far.name, far.t);
@@ -343,10 +342,10 @@ impl Kernel for Sphere {
             }
         };
         if chord.is_origin_outside {
-            let near = self.crossing(ray, chord.l2_oc, self.near(ray, &chord), probe);
+            let near = self.crossing(ray, chord.l2_oc, self.near(ray, &chord, probe), probe);
             found.extend(decide(ray, approach, near, self.is_end_of(ray, approach, near), probe));
         }
-        let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord), probe);
+        let far = self.crossing(ray, chord.l2_oc, self.far(ray, &chord, probe), probe);
         found.extend(decide(ray, approach, far, self.is_end_of(ray, approach, far), probe));
     }
 

@@ -39,7 +39,9 @@ pub(super) fn groups(decision: &Decision) -> Groups {
         Decision::Hit => &[&["T_A > 0"], MEETS, &["t > 0", "t = 0"], &["t < |ℓ|"]],
         Decision::TotalInternalReflection => &[&["η² − |d + cosφ_1·N|² < 0"]],
         Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind } => &[&["N·L < 0", "N·L = 0"]],
-        Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm } => &[&["N·L > 0"]],
+        Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm } => {
+            &[&["max(K_d) = 0"], &["max(K_e) = 0"]]
+        }
         Decision::Rejected { what: Skippable::Transmitted } => &[&["h_z > 0"]],
         Decision::Rejected { .. } => &[&["h_z < 0"]],
         Decision::LeakGuard { .. } => &[&["N_g · L < 0", "N_g · L > 0"]],
@@ -55,11 +57,52 @@ pub(super) fn groups(decision: &Decision) -> Groups {
     }
 }
 
+/// Which crossing a ray meets, where all were asked for and none was chosen: it lies on the surface, and between the ends of the ray. A
+/// crossing of the wall must be between the ends of the solid; one of the solid may be of a cap.
+pub(super) fn hits(is_cone: bool) -> Reasons {
+    if is_cone { HITS_CONE } else { HITS }
+}
+
+const HITS: Reasons = &[
+    &["t_in > 0", "t_in < |ℓ|"],
+    &["t_out > 0", "t_out < |ℓ|"],
+    &["min(t_1, t_2) ≥ min(t_b, t_a)", "min(t_1, t_2) ≤ max(t_b, t_a)", "min(t_1, t_2) > 0", "min(t_1, t_2) < |ℓ|"],
+    &["max(t_1, t_2) ≥ min(t_b, t_a)", "max(t_1, t_2) ≤ max(t_b, t_a)", "max(t_1, t_2) > 0", "max(t_1, t_2) < |ℓ|"],
+    &["min(t_1, t_2) ≤ min(t_b, t_a)", "min(t_b, t_a) ≤ max(t_1, t_2)", "min(t_b, t_a) > 0", "min(t_b, t_a) < |ℓ|"],
+    &["min(t_1, t_2) ≤ max(t_b, t_a)", "max(t_b, t_a) ≤ max(t_1, t_2)", "max(t_b, t_a) > 0", "max(t_b, t_a) < |ℓ|"],
+    // Across the axis, or an ellipsoid; along the axis.
+    &["min(t_1, t_2) > 0", "min(t_1, t_2) < |ℓ|"],
+    &["max(t_1, t_2) > 0", "max(t_1, t_2) < |ℓ|"],
+    &["min(t_b, t_a) > 0", "min(t_b, t_a) < |ℓ|"],
+    &["max(t_b, t_a) > 0", "max(t_b, t_a) < |ℓ|"],
+];
+
+const HITS_CONE: Reasons = &[
+    &[
+        "min(t_1, t_2) ≥ min(t_b, t_a)",
+        "min(t_1, t_2) ≤ max(t_b, t_a)",
+        "t_0 + min(t_1, t_2) > 0",
+        "t_0 + min(t_1, t_2) < |ℓ|",
+    ],
+    &[
+        "max(t_1, t_2) ≥ min(t_b, t_a)",
+        "max(t_1, t_2) ≤ max(t_b, t_a)",
+        "t_0 + max(t_1, t_2) > 0",
+        "t_0 + max(t_1, t_2) < |ℓ|",
+    ],
+    &["a = 0", "t_2 ≥ min(t_b, t_a)", "t_2 ≤ max(t_b, t_a)", "t_0 + t_2 > 0", "t_0 + t_2 < |ℓ|"],
+    &["d_w = 0", "t_0 + min(t_1, t_2) > 0", "t_0 + min(t_1, t_2) < |ℓ|"],
+    &["d_w = 0", "t_0 + max(t_1, t_2) > 0", "t_0 + max(t_1, t_2) < |ℓ|"],
+    &["t_0 + min(t_b, t_a) > 0", "t_0 + min(t_b, t_a) < |ℓ|"],
+    &["t_0 + max(t_b, t_a) > 0", "t_0 + max(t_b, t_a) < |ℓ|"],
+];
+
 /// Why a surface is missed. A cone's crossings t_1, t_2 and those of its ends t_b, t_a are counted from t_0.
 pub(super) fn misses(why: Miss, is_cone: bool) -> Reasons {
     match (why, is_cone) {
         (Miss::Parallel, _) => &[&["V_d = 0"], &["a = 0"]],
-        (Miss::FacesAway, _) => &[&["V_d > 0"]],
+        (Miss::FacesAway, false) => FACES_AWAY,
+        (Miss::FacesAway, true) => FACES_AWAY_CONE,
         (Miss::Behind, false) => &[
             &["t ≤ 0"],
             &["t_out ≤ 0"],
@@ -67,27 +110,86 @@ pub(super) fn misses(why: Miss, is_cone: bool) -> Reasons {
             &["T_A < 0"],
             &["max(t_b, t_a) ≤ 0"],
             &["(−b + √Δ)/a ≤ 0"],
+            // The ray begins at the other one.
+            &["min(t_1, t_2) ≤ 0"],
+            &["t_in ≤ 0"],
         ],
         (Miss::Behind, true) => &[
             &["t_0 + max(t_b, t_a) ≤ 0"],
             &["t_0 + max(t_1, t_2) ≤ 0"],
             &["a < 0", "ρ_d ≤ 0", "t_0 + min(t_1, t_2) ≤ 0"],
             &["a = 0", "t_0 + t_2 ≤ 0"],
+            &["t_0 + min(t_1, t_2) ≤ 0"],
         ],
-        (Miss::Beyond, false) => {
-            &[&["t ≥ |ℓ|"], &["t_in ≥ |ℓ|"], &["min(t_1, t_2) ≥ |ℓ|"], &["min(t_b, t_a) ≥ |ℓ|"], &["(−b − √Δ)/a ≥ |ℓ|"]]
-        }
+        (Miss::Beyond, false) => &[
+            &["t ≥ |ℓ|"],
+            &["t_in ≥ |ℓ|"],
+            &["min(t_1, t_2) ≥ |ℓ|"],
+            &["min(t_b, t_a) ≥ |ℓ|"],
+            &["(−b − √Δ)/a ≥ |ℓ|"],
+            // The ray begins inside, or enters through an open end: where it would come out.
+            &["t_out ≥ |ℓ|"],
+            &["min(max(t_1, t_2), max(t_b, t_a)) ≥ |ℓ|"],
+            &["max(t_1, t_2) ≥ |ℓ|"],
+            &["min((−b + √Δ)/a, max(t_b, t_a)) ≥ |ℓ|"],
+            &["(−b + √Δ)/a ≥ |ℓ|"],
+            &["max(t_b, t_a) ≥ |ℓ|"],
+        ],
         (Miss::Beyond, true) => &[
             &["t_0 + min(t_b, t_a) ≥ |ℓ|"],
             &["t_0 + min(t_1, t_2) ≥ |ℓ|"],
             &["a < 0", "ρ_d > 0", "t_0 + max(t_1, t_2) ≥ |ℓ|"],
             &["a = 0", "t_0 + t_2 ≥ |ℓ|"],
+            &["a < 0", "t_0 + max(t_b, t_a) ≥ |ℓ|"],
+            &["t_0 + min(max(t_1, t_2), max(t_b, t_a)) ≥ |ℓ|"],
+            &["t_0 + max(t_1, t_2) ≥ |ℓ|"],
+            &["t_0 + max(t_b, t_a) ≥ |ℓ|"],
         ],
         (Miss::Beside, false) => BESIDE,
         (Miss::Beside, true) => BESIDE_CONE,
         (Miss::BeginsThere, _) => &[],
     }
 }
+
+/// The ray comes to the side that isn't there for it. Of a sphere the log has the crossing that doesn't show itself: it comes out of the
+/// ball behind the middle of the chord, and into one that is turned inward before it.
+const FACES_AWAY: Reasons = &[
+    &["V_d > 0"],
+    &["t > T_A"],
+    &["t < T_A"],
+    &["L2oc ≤ r²"],
+    &["T_A > 0"],
+    &["t_in ≤ 0", "t_out > 0"],
+    &["t_out > 0"],
+    &["max(min(t_1, t_2), min(t_b, t_a)) ≤ 0", "min(max(t_1, t_2), max(t_b, t_a)) > 0"],
+    &["min(t_1, t_2) ≤ 0", "max(t_1, t_2) > 0"],
+    // Through an open end; turned inward, out of one, or to what lies beyond the light.
+    &["min(t_1, t_2) < min(t_b, t_a)", "max(t_1, t_2) > 0"],
+    &["min(t_1, t_2) > 0", "max(t_1, t_2) > max(t_b, t_a)"],
+    &["max(min(t_1, t_2), min(t_b, t_a)) > 0", "min(max(t_1, t_2), max(t_b, t_a)) ≥ |ℓ|"],
+    &["max(t_1, t_2) > 0"],
+    // No crossings are noted where they have twice the digits, or the ray runs along the axis.
+    &["(−b − √Δ)/a ≤ 0", "(−b + √Δ)/a > 0"],
+    &["(−b + √Δ)/a > 0"],
+    &["min(t_b, t_a) ≤ 0", "max(t_b, t_a) > 0"],
+    &["max(t_b, t_a) > 0"],
+];
+
+/// The same of a cone, whose crossings count as those of [`BESIDE_CONE`].
+const FACES_AWAY_CONE: Reasons = &[
+    &["a > 0", "t_0 + max(min(t_1, t_2), min(t_b, t_a)) ≤ 0", "t_0 + min(max(t_1, t_2), max(t_b, t_a)) > 0"],
+    &["a < 0", "ρ_d > 0", "t_0 + max(max(t_1, t_2), min(t_b, t_a)) ≤ 0", "t_0 + max(t_b, t_a) > 0"],
+    &["a < 0", "ρ_d ≤ 0", "t_0 + min(t_b, t_a) ≤ 0", "t_0 + min(min(t_1, t_2), max(t_b, t_a)) > 0"],
+    &["a = 0", "b < 0", "t_0 + max(t_2, min(t_b, t_a)) ≤ 0", "t_0 + max(t_b, t_a) > 0"],
+    &["a = 0", "t_0 + min(t_b, t_a) ≤ 0", "t_0 + min(t_2, max(t_b, t_a)) > 0"],
+    &["d_w = 0", "t_0 + min(t_1, t_2) ≤ 0", "t_0 + max(t_1, t_2) > 0"],
+    // Through an open end, or turned inward.
+    &["a < 0", "ρ_d ≤ 0", "t_0 + min(t_1, t_2) > 0"],
+    &["a < 0", "ρ_d > 0", "t_0 + max(t_1, t_2) > 0"],
+    &["a = 0", "t_0 + t_2 > 0"],
+    &["t_0 + max(t_1, t_2) > 0"],
+    &["t_0 + max(t_b, t_a) > 0"],
+];
 
 /// The line doesn't meet the surface where the ray is.
 const BESIDE: Reasons = &[
@@ -106,11 +208,9 @@ const BESIDE: Reasons = &[
     &["max(t_1, t_2) < min(t_b, t_a)"],
     &["min(t_1, t_2) < min(t_b, t_a)", "max(t_1, t_2) > max(t_b, t_a)"],
     &["min(t_1, t_2) ≤ 0", "max(t_1, t_2) > max(t_b, t_a)"],
-    &["min(t_1, t_2) < min(t_b, t_a)", "max(t_1, t_2) ≥ |ℓ|"],
     // The ray begins at the other one.
     &["max(t_1, t_2) > max(t_b, t_a)"],
     &["min(t_1, t_2) < min(t_b, t_a)"],
-    &["min(t_1, t_2) ≤ 0"],
     // No crossings are noted where they have twice the digits.
     &["(−b − √Δ)/a > max(t_b, t_a)"],
     &["(−b + √Δ)/a < min(t_b, t_a)"],
@@ -128,12 +228,10 @@ const BESIDE_CONE: Reasons = &[
     &["a < 0", "ρ_d > 0", "max(t_1, t_2) > max(t_b, t_a)"],
     &["a < 0", "ρ_d ≤ 0", "min(t_1, t_2) < min(t_b, t_a)"],
     &["a < 0", "ρ_d > 0", "t_0 + max(t_1, t_2) ≤ 0"],
-    &["a < 0", "ρ_d ≤ 0", "t_0 + min(t_1, t_2) ≥ |ℓ|"],
     // The ray begins at the one that counts.
     &["a < 0"],
     &["min(t_1, t_2) < min(t_b, t_a)", "max(t_1, t_2) > max(t_b, t_a)"],
     &["t_0 + min(t_1, t_2) ≤ 0", "max(t_1, t_2) > max(t_b, t_a)"],
-    &["min(t_1, t_2) < min(t_b, t_a)", "t_0 + max(t_1, t_2) ≥ |ℓ|"],
     // Where the crossings are on the half that doesn't count.
     &["ρ_o + ρ_d·(t_1 + t_2)/2 < 0"],
     // Parallel to a line of the cone, or to the axis.
@@ -142,12 +240,10 @@ const BESIDE_CONE: Reasons = &[
     &["a = 0", "t_2 > max(t_b, t_a)"],
     &["a = 0", "t_2 < min(t_b, t_a)"],
     &["a = 0", "t_0 + t_2 ≤ 0"],
-    &["a = 0", "t_0 + t_2 ≥ |ℓ|"],
     &["a = 0", "b = 0", "c > 0"],
     // The ray begins at the other crossing.
     &["max(t_1, t_2) > max(t_b, t_a)"],
     &["min(t_1, t_2) < min(t_b, t_a)"],
-    &["t_0 + min(t_1, t_2) ≤ 0"],
 ];
 
 /// Two sides, and how they are compared.
@@ -191,7 +287,8 @@ fn texts() -> impl Iterator<Item = &'static str> {
     let of_groups = others.into_iter().flat_map(|decision| groups(&decision).iter().copied());
     let of_misses = Miss::ALL.iter().flat_map(|why| [false, true].map(|is_cone| misses(*why, is_cone)));
     let of_misses = of_misses.flat_map(|reasons| reasons.iter().copied());
-    of_groups.chain(of_misses).flatten().copied().chain([SETS_OFF_INWARD, PRINTED_REFLECTION])
+    let of_hits = [false, true].into_iter().flat_map(|is_cone| hits(is_cone).iter().copied());
+    of_groups.chain(of_misses).chain(of_hits).flatten().copied().chain([SETS_OFF_INWARD, PRINTED_REFLECTION])
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! has.
 
 use super::align::{Alignment, Spot, Thing};
+use super::kinds::Kinds;
 use super::tolerance::Tolerance;
 use crate::log::{Decision, Step, Value, What};
 use crate::report::side_by_side::Run;
@@ -13,6 +14,7 @@ pub(super) struct Before<'a> {
     a: Run<'a>,
     b: Run<'a>,
     alignment: Rc<Alignment>,
+    kinds: Rc<Kinds>,
     places: HashMap<Spot, usize>,
     /// When each of them is in both logs.
     times: Vec<[Time; 2]>,
@@ -29,10 +31,10 @@ struct Time {
 }
 
 impl<'a> Before<'a> {
-    pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>) -> Before<'a> {
+    pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>, kinds: Rc<Kinds>) -> Before<'a> {
         let places = alignment.spots.iter().enumerate().map(|(place, spot)| (*spot, place)).collect();
         let times = times(a, b, &alignment);
-        let mut before = Before { a, b, alignment, places, times, decisions: HashMap::new() };
+        let mut before = Before { a, b, alignment, kinds, places, times, decisions: HashMap::new() };
         for place in 0..before.alignment.spots.len() {
             if before.decides_otherwise(place) {
                 before.decisions.entry(before.alignment.homes[place]).or_default().push(place);
@@ -81,6 +83,11 @@ impl<'a> Before<'a> {
         own.or_else(|| self.earlier(place).find(decides))
     }
 
+    /// The node in A in which this stands, or would.
+    pub fn home(&self, spot: Spot) -> Option<usize> {
+        self.places.get(&spot).map(|place| self.alignment.homes[*place])
+    }
+
     /// Whether the alignment has this: a step that only one log has, for one.
     pub fn has(&self, spot: Spot) -> bool {
         self.places.contains_key(&spot)
@@ -114,10 +121,16 @@ impl<'a> Before<'a> {
         around.find(|node| *node == 0 || is_ray(*node)).unwrap_or(0)
     }
 
-    /// Whether a decision differs here, or is in one log only.
+    /// Whether a decision differs here, or is in one log only. Not every kind of shape asks on which side a ray begins: between two kinds
+    /// that only one asks decides nothing.
     fn decides_otherwise(&self, place: usize) -> bool {
+        let is_of_other_kind = self.kinds.has(self.alignment.homes[place]);
         let is_decision = |run: Run, thing: Thing| match thing {
-            Thing::Event(event) => matches!(run.log.events[event].what, What::Mark(_)),
+            Thing::Event(event) => match run.log.events[event].what {
+                What::Mark(Decision::Outside | Decision::Inside) => !is_of_other_kind,
+                What::Mark(_) => true,
+                _ => false,
+            },
             Thing::Input(..) | Thing::Node(_) => false,
         };
         match self.alignment.spots[place] {

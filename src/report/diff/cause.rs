@@ -6,6 +6,8 @@
 
 use super::align::{Alignment, Spot, Thing, computed};
 use super::before::Before;
+use super::changed::Changed;
+use super::kinds::Kinds;
 use super::operands::{Pair, Substitution};
 use super::tolerance::distance;
 use crate::log::scope::Operand;
@@ -27,6 +29,8 @@ pub(super) struct Attribution {
     pub operands: Vec<Contribution>,
     /// How far the values are apart for other reasons than the operands.
     pub own: f64,
+    /// The object or light that is of another kind, if that is why.
+    pub kind: Option<Changed>,
 }
 
 /// What kind of cause something has.
@@ -48,6 +52,8 @@ pub enum Why {
     NotNeeded,
     /// A test with an object that the other scene doesn't have.
     NoSuchObject,
+    /// The object, or the light, is of another kind in the other scene.
+    OtherKind,
 }
 
 impl Why {
@@ -62,6 +68,7 @@ impl Why {
             Why::First => "first",
             Why::NotNeeded => "not_needed",
             Why::NoSuchObject => "no_such_object",
+            Why::OtherKind => "other_kind",
         }
     }
 }
@@ -80,13 +87,15 @@ pub(super) struct Causes<'a> {
     pub b: Run<'a>,
     alignment: Rc<Alignment>,
     before: Before<'a>,
+    kinds: Rc<Kinds>,
     known: RefCell<HashMap<Spot, Rc<Attribution>>>,
 }
 
 impl<'a> Causes<'a> {
     pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>) -> Causes<'a> {
-        let before = Before::of(a, b, alignment.clone());
-        Causes { a, b, alignment, before, known: RefCell::default() }
+        let kinds = Rc::new(Kinds::of(a, b, &alignment));
+        let before = Before::of(a, b, alignment.clone(), kinds.clone());
+        Causes { a, b, alignment, before, kinds, known: RefCell::default() }
     }
 
     /// Whether this is a test that only one log has.
@@ -123,6 +132,9 @@ impl<'a> Causes<'a> {
     }
 
     fn explain(&self, spot: Spot) -> Attribution {
+        if let Some(kind) = self.before.home(spot).and_then(|home| self.kinds.cause_of(self.a, self.b, home, spot)) {
+            return Attribution { kind: Some(kind.clone()), ..bare(Why::OtherKind) };
+        }
         match spot {
             Spot::Both(Thing::Event(a), Thing::Event(b)) => {
                 match (&self.a.log.events[a].what, &self.b.log.events[b].what) {
@@ -184,11 +196,12 @@ impl<'a> Causes<'a> {
         // Where no single operand moves the value, several do together.
         let largest = operands.first().filter(|largest| largest.effect >= own.max(by_formula));
         match largest.map(|largest| largest.spot) {
-            from @ Some(_) => Attribution { why: Why::Operands, from, operands, own },
+            from @ Some(_) => Attribution { from, operands, own, ..bare(Why::Operands) },
             None if by_formula > own => {
-                Attribution { why: Why::OtherFormula, from: self.before.of_spot(spot), operands, own: by_formula }
+                let from = self.before.of_spot(spot).or_else(|| operands.first().map(|operand| operand.spot));
+                Attribution { from, operands, own: by_formula, ..bare(Why::OtherFormula) }
             }
-            None => Attribution { why: Why::Itself, from: None, operands, own },
+            None => Attribution { operands, own, ..bare(Why::Itself) },
         }
     }
 
@@ -215,10 +228,12 @@ impl<'a> Causes<'a> {
         let theirs = pair.b.map(|operand| source(self.b, b, &operand, pair.symbol));
         match (ours, theirs) {
             (Some(ours), Some(theirs)) if self.before.has(Spot::Both(ours, theirs)) => Some(Spot::Both(ours, theirs)),
-            // From different places: from a part that only one log has, or chosen by a decision.
+            // From different places: from a part that only one log has, or another quantity of the same part, or chosen by a decision.
             (Some(ours), Some(theirs)) => {
                 let part = self.part_of_a(ours).or_else(|| self.part_of_b(theirs));
-                part.or_else(|| self.before.decision_before(spot))
+                let is_of_same_part = self.partner(owner(self.a, ours)) == Some(owner(self.b, theirs));
+                let instead = || Some(Spot::OnlyA(ours)).filter(|spot| is_of_same_part && self.before.has(*spot));
+                part.or_else(instead).or_else(|| self.before.decision_before(spot))
             }
             (Some(ours), None) => {
                 self.part_of_a(ours).or(Some(Spot::OnlyA(ours)).filter(|spot| self.before.has(*spot)))
@@ -244,7 +259,7 @@ impl<'a> Causes<'a> {
 }
 
 fn bare(why: Why) -> Attribution {
-    Attribution { why, from: None, operands: Vec::new(), own: 0.0 }
+    Attribution { why, from: None, operands: Vec::new(), own: 0.0, kind: None }
 }
 
 fn by_effect(mut contributions: Vec<Contribution>) -> Vec<Contribution> {
@@ -283,14 +298,18 @@ fn source(run: Run, event: usize, operand: &Operand, symbol: &str) -> Thing {
     }
 }
 
+/// The node in which a thing stands.
+fn owner(run: Run, thing: Thing) -> usize {
+    match thing {
+        Thing::Event(event) | Thing::Input(event, _) => run.tree.owner(event),
+        Thing::Node(node) => node,
+    }
+}
+
 /// The outermost node around a thing that isn't shared, if there is one.
 fn outermost(run: Run, thing: Thing, is_shared: impl Fn(usize) -> bool) -> Option<usize> {
     let nodes = run.tree.nodes();
-    let node = match thing {
-        Thing::Event(event) | Thing::Input(event, _) => run.tree.owner(event),
-        Thing::Node(node) => node,
-    };
-    let around = std::iter::successors(Some(node), |node| Some(nodes[*node].parent));
+    let around = std::iter::successors(Some(owner(run, thing)), |node| Some(nodes[*node].parent));
     around.take_while(|node| !is_shared(*node)).last()
 }
 

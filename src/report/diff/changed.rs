@@ -1,6 +1,7 @@
 //! Which inputs of the scene two logs have differently, as the scene calls them: `lights.F.position`.
 
 use super::align::{Alignment, Spot, Thing, computed};
+use super::kinds::{Kinds, kind};
 use super::telling_apart;
 use super::tolerance::Tolerance;
 use crate::log::{Decision, Name, RayKind, Step, What};
@@ -23,7 +24,7 @@ pub struct Changed {
 pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Tolerance) -> Vec<Changed> {
     let mut found = names(a, b);
     found.extend(parts(a, b));
-    found.extend(kinds(a, b, alignment));
+    found.extend(Kinds::of(a, b, alignment).changed());
     for spot in &alignment.spots {
         let Spot::Both(ours @ Thing::Input(at, number), theirs @ Thing::Input(there, other)) = *spot else { continue };
         let ((name, value_a), (_, value_b)) = (a.log.given(at)[number], b.log.given(there)[other]);
@@ -114,47 +115,6 @@ fn patterned(run: Run) -> BTreeMap<String, bool> {
         }
     }
     patterned
-}
-
-/// Lights and objects that are of another kind.
-fn kinds(a: Run, b: Run, alignment: &Alignment) -> Vec<Changed> {
-    let pairs = alignment.nodes.iter().enumerate().filter_map(|(ours, theirs)| Some((ours, (*theirs)?)));
-    let changed = pairs.filter_map(|(ours, theirs)| {
-        let (place, kind_a) = kind(a, ours)?;
-        let (_, kind_b) = kind(b, theirs)?;
-        (kind_a != kind_b).then(|| Changed { input: place, a: kind_a.to_owned(), b: kind_b.to_owned() })
-    });
-    changed.collect()
-}
-
-/// What the light or the object of a node is, told by its inputs.
-fn kind(run: Run, node: usize) -> Option<(String, &'static str)> {
-    const OBJECTS: &[(&str, &str)] = &[
-        ("plane.", "plane"),
-        ("sphere.", "sphere"),
-        ("ellipsoid.", "ellipsoid"),
-        ("triangle.", "triangle"),
-        ("polygon.", "polygon"),
-        ("box.", "box"),
-        ("cylinder.", "cylinder"),
-        ("cone.", "cone"),
-        ("disk.", "disk"),
-    ];
-    // An area light's edges come before its point does.
-    const LIGHTS: &[(&str, &str)] = &[
-        ("light.travel", "directional"),
-        ("light.edge_u", "rectangle or disk"),
-        ("light.radius", "sphere"),
-        ("light.position", "point"),
-    ];
-    let header = &run.log.header;
-    let (place, kinds) = match run.tree.nodes()[node].step? {
-        Step::Light { light, .. } => (format!("lights.{}", words::plain(header.light(light))), LIGHTS),
-        Step::Test { object, triangle: None } => (format!("objects.{}", words::plain(header.object(object))), OBJECTS),
-        _ => return None,
-    };
-    let keys = || run.tree.own_events(node).flat_map(|event| run.log.given(event).iter().map(|(name, _)| name.key()));
-    kinds.iter().find(|(start, _)| keys().any(|key| key.starts_with(start))).map(|(_, kind)| (place, *kind))
 }
 
 /// What a scene calls the input that an event carries.

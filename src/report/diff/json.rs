@@ -47,13 +47,15 @@ impl Json {
             object["pixel"] = json!(pixel);
         }
         if !found.changed.is_empty() {
-            let changed = found.changed.iter();
-            object["scene"] = changed.map(|Changed { input, a, b }| json!({"input": input, "a": a, "b": b})).collect();
+            object["scene"] = found.changed.iter().map(change).collect();
         }
         if let (Some(first), false) = (&found.first, self.has_first) {
             self.has_first = true;
             let way: Vec<_> = first.way.iter().map(entry).collect();
             object["first"] = json!({"way": way, "why": first.why.word()});
+            if let Some(kind) = &first.kind {
+                object["first"]["changed"] = change(kind);
+            }
             if let Some(computations) = &first.computations {
                 object["first"]["computations"] = json!(computations);
             }
@@ -125,10 +127,17 @@ fn difference(difference: &Difference) -> Value {
     if difference.own > 0.0 {
         object["own"] = json!(difference.own);
     }
+    if let Some(kind) = &difference.kind {
+        object["changed"] = change(kind);
+    }
     if let Some(origin) = &difference.origin {
         object["origin"] = place(origin);
     }
     object
+}
+
+fn change(Changed { input, a, b }: &Changed) -> Value {
+    json!({"input": input, "a": a, "b": b})
 }
 
 /// An entry with its values.

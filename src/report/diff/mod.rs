@@ -9,6 +9,7 @@ mod cause;
 mod changed;
 mod headers;
 mod json;
+mod kinds;
 mod operands;
 mod rows;
 mod summary;
@@ -114,6 +115,8 @@ pub struct Difference {
     pub own: f64,
     /// Where that comes from in the end; `None` if it is the difference itself.
     pub origin: Option<Entry>,
+    /// The object or light that is of another kind, if it comes from that in the end.
+    pub kind: Option<Changed>,
 }
 
 /// The first difference in full.
@@ -125,6 +128,8 @@ pub struct First {
     pub way: Vec<Entry>,
     /// Why the last of them differs.
     pub why: Why,
+    /// The object or light that is of another kind, if that is why.
+    pub kind: Option<Changed>,
 }
 
 /// Compares the logs of a pixel or ray. Their objects and lights must have the same numbers, see [`Numbering`].
@@ -170,17 +175,22 @@ impl Comparing<'_> {
                 operands.iter().map(|Contribution { spot, effect }| (self.entry(*spot), *effect)).collect()
             }
         };
-        let origin = self.causes.way_back(spot).last().filter(|last| **last != spot).map(|last| self.entry(*last));
-        Difference { entry: self.entry(spot), why: attribution.why, from, own: attribution.own, origin }
+        let way = self.causes.way_back(spot);
+        let origin = way.last().filter(|last| **last != spot).map(|last| self.entry(*last));
+        let kind = way.last().and_then(|last| self.causes.attribution(*last).kind.clone());
+        Difference { entry: self.entry(spot), why: attribution.why, from, own: attribution.own, origin, kind }
     }
 
     fn first(&self, spot: Spot) -> First {
         let way = self.causes.way_back(spot);
-        let why = way.last().map_or(Why::First, |last| self.causes.attribution(*last).why);
+        let last = way.last().map(|last| self.causes.attribution(*last));
+        let why = last.as_ref().map_or(Why::First, |last| last.why);
+        let kind = last.and_then(|last| last.kind.clone());
         First {
             computations: self.computations(spot),
             way: way.into_iter().map(|spot| self.entry(spot)).collect(),
             why,
+            kind,
         }
     }
 

@@ -114,9 +114,9 @@ impl Text {
     /// The inputs of the scene that differ, each in the first pixel that has it.
     fn changed(&mut self, changed: &[Changed]) -> String {
         let mut lines = String::new();
-        for Changed { input, a, b } in changed {
-            if self.told.insert(input.clone()) {
-                lines += &format!("  {input}: {a} → {b}\n");
+        for made in changed {
+            if self.told.insert(made.input.clone()) {
+                lines += &format!("  {}\n", change(made));
             }
         }
         if lines.is_empty() { lines } else { format!("\nChanged in the scene\n{lines}") }
@@ -179,10 +179,11 @@ impl Text {
     }
 
     /// A difference in full, a line each: what both logs have, where it comes from, how both compute it, the way back.
-    pub fn explanation(&self, First { computations, way, why }: &First) -> Vec<String> {
+    pub fn explanation(&self, First { computations, way, why, kind }: &First) -> Vec<String> {
         let (Some(first), Some(origin)) = (way.first(), way.last()) else { return Vec::new() };
         let [_, _, symbol, a, b, ..] = self.cells(first);
-        let from = if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { self.reason(*why) };
+        let because = kind.as_ref().map_or_else(|| self.reason(*why), change);
+        let from = if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { because.clone() };
         let mut lines = match &first.what {
             Told::Value { .. } if symbol.is_empty() => vec![format!("{a} against {b}: {from}")],
             Told::Value { .. } => vec![format!("{symbol}: {a} against {b}: {from}")],
@@ -194,7 +195,7 @@ impl Text {
         }
         if way.len() > 1 {
             let steps: Vec<_> = way.iter().map(|step| label_from(step, first)).collect();
-            lines.push(format!("traced back: {} ({})", steps.join(" ← "), self.reason(*why)));
+            lines.push(format!("traced back: {} ({because})", steps.join(" ← ")));
         }
         lines
     }
@@ -222,7 +223,7 @@ impl Text {
 
     /// The cause of a difference: the operands that it comes from, and where that comes from in the end.
     fn cause(&self, difference: &Difference) -> String {
-        let Difference { entry, why, from, origin, .. } = difference;
+        let Difference { entry, why, from, origin, kind, .. } = difference;
         let direct: Vec<String> = match why {
             Why::Operands => {
                 // Those that come near the largest.
@@ -230,11 +231,18 @@ impl Text {
                 let large = from.iter().filter(|(_, effect)| *effect * 2.0 >= largest);
                 large.map(|(operand, _)| symbol(operand)).collect()
             }
+            // What the change of the scene did on the way says no more than the change.
+            Why::Before | Why::OtherKind if kind.is_some() => Vec::new(),
             Why::Before => from.iter().take(1).map(|(before, _)| label_from(before, entry)).collect(),
             _ => vec![self.reason(*why)],
         };
         let direct = direct.join(", ");
-        match origin.as_ref().map(|origin| label_from(origin, entry)).filter(|origin| *origin != direct) {
+        let origin = match kind {
+            Some(kind) => Some(change(kind)),
+            None => origin.as_ref().map(|origin| label_from(origin, entry)),
+        };
+        match origin.filter(|origin| *origin != direct) {
+            Some(origin) if direct.is_empty() => origin,
             Some(origin) => format!("{direct} ← {origin}"),
             None => direct,
         }
@@ -252,6 +260,7 @@ impl Text {
             Why::Input => "an input",
             Why::Before => "what was before",
             Why::First => "nothing before it differs",
+            Why::OtherKind => "it is of another kind",
             Why::NoSuchObject => "the other scene has no such object",
             Why::NotNeeded => "not needed there (`trace --tests all` logs every test)",
         };
@@ -273,6 +282,11 @@ impl Side {
 fn place(entry: &Entry) -> String {
     let parts = [&entry.path, &entry.node].into_iter().filter(|part| !part.is_empty());
     parts.cloned().collect::<Vec<_>>().join(", ")
+}
+
+/// A change of the scene: `objects.ball: sphere → box`.
+fn change(Changed { input, a, b }: &Changed) -> String {
+    format!("{input}: {a} → {b}")
 }
 
 fn in_place(place: &str) -> String {

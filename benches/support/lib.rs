@@ -1,13 +1,41 @@
-//! Timing two sides against each other on a machine that has moods: in pairs, one right after the other and in turns, so that
+//! What the benches share.
+//!
+//! Two sides are timed against each other on a machine that has moods: in pairs, one right after the other and in turns, so that
 //! a machine that slows down slows both. What counts is the median of the pairs' ratios. Where valgrind is installed, the
 //! instructions are counted too.
+//!
+//! Every bench has a short run, `cargo bench -- --short`, for the gate: all that it checks, in seconds; its times are too few to say
+//! much.
 
-use raywalk::probe::Probe;
+use raywalk::log::Step;
+use raywalk::probe::{Probe, Silent};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-/// How many pairs are timed.
-pub const PAIRS: usize = 41;
+/// How much is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// As much as figures need.
+    Whole,
+    /// As little as shows that the bench works.
+    Short,
+}
+
+impl Extent {
+    /// As the command line asks: short with `--short`, and without the `--bench` that `cargo bench` gives.
+    pub fn asked() -> Extent {
+        let has = |wanted: &str| std::env::args().any(|argument| argument == wanted);
+        if has("--bench") && !has("--short") { Extent::Whole } else { Extent::Short }
+    }
+
+    /// How many pairs are timed.
+    pub fn pairs(self) -> usize {
+        match self {
+            Extent::Whole => 41,
+            Extent::Short => 5,
+        }
+    }
+}
 
 /// What came of the pairs.
 pub struct Pairs {
@@ -21,7 +49,7 @@ pub struct Pairs {
 
 impl Pairs {
     /// Runs both sides, once before it counts to warm up caches and clock.
-    pub fn timed(one: impl Fn(), other: impl Fn()) -> Pairs {
+    pub fn timed(extent: Extent, one: impl Fn(), other: impl Fn()) -> Pairs {
         let (one, other) = (|| time(&one), || time(&other));
         let _ = (one(), other());
         let pair = |number: usize| {
@@ -32,7 +60,7 @@ impl Pairs {
                 (one(), other)
             }
         };
-        let pairs: Vec<_> = (0..PAIRS).map(pair).collect();
+        let pairs: Vec<_> = (0..extent.pairs()).map(pair).collect();
         let mut ratios: Vec<_> = pairs.iter().map(|(one, other)| one.as_secs_f64() / other.as_secs_f64()).collect();
         ratios.sort_by(f64::total_cmp);
         let (one, other): (Vec<_>, Vec<_>) = pairs.into_iter().unzip();
@@ -77,12 +105,20 @@ fn median(mut times: Vec<Duration>) -> Duration {
     times[times.len() / 2]
 }
 
-/// Silence that asks for no more digits than f64 has.
+/// Silence that asks for no more digits than f64 has. In all else it is [`Silent`], and what the compiler makes of it, too.
 pub struct Uncertified;
 
 impl Probe for Uncertified {
+    const IS_SILENT: bool = Silent::IS_SILENT;
+    const IS_HURRIED: bool = Silent::IS_HURRIED;
+
     #[inline(always)]
     fn certifies(&self) -> bool {
         false
+    }
+
+    #[inline(always)]
+    fn within<T>(&mut self, _step: Step, body: impl FnOnce(&mut Uncertified) -> T) -> T {
+        body(self)
     }
 }
