@@ -6,7 +6,7 @@
 mod left;
 
 use super::triangle::Facet;
-use super::{Approach, at_an_end, decide, touched};
+use super::{Approach, at_an_end, touched};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
@@ -236,7 +236,7 @@ impl TriangleMesh {
         }
         let approach = Approach { leaving: None, one_sided };
         let facet = self.facet(triangle);
-        let near_end = |crossing: Crossing, probe: &mut P| self.decide_near_end(ray, approach, crossing, left, probe);
+        let near_end = |t: f64, _| self.at_a_near_end(ray, triangle, t, left);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
         probe.within(
@@ -246,29 +246,18 @@ impl TriangleMesh {
         )
     }
 
-    #[cold]
-    #[inline(never)]
-    fn decide_near_end<P: Probe>(
-        &self,
-        ray: &Ray,
-        approach: Approach,
-        candidate: Crossing,
-        left: Option<&LeftTriangle>,
-        probe: &mut P,
-    ) -> Option<Crossing> {
-        decide(ray, approach, candidate, self.at_an_end(ray, candidate, left), probe)
-    }
-
     /// Whether a crossing near an end of the ray is that end. Neighbours of the triangle that it leaves are told by their wedge, and by their
     /// distance, unless they lie in the same plane.
-    fn at_an_end(&self, ray: &Ray, crossing: Crossing, left: Option<&LeftTriangle>) -> Option<Miss> {
-        let facet = self.facet(crossing.primitive);
+    #[cold]
+    #[inline(never)]
+    fn at_a_near_end(&self, ray: &Ray, triangle: u32, t: f64, left: Option<&LeftTriangle>) -> Option<Miss> {
+        let facet = self.facet(triangle);
         let (normal, size) = (unit(facet.normal), facet.bounds().size());
         let is_on = |point: DVec3| ray.holds(normal.dot(point - facet.a), size);
         let is_apart = |left: &LeftTriangle| {
             matches!(corners_in_common(left.corners, facet.corners()), 1 | 2) && !left.corners.into_iter().all(is_on)
         };
-        at_an_end(ray, !left.is_some_and(is_apart), crossing.t, normal.dot(ray.direction).abs(), size)
+        at_an_end(ray, !left.is_some_and(is_apart), t, normal.dot(ray.direction).abs(), size)
     }
 
     #[inline(always)]

@@ -74,7 +74,7 @@ impl Kernel for Triangle {
 
     #[inline]
     fn first_crossing<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let near_end = |crossing: Crossing, probe: &mut P| self.decide_near_end(ray, approach, crossing, probe);
+        let near_end = |t: f64, side: Side| self.at_a_near_end(ray, approach, t, side, 0);
         self.facet.crossing(ray, approach, 0, near_end, probe)
     }
 
@@ -120,7 +120,7 @@ impl Facet {
         ray: &Ray,
         approach: Approach,
         number: u32,
-        near_end: impl FnOnce(Crossing, &mut P) -> Option<Crossing>,
+        near_end: impl FnOnce(f64, Side) -> Option<Miss>,
         probe: &mut P,
     ) -> Option<Crossing> {
         if !self.edges(ray, probe).is_some_and(is_inside) {
@@ -137,10 +137,8 @@ impl Facet {
         let quotient = unaltered(plane.t, ray, normal, self.a, probe);
         let t = kept_in_box(self.bounds(), ray, plane.t, quotient, &IN_BOX, probe)?;
         let crossing = Crossing { t, side: plane.side, primitive: number };
-        if ray.is_near_an_end(crossing.t) {
-            return near_end(crossing, probe);
-        }
-        decide(ray, approach, crossing, None, probe)
+        let at_an_end = if ray.is_near_an_end(t) { near_end(t, plane.side) } else { None };
+        decide(ray, approach, crossing, at_an_end, probe)
     }
 
     /// Where the ray meets the triangle's plane, with twice the digits.

@@ -104,7 +104,6 @@ pub(super) fn kind(run: Run, node: usize) -> Option<(String, &'static str)> {
         Step::Test { object, triangle: None } => (format!("objects.{}", words::plain(header.object(object))), OBJECTS),
         _ => return None,
     };
-    let keys =
-        || run.tree.own_events(node).flat_map(|event| run.log.given(event).iter().map(|(name, _)| name.key()));
+    let keys = || run.tree.own_events(node).flat_map(|event| run.log.given(event).iter().map(|(name, _)| name.key()));
     kinds.iter().find(|(start, _)| keys().any(|key| key.starts_with(start))).map(|(_, kind)| (place, *kind))
 }
