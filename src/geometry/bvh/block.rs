@@ -51,8 +51,15 @@ pub(super) trait Block: Sized {
         self.things().into_iter().filter(|thing| *thing != NOTHING)
     }
 
-    /// The lanes that the ray may meet by `t_max`, and those that it certainly crosses between two other distances, if these are given.
-    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight, sure: Option<[f32; 2]>) -> Sorted;
+    /// The lanes that the ray may meet by `t_max`, and those that it certainly crosses between the two distances that `sure` gives, if it gives
+    /// any.
+    fn filtered<L: Lanes>(
+        &self,
+        lanes: L,
+        ray: &LeafRay<L>,
+        t_max: L::Eight,
+        sure: &impl Fn() -> Option<[f32; 2]>,
+    ) -> Sorted;
 }
 
 /// The lanes of a block that matter, a bit for each.
@@ -131,7 +138,13 @@ impl Block for TriangleBlock {
 
     /// Möller and Trumbore's test (1997) of the ray's line, and of the distance where the ray isn't along the triangle.
     #[inline(always)]
-    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight, sure: Option<[f32; 2]>) -> Sorted {
+    fn filtered<L: Lanes>(
+        &self,
+        lanes: L,
+        ray: &LeafRay<L>,
+        t_max: L::Eight,
+        sure: &impl Fn() -> Option<[f32; 2]>,
+    ) -> Sorted {
         let load = |eights: &[Eight; 3]| [lanes.load(&eights[0]), lanes.load(&eights[1]), lanes.load(&eights[2])];
         let (corner, to_b, to_c) = (load(&self.corner), load(&self.to_b), load(&self.to_c));
         let seen: [_; 3] = std::array::from_fn(|axis| lanes.sub(ray.origin[axis], corner[axis]));
@@ -158,8 +171,11 @@ impl Block for TriangleBlock {
         let upper = lanes.add(lanes.add(lanes.mul(size, t_max), at), lanes.mul(by_t, size_of(t_max)));
         let within = lanes.at_least(distance, lower) & lanes.at_least(upper, distance);
         let possible = inside & (within | lanes.at_least(by_t, size));
-        let sure = match sure {
-            Some([after, before]) if possible != 0 => {
+        if possible == 0 {
+            return Sorted::possible(0);
+        }
+        let sure = match sure() {
+            Some([after, before]) => {
                 // What errors may take on one side they may add on the other. Where the ray runs steeply, nothing here is an end of it.
                 let minus = |x| lanes.sub(lanes.splat(0.0), x);
                 let inside =
@@ -172,7 +188,7 @@ impl Block for TriangleBlock {
                 let within = lanes.at_least(distance, lower) & lanes.at_least(upper, distance);
                 inside & within & lanes.at_least(size, lanes.splat(e2 * STEEP))
             }
-            _ => 0,
+            None => 0,
         };
         Sorted { possible, sure: possible & sure }
     }
@@ -212,7 +228,13 @@ impl Block for SphereBlock {
 
     /// The chord by the way from the centre to the line (Haines et al., Ray Tracing Gems, chapter 7).
     #[inline(always)]
-    fn filtered<L: Lanes>(&self, lanes: L, ray: &LeafRay<L>, t_max: L::Eight, sure: Option<[f32; 2]>) -> Sorted {
+    fn filtered<L: Lanes>(
+        &self,
+        lanes: L,
+        ray: &LeafRay<L>,
+        t_max: L::Eight,
+        sure: &impl Fn() -> Option<[f32; 2]>,
+    ) -> Sorted {
         let seen: [_; 3] = std::array::from_fn(|axis| lanes.sub(lanes.load(&self.center[axis]), ray.origin[axis]));
         let middle = lanes.dot(seen, ray.direction);
         let way: [_; 3] = std::array::from_fn(|axis| lanes.less_times(seen[axis], middle, ray.direction[axis]));
@@ -231,8 +253,11 @@ impl Block for SphereBlock {
         let before = lanes.at_least(t_max, lanes.sub(middle, half));
         let behind = lanes.at_least(lanes.add(middle, half), ray.t_min);
         let possible = touched & before & behind;
-        let sure = match sure {
-            Some([after, before]) if possible != 0 => {
+        if possible == 0 {
+            return Sorted::possible(0);
+        }
+        let sure = match sure() {
+            Some([after, before]) => {
                 // The chord is as long as this at least, and so much of the direction is along the normal at its ends that neither is an end
                 // of the ray.
                 let least = lanes.sub(squared, lanes.add(margin, margin));
@@ -246,7 +271,7 @@ impl Block for SphereBlock {
                 let last = is_between(lanes.add(middle, short), lanes.add(middle, half));
                 steep & (first | last)
             }
-            _ => 0,
+            None => 0,
         };
         Sorted { possible, sure: possible & sure }
     }

@@ -27,17 +27,14 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
     #[inline(always)]
     pub fn run<L: Lanes>(mut self, lanes: L, root: Child, t_max: f64) -> u64 {
         let tree = self.tree;
-        let Some(ray) = self.source.line().and_then(
-            #[inline(always)]
-            |line| tree.space.ray(&line),
-        ) else {
-            self.show_all();
-            return 0;
-        };
+        // Each on its own: a ray that came through both would be copied.
+        let Some(line) = self.source.line() else { return self.show_all() };
+        let Some(ray) = tree.space.ray(&line) else { return self.show_all() };
         let box_ray = BoxRay::new(lanes, &ray);
         let leaf_ray = LeafRay::new(lanes, &ray);
         let distance = ray.distance;
-        let sure = if self.search.tells_sure_hits { ray.surely_within(t_max, self.source.slack()) } else { None };
+        let (tells_sure_hits, slack, reach) = (self.search.tells_sure_hits, self.source.slack(), t_max);
+        let sure = || if tells_sure_hits { ray.surely_within(reach, slack) } else { None };
         let mut t_max = distance.latest(t_max);
         let mut waiting: ArrayVec<Waiting, STACK> = ArrayVec::new();
         let mut nodes_tested = 0;
@@ -60,11 +57,11 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
                 }
                 Content::Triangles(number) => {
                     let block = &tree.triangles[number as usize];
-                    Leaf { sorted: self.sorted_out(lanes, block, &leaf_ray, t_max, sure), things: block.things() }
+                    Leaf { sorted: self.sorted_out(lanes, block, &leaf_ray, t_max, &sure), things: block.things() }
                 }
                 Content::Spheres(number) => {
                     let block = &tree.spheres[number as usize];
-                    Leaf { sorted: self.sorted_out(lanes, block, &leaf_ray, t_max, sure), things: block.things() }
+                    Leaf { sorted: self.sorted_out(lanes, block, &leaf_ray, t_max, &sure), things: block.things() }
                 }
                 Content::Thing(thing) => Leaf { sorted: Sorted::possible(1), things: [thing; 8] },
             };
@@ -87,15 +84,16 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
         }
     }
 
-    /// Shows everything in the tree.
+    /// Shows everything in the tree; no box is tested.
     #[cold]
     #[inline(never)]
-    fn show_all(mut self) {
+    fn show_all(mut self) -> u64 {
         for thing in self.tree.things() {
             if (self.meet)(thing, false) < 0.0 {
-                return;
+                break;
             }
         }
+        0
     }
 
     #[inline(always)]
@@ -105,7 +103,7 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
         block: &impl Block,
         ray: &LeafRay<L>,
         t_max: f32,
-        sure: Option<[f32; 2]>,
+        sure: &impl Fn() -> Option<[f32; 2]>,
     ) -> Sorted {
         if self.search.one_by_one {
             block.filtered(lanes, ray, lanes.splat(t_max), sure)

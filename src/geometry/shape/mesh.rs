@@ -113,17 +113,19 @@ impl TriangleMesh {
     /// Whether the ray crosses the object at all. Ends with the first triangle that is found.
     pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, source: &impl RaySource, probe: &mut P) -> bool {
         let left = self.left(object, source);
+        // A sure hit says nothing of the triangle that the ray leaves and its neighbours, nor of sides.
+        let search = match left {
+            None if !one_sided => Search::of_any(probe),
+            _ => Search::in_any_order(probe),
+        };
         let mut is_crossed = false;
         let tested = self.tree.visit::<P>(
             source,
-            Search::of_any(probe),
+            search,
             #[inline(always)]
             |triangle, is_sure| {
-                is_crossed = if is_sure && !one_sided && left.is_none() {
-                    true
-                } else {
-                    self.meet(object, one_sided, triangle, source.ray(), left.as_ref(), probe).is_some()
-                };
+                is_crossed =
+                    is_sure || self.meet(object, one_sided, triangle, source.ray(), left.as_ref(), probe).is_some();
                 if is_crossed { -1.0 } else { source.reach() }
             },
         );
