@@ -88,10 +88,12 @@ fn spawned(world: &World, from: &Ray, object: u32, crossing: Crossing, random: &
     Ray { leaving, slack: from.slack_at(surface.point, &Silent), ..Ray::along(surface.point, way) }
 }
 
-/// The first of the crossings with triangles that are in the same place as the nearest one: within 64 roundings of all coordinates, and not
-/// on a triangle that shares one or two corners with it.
+/// The first of the crossings with triangles that are in the same place as the nearest one: within 64 roundings of all coordinates. Of triangles
+/// that share one or two corners only the one that is met first counts: the ray goes through the edge or the corner between them.
 fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Option<(u32, Crossing)> {
-    let nearest = all.iter().min_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)))?;
+    let mut all = all.to_vec();
+    all.sort_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)));
+    let nearest = *all.first()?;
     let corners = |thing: u32| corners_of(&shapes[thing as usize]).expect("a triangle");
     let slope = |(thing, crossing): &(u32, Crossing)| {
         let surface = shapes[*thing as usize].surface(ray, *crossing, &mut Silent);
@@ -99,12 +101,21 @@ fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Optio
     };
     let size = |thing: u32| corners(thing).map(|corner| corner.abs().max_element()).into_iter().fold(0.0, f64::max);
     let is_here = |other: &&(u32, Crossing)| {
-        let in_common = corners(other.0).iter().filter(|corner| corners(nearest.0).contains(corner)).count();
         let points = 2.0 * (ray.origin.abs().element_sum() + other.1.t);
-        let gap = (other.1.t - nearest.1.t) * slope(nearest).max(slope(other));
-        matches!(in_common, 0 | 3) && gap <= 32.0 * f64::EPSILON * (points + size(nearest.0) + size(other.0))
+        let gap = (other.1.t - nearest.1.t) * slope(&nearest).max(slope(other));
+        gap <= 32.0 * f64::EPSILON * (points + size(nearest.0) + size(other.0))
     };
-    all.iter().filter(is_here).chain([nearest]).min_by_key(|(thing, _)| *thing).copied()
+    let are_neighbours = |one: u32, other: u32| {
+        let in_common = corners(one).iter().filter(|corner| corners(other).contains(corner)).count();
+        matches!(in_common, 1 | 2)
+    };
+    let mut here = vec![nearest];
+    for hit in all.iter().skip(1).filter(is_here) {
+        if !here.iter().any(|kept| are_neighbours(kept.0, hit.0)) {
+            here.push(*hit);
+        }
+    }
+    here.into_iter().min_by_key(|(thing, _)| *thing)
 }
 
 /// Compares what the tree shows with everything; returns the nearest hit.
