@@ -77,11 +77,23 @@ impl Contenders {
 /// Whether two distances are so close that the crossings may be in the same place.
 #[inline(always)]
 pub fn is_close<P: Probe>(t: f64, nearest: f64, ray: &Ray, probe: &P) -> bool {
+    (t - nearest).abs() <= closeness(nearest, ray, probe)
+}
+
+/// How far a search must look beyond the nearest distance so far: crossings that may be in the same place count, too.
+#[inline(always)]
+pub fn limit<P: Probe>(nearest: f64, ray: &Ray, probe: &P) -> f64 {
+    (nearest + closeness(nearest, ray, probe)).min(ray.t_max)
+}
+
+/// By how much the distances of crossings in the same place may differ.
+#[inline(always)]
+fn closeness<P: Probe>(nearest: f64, ray: &Ray, probe: &P) -> f64 {
     /// Far more than roundings, so that a ray that runs flat along two surfaces in the same place knows them for one: there
     /// their distances differ by more than the surfaces do.
     const CLOSE: f64 = 1.0 / (1 << 20) as f64;
     /// The same for arithmetics of few digits, in bounds of their roundings.
     const FLAT: f64 = 64.0;
     let size = nearest + ray.origin.abs().element_sum();
-    (t - nearest).abs() <= CLOSE * size + FLAT * probe.slack(size)
+    CLOSE * size + FLAT * probe.slack(size)
 }

@@ -1,7 +1,7 @@
 //! What a ray hits first, and how much light gets through.
 
 use super::{Layer, Place, in_range};
-use crate::geometry::nearest::is_close;
+use crate::geometry::nearest::{is_close, limit};
 use crate::geometry::{Contenders, Crossing, Hit, Ray, RaySource, Search};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::{Probe, Spared};
@@ -78,7 +78,7 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Conten
                     nearest = Some(Hit { object, crossing });
                 }
             }
-            nearest.map_or(ray.t_max, |hit| hit.crossing.t)
+            nearest.map_or(ray.t_max, |hit| limit(hit.crossing.t, ray, probe))
         },
     );
     nearest

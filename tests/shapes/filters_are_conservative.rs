@@ -103,7 +103,9 @@ fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Optio
     let is_here = |other: &&(u32, Crossing)| {
         let points = 2.0 * (ray.origin.abs().element_sum() + other.1.t);
         let gap = (other.1.t - nearest.1.t) * slope(&nearest).max(slope(other));
-        gap <= 32.0 * f64::EPSILON * (points + size(nearest.0) + size(other.0))
+        // However flat the ray runs, what it meets so much later isn't in the same place.
+        let is_close = other.1.t - nearest.1.t <= (nearest.1.t + ray.origin.abs().element_sum()) / f64::from(1 << 20);
+        is_close && gap <= 32.0 * f64::EPSILON * (points + size(nearest.0) + size(other.0))
     };
     let are_neighbours = |one: u32, other: u32| {
         let in_common = corners(one).iter().filter(|corner| corners(other).contains(corner)).count();

@@ -12,7 +12,7 @@ use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::line::RaySource;
 use crate::geometry::mesh::{Mesh, Winding};
-use crate::geometry::nearest::{Contenders, Hit, is_close};
+use crate::geometry::nearest::{Contenders, Hit, is_close, limit};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
@@ -84,7 +84,7 @@ impl TriangleMesh {
             }
             let nearer = nearest.filter(|best| best.t <= crossing.t).unwrap_or(crossing);
             nearest = Some(nearer);
-            nearer.t
+            limit(nearer.t, ray, probe)
         });
         nearest
     }
