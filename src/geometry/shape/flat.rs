@@ -127,14 +127,20 @@ pub(super) fn kept_in_box<P: Probe>(
 /// [`Bounds::interval`] computes either, which errs to the outside.
 #[inline(always)]
 fn is_surely_within(bounds: Bounds, ray: &Ray, t: f64) -> bool {
-    const ROUNDING: f64 = 0.5 * f64::EPSILON;
     let Bounds { min, max } = bounds;
     let point = ray.origin + ray.direction * t;
     let largest = min.abs().max(max.abs()).max_element();
     let of_point = ray.origin.abs().max_element() + 2.0 * point.abs().max_element();
-    // What is left of the 16 is for the roundings of the sides.
-    let margin = (12.0 * largest - 2.0 * of_point) * ROUNDING;
+    let margin = margin_of(largest, of_point);
     point.cmpge(min - margin).all() && point.cmple(max + margin).all()
+}
+
+/// How far beyond the box a point may seem to lie and is surely within the widened one. What is left of the 16 roundings is for those of the
+/// sides.
+#[inline(always)]
+pub(super) fn margin_of(largest: f64, of_point: f64) -> f64 {
+    const ROUNDING: f64 = 0.5 * f64::EPSILON;
+    (12.0 * largest - 2.0 * of_point) * ROUNDING
 }
 
 /// The rest of [`kept_in_box`].
@@ -192,15 +198,16 @@ impl Sum {
     }
 }
 
+/// The part of a sum's terms that its value is with all of its digits: each term errs by two roundings or three.
+pub(super) const LEAST_KEPT: f64 = 0.75;
+
 /// The part of a sum's terms that its value is with half of its digits.
 pub(super) const HALF: f64 = 1.0 / (1 << 20) as f64;
 
 /// Whether the distance V_o/V_d has lost digits because the terms of a sum cancel, and half of them aren't enough.
 #[inline(always)]
 pub(super) fn is_distance_in_doubt(v_o: Sum, v_d: Sum, ray: &Ray) -> bool {
-    /// Each term errs by two roundings or three.
-    const LEAST: f64 = 0.75;
-    let has_all = v_o.keeps(LEAST) && v_d.keeps(LEAST);
+    let has_all = v_o.keeps(LEAST_KEPT) && v_d.keeps(LEAST_KEPT);
     !(has_all || (v_o.keeps(HALF) && v_d.keeps(HALF) && ray.is_settled_by_half(v_o.value / v_d.value)))
 }
 

@@ -8,6 +8,8 @@ mod disk;
 mod doubled_chord;
 mod edge;
 mod ellipsoid;
+#[cfg(target_arch = "x86_64")]
+mod facet_lanes;
 mod fan;
 mod flat;
 mod kernel;

@@ -1,0 +1,187 @@
+//! The kernel of a triangle with its numbers side by side, for a probe that sees nothing.
+//!
+//! It takes the operations of [`Facet::crossing`] in the same order, four at a time, and so gives the same bits. Whatever f64 leaves in doubt
+//! it leaves to that. The crate `pulp` vouches that the instructions are there.
+
+use super::edge::{LEAST_SIZE, OF_EDGE};
+use super::flat::{LEAST_KEPT, PlaneHit};
+use super::triangle::Facet;
+use crate::geometry::ray::{Ray, Side};
+use glam::DVec3;
+use pulp::x86::V3;
+use std::arch::x86_64::{__m128d, __m256d, _CMP_GE_OQ, _CMP_LE_OQ};
+
+/// How far the fast way came.
+pub(super) enum Quick {
+    /// The ray's line certainly passes beside the triangle.
+    Beside,
+    /// It passes inside, and meets the triangle's plane at a distance whose digits are right and whose point is surely within the box around
+    /// the triangle.
+    Met(PlaneHit),
+    /// It passes inside; the rest is in doubt.
+    Inside,
+    /// All is in doubt.
+    InDoubt,
+}
+
+/// Ends of edges as large as this, seen from the origin, have finite products.
+const GREATEST_SIZE: f64 = 1e75;
+
+/// Distances beyond this are left to the kernel, which asks whether there is a point.
+const FARTHEST: f64 = 1e100;
+
+/// Four numbers side by side.
+#[derive(Clone, Copy)]
+struct Lanes(V3);
+
+impl Lanes {
+    #[inline(always)]
+    fn vector(self, vector: DVec3) -> __m256d {
+        pulp::cast([vector.x, vector.y, vector.z, 0.0])
+    }
+
+    #[inline(always)]
+    fn splat(self, x: f64) -> __m256d {
+        self.0.avx._mm256_set1_pd(x)
+    }
+
+    #[inline(always)]
+    fn sub(self, a: __m256d, b: __m256d) -> __m256d {
+        self.0.avx._mm256_sub_pd(a, b)
+    }
+
+    #[inline(always)]
+    fn add(self, a: __m256d, b: __m256d) -> __m256d {
+        self.0.avx._mm256_add_pd(a, b)
+    }
+
+    #[inline(always)]
+    fn mul(self, a: __m256d, b: __m256d) -> __m256d {
+        self.0.avx._mm256_mul_pd(a, b)
+    }
+
+    #[inline(always)]
+    fn min(self, a: __m256d, b: __m256d) -> __m256d {
+        self.0.avx._mm256_min_pd(a, b)
+    }
+
+    #[inline(always)]
+    fn max(self, a: __m256d, b: __m256d) -> __m256d {
+        self.0.avx._mm256_max_pd(a, b)
+    }
+
+    #[inline(always)]
+    fn abs(self, a: __m256d) -> __m256d {
+        self.0.avx._mm256_andnot_pd(self.splat(-0.0), a)
+    }
+
+    /// (y, z, x)
+    #[inline(always)]
+    fn turned(self, a: __m256d) -> __m256d {
+        self.0.avx2._mm256_permute4x64_pd::<0b11_00_10_01>(a)
+    }
+
+    /// a × b, its components in the order z, x, y.
+    #[inline(always)]
+    fn cross(self, [a, a_turned]: [__m256d; 2], [b, b_turned]: [__m256d; 2]) -> __m256d {
+        self.sub(self.mul(a, b_turned), self.mul(a_turned, b))
+    }
+
+    #[inline(always)]
+    fn halves(self, a: __m256d) -> [__m128d; 2] {
+        [self.0.avx._mm256_castpd256_pd128(a), self.0.avx._mm256_extractf128_pd::<1>(a)]
+    }
+
+    #[inline(always)]
+    fn numbers(self, a: __m128d) -> [f64; 2] {
+        pulp::cast(a)
+    }
+
+    #[inline(always)]
+    fn greatest(self, a: __m256d) -> f64 {
+        let [low, high] = self.halves(a);
+        let [x, y] = self.numbers(self.0.sse2._mm_max_pd(low, high));
+        if x > y { x } else { y }
+    }
+
+    #[inline(always)]
+    fn least(self, a: __m256d) -> f64 {
+        let [low, high] = self.halves(a);
+        let [x, y] = self.numbers(self.0.sse2._mm_min_pd(low, high));
+        if x < y { x } else { y }
+    }
+
+    /// Of three vectors whose components are in the order z, x, y the sums x + y + z, the last one twice.
+    #[inline(always)]
+    fn sums(self, [a, b, c]: [__m256d; 3]) -> __m256d {
+        let avx = self.0.avx;
+        let (z_x, c_z_x) = (avx._mm256_unpacklo_pd(a, b), avx._mm256_unpacklo_pd(c, c));
+        let (x_w, c_x_w) = (avx._mm256_unpackhi_pd(a, b), avx._mm256_unpackhi_pd(c, c));
+        let z = avx._mm256_permute2f128_pd::<0x20>(z_x, c_z_x);
+        let y = avx._mm256_permute2f128_pd::<0x31>(z_x, c_z_x);
+        let x = avx._mm256_permute2f128_pd::<0x20>(x_w, c_x_w);
+        self.add(self.add(x, y), z)
+    }
+}
+
+/// Tests the triangle as far as f64 leaves nothing in doubt.
+#[inline(always)]
+pub(super) fn quick(v3: V3, facet: &Facet, ray: &Ray) -> Quick {
+    let lanes = Lanes(v3);
+    let [origin, direction] = [ray.origin, ray.direction].map(|vector| lanes.vector(vector));
+    let corners = [facet.a, facet.b, facet.c].map(|corner| lanes.vector(corner));
+    let ends = corners.map(|corner| lanes.sub(corner, origin));
+    let [to_a, to_b, to_c] = ends.map(|end| [end, lanes.turned(end)]);
+    let direction_zxy = lanes.vector(DVec3::new(ray.direction.z, ray.direction.x, ray.direction.y));
+    let edges = [lanes.cross(to_c, to_b), lanes.cross(to_a, to_c), lanes.cross(to_b, to_a)]
+        .map(|across| lanes.mul(direction_zxy, across));
+    let edges = lanes.sums(edges);
+    let [size_a, size_b, size_c] = ends.map(|end| lanes.abs(end));
+    let size = lanes.greatest(lanes.max(lanes.max(size_a, size_b), size_c));
+    let bound = OF_EDGE * size * size;
+    let (least, greatest) = (lanes.least(edges), lanes.greatest(edges));
+    let has_plain_products = size >= LEAST_SIZE && size <= GREATEST_SIZE;
+    if least < -bound && greatest > bound {
+        return if has_plain_products { Quick::Beside } else { Quick::InDoubt };
+    }
+    if !((least > bound || greatest < -bound) && has_plain_products) {
+        return Quick::InDoubt;
+    }
+    let normal = lanes.vector(facet.normal);
+    met(lanes, [origin, direction], corners, [lanes.mul(normal, direction), lanes.mul(normal, ends[0])], ray)
+}
+
+/// Where the ray meets the plane; the products are the terms of V_d and V_o.
+#[inline(always)]
+fn met(
+    lanes: Lanes,
+    [origin, direction]: [__m256d; 2],
+    [a, b, c]: [__m256d; 3],
+    [of_v_d, of_v_o]: [__m256d; 2],
+    ray: &Ray,
+) -> Quick {
+    let (avx, sse2) = (lanes.0.avx, lanes.0.sse2);
+    let [x, z] = lanes.halves(avx._mm256_unpacklo_pd(of_v_d, of_v_o));
+    let [y, _] = lanes.halves(avx._mm256_unpackhi_pd(of_v_d, of_v_o));
+    let values = sse2._mm_add_pd(sse2._mm_add_pd(x, y), z);
+    let sign = sse2._mm_set1_pd(-0.0);
+    let [x, y, z] = [x, y, z].map(|terms| sse2._mm_andnot_pd(sign, terms));
+    let terms = sse2._mm_add_pd(sse2._mm_add_pd(x, y), z);
+    let kept = sse2._mm_mul_pd(sse2._mm_set1_pd(LEAST_KEPT), terms);
+    let have_all = sse2._mm_movemask_pd(sse2._mm_cmpge_pd(sse2._mm_andnot_pd(sign, values), kept)) == 0b11;
+    let [v_d, v_o] = lanes.numbers(values);
+    let t = v_o / v_d;
+    if !(have_all && t.abs() < FARTHEST) {
+        return Quick::Inside;
+    }
+    let (min, max) = (lanes.min(lanes.min(a, b), c), lanes.max(lanes.max(a, b), c));
+    let point = lanes.add(origin, lanes.mul(direction, lanes.splat(t)));
+    let largest = lanes.greatest(lanes.max(lanes.abs(min), lanes.abs(max)));
+    let of_point = ray.origin.abs().max_element() + 2.0 * lanes.greatest(lanes.abs(point));
+    let margin = lanes.splat(super::flat::margin_of(largest, of_point));
+    let above = avx._mm256_cmp_pd::<_CMP_GE_OQ>(point, lanes.sub(min, margin));
+    let below = avx._mm256_cmp_pd::<_CMP_LE_OQ>(point, lanes.add(max, margin));
+    let is_within = avx._mm256_movemask_pd(avx._mm256_and_pd(above, below)) & 0b111 == 0b111;
+    let side = if v_d < 0.0 { Side::Front } else { Side::Back };
+    if is_within { Quick::Met(PlaneHit { t, side }) } else { Quick::Inside }
+}
