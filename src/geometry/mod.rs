@@ -18,6 +18,6 @@ pub use bounds::Bounds;
 pub use bvh::{Bvh, Form, Search};
 pub use line::{Line, RaySource};
 pub use mesh::Mesh;
-pub use nearest::{Contenders, Hit};
+pub use nearest::{Hit, Nearest};
 pub use ray::{Crossing, Leaving, Ray, Side, Surface};
 pub use shape::Shape;

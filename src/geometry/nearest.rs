@@ -20,33 +20,74 @@ impl Hit {
     }
 }
 
-/// Crossings of a ray that may be in the same place as its nearest one, kept while that is searched for.
+/// The nearest crossing of a ray so far, and the crossings that may be in the same place.
 ///
 /// Crossings whose distances differ by less than rounding can tell are in the same place: there the first object in the scene
-/// is the nearer one, then the lowest primitive (see [`Contenders::place`]).
-// A word, as there are hardly ever any.
-#[derive(Clone, Debug, Default)]
+/// is the nearer one, then the lowest primitive (see [`Nearest::place`]).
+// The others are a word, as there are hardly ever any.
+#[derive(Clone, Debug)]
 #[expect(clippy::box_collection, reason = "a word instead of three")]
-pub struct Contenders(Option<Box<Vec<Hit>>>);
+pub struct Nearest {
+    hit: Option<Hit>,
+    limit: f64,
+    others: Option<Box<Vec<Hit>>>,
+}
 
-impl Contenders {
+impl Nearest {
+    /// Nothing so far.
+    #[inline(always)]
+    pub fn of(ray: &Ray) -> Nearest {
+        Nearest { hit: None, limit: ray.t_max, others: None }
+    }
+
+    /// Takes a crossing into account.
+    #[inline(always)]
+    pub fn offer<P: Probe>(&mut self, hit: Hit, ray: &Ray, probe: &P) {
+        let t = hit.crossing.t;
+        if let Some(best) = self.hit {
+            if t > self.limit {
+                return;
+            }
+            if (t - best.crossing.t).abs() <= closeness(best.crossing.t, ray, probe) {
+                self.push(best, hit);
+            }
+            if t >= best.crossing.t {
+                return;
+            }
+        }
+        self.hit = Some(hit);
+        self.limit = (t + closeness(t, ray, probe)).min(ray.t_max);
+    }
+
+    /// The nearest crossing by its distance.
+    #[inline(always)]
+    pub fn hit(&self) -> Option<Hit> {
+        self.hit
+    }
+
     /// Whether no other crossing is close to the nearest one.
     #[inline(always)]
-    pub fn is_empty(&self) -> bool {
-        self.0.is_none()
+    pub fn is_alone(&self) -> bool {
+        self.others.is_none()
     }
 
-    /// Adds a hit and the nearest one so far, which are close to each other.
+    /// How far a search must look: crossings a little beyond the nearest one count, too, as they may be in the same place.
+    #[inline(always)]
+    pub fn limit(&self) -> f64 {
+        self.limit
+    }
+
     #[cold]
     #[inline(never)]
-    pub fn push(&mut self, nearest: Hit, hit: Hit) {
-        self.0.get_or_insert_default().extend([nearest, hit]);
+    fn push(&mut self, nearest: Hit, hit: Hit) {
+        self.others.get_or_insert_default().extend([nearest, hit]);
     }
 
-    /// The surfaces in the same place as the nearest of all hits, in the order of the scene: the first is the one that the ray hits.
+    /// The surfaces in the same place as the nearest of all crossings, in the order of the scene: the first is the one that the ray hits.
     /// `shape` gives the shape of an object.
-    pub fn place<'s, P: Probe>(self, nearest: Hit, ray: &Ray, shape: impl Fn(u32) -> &'s Shape, probe: &P) -> Vec<Hit> {
-        let Some(mut hits) = self.0.map(|hits| *hits) else { return vec![nearest] };
+    pub fn place<'s, P: Probe>(self, ray: &Ray, shape: impl Fn(u32) -> &'s Shape, probe: &P) -> Vec<Hit> {
+        let Some(nearest) = self.hit else { return Vec::new() };
+        let Some(mut hits) = self.others.map(|hits| *hits) else { return vec![nearest] };
         // Of several at the same distance it is the one that was found first.
         hits.sort_by(|one, other| one.crossing.t.total_cmp(&other.crossing.t).then(one.rank().cmp(&other.rank())));
         let nearest = hits.first().copied().filter(|hit| hit.crossing.t <= nearest.crossing.t).unwrap_or(nearest);
@@ -72,18 +113,6 @@ impl Contenders {
         here.sort_by_key(Hit::rank);
         here
     }
-}
-
-/// Whether two distances are so close that the crossings may be in the same place.
-#[inline(always)]
-pub fn is_close<P: Probe>(t: f64, nearest: f64, ray: &Ray, probe: &P) -> bool {
-    (t - nearest).abs() <= closeness(nearest, ray, probe)
-}
-
-/// How far a search must look beyond the nearest distance so far: crossings that may be in the same place count, too.
-#[inline(always)]
-pub fn limit<P: Probe>(nearest: f64, ray: &Ray, probe: &P) -> f64 {
-    (nearest + closeness(nearest, ray, probe)).min(ray.t_max)
 }
 
 /// By how much the distances of crossings in the same place may differ.

@@ -21,7 +21,7 @@ pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, 
 pub(crate) use visibility::all_crossings;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 
-use crate::geometry::{Contenders, Leaving, Ray, Surface};
+use crate::geometry::{Leaving, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};
@@ -166,12 +166,12 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
         let hit = visibility::touched(scene, ray, place, probe);
         return in_place(scene, ray, path, &hit, place, probe);
     }
-    let mut contenders = Contenders::default();
-    let Some(hit) = visibility::search(scene, ray, &mut contenders, probe) else {
+    let nearest = visibility::search(scene, ray, probe);
+    let Some(hit) = nearest.hit() else {
         return nothing_met(scene, probe);
     };
-    if !contenders.is_empty() {
-        let hits = visibility::settled(scene, ray, hit, contenders, probe);
+    if !nearest.is_alone() {
+        let hits = visibility::settled(scene, ray, nearest, probe);
         if hits.len() > 1 {
             return in_place(scene, ray, path, &hits[0], &Place::of(&hits), probe);
         }

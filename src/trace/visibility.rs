@@ -1,8 +1,7 @@
 //! What a ray hits first, and how much light gets through.
 
 use super::{Layer, Place, in_range};
-use crate::geometry::nearest::{is_close, limit};
-use crate::geometry::{Contenders, Crossing, Hit, Ray, RaySource, Search};
+use crate::geometry::{Crossing, Hit, Nearest, Ray, RaySource, Search};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::{Probe, Spared};
 use crate::scene::{Color, Scene, Shadows};
@@ -47,20 +46,20 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
 /// The nearest hit. Of surfaces in the same place the first in the scene is the nearest, then the lowest primitive.
 #[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
-    let mut contenders = Contenders::default();
-    let hit = search(scene, ray, &mut contenders, probe)?;
-    if !contenders.is_empty() {
-        return Some(settled(scene, ray, hit, contenders, probe)[0]);
+    let nearest = search(scene, ray, probe);
+    let hit = nearest.hit()?;
+    if !nearest.is_alone() {
+        return Some(settled(scene, ray, nearest, probe)[0]);
     }
     probe.mark(Decision::Nearest { object: hit.object });
     Some(hit)
 }
 
-/// The nearest hit by its distance; those that may be in the same place become contenders.
+/// The nearest hit by its distance, and those that may be in the same place.
 // A part of the recursion, which would have to take the hit out of memory.
 #[inline(always)]
-pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Contenders, probe: &mut P) -> Option<Hit> {
-    let mut nearest: Option<Hit> = None;
+pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Nearest {
+    let mut nearest = Nearest::of(ray);
     scene.index.visit(
         ray,
         Search::nearest_first(probe),
@@ -68,17 +67,8 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Conten
         #[inline(always)]
         |object, _, probe| {
             let thing = &scene.objects[object as usize];
-            if let Some(crossing) = thing.shape.nearest(object, thing.one_sided, ray, contenders, probe) {
-                if let Some(best) = &nearest
-                    && is_close(crossing.t, best.crossing.t, ray, probe)
-                {
-                    contenders.push(*best, Hit { object, crossing });
-                }
-                if nearest.is_none_or(|best| crossing.t < best.crossing.t) {
-                    nearest = Some(Hit { object, crossing });
-                }
-            }
-            nearest.map_or(ray.t_max, |hit| limit(hit.crossing.t, ray, probe))
+            thing.shape.nearest(object, thing.one_sided, ray, &mut nearest, probe);
+            nearest.limit()
         },
     );
     nearest
@@ -90,11 +80,10 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, contenders: &mut Conten
 pub(super) fn settled<P: Probe>(
     scene: &Scene,
     ray: &Ray,
-    nearest: Hit,
-    contenders: Contenders,
+    nearest: Nearest,
     probe: &mut P,
 ) -> Vec<Hit> {
-    let place = contenders.place(nearest, ray, |object| &scene.objects[object as usize].shape, probe);
+    let place = nearest.place(ray, |object| &scene.objects[object as usize].shape, probe);
     probe.mark(Decision::Nearest { object: place[0].object });
     for other in &place[1..] {
         let is_mesh = scene.objects[other.object as usize].shape.is_mesh();

@@ -12,7 +12,7 @@ use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::line::RaySource;
 use crate::geometry::mesh::{Mesh, Winding};
-use crate::geometry::nearest::{Contenders, Hit, is_close, limit};
+use crate::geometry::nearest::{Hit, Nearest};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
@@ -63,7 +63,7 @@ impl TriangleMesh {
         *self.inside.get_or_init(side)
     }
 
-    /// The nearest of the points where the ray crosses object `object` of this shape, and those that may be in the same place.
+    /// Shows `nearest` the points where the ray crosses object `object` of this shape that may be its nearest crossing.
     // Kept apart from the search among objects, as the kernels of other shapes are.
     #[inline(never)]
     pub fn nearest<P: Probe>(
@@ -71,22 +71,13 @@ impl TriangleMesh {
         object: u32,
         one_sided: bool,
         ray: &Ray,
-        contenders: &mut Contenders,
+        nearest: &mut Nearest,
         probe: &mut P,
-    ) -> Option<Crossing> {
-        let mut nearest: Option<Crossing> = None;
+    ) {
         self.visit(object, one_sided, ray, Search::nearest_first(probe), probe, |crossing, probe| {
-            let hit = |crossing| Hit { object, crossing };
-            if let Some(best) = nearest
-                && is_close(crossing.t, best.t, ray, probe)
-            {
-                contenders.push(hit(best), hit(crossing));
-            }
-            let nearer = nearest.filter(|best| best.t <= crossing.t).unwrap_or(crossing);
-            nearest = Some(nearer);
-            limit(nearer.t, ray, probe)
+            nearest.offer(Hit { object, crossing }, ray, probe);
+            nearest.limit()
         });
-        nearest
     }
 
     /// Shows the log the crossing of a ray that begins on a triangle and goes through it.

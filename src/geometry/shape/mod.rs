@@ -44,7 +44,7 @@ use super::bounds::Bounds;
 use super::bvh::Form;
 use super::doubled::Doubled;
 use super::line::RaySource;
-use super::nearest::{Contenders, Hit};
+use super::nearest::{Hit, Nearest};
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::probe::{Probe, ROUNDINGS, Silent};
 use glam::DVec3;
@@ -102,26 +102,28 @@ macro_rules! kernel {
 impl Shape {
     /// The first point where the ray crosses object `object` of this shape.
     pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        let mut contenders = Contenders::default();
-        let crossing = self.nearest(object, one_sided, ray, &mut contenders, probe)?;
-        contenders.place(Hit { object, crossing }, ray, |_| self, probe).first().map(|hit| hit.crossing)
+        let mut nearest = Nearest::of(ray);
+        self.nearest(object, one_sided, ray, &mut nearest, probe);
+        nearest.place(ray, |_| self, probe).first().map(|hit| hit.crossing)
     }
 
-    /// The nearest of the points where the ray crosses object `object` of this shape, and those of a mesh that may be in the same
-    /// place.
+    /// Shows `nearest` the points where the ray crosses object `object` of this shape that may be its nearest crossing.
     #[inline(always)]
     pub fn nearest<P: Probe>(
         &self,
         object: u32,
         one_sided: bool,
         ray: &Ray,
-        contenders: &mut Contenders,
+        nearest: &mut Nearest,
         probe: &mut P,
-    ) -> Option<Crossing> {
-        match self {
-            Shape::Mesh(mesh) => mesh.nearest(object, one_sided, ray, contenders, probe),
-            Shape::Moving(moving) => moving.nearest(object, one_sided, ray, contenders, probe),
+    ) {
+        let crossing = match self {
+            Shape::Mesh(mesh) => return mesh.nearest(object, one_sided, ray, nearest, probe),
+            Shape::Moving(moving) => return moving.nearest(object, one_sided, ray, nearest, probe),
             _ => kernel!(self, kernel => kernel.first_of(object, one_sided, ray, probe), _mesh => None),
+        };
+        if let Some(crossing) = crossing {
+            nearest.offer(Hit { object, crossing }, ray, probe);
         }
     }
 

@@ -5,7 +5,7 @@ use super::Shape;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::Doubled;
 use crate::geometry::motion::{Motion, Pose};
-use crate::geometry::nearest::Contenders;
+use crate::geometry::nearest::Nearest;
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::Step;
 use crate::probe::{Probe, Silent};
@@ -41,17 +41,17 @@ impl Moving {
         self.bounds
     }
 
-    /// The nearest of the points where the ray crosses the object, and those of a mesh that may be in the same place.
+    /// Shows `nearest` the points where the ray crosses the object that may be its nearest crossing.
     #[inline(never)]
     pub fn nearest<P: Probe>(
         &self,
         object: u32,
         one_sided: bool,
         ray: &Ray,
-        contenders: &mut Contenders,
+        nearest: &mut Nearest,
         probe: &mut P,
-    ) -> Option<Crossing> {
-        self.in_own_frame(ray, probe, |own, probe| self.shape.nearest(object, one_sided, own, contenders, probe))
+    ) {
+        self.in_own_frame(ray, probe, |own, probe| self.shape.nearest(object, one_sided, own, nearest, probe));
     }
 
     /// Shows the log the crossing of a ray that begins on the object and goes through it.
