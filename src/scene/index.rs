@@ -1,7 +1,7 @@
 //! Which objects a ray can meet: those without end, and those whose box it passes.
 
 use super::Object;
-use crate::geometry::bvh::{Bvh, Form, Search};
+use crate::geometry::bvh::{Bvh, Form, OfEach, Rays, Search};
 use crate::geometry::{Bounds, RaySource, Shape};
 use crate::probe::Probe;
 use arrayvec::ArrayVec;
@@ -134,6 +134,21 @@ impl Index {
             |object, is_sure| meet(object, is_sure, probe),
         );
         probe.bounds_tested(tested);
+    }
+}
+
+impl Index {
+    /// The same for several rays (see [`Bvh::visit_together`]). Nobody is told how many boxes were tested.
+    #[inline(always)]
+    pub fn visit_together<P: Probe, S: RaySource>(
+        &self,
+        sources: &[S],
+        rays: Rays,
+        search: Search,
+        limits: &mut OfEach<f64>,
+        meet: impl FnMut(Rays, u32, bool, &mut OfEach<f64>),
+    ) {
+        self.tree.visit_together::<P, S>(sources, rays, search, limits, meet);
     }
 }
 

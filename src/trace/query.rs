@@ -1,11 +1,12 @@
 //! Single ray queries: what a ray meets, without any shading, at the time when the shutter opens.
 
-use super::visibility::{closest_hit, is_any_hit};
+use super::visibility::{are_any_hit, closest_hit, is_any_hit, search_together};
 use crate::geometry::Hit;
 use crate::geometry::unit::{unit, with_unit};
-use crate::geometry::{Leaving, Line, Ray, RaySource, Side};
+use crate::geometry::{COMPANY, Leaving, Line, Nearest, Ray, RaySource, Rays, Side};
 use crate::probe::Silent;
 use crate::scene::Scene;
+use arrayvec::ArrayVec;
 use glam::DVec3;
 use std::cell::OnceCell;
 
@@ -112,20 +113,58 @@ impl Query {
         if self.surely_misses(scene) {
             return false;
         }
+        match self.asked(scene) {
+            Some(asked) => is_any_hit(scene, &asked, &mut Silent),
+            None => {
+                let (ray, length) = self.ray(scene);
+                self.first_hit(ray, length, scene).is_some()
+            }
+        }
+    }
+
+    /// Where the nearest hits of several rays are, at most [`COMPANY`]. Rays that run together are answered faster so, each as it would be alone.
+    pub fn hits(queries: &[Query], scene: &Scene) -> ArrayVec<Option<RayHit>, COMPANY> {
+        let mut rays: ArrayVec<Ray, COMPANY> = ArrayVec::new();
+        let mut lengths = [0.0; COMPANY];
+        for (query, length) in queries.iter().zip(&mut lengths) {
+            let (direction, vector, its_length) = unit(query.direction);
+            *length = its_length;
+            rays.push(query.ray_along(direction, vector, its_length, scene));
+        }
+        let nearest = search_together(scene, &rays, &mut Silent);
+        let answer = |(((query, ray), length), nearest): (((&Query, &Ray), f64), Nearest)| {
+            let hit = nearest.hit()?;
+            let is_settled = nearest.is_alone();
+            let t = hit.crossing.t / length;
+            // Where the order of surfaces or an end of the ray is in doubt, it is asked alone.
+            let (hit, t) = match is_settled && t > query.t_min && t < query.t_max {
+                true => (hit, t),
+                false => query.first_hit(*ray, length, scene).map(|(_, hit, t)| (hit, t))?,
+            };
+            Some(RayHit { object: hit.object, primitive: hit.crossing.primitive, t })
+        };
+        queries.iter().zip(&rays).zip(lengths).zip(nearest).map(answer).collect()
+    }
+
+    /// Which of several rays, at most [`COMPANY`], have any hit, a bit for each.
+    pub fn are_occluded(queries: &[Query], scene: &Scene) -> Rays {
+        let asked: ArrayVec<Option<Asked>, COMPANY> = queries.iter().map(|query| query.asked(scene)).collect();
+        if asked.iter().all(Option::is_some) {
+            let asked: ArrayVec<Asked, COMPANY> = asked.into_iter().flatten().collect();
+            let rays = (1 << asked.len()) - 1;
+            return are_any_hit(scene, &asked, rays, &mut Silent);
+        }
+        (0..).zip(queries).filter(|(_, query)| query.is_occluded(scene)).fold(0, |rays, (at, _): (u32, _)| rays | 1 << at)
+    }
+
+    fn asked<'a>(&'a self, scene: &'a Scene) -> Option<Asked<'a>> {
         /// Bounds whose products with the length of a line have all their digits.
         const PLAIN: std::ops::Range<f64> = 1e-200..1e200;
         // Where an end has fewer digits than others, its distance in units of the direction decides.
         let has_plain_ends = (self.t_min == 0.0 || PLAIN.contains(&self.t_min))
             && (self.t_max == f64::INFINITY || PLAIN.contains(&self.t_max));
-        match Line::along(self.origin, self.direction, [self.t_min, self.t_max]) {
-            Some(line) if has_plain_ends => {
-                is_any_hit(scene, &Asked { query: self, scene, line, ray: OnceCell::new() }, &mut Silent)
-            }
-            _ => {
-                let (ray, length) = self.ray(scene);
-                self.first_hit(ray, length, scene).is_some()
-            }
-        }
+        let line = Line::along(self.origin, self.direction, [self.t_min, self.t_max]).filter(|_| has_plain_ends)?;
+        Some(Asked { query: self, scene, line, ray: OnceCell::new() })
     }
 
     /// Whether a look at the box around everything shows that the ray meets nothing: its unit vector takes far longer than that.

@@ -1,10 +1,11 @@
 //! What a ray hits first, and how much light gets through.
 
 use super::{Layer, Place, in_range};
-use crate::geometry::{Crossing, Hit, Nearest, Ray, RaySource, Search};
+use crate::geometry::{COMPANY, Crossing, Hit, Nearest, Ray, RaySource, Rays, Search, Shape, each};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::{Probe, Spared};
 use crate::scene::{Color, Scene, Shadows};
+use arrayvec::ArrayVec;
 use std::cmp::Ordering;
 
 /// Two distances nearer to each other than so many parts of them are compared with more digits.
@@ -74,6 +75,34 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
     nearest
 }
 
+/// The same for several rays, at most [`COMPANY`], which walk together where they run together.
+pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], probe: &mut P) -> ArrayVec<Nearest, COMPANY> {
+    let mut nearest: ArrayVec<Nearest, COMPANY> = rays.iter().map(Nearest::of).collect();
+    let mut limits = [-1.0; COMPANY];
+    for (limit, ray) in limits.iter_mut().zip(rays) {
+        *limit = ray.t_max;
+    }
+    scene.index.visit_together::<P, Ray>(
+        rays,
+        (1 << rays.len()) - 1,
+        Search::nearest_first(probe),
+        &mut limits,
+        #[inline(always)]
+        |which, object, _, limits| {
+            let thing = &scene.objects[object as usize];
+            if let Shape::Mesh(mesh) = &thing.shape {
+                mesh.nearest_together((object, thing.one_sided), rays, which, &mut nearest, limits, probe);
+                return;
+            }
+            for at in each(which) {
+                thing.shape.nearest(object, thing.one_sided, &rays[at], &mut nearest[at], probe);
+                limits[at] = nearest[at].limit();
+            }
+        },
+    );
+    nearest
+}
+
 /// The surfaces in the same place as the nearest one, in the order of the scene; marks what was decided.
 #[cold]
 #[inline(never)]
@@ -111,6 +140,34 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut 
         if is_hit { -1.0 } else { source.reach() }
     });
     is_hit
+}
+
+/// Which of several rays, at most [`COMPANY`], of those in `rays` meet anything at all.
+pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: Rays, probe: &mut P) -> Rays {
+    let mut limits = [-1.0; COMPANY];
+    for at in each(rays) {
+        limits[at] = sources[at].reach();
+    }
+    scene.index.visit_together::<P, S>(
+        sources,
+        rays,
+        Search::of_any(probe),
+        &mut limits,
+        #[inline(always)]
+        |which, object, is_sure, limits| {
+            let thing = &scene.objects[object as usize];
+            if let Shape::Mesh(mesh) = &thing.shape {
+                mesh.cross_together((object, thing.one_sided), sources, which, limits, probe);
+                return;
+            }
+            for at in each(which) {
+                if is_blocked_by(scene, &sources[at], object, is_sure, probe) {
+                    limits[at] = -1.0;
+                }
+            }
+        },
+    );
+    each(rays).filter(|at| limits[*at] < 0.0).fold(0, |hit, at| hit | 1 << at)
 }
 
 /// Whether the ray crosses an object; `is_sure` where that is known but for the ray's own surface and the object's side.

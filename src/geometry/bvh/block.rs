@@ -40,6 +40,12 @@ pub(super) trait Block: Sized {
     /// The things of all lanes.
     fn things(&self) -> [u32; 8];
 
+    /// The thing of a lane.
+    #[inline(always)]
+    fn thing(&self, lane: usize) -> u32 {
+        self.things()[lane & 7]
+    }
+
     /// A bit for each lane that is used.
     fn used(&self) -> u32 {
         let things = self.things();
@@ -81,10 +87,10 @@ impl Sorted {
 /// A ray, ready for the things of leaves.
 #[derive(Clone, Copy)]
 pub(super) struct LeafRay<L: Lanes> {
-    origin: [L::Eight; 3],
-    direction: [L::Eight; 3],
-    t_min: L::Eight,
-    slack: f32,
+    pub origin: [L::Eight; 3],
+    pub direction: [L::Eight; 3],
+    pub t_min: L::Eight,
+    pub slack: f32,
 }
 
 impl<L: Lanes> LeafRay<L> {

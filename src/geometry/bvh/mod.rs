@@ -6,6 +6,7 @@
 
 mod block;
 mod build;
+mod company;
 mod lanes;
 mod node;
 mod outliers;
@@ -17,6 +18,8 @@ use super::bounds::Bounds;
 use super::line::RaySource;
 use crate::probe::Probe;
 use block::{SphereBlock, TriangleBlock};
+pub use company::{COMPANY, OfEach, Rays, each};
+use company::Company;
 use glam::DVec3;
 use lanes::{Instructions, Lanes, Plain};
 use node::{Child, Node};
@@ -127,6 +130,73 @@ impl Bvh {
             Some(root) => self.visit_tree::<P>(root, source, t_max, search, meet),
             None => 0,
         }
+    }
+
+    /// The same for several rays, at most [`COMPANY`], of which those in `rays` ask. Shows `meet` sets of rays that may meet a thing; it sets
+    /// the distances `limits`, up to which things still matter to a ray, a negative one to end its search.
+    pub fn visit_together<P: Probe, S: RaySource>(
+        &self,
+        sources: &[S],
+        rays: Rays,
+        search: Search,
+        limits: &mut OfEach<f64>,
+        mut meet: impl FnMut(Rays, u32, bool, &mut OfEach<f64>),
+    ) {
+        for thing in &self.beside {
+            let rays: Rays = each(rays).filter(|ray| limits[*ray] >= 0.0).fold(0, |rays, ray| rays | 1 << ray);
+            meet(rays, *thing, false, limits);
+        }
+        let Some(root) = self.root else { return };
+        let rays: Rays = each(rays).filter(|ray| limits[*ray] >= 0.0).fold(0, |rays, ray| rays | 1 << ray);
+        let alone = if rays.count_ones() > 1 {
+            self.visit_tree_together::<P, S>(
+                root,
+                sources,
+                rays,
+                search,
+                limits,
+                #[inline(always)]
+                |rays, thing, is_sure, limits| meet(rays, thing, is_sure, limits),
+            )
+        } else {
+            rays
+        };
+        for ray in each(alone) {
+            self.visit_tree::<P>(
+                root,
+                &sources[ray],
+                limits[ray],
+                search,
+                #[inline(always)]
+                |thing, is_sure| {
+                    meet(1 << ray, thing, is_sure, limits);
+                    limits[ray]
+                },
+            );
+        }
+    }
+
+    #[inline(never)]
+    fn visit_tree_together<P: Probe, S: RaySource>(
+        &self,
+        root: Child,
+        sources: &[S],
+        rays: Rays,
+        search: Search,
+        limits: &mut OfEach<f64>,
+        meet: impl FnMut(Rays, u32, bool, &mut OfEach<f64>),
+    ) -> Rays {
+        let walk = Company { tree: self, sources, search, meet };
+        #[cfg(target_arch = "x86_64")]
+        if P::IS_HURRIED
+            && let Instructions::Avx2(avx2) = self.instructions
+        {
+            return avx2.run(
+                #[inline(always)]
+                || walk.run(avx2, root, rays, limits),
+            );
+        }
+        walk.run(Plain, root, rays, limits)
     }
 
     // Outlined, so that a scene without a tree doesn't prepare the ray for it.

@@ -1,7 +1,7 @@
 //! A node of the tree: eight boxes and what is in them.
 
 use super::lanes::{Eight, Lanes};
-use super::space::{LocalRay, down, up};
+use super::space::{LocalRay, OF_BOX, U, down, up};
 use glam::DVec3;
 
 /// What a box holds: two bits for the kind, the others for a place.
@@ -84,11 +84,54 @@ pub(super) struct Node {
 /// A ray, ready for the boxes of nodes.
 #[derive(Clone, Copy)]
 pub(super) struct BoxRay<L: Lanes> {
-    inverse: [L::Eight; 3],
-    near: [L::Eight; 3],
-    far: [L::Eight; 3],
+    pub inverse: [L::Eight; 3],
+    pub near: [L::Eight; 3],
+    pub far: [L::Eight; 3],
+    pub near_side: [usize; 3],
+    pub t_min: L::Eight,
+}
+
+/// Several rays whose directions have the same signs, ready for the boxes of nodes.
+#[derive(Clone, Copy)]
+pub(super) struct Frustum<L: Lanes> {
+    /// By axis: the least and the greatest of 1 over the component of the direction.
+    inverse: [[L::Eight; 2]; 3],
+    /// By axis: the coordinate among those of the origins that is farthest toward the near sides of boxes, and toward the far ones.
+    origin: [[L::Eight; 2]; 3],
+    /// How much earlier than computed a box may be entered, and later left, by axis.
+    around: [L::Eight; 3],
     near_side: [usize; 3],
     t_min: L::Eight,
+}
+
+impl<L: Lanes> Frustum<L> {
+    /// Of rays with these ranges of origins and of 1 over the components of their directions.
+    #[inline(always)]
+    pub fn new(
+        lanes: L,
+        origins: [[f32; 2]; 3],
+        inverses: [[f32; 2]; 3],
+        near_side: [usize; 3],
+        slack: f32,
+        t_min: f32,
+    ) -> Frustum<L> {
+        let splat = |[one, other]: [f32; 2]| [lanes.splat(one), lanes.splat(other)];
+        let toward = |axis: usize| {
+            let [least, greatest] = origins[axis];
+            splat(if near_side[axis] == 0 { [greatest, least] } else { [least, greatest] })
+        };
+        let around = |axis: usize| {
+            let [least, greatest] = inverses[axis];
+            lanes.splat(least.abs().max(greatest.abs()) * (OF_BOX + slack) * (1.0 + 8.0 * U))
+        };
+        Frustum {
+            inverse: [splat(inverses[0]), splat(inverses[1]), splat(inverses[2])],
+            origin: [toward(0), toward(1), toward(2)],
+            around: [around(0), around(1), around(2)],
+            near_side,
+            t_min: lanes.splat(t_min),
+        }
+    }
 }
 
 impl<L: Lanes> BoxRay<L> {
@@ -154,5 +197,40 @@ impl Node {
         let near = lanes.max(lanes.max(near_x, near_y), lanes.max(near_z, ray.t_min));
         let far = lanes.min(lanes.min(far_x, far_y), lanes.min(far_z, t_max));
         Entered { bits: lanes.at_least(far, near), near }
+    }
+
+    /// The boxes that any of these rays can enter by `t_max`, and before where they don't. Errs on the side of entering.
+    #[inline(always)]
+    pub fn entered_by_some<L: Lanes>(&self, lanes: L, rays: &Frustum<L>, t_max: L::Eight) -> Entered<L::Eight> {
+        let to = |axis: usize, side: usize, which: usize| {
+            let plane = lanes.load(&self.planes[axis][side & 1]);
+            let way = lanes.sub(plane, rays.origin[axis][which]);
+            [lanes.mul(way, rays.inverse[axis][0]), lanes.mul(way, rays.inverse[axis][1])]
+        };
+        let near = |axis: usize| {
+            let [one, other] = to(axis, rays.near_side[axis], 0);
+            lanes.sub(lanes.min(one, other), rays.around[axis])
+        };
+        let far = |axis: usize| {
+            let [one, other] = to(axis, rays.near_side[axis] ^ 1, 1);
+            lanes.add(lanes.max(one, other), rays.around[axis])
+        };
+        let near = lanes.max(lanes.max(near(0), near(1)), lanes.max(near(2), rays.t_min));
+        let far = lanes.min(lanes.min(far(0), far(1)), lanes.min(far(2), t_max));
+        Entered { bits: lanes.at_least(far, near), near }
+    }
+
+    /// Which of eight rays, one in each lane, enter the box in this lane of the node by `t_max`. Errs on the side of entering.
+    #[inline(always)]
+    pub fn entering<L: Lanes>(&self, lanes: L, lane: usize, rays: &BoxRay<L>, t_max: L::Eight) -> u32 {
+        let to = |axis: usize, side: usize, center| {
+            let plane = lanes.splat(self.planes[axis][side & 1][lane & 7]);
+            lanes.times_minus(plane, rays.inverse[axis], center)
+        };
+        let near = |axis: usize| to(axis, rays.near_side[axis], rays.near[axis]);
+        let far = |axis: usize| to(axis, rays.near_side[axis] ^ 1, rays.far[axis]);
+        let near = lanes.max(lanes.max(near(0), near(1)), lanes.max(near(2), rays.t_min));
+        let far = lanes.min(lanes.min(far(0), far(1)), lanes.min(far(2), t_max));
+        lanes.at_least(far, near)
     }
 }

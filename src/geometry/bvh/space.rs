@@ -141,7 +141,7 @@ const ROUNDINGS: f64 = 24.0 * f64::EPSILON;
 const WIDEST: f64 = 0.125;
 
 /// The error of a distance to a plane, as a part of 1/|d|.
-const OF_BOX: f32 = 24.0 * U;
+pub(super) const OF_BOX: f32 = 24.0 * U;
 
 /// The least component of a direction.
 const LEAST: f32 = 1e-18;
@@ -157,6 +157,9 @@ fn sum_of_magnitudes(vector: DVec3) -> f64 {
 const NEAR_TIE: f64 = 16.0 * f64::EPSILON;
 
 impl Distance {
+    /// Of no ray.
+    pub const NONE: Distance = Distance { unit: 0.0, scale: 0.0, shift: 0.0, slack: 0.0 };
+
     /// A distance in the tree's space before which nothing lies that the ray meets beyond `t`.
     #[inline(always)]
     fn earliest(&self, t: f64) -> f32 {

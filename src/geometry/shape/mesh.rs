@@ -8,7 +8,7 @@ mod left;
 use super::triangle::Facet;
 use super::{Approach, at_an_end, touched};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::bvh::{Bvh, Form, Search};
+use crate::geometry::bvh::{Bvh, Form, OfEach, Rays, Search, each};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::line::RaySource;
 use crate::geometry::mesh::{Mesh, Winding};
@@ -78,6 +78,74 @@ impl TriangleMesh {
             nearest.offer(Hit { object, crossing }, ray, probe);
             nearest.limit()
         });
+    }
+
+    /// The same for those of several rays that are in `which`; `limits` says up to where triangles matter to each.
+    #[inline(never)]
+    pub fn nearest_together<P: Probe>(
+        &self,
+        (object, one_sided): (u32, bool),
+        rays: &[Ray],
+        which: Rays,
+        nearest: &mut [Nearest],
+        limits: &mut OfEach<f64>,
+        probe: &mut P,
+    ) {
+        let mut left: OfEach<Option<LeftTriangle>> = Default::default();
+        for ray in each(which) {
+            left[ray] = self.left(object, &rays[ray]);
+        }
+        self.tree.visit_together::<P, Ray>(
+            rays,
+            which,
+            Search::nearest_first(probe),
+            limits,
+            #[inline(always)]
+            |which, triangle, _, limits| {
+                for at in each(which) {
+                    let ray = &rays[at];
+                    if let Some(crossing) = self.meet(object, one_sided, triangle, ray, left[at].as_ref(), probe) {
+                        nearest[at].offer(Hit { object, crossing }, ray, probe);
+                        limits[at] = nearest[at].limit();
+                    }
+                }
+            },
+        );
+    }
+
+    /// Which of several rays among `which` cross the object at all: sets their limits below 0.
+    #[inline(never)]
+    pub fn cross_together<P: Probe, S: RaySource>(
+        &self,
+        (object, one_sided): (u32, bool),
+        sources: &[S],
+        which: Rays,
+        limits: &mut OfEach<f64>,
+        probe: &mut P,
+    ) {
+        let mut left: OfEach<Option<LeftTriangle>> = Default::default();
+        for ray in each(which) {
+            left[ray] = self.left(object, &sources[ray]);
+        }
+        let search = match left.iter().all(Option::is_none) && !one_sided {
+            true => Search::of_any(probe),
+            false => Search::in_any_order(probe),
+        };
+        self.tree.visit_together::<P, S>(
+            sources,
+            which,
+            search,
+            limits,
+            #[inline(always)]
+            |which, triangle, is_sure, limits| {
+                for at in each(which) {
+                    let ray = || sources[at].ray();
+                    if is_sure || self.meet(object, one_sided, triangle, ray(), left[at].as_ref(), probe).is_some() {
+                        limits[at] = -1.0;
+                    }
+                }
+            },
+        );
     }
 
     /// Shows the log the crossing of a ray that begins on a triangle and goes through it.

@@ -1,0 +1,296 @@
+//! The walk of several rays at once. Neighbouring rays look at the same nodes, and so what is done for a node is done once for all of them:
+//! one test tells which of its boxes any ray can enter, one more for each of these which rays do. Each ray meets what it would meet alone.
+
+use super::block::{Block, LeafRay, Sorted};
+use super::lanes::{Eight, Lanes};
+use super::node::{BoxRay, Child, Content, Frustum};
+use super::space::{Distance, LocalRay};
+use super::walk::STACK;
+use super::{Bvh, Search};
+use crate::geometry::line::RaySource;
+use arrayvec::ArrayVec;
+
+/// The most rays that walk together.
+pub const COMPANY: usize = 8;
+
+/// A number of each ray that walks together.
+pub type OfEach<T> = [T; COMPANY];
+
+/// Rays that walk together, a bit for each.
+pub type Rays = u32;
+
+/// The numbers of the rays in a set.
+#[inline(always)]
+pub fn each(rays: Rays) -> impl Iterator<Item = usize> {
+    let mut rest = rays;
+    std::iter::from_fn(move || {
+        let ray = rest.trailing_zeros() as usize;
+        rest &= rest.wrapping_sub(1);
+        (ray < COMPANY).then_some(ray)
+    })
+}
+
+/// A walk of several rays, and what it is for.
+pub(super) struct Company<'a, S, M> {
+    pub tree: &'a Bvh,
+    /// At most [`COMPANY`] of them.
+    pub sources: &'a [S],
+    pub search: Search,
+    /// Shows a thing that these rays may meet, and says whether they certainly cross it; sets the distances up to which things still matter, a
+    /// negative one for a ray whose walk ends.
+    pub meet: M,
+}
+
+/// A child that waits: where the first ray enters its box, and the rays that do.
+type Waiting = (f32, Child, Rays);
+
+/// The rays in the tree's space, one in each lane.
+struct Local {
+    origin: [Eight; 3],
+    direction: [Eight; 3],
+    inverse: [Eight; 3],
+    near: [Eight; 3],
+    far: [Eight; 3],
+    near_side: [usize; 3],
+    slack: Eight,
+    t_min: Eight,
+    t_max: Eight,
+    distance: OfEach<Distance>,
+    /// Between which distances a crossing certainly counts.
+    sure: OfEach<Option<[f32; 2]>>,
+}
+
+impl Local {
+    const NONE: Local = Local {
+        origin: [[0.0; 8]; 3],
+        direction: [[0.0; 8]; 3],
+        inverse: [[0.0; 8]; 3],
+        near: [[0.0; 8]; 3],
+        far: [[0.0; 8]; 3],
+        near_side: [0; 3],
+        slack: [0.0; 8],
+        t_min: [0.0; 8],
+        t_max: [f32::NEG_INFINITY; 8],
+        distance: [Distance::NONE; COMPANY],
+        sure: [None; COMPANY],
+    };
+
+    #[inline(always)]
+    fn set(&mut self, at: usize, ray: &LocalRay, t_max: f64) {
+        let LocalRay { origin, direction, inverse, near, far, slack, t_min, distance, .. } = *ray;
+        for axis in 0..3 {
+            self.origin[axis][at] = origin[axis];
+            self.direction[axis][at] = direction[axis];
+            self.inverse[axis][at] = inverse[axis];
+            self.near[axis][at] = near[axis];
+            self.far[axis][at] = far[axis];
+        }
+        self.slack[at] = slack;
+        self.t_min[at] = t_min;
+        self.t_max[at] = distance.latest(t_max);
+        self.distance[at] = distance;
+    }
+
+    /// The last distance that matters to any ray; nothing matters to one that has ended.
+    #[inline(always)]
+    fn farthest(&self) -> f32 {
+        self.t_max.iter().fold(f32::NEG_INFINITY, |farthest, t| if *t > farthest { *t } else { farthest })
+    }
+}
+
+impl<S: RaySource, M: FnMut(Rays, u32, bool, &mut OfEach<f64>)> Company<'_, S, M> {
+    /// Walks from this child on, up to a distance for each ray. Rays that don't run with the first one, or of which little is known, go on
+    /// alone: returns them.
+    #[inline(always)]
+    pub fn run<L: Lanes>(mut self, lanes: L, root: Child, rays: Rays, reach: &mut OfEach<f64>) -> Rays {
+        let tree = self.tree;
+        let mut local = Local::NONE;
+        let mut together: Rays = 0;
+        for at in each(rays) {
+            let source = &self.sources[at];
+            let Some(line) = source.line() else { continue };
+            let Some(ray) = tree.space.ray(&line) else { continue };
+            if together == 0 {
+                local.near_side = ray.near_side;
+            }
+            if ray.near_side == local.near_side {
+                local.set(at, &ray, reach[at]);
+                if self.search.tells_sure_hits {
+                    local.sure[at] = ray.surely_within(reach[at], source.slack());
+                }
+                together |= 1 << at;
+            }
+        }
+        if together.count_ones() > 1 {
+            self.walk(lanes, root, together, &mut local, reach);
+            rays & !together
+        } else {
+            rays
+        }
+    }
+
+    #[inline(always)]
+    fn walk<L: Lanes>(&mut self, lanes: L, root: Child, rays: Rays, local: &mut Local, limits: &mut OfEach<f64>) {
+        let tree = self.tree;
+        let frustum = frustum(lanes, rays, local);
+        let mut waiting: ArrayVec<Waiting, STACK> = ArrayVec::new();
+        let mut farthest = local.farthest();
+        let (mut child, mut rays) = (root, rays);
+        loop {
+            match child.content() {
+                Content::Node(number) => {
+                    let node = &tree.nodes[number as usize];
+                    let bottom = waiting.len();
+                    if rays.is_power_of_two() {
+                        let at = rays.trailing_zeros() as usize & 7;
+                        let ray = box_ray(lanes, local, at);
+                        let entered = node.entered(lanes, &ray, lanes.splat(local.t_max[at]));
+                        let near = lanes.store(entered.near);
+                        for lane in each(entered.bits) {
+                            self.wait((near[lane], node.child(lane), rays), &mut waiting, bottom);
+                        }
+                    } else {
+                        let entered = node.entered_by_some(lanes, &frustum, lanes.splat(farthest));
+                        let near = lanes.store(entered.near);
+                        let all = all_rays(lanes, local);
+                        let t_max = lanes.load(&local.t_max);
+                        for lane in each(entered.bits) {
+                            let entering = rays & node.entering(lanes, lane, &all, t_max);
+                            if entering != 0 {
+                                self.wait((near[lane], node.child(lane), entering), &mut waiting, bottom);
+                            }
+                        }
+                    }
+                }
+                Content::Triangles(number) => {
+                    let block = &tree.triangles[number as usize];
+                    self.meet_block(lanes, block, rays, local, limits);
+                    farthest = local.farthest();
+                }
+                Content::Spheres(number) => {
+                    let block = &tree.spheres[number as usize];
+                    self.meet_block(lanes, block, rays, local, limits);
+                    farthest = local.farthest();
+                }
+                Content::Thing(thing) => {
+                    (self.meet)(rays, thing, false, limits);
+                    for at in each(rays) {
+                        local.t_max[at] = latest(&local.distance[at], limits[at]);
+                    }
+                    farthest = local.farthest();
+                }
+            }
+            loop {
+                let Some((near, next, entering)) = waiting.pop() else { return };
+                if near <= farthest {
+                    let alive = lanes.at_least(lanes.load(&local.t_max), lanes.splat(near));
+                    (child, rays) = (next, entering & alive);
+                    if rays != 0 {
+                        break;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Lets a child wait among those of its node, the nearest on top.
+    #[inline(always)]
+    fn wait(&self, child: Waiting, waiting: &mut ArrayVec<Waiting, STACK>, bottom: usize) {
+        let mut at = waiting.len();
+        waiting.push(child);
+        while self.search.nearest_first && at > bottom && waiting[at - 1].0 < child.0 {
+            waiting[at] = waiting[at - 1];
+            at -= 1;
+        }
+        waiting[at] = child;
+    }
+
+    /// Shows the things of a block, one ray after the other.
+    #[inline(always)]
+    fn meet_block<L: Lanes>(
+        &mut self,
+        lanes: L,
+        block: &impl Block,
+        rays: Rays,
+        local: &mut Local,
+        limits: &mut OfEach<f64>,
+    ) {
+        for at in each(rays) {
+            let Sorted { mut possible, mut sure } = if self.search.one_by_one {
+                let sure = local.sure[at];
+                block.filtered(lanes, &leaf_ray(lanes, local, at), lanes.splat(local.t_max[at]), &|| sure)
+            } else {
+                Sorted::possible(block.used())
+            };
+            while possible != 0 {
+                let is_sure = sure != 0;
+                let lane = if is_sure { sure } else { possible }.trailing_zeros() as usize;
+                (possible, sure) = (possible & !(1 << lane), sure & !(1 << lane));
+                (self.meet)(1 << at, block.thing(lane), is_sure, limits);
+                local.t_max[at] = latest(&local.distance[at], limits[at]);
+                if limits[at] < 0.0 {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// Up to where boxes matter to a ray, nowhere if it has ended.
+#[inline(always)]
+fn latest(distance: &Distance, limit: f64) -> f32 {
+    if limit < 0.0 { f32::NEG_INFINITY } else { distance.latest(limit) }
+}
+
+#[inline(always)]
+fn all_rays<L: Lanes>(lanes: L, local: &Local) -> BoxRay<L> {
+    let load = |eights: &[Eight; 3]| [lanes.load(&eights[0]), lanes.load(&eights[1]), lanes.load(&eights[2])];
+    BoxRay {
+        inverse: load(&local.inverse),
+        near: load(&local.near),
+        far: load(&local.far),
+        near_side: local.near_side,
+        t_min: lanes.load(&local.t_min),
+    }
+}
+
+#[inline(always)]
+fn box_ray<L: Lanes>(lanes: L, local: &Local, at: usize) -> BoxRay<L> {
+    let splat = |eights: &[Eight; 3]| [lanes.splat(eights[0][at]), lanes.splat(eights[1][at]), lanes.splat(eights[2][at])];
+    BoxRay {
+        inverse: splat(&local.inverse),
+        near: splat(&local.near),
+        far: splat(&local.far),
+        near_side: local.near_side,
+        t_min: lanes.splat(local.t_min[at]),
+    }
+}
+
+#[inline(always)]
+fn leaf_ray<L: Lanes>(lanes: L, local: &Local, at: usize) -> LeafRay<L> {
+    let splat = |eights: &[Eight; 3]| [lanes.splat(eights[0][at]), lanes.splat(eights[1][at]), lanes.splat(eights[2][at])];
+    LeafRay {
+        origin: splat(&local.origin),
+        direction: splat(&local.direction),
+        t_min: lanes.splat(local.t_min[at]),
+        slack: local.slack[at],
+    }
+}
+
+/// What holds all of these rays, whose directions have the same signs.
+#[inline(always)]
+fn frustum<L: Lanes>(lanes: L, rays: Rays, local: &Local) -> Frustum<L> {
+    let range = |eight: &Eight| {
+        let (mut least, mut greatest) = (f32::INFINITY, f32::NEG_INFINITY);
+        for at in each(rays) {
+            let x = eight[at];
+            (least, greatest) = (if x < least { x } else { least }, if x > greatest { x } else { greatest });
+        }
+        [least, greatest]
+    };
+    let ranges = |eights: &[Eight; 3]| [range(&eights[0]), range(&eights[1]), range(&eights[2])];
+    let (origins, inverses) = (ranges(&local.origin), ranges(&local.inverse));
+    let [t_min, _] = range(&local.t_min);
+    let [_, slack] = range(&local.slack);
+    Frustum::new(lanes, origins, inverses, local.near_side, slack, t_min)
+}
