@@ -5,7 +5,6 @@
 
 use super::edge::{LEAST_SIZE, OF_EDGE};
 use super::flat::{LEAST_KEPT, PlaneHit};
-use super::triangle::Facet;
 use crate::geometry::ray::{Ray, Side};
 use glam::DVec3;
 use pulp::x86::V3;
@@ -36,8 +35,10 @@ struct Lanes(V3);
 
 impl Lanes {
     #[inline(always)]
-    fn vector(self, vector: DVec3) -> __m256d {
-        pulp::cast([vector.x, vector.y, vector.z, 0.0])
+    fn vector(self, vector: &DVec3) -> __m256d {
+        // Two loads, as whole as they lie in memory.
+        let [low, high]: [__m128d; 2] = [pulp::cast([vector.x, vector.y]), pulp::cast([vector.z, 0.0])];
+        self.0.avx._mm256_insertf128_pd::<1>(self.0.avx._mm256_castpd128_pd256(low), high)
     }
 
     #[inline(always)]
@@ -124,20 +125,21 @@ impl Lanes {
     }
 }
 
-/// Tests the triangle as far as f64 leaves nothing in doubt.
+/// Tests the triangle with these corners and this normal as far as f64 leaves nothing in doubt.
+// The numbers are taken from where they lie: copied together first, they would be read in other pieces than they were written in, and the
+// processor would wait for the copies.
 #[inline(always)]
-pub(super) fn quick(v3: V3, facet: &Facet, ray: &Ray) -> Quick {
+pub(super) fn quick(v3: V3, [a, b, c]: [&DVec3; 3], normal: &DVec3, ray: &Ray) -> Quick {
     let lanes = Lanes(v3);
-    let [origin, direction] = [ray.origin, ray.direction].map(|vector| lanes.vector(vector));
-    let corners = [facet.a, facet.b, facet.c].map(|corner| lanes.vector(corner));
-    let ends = corners.map(|corner| lanes.sub(corner, origin));
-    let [to_a, to_b, to_c] = ends.map(|end| [end, lanes.turned(end)]);
-    let direction_zxy = lanes.vector(DVec3::new(ray.direction.z, ray.direction.x, ray.direction.y));
-    let edges = [lanes.cross(to_c, to_b), lanes.cross(to_a, to_c), lanes.cross(to_b, to_a)]
-        .map(|across| lanes.mul(direction_zxy, across));
+    let (origin, direction) = (lanes.vector(&ray.origin), lanes.vector(&ray.direction));
+    let (a, b, c) = (lanes.vector(a), lanes.vector(b), lanes.vector(c));
+    let (to_a, to_b, to_c) = (lanes.sub(a, origin), lanes.sub(b, origin), lanes.sub(c, origin));
+    let (at_a, at_b, at_c) = ([to_a, lanes.turned(to_a)], [to_b, lanes.turned(to_b)], [to_c, lanes.turned(to_c)]);
+    let direction_zxy = lanes.turned(lanes.turned(direction));
+    let (of_a, of_b, of_c) = (lanes.cross(at_c, at_b), lanes.cross(at_a, at_c), lanes.cross(at_b, at_a));
+    let edges = [lanes.mul(direction_zxy, of_a), lanes.mul(direction_zxy, of_b), lanes.mul(direction_zxy, of_c)];
     let edges = lanes.sums(edges);
-    let [size_a, size_b, size_c] = ends.map(|end| lanes.abs(end));
-    let size = lanes.greatest(lanes.max(lanes.max(size_a, size_b), size_c));
+    let size = lanes.greatest(lanes.max(lanes.max(lanes.abs(to_a), lanes.abs(to_b)), lanes.abs(to_c)));
     let bound = OF_EDGE * size * size;
     let (least, greatest) = (lanes.least(edges), lanes.greatest(edges));
     let has_plain_products = size >= LEAST_SIZE && size <= GREATEST_SIZE;
@@ -147,8 +149,8 @@ pub(super) fn quick(v3: V3, facet: &Facet, ray: &Ray) -> Quick {
     if !((least > bound || greatest < -bound) && has_plain_products) {
         return Quick::InDoubt;
     }
-    let normal = lanes.vector(facet.normal);
-    met(lanes, [origin, direction], corners, [lanes.mul(normal, direction), lanes.mul(normal, ends[0])], ray)
+    let normal = lanes.vector(normal);
+    met(lanes, [origin, direction], [a, b, c], [lanes.mul(normal, direction), lanes.mul(normal, to_a)], ray)
 }
 
 /// Where the ray meets the plane; the products are the terms of V_d and V_o.
@@ -165,7 +167,7 @@ fn met(
     let [y, _] = lanes.halves(avx._mm256_unpackhi_pd(of_v_d, of_v_o));
     let values = sse2._mm_add_pd(sse2._mm_add_pd(x, y), z);
     let sign = sse2._mm_set1_pd(-0.0);
-    let [x, y, z] = [x, y, z].map(|terms| sse2._mm_andnot_pd(sign, terms));
+    let (x, y, z) = (sse2._mm_andnot_pd(sign, x), sse2._mm_andnot_pd(sign, y), sse2._mm_andnot_pd(sign, z));
     let terms = sse2._mm_add_pd(sse2._mm_add_pd(x, y), z);
     let kept = sse2._mm_mul_pd(sse2._mm_set1_pd(LEAST_KEPT), terms);
     let have_all = sse2._mm_movemask_pd(sse2._mm_cmpge_pd(sse2._mm_andnot_pd(sign, values), kept)) == 0b11;

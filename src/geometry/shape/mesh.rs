@@ -6,7 +6,10 @@
 mod left;
 
 use super::triangle::Facet;
-use super::{Approach, at_an_end, touched};
+#[cfg(target_arch = "x86_64")]
+use super::facet_lanes::{Quick, quick};
+use super::flat::PlaneHit;
+use super::{Approach, at_an_end, decide, touched};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::{Bvh, Form, OfEach, Rays, Search, each};
 use crate::geometry::doubled::Doubled;
@@ -16,8 +19,10 @@ use crate::geometry::nearest::{Hit, Nearest};
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
-use crate::probe::{Probe, ROUNDINGS};
+use crate::probe::{Probe, ROUNDINGS, Silent};
 use glam::DVec3;
+#[cfg(target_arch = "x86_64")]
+use pulp::x86::V3;
 use left::{LeftTriangle, corners_in_common, overlap};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
@@ -296,8 +301,25 @@ impl TriangleMesh {
             return None;
         }
         let approach = Approach { leaving: None, one_sided };
-        let facet = self.facet(triangle);
         let near_end = |t: f64, _| self.at_a_near_end(ray, triangle, t, left);
+        #[cfg(target_arch = "x86_64")]
+        if P::IS_SILENT
+            && let Some(v3) = V3::try_new()
+        {
+            let [a, b, c] = self.mesh.faces[triangle as usize];
+            let positions = &self.mesh.positions;
+            let corners = [&positions[a as usize], &positions[b as usize], &positions[c as usize]];
+            match quick(v3, corners, &self.normals[triangle as usize], ray) {
+                Quick::Beside => return None,
+                Quick::Met(PlaneHit { t, side }) => {
+                    let at_an_end = if ray.is_near_an_end(t) { near_end(t, side) } else { None };
+                    return decide(ray, approach, Crossing { t, side, primitive: triangle }, at_an_end, probe);
+                }
+                Quick::Inside => return self.meet_inside(one_sided, triangle, ray, left),
+                Quick::InDoubt => {}
+            }
+        }
+        let facet = self.facet(triangle);
         facet.give(probe);
         let step = Step::Test { object, triangle: Some(triangle) };
         probe.within(
@@ -305,6 +327,15 @@ impl TriangleMesh {
             #[inline(always)]
             |probe| facet.crossing(ray, approach, triangle, near_end, probe),
         )
+    }
+
+    /// The crossing with a triangle inside whose edges the ray's line passes, for a probe that sees nothing.
+    #[cold]
+    #[inline(never)]
+    fn meet_inside(&self, one_sided: bool, triangle: u32, ray: &Ray, left: Option<&LeftTriangle>) -> Option<Crossing> {
+        let approach = Approach { leaving: None, one_sided };
+        let near_end = |t: f64, _| self.at_a_near_end(ray, triangle, t, left);
+        self.facet(triangle).crossing_inside(ray, approach, triangle, near_end, &mut Silent)
     }
 
     /// Whether a crossing near an end of the ray is that end. Neighbours of the triangle that it leaves are told by their wedge, and by their

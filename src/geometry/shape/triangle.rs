@@ -9,8 +9,6 @@
 
 use super::edge::{LEAST_SIZE, OF_EDGE};
 use super::flat::{BoxNames, PlaneHit, PlaneNames, is_in_doubt_along, kept_in_box, meet_plane, toward, unaltered};
-#[cfg(target_arch = "x86_64")]
-use super::facet_lanes::{Quick, quick};
 use super::{Approach, Kernel, decide};
 use crate::geometry::area_normal::area_normal;
 use crate::geometry::bounds::Bounds;
@@ -21,8 +19,6 @@ use crate::geometry::size::unit;
 use crate::log::{Decision, Miss, Name};
 use crate::probe::{Probe, Silent};
 use glam::DVec3;
-#[cfg(target_arch = "x86_64")]
-use pulp::x86::V3;
 
 /// A triangle. Its front is the side from which its corners run counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,20 +123,6 @@ impl Facet {
         near_end: impl FnOnce(f64, Side) -> Option<Miss>,
         probe: &mut P,
     ) -> Option<Crossing> {
-        #[cfg(target_arch = "x86_64")]
-        if P::IS_SILENT
-            && let Some(v3) = V3::try_new()
-        {
-            match quick(v3, self, ray) {
-                Quick::Beside => return None,
-                Quick::Met(PlaneHit { t, side }) => {
-                    let at_an_end = if ray.is_near_an_end(t) { near_end(t, side) } else { None };
-                    return decide(ray, approach, Crossing { t, side, primitive: number }, at_an_end, probe);
-                }
-                Quick::Inside => return self.crossing_inside(ray, approach, number, near_end, probe),
-                Quick::InDoubt => {}
-            }
-        }
         if !self.edges(ray, probe).is_some_and(is_inside) {
             probe.mark(Decision::Miss { why: Miss::Beside });
             return None;
@@ -150,7 +132,7 @@ impl Facet {
 
     /// The rest of [`Facet::crossing`] for a line that passes inside the edges.
     #[inline(always)]
-    fn crossing_inside<P: Probe>(
+    pub fn crossing_inside<P: Probe>(
         &self,
         ray: &Ray,
         approach: Approach,
