@@ -34,10 +34,19 @@ pub struct Nearest {
 }
 
 impl Nearest {
+    /// Nothing, and nowhere to look for it.
+    pub const NONE: Nearest = Nearest { hit: None, limit: f64::NEG_INFINITY, others: None };
+
     /// Nothing so far.
     #[inline(always)]
     pub fn of(ray: &Ray) -> Nearest {
-        Nearest { hit: None, limit: ray.t_max, others: None }
+        Nearest { limit: ray.t_max, ..Nearest::NONE }
+    }
+
+    /// Says up to where crossings matter.
+    #[inline(always)]
+    pub fn set_limit(&mut self, limit: f64) {
+        self.limit = limit;
     }
 
     /// Takes a crossing into account.

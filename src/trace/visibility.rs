@@ -1,11 +1,10 @@
 //! What a ray hits first, and how much light gets through.
 
 use super::{Layer, Place, in_range};
-use crate::geometry::{COMPANY, Crossing, Hit, Nearest, Ray, RaySource, Rays, Search, Shape, each};
+use crate::geometry::{COMPANY, Crossing, Hit, Nearest, OfEach, Ray, RaySource, Rays, Search, Shape, each};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::{Probe, Spared};
 use crate::scene::{Color, Scene, Shadows};
-use arrayvec::ArrayVec;
 use std::cmp::Ordering;
 
 /// Two distances nearer to each other than so many parts of them are compared with more digits.
@@ -76,11 +75,12 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
 }
 
 /// The same for several rays, at most [`COMPANY`], which walk together where they run together.
-pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], probe: &mut P) -> ArrayVec<Nearest, COMPANY> {
-    let mut nearest: ArrayVec<Nearest, COMPANY> = rays.iter().map(Nearest::of).collect();
+pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], probe: &mut P) -> OfEach<Nearest> {
+    let mut nearest: OfEach<Nearest> = [const { Nearest::NONE }; COMPANY];
     let mut limits = [-1.0; COMPANY];
-    for (limit, ray) in limits.iter_mut().zip(rays) {
-        *limit = ray.t_max;
+    for (at, ray) in rays.iter().enumerate().take(COMPANY) {
+        nearest[at].set_limit(ray.t_max);
+        limits[at] = ray.t_max;
     }
     scene.index.visit_together::<P, Ray>(
         rays,

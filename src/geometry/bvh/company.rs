@@ -4,10 +4,10 @@
 use super::block::{Block, LeafRay, Sorted};
 use super::lanes::{Eight, Lanes};
 use super::node::{BoxRay, Child, Content, Frustum};
-use super::space::{Distance, LocalRay};
+use super::space::{Distance, WIDEST};
 use super::walk::STACK;
 use super::{Bvh, Search};
-use crate::geometry::line::RaySource;
+use crate::geometry::line::{Line, RaySource};
 use arrayvec::ArrayVec;
 
 /// The most rays that walk together.
@@ -44,24 +44,52 @@ pub(super) struct Company<'a, S, M> {
 /// A child that waits: where the first ray enters its box, and the rays that do.
 type Waiting = (f32, Child, Rays);
 
+/// Lines, one in each lane.
+pub(super) struct Lines {
+    pub origin: [OfEach<f64>; 3],
+    pub direction: [OfEach<f64>; 3],
+    pub unit: OfEach<f64>,
+    pub t_min: OfEach<f64>,
+    pub t_max: OfEach<f64>,
+}
+
+impl Lines {
+    const NONE: Lines = Lines {
+        origin: [[0.0; COMPANY]; 3],
+        direction: [[1.0; COMPANY]; 3],
+        unit: [1.0; COMPANY],
+        t_min: [0.0; COMPANY],
+        t_max: [-1.0; COMPANY],
+    };
+
+    #[inline(always)]
+    fn set(&mut self, at: usize, line: &Line, t_max: f64) {
+        for axis in 0..3 {
+            self.origin[axis][at] = line.origin[axis];
+            self.direction[axis][at] = line.direction[axis];
+        }
+        (self.unit[at], self.t_min[at], self.t_max[at]) = (line.unit, line.t_min, t_max);
+    }
+}
+
 /// The rays in the tree's space, one in each lane.
-struct Local {
-    origin: [Eight; 3],
-    direction: [Eight; 3],
-    inverse: [Eight; 3],
-    near: [Eight; 3],
-    far: [Eight; 3],
+pub(super) struct Local {
+    pub origin: [Eight; 3],
+    pub direction: [Eight; 3],
+    pub inverse: [Eight; 3],
+    pub near: [Eight; 3],
+    pub far: [Eight; 3],
     near_side: [usize; 3],
-    slack: Eight,
-    t_min: Eight,
-    t_max: Eight,
-    distance: OfEach<Distance>,
+    pub slack: Eight,
+    pub t_min: Eight,
+    pub t_max: Eight,
+    pub distance: OfEach<Distance>,
     /// Between which distances a crossing certainly counts.
     sure: OfEach<Option<[f32; 2]>>,
 }
 
 impl Local {
-    const NONE: Local = Local {
+    pub const NONE: Local = Local {
         origin: [[0.0; 8]; 3],
         direction: [[0.0; 8]; 3],
         inverse: [[0.0; 8]; 3],
@@ -74,22 +102,6 @@ impl Local {
         distance: [Distance::NONE; COMPANY],
         sure: [None; COMPANY],
     };
-
-    #[inline(always)]
-    fn set(&mut self, at: usize, ray: &LocalRay, t_max: f64) {
-        let LocalRay { origin, direction, inverse, near, far, slack, t_min, distance, .. } = *ray;
-        for axis in 0..3 {
-            self.origin[axis][at] = origin[axis];
-            self.direction[axis][at] = direction[axis];
-            self.inverse[axis][at] = inverse[axis];
-            self.near[axis][at] = near[axis];
-            self.far[axis][at] = far[axis];
-        }
-        self.slack[at] = slack;
-        self.t_min[at] = t_min;
-        self.t_max[at] = distance.latest(t_max);
-        self.distance[at] = distance;
-    }
 
     /// The last distance that matters to any ray; nothing matters to one that has ended.
     #[inline(always)]
@@ -106,19 +118,31 @@ impl<S: RaySource, M: FnMut(Rays, u32, bool, &mut OfEach<f64>)> Company<'_, S, M
         let tree = self.tree;
         let mut local = Local::NONE;
         let mut together: Rays = 0;
+        let mut lines = Lines::NONE;
+        let mut lined: Rays = 0;
         for at in each(rays) {
-            let source = &self.sources[at];
-            let Some(line) = source.line() else { continue };
-            let Some(ray) = tree.space.ray(&line) else { continue };
-            if together == 0 {
-                local.near_side = ray.near_side;
+            if let Some(line) = self.sources[at].line() {
+                lines.set(at, &line, reach[at]);
+                lined |= 1 << at;
             }
-            if ray.near_side == local.near_side {
-                local.set(at, &ray, reach[at]);
-                if self.search.tells_sure_hits {
-                    local.sure[at] = ray.surely_within(reach[at], source.slack());
-                }
+        }
+        tree.space.rays(&lines, &mut local);
+        let mut first = None;
+        for at in each(lined) {
+            let side = [local.direction[0][at], local.direction[1][at], local.direction[2][at]];
+            let side = [side[0].is_sign_negative(), side[1].is_sign_negative(), side[2].is_sign_negative()];
+            if local.slack[at] < WIDEST && *first.get_or_insert(side) == side {
                 together |= 1 << at;
+            } else {
+                local.t_max[at] = f32::NEG_INFINITY;
+            }
+        }
+        let Some(side) = first else { return rays };
+        local.near_side = [usize::from(side[0]), usize::from(side[1]), usize::from(side[2])];
+        if self.search.tells_sure_hits {
+            for at in each(together) {
+                let (begin, slack) = (lines.t_min[at], self.sources[at].slack());
+                local.sure[at] = local.distance[at].surely_within(begin, reach[at], slack);
             }
         }
         if together.count_ones() > 1 {

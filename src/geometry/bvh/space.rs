@@ -1,6 +1,7 @@
 //! The tree's own space, in which single precision is enough: centred on what the tree holds, and scaled by a power of two so that all
 //! of it lies between −1 and 1. `docs/acceleration.md` derives the margins.
 
+use super::company::{COMPANY, Lines, Local};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::{exponent, scaled};
 use crate::geometry::line::Line;
@@ -37,7 +38,7 @@ pub(super) struct LocalRay {
     /// What lies before this can't be met.
     pub t_min: f32,
     /// The least distance along the ray that counts, in its own units.
-    begin: f64,
+    pub begin: f64,
     pub distance: Distance,
 }
 
@@ -86,12 +87,63 @@ impl Space {
         }
         let offset = sum_of_magnitudes(line.origin) * self.scale;
         let slack = ROUNDINGS * (size + shift.abs() + offset + 8.0);
-        if slack.is_nan() || slack >= WIDEST {
+        if slack.is_nan() || slack >= WIDEST.into() {
             return None;
         }
         let distance = Distance { unit: self.scale, scale: line.unit * self.scale, shift, slack };
         let slack = slack as f32 * (1.0 + 4.0 * U);
         Some(LocalRay::new(origin.as_vec3(), direction.as_vec3(), slack, line.t_min, distance))
+    }
+}
+
+impl Space {
+    /// The same for several lines at once. The slack of one of which [`Space::ray`] has no ray is at least [`WIDEST`].
+    // The same operations lane by lane, without a branch, so that the compiler puts lanes side by side.
+    #[inline(always)]
+    pub fn rays(&self, lines: &Lines, local: &mut Local) {
+        let Lines { origin: [o_x, o_y, o_z], direction: [d_x, d_y, d_z], unit, t_min, t_max } = lines;
+        let [c_x, c_y, c_z] = self.center.to_array();
+        let scale = self.scale;
+        let (mut shifts, mut slacks) = ([0.0; COMPANY], [0.0; COMPANY]);
+        for at in 0..COMPANY {
+            let (x, y, z) = ((o_x[at] - c_x) * scale, (o_y[at] - c_y) * scale, (o_z[at] - c_z) * scale);
+            let along = x * d_x[at] + y * d_y[at] + z * d_z[at];
+            let is_far = x * x + y * y + z * z > NEAR;
+            let shift = if is_far { -along - 2.0 } else { 0.0 };
+            let size = x.abs() + y.abs() + z.abs();
+            let offset = (o_x[at].abs() + o_y[at].abs() + o_z[at].abs()) * scale;
+            let slack = ROUNDINGS * (size + shift.abs() + offset + 8.0);
+            // What is no number is no slack, either.
+            slacks[at] = if slack < f64::from(WIDEST) { slack } else { f64::from(WIDEST) };
+            shifts[at] = shift;
+            local.origin[0][at] = (x + d_x[at] * shift) as f32;
+            local.origin[1][at] = (y + d_y[at] * shift) as f32;
+            local.origin[2][at] = (z + d_z[at] * shift) as f32;
+        }
+        for at in 0..COMPANY {
+            local.direction[0][at] = d_x[at] as f32;
+            local.direction[1][at] = d_y[at] as f32;
+            local.direction[2][at] = d_z[at] as f32;
+            local.slack[at] = slacks[at] as f32 * (1.0 + 4.0 * U);
+        }
+        for axis in 0..3 {
+            for at in 0..COMPANY {
+                let direction = local.direction[axis][at];
+                let along = if direction.abs() < LEAST { LEAST.copysign(direction) } else { direction };
+                let inverse = 1.0 / along;
+                let center = local.origin[axis][at] * inverse;
+                let around = inverse.abs() * (OF_BOX + local.slack[at]);
+                local.inverse[axis][at] = inverse;
+                local.near[axis][at] = center + around;
+                local.far[axis][at] = center - around;
+            }
+        }
+        for at in 0..COMPANY {
+            let distance = Distance { unit: scale, scale: unit[at] * scale, shift: shifts[at], slack: slacks[at] };
+            local.t_min[at] = distance.earliest(t_min[at]);
+            local.t_max[at] = distance.latest(t_max[at]);
+            local.distance[at] = distance;
+        }
     }
 }
 
@@ -121,15 +173,6 @@ impl LocalRay {
     }
 }
 
-impl LocalRay {
-    /// Between which distances a crossing certainly counts of a ray up to `t_max` whose origin rounding may have moved by `slack`; `None` where
-    /// that is more than filters allow for.
-    #[inline(always)]
-    pub fn surely_within(&self, t_max: f64, slack: f64) -> Option<[f32; 2]> {
-        let before = if t_max == f64::INFINITY { LATEST } else { self.distance.earliest(t_max) };
-        (slack * self.distance.unit <= self.distance.slack).then(|| [self.distance.latest(self.begin), before])
-    }
-}
 
 /// A ray that begins within the root of this isn't moved.
 const NEAR: f64 = 8.0;
@@ -138,7 +181,7 @@ const NEAR: f64 = 8.0;
 const ROUNDINGS: f64 = 24.0 * f64::EPSILON;
 
 /// With a greater slack boxes tell nothing.
-const WIDEST: f64 = 0.125;
+pub(super) const WIDEST: f32 = 0.125;
 
 /// The error of a distance to a plane, as a part of 1/|d|.
 pub(super) const OF_BOX: f32 = 24.0 * U;
@@ -170,6 +213,14 @@ impl Distance {
     #[inline(always)]
     pub fn latest(&self, t: f64) -> f32 {
         self.rounded_up(t, 1.0)
+    }
+
+    /// Between which distances a crossing certainly counts of a ray from `t_min` up to `t_max` whose origin rounding may have moved by `slack`;
+    /// `None` where that is more than filters allow for.
+    #[inline(always)]
+    pub fn surely_within(&self, t_min: f64, t_max: f64, slack: f64) -> Option<[f32; 2]> {
+        let before = if t_max == f64::INFINITY { LATEST } else { self.earliest(t_max) };
+        (slack * self.unit <= self.slack).then(|| [self.latest(t_min), before])
     }
 
     #[inline(always)]

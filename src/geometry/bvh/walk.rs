@@ -34,7 +34,7 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
         let leaf_ray = LeafRay::new(lanes, &ray);
         let distance = ray.distance;
         let (tells_sure_hits, slack, reach) = (self.search.tells_sure_hits, self.source.slack(), t_max);
-        let sure = || if tells_sure_hits { ray.surely_within(reach, slack) } else { None };
+        let sure = || if tells_sure_hits { distance.surely_within(ray.begin, reach, slack) } else { None };
         let mut t_max = distance.latest(t_max);
         let mut waiting: ArrayVec<Waiting, STACK> = ArrayVec::new();
         let mut nodes_tested = 0;
