@@ -239,25 +239,58 @@ impl<S: RaySource, M: FnMut(Rays, u32, bool, &mut OfEach<f64>)> Company<'_, S, M
         local: &mut Local,
         limits: &mut OfEach<f64>,
     ) {
+        let (mut possible, mut sure) = ([0_u8; COMPANY], [0_u8; COMPANY]);
+        let (mut any, mut any_sure) = (0, 0);
         for at in each(rays) {
-            let Sorted { mut possible, mut sure } = if self.search.one_by_one {
+            let sorted = if self.search.one_by_one {
                 let sure = local.sure[at];
                 block.filtered(lanes, &leaf_ray(lanes, local, at), lanes.splat(local.t_max[at]), &|| sure)
             } else {
                 Sorted::possible(block.used())
             };
-            while possible != 0 {
-                let is_sure = sure != 0;
-                let lane = if is_sure { sure } else { possible }.trailing_zeros() as usize;
-                (possible, sure) = (possible & !(1 << lane), sure & !(1 << lane));
-                (self.meet)(1 << at, block.thing(lane), is_sure, limits);
+            (possible[at], sure[at]) = (sorted.possible as u8, sorted.sure as u8);
+            (any, any_sure) = (any | sorted.possible, any_sure | sorted.sure);
+        }
+        // Sure ones may end a search.
+        let mut rest = rays;
+        for lane in each(any_sure) {
+            let these = rest & of_lane(&sure, lane);
+            if these != 0 {
+                (self.meet)(these, block.thing(lane), true, limits);
+                rest &= !ended(these, limits);
+            }
+        }
+        for lane in each(any) {
+            let these = rest & of_lane(&possible, lane) & !of_lane(&sure, lane);
+            if these != 0 {
+                (self.meet)(these, block.thing(lane), false, limits);
+                rest &= !ended(these, limits);
+            }
+        }
+        for at in each(rays) {
+            if possible[at] != 0 {
                 local.t_max[at] = latest(&local.distance[at], limits[at]);
-                if limits[at] < 0.0 {
-                    break;
-                }
             }
         }
     }
+}
+
+/// The rays for which the bit of this lane is set.
+#[inline(always)]
+fn of_lane(bits: &OfEach<u8>, lane: usize) -> Rays {
+    // Bit `lane` of each byte, gathered by a product.
+    let bits = u64::from_le_bytes(*bits) >> (lane & 7) & 0x0101_0101_0101_0101;
+    (bits.wrapping_mul(0x0102_0408_1020_4080) >> 56) as Rays
+}
+
+/// Those of the rays whose search has ended.
+#[inline(always)]
+fn ended(rays: Rays, limits: &OfEach<f64>) -> Rays {
+    let mut ended = 0;
+    for at in each(rays) {
+        ended |= u32::from(limits[at] < 0.0) << at;
+    }
+    ended
 }
 
 /// Up to where boxes matter to a ray, nowhere if it has ended.

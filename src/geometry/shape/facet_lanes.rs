@@ -5,10 +5,11 @@
 
 use super::edge::{LEAST_SIZE, OF_EDGE};
 use super::flat::{LEAST_KEPT, PlaneHit};
+use crate::geometry::bvh::{COMPANY, OfEach, Rays, each};
 use crate::geometry::ray::{Ray, Side};
 use glam::DVec3;
 use pulp::x86::V3;
-use std::arch::x86_64::{__m128d, __m256d, _CMP_GE_OQ, _CMP_LE_OQ};
+use std::arch::x86_64::{__m128d, __m256d, _CMP_GE_OQ, _CMP_LE_OQ, _CMP_LT_OQ};
 
 /// How far the fast way came.
 pub(super) enum Quick {
@@ -186,4 +187,200 @@ fn met(
     let is_within = avx._mm256_movemask_pd(avx._mm256_and_pd(above, below)) & 0b111 == 0b111;
     let side = if v_d < 0.0 { Side::Front } else { Side::Back };
     if is_within { Quick::Met(PlaneHit { t, side }) } else { Quick::Inside }
+}
+
+/// Rays side by side, as many as walk together.
+pub(super) struct RayLanes {
+    origin: [OfEach<f64>; 3],
+    direction: [OfEach<f64>; 3],
+    /// The greatest coordinate of the origin.
+    size: OfEach<f64>,
+}
+
+impl RayLanes {
+    /// These of the rays.
+    #[inline(always)]
+    pub fn of(rays: &[Ray], which: Rays) -> RayLanes {
+        let mut lanes = RayLanes { origin: [[0.0; COMPANY]; 3], direction: [[0.0; COMPANY]; 3], size: [0.0; COMPANY] };
+        for at in each(which) {
+            let Ray { origin, direction, .. } = &rays[at];
+            for axis in 0..3 {
+                lanes.origin[axis][at] = origin[axis];
+                lanes.direction[axis][at] = direction[axis];
+            }
+            lanes.size[at] = origin.abs().max_element();
+        }
+        lanes
+    }
+}
+
+/// What is certain of several rays, a bit for each.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Several {
+    /// Those that certainly pass beside the triangle.
+    pub beside: Rays,
+    /// Those of [`Quick::Met`].
+    pub met: Rays,
+    /// Where these meet the triangle's plane.
+    pub t: [f64; 4],
+    /// Those that arrive at its front.
+    pub front: Rays,
+}
+
+/// A vector in each lane.
+type Vectors = [__m256d; 3];
+
+/// Operations on a vector in each lane.
+impl Lanes {
+    #[inline(always)]
+    fn four(self, numbers: &OfEach<f64>, first: usize) -> __m256d {
+        let [low, high]: [[f64; 4]; 2] = pulp::cast(*numbers);
+        pulp::cast(if first == 0 { low } else { high })
+    }
+
+    #[inline(always)]
+    fn fours(self, numbers: &[OfEach<f64>; 3], first: usize) -> Vectors {
+        [self.four(&numbers[0], first), self.four(&numbers[1], first), self.four(&numbers[2], first)]
+    }
+
+    #[inline(always)]
+    fn splats(self, vector: &DVec3) -> Vectors {
+        [self.splat(vector.x), self.splat(vector.y), self.splat(vector.z)]
+    }
+
+    #[inline(always)]
+    fn difference(self, p: &Vectors, q: &Vectors) -> Vectors {
+        [self.sub(p[0], q[0]), self.sub(p[1], q[1]), self.sub(p[2], q[2])]
+    }
+
+    #[inline(always)]
+    fn minor(self, a: __m256d, b: __m256d, c: __m256d, d: __m256d) -> __m256d {
+        self.sub(self.mul(a, b), self.mul(c, d))
+    }
+
+    /// p × q
+    #[inline(always)]
+    fn product(self, p: &Vectors, q: &Vectors) -> Vectors {
+        [
+            self.minor(p[1], q[2], q[1], p[2]),
+            self.minor(p[2], q[0], q[2], p[0]),
+            self.minor(p[0], q[1], q[0], p[1]),
+        ]
+    }
+
+    /// The terms of p · q.
+    #[inline(always)]
+    fn terms(self, p: &Vectors, q: &Vectors) -> Vectors {
+        [self.mul(p[0], q[0]), self.mul(p[1], q[1]), self.mul(p[2], q[2])]
+    }
+
+    #[inline(always)]
+    fn sum(self, terms: &Vectors) -> __m256d {
+        self.add(self.add(terms[0], terms[1]), terms[2])
+    }
+
+    #[inline(always)]
+    fn magnitudes(self, p: &Vectors) -> Vectors {
+        [self.abs(p[0]), self.abs(p[1]), self.abs(p[2])]
+    }
+
+    /// The greatest coordinate of each vector.
+    #[inline(always)]
+    fn size(self, p: &Vectors) -> __m256d {
+        let [x, y, z] = self.magnitudes(p);
+        self.max(self.max(x, y), z)
+    }
+
+    /// d · (p × q)
+    #[inline(always)]
+    fn edge(self, direction: &Vectors, p: &Vectors, q: &Vectors) -> __m256d {
+        self.sum(&self.terms(direction, &self.product(p, q)))
+    }
+
+    #[inline(always)]
+    fn less(self, a: __m256d, b: __m256d) -> __m256d {
+        self.0.avx._mm256_cmp_pd::<_CMP_LT_OQ>(a, b)
+    }
+
+    #[inline(always)]
+    fn at_most(self, a: __m256d, b: __m256d) -> __m256d {
+        self.0.avx._mm256_cmp_pd::<_CMP_LE_OQ>(a, b)
+    }
+
+    #[inline(always)]
+    fn and(self, a: __m256d, b: __m256d) -> __m256d {
+        self.0.avx._mm256_and_pd(a, b)
+    }
+
+    #[inline(always)]
+    fn bits(self, mask: __m256d) -> Rays {
+        self.0.avx._mm256_movemask_pd(mask) as Rays
+    }
+
+    /// Whether a sum keeps all of its digits.
+    #[inline(always)]
+    fn keeps(self, value: __m256d, terms: &Vectors) -> __m256d {
+        self.at_most(self.mul(self.splat(LEAST_KEPT), self.sum(&self.magnitudes(terms))), self.abs(value))
+    }
+
+    /// Whether the coordinates lie between two, with a margin.
+    #[inline(always)]
+    fn is_within(self, x: __m256d, [min, max]: [f64; 2], margin: __m256d) -> __m256d {
+        let (min, max) = (self.sub(self.splat(min), margin), self.add(self.splat(max), margin));
+        self.and(self.at_most(min, x), self.at_most(x, max))
+    }
+}
+
+/// The same as [`quick`] for four rays from number `first` on.
+#[inline(always)]
+pub(super) fn quick_of_four(
+    v3: V3,
+    [a, b, c]: [&DVec3; 3],
+    normal: &DVec3,
+    rays: &RayLanes,
+    first: usize,
+) -> Several {
+    let lanes = Lanes(v3);
+    let (origin, direction) = (lanes.fours(&rays.origin, first), lanes.fours(&rays.direction, first));
+    let to_a = lanes.difference(&lanes.splats(a), &origin);
+    let to_b = lanes.difference(&lanes.splats(b), &origin);
+    let to_c = lanes.difference(&lanes.splats(c), &origin);
+    let edge_a = lanes.edge(&direction, &to_c, &to_b);
+    let edge_b = lanes.edge(&direction, &to_a, &to_c);
+    let edge_c = lanes.edge(&direction, &to_b, &to_a);
+    let size = lanes.max(lanes.max(lanes.size(&to_a), lanes.size(&to_b)), lanes.size(&to_c));
+    let bound = lanes.mul(lanes.mul(lanes.splat(OF_EDGE), size), size);
+    let minus_bound = lanes.sub(lanes.splat(0.0), bound);
+    let least = lanes.min(lanes.min(edge_a, edge_b), edge_c);
+    let largest = lanes.max(lanes.max(edge_a, edge_b), edge_c);
+    let is_plain =
+        lanes.and(lanes.at_most(lanes.splat(LEAST_SIZE), size), lanes.at_most(size, lanes.splat(GREATEST_SIZE)));
+    let beside = lanes.and(lanes.less(least, minus_bound), lanes.less(bound, largest));
+    let beside = lanes.bits(lanes.and(beside, is_plain));
+    let inside = v3.avx._mm256_or_pd(lanes.less(bound, least), lanes.less(largest, minus_bound));
+    let inside = lanes.and(inside, is_plain);
+    if lanes.bits(inside) == 0 {
+        return Several { beside, ..Several::default() };
+    }
+    let normal = lanes.splats(normal);
+    let (of_v_d, of_v_o) = (lanes.terms(&normal, &direction), lanes.terms(&normal, &to_a));
+    let (v_d, v_o) = (lanes.sum(&of_v_d), lanes.sum(&of_v_o));
+    let have_all = lanes.and(lanes.keeps(v_d, &of_v_d), lanes.keeps(v_o, &of_v_o));
+    let t = v3.avx._mm256_div_pd(v_o, v_d);
+    let is_near = lanes.less(lanes.abs(t), lanes.splat(FARTHEST));
+    let (min, max) = (a.min(*b).min(*c), a.max(*b).max(*c));
+    let largest = min.abs().max(max.abs()).max_element();
+    let [x, y, z] = lanes.terms(&direction, &[t, t, t]);
+    let point = [lanes.add(origin[0], x), lanes.add(origin[1], y), lanes.add(origin[2], z)];
+    let twice = lanes.splat(2.0);
+    let of_point = lanes.add(lanes.four(&rays.size, first), lanes.mul(twice, lanes.size(&point)));
+    // As `margin_of` has it.
+    let margin = lanes.sub(lanes.splat(12.0 * largest), lanes.mul(twice, of_point));
+    let margin = lanes.mul(margin, lanes.splat(0.5 * f64::EPSILON));
+    let x_within = lanes.is_within(point[0], [min.x, max.x], margin);
+    let y_within = lanes.is_within(point[1], [min.y, max.y], margin);
+    let z_within = lanes.is_within(point[2], [min.z, max.z], margin);
+    let within = lanes.and(lanes.and(x_within, y_within), z_within);
+    let met = lanes.bits(lanes.and(lanes.and(inside, have_all), lanes.and(is_near, within)));
+    Several { beside, met, t: pulp::cast(t), front: lanes.bits(lanes.less(v_d, lanes.splat(0.0))) }
 }

@@ -7,7 +7,7 @@ mod left;
 
 use super::triangle::Facet;
 #[cfg(target_arch = "x86_64")]
-use super::facet_lanes::{Quick, quick};
+use super::facet_lanes::{Quick, RayLanes, quick, quick_of_four};
 use super::flat::PlaneHit;
 use super::{Approach, at_an_end, decide, touched};
 use crate::geometry::bounds::Bounds;
@@ -100,6 +100,7 @@ impl TriangleMesh {
         for ray in each(which) {
             left[ray] = self.left(object, &rays[ray]);
         }
+        let lanes = RayLanes::of(rays, which);
         self.tree.visit_together::<P, Ray>(
             rays,
             which,
@@ -107,7 +108,40 @@ impl TriangleMesh {
             limits,
             #[inline(always)]
             |which, triangle, _, limits| {
-                for at in each(which) {
+                let mut rest = which;
+                #[cfg(target_arch = "x86_64")]
+                if P::IS_SILENT
+                    && !which.is_power_of_two()
+                    && let Some(v3) = V3::try_new()
+                {
+                    let [a, b, c] = self.mesh.faces[triangle as usize];
+                    let positions = &self.mesh.positions;
+                    let corners = [&positions[a as usize], &positions[b as usize], &positions[c as usize]];
+                    for first in [0, 4] {
+                        let these = which >> first & 0xf;
+                        if these == 0 {
+                            continue;
+                        }
+                        let found = quick_of_four(v3, corners, &self.normals[triangle as usize], &lanes, first);
+                        rest &= !((found.beside | found.met) << first);
+                        for at in each(found.met & these) {
+                            let (t, ray) = (found.t[at & 3], &rays[first + at]);
+                            let left = left[first + at].as_ref();
+                            if left.is_some_and(|left| left.bars(&self.mesh, &self.normals, triangle, ray)) {
+                                continue;
+                            }
+                            let side = if found.front >> at & 1 == 1 { Side::Front } else { Side::Back };
+                            let at_an_end = if ray.is_near_an_end(t) { self.at_a_near_end(ray, triangle, t, left) } else { None };
+                            let candidate = Crossing { t, side, primitive: triangle };
+                            let approach = Approach { leaving: None, one_sided };
+                            if let Some(crossing) = decide(ray, approach, candidate, at_an_end, probe) {
+                                nearest[first + at].offer(Hit { object, crossing }, ray, probe);
+                                limits[first + at] = nearest[first + at].limit();
+                            }
+                        }
+                    }
+                }
+                for at in each(rest) {
                     let ray = &rays[at];
                     if let Some(crossing) = self.meet(object, one_sided, triangle, ray, left[at].as_ref(), probe) {
                         nearest[at].offer(Hit { object, crossing }, ray, probe);
