@@ -3,7 +3,7 @@
 use super::visibility::{are_any_hit, closest_hit, is_any_hit, search_together};
 use crate::geometry::Hit;
 use crate::geometry::unit::{unit, with_unit};
-use crate::geometry::{COMPANY, Leaving, Line, Nearest, Ray, RaySource, Rays, Side};
+use crate::geometry::{COMPANY, Leaving, Line, Nearest, OfEach, Ray, RaySource, Rays, Side};
 use crate::probe::Silent;
 use crate::scene::Scene;
 use arrayvec::ArrayVec;
@@ -123,7 +123,7 @@ impl Query {
     }
 
     /// Where the nearest hits of several rays are, at most [`COMPANY`]. Rays that run together are answered faster so, each as it would be alone.
-    pub fn hits(queries: &[Query], scene: &Scene) -> ArrayVec<Option<RayHit>, COMPANY> {
+    pub fn hits(queries: &[Query], scene: &Scene, mut answer: impl FnMut(Option<RayHit>)) {
         let mut rays: ArrayVec<Ray, COMPANY> = ArrayVec::new();
         let mut lengths = [0.0; COMPANY];
         for (query, length) in queries.iter().zip(&mut lengths) {
@@ -131,19 +131,19 @@ impl Query {
             *length = its_length;
             rays.push(query.ray_along(direction, vector, its_length, scene));
         }
-        let nearest = search_together(scene, &rays, &mut Silent);
-        let answer = |(((query, ray), length), nearest): (((&Query, &Ray), f64), Nearest)| {
-            let hit = nearest.hit()?;
-            let is_settled = nearest.is_alone();
-            let t = hit.crossing.t / length;
+        let mut nearest: OfEach<Nearest> = [const { Nearest::NONE }; COMPANY];
+        search_together(scene, &rays, &mut nearest, &mut Silent);
+        for (at, query) in queries.iter().enumerate().take(COMPANY) {
+            let nearest = &nearest[at];
+            let t = nearest.hit().map_or(f64::NAN, |hit| hit.crossing.t / lengths[at]);
             // Where the order of surfaces or an end of the ray is in doubt, it is asked alone.
-            let (hit, t) = match is_settled && t > query.t_min && t < query.t_max {
-                true => (hit, t),
-                false => query.first_hit(*ray, length, scene).map(|(_, hit, t)| (hit, t))?,
+            let hit = match nearest.hit() {
+                None => None,
+                Some(hit) if nearest.is_alone() && t > query.t_min && t < query.t_max => Some((hit, t)),
+                Some(_) => query.first_hit(rays[at], lengths[at], scene).map(|(_, hit, t)| (hit, t)),
             };
-            Some(RayHit { object: hit.object, primitive: hit.crossing.primitive, t })
-        };
-        queries.iter().zip(&rays).zip(lengths).zip(nearest).map(answer).collect()
+            answer(hit.map(|(hit, t)| RayHit { object: hit.object, primitive: hit.crossing.primitive, t }));
+        }
     }
 
     /// Which of several rays, at most [`COMPANY`], have any hit, a bit for each.

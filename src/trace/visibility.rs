@@ -75,8 +75,7 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
 }
 
 /// The same for several rays, at most [`COMPANY`], which walk together where they run together.
-pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], probe: &mut P) -> OfEach<Nearest> {
-    let mut nearest: OfEach<Nearest> = [const { Nearest::NONE }; COMPANY];
+pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &mut OfEach<Nearest>, probe: &mut P) {
     let mut limits = [-1.0; COMPANY];
     for (at, ray) in rays.iter().enumerate().take(COMPANY) {
         nearest[at].set_limit(ray.t_max);
@@ -91,7 +90,7 @@ pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], probe: &mut
         |which, object, _, limits| {
             let thing = &scene.objects[object as usize];
             if let Shape::Mesh(mesh) = &thing.shape {
-                mesh.nearest_together((object, thing.one_sided), rays, which, &mut nearest, limits, probe);
+                mesh.nearest_together((object, thing.one_sided), rays, which, nearest, limits, probe);
                 return;
             }
             for at in each(which) {
@@ -100,7 +99,6 @@ pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], probe: &mut
             }
         },
     );
-    nearest
 }
 
 /// The surfaces in the same place as the nearest one, in the order of the scene; marks what was decided.
