@@ -3,9 +3,12 @@
 use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::{Draws, Pick, Stratum};
+use crate::geometry::{COMPANY, Ray};
 use crate::scene::Scene;
 use crate::scene::square::place_in_square;
-use crate::trace::{Seen, see};
+use crate::trace::{Seen, see, see_together};
+use arrayvec::ArrayVec;
+use std::ops::Range;
 
 /// What the ray through a place of the picture sees, in pixels from the picture's top left corner. `draws` are the random
 /// numbers of the sample.
@@ -50,6 +53,42 @@ pub fn sample_at<P: Probe>(
         let down = probe.note(Name::PixelRowSampled, f64::from(row) + y);
         ray_through(scene, [across, down], draws, probe)
     })
+}
+
+/// The samples of a pixel with these numbers, from 0: `place` gives the random numbers of each and its point, `seen` is shown what each sees,
+/// in their order.
+///
+/// Where nobody looks on, their rays walk together: they are neighbours, and what they meet is found faster so.
+#[inline(always)]
+pub fn samples<P: Probe>(
+    scene: &Scene,
+    pixel: [u32; 2],
+    mut numbers: Range<u32>,
+    mut place: impl FnMut(u32) -> (Draws, Pick),
+    mut seen: impl FnMut(Pick, Seen),
+    probe: &mut P,
+) {
+    let walk_together = P::IS_SILENT && scene.index.has_trees();
+    while !numbers.is_empty() {
+        if !walk_together || numbers.len() == 1 {
+            for number in numbers.by_ref() {
+                let (draws, pick) = place(number);
+                seen(pick, sample_at(scene, pixel, number + 1, pick, &draws, probe));
+            }
+            return;
+        }
+        let (mut draws, mut picks): (ArrayVec<Draws, COMPANY>, ArrayVec<Pick, COMPANY>) = Default::default();
+        let mut aimed: ArrayVec<Option<Ray>, COMPANY> = ArrayVec::new();
+        for number in numbers.by_ref().take(COMPANY) {
+            let (draw, pick) = place(number);
+            let [x, y] = place_in_square(pick, probe);
+            aimed.push(scene.camera.sampled_ray([f64::from(pixel[0]) + x, f64::from(pixel[1]) + y], &draw, probe));
+            draws.push(draw);
+            picks.push(pick);
+        }
+        let mut picks = picks.into_iter();
+        see_together(scene, &draws, &aimed, |sees| picks.by_ref().take(1).for_each(|pick| seen(pick, sees)), probe);
+    }
 }
 
 #[cfg(test)]

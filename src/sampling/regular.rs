@@ -2,7 +2,7 @@
 //! display", 1980).
 
 use super::mean::{self, Sum};
-use super::place::sample_at;
+use super::place::samples;
 use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Pick, Stratum};
@@ -12,11 +12,11 @@ use crate::scene::{Color, Scene};
 pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) -> Color {
     let count = n * n;
     let mut sum = Sum::ZERO;
-    for number in 0..count {
+    let place = |number| {
         let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Stratified { count });
         let cell = Stratum { column: number % n, across: n, above: number / n * n, count };
-        let pick = Pick { stratum: cell, jitter: [0.5; 2] };
-        sum.add(sample_at(scene, pixel, number + 1, pick, &draws, probe).color);
-    }
+        (draws, Pick { stratum: cell, jitter: [0.5; 2] })
+    };
+    samples(scene, pixel, 0..count, place, |_, seen| sum.add(seen.color), probe);
     mean::of_pixel(Name::PixelMean, sum, f64::from(count), probe)
 }

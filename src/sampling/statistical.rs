@@ -13,11 +13,11 @@
 //! a few that agree aren't enough.
 
 use super::mean::{self, Sum};
-use super::place::{in_own_part, sample_at};
+use super::place::{in_own_part, samples};
 use super::student;
 use crate::log::{Acceptance, Decision, Name};
 use crate::probe::Probe;
-use crate::random::{Arrangement, Dimension, Draws};
+use crate::random::{Arrangement, Dimension, Draws, Pick};
 use crate::scene::file::validate::limits::MIN_STATISTICAL;
 use crate::scene::{Color, Scene, Statistical};
 use crate::trace::Seen;
@@ -38,14 +38,17 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], prob
     let mut until = wanted.min.max(FEWEST).next_power_of_two();
     let mut draws_more = scene.effects.of_the_eye();
     loop {
-        for number in taken.len() as u32..until.min(wanted.max) {
+        let numbers = taken.len() as u32..until.min(wanted.max);
+        let place = |number| {
             let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Sobol);
-            let pick = in_own_part(draws.pick(Dimension::Pixel), number);
-            let Seen { color, object } = sample_at(scene, pixel, number + 1, pick, &draws, probe);
+            (draws, in_own_part(draws.pick(Dimension::Pixel), number))
+        };
+        let seen = |pick: Pick, Seen { color, object }| {
             draws_more |= object.is_some() && scene.effects.of_surfaces();
             sum.add(color);
             taken.push(Taken { place: pick.point(), color });
-        }
+        };
+        samples(scene, pixel, numbers, place, seen, probe);
         let count = taken.len() as u32;
         let mean = mean::of_pixel(Name::StatisticalMean, sum, f64::from(count), probe);
         let verdict = match taken.iter().all(|sample| sample.color == taken[0].color) {

@@ -2,7 +2,7 @@
 //! Cook, "Stochastic sampling in computer graphics", 1986).
 
 use super::mean::{self, Sum};
-use super::place::{in_own_part, sample_at};
+use super::place::{in_own_part, samples};
 use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::{Arrangement, Dimension, Draws};
@@ -22,11 +22,11 @@ pub(super) fn mean_of<P: Probe>(
     probe: &mut P,
 ) -> Color {
     let mut sum = Sum::ZERO;
-    for number in 0..n {
+    let place = |number| {
         let draws = Draws::of_pixel(scene.seed, pixel, number, arrangement);
         let pick = draws.pick(Dimension::Pixel);
-        let pick = if arrangement == Arrangement::Sobol { in_own_part(pick, number) } else { pick };
-        sum.add(sample_at(scene, pixel, number + 1, pick, &draws, probe).color);
-    }
+        (draws, if arrangement == Arrangement::Sobol { in_own_part(pick, number) } else { pick })
+    };
+    samples(scene, pixel, 0..n, place, |_, seen| sum.add(seen.color), probe);
     mean::of_pixel(Name::PixelMean, sum, f64::from(n), probe)
 }

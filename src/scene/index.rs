@@ -17,6 +17,8 @@ pub struct Index {
     extents: Vec<Extent>,
     /// Whether it was asked to show every ray all objects.
     shows_all: bool,
+    /// Whether there is a tree, of objects or of a mesh's triangles.
+    has_trees: bool,
 }
 
 /// Where an object is.
@@ -85,13 +87,20 @@ impl Index {
         }
         let bounds = bounds_of(objects);
         let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
-        Index { tree: Bvh::new(unbounded, &bounded, form), bounds, extents: Vec::new(), shows_all: false }
+        let tree = Bvh::new(unbounded, &bounded, form);
+        Index { tree, bounds, extents: Vec::new(), shows_all: false, has_trees: true }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
     pub fn of_all(objects: &[Object]) -> Index {
         let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
-        Index { tree, bounds: bounds_of(objects), extents: Vec::new(), shows_all: true }
+        let has_trees = objects.iter().any(|object| object.shape.is_mesh());
+        Index { tree, bounds: bounds_of(objects), extents: Vec::new(), shows_all: true, has_trees }
+    }
+
+    /// Whether there are trees in which rays can walk together.
+    pub fn has_trees(&self) -> bool {
+        self.has_trees
     }
 
     /// Whether it was asked to show every ray all objects.

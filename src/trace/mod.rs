@@ -21,11 +21,12 @@ pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, 
 pub(crate) use visibility::all_crossings;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 
-use crate::geometry::{Leaving, Ray, Surface};
+use crate::geometry::{COMPANY, Leaving, Nearest, OfEach, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};
 use crate::scene::{AroundEye, Color, Material, ReflectedScale, Scene, Weights};
+use arrayvec::ArrayVec;
 use glam::DVec3;
 
 /// The largest channel of a colour that a surface sends out, by itself or with all that its rays bring: what is larger counts as this. Weights
@@ -135,6 +136,38 @@ fn around_eye(scene: &Scene, ray: &Ray) -> Media {
     }
 }
 
+/// What camera rays of samples with these random numbers see, at most [`COMPANY`] of them, in their order.
+///
+/// What they meet first is searched for together; from there on each goes its own way, as it would alone.
+pub fn see_together<P: Probe>(
+    scene: &Scene,
+    draws: &[Draws],
+    aimed: &[Option<Ray>],
+    mut seen: impl FnMut(Seen),
+    probe: &mut P,
+) {
+    let rays: ArrayVec<Ray, COMPANY> = aimed.iter().flatten().copied().collect();
+    let mut nearest: OfEach<Nearest> = [const { Nearest::NONE }; COMPANY];
+    visibility::search_together(scene, &rays, &mut nearest, probe);
+    let mut nearest = nearest.into_iter();
+    for (draws, ray) in draws.iter().zip(aimed) {
+        seen(match (ray, ray.and_then(|_| nearest.next())) {
+            (Some(ray), Some(nearest)) => met(scene, draws, ray, nearest, probe),
+            _ => nothing_met(scene, probe),
+        });
+    }
+}
+
+/// What a camera ray sees of which the nearest hit is known.
+#[inline(never)]
+fn met<P: Probe>(scene: &Scene, draws: &Draws, ray: &Ray, nearest: Nearest, probe: &mut P) -> Seen {
+    let media = match scene.around_eye {
+        AroundEye::Nothing => Media::default(),
+        _ => around_eye(scene, ray),
+    };
+    seen_at(scene, ray, &Path::of_camera(&media, draws), nearest, probe)
+}
+
 // Its body, too, is a part of the caller, so that the ray is made where it is traced from.
 #[inline(always)]
 fn seen_from<P: Probe>(
@@ -167,6 +200,12 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
         return in_place(scene, ray, path, &hit, place, probe);
     }
     let nearest = visibility::search(scene, ray, probe);
+    seen_at(scene, ray, path, nearest, probe)
+}
+
+/// What a ray sees of which the nearest hit is known.
+#[inline(always)]
+fn seen_at<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, nearest: Nearest, probe: &mut P) -> Seen {
     let Some(hit) = nearest.hit() else {
         return nothing_met(scene, probe);
     };
