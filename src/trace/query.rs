@@ -113,8 +113,8 @@ impl Query {
         if self.surely_misses(scene) {
             return false;
         }
-        match self.asked(scene) {
-            Some(asked) => is_any_hit(scene, &asked, &mut Silent),
+        match self.line() {
+            Some(line) => is_any_hit(scene, &Asked { query: self, scene, line, ray: OnceCell::new() }, &mut Silent),
             None => {
                 let (ray, length) = self.ray(scene);
                 self.first_hit(ray, length, scene).is_some()
@@ -148,23 +148,28 @@ impl Query {
 
     /// Which of several rays, at most [`COMPANY`], have any hit, a bit for each.
     pub fn are_occluded(queries: &[Query], scene: &Scene) -> Rays {
-        let asked: ArrayVec<Option<Asked>, COMPANY> = queries.iter().map(|query| query.asked(scene)).collect();
-        if asked.iter().all(Option::is_some) {
-            let asked: ArrayVec<Asked, COMPANY> = asked.into_iter().flatten().collect();
-            let rays = (1 << asked.len()) - 1;
-            return are_any_hit(scene, &asked, rays, &mut Silent);
+        let mut asked: ArrayVec<Asked, COMPANY> = ArrayVec::new();
+        for query in queries {
+            if let Some(line) = query.line() {
+                asked.push(Asked { query, scene, line, ray: OnceCell::new() });
+            }
         }
-        (0..).zip(queries).filter(|(_, query)| query.is_occluded(scene)).fold(0, |rays, (at, _): (u32, _)| rays | 1 << at)
+        if asked.len() < queries.len() {
+            let occluded = |at: &usize| queries[*at].is_occluded(scene);
+            return (0..queries.len()).filter(occluded).fold(0, |rays, at| rays | 1 << at);
+        }
+        are_any_hit(scene, &asked, (1 << asked.len()) - 1, &mut Silent)
     }
 
-    fn asked<'a>(&'a self, scene: &'a Scene) -> Option<Asked<'a>> {
+    /// The line on which a hit is looked for; `None` where it is too ill-defined to tell.
+    #[inline(always)]
+    fn line(&self) -> Option<Line> {
         /// Bounds whose products with the length of a line have all their digits.
         const PLAIN: std::ops::Range<f64> = 1e-200..1e200;
         // Where an end has fewer digits than others, its distance in units of the direction decides.
         let has_plain_ends = (self.t_min == 0.0 || PLAIN.contains(&self.t_min))
             && (self.t_max == f64::INFINITY || PLAIN.contains(&self.t_max));
-        let line = Line::along(self.origin, self.direction, [self.t_min, self.t_max]).filter(|_| has_plain_ends)?;
-        Some(Asked { query: self, scene, line, ray: OnceCell::new() })
+        if has_plain_ends { Line::along(self.origin, self.direction, [self.t_min, self.t_max]) } else { None }
     }
 
     /// Whether a look at the box around everything shows that the ray meets nothing: its unit vector takes far longer than that.
