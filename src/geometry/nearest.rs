@@ -1,6 +1,6 @@
 //! Which of the crossings of a ray are in the same place.
 
-use super::ray::{Crossing, Ray};
+use super::ray::{Crossing, Ray, Side};
 use super::shape::Shape;
 use crate::probe::{Probe, ROUNDINGS};
 
@@ -51,20 +51,19 @@ impl Nearest {
 
     /// Takes a crossing into account.
     #[inline(always)]
-    pub fn offer<P: Probe>(&mut self, hit: Hit, ray: &Ray, probe: &P) {
-        let t = hit.crossing.t;
-        if let Some(best) = self.hit {
+    pub fn offer<P: Probe>(&mut self, object: u32, Crossing { t, side, primitive }: Crossing, ray: &Ray, probe: &P) {
+        if let Some(Hit { crossing: Crossing { t: best, .. }, .. }) = self.hit {
             if t > self.limit {
                 return;
             }
-            if (t - best.crossing.t).abs() <= closeness(best.crossing.t, ray, probe) {
-                self.push(best, hit);
+            if (t - best).abs() <= closeness(best, ray, probe) {
+                self.push(object, t, side, primitive);
             }
-            if t >= best.crossing.t {
+            if t >= best {
                 return;
             }
         }
-        self.hit = Some(hit);
+        self.hit = Some(Hit { object, crossing: Crossing { t, side, primitive } });
         self.limit = (t + closeness(t, ray, probe)).min(ray.t_max);
     }
 
@@ -86,10 +85,13 @@ impl Nearest {
         self.limit
     }
 
+    /// Keeps the nearest crossing so far and another one, which is close to it. Called with what fits into registers: a crossing that was put in
+    /// memory for this call would be taken from there on the way without it, too.
     #[cold]
     #[inline(never)]
-    fn push(&mut self, nearest: Hit, hit: Hit) {
-        self.others.get_or_insert_default().extend([nearest, hit]);
+    fn push(&mut self, object: u32, t: f64, side: Side, primitive: u32) {
+        let hit = Hit { object, crossing: Crossing { t, side, primitive } };
+        self.others.get_or_insert_default().extend(self.hit.into_iter().chain([hit]));
     }
 
     /// The surfaces in the same place as the nearest of all crossings, in the order of the scene: the first is the one that the ray hits.

@@ -15,7 +15,7 @@ use crate::geometry::bvh::{Bvh, Form, OfEach, Rays, Search, each};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::line::RaySource;
 use crate::geometry::mesh::{Mesh, Winding};
-use crate::geometry::nearest::{Hit, Nearest};
+use crate::geometry::nearest::Nearest;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
@@ -80,7 +80,7 @@ impl TriangleMesh {
         probe: &mut P,
     ) {
         self.visit(object, one_sided, ray, Search::nearest_first(probe), probe, |crossing, probe| {
-            nearest.offer(Hit { object, crossing }, ray, probe);
+            nearest.offer(object, crossing, ray, probe);
             nearest.limit()
         });
     }
@@ -135,7 +135,7 @@ impl TriangleMesh {
                             let candidate = Crossing { t, side, primitive: triangle };
                             let approach = Approach { leaving: None, one_sided };
                             if let Some(crossing) = decide(ray, approach, candidate, at_an_end, probe) {
-                                nearest[first + at].offer(Hit { object, crossing }, ray, probe);
+                                nearest[first + at].offer(object, crossing, ray, probe);
                                 limits[first + at] = nearest[first + at].limit();
                             }
                         }
@@ -144,7 +144,7 @@ impl TriangleMesh {
                 for at in each(rest) {
                     let ray = &rays[at];
                     if let Some(crossing) = self.meet(object, one_sided, triangle, ray, left[at].as_ref(), probe) {
-                        nearest[at].offer(Hit { object, crossing }, ray, probe);
+                        nearest[at].offer(object, crossing, ray, probe);
                         limits[at] = nearest[at].limit();
                     }
                 }

@@ -44,7 +44,7 @@ use super::bounds::Bounds;
 use super::bvh::Form;
 use super::doubled::Doubled;
 use super::line::RaySource;
-use super::nearest::{Hit, Nearest};
+use super::nearest::Nearest;
 use super::ray::{Crossing, Ray, Side, Surface};
 use crate::probe::{Probe, ROUNDINGS, Silent};
 use glam::DVec3;
@@ -123,7 +123,7 @@ impl Shape {
             _ => kernel!(self, kernel => kernel.first_of(object, one_sided, ray, probe), _mesh => None),
         };
         if let Some(crossing) = crossing {
-            nearest.offer(Hit { object, crossing }, ray, probe);
+            nearest.offer(object, crossing, ray, probe);
         }
     }
 
