@@ -1,9 +1,9 @@
 //! Where in its pixel a sample lies, and the ray through there.
 
+use crate::geometry::{COMPANY, Ray};
 use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::{Draws, Pick, Stratum};
-use crate::geometry::{COMPANY, Ray};
 use crate::scene::Scene;
 use crate::scene::square::place_in_square;
 use crate::trace::{Seen, see, see_together};

@@ -104,12 +104,7 @@ pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &m
 /// The surfaces in the same place as the nearest one, in the order of the scene; marks what was decided.
 #[cold]
 #[inline(never)]
-pub(super) fn settled<P: Probe>(
-    scene: &Scene,
-    ray: &Ray,
-    nearest: Nearest,
-    probe: &mut P,
-) -> Vec<Hit> {
+pub(super) fn settled<P: Probe>(scene: &Scene, ray: &Ray, nearest: Nearest, probe: &mut P) -> Vec<Hit> {
     let place = nearest.place(ray, |object| &scene.objects[object as usize].shape, probe);
     probe.mark(Decision::Nearest { object: place[0].object });
     for other in &place[1..] {

@@ -313,7 +313,8 @@ fn all_rays<L: Lanes>(lanes: L, local: &Local) -> BoxRay<L> {
 
 #[inline(always)]
 fn box_ray<L: Lanes>(lanes: L, local: &Local, at: usize) -> BoxRay<L> {
-    let splat = |eights: &[Eight; 3]| [lanes.splat(eights[0][at]), lanes.splat(eights[1][at]), lanes.splat(eights[2][at])];
+    let splat =
+        |eights: &[Eight; 3]| [lanes.splat(eights[0][at]), lanes.splat(eights[1][at]), lanes.splat(eights[2][at])];
     BoxRay {
         inverse: splat(&local.inverse),
         near: splat(&local.near),
@@ -325,7 +326,8 @@ fn box_ray<L: Lanes>(lanes: L, local: &Local, at: usize) -> BoxRay<L> {
 
 #[inline(always)]
 fn leaf_ray<L: Lanes>(lanes: L, local: &Local, at: usize) -> LeafRay<L> {
-    let splat = |eights: &[Eight; 3]| [lanes.splat(eights[0][at]), lanes.splat(eights[1][at]), lanes.splat(eights[2][at])];
+    let splat =
+        |eights: &[Eight; 3]| [lanes.splat(eights[0][at]), lanes.splat(eights[1][at]), lanes.splat(eights[2][at])];
     LeafRay {
         origin: splat(&local.origin),
         direction: splat(&local.direction),

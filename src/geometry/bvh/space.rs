@@ -173,7 +173,6 @@ impl LocalRay {
     }
 }
 
-
 /// A ray that begins within the root of this isn't moved.
 const NEAR: f64 = 8.0;
 

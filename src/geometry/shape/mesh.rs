@@ -4,14 +4,14 @@
 //! several triangles in the same place the first in the mesh file wins, whatever the order of the tests.
 
 mod left;
+mod together;
 
-use super::triangle::Facet;
-#[cfg(target_arch = "x86_64")]
-use super::facet_lanes::{Quick, RayLanes, quick, quick_of_four};
 use super::flat::PlaneHit;
+use super::quick::{Corners, Quick, quick};
+use super::triangle::Facet;
 use super::{Approach, at_an_end, decide, touched};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::bvh::{Bvh, Form, OfEach, Rays, Search, each};
+use crate::geometry::bvh::{Bvh, Form, Search};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::line::RaySource;
 use crate::geometry::mesh::{Mesh, Winding};
@@ -21,8 +21,6 @@ use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
 use crate::probe::{Probe, ROUNDINGS, Silent};
 use glam::DVec3;
-#[cfg(target_arch = "x86_64")]
-use pulp::x86::V3;
 use left::{LeftTriangle, corners_in_common, overlap};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
@@ -71,120 +69,11 @@ impl TriangleMesh {
     /// Shows `nearest` the points where the ray crosses object `object` of this shape that may be its nearest crossing.
     // Kept apart from the search among objects, as the kernels of other shapes are.
     #[inline(never)]
-    pub fn nearest<P: Probe>(
-        &self,
-        object: u32,
-        one_sided: bool,
-        ray: &Ray,
-        nearest: &mut Nearest,
-        probe: &mut P,
-    ) {
+    pub fn nearest<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, nearest: &mut Nearest, probe: &mut P) {
         self.visit(object, one_sided, ray, Search::nearest_first(probe), probe, |crossing, probe| {
             nearest.offer(object, crossing, ray, probe);
             nearest.limit()
         });
-    }
-
-    /// The same for those of several rays that are in `which`; `limits` says up to where triangles matter to each.
-    #[inline(never)]
-    pub fn nearest_together<P: Probe>(
-        &self,
-        (object, one_sided): (u32, bool),
-        rays: &[Ray],
-        which: Rays,
-        nearest: &mut [Nearest],
-        limits: &mut OfEach<f64>,
-        probe: &mut P,
-    ) {
-        let mut left: OfEach<Option<LeftTriangle>> = Default::default();
-        for ray in each(which) {
-            left[ray] = self.left(object, &rays[ray]);
-        }
-        let lanes = RayLanes::of(rays, which);
-        self.tree.visit_together::<P, Ray>(
-            rays,
-            which,
-            Search::nearest_first(probe),
-            limits,
-            #[inline(always)]
-            |which, triangle, _, limits| {
-                let mut rest = which;
-                #[cfg(target_arch = "x86_64")]
-                if P::IS_SILENT
-                    && !which.is_power_of_two()
-                    && let Some(v3) = V3::try_new()
-                {
-                    let [a, b, c] = self.mesh.faces[triangle as usize];
-                    let positions = &self.mesh.positions;
-                    let corners = [&positions[a as usize], &positions[b as usize], &positions[c as usize]];
-                    for first in [0, 4] {
-                        let these = which >> first & 0xf;
-                        if these == 0 {
-                            continue;
-                        }
-                        let found = quick_of_four(v3, corners, &self.normals[triangle as usize], &lanes, first);
-                        rest &= !((found.beside | found.met) << first);
-                        for at in each(found.met & these) {
-                            let (t, ray) = (found.t[at & 3], &rays[first + at]);
-                            let left = left[first + at].as_ref();
-                            if left.is_some_and(|left| left.bars(&self.mesh, &self.normals, triangle, ray)) {
-                                continue;
-                            }
-                            let side = if found.front >> at & 1 == 1 { Side::Front } else { Side::Back };
-                            let at_an_end = if ray.is_near_an_end(t) { self.at_a_near_end(ray, triangle, t, left) } else { None };
-                            let candidate = Crossing { t, side, primitive: triangle };
-                            let approach = Approach { leaving: None, one_sided };
-                            if let Some(crossing) = decide(ray, approach, candidate, at_an_end, probe) {
-                                nearest[first + at].offer(object, crossing, ray, probe);
-                                limits[first + at] = nearest[first + at].limit();
-                            }
-                        }
-                    }
-                }
-                for at in each(rest) {
-                    let ray = &rays[at];
-                    if let Some(crossing) = self.meet(object, one_sided, triangle, ray, left[at].as_ref(), probe) {
-                        nearest[at].offer(object, crossing, ray, probe);
-                        limits[at] = nearest[at].limit();
-                    }
-                }
-            },
-        );
-    }
-
-    /// Which of several rays among `which` cross the object at all: sets their limits below 0.
-    #[inline(never)]
-    pub fn cross_together<P: Probe, S: RaySource>(
-        &self,
-        (object, one_sided): (u32, bool),
-        sources: &[S],
-        which: Rays,
-        limits: &mut OfEach<f64>,
-        probe: &mut P,
-    ) {
-        let mut left: OfEach<Option<LeftTriangle>> = Default::default();
-        for ray in each(which) {
-            left[ray] = self.left(object, &sources[ray]);
-        }
-        let search = match left.iter().all(Option::is_none) && !one_sided {
-            true => Search::of_any(probe),
-            false => Search::in_any_order(probe),
-        };
-        self.tree.visit_together::<P, S>(
-            sources,
-            which,
-            search,
-            limits,
-            #[inline(always)]
-            |which, triangle, is_sure, limits| {
-                for at in each(which) {
-                    let ray = || sources[at].ray();
-                    if is_sure || self.meet(object, one_sided, triangle, ray(), left[at].as_ref(), probe).is_some() {
-                        limits[at] = -1.0;
-                    }
-                }
-            },
-        );
     }
 
     /// Shows the log the crossing of a ray that begins on a triangle and goes through it.
@@ -336,22 +225,14 @@ impl TriangleMesh {
         }
         let approach = Approach { leaving: None, one_sided };
         let near_end = |t: f64, _| self.at_a_near_end(ray, triangle, t, left);
-        #[cfg(target_arch = "x86_64")]
-        if P::IS_SILENT
-            && let Some(v3) = V3::try_new()
-        {
-            let [a, b, c] = self.mesh.faces[triangle as usize];
-            let positions = &self.mesh.positions;
-            let corners = [&positions[a as usize], &positions[b as usize], &positions[c as usize]];
-            match quick(v3, corners, &self.normals[triangle as usize], ray) {
-                Quick::Beside => return None,
-                Quick::Met(PlaneHit { t, side }) => {
-                    let at_an_end = if ray.is_near_an_end(t) { near_end(t, side) } else { None };
-                    return decide(ray, approach, Crossing { t, side, primitive: triangle }, at_an_end, probe);
-                }
-                Quick::Inside => return self.meet_inside(one_sided, triangle, ray, left),
-                Quick::InDoubt => {}
+        match quick::<P>(self.corners(triangle), ray) {
+            Quick::Beside => return None,
+            Quick::Met(PlaneHit { t, side }) => {
+                let at_an_end = if ray.is_near_an_end(t) { near_end(t, side) } else { None };
+                return decide(ray, approach, Crossing { t, side, primitive: triangle }, at_an_end, probe);
             }
+            Quick::Inside => return self.meet_inside(one_sided, triangle, ray, left),
+            Quick::InDoubt => {}
         }
         let facet = self.facet(triangle);
         facet.give(probe);
@@ -384,6 +265,13 @@ impl TriangleMesh {
             matches!(corners_in_common(left.corners, facet.corners()), 1 | 2) && !left.corners.into_iter().all(is_on)
         };
         at_an_end(ray, !left.is_some_and(is_apart), t, normal.dot(ray.direction).abs(), size)
+    }
+
+    #[inline(always)]
+    fn corners(&self, triangle: u32) -> Corners<'_> {
+        let [a, b, c] = self.mesh.faces[triangle as usize];
+        let at = |corner: u32| &self.mesh.positions[corner as usize];
+        Corners { corners: [at(a), at(b), at(c)], normal: &self.normals[triangle as usize] }
     }
 
     #[inline(always)]

@@ -8,8 +8,6 @@ mod disk;
 mod doubled_chord;
 mod edge;
 mod ellipsoid;
-#[cfg(target_arch = "x86_64")]
-mod facet_lanes;
 mod fan;
 mod flat;
 mod kernel;
@@ -18,6 +16,7 @@ mod moving;
 mod outline;
 mod plane;
 pub(in crate::geometry) mod polygon;
+mod quick;
 mod roots;
 mod round;
 mod sphere;
@@ -109,14 +108,7 @@ impl Shape {
 
     /// Shows `nearest` the points where the ray crosses object `object` of this shape that may be its nearest crossing.
     #[inline(always)]
-    pub fn nearest<P: Probe>(
-        &self,
-        object: u32,
-        one_sided: bool,
-        ray: &Ray,
-        nearest: &mut Nearest,
-        probe: &mut P,
-    ) {
+    pub fn nearest<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, nearest: &mut Nearest, probe: &mut P) {
         let crossing = match self {
             Shape::Mesh(mesh) => return mesh.nearest(object, one_sided, ray, nearest, probe),
             Shape::Moving(moving) => return moving.nearest(object, one_sided, ray, nearest, probe),

@@ -43,14 +43,7 @@ impl Moving {
 
     /// Shows `nearest` the points where the ray crosses the object that may be its nearest crossing.
     #[inline(never)]
-    pub fn nearest<P: Probe>(
-        &self,
-        object: u32,
-        one_sided: bool,
-        ray: &Ray,
-        nearest: &mut Nearest,
-        probe: &mut P,
-    ) {
+    pub fn nearest<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, nearest: &mut Nearest, probe: &mut P) {
         self.in_own_frame(ray, probe, |own, probe| self.shape.nearest(object, one_sided, own, nearest, probe));
     }
 

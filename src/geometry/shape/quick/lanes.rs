@@ -1,28 +1,15 @@
-//! The kernel of a triangle with its numbers side by side, for a probe that sees nothing.
+//! The same with the instructions of processors with AVX2 and fused operations. The crate `pulp` vouches that they are there.
 //!
-//! It takes the operations of [`Facet::crossing`] in the same order, four at a time, and so gives the same bits. Whatever f64 leaves in doubt
-//! it leaves to that. The crate `pulp` vouches that the instructions are there.
+//! No operation is fused, so that the bits are those of the kernel.
 
-use super::edge::{LEAST_SIZE, OF_EDGE};
-use super::flat::{LEAST_KEPT, PlaneHit};
-use crate::geometry::bvh::{COMPANY, OfEach, Rays, each};
+use super::{Corners, OfFour, Quick, RayLanes};
+use crate::geometry::bvh::{OfEach, Rays};
 use crate::geometry::ray::{Ray, Side};
+use crate::geometry::shape::edge::{LEAST_SIZE, OF_EDGE};
+use crate::geometry::shape::flat::{LEAST_KEPT, PlaneHit, margin_of};
 use glam::DVec3;
 use pulp::x86::V3;
 use std::arch::x86_64::{__m128d, __m256d, _CMP_GE_OQ, _CMP_LE_OQ, _CMP_LT_OQ};
-
-/// How far the fast way came.
-pub(super) enum Quick {
-    /// The ray's line certainly passes beside the triangle.
-    Beside,
-    /// It passes inside, and meets the triangle's plane at a distance whose digits are right and whose point is surely within the box around
-    /// the triangle.
-    Met(PlaneHit),
-    /// It passes inside; the rest is in doubt.
-    Inside,
-    /// All is in doubt.
-    InDoubt,
-}
 
 /// Ends of edges as large as this, seen from the origin, have finite products.
 const GREATEST_SIZE: f64 = 1e75;
@@ -32,9 +19,15 @@ const FARTHEST: f64 = 1e100;
 
 /// Four numbers side by side.
 #[derive(Clone, Copy)]
-struct Lanes(V3);
+pub struct Lanes(V3);
 
 impl Lanes {
+    /// The instructions, if the processor has them.
+    #[inline(always)]
+    pub fn detected() -> Option<Lanes> {
+        V3::try_new().map(Lanes)
+    }
+
     #[inline(always)]
     fn vector(self, vector: &DVec3) -> __m256d {
         // Two loads, as whole as they lie in memory.
@@ -126,12 +119,9 @@ impl Lanes {
     }
 }
 
-/// Tests the triangle with these corners and this normal as far as f64 leaves nothing in doubt.
-// The numbers are taken from where they lie: copied together first, they would be read in other pieces than they were written in, and the
-// processor would wait for the copies.
+/// [`super::quick`].
 #[inline(always)]
-pub(super) fn quick(v3: V3, [a, b, c]: [&DVec3; 3], normal: &DVec3, ray: &Ray) -> Quick {
-    let lanes = Lanes(v3);
+pub fn quick(lanes: Lanes, Corners { corners: [a, b, c], normal }: Corners, ray: &Ray) -> Quick {
     let (origin, direction) = (lanes.vector(&ray.origin), lanes.vector(&ray.direction));
     let (a, b, c) = (lanes.vector(a), lanes.vector(b), lanes.vector(c));
     let (to_a, to_b, to_c) = (lanes.sub(a, origin), lanes.sub(b, origin), lanes.sub(c, origin));
@@ -181,50 +171,12 @@ fn met(
     let point = lanes.add(origin, lanes.mul(direction, lanes.splat(t)));
     let largest = lanes.greatest(lanes.max(lanes.abs(min), lanes.abs(max)));
     let of_point = ray.origin.abs().max_element() + 2.0 * lanes.greatest(lanes.abs(point));
-    let margin = lanes.splat(super::flat::margin_of(largest, of_point));
+    let margin = lanes.splat(margin_of(largest, of_point));
     let above = avx._mm256_cmp_pd::<_CMP_GE_OQ>(point, lanes.sub(min, margin));
     let below = avx._mm256_cmp_pd::<_CMP_LE_OQ>(point, lanes.add(max, margin));
     let is_within = avx._mm256_movemask_pd(avx._mm256_and_pd(above, below)) & 0b111 == 0b111;
     let side = if v_d < 0.0 { Side::Front } else { Side::Back };
     if is_within { Quick::Met(PlaneHit { t, side }) } else { Quick::Inside }
-}
-
-/// Rays side by side, as many as walk together.
-pub(super) struct RayLanes {
-    origin: [OfEach<f64>; 3],
-    direction: [OfEach<f64>; 3],
-    /// The greatest coordinate of the origin.
-    size: OfEach<f64>,
-}
-
-impl RayLanes {
-    /// These of the rays.
-    #[inline(always)]
-    pub fn of(rays: &[Ray], which: Rays) -> RayLanes {
-        let mut lanes = RayLanes { origin: [[0.0; COMPANY]; 3], direction: [[0.0; COMPANY]; 3], size: [0.0; COMPANY] };
-        for at in each(which) {
-            let Ray { origin, direction, .. } = &rays[at];
-            for axis in 0..3 {
-                lanes.origin[axis][at] = origin[axis];
-                lanes.direction[axis][at] = direction[axis];
-            }
-            lanes.size[at] = origin.abs().max_element();
-        }
-        lanes
-    }
-}
-
-/// What is certain of several rays, a bit for each.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Several {
-    /// Those that certainly pass beside the triangle.
-    pub beside: Rays,
-    /// Those of [`Quick::Met`].
-    pub met: Rays,
-    /// Where these meet the triangle's plane.
-    pub t: [f64; 4],
-    /// Those that arrive at its front.
-    pub front: Rays,
 }
 
 /// A vector in each lane.
@@ -261,11 +213,7 @@ impl Lanes {
     /// p × q
     #[inline(always)]
     fn product(self, p: &Vectors, q: &Vectors) -> Vectors {
-        [
-            self.minor(p[1], q[2], q[1], p[2]),
-            self.minor(p[2], q[0], q[2], p[0]),
-            self.minor(p[0], q[1], q[0], p[1]),
-        ]
+        [self.minor(p[1], q[2], q[1], p[2]), self.minor(p[2], q[0], q[2], p[0]), self.minor(p[0], q[1], q[0], p[1])]
     }
 
     /// The terms of p · q.
@@ -331,16 +279,15 @@ impl Lanes {
     }
 }
 
-/// The same as [`quick`] for four rays from number `first` on.
+/// [`super::quick_of_four`].
 #[inline(always)]
-pub(super) fn quick_of_four(
-    v3: V3,
-    [a, b, c]: [&DVec3; 3],
-    normal: &DVec3,
+pub fn quick_of_four(
+    lanes: Lanes,
+    Corners { corners: [a, b, c], normal }: Corners,
     rays: &RayLanes,
     first: usize,
-) -> Several {
-    let lanes = Lanes(v3);
+) -> OfFour {
+    let Lanes(v3) = lanes;
     let (origin, direction) = (lanes.fours(&rays.origin, first), lanes.fours(&rays.direction, first));
     let to_a = lanes.difference(&lanes.splats(a), &origin);
     let to_b = lanes.difference(&lanes.splats(b), &origin);
@@ -360,7 +307,7 @@ pub(super) fn quick_of_four(
     let inside = v3.avx._mm256_or_pd(lanes.less(bound, least), lanes.less(largest, minus_bound));
     let inside = lanes.and(inside, is_plain);
     if lanes.bits(inside) == 0 {
-        return Several { beside, ..Several::default() };
+        return OfFour { beside, ..OfFour::default() };
     }
     let normal = lanes.splats(normal);
     let (of_v_d, of_v_o) = (lanes.terms(&normal, &direction), lanes.terms(&normal, &to_a));
@@ -382,5 +329,5 @@ pub(super) fn quick_of_four(
     let z_within = lanes.is_within(point[2], [min.z, max.z], margin);
     let within = lanes.and(lanes.and(x_within, y_within), z_within);
     let met = lanes.bits(lanes.and(lanes.and(inside, have_all), lanes.and(is_near, within)));
-    Several { beside, met, t: pulp::cast(t), front: lanes.bits(lanes.less(v_d, lanes.splat(0.0))) }
+    OfFour { beside, met, t: pulp::cast(t), front: lanes.bits(lanes.less(v_d, lanes.splat(0.0))) }
 }
