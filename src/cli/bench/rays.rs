@@ -10,7 +10,7 @@ use clap::Args;
 use raywalk::scene::Scene;
 use raywalk::scene::file::raw::{self, Primitives, RayFile};
 use raywalk::scene::file::{SceneError, visible};
-use raywalk::study::bench::throughput::{self, Hits, Passes, Throughput, measure};
+use raywalk::study::bench::throughput::{self, Hits, Mode, Passes, Throughput, measure};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -146,9 +146,12 @@ impl RaysBench {
     fn measure_rays(&self, scene: &Scene, kind: &str, file: &RayFile) -> Result<(), Failure> {
         let passes = self.passes.map_or(Passes::Seconds(self.seconds), |number| Passes::Number(number as usize));
         let mut hits = Hits::default();
-        for threads in &self.threads {
-            let measured = measure(scene, file, usize::from(*threads), passes, &mut hits).map_err(no_threads)?;
-            self.print_row(&Row::of(scene, kind, *threads, file.rays.len(), &measured))?;
+        for mode in Mode::ALL {
+            for threads in &self.threads {
+                let threads_used = usize::from(*threads);
+                let measured = measure(scene, file, mode, threads_used, passes, &mut hits).map_err(no_threads)?;
+                self.print_row(&Row::of(scene, (kind, mode), *threads, file.rays.len(), &measured))?;
+            }
         }
         let Some(folder) = &self.dump else { return Ok(()) };
         let path = folder.join(format!("{}.{kind}.{ENGINE}.hits", scene.name));
@@ -190,14 +193,14 @@ impl<'a> Row<'a> {
     const HEAD: &'static str = "engine,mode,scene,rays,threads,n,mrays_median,mrays_lower_quartile,mrays_upper_quartile,\
                                 mrays_best,mrays_per_cpu_s,passes,hits,tsum";
     const TITLE: &'static str =
-        "  rays       threads       rays      hits  passes  Mrays/s  (quartiles)     Mrays/cpu s\n";
+        "  rays       mode   threads       rays      hits  passes  Mrays/s  (quartiles)     Mrays/cpu s\n";
 
-    fn of(scene: &'a Scene, rays: &'a str, threads: u16, n: usize, measured: &Throughput) -> Row<'a> {
+    fn of(scene: &'a Scene, (rays, mode): (&'a str, Mode), threads: u16, n: usize, measured: &Throughput) -> Row<'a> {
         let Throughput { per_second, per_cpu_second, hits, t_sum } = *measured;
         let mega = |speed: f64| speed * 1e-6;
         Row {
             engine: ENGINE,
-            mode: "single",
+            mode: mode.word(),
             scene: &scene.name,
             rays,
             threads,
@@ -215,10 +218,10 @@ impl<'a> Row<'a> {
 
     fn text(&self) -> String {
         let rays = visible(self.rays);
-        let Row { threads, n, mrays_median, mrays_per_cpu_s, passes, hits, .. } = self;
+        let Row { mode, threads, n, mrays_median, mrays_per_cpu_s, passes, hits, .. } = self;
         let quartiles = format!("({:.3} {:.3})", self.mrays_lower_quartile, self.mrays_upper_quartile);
         format!(
-            "  {rays:<10} {threads:>7} {n:>10} {hits:>9} {passes:>7} {mrays_median:>8.3}  {quartiles:<15} \
+            "  {rays:<10} {mode:<6} {threads:>7} {n:>10} {hits:>9} {passes:>7} {mrays_median:>8.3}  {quartiles:<15} \
              {mrays_per_cpu_s:>11.3}\n"
         )
     }

@@ -228,8 +228,7 @@ impl TriangleMesh {
         match quick::<P>(self.corners(triangle), ray) {
             Quick::Beside => return None,
             Quick::Met(PlaneHit { t, side }) => {
-                let at_an_end = if ray.is_near_an_end(t) { near_end(t, side) } else { None };
-                return decide(ray, approach, Crossing { t, side, primitive: triangle }, at_an_end, probe);
+                return self.decided(one_sided, Crossing { t, side, primitive: triangle }, ray, left, probe);
             }
             Quick::Inside => return self.meet_inside(one_sided, triangle, ray, left),
             Quick::InDoubt => {}
@@ -242,6 +241,21 @@ impl TriangleMesh {
             #[inline(always)]
             |probe| facet.crossing(ray, approach, triangle, near_end, probe),
         )
+    }
+
+    /// A candidate inside the edges, if it is a hit.
+    #[inline(always)]
+    fn decided<P: Probe>(
+        &self,
+        one_sided: bool,
+        candidate: Crossing,
+        ray: &Ray,
+        left: Option<&LeftTriangle>,
+        probe: &mut P,
+    ) -> Option<Crossing> {
+        let Crossing { t, primitive: triangle, .. } = candidate;
+        let at_an_end = if ray.is_near_an_end(t) { self.at_a_near_end(ray, triangle, t, left) } else { None };
+        decide(ray, Approach { leaving: None, one_sided }, candidate, at_an_end, probe)
     }
 
     /// The crossing with a triangle inside whose edges the ray's line passes, for a probe that sees nothing.

@@ -2,11 +2,12 @@
 
 use super::Spread;
 use super::clock::{Lap, timed};
-use crate::geometry::Shape;
 use crate::geometry::shape::{Sphere, SphereMethod, TriangleMesh};
+use crate::geometry::{COMPANY, Shape};
 use crate::scene::Scene;
 use crate::scene::file::raw::{Primitives, Question, RawRay, RayFile};
-use crate::trace::query::Query;
+use crate::trace::query::{Query, RayHit};
+use arrayvec::ArrayVec;
 use glam::DVec3;
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::io;
@@ -26,6 +27,28 @@ pub enum Passes {
     Number(usize),
     /// For about so many seconds, 3 to 15 times.
     Seconds(f64),
+}
+
+/// How rays are asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Each by itself.
+    Single,
+    /// Eight that follow each other in the file at a time.
+    Batch,
+}
+
+impl Mode {
+    /// Both.
+    pub const ALL: [Mode; 2] = [Mode::Single, Mode::Batch];
+
+    /// Its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Mode::Single => "single",
+            Mode::Batch => "batch",
+        }
+    }
 }
 
 /// What each ray met.
@@ -79,17 +102,18 @@ pub fn build(name: &str, primitives: &Primitives, threads: usize) -> Result<(Sce
 pub fn measure(
     scene: &Scene,
     file: &RayFile,
+    mode: Mode,
     threads: usize,
     passes: Passes,
     hits: &mut Hits,
 ) -> io::Result<Throughput> {
     // One before it counts, which warms the caches up.
-    let first = pass(scene, file, threads, hits)?;
+    let first = pass(scene, file, mode, threads, hits)?;
     let number = match passes {
         Passes::Number(number) => number,
         Passes::Seconds(seconds) => (seconds / first.seconds).ceil().clamp(3.0, 15.0) as usize,
     };
-    let laps = (0..number).map(|_| pass(scene, file, threads, hits)).collect::<io::Result<Vec<_>>>()?;
+    let laps = (0..number).map(|_| pass(scene, file, mode, threads, hits)).collect::<io::Result<Vec<_>>>()?;
     let rays = file.rays.len() as f64;
     let met = || hits.t.iter().zip(&hits.primitive).filter(|(_, primitive)| **primitive != NOTHING);
     Ok(Throughput {
@@ -101,7 +125,7 @@ pub fn measure(
 }
 
 /// Traces all rays once.
-fn pass(scene: &Scene, file: &RayFile, threads: usize, hits: &mut Hits) -> io::Result<Lap> {
+fn pass(scene: &Scene, file: &RayFile, mode: Mode, threads: usize, hits: &mut Hits) -> io::Result<Lap> {
     hits.t.resize(file.rays.len(), 0.0);
     hits.primitive.resize(file.rays.len(), NOTHING);
     let answers = hits.t.chunks_mut(QUEUE).zip(hits.primitive.chunks_mut(QUEUE));
@@ -109,9 +133,11 @@ fn pass(scene: &Scene, file: &RayFile, threads: usize, hits: &mut Hits) -> io::R
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
     let work = || {
         while let Some((rays, (t, primitive))) = next() {
-            match file.question {
-                Question::Closest => closest(scene, rays, t, primitive),
-                Question::Occlusion => occluded(scene, rays, t, primitive),
+            match (file.question, mode) {
+                (Question::Closest, Mode::Single) => closest(scene, rays, t, primitive),
+                (Question::Closest, Mode::Batch) => closest_together(scene, rays, t, primitive),
+                (Question::Occlusion, Mode::Single) => occluded(scene, rays, t, primitive),
+                (Question::Occlusion, Mode::Batch) => occluded_together(scene, rays, t, primitive),
             }
         }
     };
@@ -130,17 +156,43 @@ fn pass(scene: &Scene, file: &RayFile, threads: usize, hits: &mut Hits) -> io::R
 
 fn closest(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
     for ((ray, t), primitive) in rays.iter().zip(t).zip(primitive) {
-        (*t, *primitive) = match query(ray).hit(scene) {
-            // The object of a mesh is the only one, and the primitive of a sphere its only part.
-            Some(hit) => (hit.t as f32, hit.object.max(hit.primitive)),
-            None => (f32::INFINITY, NOTHING),
-        };
+        (*t, *primitive) = answer(query(ray).hit(scene));
+    }
+}
+
+fn closest_together(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
+    for ((rays, t), primitive) in rays.chunks(COMPANY).zip(t.chunks_mut(COMPANY)).zip(primitive.chunks_mut(COMPANY)) {
+        let mut places = t.iter_mut().zip(primitive);
+        let queries: ArrayVec<Query, COMPANY> = rays.iter().map(query).collect();
+        Query::hits(&queries, scene, |hit| {
+            if let Some((t, primitive)) = places.next() {
+                (*t, *primitive) = answer(hit);
+            }
+        });
+    }
+}
+
+fn answer(hit: Option<RayHit>) -> (f32, u32) {
+    match hit {
+        // The object of a mesh is the only one, and the primitive of a sphere its only part.
+        Some(hit) => (hit.t as f32, hit.object.max(hit.primitive)),
+        None => (f32::INFINITY, NOTHING),
     }
 }
 
 fn occluded(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
     for ((ray, t), primitive) in rays.iter().zip(t).zip(primitive) {
         (*t, *primitive) = (0.0, if query(ray).is_occluded(scene) { 0 } else { NOTHING });
+    }
+}
+
+fn occluded_together(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
+    for ((rays, t), primitive) in rays.chunks(COMPANY).zip(t.chunks_mut(COMPANY)).zip(primitive.chunks_mut(COMPANY)) {
+        let queries: ArrayVec<Query, COMPANY> = rays.iter().map(query).collect();
+        let occluded = Query::are_occluded(&queries, scene);
+        for (at, (t, primitive)) in t.iter_mut().zip(primitive).enumerate() {
+            (*t, *primitive) = (0.0, if occluded >> at & 1 == 1 { 0 } else { NOTHING });
+        }
     }
 }
 
@@ -173,10 +225,11 @@ mod tests {
 
     #[track_caller]
     fn finds(primitives: &Primitives, question: Question, t: [f32; 2], primitive: u32) {
-        for threads in [1, 3] {
+        for (threads, mode) in [(1, Mode::Single), (1, Mode::Batch), (3, Mode::Single), (3, Mode::Batch)] {
             let scene = build("test", primitives, threads).map(|(scene, _)| scene);
             let mut hits = Hits::default();
-            let measured = scene.map(|scene| measure(&scene, &file(question), threads, Passes::Number(2), &mut hits));
+            let measured =
+                scene.map(|scene| measure(&scene, &file(question), mode, threads, Passes::Number(2), &mut hits));
             let Ok(Ok(measured)) = measured else { panic!("no threads") };
             assert!(hits.t.chunks(2).all(|pair| pair == t), "{:?}", &hits.t[..2]);
             assert!(hits.primitive.chunks(2).all(|pair| pair == [primitive, NOTHING]));
@@ -203,10 +256,13 @@ mod tests {
         let sphere = RawSphere { center: [0.25, 0.25, 0.0], radius: 1.0 };
         let Ok((scene, _)) = build("test", &Primitives::Spheres(vec![sphere]), 1) else { panic!("no threads") };
         let rays = vec![ray(0.25, 2.0), ray(0.25, 2.0_f32.next_up())];
-        for question in [Question::Closest, Question::Occlusion] {
+        for (question, mode) in [Question::Closest, Question::Occlusion]
+            .into_iter()
+            .flat_map(|question| Mode::ALL.map(|mode| (question, mode)))
+        {
             let mut hits = Hits::default();
             let file = RayFile { question, resolution: [0, 0], rays: rays.clone() };
-            assert!(measure(&scene, &file, 1, Passes::Number(1), &mut hits).is_ok());
+            assert!(measure(&scene, &file, mode, 1, Passes::Number(1), &mut hits).is_ok());
             assert_eq!(hits.primitive, [NOTHING, 0], "{question:?}");
         }
     }

@@ -7,7 +7,6 @@ use crate::geometry::line::RaySource;
 use crate::geometry::nearest::Nearest;
 use crate::geometry::ray::{Crossing, Ray, Side};
 use crate::geometry::shape::quick::{RayLanes, quick_of_four};
-use crate::geometry::shape::{Approach, decide};
 use crate::probe::Probe;
 
 impl TriangleMesh {
@@ -116,11 +115,10 @@ impl TriangleMesh {
         left: Option<&LeftTriangle>,
         probe: &mut P,
     ) -> Option<Crossing> {
-        let Crossing { t, primitive: triangle, .. } = candidate;
+        let triangle = candidate.primitive;
         if left.is_some_and(|left| left.bars(&self.mesh, &self.normals, triangle, ray)) {
             return None;
         }
-        let at_an_end = if ray.is_near_an_end(t) { self.at_a_near_end(ray, triangle, t, left) } else { None };
-        decide(ray, Approach { leaving: None, one_sided }, candidate, at_an_end, probe)
+        self.decided(one_sided, candidate, ray, left, probe)
     }
 }
