@@ -3,6 +3,7 @@
 use super::build::Kind;
 use super::node::Box32;
 use glam::Vec4;
+use rayon::prelude::*;
 use std::ops::Range;
 
 /// How many things a block has room for.
@@ -10,6 +11,9 @@ pub(super) const BLOCK: usize = 8;
 
 /// In how many slices an axis is cut.
 const BINS: usize = 16;
+
+/// How many things are looked at by one core at a time.
+const CHUNK: usize = 1 << 14;
 
 /// A thing as the builder sees it.
 #[derive(Clone, Copy, Debug)]
@@ -99,11 +103,21 @@ struct Cut {
 impl Part {
     /// The part that has this range of things.
     pub fn of(things: &[Rough], range: Range<usize>) -> Part {
-        let (mut around, mut centers) = (Extent::EMPTY, Extent::EMPTY);
-        for thing in &things[range.clone()] {
-            around = around.union(thing.around);
-            centers = centers.with(thing.center());
-        }
+        let of_chunk = |things: &[Rough]| {
+            let (mut around, mut centers) = (Extent::EMPTY, Extent::EMPTY);
+            for thing in things {
+                around = around.union(thing.around);
+                centers = centers.with(thing.center());
+            }
+            (around, centers)
+        };
+        let own = &things[range.clone()];
+        let (around, centers) = if own.len() <= CHUNK {
+            of_chunk(own)
+        } else {
+            let join = |one: (Extent, Extent), other: (Extent, Extent)| (one.0.union(other.0), one.1.union(other.1));
+            own.par_chunks(CHUNK).map(of_chunk).reduce(|| (Extent::EMPTY, Extent::EMPTY), join)
+        };
         Part::new(things, range, around, centers)
     }
 
@@ -239,7 +253,27 @@ struct Bins {
 impl Bins {
     const EMPTY: Bins = Bins { around: [[Extent::EMPTY; BINS]; 3], room: [[0; BINS]; 3] };
 
+    /// Of all things, on all cores where they are many.
     fn of(things: &[Rough], slices: &Slices) -> Bins {
+        if things.len() <= CHUNK {
+            return Bins::of_chunk(things, slices);
+        }
+        let of_chunk = |things| Bins::of_chunk(things, slices);
+        things.par_chunks(CHUNK).map(of_chunk).reduce(|| Bins::EMPTY, Bins::union)
+    }
+
+    fn union(mut self, other: Bins) -> Bins {
+        for axis in 0..3 {
+            for bin in 0..BINS {
+                let around = &mut self.around[axis][bin];
+                *around = around.union(other.around[axis][bin]);
+                self.room[axis][bin] += other.room[axis][bin];
+            }
+        }
+        self
+    }
+
+    fn of_chunk(things: &[Rough], slices: &Slices) -> Bins {
         let mut bins = Bins::EMPTY;
         for thing in things {
             let [x, y, z, _] = slices.of(thing.center());
@@ -277,5 +311,88 @@ impl Bins {
             }
         }
         best
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn roughs(count: u32) -> Vec<Rough> {
+        let place = |thing: u32, k: u32| (thing.wrapping_mul(k) >> 8) as f32 / 1e7 - 0.8;
+        let rough = |thing: u32| {
+            let min = [2_654_435_761, 2_246_822_519, 3_266_489_917].map(|k| place(thing, k));
+            let kind = if thing.is_multiple_of(7) { Kind::Other } else { Kind::Triangle };
+            Rough::new(thing, kind, &Box32 { min, max: min.map(|x| x + 0.01 * (thing % 5) as f32) })
+        };
+        (0..count).map(rough).collect()
+    }
+
+    /// A part keeps its things, and what is known of its sides without looking at them again is right.
+    #[test]
+    fn a_part_is_cut_into_what_was_in_it() {
+        for count in [2, 9, 30, 1000, 2 * CHUNK as u32 + 3] {
+            let mut things = roughs(count);
+            let whole = Part::of(&things, 0..things.len());
+            for into_halves in [false, true] {
+                let sides = whole.split(&mut things, into_halves);
+                assert_eq!(
+                    [sides[0].range.start, sides[0].range.end, sides[1].range.end],
+                    [0, sides[1].range.start, count as usize]
+                );
+                for side in sides {
+                    let again = Part::of(&things, side.range());
+                    assert!(side.len() > 0 && side.is_leaf() == again.is_leaf());
+                    let corners = |part: &Part| {
+                        [part.around, part.centers].map(|extent| [extent.min, extent.max].map(Vec4::truncate))
+                    };
+                    assert_eq!(corners(&side), corners(&again), "{count}");
+                }
+                let mut numbers: Vec<u32> = things.iter().map(Rough::thing).collect();
+                numbers.sort_unstable();
+                assert!(numbers.into_iter().eq(0..count));
+            }
+        }
+    }
+
+    #[test]
+    fn the_cut_is_the_cheapest_of_all_between_slices() {
+        let mut things = roughs(200);
+        let whole = Part::of(&things, 0..things.len());
+        let cost = |side: &[Rough]| {
+            let room: u32 = side.iter().map(|thing| thing.kind().room()).sum();
+            Part::of(side, 0..side.len()).half_area() * room as f32
+        };
+        let slices = whole.slices().expect("centres in more than one place");
+        let mut least = f32::INFINITY;
+        for axis in 0..3 {
+            for bin in 1..BINS as u32 {
+                let (near, far): (Vec<Rough>, Vec<Rough>) =
+                    things.iter().partition(|thing| slices.of(thing.center())[axis] < bin);
+                if !near.is_empty() && !far.is_empty() {
+                    least = least.min(cost(&near) + cost(&far));
+                }
+            }
+        }
+        let sides = whole.split(&mut things, false);
+        assert_eq!(sides.iter().map(|side| cost(&things[side.range()])).sum::<f32>(), least);
+    }
+
+    #[test]
+    fn slices_are_counted_from_the_first_centre_to_the_last() {
+        let slices = Slices { low: Vec4::splat(-1.0), per: Vec4::splat(8.0 * (1.0 - 1e-6)) };
+        for (center, slice) in [(-1.0, 0), (-0.9, 0), (-0.8, 1), (0.01, 8), (0.99, 15), (1.0, 15), (f32::NAN, 0)] {
+            assert_eq!(slices.of(Vec4::splat(center)), [slice; 4], "{center}");
+        }
+    }
+
+    #[test]
+    fn a_number_keeps_its_kind() {
+        for thing in [0, 1, 1 << 23, (1 << 30) - 1] {
+            for kind in [Kind::Triangle, Kind::Sphere, Kind::Other] {
+                let rough = Rough::new(thing, kind, &Box32 { min: [0.0; 3], max: [1.0; 3] });
+                assert_eq!((rough.thing(), rough.kind()), (thing, kind));
+            }
+        }
     }
 }
