@@ -114,6 +114,10 @@ impl Mesh {
         let (ab, ac) = (b - a, c - a);
         // Brought to size 1, so that neither huge nor tiny triangles lose their area by over- or underflow.
         let size = ab.abs().max(ac.abs()).max_element();
+        // Without a division where the area is beyond doubt.
+        if (1e-100..1e100).contains(&size) && ab.cross(ac).abs().max_element() > size * size * 1e-10 {
+            return false;
+        }
         let twice_area = (ab / size).cross(ac / size);
         let has_area = size > 0.0 && size.is_finite() && twice_area.abs().max_element() > 0.0;
         !has_area

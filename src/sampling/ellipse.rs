@@ -135,13 +135,13 @@ mod tests {
             let size = 0.02 + 0.5 * number(3).abs();
             let shape = match k % 3 {
                 0 => Shape::Sphere(Sphere::new(center, size, false, SphereMethod::Robust)),
-                1 => Shape::Disk(Disk::new(center, vector(4), size)),
+                1 => Shape::Disk(Box::new(Disk::new(center, vector(4), size))),
                 _ => {
                     let Some(ellipsoid) = Ellipsoid::with_axes(center, [vector(4), vector(7), vector(10) * 0.01])
                     else {
                         continue;
                     };
-                    Shape::Ellipsoid(ellipsoid)
+                    Shape::Ellipsoid(Box::new(ellipsoid))
                 }
             };
             let Some(ellipse) = Ellipse::seen(&camera, &shape.round().expect("a round shape")) else { continue };

@@ -4,11 +4,12 @@ use super::file::schema as file;
 use super::{AroundEye, Camera, Ceilings, Color, Effects, Formulas, Index, Object, Sampling, Scene, build};
 use crate::geometry::Shape;
 use glam::DVec3;
+use rayon::prelude::*;
 
 impl Scene {
     /// A scene of these shapes alone, which is only asked about rays: two-sided, dark, in the default material, seen by nobody. Objects
     /// have no names, so that a million of them cost no more than their shapes.
-    pub fn of_shapes(name: &str, shapes: impl IntoIterator<Item = Shape>) -> Scene {
+    pub fn of_shapes(name: &str, shapes: impl IntoParallelIterator<Item = Shape>) -> Scene {
         let object = |shape| Object {
             name: String::new(),
             slack: Shape::slack(&shape),
@@ -17,7 +18,7 @@ impl Scene {
             one_sided: false,
             inside: None,
         };
-        let objects: Vec<_> = shapes.into_iter().map(object).collect();
+        let objects: Vec<_> = shapes.into_par_iter().map(object).collect();
         Scene {
             name: name.to_owned(),
             digest: String::new(),

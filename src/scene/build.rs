@@ -207,21 +207,29 @@ fn shape(
         file::Shape::Sphere(sphere) => {
             Shape::Sphere(Sphere::new(sphere.center.into(), sphere.radius, sphere.inward, sphere_method))
         }
-        file::Shape::Ellipsoid(ellipsoid) => {
-            Shape::Ellipsoid(Ellipsoid::new(ellipsoid.center.into(), ellipsoid.radii.into(), ellipsoid.rotation))
+        file::Shape::Ellipsoid(ellipsoid) => Shape::Ellipsoid(Box::new(Ellipsoid::new(
+            ellipsoid.center.into(),
+            ellipsoid.radii.into(),
+            ellipsoid.rotation,
+        ))),
+        file::Shape::Triangle(triangle) => {
+            Shape::Triangle(Box::new(Triangle::new(triangle.vertices, triangle.normals)))
         }
-        file::Shape::Triangle(triangle) => Shape::Triangle(Triangle::new(triangle.vertices, triangle.normals)),
-        file::Shape::Polygon(polygon) => Shape::Polygon(Polygon::new(&polygon.vertices, polygon.normals.as_deref())),
+        file::Shape::Polygon(polygon) => {
+            Shape::Polygon(Box::new(Polygon::new(&polygon.vertices, polygon.normals.as_deref())))
+        }
         file::Shape::Box(cuboid) => Shape::Cuboid(Cuboid::new(cuboid.min.into(), cuboid.max.into())),
         file::Shape::Cylinder(cylinder) => {
             let (base, apex) = (cylinder.base.into(), cylinder.apex.into());
-            Shape::Cylinder(Cylinder::new(base, apex, cylinder.radius, cylinder.caps, cylinder.inward))
+            Shape::Cylinder(Box::new(Cylinder::new(base, apex, cylinder.radius, cylinder.caps, cylinder.inward)))
         }
         file::Shape::Cone(cone) => {
             let (base, apex) = ((cone.base.into(), cone.base_radius), (cone.apex.into(), cone.apex_radius));
-            Shape::Cone(Cone::new(base, apex, cone.caps, cone.inward))
+            Shape::Cone(Box::new(Cone::new(base, apex, cone.caps, cone.inward)))
         }
-        file::Shape::Disk(disk) => Shape::Disk(Disk::new(disk.center.into(), disk.normal.into(), disk.radius)),
+        file::Shape::Disk(disk) => {
+            Shape::Disk(Box::new(Disk::new(disk.center.into(), disk.normal.into(), disk.radius)))
+        }
         file::Shape::Mesh(mesh) => trees.get(&mesh.path).ok_or_else(|| unsupported::not_loaded(index))?,
     })
 }

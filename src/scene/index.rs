@@ -6,6 +6,7 @@ use crate::geometry::{Bounds, RaySource, Shape};
 use crate::probe::Probe;
 use arrayvec::ArrayVec;
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// The objects of a scene, so arranged that a ray is tested with few of them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,6 +38,9 @@ const WITHOUT_TREE: usize = 8;
 
 /// So many objects are looked at for a whole light.
 const MOST_BETWEEN: usize = 16;
+
+/// So many objects are looked at by one core at a time.
+const CHUNK: usize = 1 << 12;
 
 /// Far more than all roundings, as a part of the squares of the lengths that are compared.
 const MARGIN: f64 = 1e-6;
@@ -78,14 +82,15 @@ impl Extent {
 impl Index {
     /// Arranges these objects.
     pub fn new(objects: &[Object]) -> Index {
-        let is_bounded = |object: &u32| objects[*object as usize].shape.bounds().is_some();
-        let (bounded, unbounded): (Vec<u32>, Vec<u32>) = (0..objects.len() as u32).partition(is_bounded);
-        if bounded.len() <= WITHOUT_TREE {
+        let Sorted { unbounded, around } = sorted(objects);
+        if objects.len() - unbounded.len() <= WITHOUT_TREE {
             let extents =
                 if objects.len() <= MOST_BETWEEN { objects.iter().map(Extent::of).collect() } else { Vec::new() };
             return Index { extents, shows_all: false, ..Index::of_all(objects) };
         }
-        let bounds = bounds_of(objects);
+        let bounds = unbounded.is_empty().then_some(around);
+        let bounded: Vec<u32> =
+            (0..objects.len() as u32).filter(|object| unbounded.binary_search(object).is_err()).collect();
         let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
         let tree = Bvh::new(unbounded, &bounded, form);
         Index { tree, bounds, extents: Vec::new(), shows_all: false, has_trees: true }
@@ -95,7 +100,9 @@ impl Index {
     pub fn of_all(objects: &[Object]) -> Index {
         let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
         let has_trees = objects.iter().any(|object| object.shape.is_mesh());
-        Index { tree, bounds: bounds_of(objects), extents: Vec::new(), shows_all: true, has_trees }
+        let Sorted { unbounded, around } = sorted(objects);
+        let bounds = unbounded.is_empty().then_some(around);
+        Index { tree, bounds, extents: Vec::new(), shows_all: true, has_trees }
     }
 
     /// Whether there are trees in which rays can walk together.
@@ -161,9 +168,26 @@ impl Index {
     }
 }
 
-/// A box around all objects; `None` where one has no end.
-fn bounds_of(objects: &[Object]) -> Option<Bounds> {
-    objects.iter().try_fold(Bounds::EMPTY, |bounds, object| Some(bounds.union(object.shape.bounds()?)))
+/// The objects without end, and a box around the others.
+struct Sorted {
+    unbounded: Vec<u32>,
+    around: Bounds,
+}
+
+fn sorted(objects: &[Object]) -> Sorted {
+    let with = |mut sorted: Sorted, object: u32| {
+        match objects[object as usize].shape.bounds() {
+            Some(bounds) => sorted.around = sorted.around.union(bounds),
+            None => sorted.unbounded.push(object),
+        }
+        sorted
+    };
+    let join = |mut one: Sorted, other: Sorted| {
+        one.unbounded.extend(other.unbounded);
+        Sorted { around: one.around.union(other.around), ..one }
+    };
+    let nothing = || Sorted { unbounded: Vec::new(), around: Bounds::EMPTY };
+    (0..objects.len() as u32).into_par_iter().with_min_len(CHUNK).fold(nothing, with).reduce(nothing, join)
 }
 
 #[cfg(test)]

@@ -75,7 +75,7 @@ fn slanted_ellipsoids_and_needles_are_seen() {
         let across = way.any_orthonormal_vector();
         let axes = [way * length, across * (width / 2.0), way.cross(across) * (width / 2.0) * (0.1 + 0.9 * number(5))];
         let center = DVec3::new(number(6) - 0.5, number(7) - 0.5, 0.0) * 8.0;
-        let shape = Shape::Ellipsoid(Ellipsoid::with_axes(center, axes).expect("half axes"));
+        let shape = Shape::Ellipsoid(Box::new(Ellipsoid::with_axes(center, axes).expect("half axes")));
         let small = scene(shape.clone(), depth);
         let ellipse = Ellipse::seen(&small.camera, &shape.round().expect("round")).expect("an ellipse");
         assert!(ellipse.width() < 2.1547 / f64::from(1_u32 << depth), "{}", ellipse.width());
@@ -90,7 +90,7 @@ fn a_slanted_ellipsoid_a_tenth_of_a_pixel_wide_keeps_its_light() {
     let way = DVec3::new(1.0, 0.7, 0.0).normalize();
     let axes = [way * 6.0, DVec3::Z.cross(way) * 0.05, DVec3::Z * 0.05];
     let ellipsoid = Ellipsoid::with_axes(DVec3::new(0.3, 0.2, 0.0), axes).expect("half axes");
-    let shape = Shape::Ellipsoid(ellipsoid);
+    let shape = Shape::Ellipsoid(Box::new(ellipsoid));
     let exact = std::f64::consts::PI * 6.0 * 0.05;
     let found: f64 = red(&picture(&scene(shape, 4))).iter().sum();
     assert!((found - exact).abs() < 0.12 * exact, "{found} of {exact}");

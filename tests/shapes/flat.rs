@@ -45,7 +45,7 @@ fn triangles() {
         let outward = (b - a).cross(c - a);
         let outward = outward / outward.length();
         let target = a + (b - a) * u + (c - a) * v;
-        let shape = Shape::Triangle(Triangle::new([a, b, c].map(|corner| (corner * scale).to_array()), None));
+        let shape = Shape::Triangle(Box::new(Triangle::new([a, b, c].map(|corner| (corner * scale).to_array()), None)));
         let ray = ray_through(origin * scale, target * scale);
         let found = meet(&shape, &ray);
         let is_inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
@@ -66,7 +66,7 @@ fn disks() {
             let outward = normal / normal.length();
             let in_plane = aim - outward * aim.dot(outward);
             let target = in_plane * (radius / 6.0);
-            let shape = Shape::Disk(Disk::new(center * scale, normal, radius * scale));
+            let shape = Shape::Disk(Box::new(Disk::new(center * scale, normal, radius * scale)));
             let ray = ray_through(origin * scale, (center + target) * scale);
             let found = meet(&shape, &ray);
             let is_inside = target.length() < radius;
@@ -120,7 +120,7 @@ fn concave_polygons_hold_what_their_triangles_hold() {
     property((star(), frame(), point(), aim, point(), scale()), |(star, frame, center, aim, origin, scale)| {
         let place = |point: DVec2| (center + frame[0] * point.x + frame[1] * point.y) * scale;
         let vertices: Vec<_> = star.iter().map(|corner| place(*corner).to_array()).collect();
-        let shape = Shape::Polygon(Polygon::new(&vertices, None));
+        let shape = Shape::Polygon(Box::new(Polygon::new(&vertices, None)));
         let ray = ray_through(origin * scale, place(aim));
         let found = meet(&shape, &ray);
         let (is_inside, distance) = in_star(&star, aim);
@@ -147,7 +147,7 @@ fn normals_that_grow_evenly_are_interpolated_exactly() {
         let field = |point: DVec2| normal + right * (tilt * point.x + twist * point.y) + up * (tilt * point.y);
         let vertices: Vec<_> = star.iter().map(|corner| place(*corner).to_array()).collect();
         let normals: Vec<_> = star.iter().map(|corner| field(*corner).to_array()).collect();
-        let shape = Shape::Polygon(Polygon::new(&vertices, Some(&normals)));
+        let shape = Shape::Polygon(Box::new(Polygon::new(&vertices, Some(&normals))));
         let found = meet(&shape, &ray_through(place(aim) + normal * 5.0, place(aim)));
         if let Some((_, surface)) = found {
             let expected = field(aim) / field(aim).length();
@@ -174,8 +174,8 @@ fn a_polygon_of_three_corners_shades_as_the_triangle() {
     let weights = (corners(), [point(), point(), point()], -0.2..1.0_f64, -0.2..1.0_f64, point());
     property(weights, |([a, b, c], normals, u, v, origin)| {
         let (vertices, normals) = ([a, b, c].map(|corner| corner.to_array()), normals.map(|normal| normal.to_array()));
-        let triangle = Shape::Triangle(Triangle::new(vertices, Some(normals)));
-        let polygon = Shape::Polygon(Polygon::new(&vertices, Some(&normals)));
+        let triangle = Shape::Triangle(Box::new(Triangle::new(vertices, Some(normals))));
+        let polygon = Shape::Polygon(Box::new(Polygon::new(&vertices, Some(&normals))));
         let ray = ray_through(origin, a + (b - a) * u + (c - a) * v);
         let (one, other) = (meet(&triangle, &ray), meet(&polygon, &ray));
         let is_near_an_edge = u.abs().min(v.abs()).min((u + v - 1.0).abs()) < 1e-6;

@@ -13,12 +13,12 @@ fn v(x: f64, y: f64, z: f64) -> DVec3 {
 }
 
 fn cylinder(caps: bool, inward: bool) -> Shape {
-    Shape::Cylinder(Cylinder::new(v(0.0, 0.0, -1.0), v(0.0, 0.0, 3.0), 2.0, caps, inward))
+    Shape::Cylinder(Box::new(Cylinder::new(v(0.0, 0.0, -1.0), v(0.0, 0.0, 3.0), 2.0, caps, inward)))
 }
 
 /// From radius 3 at z = 0 to a tip at z = 3.
 fn pointed_cone(caps: bool, inward: bool) -> Shape {
-    Shape::Cone(Cone::new((DVec3::ZERO, 3.0), (v(0.0, 0.0, 3.0), 0.0), caps, inward))
+    Shape::Cone(Box::new(Cone::new((DVec3::ZERO, 3.0), (v(0.0, 0.0, 3.0), 0.0), caps, inward)))
 }
 
 /// Every crossing: distance, side, part, normal.
@@ -41,7 +41,7 @@ use Side::{Back, Front};
 
 #[test]
 fn rays_along_the_axes_of_an_ellipsoid() {
-    let shape = Shape::Ellipsoid(Ellipsoid::new(v(1.0, 0.0, 0.0), v(2.0, 1.0, 4.0), None));
+    let shape = Shape::Ellipsoid(Box::new(Ellipsoid::new(v(1.0, 0.0, 0.0), v(2.0, 1.0, 4.0), None)));
     crosses(
         &shape,
         [-5.0, 0.0, 0.0],
@@ -53,7 +53,7 @@ fn rays_along_the_axes_of_an_ellipsoid() {
     crosses(&shape, [1.0, 5.0, 0.0], [0.0, 1.0, 0.0], &[]);
     // A quarter turn about z: x' = −y, y' = x.
     let turned = Some([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
-    let turned = Shape::Ellipsoid(Ellipsoid::new(DVec3::ZERO, v(2.0, 1.0, 4.0), turned));
+    let turned = Shape::Ellipsoid(Box::new(Ellipsoid::new(DVec3::ZERO, v(2.0, 1.0, 4.0), turned)));
     crosses(
         &turned,
         [0.0, 5.0, 0.0],
@@ -67,7 +67,7 @@ fn rays_along_the_axes_of_an_ellipsoid() {
 #[test]
 fn half_axes_make_an_ellipsoid_unless_they_are_flat() {
     let axes = [v(0.0, 2.0, 0.0), v(-1.0, 0.0, 0.0), v(0.0, 0.0, 4.0)];
-    let shape = Shape::Ellipsoid(Ellipsoid::with_axes(DVec3::ZERO, axes).expect("a solid one"));
+    let shape = Shape::Ellipsoid(Box::new(Ellipsoid::with_axes(DVec3::ZERO, axes).expect("a solid one")));
     crosses(
         &shape,
         [0.0, 5.0, 0.0],
@@ -139,7 +139,7 @@ fn rays_across_and_along_a_cone() {
 
 #[test]
 fn rays_through_a_tip_at_the_base() {
-    let shape = Shape::Cone(Cone::new((DVec3::ZERO, 0.0), (v(0.0, 0.0, 3.0), 3.0), true, false));
+    let shape = Shape::Cone(Box::new(Cone::new((DVec3::ZERO, 0.0), (v(0.0, 0.0, 3.0), 3.0), true, false)));
     let out = (1.75, Back, 2, [0.0, 0.0, -1.0]);
     crosses(&shape, [-1.0, 0.0, -4.0], [1.0, 0.0, 4.0], &[(1.0, Front, 0, [0.0, 0.0, -1.0]), out]);
     crosses(&shape, [0.0, 0.0, 0.0], [1.0, 0.0, 4.0], &[(0.75, out.1, out.2, out.3)]);
@@ -179,7 +179,7 @@ fn a_one_sided_surface_is_absent_from_behind() {
 fn equal_circles_make_a_cylinder() {
     for caps in [false, true] {
         let ends = (v(0.0, 0.0, -1.0), v(0.0, 0.0, 3.0));
-        let cone = Shape::Cone(Cone::new((ends.0, 2.0), (ends.1, 2.0), caps, false));
+        let cone = Shape::Cone(Box::new(Cone::new((ends.0, 2.0), (ends.1, 2.0), caps, false)));
         for (origin, direction) in [
             (v(-5.0, 1.0, 1.0), unit(v(3.0, 1.0, 0.25))),
             (v(0.5, 0.0, -5.0), DVec3::Z),

@@ -71,8 +71,8 @@ fn an_open_surface_is_the_lateral_part_of_the_closed_one() {
     holds(open, &["hit", "miss"], |(solid, ray)| {
         let Form::Round { ends, radii, .. } = solid.form else { return Err(TestCaseError::reject("round")) };
         let closed = match solid.shape {
-            Shape::Cylinder(_) => Shape::Cylinder(Cylinder::new(ends[0], ends[1], radii[0], true, false)),
-            _ => Shape::Cone(Cone::new((ends[0], radii[0]), (ends[1], radii[1]), true, false)),
+            Shape::Cylinder(_) => Shape::Cylinder(Box::new(Cylinder::new(ends[0], ends[1], radii[0], true, false))),
+            _ => Shape::Cone(Box::new(Cone::new((ends[0], radii[0]), (ends[1], radii[1]), true, false))),
         };
         let lateral: Vec<_> = all(&closed, &ray).into_iter().filter(|crossing| crossing.primitive == 0).collect();
         prop_assert_eq!(&all(&solid.shape, &ray), &lateral);
@@ -141,7 +141,7 @@ fn an_ellipsoid_of_equal_radii_is_a_sphere() {
     });
     holds(balls, &["hit", "miss"], |(center, radius, axes, ray)| {
         let rotation = [0, 1, 2].map(|i| [axes[0][i], axes[1][i], axes[2][i]]);
-        let ellipsoid = Shape::Ellipsoid(Ellipsoid::new(center, DVec3::splat(radius), Some(rotation)));
+        let ellipsoid = Shape::Ellipsoid(Box::new(Ellipsoid::new(center, DVec3::splat(radius), Some(rotation))));
         let sphere = Shape::Sphere(Sphere::new(center, radius, false, SphereMethod::Robust));
         let (ours, theirs) = (all(&ellipsoid, &ray), all(&sphere, &ray));
         prop_assert_eq!(ours.len(), theirs.len());
@@ -160,7 +160,7 @@ fn an_ellipsoid_of_equal_radii_is_a_sphere() {
 fn an_upright_cylinder_is_a_circle_seen_from_above() {
     let rays = ((triple(), triple()), 0.5..2.0);
     holds(rays, &["hit", "miss"], |((origin, target), radius): ((DVec3, DVec3), f64)| {
-        let shape = Shape::Cylinder(Cylinder::new(DVec3::Z * -100.0, DVec3::Z * 100.0, radius, false, false));
+        let shape = Shape::Cylinder(Box::new(Cylinder::new(DVec3::Z * -100.0, DVec3::Z * 100.0, radius, false, false)));
         let origin = origin * 8.0;
         let ray = Ray::new(origin, unit(target * 3.0 - origin));
         let is_between = |t: f64| (origin.z + ray.direction.z * t).abs() < 100.0;

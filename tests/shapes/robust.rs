@@ -42,7 +42,7 @@ fn no_ray_slips_through_a_shared_edge() {
         let ordered = |corner: DVec3, order: usize| {
             let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
             let corners = [from, to, corner];
-            Shape::Triangle(Triangle::new(orders[order % 6].map(|at| corners[at].to_array()), None))
+            Shape::Triangle(Box::new(Triangle::new(orders[order % 6].map(|at| corners[at].to_array()), None)))
         };
         let triangles = [ordered(left, pair), ordered(right, pair / 6)];
         for _ in 0..100 {
@@ -70,7 +70,7 @@ fn triangles_without_area_are_never_hit() {
         let along = |count: f64| ((start + step * count) * size).to_array();
         let places = [[0.0, 1.0, 2.0], [3.0, -1.0, 7.0], [0.0, 0.0, 1.0], [2.0, 5.0, 2.0], [4.0, 4.0, 4.0]];
         for place in places {
-            let shape = Shape::Triangle(Triangle::new(place.map(along), None));
+            let shape = Shape::Triangle(Box::new(Triangle::new(place.map(along), None)));
             let target = DVec3::from(along(numbers.next() * 3.0));
             for ray in [ray_through(numbers.point() * size, target), Ray::new(target, step)] {
                 assert_eq!(shape.first_crossing(0, false, &ray, &mut Silent), None, "{shape:?} {ray:?}");
@@ -94,9 +94,9 @@ fn no_input_makes_a_note_that_is_not_finite() {
         let three = |four: [[f64; 3]; 4]| [four[0], four[1], four[2]];
         let [first, second, third, _] = corners.map(DVec3::from);
         let shapes = [
-            Shape::Triangle(Triangle::new(three(corners), Some(three(normals)))),
-            Shape::Polygon(Polygon::new(&corners, Some(&normals))),
-            Shape::Disk(Disk::new(first, second, third.x.abs())),
+            Shape::Triangle(Box::new(Triangle::new(three(corners), Some(three(normals))))),
+            Shape::Polygon(Box::new(Polygon::new(&corners, Some(&normals)))),
+            Shape::Disk(Box::new(Disk::new(first, second, third.x.abs()))),
             Shape::Cuboid(Cuboid::new(first.min(second), first.max(second))),
         ];
         let way = point();
@@ -138,7 +138,7 @@ fn needles_keep_the_digits_of_their_distance() {
     for power in [10, 20, 30, 40] {
         let width = 1.0 / (1_u64 << power) as f64;
         let corners = [DVec3::ONE - along, DVec3::ONE + along, DVec3::ONE + beside * width];
-        let shape = Shape::Triangle(Triangle::new(corners.map(|corner| corner.to_array()), None));
+        let shape = Shape::Triangle(Box::new(Triangle::new(corners.map(|corner| corner.to_array()), None)));
         let ray = Ray::new(DVec3::ZERO, DVec3::ONE + beside * (width * 0.25));
         let (crossing, surface) = meet(&shape, &ray).expect("a ray through the triangle");
         assert!((crossing.t - 1.0).abs() <= FEW_ULPS, "{} at width {width:e}", crossing.t);
@@ -150,9 +150,9 @@ fn needles_keep_the_digits_of_their_distance() {
 #[test]
 fn one_sided_faces_are_absent_from_behind() {
     let shapes = [
-        Shape::Triangle(Triangle::new([[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]], None)),
-        Shape::Polygon(Polygon::new(&[[0.0; 3], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]], None)),
-        Shape::Disk(Disk::new(DVec3::ONE - DVec3::Z, DVec3::Z, 3.0)),
+        Shape::Triangle(Box::new(Triangle::new([[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]], None))),
+        Shape::Polygon(Box::new(Polygon::new(&[[0.0; 3], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]], None))),
+        Shape::Disk(Box::new(Disk::new(DVec3::ONE - DVec3::Z, DVec3::Z, 3.0))),
         Shape::Cuboid(Cuboid::new(-DVec3::ONE * 3.0, DVec3::new(3.0, 3.0, 0.0))),
     ];
     let from = |z: f64| Ray::new(DVec3::new(1.0, 1.0, z), DVec3::Z * -z.signum());

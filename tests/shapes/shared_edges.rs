@@ -45,7 +45,7 @@ impl Body {
 
     fn shapes(&self) -> Vec<Shape> {
         let corners = |face: &[DVec3]| face.iter().map(|corner| corner.to_array()).collect::<Vec<_>>();
-        self.faces.iter().map(|face| Shape::Polygon(Polygon::new(&corners(face), None))).collect()
+        self.faces.iter().map(|face| Shape::Polygon(Box::new(Polygon::new(&corners(face), None)))).collect()
     }
 
     /// A point of an edge, or a corner.
@@ -104,8 +104,8 @@ fn a_polygon_has_the_points_of_its_triangles() {
             .map(|[x, y]| plane[0] + plane[1] * x + plane[2] * y)
             .map(|corner| corner.to_array());
         let [a, b, c, d] = corners;
-        let polygon = Shape::Polygon(Polygon::new(&corners, None));
-        let halves = [[a, b, c], [a, c, d]].map(|half| Shape::Triangle(Triangle::new(half, None)));
+        let polygon = Shape::Polygon(Box::new(Polygon::new(&corners, None)));
+        let halves = [[a, b, c], [a, c, d]].map(|half| Shape::Triangle(Box::new(Triangle::new(half, None))));
         for _ in 0..20 {
             let origin = random.unit() * 20.0;
             let (a, c) = (DVec3::from(a), DVec3::from(c));

@@ -124,12 +124,12 @@ fn convex(random: &mut Random, size: f64, place: DVec3) -> Shape {
         }
         3 => {
             let corners = [0, 1, 2].map(|_| (place + random.unit() * size).to_array());
-            Shape::Triangle(Triangle::new(corners, None))
+            Shape::Triangle(Box::new(Triangle::new(corners, None)))
         }
         4 => Shape::Cuboid(Cuboid::new(place - size * 0.5, place + size * 0.5)),
         _ => {
             let radii = DVec3::new(0.5 + random.part(), 0.5 + random.part(), 0.5 + random.part()) * size;
-            Shape::Ellipsoid(Ellipsoid::new(place, radii, None))
+            Shape::Ellipsoid(Box::new(Ellipsoid::new(place, radii, None)))
         }
     }
 }

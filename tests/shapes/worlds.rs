@@ -30,7 +30,7 @@ pub fn corners_of(shape: &Shape) -> Option<[DVec3; 3]> {
 }
 
 fn triangle(corners: [DVec3; 3]) -> Shape {
-    Shape::Triangle(Triangle::new(corners.map(|corner| corner.to_array()), None))
+    Shape::Triangle(Box::new(Triangle::new(corners.map(|corner| corner.to_array()), None)))
 }
 
 fn sphere(center: DVec3, radius: f64) -> Shape {
@@ -70,10 +70,10 @@ fn everything(random: &mut Random) -> Vec<Shape> {
         let end = at + random.unit() * size;
         match random.below(8) {
             0 => Shape::Cuboid(Cuboid::new(at, at + DVec3::splat(size))),
-            1 => Shape::Disk(Disk::new(at, random.unit(), size)),
-            2 => Shape::Ellipsoid(Ellipsoid::new(at, DVec3::new(size, size * 0.5, size * 2.0), None)),
-            3 => Shape::Cylinder(Cylinder::new(at, end, size * 0.3, true, false)),
-            4 => Shape::Cone(Cone::new((at, size * 0.5), (end, 0.0), true, false)),
+            1 => Shape::Disk(Box::new(Disk::new(at, random.unit(), size))),
+            2 => Shape::Ellipsoid(Box::new(Ellipsoid::new(at, DVec3::new(size, size * 0.5, size * 2.0), None))),
+            3 => Shape::Cylinder(Box::new(Cylinder::new(at, end, size * 0.3, true, false))),
+            4 => Shape::Cone(Box::new(Cone::new((at, size * 0.5), (end, 0.0), true, false))),
             5 => Shape::Sphere(Sphere::new(at, size, false, SphereMethod::Geometric)),
             6 => sphere(at, size),
             _ => triangle([at, end, at + random.point() * size]),

@@ -129,7 +129,7 @@ pub fn ellipsoid() -> impl Strategy<Value = Solid> {
             let rotation = [0, 1, 2].map(|i| [axes[0][i], axes[1][i], axes[2][i]]);
             let size = radii[0].max(radii[1]).max(radii[2]);
             let center = place * size;
-            let shape = Shape::Ellipsoid(Ellipsoid::new(center, radii.into(), Some(rotation)));
+            let shape = Shape::Ellipsoid(Box::new(Ellipsoid::new(center, radii.into(), Some(rotation))));
             Solid { shape, scale: center.length() + size, center, size, form: Form::Ellipsoid { axes, radii } }
         })
 }
@@ -148,9 +148,9 @@ pub fn round() -> impl Strategy<Value = Solid> {
             let base = place * size;
             let ends = [base, base + axis * length];
             let shape = if radii[0] == radii[1] && !as_cone {
-                Shape::Cylinder(Cylinder::new(ends[0], ends[1], radii[0], caps, false))
+                Shape::Cylinder(Box::new(Cylinder::new(ends[0], ends[1], radii[0], caps, false)))
             } else {
-                Shape::Cone(Cone::new((ends[0], radii[0]), (ends[1], radii[1]), caps, false))
+                Shape::Cone(Box::new(Cone::new((ends[0], radii[0]), (ends[1], radii[1]), caps, false)))
             };
             let center = (ends[0] + ends[1]) * 0.5;
             Solid { shape, scale: center.length() + 2.0 * size, center, size, form: Form::Round { ends, radii, caps } }

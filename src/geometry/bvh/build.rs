@@ -85,15 +85,14 @@ impl Bvh {
                 Form::Sphere { .. } => Kind::Sphere,
                 Form::Within(_) => Kind::Other,
             };
-            Rough { min: around.min, thing: *thing, max: around.max, kind }
+            Rough::new(*thing, kind, &around)
         };
         let mut roughs: Vec<Rough> = things.par_iter().with_min_len(CHUNK).map(rough).collect();
         let mut growth = Growth::default();
         let whole = Part::of(&roughs, 0..roughs.len());
         self.root = Some(growth.grow(&mut roughs, 0, &whole, 0));
         self.nodes = growth.nodes;
-        let things_of =
-            |leaf: &Leaf| roughs[leaf.start as usize..][..leaf.count as usize].iter().map(|rough| rough.thing);
+        let things_of = |leaf: &Leaf| roughs[leaf.start as usize..][..leaf.count as usize].iter().map(Rough::thing);
         let triangles = growth.triangles.par_iter().with_min_len(CHUNK / 8);
         let corners = |thing| if let Form::Triangle(corners) = form(thing) { Some((thing, corners)) } else { None };
         self.triangles =
@@ -129,7 +128,7 @@ impl Growth {
         parts.push(part.clone());
         while !parts.is_full() {
             let size = |part: &Part| if level < HALVING { part.half_area() } else { part.len() as f32 };
-            let open = (0..parts.len()).filter(|at| !parts[*at].is_leaf(things));
+            let open = (0..parts.len()).filter(|at| !parts[*at].is_leaf());
             let Some(at) = open.max_by(|a, b| size(&parts[*a]).total_cmp(&size(&parts[*b]))) else { break };
             let [one, other] = parts[at].split(things, level >= HALVING);
             parts[at] = one;
@@ -174,15 +173,15 @@ impl Growth {
 
     /// The leaf that holds these things, if one can.
     fn leaf(&mut self, things: &[Rough], before: usize, part: &Part) -> Option<Child> {
-        if !part.is_leaf(things) {
+        if !part.is_leaf() {
             return None;
         }
         let range = part.range();
         let leaf = Leaf { start: (before + range.start) as u32, count: range.len() as u32 };
-        let content = match things[range.start].kind {
+        let content = match things[range.start].kind() {
             Kind::Triangle => Content::Triangles(put(&mut self.triangles, leaf)),
             Kind::Sphere => Content::Spheres(put(&mut self.spheres, leaf)),
-            Kind::Other => Content::Thing(things[range.start].thing),
+            Kind::Other => Content::Thing(things[range.start].thing()),
         };
         Some(Child::new(content))
     }

@@ -51,7 +51,8 @@ use kernel::{at_an_end, decide, touched};
 use std::sync::Arc;
 
 /// A surface that rays meet.
-// With a tag of its own, which is quicker to tell than one hidden in the variants.
+// With a tag of its own, which is quicker to tell than one hidden in the variants. Shapes larger than a sphere lie elsewhere, so that a million
+// spheres don't take the room of a million triangles.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(u8)]
 pub enum Shape {
@@ -60,19 +61,19 @@ pub enum Shape {
     /// A sphere.
     Sphere(Sphere),
     /// An ellipsoid.
-    Ellipsoid(Ellipsoid),
+    Ellipsoid(Box<Ellipsoid>),
     /// A triangle.
-    Triangle(Triangle),
+    Triangle(Box<Triangle>),
     /// A flat polygon.
-    Polygon(Polygon),
+    Polygon(Box<Polygon>),
     /// A box along the axes.
     Cuboid(Cuboid),
     /// A cylinder, open or with caps.
-    Cylinder(Cylinder),
+    Cylinder(Box<Cylinder>),
     /// A cone or frustum, open or with caps.
-    Cone(Cone),
+    Cone(Box<Cone>),
     /// A flat disk.
-    Disk(Disk),
+    Disk(Box<Disk>),
     /// A mesh of triangles, which has a test for each. Several objects may share it.
     Mesh(Arc<TriangleMesh>),
     /// One of these that moves.

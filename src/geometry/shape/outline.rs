@@ -146,22 +146,26 @@ mod tests {
             near((point - center).length(), 2.0)
         });
         let radii = DVec3::new(1.0, 2.0, 3.0);
-        lies_on(&Shape::Ellipsoid(Ellipsoid::new(center, radii, None)), |point| {
+        lies_on(&Shape::Ellipsoid(Box::new(Ellipsoid::new(center, radii, None))), |point| {
             near(((point - center) / radii).length(), 1.0)
         });
         lies_on(&Shape::Plane(Plane::new([1.0, 2.0, 2.0, -3.0])), |point| {
             near(point.dot(DVec3::new(1.0, 2.0, 2.0)), 3.0) && point.abs().max_element() <= 5.0 + 1e-12
         });
         let round = |point: DVec3, radius: f64| near(((point - center) * (DVec3::ONE - up)).length(), radius);
-        lies_on(&Shape::Cylinder(Cylinder::new(center, center + up, 0.5, true, false)), |point| round(point, 0.5));
-        lies_on(&Shape::Cone(Cone::new((center, 0.5), (center + up, 0.0), true, false)), |point| {
+        lies_on(&Shape::Cylinder(Box::new(Cylinder::new(center, center + up, 0.5, true, false))), |point| {
+            round(point, 0.5)
+        });
+        lies_on(&Shape::Cone(Box::new(Cone::new((center, 0.5), (center + up, 0.0), true, false))), |point| {
             round(point, 0.5 * (1.0 - (point - center).y))
         });
-        lies_on(&Shape::Disk(Disk::new(center, up, 3.0)), |point| round(point, 3.0) && near(point.y, center.y));
+        lies_on(&Shape::Disk(Box::new(Disk::new(center, up, 3.0))), |point| {
+            round(point, 3.0) && near(point.y, center.y)
+        });
         let corners = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
         let is_corner = |point: DVec3| corners.contains(&point.to_array());
-        lies_on(&Shape::Triangle(Triangle::new(corners, None)), is_corner);
-        lies_on(&Shape::Polygon(Polygon::new(&corners, None)), is_corner);
+        lies_on(&Shape::Triangle(Box::new(Triangle::new(corners, None))), is_corner);
+        lies_on(&Shape::Polygon(Box::new(Polygon::new(&corners, None))), is_corner);
         let cuboid = Shape::Cuboid(Cuboid::new(DVec3::ZERO, DVec3::ONE));
         lies_on(&cuboid, |point| point.abs().max_element() <= 1.0);
         assert_eq!(cuboid.outline(&Bounds::EMPTY).len(), 12);

@@ -3,12 +3,13 @@
 use crate::geometry::shape::{Sphere, SphereMethod};
 use crate::random::{hash, unit};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// Spheres in the unit cube whose volumes are an eighth of it together, whatever their number: places and radii (from half to one and a
 /// half times the mean) are hashes of their numbers, so that every machine has the same. They may overlap.
-pub fn random_spheres(count: u32) -> impl Iterator<Item = Sphere> {
+pub fn random_spheres(count: u32) -> impl IndexedParallelIterator<Item = Sphere> {
     let mean = libm::cbrt(0.1 * 0.75 / std::f64::consts::PI / f64::from(count));
-    (0..count).map(move |number| {
+    (0..count).into_par_iter().map(move |number| {
         let [x, y, z, r] = [0, 1, 2, 3].map(|word| unit(hash(u64::from(count), u64::from(number) * 4 + word)));
         Sphere::new(DVec3::new(x, y, z), mean * (0.5 + r), false, SphereMethod::Robust)
     })

@@ -11,6 +11,7 @@ use crate::scene::Scene;
 use crate::scene::file::raw::{Question, RawRay, RayFile};
 use crate::scene::generate::random_spheres;
 use glam::DVec3;
+use rayon::prelude::*;
 use serde::Serialize;
 use std::io;
 use std::sync::atomic::AtomicBool;

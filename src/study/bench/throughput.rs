@@ -9,6 +9,7 @@ use crate::scene::file::raw::{Primitives, Question, RawRay, RayFile};
 use crate::trace::query::{Query, RayHit};
 use arrayvec::ArrayVec;
 use glam::DVec3;
+use rayon::prelude::*;
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::io;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -86,7 +87,7 @@ pub fn build(name: &str, primitives: &Primitives, threads: usize) -> Result<(Sce
             pool.install(|| timed(|| Scene::of_shapes(name, [Shape::Mesh(Arc::new(TriangleMesh::new(mesh)))])))
         }
         Primitives::Spheres(spheres) => {
-            let shapes = spheres.iter().map(|sphere| {
+            let shapes = spheres.par_iter().map(|sphere| {
                 let center = DVec3::from_array(sphere.center.map(f64::from));
                 Shape::Sphere(Sphere::new(center, sphere.radius.into(), false, SphereMethod::Robust))
             });

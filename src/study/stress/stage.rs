@@ -97,13 +97,13 @@ pub(super) fn shape(way: &Way, thing: &Thing) -> Result<Shape, String> {
     Ok(match thing {
         Thing::Sphere { c, r } => sphere(way, *c, *r),
         Thing::Plane { abcd } => Shape::Plane(Plane::new(*abcd)),
-        Thing::Triangle { v0, v1, v2 } => Shape::Triangle(Triangle::new([*v0, *v1, *v2], None)),
+        Thing::Triangle { v0, v1, v2 } => Shape::Triangle(Box::new(Triangle::new([*v0, *v1, *v2], None))),
         Thing::Mesh(data) => Shape::Mesh(Arc::new(TriangleMesh::new(Arc::new(data.mesh()?)))),
         Thing::Ellipsoid { m } => {
             let column = |i: usize| DVec3::new(m[0][i], m[1][i], m[2][i]);
             let axes = [column(0), column(1), column(2)];
             let ellipsoid = Ellipsoid::with_axes(column(3), axes).ok_or("the axes of the ellipsoid lie in a plane")?;
-            Shape::Ellipsoid(ellipsoid)
+            Shape::Ellipsoid(Box::new(ellipsoid))
         }
     })
 }
