@@ -15,7 +15,7 @@ pub(crate) mod size;
 pub(crate) mod unit;
 
 pub use bounds::Bounds;
-pub use bvh::{Bvh, Form, Search};
+pub use bvh::{Bvh, Form, Search, Shaft};
 pub use line::{Line, RaySource};
 pub use mesh::Mesh;
 pub use nearest::{Contenders, Hit};

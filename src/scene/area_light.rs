@@ -2,6 +2,7 @@
 
 use super::profile::CosineProfile;
 use super::solid_angle::{self, Seen};
+use crate::geometry::Bounds;
 use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::warp;
@@ -168,6 +169,16 @@ impl AreaLight {
                 probe.note(Name::LightPositionOnSphere, center + outward * radius)
             }
         }
+    }
+
+    /// A box that holds the light, but for roundings of its coordinates.
+    pub fn bounds(&self) -> Bounds {
+        let (center, half) = match self.surface {
+            LightSurface::Rectangle { center, edges: [u, v] } => (center, u.abs() + v.abs()),
+            LightSurface::Disk { center, edges: [u, v] } => (center, (u * u + v * v).map(f64::sqrt)),
+            LightSurface::Sphere { center, radius } => (center, DVec3::splat(radius)),
+        };
+        Bounds { min: center - half, max: center + half }
     }
 
     /// Centre and radius of a ball that holds the light.

@@ -2,7 +2,7 @@
 
 use super::Object;
 use crate::geometry::bvh::{Bvh, Form, Search};
-use crate::geometry::{Bounds, RaySource, Shape};
+use crate::geometry::{Bounds, Leaving, RaySource, Shaft, Shape};
 use crate::probe::Probe;
 use arrayvec::ArrayVec;
 use glam::DVec3;
@@ -109,6 +109,30 @@ impl Index {
         let reaches =
             |(object, extent): (u32, &Extent)| extent.reaches(point, ball, object == leaving).then_some(object);
         Some((0..).zip(&self.extents).filter_map(reaches).collect())
+    }
+
+    /// The objects that a ray along a segment of the shaft can cross; `None` where these are too many, or would take too long to find.
+    /// `leaving` is the surface that all these rays leave, and the side on which they set off; `among` the objects that may be crossed, where
+    /// others are excluded already.
+    #[inline(never)]
+    pub fn in_shaft(
+        &self,
+        objects: &[Object],
+        shaft: &Shaft,
+        leaving: Leaving,
+        among: Option<&[u32]>,
+    ) -> Option<ArrayVec<u32, MOST_BETWEEN>> {
+        let mut found = ArrayVec::new();
+        let mut look_at = |object: u32| {
+            let leaving = Some(leaving).filter(|leaving| leaving.object == object);
+            let can_be_crossed = objects[object as usize].shape.can_be_crossed_in(shaft, leaving);
+            !can_be_crossed || found.try_push(object).is_ok()
+        };
+        let is_all = match among {
+            Some(among) => among.iter().all(|object| look_at(*object)),
+            None => self.tree.between(shaft, look_at),
+        };
+        is_all.then_some(found)
     }
 
     /// Whether a half line, its direction of any length, certainly meets no object.

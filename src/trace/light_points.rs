@@ -3,11 +3,13 @@
 
 use super::Meeting;
 use super::shade::{Source, from_light};
+use crate::geometry::Shaft;
 use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::Dimension;
 use crate::scene::square::place_in_square;
 use crate::scene::{AreaLight, Arrival, Color, Light, Scene};
+use arrayvec::ArrayVec;
 use glam::DVec3;
 
 /// The sum with what an area light adds: its points are so many lights, one in each stratum of its surface, that share its intensity.
@@ -25,15 +27,16 @@ pub(super) fn add<P: Probe>(
     let splits = meeting.path.draws.splits(dimension, area.samples);
     let color = light.share();
     // What can't shadow any point of the light isn't asked for each. Whoever counts is told which searches that saves.
-    let among = if P::IS_HURRIED {
+    let mut among = if P::IS_HURRIED {
         scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object)
     } else {
         None
     };
+    let mut is_looked_for = P::IS_HURRIED && !among.as_ref().is_some_and(ArrayVec::is_empty);
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
         light.give(probe);
-        sum += probe.within(Step::Light { light: number, split }, |probe| {
+        let seen = probe.within(Step::Light { light: number, split }, |probe| {
             let square = place_in_square(splits.pick(part), probe);
             let (position, weight) = area.point(square, meeting.surface.point, probe);
             let color = weight.map_or(color, |weight| probe.note(Name::LightColorWeighted, color * weight));
@@ -41,6 +44,34 @@ pub(super) fn add<P: Probe>(
             let arrival = Arrival::of(position, meeting.surface.point, probe);
             from_light(scene, meeting, view, &source, arrival, probe)
         });
+        sum += seen;
+        // Where one point of the light is seen, often all are.
+        if is_looked_for && seen != Color::ZERO && area.samples - part > WORTH_A_SHAFT {
+            is_looked_for = false;
+            if let Some(found) = in_shaft(scene, meeting, area, among.as_deref()) {
+                among = Some(found);
+            }
+        }
     }
     sum
+}
+
+/// So many shadow rays cost as much as to look for all that can stand in their way.
+const WORTH_A_SHAFT: u32 = 3;
+
+/// The objects that can stand between the surface point and the light; `None` where these are many, or nobody knows on which side of the surface
+/// all of the light is.
+#[inline(never)]
+fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[u32]>) -> Option<ArrayVec<u32, 16>> {
+    let surface = &meeting.surface;
+    let shaft = Shaft::new(surface.point, area.bounds(), area.ball());
+    let normal = surface.geometric_normal();
+    let [least, most] = shaft.rise_along(normal);
+    let [shown_least, shown_most] = surface.beneath.map_or([least, most], |_| shaft.rise_along(surface.normal));
+    let (leaving, shaft) = match () {
+        _ if least > 0.0 && shown_least > 0.0 => (meeting.leaving_here(), shaft.rising(normal, least)),
+        _ if most < 0.0 && shown_most < 0.0 => (meeting.leaving_beyond(), shaft.rising(-normal, -most)),
+        _ => return None,
+    };
+    scene.index.in_shaft(&scene.objects, &shaft, leaving, among)
 }

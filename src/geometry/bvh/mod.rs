@@ -9,6 +9,7 @@ mod build;
 mod lanes;
 mod node;
 mod outliers;
+mod shaft;
 mod space;
 mod split;
 mod walk;
@@ -20,6 +21,7 @@ use block::{SphereBlock, TriangleBlock};
 use glam::DVec3;
 use lanes::{Instructions, Lanes, Plain};
 use node::{Child, Node};
+pub use shaft::Shaft;
 use space::Space;
 use walk::Walk;
 

@@ -6,6 +6,7 @@
 //! it meets the other triangle from there. If that wedge is the wider one, the ray begins on the far side of the other
 //! triangle's plane already, and so never meets it.
 
+use crate::geometry::bvh::Shaft;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Leaving, Ray, Side};
 use crate::geometry::shape::triangle::Facet;
@@ -47,20 +48,50 @@ impl LeftTriangle {
         Some(LeftTriangle { number, corners, sets_off })
     }
 
+    /// The same for all rays along the segments of a shaft, which set off on the side that `leaving` tells.
+    pub fn in_shaft(mesh: &Mesh, normals: &[DVec3], leaving: Leaving, shaft: &Shaft) -> Option<LeftTriangle> {
+        let along = shaft.light.center() - shaft.point;
+        let left = LeftTriangle::of(mesh, normals, leaving, &Ray::new(shaft.point, along))?;
+        // A ray with a slack sets off on the side that `leaving` tells, one without on that on which it runs.
+        let goes_to = match shaft.rise_along(normals[leaving.primitive as usize]) {
+            [least, _] if least > 0.0 => Some(Side::Front),
+            [_, most] if most < 0.0 => Some(Side::Back),
+            _ => None,
+        };
+        let sets_off = left.sets_off.filter(|side| *side == leaving.side && goes_to == Some(*side));
+        Some(LeftTriangle { sets_off, ..left })
+    }
+
+    /// Whether no ray along a segment of the shaft can meet a triangle: this one, or one at an edge of it.
+    pub fn bars_all(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, shaft: &Shaft) -> bool {
+        if triangle == self.number {
+            return true;
+        }
+        let Some(sets_off) = self.sets_off else { return false };
+        let Some((wedge, is_narrow)) = self.wedge(mesh, normals, triangle, sets_off) else { return false };
+        !is_narrow || shaft.rise_along(wedge)[0] > 0.0
+    }
+
     /// Whether the ray can't meet a triangle: this one, or one at an edge of it.
     pub fn bars(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, ray: &Ray) -> bool {
         if triangle == self.number {
             return true;
         }
         let Some(sets_off) = self.sets_off else { return false };
-        let corners = mesh.corners(triangle);
-        let Some(edge) = shared_edge(self.corners, corners) else { return false };
-        let normal = normals[triangle as usize];
-        // Along which way of the normal the wedge lies in which the ray runs, and its narrow side.
-        let wedge = if edge.fronts_agree == (sets_off == Side::Front) { normal } else { -normal };
-        let is_narrow = wedge.dot(edge.over_against - corners[0]) > 0.0;
+        let Some((wedge, is_narrow)) = self.wedge(mesh, normals, triangle, sets_off) else { return false };
         let arrives_from_it = wedge.dot(ray.direction) < 0.0;
         !(is_narrow && arrives_from_it)
+    }
+
+    /// Along which way of another triangle's normal the wedge lies in which a ray runs that sets off on this side, and whether it is the narrow
+    /// one. `None` if they have no edge in common.
+    #[inline(always)]
+    fn wedge(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, sets_off: Side) -> Option<(DVec3, bool)> {
+        let corners = mesh.corners(triangle);
+        let edge = shared_edge(self.corners, corners)?;
+        let normal = normals[triangle as usize];
+        let wedge = if edge.fronts_agree == (sets_off == Side::Front) { normal } else { -normal };
+        Some((wedge, wedge.dot(edge.over_against - corners[0]) > 0.0))
     }
 }
 
