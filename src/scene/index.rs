@@ -36,6 +36,9 @@ const WITHOUT_TREE: usize = 8;
 /// So many objects are looked at for a whole light.
 const MOST_BETWEEN: usize = 16;
 
+/// So many objects are tested in less time than the tree takes.
+const WORTH_TESTING: usize = 4;
+
 /// Far more than all roundings, as a part of the squares of the lengths that are compared.
 const MARGIN: f64 = 1e-6;
 
@@ -125,8 +128,11 @@ impl Index {
         let mut found = ArrayVec::new();
         let mut look_at = |object: u32| {
             let leaving = Some(leaving).filter(|leaving| leaving.object == object);
-            let can_be_crossed = objects[object as usize].shape.can_be_crossed_in(shaft, leaving);
-            !can_be_crossed || found.try_push(object).is_ok()
+            if !objects[object as usize].shape.can_be_crossed_in(shaft, leaving) {
+                return true;
+            }
+            let has_room = among.is_some() || found.len() < WORTH_TESTING;
+            has_room && found.try_push(object).is_ok()
         };
         let is_all = match among {
             Some(among) => among.iter().all(|object| look_at(*object)),
