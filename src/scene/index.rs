@@ -124,6 +124,7 @@ impl Index {
         shaft: &Shaft,
         leaving: Leaving,
         among: Option<&[u32]>,
+        most: usize,
     ) -> Option<ArrayVec<u32, MOST_BETWEEN>> {
         let mut found = ArrayVec::new();
         let mut look_at = |object: u32| {
@@ -131,7 +132,7 @@ impl Index {
             if !objects[object as usize].shape.can_be_crossed_in(shaft, leaving) {
                 return true;
             }
-            let has_room = among.is_some() || found.len() < WORTH_TESTING;
+            let has_room = among.is_some() || found.len() < most;
             has_room && found.try_push(object).is_ok()
         };
         let is_all = match among {

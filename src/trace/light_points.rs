@@ -48,7 +48,7 @@ pub(super) fn add<P: Probe>(
         // Where one point of the light is seen, often all are.
         if is_looked_for && seen != Color::ZERO && area.samples - part > WORTH_A_SHAFT {
             is_looked_for = false;
-            if let Some(found) = in_shaft(scene, meeting, area, among.as_deref()) {
+            if let Some(found) = in_shaft(scene, meeting, area, among.as_deref(), area.samples - part - 1) {
                 among = Some(found);
             }
         }
@@ -62,7 +62,13 @@ const WORTH_A_SHAFT: u32 = 3;
 /// The objects that can stand between the surface point and the light; `None` where these are many, or nobody knows on which side of the surface
 /// all of the light is.
 #[inline(never)]
-fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[u32]>) -> Option<ArrayVec<u32, 16>> {
+fn in_shaft(
+    scene: &Scene,
+    meeting: &Meeting,
+    area: &AreaLight,
+    among: Option<&[u32]>,
+    rays: u32,
+) -> Option<ArrayVec<u32, 16>> {
     let surface = &meeting.surface;
     let shaft = Shaft::new(surface.point, area.bounds(), area.ball());
     let normal = surface.geometric_normal();
@@ -73,5 +79,5 @@ fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[
         _ if most < 0.0 && shown_most < 0.0 => (meeting.leaving_beyond(), shaft.rising(-normal, -most)),
         _ => return None,
     };
-    scene.index.in_shaft(&scene.objects, &shaft, leaving, among)
+    scene.index.in_shaft(&scene.objects, &shaft, leaving, among, (rays as usize).min(8))
 }

@@ -61,7 +61,8 @@ impl Bvh {
             return false;
         }
         let Some(root) = self.root else { return true };
-        let Some(local) = LocalShaft::new(&self.space, shaft) else { return false };
+        let Some(errors) = Errors::of(&self.space, shaft) else { return false };
+        let local = LocalShaft::new(&self.space, shaft, errors);
         match self.instructions {
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2(avx2) => avx2.run(
@@ -142,13 +143,19 @@ const NEAREST: f32 = 1.0 / 64.0;
 /// The least component of a way.
 const LEAST: f32 = 1e-18;
 
-/// Bounds of the part of the way at which the shaft meets a box, by axis: x·inverse − shift for a coordinate x of the box, x·inverse − beside
+/// A bound of the part of the way at which the shaft meets a box, by axis: x·inverse − shift for a coordinate x of the box, x·inverse − beside
 /// for one that is counted from P on.
 #[derive(Clone, Copy)]
-struct Limits {
+struct Limit {
     inverse: [f32; 4],
     shift: [f32; 4],
     beside: [f32; 4],
+}
+
+/// The bounds for a side of boxes, of which one is none: no part of the way before `near` meets the box, nor one beyond `far`.
+struct Limits {
+    near: Limit,
+    far: Limit,
 }
 
 /// A shaft in the tree's space. What it holds at the part s of the way, from 0 to 1, lies in the box from P + s·l to P + s·h.
@@ -157,14 +164,10 @@ struct LocalShaft {
     from: [f32; 3],
     /// How far something that is met may lie beside the shaft, with all roundings.
     margin: f32,
-    /// Which side of a box the shaft meets first, by axis: 0 the lesser coordinate.
-    first: [usize; 3],
-    /// Of that side.
-    near: Limits,
-    /// Of the other side, where the shaft widens both ways; else they are none.
-    also_near: Limits,
-    /// Of the other side, where it doesn't.
-    far: Limits,
+    /// Of the sides with lesser coordinates.
+    lesser: Limits,
+    /// Of the sides with greater coordinates.
+    greater: Limits,
     /// The vector along which the shaft rises, divided by the least rise; 0 where it rises along none.
     rise: [f32; 3],
     /// Its length.
@@ -188,19 +191,32 @@ struct LocalShaft {
     size: f32,
 }
 
-impl LocalShaft {
+/// How far rounding moves something that is met: in f64, and with single precision.
+struct Errors {
+    off: f64,
+    margin: f64,
+}
+
+impl Errors {
     /// `None` where the point or the light is so far away that all may meet anything.
     #[inline(always)]
-    fn new(space: &Space, shaft: &Shaft) -> Option<LocalShaft> {
+    fn of(space: &Space, shaft: &Shaft) -> Option<Errors> {
+        let scale = space.length(1.0);
+        let from = space.point(shaft.point).abs();
+        let way =
+            (shaft.light.min - shaft.point).abs().max((shaft.light.max - shaft.point).abs()).element_sum() * scale;
+        let off = ROUNDINGS * (from.element_sum() + way + shaft.point.abs().element_sum() * scale + 8.0);
+        let margin = OF_PLACE * (1.0 + from.max_element()) + 2.0 * off;
+        (margin < WIDEST && way < LONGEST).then_some(Errors { off, margin })
+    }
+}
+
+impl LocalShaft {
+    #[inline(always)]
+    fn new(space: &Space, shaft: &Shaft, Errors { off, margin }: Errors) -> LocalShaft {
         let scale = space.length(1.0);
         let from = space.point(shaft.point);
         let [low, high] = [shaft.light.min, shaft.light.max].map(|end| (end - shaft.point) * scale);
-        let way = low.abs().max(high.abs()).element_sum();
-        let off = ROUNDINGS * (from.abs().element_sum() + way + shaft.point.abs().element_sum() * scale + 8.0);
-        let margin = OF_PLACE * (1.0 + from.abs().max_element()) + 2.0 * off;
-        if !(margin < WIDEST && way < LONGEST) {
-            return None;
-        }
         let (center, radius) = shaft.ball;
         let (along, per_rise) = match shaft.rise {
             Some((along, least)) if least * scale > 1e-12 => (along, 1.0 / (least * scale)),
@@ -222,15 +238,12 @@ impl LocalShaft {
         let (of_ball, of_radius) = (ball.dot(ball), radius * radius);
         let square = of_ball - of_radius;
         let is_apart = square > of_ball * NEAREST;
-        let up = high.extend(1.0).cmpgt(Vec4::ZERO);
-        let [near, also_near, far] = limits(from, margin, low, high);
-        Some(LocalShaft {
+        let [lesser, greater] = limits(from, margin, low, high);
+        LocalShaft {
             from: from.to_array(),
             margin,
-            first: [0, 1, 2].map(|axis| usize::from(!up.test(axis))),
-            near,
-            also_near,
-            far,
+            lesser,
+            greater,
             rise: rise.to_array(),
             per_rise,
             foot: rise.dot(from) - over,
@@ -243,35 +256,34 @@ impl LocalShaft {
             square,
             per_square: if is_apart { 1.0 / square } else { 0.0 },
             size: if is_apart { of_ball + of_radius } else { f32::INFINITY },
-        })
+        }
     }
 }
 
-/// The limits of the side of boxes that the shaft meets first, and of the other where it is met first, too, and where it isn't. The lesser side
-/// x bounds by s·h ≥ x − P − m, the greater one by s·l ≤ x − P + m.
+/// The limits of the sides of boxes with lesser and with greater coordinates. A side x bounds the part s of the way by s·h ≥ x − P − m where it
+/// is the lesser one, by s·l ≤ x − P + m where it is the greater one.
 #[inline(always)]
-fn limits(from: Vec3, margin: f32, low: Vec3, high: Vec3) -> [Limits; 3] {
+fn limits(from: Vec3, margin: f32, low: Vec3, high: Vec3) -> [Limits; 2] {
     let (low, high, from, margin) = (low.extend(-1.0), high.extend(1.0), from.extend(0.0), Vec4::splat(margin));
     // Outward, so that none is 0.
     let least = Vec4::splat(LEAST);
     let low = Vec4::select(low.abs().cmplt(least), -least, low);
     let high = Vec4::select(high.abs().cmplt(least), least, high);
-    let (by_low, by_high) = (Vec4::ONE / low, Vec4::ONE / high);
-    let lesser = [by_high, (from + margin) * by_high, margin * by_high];
-    let greater = [by_low, (from - margin) * by_low, -margin * by_low];
-    let up = high.cmpgt(Vec4::ZERO);
-    let widens = up & low.cmplt(Vec4::ZERO);
-    let none = |shift: f32| [Vec4::ZERO, Vec4::splat(shift), Vec4::splat(shift)];
-    let either = |mask: BVec4A, a: [Vec4; 3], b: [Vec4; 3]| -> [Vec4; 3] {
-        std::array::from_fn(|k| Vec4::select(mask, a[k], b[k]))
+    let limit = |is_one: BVec4A, way: Vec4, margin: Vec4, none: f32| {
+        let inverse = Vec4::ONE / way;
+        let or_none = |x: Vec4, none: f32| Vec4::select(is_one, x, Vec4::splat(none)).to_array();
+        Limit {
+            inverse: or_none(inverse, 0.0),
+            shift: or_none((from + margin) * inverse, none),
+            beside: or_none(margin * inverse, none),
+        }
     };
-    let near = either(up, lesser, greater);
-    let also_near = either(widens, greater, none(f32::INFINITY));
-    let far = either(widens, none(f32::NEG_INFINITY), either(up, greater, lesser));
-    [near, also_near, far].map(|of| {
-        let [inverse, shift, beside] = of.map(|vector| vector.to_array());
-        Limits { inverse, shift, beside }
-    })
+    let (never_near, never_far) = (f32::INFINITY, f32::NEG_INFINITY);
+    let (is_up, is_down) = (high.cmpgt(Vec4::ZERO), low.cmplt(Vec4::ZERO));
+    [
+        Limits { near: limit(is_up, high, margin, never_near), far: limit(!is_up, high, margin, never_far) },
+        Limits { near: limit(is_down, low, -margin, never_near), far: limit(!is_down, low, -margin, never_far) },
+    ]
 }
 
 /// A shaft, for eight things at once.
@@ -281,47 +293,65 @@ struct LaneShaft<'a, L> {
 }
 
 impl<L: Lanes> LaneShaft<'_, L> {
-    /// The parts of the way, from the first that may lie in a box to the last.
+    /// The parts of the way, from the first that may lie in boxes to the last; `shift` picks what the limits subtract.
     #[inline(always)]
     fn within(
         &self,
-        side: impl Fn(usize, usize) -> L::Eight,
-        shift: impl Fn(&Limits) -> [f32; 4],
+        least: [L::Eight; 3],
+        greatest: [L::Eight; 3],
+        shift: impl Fn(&Limit) -> &[f32; 4] + Copy,
     ) -> [L::Eight; 2] {
-        let (lanes, local) = (self.lanes, self.local);
-        let (mut near, mut far) = (lanes.splat(0.0), lanes.splat(1.0));
-        for axis in 0..3 {
-            let at = |limits: &Limits, x| {
-                lanes.times_minus(x, lanes.splat(limits.inverse[axis]), lanes.splat(shift(limits)[axis]))
-            };
-            let (first, second) = (side(axis, local.first[axis]), side(axis, local.first[axis] ^ 1));
-            // What isn't a number is passed over.
-            near = lanes.max(at(&local.near, first), near);
-            near = lanes.max(at(&local.also_near, second), near);
-            far = lanes.min(at(&local.far, second), far);
-        }
+        let lanes = self.lanes;
+        let [near_x, far_x] = self.within_slab(0, least[0], greatest[0], shift);
+        let [near_y, far_y] = self.within_slab(1, least[1], greatest[1], shift);
+        let [near_z, far_z] = self.within_slab(2, least[2], greatest[2], shift);
+        let near = lanes.max(lanes.max(near_x, near_y), lanes.max(near_z, lanes.splat(0.0)));
+        let far = lanes.min(lanes.min(far_x, far_y), lanes.min(far_z, lanes.splat(1.0)));
         [near, far]
+    }
+
+    /// The same for an axis.
+    #[inline(always)]
+    fn within_slab(
+        &self,
+        axis: usize,
+        least: L::Eight,
+        greatest: L::Eight,
+        shift: impl Fn(&Limit) -> &[f32; 4],
+    ) -> [L::Eight; 2] {
+        let LaneShaft { lanes, local: LocalShaft { lesser, greater, .. } } = self;
+        let at =
+            |x, limit: &Limit| lanes.times_minus(x, lanes.splat(limit.inverse[axis]), lanes.splat(shift(limit)[axis]));
+        [
+            lanes.max(at(least, &lesser.near), at(greatest, &greater.near)),
+            lanes.min(at(least, &lesser.far), at(greatest, &greater.far)),
+        ]
     }
 
     #[inline(always)]
     fn splat(&self, numbers: [f32; 3]) -> [L::Eight; 3] {
-        numbers.map(|x| self.lanes.splat(x))
+        let [x, y, z] = numbers;
+        [self.lanes.splat(x), self.lanes.splat(y), self.lanes.splat(z)]
     }
 
     /// Vectors from P to these points.
     #[inline(always)]
     fn seen(&self, points: &[Eight; 3]) -> [L::Eight; 3] {
         let lanes = self.lanes;
-        std::array::from_fn(|axis| lanes.sub(lanes.load(&points[axis]), lanes.splat(self.local.from[axis])))
+        let seen = |axis: usize| lanes.sub(lanes.load(&points[axis]), lanes.splat(self.local.from[axis]));
+        [seen(0), seen(1), seen(2)]
     }
 
     /// A bit for each box that may meet a segment.
     #[inline(always)]
     fn nodes(&self, node: &Node) -> u32 {
         let (lanes, local) = (self.lanes, self.local);
-        let side = |axis: usize, side: usize| lanes.load(&node.planes[axis][side & 1]);
-        let [near, far] = self.within(side, |limits| limits.shift);
-        let top: [_; 3] = std::array::from_fn(|axis| side(axis, usize::from(local.rise[axis] > 0.0)));
+        let [[x_0, x_1], [y_0, y_1], [z_0, z_1]] = &node.planes;
+        let least = [lanes.load(x_0), lanes.load(y_0), lanes.load(z_0)];
+        let greatest = [lanes.load(x_1), lanes.load(y_1), lanes.load(z_1)];
+        let [near, far] = self.within(least, greatest, |limit| &limit.shift);
+        let top = |axis: usize| lanes.load(&node.planes[axis][usize::from(local.rise[axis] > 0.0)]);
+        let top = [top(0), top(1), top(2)];
         let height = lanes.sub(lanes.dot(top, self.splat(local.rise)), lanes.splat(local.foot));
         lanes.at_least(lanes.min(height, far), near)
     }
@@ -333,13 +363,10 @@ impl<L: Lanes> LaneShaft<'_, L> {
         let load = |eights: &[Eight; 3]| [lanes.load(&eights[0]), lanes.load(&eights[1]), lanes.load(&eights[2])];
         let (a, to_b, to_c) = (self.seen(&block.corner), load(&block.to_b), load(&block.to_c));
         let zero = lanes.splat(0.0);
-        let side = |axis: usize, side: usize| {
-            let (b, c) = (to_b[axis], to_c[axis]);
-            let least = lanes.min(lanes.min(b, c), zero);
-            let greatest = lanes.max(lanes.max(b, c), zero);
-            lanes.add(a[axis], if side == 0 { least } else { greatest })
-        };
-        let [near, far] = self.within(side, |limits| limits.beside);
+        let least = |axis: usize| lanes.add(a[axis], lanes.min(lanes.min(to_b[axis], to_c[axis]), zero));
+        let greatest = |axis: usize| lanes.add(a[axis], lanes.max(lanes.max(to_b[axis], to_c[axis]), zero));
+        let (least, greatest) = ([least(0), least(1), least(2)], [greatest(0), greatest(1), greatest(2)]);
+        let [near, far] = self.within(least, greatest, |limit| &limit.beside);
         let rise = self.splat(local.rise);
         let (height_b, height_c) = (lanes.dot(to_b, rise), lanes.dot(to_c, rise));
         let highest = lanes.max(lanes.max(height_b, height_c), zero);
@@ -354,7 +381,8 @@ impl<L: Lanes> LaneShaft<'_, L> {
         let normal = lanes.cross(to_b, to_c);
         let distance = lanes.dot(normal, a);
         let along = lanes.negated_as(lanes.dot(normal, self.splat(local.middle)), distance);
-        let off = lanes.dot(normal.map(size), self.splat(local.half));
+        let [x, y, z] = normal;
+        let off = lanes.dot([size(x), size(y), size(z)], self.splat(local.half));
         let square = lanes.splat(block.longest * block.longest);
         let off = lanes.times_plus(square, lanes.splat(16.0 * U * local.way), off);
         let margin = lanes.mul(square, lanes.splat(local.margin));
@@ -371,10 +399,10 @@ impl<L: Lanes> LaneShaft<'_, L> {
     fn spheres(&self, block: &SphereBlock) -> u32 {
         let (lanes, local) = (self.lanes, self.local);
         let (center, radius) = (self.seen(&block.center), lanes.load(&block.radius));
-        let side = |axis: usize, side: usize| {
-            if side == 0 { lanes.sub(center[axis], radius) } else { lanes.add(center[axis], radius) }
-        };
-        let [near, far] = self.within(side, |limits| limits.beside);
+        let [x, y, z] = center;
+        let least = [lanes.sub(x, radius), lanes.sub(y, radius), lanes.sub(z, radius)];
+        let greatest = [lanes.add(x, radius), lanes.add(y, radius), lanes.add(z, radius)];
+        let [near, far] = self.within(least, greatest, |limit| &limit.beside);
         let height = lanes.dot(center, self.splat(local.rise));
         let height = lanes.times_plus(radius, lanes.splat(local.per_rise), lanes.add(height, lanes.splat(local.over)));
         let far = lanes.min(height, far);
@@ -390,7 +418,8 @@ impl<L: Lanes> LaneShaft<'_, L> {
         let rest = lanes.times_minus(at, lanes.splat(local.square), lanes.add(linear, linear));
         let apart = lanes.times_plus(at, rest, lanes.sub(of_center, of_radius));
         let size = lanes.add(lanes.add(of_center, of_radius), lanes.splat(local.size));
-        let by_margin = lanes.mul(lanes.add(radius, lanes.splat(local.radius + local.margin)), lanes.splat(4.0 * local.margin));
+        let by_margin =
+            lanes.mul(lanes.add(radius, lanes.splat(local.radius + local.margin)), lanes.splat(4.0 * local.margin));
         let margin = lanes.times_plus(size, lanes.splat(32.0 * U), by_margin);
         bits & lanes.at_least(margin, apart)
     }

@@ -99,9 +99,8 @@ impl TriangleMesh {
     /// the side on which they set off.
     pub fn can_be_crossed_in(&self, shaft: &Shaft, leaving: Option<Leaving>) -> bool {
         let left = leaving.and_then(|leaving| LeftTriangle::in_shaft(&self.mesh, &self.normals, leaving, shaft));
-        let bars = |triangle| {
-            left.as_ref().is_some_and(|left| left.bars_all(&self.mesh, &self.normals, triangle, shaft))
-        };
+        let bars =
+            |triangle| left.as_ref().is_some_and(|left| left.bars_all(&self.mesh, &self.normals, triangle, shaft));
         !self.tree.between(shaft, bars)
     }
 
