@@ -30,6 +30,9 @@ enum Extent {
     Endless,
 }
 
+/// The objects that can stand between a point and a light.
+pub type Between = ArrayVec<u32, MOST_BETWEEN>;
+
 /// Up to so many bounded objects boxes cost more than they save.
 const WITHOUT_TREE: usize = 8;
 
@@ -37,7 +40,7 @@ const WITHOUT_TREE: usize = 8;
 const MOST_BETWEEN: usize = 16;
 
 /// So many objects are tested in less time than the tree takes.
-const WORTH_TESTING: usize = 4;
+const WORTH_TESTING: usize = 8;
 
 /// Far more than all roundings, as a part of the squares of the lengths that are compared.
 const MARGIN: f64 = 1e-6;
@@ -105,7 +108,7 @@ impl Index {
     /// The objects that can stand between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known
     /// but by asking the tree for each ray.
     #[inline]
-    pub fn between(&self, point: DVec3, ball: (DVec3, f64), leaving: u32) -> Option<ArrayVec<u32, MOST_BETWEEN>> {
+    pub fn between(&self, point: DVec3, ball: (DVec3, f64), leaving: u32) -> Option<Between> {
         if self.extents.is_empty() {
             return None;
         }
@@ -124,15 +127,14 @@ impl Index {
         shaft: &Shaft,
         leaving: Leaving,
         among: Option<&[u32]>,
-        most: usize,
-    ) -> Option<ArrayVec<u32, MOST_BETWEEN>> {
-        let mut found = ArrayVec::new();
+    ) -> Option<Between> {
+        let mut found = Between::new();
         let mut look_at = |object: u32| {
             let leaving = Some(leaving).filter(|leaving| leaving.object == object);
             if !objects[object as usize].shape.can_be_crossed_in(shaft, leaving) {
                 return true;
             }
-            let has_room = among.is_some() || found.len() < most;
+            let has_room = among.is_some() || found.len() < WORTH_TESTING;
             has_room && found.try_push(object).is_ok()
         };
         let is_all = match among {

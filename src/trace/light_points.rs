@@ -8,8 +8,7 @@ use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::Dimension;
 use crate::scene::square::place_in_square;
-use crate::scene::{AreaLight, Arrival, Color, Light, Scene};
-use arrayvec::ArrayVec;
+use crate::scene::{AreaLight, Arrival, Between, Color, Light, Scene};
 use glam::DVec3;
 
 /// The sum with what an area light adds: its points are so many lights, one in each stratum of its surface, that share its intensity.
@@ -32,7 +31,7 @@ pub(super) fn add<P: Probe>(
     } else {
         None
     };
-    let mut is_looked_for = P::IS_HURRIED && !among.as_ref().is_some_and(ArrayVec::is_empty);
+    let mut is_asked = !P::IS_HURRIED || !pays(scene, meeting, area.samples, among.as_deref());
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
         light.give(probe);
@@ -45,30 +44,39 @@ pub(super) fn add<P: Probe>(
             from_light(scene, meeting, view, &source, arrival, probe)
         });
         sum += seen;
-        // Where one point of the light is seen, often all are.
-        if is_looked_for && seen != Color::ZERO && area.samples - part > WORTH_A_SHAFT {
-            is_looked_for = false;
-            if let Some(found) = in_shaft(scene, meeting, area, among.as_deref(), area.samples - part - 1) {
-                among = Some(found);
-            }
+        // Where the first point that is lit is, others often are, too; where none is, there is nothing to gain.
+        if !is_asked && seen != Color::ZERO {
+            is_asked = true;
+            among = in_shaft(scene, meeting, area, among.as_deref()).or(among);
         }
     }
     sum
 }
 
-/// So many shadow rays cost as much as to look for all that can stand in their way.
-const WORTH_A_SHAFT: u32 = 3;
+/// From so many points of a light on it pays to look for all that can stand before them, in a scene with a tree over its objects.
+const WITH_TREE: u32 = 8;
 
-/// The objects that can stand between the surface point and the light; `None` where these are many, or nobody knows on which side of the surface
-/// all of the light is.
+/// The same where the objects are few.
+const WITHOUT_TREE: u32 = 4;
+
+/// Whether it pays to look closer at what can stand between the surface point and a light of so many points, of which `among` is known.
+#[inline(always)]
+fn pays(scene: &Scene, meeting: &Meeting, samples: u32, among: Option<&[u32]>) -> bool {
+    match among {
+        None => samples >= WITH_TREE,
+        Some(among) => {
+            let is_told = |object: &u32| {
+                *object == meeting.layer.object || scene.objects[*object as usize].shape.is_told_by_a_shaft()
+            };
+            samples >= WITHOUT_TREE && among.iter().any(is_told)
+        }
+    }
+}
+
+/// The objects that can stand between the surface point and the light; `None` where these are many, or where the light isn't all on one side of
+/// the surface.
 #[inline(never)]
-fn in_shaft(
-    scene: &Scene,
-    meeting: &Meeting,
-    area: &AreaLight,
-    among: Option<&[u32]>,
-    rays: u32,
-) -> Option<ArrayVec<u32, 16>> {
+fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[u32]>) -> Option<Between> {
     let surface = &meeting.surface;
     let shaft = Shaft::new(surface.point, area.bounds(), area.ball());
     let normal = surface.geometric_normal();
@@ -79,5 +87,5 @@ fn in_shaft(
         _ if most < 0.0 && shown_most < 0.0 => (meeting.leaving_beyond(), shaft.rising(-normal, -most)),
         _ => return None,
     };
-    scene.index.in_shaft(&scene.objects, &shaft, leaving, among, (rays as usize).min(8))
+    scene.index.in_shaft(&scene.objects, &shaft, leaving, among)
 }

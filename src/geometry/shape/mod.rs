@@ -172,6 +172,11 @@ impl Shape {
         }
     }
 
+    /// Whether [`Shape::can_be_crossed_in`] may tell more of it than a ball around it does.
+    pub fn is_told_by_a_shaft(&self) -> bool {
+        matches!(self, Shape::Mesh(_) | Shape::Plane(_))
+    }
+
     /// Whether a ray that sets off on this side of the surface can meet the same surface again.
     fn can_be_met_again(&self, side: Side) -> bool {
         kernel!(self.at_rest(), kernel => kernel.can_be_met_again(side), _mesh => true)
@@ -302,7 +307,6 @@ impl Shape {
     /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
     /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
     pub fn returning_side(&self) -> Side {
-        let can_return = kernel!(self.at_rest(), kernel => kernel.can_be_met_again(Side::Front), _mesh => false);
-        if can_return { Side::Front } else { Side::Back }
+        if !self.is_mesh() && self.can_be_met_again(Side::Front) { Side::Front } else { Side::Back }
     }
 }
