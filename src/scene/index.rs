@@ -178,7 +178,10 @@ fn bounds_of(objects: &[Object]) -> Option<Bounds> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Side;
+    use crate::geometry::shape::{Plane, Sphere, SphereMethod};
     use crate::random::{hash, unit, warp};
+    use crate::scene::Scene;
 
     /// Whatever a segment from the point to some point of the light meets can stand between them.
     #[test]
@@ -203,6 +206,26 @@ mod tests {
             left_out += u32::from(!reaches);
         }
         assert!(shadows > 1000 && left_out > 5000, "{shadows} {left_out}");
+    }
+
+    /// A ball on a floor: what leaves it meets neither again on its way to a light above.
+    #[test]
+    fn a_ball_and_the_floor_under_it_are_out_of_the_way_to_a_light_above() {
+        let ball = Shape::Sphere(Sphere::new(DVec3::Y, 1.0, false, SphereMethod::Robust));
+        let floor = Shape::Plane(Plane::new([0.0, 1.0, 0.0, 0.0]));
+        let objects = Scene::of_shapes("ball", [floor, ball]).objects;
+        let index = Index::new(&objects);
+        let between = |height: f64, side: Side| {
+            let center = DVec3::new(0.0, height, 0.0);
+            let light = Bounds { min: center - 0.1, max: center + 0.1 };
+            let shaft = Shaft::new(DVec3::Y * 2.0, light, (center, 0.2));
+            let leaving = Leaving { object: 1, primitive: 0, side };
+            index.in_shaft(&objects, &shaft, leaving, Some(&[0, 1])).map(|found| found.to_vec())
+        };
+        assert_eq!(between(5.0, Side::Front), Some(vec![]));
+        // Inside the ball, and beneath the floor.
+        assert_eq!(between(1.0, Side::Back), Some(vec![1]));
+        assert_eq!(between(-1.0, Side::Back), Some(vec![0, 1]));
     }
 
     #[test]

@@ -144,6 +144,7 @@ fn shared_edge(one: [DVec3; 3], other: [DVec3; 3]) -> Option<SharedEdge> {
 mod tests {
     use super::*;
     use crate::geometry::area_normal::area_normal;
+    use crate::geometry::bounds::Bounds;
 
     #[test]
     fn edges_in_common() {
@@ -187,6 +188,31 @@ mod tests {
         bars(-1.0, [1.0, 0.0, 0.1], true);
         bars(-1.0, [1.0, 0.0, -0.1], false);
         bars(0.0, [1.0, 0.0, 0.1], true);
+    }
+
+    /// The same for all rays to a light between these heights over the far end of the second half.
+    #[track_caller]
+    fn bars_all(up: f64, heights: [f64; 2], side: Side, expected: bool) {
+        let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, up)];
+        let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
+        let normals = normals(&mesh);
+        let [min, max] = heights.map(|height| DVec3::new(10.0, 0.5, height));
+        let shaft =
+            Shaft::new(DVec3::new(-0.1, 0.5, 0.0), Bounds { min, max }, ((min + max) * 0.5, heights[1] - heights[0]));
+        let left = LeftTriangle::in_shaft(&mesh, &normals, Leaving { side, ..leaving(0) }, &shaft);
+        assert_eq!(left.map(|left| left.bars_all(&mesh, &normals, 1, &shaft)), Some(expected));
+    }
+
+    #[test]
+    fn a_neighbour_is_out_of_the_way_to_all_of_a_light_or_not() {
+        // A valley: the light has to stand wholly over the other slope.
+        bars_all(1.0, [12.0, 30.0], Side::Front, true);
+        bars_all(1.0, [9.0, 30.0], Side::Front, false);
+        // A ridge: what leaves one slope upward never meets the other.
+        bars_all(-1.0, [0.1, 30.0], Side::Front, true);
+        // The light stands on both sides, or on another one than the rays are said to leave.
+        bars_all(-1.0, [-0.1, 30.0], Side::Front, false);
+        bars_all(-1.0, [0.1, 30.0], Side::Back, false);
     }
 
     #[test]
