@@ -31,7 +31,8 @@ pub(super) fn add<P: Probe>(
     } else {
         None
     };
-    let mut is_asked = !P::IS_HURRIED || !pays(scene, meeting, area.samples, among.as_deref());
+    let mut is_asked =
+        !P::IS_HURRIED || scene.index.shows_all() || !pays(scene, meeting, area.samples, among.as_deref());
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
         light.give(probe);
@@ -53,10 +54,10 @@ pub(super) fn add<P: Probe>(
     sum
 }
 
-/// From so many points of a light on it pays to look for all that can stand before them, in a scene with a tree over its objects.
+/// In a scene with a tree over its objects a shaft pays for a light of so many points, or more.
 const WITH_TREE: u32 = 8;
 
-/// The same where the objects are few.
+/// The same for a scene of few objects.
 const WITHOUT_TREE: u32 = 4;
 
 /// Whether it pays to look closer at what can stand between the surface point and a light of so many points, of which `among` is known.

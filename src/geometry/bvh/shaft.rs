@@ -35,9 +35,12 @@ const STACK: usize = 7 * MOST_NODES + 1;
 const LEAST_RISE: f64 = 1e-6;
 
 impl Shaft {
-    /// The segments from a point to the points of a light, which lies in a box and in a ball.
-    pub fn new(point: DVec3, light: Bounds, ball: (DVec3, f64)) -> Shaft {
-        Shaft { point, light, ball, rise: None }
+    /// The segments from a point to the points of a light, which lies in a box and in a ball but for 10⁻⁹ of their sizes.
+    pub fn new(point: DVec3, light: Bounds, (center, radius): (DVec3, f64)) -> Shaft {
+        const OFF: f64 = 1e-9;
+        let off = (light.max - light.min) * OFF;
+        let light = Bounds { min: light.min - off, max: light.max + off };
+        Shaft { point, light, ball: (center, radius * (1.0 + OFF)), rise: None }
     }
 
     /// How much the segments rise along a vector, at least and at most; 0 within rounding.
