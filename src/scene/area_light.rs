@@ -2,6 +2,7 @@
 
 use super::profile::CosineProfile;
 use super::solid_angle::{self, Seen};
+use crate::geometry::Bounds;
 use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::warp;
@@ -170,6 +171,16 @@ impl AreaLight {
         }
     }
 
+    /// A box that holds the light, but for roundings of its coordinates.
+    pub fn bounds(&self) -> Bounds {
+        let (center, half) = match self.surface {
+            LightSurface::Rectangle { center, edges: [u, v] } => (center, u.abs() + v.abs()),
+            LightSurface::Disk { center, edges: [u, v] } => (center, (u * u + v * v).map(f64::sqrt)),
+            LightSurface::Sphere { center, radius } => (center, DVec3::splat(radius)),
+        };
+        Bounds { min: center - half, max: center + half }
+    }
+
     /// Centre and radius of a ball that holds the light.
     pub fn ball(&self) -> (DVec3, f64) {
         let radius = match self.surface {
@@ -190,4 +201,33 @@ impl AreaLight {
 
 fn on_edges<P: Probe>(center: DVec3, [u, v]: [DVec3; 2], [x, y]: [f64; 2], probe: &mut P) -> DVec3 {
     probe.note(Name::LightPositionOnArea, center + u * x + v * y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::probe::Silent;
+    use crate::random::{hash, unit};
+
+    #[test]
+    fn a_light_lies_in_its_box_and_its_ball() {
+        for k in 0..3000_u64 {
+            let number = |axis: u64| unit(hash(k, axis));
+            let vector = |axis: u64| DVec3::new(number(axis), number(axis + 1), number(axis + 2)) * 2.0 - 1.0;
+            let surface = match k % 3 {
+                0 => LightSurface::rectangle(vector(0), vector(3), vector(6)),
+                1 => LightSurface::disk(vector(0), vector(3), number(6)),
+                _ => LightSurface::Sphere { center: vector(0), radius: number(6) },
+            };
+            let light = AreaLight { surface, profile: None, samples: 1, by: Spread::Area };
+            let (Bounds { min, max }, (center, radius)) = (light.bounds(), light.ball());
+            for at in 0..20 {
+                let square = [0, 1].map(|axis| unit(hash(hash(k, at), axis)));
+                let (point, _) = light.point(square, DVec3::splat(9.0), &mut Silent);
+                let rounding = 1e-15;
+                assert!(Bounds { min: min - rounding, max: max + rounding }.contains(point), "{k}");
+                assert!((point - center).length() <= radius + rounding, "{k}");
+            }
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::Object;
 use crate::geometry::bvh::{Bvh, Form, OfEach, Rays, Search};
-use crate::geometry::{Bounds, RaySource, Shape};
+use crate::geometry::{Bounds, Leaving, RaySource, Shaft, Shape};
 use crate::probe::Probe;
 use arrayvec::ArrayVec;
 use glam::DVec3;
@@ -33,6 +33,9 @@ enum Extent {
     Endless,
 }
 
+/// The objects that can stand between a point and a light.
+pub type Between = ArrayVec<u32, MOST_BETWEEN>;
+
 /// Up to so many bounded objects boxes cost more than they save.
 const WITHOUT_TREE: usize = 8;
 
@@ -41,6 +44,9 @@ const MOST_BETWEEN: usize = 16;
 
 /// So many objects are looked at by one core at a time.
 const CHUNK: usize = 1 << 12;
+
+/// So many objects are tested in less time than the tree takes.
+const WORTH_TESTING: usize = 8;
 
 /// Far more than all roundings, as a part of the squares of the lengths that are compared.
 const MARGIN: f64 = 1e-6;
@@ -118,13 +124,40 @@ impl Index {
     /// The objects that can stand between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known
     /// but by asking the tree for each ray.
     #[inline]
-    pub fn between(&self, point: DVec3, ball: (DVec3, f64), leaving: u32) -> Option<ArrayVec<u32, MOST_BETWEEN>> {
+    pub fn between(&self, point: DVec3, ball: (DVec3, f64), leaving: u32) -> Option<Between> {
         if self.extents.is_empty() {
             return None;
         }
         let reaches =
             |(object, extent): (u32, &Extent)| extent.reaches(point, ball, object == leaving).then_some(object);
         Some((0..).zip(&self.extents).filter_map(reaches).collect())
+    }
+
+    /// The objects that a ray along a segment of the shaft can cross; `None` where these are too many, or would take too long to find.
+    /// `leaving` is the surface that all these rays leave, and the side on which they set off; `among` the objects that may be crossed, where
+    /// others are excluded already.
+    #[inline(never)]
+    pub fn in_shaft(
+        &self,
+        objects: &[Object],
+        shaft: &Shaft,
+        leaving: Leaving,
+        among: Option<&[u32]>,
+    ) -> Option<Between> {
+        let mut found = Between::new();
+        let mut look_at = |object: u32| {
+            let leaving = Some(leaving).filter(|leaving| leaving.object == object);
+            if !objects[object as usize].shape.can_be_crossed_in(shaft, leaving) {
+                return true;
+            }
+            let has_room = among.is_some() || found.len() < WORTH_TESTING;
+            has_room && found.try_push(object).is_ok()
+        };
+        let is_all = match among {
+            Some(among) => among.iter().all(|object| look_at(*object)),
+            None => self.tree.between(shaft, look_at),
+        };
+        is_all.then_some(found)
     }
 
     /// Whether a half line, its direction of any length, certainly meets no object.
@@ -193,7 +226,10 @@ fn sorted(objects: &[Object]) -> Sorted {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Side;
+    use crate::geometry::shape::{Plane, Sphere, SphereMethod};
     use crate::random::{hash, unit, warp};
+    use crate::scene::Scene;
 
     /// Whatever a segment from the point to some point of the light meets can stand between them.
     #[test]
@@ -218,6 +254,26 @@ mod tests {
             left_out += u32::from(!reaches);
         }
         assert!(shadows > 1000 && left_out > 5000, "{shadows} {left_out}");
+    }
+
+    /// A ball on a floor: what leaves it meets neither again on its way to a light above.
+    #[test]
+    fn a_ball_and_the_floor_under_it_are_out_of_the_way_to_a_light_above() {
+        let ball = Shape::Sphere(Sphere::new(DVec3::Y, 1.0, false, SphereMethod::Robust));
+        let floor = Shape::Plane(Plane::new([0.0, 1.0, 0.0, 0.0]));
+        let objects = Scene::of_shapes("ball", [floor, ball]).objects;
+        let index = Index::new(&objects);
+        let between = |height: f64, side: Side| {
+            let center = DVec3::new(0.0, height, 0.0);
+            let light = Bounds { min: center - 0.1, max: center + 0.1 };
+            let shaft = Shaft::new(DVec3::Y * 2.0, light, (center, 0.2));
+            let leaving = Leaving { object: 1, primitive: 0, side };
+            index.in_shaft(&objects, &shaft, leaving, Some(&[0, 1])).map(|found| found.to_vec())
+        };
+        assert_eq!(between(5.0, Side::Front), Some(vec![]));
+        // Inside the ball, and beneath the floor.
+        assert_eq!(between(1.0, Side::Back), Some(vec![1]));
+        assert_eq!(between(-1.0, Side::Back), Some(vec![0, 1]));
     }
 
     #[test]

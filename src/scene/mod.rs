@@ -31,7 +31,7 @@ pub use camera::Camera;
 pub use ceiling::Ceilings;
 pub use effects::Effects;
 pub use immersion::AroundEye;
-pub use index::Index;
+pub use index::{Between, Index};
 pub use lens::Lens;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Checker, Material, Weights};

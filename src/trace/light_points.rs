@@ -3,11 +3,12 @@
 
 use super::Meeting;
 use super::shade::{Source, from_light};
+use crate::geometry::Shaft;
 use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::Dimension;
 use crate::scene::square::place_in_square;
-use crate::scene::{AreaLight, Arrival, Color, Light, Scene};
+use crate::scene::{AreaLight, Arrival, Between, Color, Light, Scene};
 use glam::DVec3;
 
 /// The sum with what an area light adds: its points are so many lights, one in each stratum of its surface, that share its intensity.
@@ -25,15 +26,17 @@ pub(super) fn add<P: Probe>(
     let splits = meeting.path.draws.splits(dimension, area.samples);
     let color = light.share();
     // What can't shadow any point of the light isn't asked for each. Whoever counts is told which searches that saves.
-    let among = if P::IS_HURRIED {
+    let mut among = if P::IS_HURRIED {
         scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object)
     } else {
         None
     };
+    let mut is_asked =
+        !P::IS_HURRIED || scene.index.shows_all() || !pays(scene, meeting, area.samples, among.as_deref());
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
         light.give(probe);
-        sum += probe.within(Step::Light { light: number, split }, |probe| {
+        let seen = probe.within(Step::Light { light: number, split }, |probe| {
             let square = place_in_square(splits.pick(part), probe);
             let (position, weight) = area.point(square, meeting.surface.point, probe);
             let color = weight.map_or(color, |weight| probe.note(Name::LightColorWeighted, color * weight));
@@ -41,6 +44,49 @@ pub(super) fn add<P: Probe>(
             let arrival = Arrival::of(position, meeting.surface.point, probe);
             from_light(scene, meeting, view, &source, arrival, probe)
         });
+        sum += seen;
+        // Where the first point that is lit is, others often are, too; where none is, there is nothing to gain.
+        if !is_asked && seen != Color::ZERO {
+            is_asked = true;
+            among = in_shaft(scene, meeting, area, among.as_deref()).or(among);
+        }
     }
     sum
+}
+
+/// In a scene with a tree over its objects a shaft pays for a light of so many points, or more.
+const WITH_TREE: u32 = 8;
+
+/// The same for a scene of few objects.
+const WITHOUT_TREE: u32 = 4;
+
+/// Whether it pays to look closer at what can stand between the surface point and a light of so many points, of which `among` is known.
+#[inline(always)]
+fn pays(scene: &Scene, meeting: &Meeting, samples: u32, among: Option<&[u32]>) -> bool {
+    match among {
+        None => samples >= WITH_TREE,
+        Some(among) => {
+            let is_told = |object: &u32| {
+                *object == meeting.layer.object || scene.objects[*object as usize].shape.is_told_by_a_shaft()
+            };
+            samples >= WITHOUT_TREE && among.iter().any(is_told)
+        }
+    }
+}
+
+/// The objects that can stand between the surface point and the light; `None` where these are many, or where the light isn't all on one side of
+/// the surface.
+#[inline(never)]
+fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[u32]>) -> Option<Between> {
+    let surface = &meeting.surface;
+    let shaft = Shaft::new(surface.point, area.bounds(), area.ball());
+    let normal = surface.geometric_normal();
+    let [least, most] = shaft.rise_along(normal);
+    let [shown_least, shown_most] = surface.beneath.map_or([least, most], |_| shaft.rise_along(surface.normal));
+    let (leaving, shaft) = match () {
+        _ if least > 0.0 && shown_least > 0.0 => (meeting.leaving_here(), shaft.rising(normal, least)),
+        _ if most < 0.0 && shown_most < 0.0 => (meeting.leaving_beyond(), shaft.rising(-normal, -most)),
+        _ => return None,
+    };
+    scene.index.in_shaft(&scene.objects, &shaft, leaving, among)
 }

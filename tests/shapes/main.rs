@@ -26,6 +26,7 @@ mod quadrics;
 mod quadrics_random;
 mod robust;
 mod segments;
+mod shafts;
 mod shape_walks;
 mod shared_edges;
 mod stress;

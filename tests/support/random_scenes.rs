@@ -22,6 +22,22 @@ pub fn sampled(seed: u64, sampling: Value) -> Scene {
     support::scene_of(text.to_string().as_bytes(), "sampled")
 }
 
+/// The scene of a seed with so many objects that there is a tree over them, under an area light that is asked for many points.
+pub fn crowded(seed: u64) -> Scene {
+    let mut random = Random::new(seed);
+    let mut text = text(&mut random);
+    let objects: Vec<_> = (0..24).map(|number| object(&mut random, number)).collect();
+    let mut light = json!({"name": "lamp", "color": color(&mut random), "samples": 9});
+    let above = json!([4.0 * random.part() - 2.0, 3.0 + random.part(), 4.0 * random.part() - 1.0]);
+    match random.below(3) {
+        0 => light["rectangle"] = json!({"corner": above, "edge_u": [0.5, 0.2, 0.0], "edge_v": [0.0, 0.0, 0.5]}),
+        1 => light["disk"] = json!({"center": above, "normal": point(&mut random), "radius": 0.4}),
+        _ => light["sphere"] = json!({"center": above, "radius": 0.3}),
+    }
+    (text["objects"], text["lights"], text["sampling"]) = (json!(objects), json!([light]), json!({"none": {}}));
+    support::scene_of(text.to_string().as_bytes(), "crowded")
+}
+
 fn text(random: &mut Random) -> Value {
     let objects: Vec<_> = (0..3 + random.below(6)).map(|number| object(random, number)).collect();
     let materials: serde_json::Map<_, _> = (0..4).map(|number| (format!("m{number}"), material(random))).collect();

@@ -32,6 +32,7 @@ mod read_back;
 mod refraction;
 mod regions;
 mod rounding;
+mod shadow_shafts;
 mod skipped_light;
 mod skips;
 mod textbook;

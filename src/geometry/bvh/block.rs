@@ -12,20 +12,20 @@ const NOTHING: u32 = u32::MAX;
 #[derive(Clone, Debug)]
 #[repr(C, align(32))]
 pub(super) struct TriangleBlock {
-    corner: [Eight; 3],
-    to_b: [Eight; 3],
-    to_c: [Eight; 3],
+    pub(super) corner: [Eight; 3],
+    pub(super) to_b: [Eight; 3],
+    pub(super) to_c: [Eight; 3],
     things: [u32; 8],
     /// At least as long as each of these edges.
-    longest: f32,
+    pub(super) longest: f32,
 }
 
 /// Eight spheres.
 #[derive(Clone, Debug)]
 #[repr(C, align(32))]
 pub(super) struct SphereBlock {
-    center: [Eight; 3],
-    radius: Eight,
+    pub(super) center: [Eight; 3],
+    pub(super) radius: Eight,
     things: [u32; 8],
 }
 

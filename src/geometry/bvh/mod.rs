@@ -10,6 +10,7 @@ mod company;
 mod lanes;
 mod node;
 mod outliers;
+mod shaft;
 mod space;
 mod split;
 mod walk;
@@ -23,6 +24,7 @@ pub use company::{COMPANY, OfEach, Rays, each};
 use glam::DVec3;
 use lanes::{Instructions, Lanes, Plain};
 use node::{Child, Node};
+pub use shaft::Shaft;
 use space::Space;
 use walk::Walk;
 

@@ -77,7 +77,7 @@ impl Box32 {
 #[repr(C, align(32))]
 pub(super) struct Node {
     /// By axis: the least coordinates of the boxes, and the greatest.
-    planes: [[Eight; 2]; 3],
+    pub(super) planes: [[Eight; 2]; 3],
     children: [Child; 8],
 }
 

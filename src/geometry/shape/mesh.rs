@@ -11,12 +11,12 @@ use super::quick::{Corners, Quick, quick};
 use super::triangle::Facet;
 use super::{Approach, at_an_end, decide, touched};
 use crate::geometry::bounds::Bounds;
-use crate::geometry::bvh::{Bvh, Form, Search};
+use crate::geometry::bvh::{Bvh, Form, Search, Shaft};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::line::RaySource;
 use crate::geometry::mesh::{Mesh, Winding};
 use crate::geometry::nearest::Nearest;
-use crate::geometry::ray::{Crossing, Ray, Side, Surface};
+use crate::geometry::ray::{Crossing, Leaving, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
 use crate::probe::{Probe, ROUNDINGS, Silent};
@@ -80,6 +80,15 @@ impl TriangleMesh {
     pub fn touch<P: Probe>(&self, object: u32, triangle: u32, probe: &mut P) {
         self.facet(triangle).give(probe);
         probe.within(Step::Test { object, triangle: Some(triangle) }, touched);
+    }
+
+    /// Whether a ray along a segment of the shaft can cross a triangle. `leaving` tells the triangle that all of them leave, if they leave one, and
+    /// the side on which they set off.
+    pub fn can_be_crossed_in(&self, shaft: &Shaft, leaving: Option<Leaving>) -> bool {
+        let left = leaving.and_then(|leaving| LeftTriangle::in_shaft(&self.mesh, &self.normals, leaving, shaft));
+        let bars =
+            |triangle| left.as_ref().is_some_and(|left| left.bars_all(&self.mesh, &self.normals, triangle, shaft));
+        !self.tree.between(shaft, bars)
     }
 
     /// Whether two triangles have one or two corners in common and don't overlap.

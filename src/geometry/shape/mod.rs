@@ -40,11 +40,11 @@ pub use sphere_method::SphereMethod;
 pub use triangle::Triangle;
 
 use super::bounds::Bounds;
-use super::bvh::Form;
+use super::bvh::{Form, Shaft};
 use super::doubled::Doubled;
 use super::line::RaySource;
 use super::nearest::Nearest;
-use super::ray::{Crossing, Ray, Side, Surface};
+use super::ray::{Crossing, Leaving, Ray, Side, Surface};
 use crate::probe::{Probe, ROUNDINGS, Silent};
 use glam::DVec3;
 use kernel::{at_an_end, decide, touched};
@@ -155,6 +155,28 @@ impl Shape {
             Shape::Mesh(mesh) => mesh.are_neighbours(one, other),
             _ => true,
         }
+    }
+
+    /// Whether a ray along a segment of the shaft can cross the shape, as far as a quick look tells; `leaving` as in
+    /// [`TriangleMesh::can_be_crossed_in`].
+    pub fn can_be_crossed_in(&self, shaft: &Shaft, leaving: Option<Leaving>) -> bool {
+        match self {
+            Shape::Mesh(mesh) => mesh.can_be_crossed_in(shaft, leaving),
+            Shape::Moving(_) => true,
+            _ if leaving.is_some_and(|leaving| !self.can_be_met_again(leaving.side)) => false,
+            Shape::Plane(plane) => plane.can_be_crossed_in(shaft),
+            _ => true,
+        }
+    }
+
+    /// Whether [`Shape::can_be_crossed_in`] may tell more of it than a ball around it does.
+    pub fn is_told_by_a_shaft(&self) -> bool {
+        matches!(self, Shape::Mesh(_) | Shape::Plane(_))
+    }
+
+    /// Whether a ray that sets off on this side of the surface can meet the same surface again.
+    fn can_be_met_again(&self, side: Side) -> bool {
+        kernel!(self.at_rest(), kernel => kernel.can_be_met_again(side), _mesh => true)
     }
 
     /// Whether the ray crosses the object at all.
@@ -282,7 +304,6 @@ impl Shape {
     /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
     /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
     pub fn returning_side(&self) -> Side {
-        let can_return = kernel!(self.at_rest(), kernel => kernel.can_be_met_again(Side::Front), _mesh => false);
-        if can_return { Side::Front } else { Side::Back }
+        if !self.is_mesh() && self.can_be_met_again(Side::Front) { Side::Front } else { Side::Back }
     }
 }

@@ -3,6 +3,7 @@
 use super::flat::{HALF, Sum, is_distance_in_doubt};
 use super::{Approach, Kernel};
 use crate::geometry::bounds::Bounds;
+use crate::geometry::bvh::Shaft;
 use crate::geometry::doubled::{Doubled, length};
 use crate::geometry::exact::dot;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
@@ -31,6 +32,19 @@ impl Plane {
         let is_axial = normal.abs().max_element() == size;
         let certain_from = if is_axial { 2.0 * d.abs() } else { f64::INFINITY };
         Plane { normal, offset: d, unit_normal: normal / normal.length(), size, certain_from }
+    }
+
+    /// Whether a segment of the shaft can cross it: not if all of them lie on one side, farther away than roundings can tell.
+    pub(super) fn can_be_crossed_in(&self, shaft: &Shaft) -> bool {
+        /// Far more than all roundings, as a part of all coordinates.
+        const MARGIN: f64 = 1e-9;
+        let (center, radius) = shaft.ball;
+        let (near, far) = (self.height(shaft.point), self.height(center));
+        let margin = MARGIN * (shaft.point.abs() + center.abs()).element_sum() + MARGIN * self.size();
+        let is_off = |height: f64| height > margin;
+        let is_before = is_off(near) && is_off(far - radius);
+        let is_behind = is_off(-near) && is_off(-far - radius);
+        !(is_before || is_behind)
     }
 
     /// How far a point lies before the plane; negative behind it.

@@ -6,6 +6,7 @@
 //! it meets the other triangle from there. If that wedge is the wider one, the ray begins on the far side of the other
 //! triangle's plane already, and so never meets it.
 
+use crate::geometry::bvh::Shaft;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Leaving, Ray, Side};
 use crate::geometry::shape::triangle::Facet;
@@ -47,20 +48,50 @@ impl LeftTriangle {
         Some(LeftTriangle { number, corners, sets_off })
     }
 
+    /// The same for all rays along the segments of a shaft, which set off on the side that `leaving` tells.
+    pub fn in_shaft(mesh: &Mesh, normals: &[DVec3], leaving: Leaving, shaft: &Shaft) -> Option<LeftTriangle> {
+        let along = shaft.light.center() - shaft.point;
+        let left = LeftTriangle::of(mesh, normals, leaving, &Ray::new(shaft.point, along))?;
+        // A ray with a slack sets off on the side that `leaving` tells, one without on that on which it runs.
+        let goes_to = match shaft.rise_along(normals[leaving.primitive as usize]) {
+            [least, _] if least > 0.0 => Some(Side::Front),
+            [_, most] if most < 0.0 => Some(Side::Back),
+            _ => None,
+        };
+        let sets_off = left.sets_off.filter(|side| *side == leaving.side && goes_to == Some(*side));
+        Some(LeftTriangle { sets_off, ..left })
+    }
+
+    /// Whether no ray along a segment of the shaft can meet a triangle: this one, or one at an edge of it.
+    pub fn bars_all(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, shaft: &Shaft) -> bool {
+        if triangle == self.number {
+            return true;
+        }
+        let Some(sets_off) = self.sets_off else { return false };
+        let Some((wedge, is_narrow)) = self.wedge(mesh, normals, triangle, sets_off) else { return false };
+        !is_narrow || shaft.rise_along(wedge)[0] > 0.0
+    }
+
     /// Whether the ray can't meet a triangle: this one, or one at an edge of it.
     pub fn bars(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, ray: &Ray) -> bool {
         if triangle == self.number {
             return true;
         }
         let Some(sets_off) = self.sets_off else { return false };
-        let corners = mesh.corners(triangle);
-        let Some(edge) = shared_edge(self.corners, corners) else { return false };
-        let normal = normals[triangle as usize];
-        // Along which way of the normal the wedge lies in which the ray runs, and its narrow side.
-        let wedge = if edge.fronts_agree == (sets_off == Side::Front) { normal } else { -normal };
-        let is_narrow = wedge.dot(edge.over_against - corners[0]) > 0.0;
+        let Some((wedge, is_narrow)) = self.wedge(mesh, normals, triangle, sets_off) else { return false };
         let arrives_from_it = wedge.dot(ray.direction) < 0.0;
         !(is_narrow && arrives_from_it)
+    }
+
+    /// Along which way of another triangle's normal the wedge lies in which a ray runs that sets off on this side, and whether it is the narrow
+    /// one. `None` if they have no edge in common.
+    #[inline(always)]
+    fn wedge(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, sets_off: Side) -> Option<(DVec3, bool)> {
+        let corners = mesh.corners(triangle);
+        let edge = shared_edge(self.corners, corners)?;
+        let normal = normals[triangle as usize];
+        let wedge = if edge.fronts_agree == (sets_off == Side::Front) { normal } else { -normal };
+        Some((wedge, wedge.dot(edge.over_against - corners[0]) > 0.0))
     }
 }
 
@@ -113,6 +144,7 @@ fn shared_edge(one: [DVec3; 3], other: [DVec3; 3]) -> Option<SharedEdge> {
 mod tests {
     use super::*;
     use crate::geometry::area_normal::area_normal;
+    use crate::geometry::bounds::Bounds;
 
     #[test]
     fn edges_in_common() {
@@ -156,6 +188,31 @@ mod tests {
         bars(-1.0, [1.0, 0.0, 0.1], true);
         bars(-1.0, [1.0, 0.0, -0.1], false);
         bars(0.0, [1.0, 0.0, 0.1], true);
+    }
+
+    /// The same for all rays to a light between these heights over the far end of the second half.
+    #[track_caller]
+    fn bars_all(up: f64, heights: [f64; 2], side: Side, expected: bool) {
+        let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, up)];
+        let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
+        let normals = normals(&mesh);
+        let [min, max] = heights.map(|height| DVec3::new(10.0, 0.5, height));
+        let shaft =
+            Shaft::new(DVec3::new(-0.1, 0.5, 0.0), Bounds { min, max }, ((min + max) * 0.5, heights[1] - heights[0]));
+        let left = LeftTriangle::in_shaft(&mesh, &normals, Leaving { side, ..leaving(0) }, &shaft);
+        assert_eq!(left.map(|left| left.bars_all(&mesh, &normals, 1, &shaft)), Some(expected));
+    }
+
+    #[test]
+    fn a_neighbour_is_out_of_the_way_to_all_of_a_light_or_not() {
+        // A valley: the light has to stand wholly over the other slope.
+        bars_all(1.0, [12.0, 30.0], Side::Front, true);
+        bars_all(1.0, [9.0, 30.0], Side::Front, false);
+        // A ridge: what leaves one slope upward never meets the other.
+        bars_all(-1.0, [0.1, 30.0], Side::Front, true);
+        // The light stands on both sides, or on another one than the rays are said to leave.
+        bars_all(-1.0, [-0.1, 30.0], Side::Front, false);
+        bars_all(-1.0, [0.1, 30.0], Side::Back, false);
     }
 
     #[test]
