@@ -50,19 +50,20 @@ fn rays_are_measured_and_dumped() {
     let (code, text, errors) = bench(&["rays", &stem, "--passes", "2", "--format", "json", "--dump", dump]);
     assert_eq!((code, errors.as_str()), (0, ""));
     let lines = lines(&text);
-    assert_eq!(lines.len(), 2 + 4, "{text}");
+    assert_eq!(lines.len(), 2 + 8, "{text}");
     for (line, threads) in lines.iter().zip([1, 2]) {
         assert_eq!((&line["engine"], &line["scene"]), (&"raywalk".into(), &"two".into()));
         assert_eq!((&line["build_threads"], &line["primitives"]), (&threads.into(), &2.into()));
         assert!(line["build_s"].is_f64() && line["cores"].is_u64() && line["version"].is_string());
     }
-    for (line, (rays, threads, tsum)) in
-        lines[2..].iter().zip([("primary", 1, 2.0), ("primary", 2, 2.0), ("shadow", 1, 0.0), ("shadow", 2, 0.0)])
-    {
+    let figures = [("primary", 2.0), ("shadow", 0.0)].into_iter().flat_map(|(rays, tsum)| {
+        [("single", 1), ("single", 2), ("batch", 1), ("batch", 2)].map(|(mode, threads)| (rays, mode, threads, tsum))
+    });
+    for (line, (rays, mode, threads, tsum)) in lines[2..].iter().zip(figures) {
         assert_eq!((&line["rays"], &line["threads"], &line["n"]), (&rays.into(), &threads.into(), &2.into()));
         assert_eq!((&line["hits"], &line["tsum"], &line["passes"]), (&1.into(), &tsum.into(), &2.into()));
         assert!(line["mrays_median"].is_f64() && line["mrays_best"].is_f64() && line["mrays_per_cpu_s"].is_f64());
-        assert_eq!(line["mode"], "single");
+        assert_eq!(line["mode"], mode);
     }
     let dumped = |name: &str| fs::read(folder.path().join(name)).expect("dumped");
     let hits = |hits: [(f32, u32); 2]| -> Vec<u8> {
@@ -79,10 +80,10 @@ fn rays_as_a_table() {
     let (code, text, _) = bench(&["rays", &stem, &stem, "--threads", "1", "--passes", "1"]);
     assert_eq!(code, 0);
     assert!(text.starts_with("raywalk ") && text.contains("two: 2 primitives"), "{text}");
-    assert_eq!(text.lines().filter(|line| line.trim_start().starts_with("primary")).count(), 2, "{text}");
+    assert_eq!(text.lines().filter(|line| line.trim_start().starts_with("primary")).count(), 4, "{text}");
     let (_, csv, _) = bench(&["rays", &stem, "--threads", "1", "--passes", "1", "--format", "csv"]);
     let columns: Vec<_> = csv.lines().map(|line| line.split(',').count()).collect();
-    assert_eq!(columns, [14; 3], "{csv}");
+    assert_eq!(columns, [14; 5], "{csv}");
 }
 
 #[test]

@@ -13,6 +13,7 @@ mod support;
 
 mod boxes;
 mod coincident;
+mod company;
 mod filters_are_conservative;
 mod flat;
 mod flat_formulas;

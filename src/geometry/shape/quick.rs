@@ -118,7 +118,7 @@ mod tests {
                 _ => x,
             }
         };
-        let far = if k % 7 == 0 { 1e6 } else { 1.0 };
+        let far = if k.is_multiple_of(7) { 1e6 } else { 1.0 };
         let place = |axis: u64| DVec3::new(number(axis), number(axis + 1), number(axis + 2));
         let facet = Facet::new(place(0), place(3), place(6));
         let eye = place(9) * 4.0 * far;

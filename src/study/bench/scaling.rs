@@ -2,7 +2,7 @@
 
 use super::Spread;
 use super::clock::timed;
-use super::throughput::{Hits, Passes, measure};
+use super::throughput::{Hits, Mode, Passes, measure};
 use crate::geometry::Shape;
 use crate::random::{hash, unit};
 use crate::record::Arithmetic;
@@ -56,7 +56,7 @@ pub fn of_spheres(spheres: u32, passes: usize) -> io::Result<OfSpheres> {
     let mut traced = |rays: Vec<RawRay>| {
         let file = RayFile { question: Question::Closest, resolution: [0, 0], rays };
         let count = file.rays.len() as f64;
-        let measured = measure(&scene, &file, 1, Passes::Number(passes), &mut hits)?;
+        let measured = measure(&scene, &file, Mode::Single, 1, Passes::Number(passes), &mut hits)?;
         Ok::<_, io::Error>((measured.per_cpu_second.under(1e9), measured.hits as f64 / count))
     };
     let (ns_per_camera_ray, hit) = traced(camera_rays())?;

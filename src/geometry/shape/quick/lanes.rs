@@ -133,7 +133,7 @@ pub fn quick(lanes: Lanes, Corners { corners: [a, b, c], normal }: Corners, ray:
     let size = lanes.greatest(lanes.max(lanes.max(lanes.abs(to_a), lanes.abs(to_b)), lanes.abs(to_c)));
     let bound = OF_EDGE * size * size;
     let (least, greatest) = (lanes.least(edges), lanes.greatest(edges));
-    let has_plain_products = size >= LEAST_SIZE && size <= GREATEST_SIZE;
+    let has_plain_products = (LEAST_SIZE..=GREATEST_SIZE).contains(&size);
     if least < -bound && greatest > bound {
         return if has_plain_products { Quick::Beside } else { Quick::InDoubt };
     }
