@@ -122,25 +122,37 @@ impl Query {
         }
     }
 
-    /// Where the nearest hits of several rays are, at most [`COMPANY`]. Rays that run together are answered faster so, each as it would be alone.
+    /// Where the nearest hits of several rays are, at most [`COMPANY`]: shows `answer` what each meets, in their order. Rays that run together are
+    /// answered faster so, each as it would be alone.
     pub fn hits(queries: &[Query], scene: &Scene, mut answer: impl FnMut(Option<RayHit>)) {
         let mut rays: ArrayVec<Ray, COMPANY> = ArrayVec::new();
         let mut lengths = [0.0; COMPANY];
-        for (query, length) in queries.iter().zip(&mut lengths) {
-            let (direction, vector, its_length) = unit(query.direction);
-            *length = its_length;
-            rays.push(query.ray_along(direction, vector, its_length, scene));
+        let mut missing: Rays = 0;
+        for (at, query) in queries.iter().enumerate() {
+            if query.surely_misses(scene) {
+                missing |= 1 << at;
+                continue;
+            }
+            let (direction, vector, length) = unit(query.direction);
+            lengths[rays.len()] = length;
+            rays.push(query.ray_along(direction, vector, length, scene));
         }
         let mut nearest: OfEach<Nearest> = [const { Nearest::NONE }; COMPANY];
         search_together(scene, &rays, &mut nearest, &mut Silent);
-        for (at, query) in queries.iter().enumerate().take(COMPANY) {
-            let nearest = &nearest[at];
-            let t = nearest.hit().map_or(f64::NAN, |hit| hit.crossing.t / lengths[at]);
+        let mut made = 0;
+        for (at, query) in queries.iter().enumerate() {
+            if missing >> at & 1 == 1 {
+                answer(None);
+                continue;
+            }
+            let (ray, length, nearest) = (&rays[made], lengths[made], &nearest[made]);
+            made += 1;
+            let t = nearest.hit().map_or(f64::NAN, |hit| hit.crossing.t / length);
             // Where the order of surfaces or an end of the ray is in doubt, it is asked alone.
             let hit = match nearest.hit() {
                 None => None,
                 Some(hit) if nearest.is_alone() && t > query.t_min && t < query.t_max => Some((hit, t)),
-                Some(_) => query.first_hit(rays[at], lengths[at], scene).map(|(_, hit, t)| (hit, t)),
+                Some(_) => query.first_hit(*ray, length, scene).map(|(_, hit, t)| (hit, t)),
             };
             answer(hit.map(|(hit, t)| RayHit { object: hit.object, primitive: hit.crossing.primitive, t }));
         }
@@ -149,16 +161,17 @@ impl Query {
     /// Which of several rays, at most [`COMPANY`], have any hit, a bit for each.
     pub fn are_occluded(queries: &[Query], scene: &Scene) -> Rays {
         let mut asked: ArrayVec<Asked, COMPANY> = ArrayVec::new();
+        let mut rays = 0;
         for query in queries {
-            if let Some(line) = query.line() {
-                asked.push(Asked { query, scene, line, ray: OnceCell::new() });
-            }
+            let Some(line) = query.line() else { break };
+            rays |= Rays::from(!query.surely_misses(scene)) << asked.len();
+            asked.push(Asked { query, scene, line, ray: OnceCell::new() });
         }
         if asked.len() < queries.len() {
             let occluded = |at: &usize| queries[*at].is_occluded(scene);
             return (0..queries.len()).filter(occluded).fold(0, |rays, at| rays | 1 << at);
         }
-        are_any_hit(scene, &asked, (1 << asked.len()) - 1, &mut Silent)
+        if rays == 0 { 0 } else { are_any_hit(scene, &asked, rays, &mut Silent) }
     }
 
     /// The line on which a hit is looked for; `None` where it is too ill-defined to tell.

@@ -9,7 +9,7 @@ use raywalk::scene::file::mesh::{self, Meshes};
 use raywalk::scene::file::raw::{self, Primitives};
 use raywalk::scene::file::{self, SceneError};
 use raywalk::scene::{build, builtin};
-use raywalk::study::bench::throughput::{self, Hits, Passes};
+use raywalk::study::bench::throughput::{self, Hits, Mode, Passes};
 use std::sync::LazyLock;
 
 /// Every message is short, and holds nothing that would do something to a terminal.
@@ -68,7 +68,9 @@ fn raw_answers(bytes: &[u8]) -> Result<(), TestCaseError> {
     if let (Ok(rays), Ok(primitives)) = (rays, primitives) {
         let (scene, _) = throughput::build("a", &primitives, 1).expect("a thread");
         let mut hits = Hits::default();
-        let measured = throughput::measure(&scene, &rays, 1, Passes::Number(1), &mut hits).expect("a thread");
+        let [alone, measured] = Mode::ALL
+            .map(|mode| throughput::measure(&scene, &rays, mode, 1, Passes::Number(1), &mut hits).expect("a thread"));
+        prop_assert_eq!((alone.hits, alone.t_sum), (measured.hits, measured.t_sum));
         prop_assert!(measured.hits <= rays.rays.len() && hits.t.iter().all(|t| !t.is_nan()));
     }
     Ok(())
