@@ -68,7 +68,7 @@ pub fn samples<P: Probe>(
     mut seen: impl FnMut(Pick, Seen),
     probe: &mut P,
 ) {
-    let walk_together = P::IS_SILENT && scene.index.has_trees();
+    let walk_together = P::IS_SILENT && scene.index.has_large_trees();
     while !numbers.is_empty() {
         if !walk_together || numbers.len() == 1 {
             for number in numbers.by_ref() {

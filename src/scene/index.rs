@@ -18,8 +18,8 @@ pub struct Index {
     extents: Vec<Extent>,
     /// Whether it was asked to show every ray all objects.
     shows_all: bool,
-    /// Whether there is a tree, of objects or of a mesh's triangles.
-    has_trees: bool,
+    /// Whether there is a tree, of objects or of a mesh's triangles, in which rays save time by walking together.
+    has_large_trees: bool,
 }
 
 /// Where an object is.
@@ -41,6 +41,9 @@ const WITHOUT_TREE: usize = 8;
 
 /// So many objects are looked at for a whole light.
 const MOST_BETWEEN: usize = 16;
+
+/// In a tree over fewer primitives rays find what they meet as soon alone as together.
+const WORTH_COMPANY: usize = 64;
 
 /// So many objects are looked at by one core at a time.
 const CHUNK: usize = 1 << 12;
@@ -99,21 +102,26 @@ impl Index {
             (0..objects.len() as u32).filter(|object| unbounded.binary_search(object).is_err()).collect();
         let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
         let tree = Bvh::new(unbounded, &bounded, form);
-        Index { tree, bounds, extents: Vec::new(), shows_all: false, has_trees: true }
+        Index {
+            tree,
+            bounds,
+            extents: Vec::new(),
+            shows_all: false,
+            has_large_trees: bounded.len() >= WORTH_COMPANY || has_large_meshes(objects),
+        }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
     pub fn of_all(objects: &[Object]) -> Index {
         let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
-        let has_trees = objects.iter().any(|object| object.shape.is_mesh());
         let Sorted { unbounded, around } = sorted(objects);
         let bounds = unbounded.is_empty().then_some(around);
-        Index { tree, bounds, extents: Vec::new(), shows_all: true, has_trees }
+        Index { tree, bounds, extents: Vec::new(), shows_all: true, has_large_trees: has_large_meshes(objects) }
     }
 
-    /// Whether there are trees in which rays can walk together.
-    pub fn has_trees(&self) -> bool {
-        self.has_trees
+    /// Whether there are trees in which rays save time by walking together.
+    pub fn has_large_trees(&self) -> bool {
+        self.has_large_trees
     }
 
     /// Whether it was asked to show every ray all objects.
@@ -199,6 +207,14 @@ impl Index {
     ) {
         self.tree.visit_together::<P, S>(sources, rays, search, limits, meet);
     }
+}
+
+fn has_large_meshes(objects: &[Object]) -> bool {
+    let is_large = |object: &Object| match object.shape.at_rest() {
+        Shape::Mesh(mesh) => mesh.mesh().faces.len() >= WORTH_COMPANY,
+        _ => false,
+    };
+    objects.iter().any(is_large)
 }
 
 /// The objects without end, and a box around the others.
