@@ -20,9 +20,11 @@ pub use statistics::{Counter, Statistics};
 
 use crate::random::permutation::permuted;
 use crate::record::{Arithmetic, Computation, Pixel};
+use crate::sampling::together;
 use crate::scene::{Color, Sampling, Scene};
 use rayon::prelude::*;
 use std::io;
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// In which order threads take up the tiles. Nothing depends on it.
@@ -112,11 +114,33 @@ pub fn render(
 /// The picture, on the threads of the pool that this is called in; `None` when the work is to stop.
 fn colors_in(scene: &Scene, settings: &Settings, progress: Progress, stop: &AtomicBool) -> Option<(Film, Counter)> {
     let of_pixel = |pixel: [u32; 2], counter: &mut Counter| color_of(settings, Pixel { scene, pixel }, counter);
+    let looks_on = settings.counts_rays || settings.arithmetic != Arithmetic::F64;
+    if let Some(count) = together::few_samples(scene).filter(|_| !looks_on) {
+        return by_rows(scene, settings, count, progress, stop);
+    }
     match scene.sampling {
         Sampling::Shared { n } => grid::by_corners(scene, settings, n, progress, stop),
         Sampling::Adaptive { threshold, depth } => cells::by_cells(scene, settings, (threshold, depth), progress, stop),
         _ => by_pixels(settings, of_pixel, progress, stop),
     }
+}
+
+/// The picture row by row of its tiles, the few samples of neighbours together.
+fn by_rows(
+    scene: &Scene,
+    settings: &Settings,
+    count: u32,
+    progress: Progress,
+    stop: &AtomicBool,
+) -> Option<(Film, Counter)> {
+    let of_row = |row: u32, columns: Range<u32>, colors: &mut Vec<Color>, _: &mut Counter| {
+        let goes_on = !stop.load(Ordering::Relaxed);
+        if goes_on {
+            together::row(scene, row, columns, count, colors);
+        }
+        goes_on.then_some(())
+    };
+    by_tiles(settings, of_row, progress)
 }
 
 /// Makes sure, as far as that goes, that there is room for the stacks: a thread that has begun and finds no memory could only
@@ -156,8 +180,26 @@ fn by_pixels(
     progress: Progress,
     stop: &AtomicBool,
 ) -> Option<(Film, Counter)> {
+    let of_row = |row: u32, columns: Range<u32>, colors: &mut Vec<Color>, counter: &mut Counter| {
+        for column in columns {
+            if stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            colors.push(of_pixel([column, row], counter));
+        }
+        Some(())
+    };
+    by_tiles(settings, of_row, progress)
+}
+
+/// The picture, rows of its tiles at a time: `of_row` adds the colours of some columns of a row, or gives `None` when the work is to stop.
+fn by_tiles(
+    settings: &Settings,
+    of_row: impl Fn(u32, Range<u32>, &mut Vec<Color>, &mut Counter) -> Option<()> + Sync,
+    progress: Progress,
+) -> Option<(Film, Counter)> {
     let tiles = tiles_of(settings.crop, settings.order);
-    let of_tile = |tile: &[u32; 4]| tile_of(&of_pixel, *tile, progress, stop);
+    let of_tile = |tile: &[u32; 4]| tile_of(&of_row, *tile, progress);
     // Collected by the order of the list, so that nothing depends on which thread was first.
     let rendered = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
     let mut film = Film::new(settings.crop);
@@ -186,20 +228,14 @@ fn tiles_of(area: [u32; 4], order: TileOrder) -> Vec<[u32; 4]> {
 
 /// The pixels of a tile row by row; `None` when the work is to stop.
 fn tile_of(
-    of_pixel: &impl Fn([u32; 2], &mut Counter) -> Color,
+    of_row: &impl Fn(u32, Range<u32>, &mut Vec<Color>, &mut Counter) -> Option<()>,
     [left, top, right, bottom]: [u32; 4],
     progress: Progress,
-    stop: &AtomicBool,
 ) -> Option<(Vec<Color>, Counter)> {
     let mut counter = Counter::default();
     let mut colors = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
     for row in top..bottom {
-        for column in left..right {
-            if stop.load(Ordering::Relaxed) {
-                return None;
-            }
-            colors.push(of_pixel([column, row], &mut counter));
-        }
+        of_row(row, left..right, &mut colors, &mut counter)?;
     }
     progress(colors.len() as u64);
     Some((colors, counter))

@@ -13,6 +13,7 @@ pub mod sobol;
 pub mod statistical;
 pub mod stochastic;
 pub mod student;
+pub mod together;
 
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws};

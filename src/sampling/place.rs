@@ -39,20 +39,27 @@ pub fn in_own_part(pick: Pick, number: u32) -> Pick {
 /// A sample at a point of a pixel, as a node of its own; the number counts from 1.
 pub fn sample_at<P: Probe>(
     scene: &Scene,
-    [column, row]: [u32; 2],
+    pixel: [u32; 2],
     number: u32,
     pick: Pick,
     draws: &Draws,
     probe: &mut P,
 ) -> Seen {
     probe.within(Step::Sample { number }, |probe| {
-        let [x, y] = place_in_square(pick, probe);
-        probe.given(Name::PixelLeft, f64::from(column));
-        let across = probe.note(Name::PixelColumnSampled, f64::from(column) + x);
-        probe.given(Name::PixelTop, f64::from(row));
-        let down = probe.note(Name::PixelRowSampled, f64::from(row) + y);
-        ray_through(scene, [across, down], draws, probe)
+        let place = place_of_sample(pixel, pick, probe);
+        ray_through(scene, place, draws, probe)
     })
+}
+
+/// The place of a point of a pixel in the picture.
+#[inline(always)]
+pub(super) fn place_of_sample<P: Probe>([column, row]: [u32; 2], pick: Pick, probe: &mut P) -> [f64; 2] {
+    let [x, y] = place_in_square(pick, probe);
+    probe.given(Name::PixelLeft, f64::from(column));
+    let across = probe.note(Name::PixelColumnSampled, f64::from(column) + x);
+    probe.given(Name::PixelTop, f64::from(row));
+    let down = probe.note(Name::PixelRowSampled, f64::from(row) + y);
+    [across, down]
 }
 
 /// The samples of a pixel with these numbers, from 0: `place` gives the random numbers of each and its point, `seen` is shown what each sees,
@@ -81,8 +88,7 @@ pub fn samples<P: Probe>(
         let mut aimed: ArrayVec<Option<Ray>, COMPANY> = ArrayVec::new();
         for number in numbers.by_ref().take(COMPANY) {
             let (draw, pick) = place(number);
-            let [x, y] = place_in_square(pick, probe);
-            aimed.push(scene.camera.sampled_ray([f64::from(pixel[0]) + x, f64::from(pixel[1]) + y], &draw, probe));
+            aimed.push(scene.camera.sampled_ray(place_of_sample(pixel, pick, probe), &draw, probe));
             draws.push(draw);
             picks.push(pick);
         }

@@ -12,11 +12,15 @@ use crate::scene::{Color, Scene};
 pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) -> Color {
     let count = n * n;
     let mut sum = Sum::ZERO;
-    let place = |number| {
-        let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Stratified { count });
-        let cell = Stratum { column: number % n, across: n, above: number / n * n, count };
-        (draws, Pick { stratum: cell, jitter: [0.5; 2] })
-    };
-    samples(scene, pixel, 0..count, place, |_, seen| sum.add(seen.color), probe);
+    samples(scene, pixel, 0..count, |number| sample(scene, n, pixel, number), |_, seen| sum.add(seen.color), probe);
     mean::of_pixel(Name::PixelMean, sum, f64::from(count), probe)
+}
+
+/// The random numbers of a sample of n × n, its number from 0, and its point in the pixel.
+#[inline]
+pub(super) fn sample(scene: &Scene, n: u32, pixel: [u32; 2], number: u32) -> (Draws, Pick) {
+    let count = n * n;
+    let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Stratified { count });
+    let cell = Stratum { column: number % n, across: n, above: number / n * n, count };
+    (draws, Pick { stratum: cell, jitter: [0.5; 2] })
 }

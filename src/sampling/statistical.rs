@@ -13,11 +13,12 @@
 //! a few that agree aren't enough.
 
 use super::mean::{self, Sum};
-use super::place::{in_own_part, samples};
+use super::place::samples;
+use super::stochastic::sample;
 use super::student;
 use crate::log::{Acceptance, Decision, Name};
 use crate::probe::Probe;
-use crate::random::{Arrangement, Dimension, Draws, Pick};
+use crate::random::{Arrangement, Pick};
 use crate::scene::file::validate::limits::MIN_STATISTICAL;
 use crate::scene::{Color, Scene, Statistical};
 use crate::trace::Seen;
@@ -39,10 +40,7 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], prob
     let mut draws_more = scene.effects.of_the_eye();
     loop {
         let numbers = taken.len() as u32..until.min(wanted.max);
-        let place = |number| {
-            let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Sobol);
-            (draws, in_own_part(draws.pick(Dimension::Pixel), number))
-        };
+        let place = |number| sample(scene, Arrangement::Sobol, pixel, number);
         let seen = |pick: Pick, Seen { color, object }| {
             draws_more |= object.is_some() && scene.effects.of_surfaces();
             sum.add(color);
@@ -240,6 +238,7 @@ fn quantiles(confidence: f64, freedom: Color) -> Color {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::{Dimension, Draws};
 
     fn taken(n: u32, color: impl Fn([f64; 2]) -> f64) -> Vec<Taken> {
         let draws = |number| Draws::of_pixel(1, [2, 3], number, Arrangement::Sobol);

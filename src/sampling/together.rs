@@ -1,0 +1,106 @@
+//! Pixels of a row whose few samples walk together: what the rays of neighbours meet is found faster so. Each pixel gets the bits that it gets
+//! alone.
+
+use super::mean::{self, Sum};
+use super::place::place_of_sample;
+use super::{regular, stochastic};
+use crate::geometry::{COMPANY, Ray};
+use crate::log::Name;
+use crate::probe::Silent;
+use crate::random::{Arrangement, Draws};
+use crate::scene::{Color, Sampling, Scene};
+use crate::trace::{Seen, see_together};
+use arrayvec::ArrayVec;
+use std::ops::Range;
+
+/// How many samples each pixel has, where they are so few that those of several walk together, and that saves time.
+pub fn few_samples(scene: &Scene) -> Option<u32> {
+    let count = match scene.sampling {
+        Sampling::Center => 1,
+        Sampling::Regular { n } => n.saturating_mul(n),
+        Sampling::Stochastic { n } | Sampling::Random { n } | Sampling::Sobol { n } => n,
+        Sampling::Shared { .. } | Sampling::Adaptive { .. } | Sampling::Statistical(_) => return None,
+    };
+    (2 * count as usize <= COMPANY && scene.index.has_large_trees()).then_some(count)
+}
+
+/// The colours of the pixels in these columns of a row, which have so many samples each, as [`few_samples`] says.
+pub fn row(scene: &Scene, row: u32, columns: Range<u32>, count: u32, colors: &mut Vec<Color>) {
+    let mut columns = columns;
+    while !columns.is_empty() {
+        let pixels = columns.by_ref().take(COMPANY / count as usize).map(|column| [column, row]);
+        of_neighbours(scene, pixels, count, colors);
+    }
+}
+
+fn of_neighbours(scene: &Scene, pixels: impl Iterator<Item = [u32; 2]>, count: u32, colors: &mut Vec<Color>) {
+    let mut draws: ArrayVec<Draws, COMPANY> = ArrayVec::new();
+    let mut aimed: ArrayVec<Option<Ray>, COMPANY> = ArrayVec::new();
+    for (pixel, number) in pixels.flat_map(|pixel| (0..count).map(move |number| (pixel, number))) {
+        let (draw, place) = sample(scene, pixel, number);
+        aimed.push(scene.camera.sampled_ray(place, &draw, &mut Silent));
+        draws.push(draw);
+    }
+    let (mut sum, mut seen_so_far) = (Sum::ZERO, 0);
+    let take = |seen: Seen| {
+        if scene.sampling == Sampling::Center {
+            return colors.push(seen.color);
+        }
+        sum.add(seen.color);
+        seen_so_far += 1;
+        if seen_so_far == count {
+            colors.push(mean::of_pixel(Name::PixelMean, sum, f64::from(count), &mut Silent));
+            (sum, seen_so_far) = (Sum::ZERO, 0);
+        }
+    };
+    see_together(scene, &draws, &aimed, take, &mut Silent);
+}
+
+/// The random numbers of a sample, and its place in the picture.
+fn sample(scene: &Scene, pixel: [u32; 2], number: u32) -> (Draws, [f64; 2]) {
+    let (draws, pick) = match scene.sampling {
+        Sampling::Regular { n } => regular::sample(scene, n, pixel, number),
+        Sampling::Stochastic { n } => stochastic::sample(scene, Arrangement::Stratified { count: n }, pixel, number),
+        Sampling::Random { .. } => stochastic::sample(scene, Arrangement::Independent, pixel, number),
+        Sampling::Sobol { .. } => stochastic::sample(scene, Arrangement::Sobol, pixel, number),
+        _ => {
+            let draws = Draws::of_pixel(scene.seed, pixel, 0, Arrangement::Independent);
+            return (draws, pixel.map(|along| f64::from(along) + 0.5));
+        }
+    };
+    (draws, place_of_sample(pixel, pick, &mut Silent))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pixel;
+    use super::*;
+
+    #[test]
+    fn pixels_of_a_row_get_the_bits_that_they_get_alone() {
+        let mut scene = Scene::built_in("mesh").expect("a scene with a mesh");
+        let samplings = [
+            Sampling::Center,
+            Sampling::Regular { n: 1 },
+            Sampling::Regular { n: 2 },
+            Sampling::Stochastic { n: 2 },
+            Sampling::Random { n: 3 },
+            Sampling::Sobol { n: 4 },
+        ];
+        for sampling in samplings {
+            scene.sampling = sampling;
+            let count = few_samples(&scene).expect("few samples");
+            let y = scene.camera.resolution[1] / 2;
+            let columns = scene.camera.resolution[0] / 3..scene.camera.resolution[0] / 2;
+            let mut colors = Vec::new();
+            row(&scene, y, columns.clone(), count, &mut colors);
+            let alone: Vec<_> = columns.map(|x| pixel(&scene, [x, y], &mut Silent)).collect();
+            assert_eq!(colors, alone, "{sampling}");
+            assert!(colors.iter().any(|color| *color != colors[0]), "something to see");
+        }
+        for sampling in [Sampling::Sobol { n: 5 }, Sampling::Shared { n: 1 }] {
+            scene.sampling = sampling;
+            assert_eq!(few_samples(&scene), None);
+        }
+    }
+}
