@@ -31,7 +31,7 @@ fn knot(sampling: Sampling, around_eye: f64) -> Scene {
             {"name": "eye", "shape": {"sphere": {"center": [1.5, -4.5, 2.2], "radius": around_eye}}, "material": "glass"}
         ]);
         let glass = json!({"ior": 1.3, "weights": {"local": 0.2, "transmitted": 0.8}});
-        file.materials.insert("glass".to_owned(), serde_json::from_value(glass).expect("a material"));
+        file.materials.insert("glass", serde_json::from_value(glass).expect("a material"));
         file.objects.extend(serde_json::from_value::<Vec<_>>(balls).expect("objects"));
     });
     Scene { sampling, seed: 3, ..scene }
