@@ -67,6 +67,15 @@ impl Nearest {
         self.limit = (t + closeness(t, ray, probe)).min(ray.t_max);
     }
 
+    /// Takes into account what a search found in an object's own frame, where distances are the same.
+    pub fn join<P: Probe>(&mut self, found: Nearest, ray: &Ray, probe: &P) {
+        let Some(Hit { object, crossing }) = found.hit else { return };
+        if let Some(others) = found.others {
+            self.others.get_or_insert_default().extend(*others);
+        }
+        self.offer(object, crossing, ray, probe);
+    }
+
     /// The nearest crossing by its distance.
     #[inline(always)]
     pub fn hit(&self) -> Option<Hit> {

@@ -206,7 +206,7 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
 /// What a ray sees of which the nearest hit is known.
 #[inline(always)]
 fn seen_at<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, nearest: Nearest, probe: &mut P) -> Seen {
-    let Some(hit) = nearest.hit() else {
+    let Some(mut hit) = nearest.hit() else {
         return nothing_met(scene, probe);
     };
     if !nearest.is_alone() {
@@ -214,6 +214,8 @@ fn seen_at<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, nearest: Nearest, pr
         if hits.len() > 1 {
             return in_place(scene, ray, path, &hits[0], &Place::of(&hits), probe);
         }
+        // At the same distance the search may have found another one first.
+        hit = hits[0];
     } else {
         probe.mark(Decision::Nearest { object: hit.object });
     }

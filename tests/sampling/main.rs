@@ -21,3 +21,4 @@ mod physics;
 mod quality;
 mod shared_samples;
 mod small;
+mod together;

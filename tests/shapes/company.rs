@@ -12,7 +12,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// One to eight rays: neighbours from an eye, neighbours from anywhere, or rays that have nothing to do with each other.
 fn company(world: &World, random: &mut Random) -> Vec<Query> {
     let World { middle, size, targets, .. } = world;
-    let kind = random.below(4);
+    let kind = random.below(6);
+    let far = magnitude(random, 0, 14);
     let eye = *middle + random.point() * *size * if random.below(2) == 0 { 1.0 } else { 3.0 };
     let target = targets[random.below(targets.len())];
     let spread = *size * magnitude(random, -9, -1);
@@ -20,6 +21,9 @@ fn company(world: &World, random: &mut Random) -> Vec<Query> {
         let (origin, target) = match kind {
             0 | 1 => (eye, target + random.point() * spread),
             2 => (eye + random.point() * spread, target + random.point() * spread),
+            // The same ray again and again, and neighbours from very far away, each as far as it likes.
+            3 => (eye, target),
+            4 => (target + (eye - target) * far * (0.5 + random.part()), target + random.point() * spread),
             _ => (*middle + random.point() * *size * 2.0, targets[random.below(targets.len())]),
         };
         let mut direction = target - origin;
@@ -27,7 +31,7 @@ fn company(world: &World, random: &mut Random) -> Vec<Query> {
             // Of single precision, as files have them.
             0 => direction = direction.normalize_or(DVec3::X).as_vec3().as_dvec3(),
             1 => direction *= magnitude(random, -3, 3),
-            2 => direction[random.below(3)] = 0.0,
+            2 => direction[random.below(3)] = if random.below(2) == 0 { 0.0 } else { -0.0 },
             _ => {}
         }
         if direction == DVec3::ZERO {
@@ -38,7 +42,13 @@ fn company(world: &World, random: &mut Random) -> Vec<Query> {
         let t_max = if random.below(3) == 0 { way * (0.5 + random.part()) } else { f64::INFINITY };
         Query { origin, direction, t_min, t_max, from: None }
     };
-    (0..1 + random.below(COMPANY)).map(|_| one(random)).collect()
+    let mut queries: Vec<_> = (0..1 + random.below(COMPANY)).map(|_| one(random)).collect();
+    if random.below(8) == 0 {
+        // Ends in the wrong order, and rays of no length.
+        let query = random.below(queries.len());
+        (queries[query].t_min, queries[query].t_max) = (*size * random.part(), *size * random.part() * 1e-3);
+    }
+    queries
 }
 
 /// The same number of rays that leave the surface where the first ray meets it.
@@ -46,13 +56,12 @@ fn leaving(scene: &Scene, queries: &[Query], random: &mut Random) -> Option<Vec<
     let answer = queries.first()?.nearest(scene)?;
     let way = random.unit();
     let spread = magnitude(random, -6, 0);
-    let from = Some((answer.object, answer.primitive));
     let one = |random: &mut Random| Query {
         origin: answer.point,
         direction: way + random.point() * spread * 0.5,
         t_min: 0.0,
         t_max: f64::INFINITY,
-        from,
+        from: (random.below(4) != 0).then_some((answer.object, answer.primitive)),
     };
     Some(queries.iter().map(|_| one(random)).filter(|query| query.direction != DVec3::ZERO).collect())
 }
@@ -84,7 +93,10 @@ fn rays_that_walk_together_meet_what_they_meet_alone() {
         let world = world(number);
         let mut random = Random::new(!number);
         let scenes = [Some(world.shapes.clone()), world.mesh.clone().map(|mesh| vec![mesh])];
-        for scene in scenes.into_iter().flatten().map(|shapes| Scene::of_shapes("world", shapes)) {
+        for mut scene in scenes.into_iter().flatten().map(|shapes| Scene::of_shapes("world", shapes)) {
+            if random.below(2) == 0 {
+                scene.objects.iter_mut().for_each(|object| object.one_sided = random.below(2) == 0);
+            }
             for _ in 0..60 {
                 let queries = company(&world, &mut random);
                 compare(&scene, &queries, number, &tally);

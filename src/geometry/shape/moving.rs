@@ -44,7 +44,13 @@ impl Moving {
     /// Shows `nearest` the points where the ray crosses the object that may be its nearest crossing.
     #[inline(never)]
     pub fn nearest<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, nearest: &mut Nearest, probe: &mut P) {
-        self.in_own_frame(ray, probe, |own, probe| self.shape.nearest(object, one_sided, own, nearest, probe));
+        let found = self.in_own_frame(ray, probe, |own, probe| {
+            let mut found = Nearest::of(own);
+            self.shape.nearest(object, one_sided, own, &mut found, probe);
+            found
+        });
+        // How close crossings are is told in the scene, where those with other objects are.
+        nearest.join(found, ray, probe);
     }
 
     /// Shows the log the crossing of a ray that begins on the object and goes through it.
