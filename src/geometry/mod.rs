@@ -15,7 +15,7 @@ pub(crate) mod size;
 pub(crate) mod unit;
 
 pub use bounds::Bounds;
-pub use bvh::{Bvh, COMPANY, Form, OfEach, Rays, Search, Shaft, each};
+pub use bvh::{Bvh, Form, PACKET, PerRay, RayMask, Search, Shaft, each};
 pub use line::{Line, RaySource};
 pub use mesh::Mesh;
 pub use nearest::{Hit, Nearest};

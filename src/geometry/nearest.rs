@@ -43,12 +43,6 @@ impl Nearest {
         Nearest { limit: ray.t_max, ..Nearest::NONE }
     }
 
-    /// Says up to where crossings matter.
-    #[inline(always)]
-    pub fn set_limit(&mut self, limit: f64) {
-        self.limit = limit;
-    }
-
     /// Takes a crossing into account.
     #[inline(always)]
     pub fn offer<P: Probe>(&mut self, object: u32, Crossing { t, side, primitive }: Crossing, ray: &Ray, probe: &P) {

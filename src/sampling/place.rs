@@ -1,6 +1,6 @@
 //! Where in its pixel a sample lies, and the ray through there.
 
-use crate::geometry::{COMPANY, Ray};
+use crate::geometry::{PACKET, Ray};
 use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::{Draws, Pick, Stratum};
@@ -84,9 +84,9 @@ pub fn samples<P: Probe>(
             }
             return;
         }
-        let (mut draws, mut picks): (ArrayVec<Draws, COMPANY>, ArrayVec<Pick, COMPANY>) = Default::default();
-        let mut aimed: ArrayVec<Option<Ray>, COMPANY> = ArrayVec::new();
-        for number in numbers.by_ref().take(COMPANY) {
+        let (mut draws, mut picks): (ArrayVec<Draws, PACKET>, ArrayVec<Pick, PACKET>) = Default::default();
+        let mut aimed: ArrayVec<Option<Ray>, PACKET> = ArrayVec::new();
+        for number in numbers.by_ref().take(PACKET) {
             let (draw, pick) = place(number);
             aimed.push(scene.camera.sampled_ray(place_of_sample(pixel, pick, probe), &draw, probe));
             draws.push(draw);

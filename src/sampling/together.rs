@@ -4,7 +4,7 @@
 use super::mean::{self, Sum};
 use super::place::place_of_sample;
 use super::{regular, stochastic};
-use crate::geometry::{COMPANY, Ray};
+use crate::geometry::{PACKET, Ray};
 use crate::log::Name;
 use crate::probe::Silent;
 use crate::random::{Arrangement, Draws};
@@ -21,21 +21,21 @@ pub fn few_samples(scene: &Scene) -> Option<u32> {
         Sampling::Stochastic { n } | Sampling::Random { n } | Sampling::Sobol { n } => n,
         Sampling::Shared { .. } | Sampling::Adaptive { .. } | Sampling::Statistical(_) => return None,
     };
-    (2 * count as usize <= COMPANY && scene.index.has_large_trees()).then_some(count)
+    (2 * count as usize <= PACKET && scene.index.has_large_trees()).then_some(count)
 }
 
 /// The colours of the pixels in these columns of a row, which have so many samples each, as [`few_samples`] says.
 pub fn row(scene: &Scene, row: u32, columns: Range<u32>, count: u32, colors: &mut Vec<Color>) {
     let mut columns = columns;
     while !columns.is_empty() {
-        let pixels = columns.by_ref().take(COMPANY / count as usize).map(|column| [column, row]);
+        let pixels = columns.by_ref().take(PACKET / count as usize).map(|column| [column, row]);
         of_neighbours(scene, pixels, count, colors);
     }
 }
 
 fn of_neighbours(scene: &Scene, pixels: impl Iterator<Item = [u32; 2]>, count: u32, colors: &mut Vec<Color>) {
-    let mut draws: ArrayVec<Draws, COMPANY> = ArrayVec::new();
-    let mut aimed: ArrayVec<Option<Ray>, COMPANY> = ArrayVec::new();
+    let mut draws: ArrayVec<Draws, PACKET> = ArrayVec::new();
+    let mut aimed: ArrayVec<Option<Ray>, PACKET> = ArrayVec::new();
     for (pixel, number) in pixels.flat_map(|pixel| (0..count).map(move |number| (pixel, number))) {
         let (draw, place) = sample(scene, pixel, number);
         aimed.push(scene.camera.sampled_ray(place, &draw, &mut Silent));

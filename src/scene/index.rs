@@ -1,7 +1,7 @@
 //! Which objects a ray can meet: those without end, and those whose box it passes.
 
 use super::Object;
-use crate::geometry::bvh::{Bvh, Form, OfEach, Rays, Search};
+use crate::geometry::bvh::{Bvh, Form, PerRay, RayMask, Search};
 use crate::geometry::{Bounds, Leaving, RaySource, Shaft, Shape};
 use crate::probe::Probe;
 use arrayvec::ArrayVec;
@@ -43,7 +43,7 @@ const WITHOUT_TREE: usize = 8;
 const MOST_BETWEEN: usize = 16;
 
 /// In a tree over fewer primitives rays find what they meet as soon alone as together.
-const WORTH_COMPANY: usize = 64;
+const WORTH_PACKETS: usize = 64;
 
 /// So many objects are looked at by one core at a time.
 const CHUNK: usize = 1 << 12;
@@ -107,7 +107,7 @@ impl Index {
             bounds,
             extents: Vec::new(),
             shows_all: false,
-            has_large_trees: bounded.len() >= WORTH_COMPANY || has_large_meshes(objects),
+            has_large_trees: bounded.len() >= WORTH_PACKETS || has_large_meshes(objects),
         }
     }
 
@@ -200,10 +200,10 @@ impl Index {
     pub fn visit_together<P: Probe, S: RaySource>(
         &self,
         sources: &[S],
-        rays: Rays,
+        rays: RayMask,
         search: Search,
-        limits: &mut OfEach<f64>,
-        meet: impl FnMut(Rays, u32, bool, &mut OfEach<f64>),
+        limits: &mut PerRay<f64>,
+        meet: impl FnMut(RayMask, u32, bool, &mut PerRay<f64>),
     ) {
         self.tree.visit_together::<P, S>(sources, rays, search, limits, meet);
     }
@@ -211,7 +211,7 @@ impl Index {
 
 fn has_large_meshes(objects: &[Object]) -> bool {
     let is_large = |object: &Object| match object.shape.at_rest() {
-        Shape::Mesh(mesh) => mesh.mesh().faces.len() >= WORTH_COMPANY,
+        Shape::Mesh(mesh) => mesh.mesh().faces.len() >= WORTH_PACKETS,
         _ => false,
     };
     objects.iter().any(is_large)

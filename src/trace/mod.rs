@@ -21,7 +21,7 @@ pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, 
 pub(crate) use visibility::all_crossings;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 
-use crate::geometry::{COMPANY, Leaving, Nearest, OfEach, Ray, Surface};
+use crate::geometry::{Leaving, Nearest, PACKET, PerRay, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};
@@ -136,7 +136,7 @@ fn around_eye(scene: &Scene, ray: &Ray) -> Media {
     }
 }
 
-/// What camera rays of samples with these random numbers see, at most [`COMPANY`] of them, in their order.
+/// What camera rays of samples with these random numbers see, at most [`PACKET`] of them, in their order.
 ///
 /// What they meet first is searched for together; from there on each goes its own way, as it would alone.
 pub fn see_together<P: Probe>(
@@ -146,8 +146,8 @@ pub fn see_together<P: Probe>(
     mut seen: impl FnMut(Seen),
     probe: &mut P,
 ) {
-    let rays: ArrayVec<Ray, COMPANY> = aimed.iter().flatten().copied().collect();
-    let mut nearest: OfEach<Nearest> = [const { Nearest::NONE }; COMPANY];
+    let rays: ArrayVec<Ray, PACKET> = aimed.iter().flatten().copied().collect();
+    let mut nearest: PerRay<Nearest> = [const { Nearest::NONE }; PACKET];
     visibility::search_together(scene, &rays, &mut nearest, probe);
     let mut nearest = nearest.into_iter();
     for (draws, ray) in draws.iter().zip(aimed) {

@@ -3,7 +3,7 @@
 use super::visibility::{are_any_hit, closest_hit, is_any_hit, search_together};
 use crate::geometry::Hit;
 use crate::geometry::unit::{unit, with_unit};
-use crate::geometry::{COMPANY, Leaving, Line, Nearest, OfEach, Ray, RaySource, Rays, Side};
+use crate::geometry::{Leaving, Line, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Side};
 use crate::probe::Silent;
 use crate::scene::Scene;
 use arrayvec::ArrayVec;
@@ -122,12 +122,12 @@ impl Query {
         }
     }
 
-    /// Where the nearest hits of several rays are, at most [`COMPANY`]: shows `answer` what each meets, in their order. Rays that run together are
+    /// Where the nearest hits of several rays are, at most [`PACKET`]: shows `answer` what each meets, in their order. Rays that run together are
     /// answered faster so, each as it would be alone.
     pub fn hits(queries: &[Query], scene: &Scene, mut answer: impl FnMut(Option<RayHit>)) {
-        let mut rays: ArrayVec<Ray, COMPANY> = ArrayVec::new();
-        let mut lengths = [0.0; COMPANY];
-        let mut missing: Rays = 0;
+        let mut rays: ArrayVec<Ray, PACKET> = ArrayVec::new();
+        let mut lengths = [0.0; PACKET];
+        let mut missing: RayMask = 0;
         for (at, query) in queries.iter().enumerate() {
             if query.surely_misses(scene) {
                 missing |= 1 << at;
@@ -137,7 +137,7 @@ impl Query {
             lengths[rays.len()] = length;
             rays.push(query.ray_along(direction, vector, length, scene));
         }
-        let mut nearest: OfEach<Nearest> = [const { Nearest::NONE }; COMPANY];
+        let mut nearest: PerRay<Nearest> = [const { Nearest::NONE }; PACKET];
         search_together(scene, &rays, &mut nearest, &mut Silent);
         let mut made = 0;
         for (at, query) in queries.iter().enumerate() {
@@ -158,13 +158,13 @@ impl Query {
         }
     }
 
-    /// Which of several rays, at most [`COMPANY`], have any hit, a bit for each.
-    pub fn are_occluded(queries: &[Query], scene: &Scene) -> Rays {
-        let mut asked: ArrayVec<Asked, COMPANY> = ArrayVec::new();
+    /// Which of several rays, at most [`PACKET`], have any hit, a bit for each.
+    pub fn are_occluded(queries: &[Query], scene: &Scene) -> RayMask {
+        let mut asked: ArrayVec<Asked, PACKET> = ArrayVec::new();
         let mut rays = 0;
         for query in queries {
             let Some(line) = query.line() else { break };
-            rays |= Rays::from(!query.surely_misses(scene)) << asked.len();
+            rays |= RayMask::from(!query.surely_misses(scene)) << asked.len();
             asked.push(Asked { query, scene, line, ray: OnceCell::new() });
         }
         if asked.len() < queries.len() {

@@ -1,7 +1,7 @@
 //! What a ray hits first, and how much light gets through.
 
 use super::{Layer, Place, in_range};
-use crate::geometry::{COMPANY, Crossing, Hit, Nearest, OfEach, Ray, RaySource, Rays, Search, Shape, each};
+use crate::geometry::{Crossing, Hit, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Search, Shape, each};
 use crate::log::{Decision, SkipReason, Skippable};
 use crate::probe::{Probe, Spared};
 use crate::scene::{Color, Scene, Shadows};
@@ -74,11 +74,11 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
     nearest
 }
 
-/// The same for several rays, at most [`COMPANY`], which walk together where they run together.
-pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &mut OfEach<Nearest>, probe: &mut P) {
-    let mut limits = [-1.0; COMPANY];
-    for (at, ray) in rays.iter().enumerate().take(COMPANY) {
-        nearest[at].set_limit(ray.t_max);
+/// The same for several rays, at most [`PACKET`], which walk together where they run together.
+pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &mut PerRay<Nearest>, probe: &mut P) {
+    let mut limits = [-1.0; PACKET];
+    for (at, ray) in rays.iter().enumerate().take(PACKET) {
+        nearest[at] = Nearest::of(ray);
         limits[at] = ray.t_max;
     }
     scene.index.visit_together::<P, Ray>(
@@ -135,9 +135,9 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut 
     is_hit
 }
 
-/// Which of several rays, at most [`COMPANY`], of those in `rays` meet anything at all.
-pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: Rays, probe: &mut P) -> Rays {
-    let mut limits = [-1.0; COMPANY];
+/// Which of several rays, at most [`PACKET`], of those in `rays` meet anything at all.
+pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: RayMask, probe: &mut P) -> RayMask {
+    let mut limits = [-1.0; PACKET];
     for at in each(rays) {
         limits[at] = sources[at].reach();
     }

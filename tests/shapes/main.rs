@@ -13,7 +13,6 @@ mod support;
 
 mod boxes;
 mod coincident;
-mod company;
 mod filters_are_conservative;
 mod flat;
 mod flat_formulas;
@@ -22,6 +21,7 @@ mod grazed_cylinder;
 mod ladder;
 mod leaks;
 mod meshes;
+mod packets;
 mod patterns;
 mod quadrics;
 mod quadrics_random;

@@ -6,10 +6,10 @@
 
 mod block;
 mod build;
-mod company;
 mod lanes;
 mod node;
 mod outliers;
+mod packet;
 mod shaft;
 mod space;
 mod split;
@@ -19,11 +19,11 @@ use super::bounds::Bounds;
 use super::line::RaySource;
 use crate::probe::Probe;
 use block::{SphereBlock, TriangleBlock};
-use company::Company;
-pub use company::{COMPANY, OfEach, Rays, each};
 use glam::DVec3;
 use lanes::{Instructions, Lanes, Plain};
 use node::{Child, Node};
+use packet::PacketWalk;
+pub use packet::{PACKET, PerRay, RayMask, each};
 pub use shaft::Shaft;
 use space::Space;
 use walk::Walk;
@@ -134,22 +134,22 @@ impl Bvh {
         }
     }
 
-    /// The same for several rays, at most [`COMPANY`], of which those in `rays` ask. Shows `meet` sets of rays that may meet a thing; it sets
+    /// The same for several rays, at most [`PACKET`], of which those in `rays` ask. Shows `meet` sets of rays that may meet a thing; it sets
     /// the distances `limits`, up to which things still matter to a ray, a negative one to end its search.
     pub fn visit_together<P: Probe, S: RaySource>(
         &self,
         sources: &[S],
-        rays: Rays,
+        rays: RayMask,
         search: Search,
-        limits: &mut OfEach<f64>,
-        mut meet: impl FnMut(Rays, u32, bool, &mut OfEach<f64>),
+        limits: &mut PerRay<f64>,
+        mut meet: impl FnMut(RayMask, u32, bool, &mut PerRay<f64>),
     ) {
         for thing in &self.beside {
-            let rays: Rays = each(rays).filter(|ray| limits[*ray] >= 0.0).fold(0, |rays, ray| rays | 1 << ray);
+            let rays: RayMask = each(rays).filter(|ray| limits[*ray] >= 0.0).fold(0, |rays, ray| rays | 1 << ray);
             meet(rays, *thing, false, limits);
         }
         let Some(root) = self.root else { return };
-        let rays: Rays = each(rays).filter(|ray| limits[*ray] >= 0.0).fold(0, |rays, ray| rays | 1 << ray);
+        let rays: RayMask = each(rays).filter(|ray| limits[*ray] >= 0.0).fold(0, |rays, ray| rays | 1 << ray);
         let alone = if rays.count_ones() > 1 {
             self.visit_tree_together::<P, S>(
                 root,
@@ -183,12 +183,12 @@ impl Bvh {
         &self,
         root: Child,
         sources: &[S],
-        rays: Rays,
+        rays: RayMask,
         search: Search,
-        limits: &mut OfEach<f64>,
-        meet: impl FnMut(Rays, u32, bool, &mut OfEach<f64>),
-    ) -> Rays {
-        let walk = Company { tree: self, sources, search, meet };
+        limits: &mut PerRay<f64>,
+        meet: impl FnMut(RayMask, u32, bool, &mut PerRay<f64>),
+    ) -> RayMask {
+        let walk = PacketWalk { tree: self, sources, search, meet };
         #[cfg(target_arch = "x86_64")]
         if P::IS_HURRIED
             && let Instructions::Avx2(avx2) = self.instructions

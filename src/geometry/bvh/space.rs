@@ -1,7 +1,7 @@
 //! The tree's own space, in which single precision is enough: centred on what the tree holds, and scaled by a power of two so that all
 //! of it lies between −1 and 1. `docs/acceleration.md` derives the margins.
 
-use super::company::{COMPANY, Lines, Local};
+use super::packet::{Lines, Local, PACKET};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::{exponent, scaled};
 use crate::geometry::line::Line;
@@ -104,8 +104,8 @@ impl Space {
         let Lines { origin: [o_x, o_y, o_z], direction: [d_x, d_y, d_z], unit, t_min, t_max } = lines;
         let [c_x, c_y, c_z] = self.center.to_array();
         let scale = self.scale;
-        let (mut shifts, mut slacks) = ([0.0; COMPANY], [0.0; COMPANY]);
-        for at in 0..COMPANY {
+        let (mut shifts, mut slacks) = ([0.0; PACKET], [0.0; PACKET]);
+        for at in 0..PACKET {
             let (x, y, z) = ((o_x[at] - c_x) * scale, (o_y[at] - c_y) * scale, (o_z[at] - c_z) * scale);
             let along = x * d_x[at] + y * d_y[at] + z * d_z[at];
             let is_far = x * x + y * y + z * z > NEAR;
@@ -120,14 +120,14 @@ impl Space {
             local.origin[1][at] = (y + d_y[at] * shift) as f32;
             local.origin[2][at] = (z + d_z[at] * shift) as f32;
         }
-        for at in 0..COMPANY {
+        for at in 0..PACKET {
             local.direction[0][at] = d_x[at] as f32;
             local.direction[1][at] = d_y[at] as f32;
             local.direction[2][at] = d_z[at] as f32;
             local.slack[at] = slacks[at] as f32 * (1.0 + 4.0 * U);
         }
         for axis in 0..3 {
-            for at in 0..COMPANY {
+            for at in 0..PACKET {
                 let direction = local.direction[axis][at];
                 let along = if direction.abs() < LEAST { LEAST.copysign(direction) } else { direction };
                 let inverse = 1.0 / along;
@@ -138,7 +138,7 @@ impl Space {
                 local.far[axis][at] = center - around;
             }
         }
-        for at in 0..COMPANY {
+        for at in 0..PACKET {
             let distance = Distance { unit: scale, scale: unit[at] * scale, shift: shifts[at], slack: slacks[at] };
             local.t_min[at] = distance.earliest(t_min[at]);
             local.t_max[at] = distance.latest(t_max[at]);
@@ -271,6 +271,40 @@ mod tests {
         // The nearest side is at 3, and t counts from the ray's own origin.
         let side = local.distance.latest(1e6 - 3.0);
         assert!((1.25..1.2501).contains(&side), "{side}");
+    }
+
+    #[test]
+    fn rays_of_a_packet_are_those_of_each_alone() {
+        let number = |k: u64| 8.0 * crate::random::unit(crate::random::hash(7, k)) - 4.0;
+        for k in 0..500 {
+            let place =
+                |axis: u64| DVec3::new(number(9 * k + axis), number(9 * k + axis + 1), number(9 * k + axis + 2));
+            let (mut lines, mut local) = (Lines::NONE, Local::NONE);
+            let far = if k % 4 == 0 { 1e5 } else { 1.0 };
+            let ray = |at: usize| {
+                let direction =
+                    place(3 + at as u64).normalize() * if k % 3 == 0 { DVec3::new(1.0, 0.0, -0.0) } else { DVec3::ONE };
+                Line::along(place(0) * far, direction, [0.25 * at as f64, f64::INFINITY])
+                    .map(|line| (line, 5.0 + at as f64))
+            };
+            let drawn: Vec<_> = (0..PACKET).map(|at| ray(at).expect("a plain direction")).collect();
+            for (at, (line, reach)) in drawn.iter().enumerate() {
+                lines.set(at, line, *reach);
+            }
+            space().rays(&lines, &mut local);
+            for (at, (line, reach)) in drawn.iter().enumerate() {
+                let Some(alone) = space().ray(line) else {
+                    assert!(local.slack[at] >= WIDEST, "{k} {at}");
+                    continue;
+                };
+                let of = |eights: &[[f32; 8]; 3]| [eights[0][at], eights[1][at], eights[2][at]];
+                let together =
+                    [of(&local.origin), of(&local.direction), of(&local.inverse), of(&local.near), of(&local.far)];
+                assert_eq!(together, [alone.origin, alone.direction, alone.inverse, alone.near, alone.far], "{k} {at}");
+                let ends = [local.slack[at], local.t_min[at], local.t_max[at]];
+                assert_eq!(ends, [alone.slack, alone.t_min, alone.distance.latest(*reach)], "{k} {at}");
+            }
+        }
     }
 
     #[test]

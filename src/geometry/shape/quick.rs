@@ -8,7 +8,7 @@
 mod lanes;
 
 use super::flat::PlaneHit;
-use crate::geometry::bvh::{COMPANY, OfEach, Rays, each};
+use crate::geometry::bvh::{PACKET, PerRay, RayMask, each};
 use crate::geometry::ray::Ray;
 use crate::probe::Probe;
 use glam::DVec3;
@@ -37,17 +37,17 @@ pub(super) struct Corners<'a> {
 
 /// Rays side by side, as many as walk together.
 pub(super) struct RayLanes {
-    origin: [OfEach<f64>; 3],
-    direction: [OfEach<f64>; 3],
+    origin: [PerRay<f64>; 3],
+    direction: [PerRay<f64>; 3],
     /// The greatest coordinate of the origin.
-    size: OfEach<f64>,
+    size: PerRay<f64>,
 }
 
 impl RayLanes {
     /// These of the rays.
     #[inline(always)]
-    pub fn of(rays: &[Ray], which: Rays) -> RayLanes {
-        let mut lanes = RayLanes { origin: [[0.0; COMPANY]; 3], direction: [[0.0; COMPANY]; 3], size: [0.0; COMPANY] };
+    pub fn of(rays: &[Ray], which: RayMask) -> RayLanes {
+        let mut lanes = RayLanes { origin: [[0.0; PACKET]; 3], direction: [[0.0; PACKET]; 3], size: [0.0; PACKET] };
         for at in each(which) {
             let Ray { origin, direction, .. } = &rays[at];
             for axis in 0..3 {
@@ -64,13 +64,13 @@ impl RayLanes {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct OfFour {
     /// Those that certainly pass beside the triangle.
-    pub beside: Rays,
+    pub beside: RayMask,
     /// Those of [`Quick::Met`].
-    pub met: Rays,
+    pub met: RayMask,
     /// Where these meet the triangle's plane.
     pub t: [f64; 4],
     /// Those that arrive at its front.
-    pub front: Rays,
+    pub front: RayMask,
 }
 
 /// Tests the triangle as far as f64 leaves nothing in doubt.

@@ -3,7 +3,7 @@
 use super::Spread;
 use super::clock::{Lap, timed};
 use crate::geometry::shape::{Sphere, SphereMethod, TriangleMesh};
-use crate::geometry::{COMPANY, Shape};
+use crate::geometry::{PACKET, Shape};
 use crate::scene::Scene;
 use crate::scene::file::raw::{Primitives, Question, RawRay, RayFile};
 use crate::trace::query::{Query, RayHit};
@@ -162,9 +162,9 @@ fn closest(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32])
 }
 
 fn closest_together(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
-    for ((rays, t), primitive) in rays.chunks(COMPANY).zip(t.chunks_mut(COMPANY)).zip(primitive.chunks_mut(COMPANY)) {
+    for ((rays, t), primitive) in rays.chunks(PACKET).zip(t.chunks_mut(PACKET)).zip(primitive.chunks_mut(PACKET)) {
         let mut places = t.iter_mut().zip(primitive);
-        let queries: ArrayVec<Query, COMPANY> = rays.iter().map(query).collect();
+        let queries: ArrayVec<Query, PACKET> = rays.iter().map(query).collect();
         Query::hits(&queries, scene, |hit| {
             if let Some((t, primitive)) = places.next() {
                 (*t, *primitive) = answer(hit);
@@ -188,8 +188,8 @@ fn occluded(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]
 }
 
 fn occluded_together(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
-    for ((rays, t), primitive) in rays.chunks(COMPANY).zip(t.chunks_mut(COMPANY)).zip(primitive.chunks_mut(COMPANY)) {
-        let queries: ArrayVec<Query, COMPANY> = rays.iter().map(query).collect();
+    for ((rays, t), primitive) in rays.chunks(PACKET).zip(t.chunks_mut(PACKET)).zip(primitive.chunks_mut(PACKET)) {
+        let queries: ArrayVec<Query, PACKET> = rays.iter().map(query).collect();
         let occluded = Query::are_occluded(&queries, scene);
         for (at, (t, primitive)) in t.iter_mut().zip(primitive).enumerate() {
             (*t, *primitive) = (0.0, if occluded >> at & 1 == 1 { 0 } else { NOTHING });

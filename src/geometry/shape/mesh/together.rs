@@ -2,7 +2,7 @@
 
 use super::TriangleMesh;
 use super::left::LeftTriangle;
-use crate::geometry::bvh::{OfEach, Rays, Search, each};
+use crate::geometry::bvh::{PerRay, RayMask, Search, each};
 use crate::geometry::line::RaySource;
 use crate::geometry::nearest::Nearest;
 use crate::geometry::ray::{Crossing, Ray, Side};
@@ -17,9 +17,9 @@ impl TriangleMesh {
         &self,
         (object, one_sided): (u32, bool),
         rays: &[Ray],
-        which: Rays,
-        nearest: &mut OfEach<Nearest>,
-        limits: &mut OfEach<f64>,
+        which: RayMask,
+        nearest: &mut PerRay<Nearest>,
+        limits: &mut PerRay<f64>,
         probe: &mut P,
     ) {
         let left = self.left_by_each(object, rays, which);
@@ -66,8 +66,8 @@ impl TriangleMesh {
         &self,
         (object, one_sided): (u32, bool),
         sources: &[S],
-        which: Rays,
-        limits: &mut OfEach<f64>,
+        which: RayMask,
+        limits: &mut PerRay<f64>,
         probe: &mut P,
     ) {
         let left = self.left_by_each(object, sources, which);
@@ -97,8 +97,8 @@ impl TriangleMesh {
 
     /// The triangles that the rays leave.
     #[inline(always)]
-    fn left_by_each<S: RaySource>(&self, object: u32, sources: &[S], which: Rays) -> OfEach<Option<LeftTriangle>> {
-        let mut left: OfEach<Option<LeftTriangle>> = Default::default();
+    fn left_by_each<S: RaySource>(&self, object: u32, sources: &[S], which: RayMask) -> PerRay<Option<LeftTriangle>> {
+        let mut left: PerRay<Option<LeftTriangle>> = Default::default();
         for ray in each(which) {
             left[ray] = self.left(object, &sources[ray]);
         }

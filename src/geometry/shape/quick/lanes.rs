@@ -3,7 +3,7 @@
 //! No operation is fused, so that the bits are those of the kernel.
 
 use super::{Corners, OfFour, Quick, RayLanes};
-use crate::geometry::bvh::{OfEach, Rays};
+use crate::geometry::bvh::{PerRay, RayMask};
 use crate::geometry::ray::{Ray, Side};
 use crate::geometry::shape::edge::{LEAST_SIZE, OF_EDGE};
 use crate::geometry::shape::flat::{LEAST_KEPT, PlaneHit, margin_of};
@@ -185,13 +185,13 @@ type Vectors = [__m256d; 3];
 /// Operations on a vector in each lane.
 impl Lanes {
     #[inline(always)]
-    fn four(self, numbers: &OfEach<f64>, first: usize) -> __m256d {
+    fn four(self, numbers: &PerRay<f64>, first: usize) -> __m256d {
         let [low, high]: [[f64; 4]; 2] = pulp::cast(*numbers);
         pulp::cast(if first == 0 { low } else { high })
     }
 
     #[inline(always)]
-    fn fours(self, numbers: &[OfEach<f64>; 3], first: usize) -> Vectors {
+    fn fours(self, numbers: &[PerRay<f64>; 3], first: usize) -> Vectors {
         [self.four(&numbers[0], first), self.four(&numbers[1], first), self.four(&numbers[2], first)]
     }
 
@@ -261,8 +261,8 @@ impl Lanes {
     }
 
     #[inline(always)]
-    fn bits(self, mask: __m256d) -> Rays {
-        self.0.avx._mm256_movemask_pd(mask) as Rays
+    fn bits(self, mask: __m256d) -> RayMask {
+        self.0.avx._mm256_movemask_pd(mask) as RayMask
     }
 
     /// Whether a sum keeps all of its digits.

@@ -4,13 +4,13 @@ use crate::random::Random;
 use crate::worlds::{World, magnitude, world};
 use glam::DVec3;
 use rayon::prelude::*;
-use raywalk::geometry::COMPANY;
+use raywalk::geometry::PACKET;
 use raywalk::scene::Scene;
 use raywalk::trace::query::Query;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// One to eight rays: neighbours from an eye, neighbours from anywhere, or rays that have nothing to do with each other.
-fn company(world: &World, random: &mut Random) -> Vec<Query> {
+fn packet(world: &World, random: &mut Random) -> Vec<Query> {
     let World { middle, size, targets, .. } = world;
     let kind = random.below(6);
     let far = magnitude(random, 0, 14);
@@ -42,7 +42,7 @@ fn company(world: &World, random: &mut Random) -> Vec<Query> {
         let t_max = if random.below(3) == 0 { way * (0.5 + random.part()) } else { f64::INFINITY };
         Query { origin, direction, t_min, t_max, from: None }
     };
-    let mut queries: Vec<_> = (0..1 + random.below(COMPANY)).map(|_| one(random)).collect();
+    let mut queries: Vec<_> = (0..1 + random.below(PACKET)).map(|_| one(random)).collect();
     if random.below(8) == 0 {
         // Ends in the wrong order, and rays of no length.
         let query = random.below(queries.len());
@@ -98,7 +98,7 @@ fn rays_that_walk_together_meet_what_they_meet_alone() {
                 scene.objects.iter_mut().for_each(|object| object.one_sided = random.below(2) == 0);
             }
             for _ in 0..60 {
-                let queries = company(&world, &mut random);
+                let queries = packet(&world, &mut random);
                 compare(&scene, &queries, number, &tally);
                 if let Some(queries) = leaving(&scene, &queries, &mut random) {
                     compare(&scene, &queries, number, &tally);

@@ -11,29 +11,29 @@ use crate::geometry::line::{Line, RaySource};
 use arrayvec::ArrayVec;
 
 /// The most rays that walk together.
-pub const COMPANY: usize = 8;
+pub const PACKET: usize = 8;
 
 /// A number of each ray that walks together.
-pub type OfEach<T> = [T; COMPANY];
+pub type PerRay<T> = [T; PACKET];
 
 /// Rays that walk together, a bit for each.
-pub type Rays = u32;
+pub type RayMask = u32;
 
 /// The numbers of the rays in a set.
 #[inline(always)]
-pub fn each(rays: Rays) -> impl Iterator<Item = usize> {
+pub fn each(rays: RayMask) -> impl Iterator<Item = usize> {
     let mut rest = rays;
     std::iter::from_fn(move || {
         let ray = rest.trailing_zeros() as usize;
         rest &= rest.wrapping_sub(1);
-        (ray < COMPANY).then_some(ray)
+        (ray < PACKET).then_some(ray)
     })
 }
 
 /// A walk of several rays, and what it is for.
-pub(super) struct Company<'a, S, M> {
+pub(super) struct PacketWalk<'a, S, M> {
     pub tree: &'a Bvh,
-    /// At most [`COMPANY`] of them.
+    /// At most [`PACKET`] of them.
     pub sources: &'a [S],
     pub search: Search,
     /// Shows a thing that these rays may meet, and says whether they certainly cross it; sets the distances up to which things still matter, a
@@ -42,28 +42,29 @@ pub(super) struct Company<'a, S, M> {
 }
 
 /// A child that waits: where the first ray enters its box, and the rays that do.
-type Waiting = (f32, Child, Rays);
+type Waiting = (f32, Child, RayMask);
 
 /// Lines, one in each lane.
 pub(super) struct Lines {
-    pub origin: [OfEach<f64>; 3],
-    pub direction: [OfEach<f64>; 3],
-    pub unit: OfEach<f64>,
-    pub t_min: OfEach<f64>,
-    pub t_max: OfEach<f64>,
+    pub origin: [PerRay<f64>; 3],
+    pub direction: [PerRay<f64>; 3],
+    pub unit: PerRay<f64>,
+    pub t_min: PerRay<f64>,
+    pub t_max: PerRay<f64>,
 }
 
 impl Lines {
-    const NONE: Lines = Lines {
-        origin: [[0.0; COMPANY]; 3],
-        direction: [[1.0; COMPANY]; 3],
-        unit: [1.0; COMPANY],
-        t_min: [0.0; COMPANY],
-        t_max: [-1.0; COMPANY],
+    pub const NONE: Lines = Lines {
+        origin: [[0.0; PACKET]; 3],
+        direction: [[1.0; PACKET]; 3],
+        unit: [1.0; PACKET],
+        t_min: [0.0; PACKET],
+        t_max: [-1.0; PACKET],
     };
 
+    /// Puts a line into a lane, which reaches that far.
     #[inline(always)]
-    fn set(&mut self, at: usize, line: &Line, t_max: f64) {
+    pub fn set(&mut self, at: usize, line: &Line, t_max: f64) {
         for axis in 0..3 {
             self.origin[axis][at] = line.origin[axis];
             self.direction[axis][at] = line.direction[axis];
@@ -83,9 +84,9 @@ pub(super) struct Local {
     pub slack: Eight,
     pub t_min: Eight,
     pub t_max: Eight,
-    pub distance: OfEach<Distance>,
+    pub distance: PerRay<Distance>,
     /// Between which distances a crossing certainly counts.
-    sure: OfEach<Option<[f32; 2]>>,
+    sure: PerRay<Option<[f32; 2]>>,
 }
 
 impl Local {
@@ -99,8 +100,8 @@ impl Local {
         slack: [0.0; 8],
         t_min: [0.0; 8],
         t_max: [f32::NEG_INFINITY; 8],
-        distance: [Distance::NONE; COMPANY],
-        sure: [None; COMPANY],
+        distance: [Distance::NONE; PACKET],
+        sure: [None; PACKET],
     };
 
     /// The last distance that matters to any ray; nothing matters to one that has ended.
@@ -110,16 +111,16 @@ impl Local {
     }
 }
 
-impl<S: RaySource, M: FnMut(Rays, u32, bool, &mut OfEach<f64>)> Company<'_, S, M> {
+impl<S: RaySource, M: FnMut(RayMask, u32, bool, &mut PerRay<f64>)> PacketWalk<'_, S, M> {
     /// Walks from this child on, up to a distance for each ray. Rays that don't run with the first one, or of which little is known, go on
     /// alone: returns them.
     #[inline(always)]
-    pub fn run<L: Lanes>(mut self, lanes: L, root: Child, rays: Rays, reach: &mut OfEach<f64>) -> Rays {
+    pub fn run<L: Lanes>(mut self, lanes: L, root: Child, rays: RayMask, reach: &mut PerRay<f64>) -> RayMask {
         let tree = self.tree;
         let mut local = Local::NONE;
-        let mut together: Rays = 0;
+        let mut together: RayMask = 0;
         let mut lines = Lines::NONE;
-        let mut lined: Rays = 0;
+        let mut lined: RayMask = 0;
         for at in each(rays) {
             if let Some(line) = self.sources[at].line() {
                 lines.set(at, &line, reach[at]);
@@ -154,7 +155,7 @@ impl<S: RaySource, M: FnMut(Rays, u32, bool, &mut OfEach<f64>)> Company<'_, S, M
     }
 
     #[inline(always)]
-    fn walk<L: Lanes>(&mut self, lanes: L, root: Child, rays: Rays, local: &mut Local, limits: &mut OfEach<f64>) {
+    fn walk<L: Lanes>(&mut self, lanes: L, root: Child, rays: RayMask, local: &mut Local, limits: &mut PerRay<f64>) {
         let tree = self.tree;
         let frustum = frustum(lanes, rays, local);
         let mut waiting: ArrayVec<Waiting, STACK> = ArrayVec::new();
@@ -235,11 +236,11 @@ impl<S: RaySource, M: FnMut(Rays, u32, bool, &mut OfEach<f64>)> Company<'_, S, M
         &mut self,
         lanes: L,
         block: &impl Block,
-        rays: Rays,
+        rays: RayMask,
         local: &mut Local,
-        limits: &mut OfEach<f64>,
+        limits: &mut PerRay<f64>,
     ) {
-        let (mut possible, mut sure) = ([0_u8; COMPANY], [0_u8; COMPANY]);
+        let (mut possible, mut sure) = ([0_u8; PACKET], [0_u8; PACKET]);
         let (mut any, mut any_sure) = (0, 0);
         for at in each(rays) {
             let sorted = if self.search.one_by_one {
@@ -277,15 +278,15 @@ impl<S: RaySource, M: FnMut(Rays, u32, bool, &mut OfEach<f64>)> Company<'_, S, M
 
 /// The rays for which the bit of this lane is set.
 #[inline(always)]
-fn of_lane(bits: &OfEach<u8>, lane: usize) -> Rays {
+fn of_lane(bits: &PerRay<u8>, lane: usize) -> RayMask {
     // Bit `lane` of each byte, gathered by a product.
     let bits = u64::from_le_bytes(*bits) >> (lane & 7) & 0x0101_0101_0101_0101;
-    (bits.wrapping_mul(0x0102_0408_1020_4080) >> 56) as Rays
+    (bits.wrapping_mul(0x0102_0408_1020_4080) >> 56) as RayMask
 }
 
 /// Those of the rays whose search has ended.
 #[inline(always)]
-fn ended(rays: Rays, limits: &OfEach<f64>) -> Rays {
+fn ended(rays: RayMask, limits: &PerRay<f64>) -> RayMask {
     let mut ended = 0;
     for at in each(rays) {
         ended |= u32::from(limits[at] < 0.0) << at;
@@ -338,7 +339,7 @@ fn leaf_ray<L: Lanes>(lanes: L, local: &Local, at: usize) -> LeafRay<L> {
 
 /// What holds all of these rays, whose directions have the same signs.
 #[inline(always)]
-fn frustum<L: Lanes>(lanes: L, rays: Rays, local: &Local) -> Frustum<L> {
+fn frustum<L: Lanes>(lanes: L, rays: RayMask, local: &Local) -> Frustum<L> {
     let range = |eight: &Eight| {
         let (mut least, mut greatest) = (f32::INFINITY, f32::NEG_INFINITY);
         for at in each(rays) {
