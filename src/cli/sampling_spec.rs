@@ -170,7 +170,7 @@ mod tests {
             "statistical:confidence=0.95,tolerance=0.05,min=8,max=4",
             "statistical.max: must be `min`, 8, or more, found 4",
         );
-        refuses("guided:tolerance=0,min=4,max=8", "guided.tolerance: must be more than 0, found 0");
+        refuses("guided:tolerance=0,min=4,max=8", "guided.tolerance: must be positive, found 0");
         refuses("guided:tolerance=1,min=1,max=1", "guided.max: must be from 2 to 1048576, found 1");
         refuses("guided:tolerance=1,min=4", "`max` is missing, expected guided:tolerance=T,min=M,max=N");
     }

@@ -14,7 +14,8 @@ const PILOTS_AT_A_TIME: u32 = 1 << 17;
 
 /// The picture; `None` when the work is to stop.
 ///
-/// Pilots are traced strip by strip, so that memory doesn't grow with the picture's height. Those around the crop are traced, too.
+/// Pilots are traced strip by strip, so that memory doesn't grow with the picture's height. Those around the crop are traced, too, but not
+/// counted: rays are those of the samples that make up the pixels, so that parts of a picture have together as many as the whole.
 pub(super) fn by_pilots(
     scene: &Scene,
     settings: &Settings,
@@ -107,13 +108,21 @@ impl Pilots<'_> {
                     return None;
                 }
                 let pixel = [column, row];
-                pilots.push(match self.settings.counts_rays {
-                    true => pilot(self.scene, self.wanted, pixel, &mut counter),
-                    false => pilot(self.scene, self.wanted, pixel, &mut Silent),
+                pilots.push(if self.is_counted(pixel) {
+                    pilot(self.scene, self.wanted, pixel, &mut counter)
+                } else {
+                    pilot(self.scene, self.wanted, pixel, &mut Silent)
                 });
             }
         }
         Some((pilots, counter))
+    }
+
+    /// Whether the rays of a pixel's pilot count as those of the picture. In another arithmetic its samples are traced, and counted, by themselves.
+    fn is_counted(&self, [column, row]: [u32; 2]) -> bool {
+        let Settings { crop: [left, top, right, bottom], counts_rays, arithmetic, .. } = *self.settings;
+        let is_within = (left..right).contains(&column) && (top..bottom).contains(&row);
+        counts_rays && is_within && arithmetic == Arithmetic::F64
     }
 
     /// The pixels of a tile row by row; `None` when the work is to stop.

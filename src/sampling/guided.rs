@@ -146,3 +146,47 @@ fn asked<P: Probe>(wanted: Guided, guide: Guide, probe: &mut P) -> f64 {
     probe.given(Name::PixelSamples, f64::from(wanted.pilot()));
     probe.note(Name::GuidedAsked, libm::pow(error / wanted.tolerance, POWER).min(f64::MAX))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WANTED: Guided = Guided { tolerance: 0.01, min: 3, max: 100 };
+
+    fn pilot(mean: [f64; 3], variance: f64) -> Pilot {
+        Pilot { sum: Sum::ZERO, mean: Color::from_array(mean), variance }
+    }
+
+    #[test]
+    fn a_guide_is_the_mean_variance_and_the_greatest_contrast() {
+        let pilots = [pilot([0.5, 0.25, 0.0], 0.5), pilot([0.25, 1.0, 0.5], 0.25), pilot([0.75, 0.5, 0.25], 0.0)];
+        // Red differs by 0.5 at the most, green by 0.75, blue by 0.5.
+        assert_eq!(Guide::of(&pilots), Guide { variance: 0.25, contrast: 0.75 });
+        assert_eq!(Guide::of(&pilots[..1]), Guide { variance: 0.5, contrast: 0.0 });
+    }
+
+    #[test]
+    fn samples_grow_with_the_power_of_the_error() {
+        let of = |variance, contrast| asked(WANTED, Guide { variance, contrast }, &mut Silent);
+        assert_eq!(of(0.0, 0.0), 0.0);
+        assert!((of(0.01 * 0.01, 0.0) - 1.0).abs() < 1e-12, "the tolerance is the error for which one is enough");
+        // 32^(4/5) is 16, and a contrast counts by 0.15 of itself: 3 and 4 make 5.
+        assert!((of(0.32 * 0.32, 0.0) - 16.0).abs() < 1e-9);
+        assert!((of(0.24 * 0.24, 0.4) - libm::pow(0.06_f64.hypot(0.24) / 0.01, 0.8)).abs() < 1e-9);
+        assert_eq!(of(f64::MAX, 0.0), of(f64::MAX, 0.0).min(f64::MAX));
+    }
+
+    #[test]
+    fn counts_are_powers_of_two_within_bounds() {
+        let asked_and_taken =
+            [(0.0, 4), (4.0, 4), (4.1, 8), (33.0, 64), (64.0, 64), (64.5, 100), (1e300, 100), (f64::NAN, 100)];
+        for (asked, taken) in asked_and_taken {
+            assert_eq!(WANTED.samples(asked), taken, "{asked}");
+        }
+        let pilot = |min, max| Guided { tolerance: 1.0, min, max }.pilot();
+        assert_eq!(
+            [pilot(1, 64), pilot(2, 64), pilot(3, 64), pilot(5, 6), pilot(1 << 20, 1 << 20)],
+            [2, 2, 4, 6, 1 << 20]
+        );
+    }
+}

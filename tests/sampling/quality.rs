@@ -3,7 +3,7 @@
 
 use crate::edges::{Shape, camera_rays, coverage, picture, red, scene};
 use crate::support;
-use raywalk::scene::{Sampling, Scene, Statistical};
+use raywalk::scene::{Guided, Sampling, Scene, Statistical};
 
 const SEEDS: u64 = 100;
 
@@ -58,6 +58,8 @@ fn stochastic_methods_have_no_bias() {
         Sampling::Random { n: 4 },
         Sampling::Sobol { n: 4 },
         Sampling::Sobol { n: 7 },
+        Sampling::Guided(Guided { tolerance: 0.01, min: 4, max: 64 }),
+        Sampling::Guided(Guided { tolerance: 0.05, min: 2, max: 16 }),
     ] {
         for shape in SHAPES {
             // Where nearly every seed gives the same, 100 of them are too few for a normal distribution.
