@@ -25,7 +25,7 @@ const OF_CONTRAST: f64 = 0.15;
 const POWER: f64 = 0.8;
 
 /// The greatest colour of a sample that counts, as a part of white: squares of it stay finite.
-const MAX_PART: f64 = 1e100;
+const GREATEST_PART: f64 = 1e100;
 
 /// What the first samples of a pixel have seen.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +73,7 @@ pub fn pilot<P: Probe>(scene: &Scene, wanted: Guided, pixel: [u32; 2], probe: &m
     let mut sum = Sum::ZERO;
     let seen = |color: Color| {
         sum.add(color);
-        colors.push((color / scene.output.white).clamp(Color::splat(-MAX_PART), Color::splat(MAX_PART)));
+        colors.push((color / scene.output.white).clamp(Color::splat(-GREATEST_PART), Color::splat(GREATEST_PART)));
     };
     take(scene, pixel, 0..wanted.pilot(), seen, probe);
     let n = colors.len() as f64;

@@ -99,7 +99,7 @@ fn decisions_are_said_in_words() {
     ] {
         assert!(statistical.contains(expected), "expected `{expected}` in: {statistical}");
     }
-    let guided = text("guided:tolerance=0.05,min=4,max=8", "8,8");
+    let guided = text("guided:tolerance=0.01,min=4,max=8", "8,8");
     for expected in [
         "σ_g = √(V_g + (0.15·K_g)²) = √(",
         "n_g = (σ_g/ε_g)^0.8 = (",
