@@ -6,7 +6,7 @@
 
 use raywalk::record::Arithmetic;
 use raywalk::render::{Settings, render};
-use raywalk::scene::{Sampling, Scene, Statistical, build, builtin, file};
+use raywalk::scene::{Guided, Sampling, Scene, Statistical, build, builtin, file};
 use std::sync::atomic::AtomicBool;
 use support::Extent;
 
@@ -67,6 +67,8 @@ fn methods() -> Vec<Sampling> {
     methods.extend([2, 3, 4].map(|depth| Sampling::Adaptive { threshold: 0.02, depth }));
     let statistical = |tolerance| Statistical { confidence: 0.95, tolerance, min: 8, max: 4096 };
     methods.extend([0.1, 0.05, 0.02].map(|tolerance| Sampling::Statistical(statistical(tolerance))));
+    let guided = |tolerance| Guided { tolerance, min: 4, max: 4096 };
+    methods.extend([0.02, 0.005, 0.001].map(|tolerance| Sampling::Guided(guided(tolerance))));
     methods
 }
 

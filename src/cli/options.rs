@@ -73,8 +73,9 @@ pub struct TracingOptions {
     pub max_depth: Option<u32>,
     /// Which rays make a pixel: none (one through its centre), regular:N (N x N cell centres), shared:N (the corners of
     /// N x N cells, which neighbours share), adaptive:threshold=T,depth=D (cells cut where corners differ by more than
-    /// T of white), stochastic:N (N jittered), random:N, sobol:N, or
-    /// statistical:confidence=C,tolerance=T,min=M,max=N (until the mean is within T of white)
+    /// T of white), stochastic:N (N jittered), random:N, sobol:N,
+    /// statistical:confidence=C,tolerance=T,min=M,max=N (until the mean is within T of white), or
+    /// guided:tolerance=T,min=M,max=N (as many as the first M, here and in the pixels around, ask for)
     #[arg(long, value_name = "SPEC", value_parser = sampling)]
     pub sampling: Option<Sampling>,
     /// Which random numbers samples draw; another seed gives other noise

@@ -14,6 +14,7 @@ const FORMS: &[(&str, &str)] = &[
     ("random", "random:N"),
     ("sobol", "sobol:N"),
     ("statistical", "statistical:confidence=C,tolerance=T,min=M,max=N"),
+    ("guided", "guided:tolerance=T,min=M,max=N"),
 ];
 
 /// Reads a method; the error says what was expected.
@@ -39,6 +40,14 @@ pub fn sampling_or(others: &[&str], text: &str) -> Result<Sampling, String> {
         "adaptive" => {
             let [threshold, depth] = parameters.named(["threshold", "depth"])?;
             Sampling::Adaptive { threshold: number("threshold", threshold)?, depth: whole("depth", depth)? }
+        }
+        "guided" => {
+            let [tolerance, min, max] = parameters.named(["tolerance", "min", "max"])?;
+            Sampling::Guided {
+                tolerance: number("tolerance", tolerance)?,
+                min: whole("min", min)?,
+                max: whole("max", max)?,
+            }
         }
         _ => {
             let [confidence, tolerance, min, max] = parameters.named(["confidence", "tolerance", "min", "max"])?;
@@ -128,13 +137,14 @@ mod tests {
         reads("adaptive:depth=3,threshold=0.1", Sampling::Adaptive { threshold: 0.1, depth: 3 });
         let statistical = Sampling::Statistical { confidence: 0.95, tolerance: 0.05, min: 8, max: 4096 };
         reads("statistical:confidence=0.95,tolerance=0.05,min=8,max=4096", statistical);
+        reads("guided:tolerance=0.02,min=4,max=64", Sampling::Guided { tolerance: 0.02, min: 4, max: 64 });
     }
 
     #[test]
     fn errors_say_what_was_expected() {
         refuses(
             "stocastic:4",
-            "unknown sampling `stocastic`, expected none, regular, shared, adaptive, stochastic, random, sobol, statistical; \
+            "unknown sampling `stocastic`, expected none, regular, shared, adaptive, stochastic, random, sobol, statistical, guided; \
              did you mean `stochastic`?",
         );
         refuses("none:1", "expected `none` alone, found `:1`");
@@ -160,5 +170,8 @@ mod tests {
             "statistical:confidence=0.95,tolerance=0.05,min=8,max=4",
             "statistical.max: must be `min`, 8, or more, found 4",
         );
+        refuses("guided:tolerance=0,min=4,max=8", "guided.tolerance: must be positive, found 0");
+        refuses("guided:tolerance=1,min=1,max=1", "guided.max: must be from 2 to 1048576, found 1");
+        refuses("guided:tolerance=1,min=4", "`max` is missing, expected guided:tolerance=T,min=M,max=N");
     }
 }

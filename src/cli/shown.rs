@@ -13,7 +13,7 @@ pub struct ShownOptions {
     /// formats show, and nothing that is traced
     #[arg(long, value_name = "STOPS", value_parser = exposure, allow_hyphen_values = true)]
     pub exposure: Option<f64>,
-    /// The value shown as full white. The thresholds and tolerances of adaptive and statistical sampling are parts of it
+    /// The value shown as full white. The thresholds and tolerances of adaptive, statistical and guided sampling are parts of it
     #[arg(long, value_name = "VALUE", value_parser = white, allow_hyphen_values = true)]
     pub white: Option<f64>,
     /// The curve from value to level

@@ -391,5 +391,7 @@ words! {
         Interval = "interval",
         /// There may not be more.
         Max = "max",
+        /// They are as many as the pilots of the pixels around ask for.
+        Guided = "guided",
     }
 }

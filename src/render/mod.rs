@@ -10,6 +10,7 @@ pub mod layers;
 pub mod losses;
 pub mod part;
 pub mod pieces;
+mod pilots;
 pub mod preview;
 pub mod reach;
 mod scale;
@@ -121,6 +122,7 @@ fn colors_in(scene: &Scene, settings: &Settings, progress: Progress, stop: &Atom
     match scene.sampling {
         Sampling::Shared { n } => grid::by_corners(scene, settings, n, progress, stop),
         Sampling::Adaptive { threshold, depth } => cells::by_cells(scene, settings, (threshold, depth), progress, stop),
+        Sampling::Guided(wanted) => pilots::by_pilots(scene, settings, wanted, progress, stop),
         _ => by_pixels(settings, of_pixel, progress, stop),
     }
 }

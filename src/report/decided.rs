@@ -87,7 +87,7 @@ impl Relation {
 }
 
 /// What is known from outside the node that decides; all else must be its own.
-const FROM_OUTSIDE: &[&str] = &["O", "d", "N", "N_g", "L", "|ℓ|", "K_d", "K_e"];
+const FROM_OUTSIDE: &[&str] = &["O", "d", "N", "N_g", "L", "|ℓ|", "K_d", "K_e", "n_g"];
 
 /// How much of the largest number of a test f64 may lose of a difference: what differs by more wasn't computed from these numbers.
 const LOST: f64 = 1e-6;

@@ -2,6 +2,7 @@
 
 pub mod adaptive;
 pub mod ellipse;
+pub mod guided;
 pub mod mean;
 pub mod outline;
 pub mod place;
@@ -40,6 +41,7 @@ fn mean_of_samples<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> C
         Sampling::Stochastic { n } => stochastic::pixel(scene, n, pixel, probe),
         Sampling::Random { n } => random::pixel(scene, n, pixel, probe),
         Sampling::Sobol { n } => sobol::pixel(scene, n, pixel, probe),
+        Sampling::Guided(wanted) => guided::pixel(scene, wanted, pixel, probe),
         Sampling::Statistical(wanted) => statistical::pixel(scene, wanted, pixel, probe),
     }
 }

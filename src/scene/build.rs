@@ -6,7 +6,7 @@ use super::file::schema as file;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Formulas, Index, Lens, Light,
+    Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Formulas, Guided, Index, Lens, Light,
     LightKind, LightSurface, Material, Object, Output, ReflectedScale, Sampling, Scene, Shadows, Skip, Specular,
     Statistical, Tracing, Transfer, Weights,
 };
@@ -280,6 +280,9 @@ impl From<file::Sampling> for Sampling {
             file::Sampling::Sobol { n } => Sampling::Sobol { n: count(n) },
             file::Sampling::Statistical { confidence, tolerance, min, max } => {
                 Sampling::Statistical(Statistical { confidence, tolerance, min: count(min), max: count(max) })
+            }
+            file::Sampling::Guided { tolerance, min, max } => {
+                Sampling::Guided(Guided { tolerance, min: count(min), max: count(max) })
             }
         }
     }

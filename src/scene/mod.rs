@@ -36,7 +36,7 @@ pub use lens::Lens;
 pub use light::{Arrival, Light, LightKind};
 pub use material::{Checker, Material, Weights};
 pub use open::OpenError;
-pub use sampling::{Sampling, Statistical};
+pub use sampling::{Guided, Sampling, Statistical};
 pub use tracing::{Algorithm, Formulas, ReflectedScale, Shadows, Skip, Specular, Tracing};
 
 pub use unsupported::Unsupported;

@@ -1,6 +1,7 @@
 //! Which rays make a pixel: the choice. What each method does stands in `sampling`.
 
 use crate::log::Parameter;
+use crate::scene::file::validate::limits::MIN_GUIDED;
 use std::fmt;
 
 /// The methods.
@@ -42,6 +43,33 @@ pub enum Sampling {
     },
     /// As many of those as tell the mean well enough.
     Statistical(Statistical),
+    /// As many of those as the first of them, in the pixel and around it, ask for.
+    Guided(Guided),
+}
+
+/// How the first samples of a neighbourhood say how many a pixel takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Guided {
+    /// The error of a sample for which one would be enough, as a part of white.
+    pub tolerance: f64,
+    /// The fewest samples, which are the pilot.
+    pub min: u32,
+    /// The most samples.
+    pub max: u32,
+}
+
+impl Guided {
+    /// How many samples the pilot has: a power of two where there may be so many, and so many that they have a variance.
+    pub fn pilot(self) -> u32 {
+        self.min.max(MIN_GUIDED as u32).next_power_of_two().min(self.max)
+    }
+
+    /// How many samples a pixel takes for which `asked` are asked for: a power of two where there may be so many.
+    pub fn samples(self, asked: f64) -> u32 {
+        // What is no number, or more than there may be, is as much as there may be.
+        let asked = if asked <= f64::from(self.max) { asked.ceil() as u32 } else { self.max };
+        asked.next_power_of_two().min(self.max).max(self.pilot())
+    }
 }
 
 /// When the mean of samples is known well enough.
@@ -69,6 +97,7 @@ impl Sampling {
             Sampling::Random { .. } => "random",
             Sampling::Sobol { .. } => "sobol",
             Sampling::Statistical(_) => "statistical",
+            Sampling::Guided(_) => "guided",
         }
     }
 
@@ -90,6 +119,7 @@ impl Sampling {
             Sampling::Regular { n } | Sampling::Shared { n } => one_of(n) * one_of(n),
             Sampling::Stochastic { n } | Sampling::Random { n } | Sampling::Sobol { n } => one_of(n),
             Sampling::Statistical(Statistical { min, max, .. }) => one_of(min.min(max)),
+            Sampling::Guided(guided) => one_of(guided.pilot()),
         }
     }
 
@@ -112,6 +142,9 @@ impl Sampling {
                 ("min", count(min)),
                 ("max", count(max)),
             ],
+            Sampling::Guided(Guided { tolerance, min, max }) => {
+                vec![("tolerance", Parameter(tolerance)), ("min", count(min)), ("max", count(max))]
+            }
         }
     }
 }

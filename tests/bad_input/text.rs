@@ -143,7 +143,7 @@ fn b16_null_for_what_may_be_left_out() {
     refuses_value(textbook_with("{\"none\": {}}", "null"), NO_SAMPLING_NULL);
 }
 
-const NO_SAMPLING_NULL: &str = "sampling: expected one of `none`, `regular`, `shared`, `adaptive`, `stochastic`, `random`, `sobol`, `statistical`, found null";
+const NO_SAMPLING_NULL: &str = "sampling: expected one of `none`, `regular`, `shared`, `adaptive`, `stochastic`, `random`, `sobol`, `statistical`, `guided`, found null";
 
 #[test]
 fn b17_bool() {

@@ -6,10 +6,10 @@ use crate::support;
 use raywalk::log::{Header, Log, Name, RayKind, Step, Subject, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::TileOrder;
-use raywalk::scene::{Sampling, Scene, Statistical};
+use raywalk::scene::{Guided, Sampling, Scene, Statistical};
 use std::collections::BTreeSet;
 
-const METHODS: [Sampling; 8] = [
+const METHODS: [Sampling; 10] = [
     Sampling::Center,
     Sampling::Regular { n: 2 },
     Sampling::Shared { n: 2 },
@@ -18,6 +18,8 @@ const METHODS: [Sampling; 8] = [
     Sampling::Random { n: 3 },
     Sampling::Sobol { n: 6 },
     Sampling::Statistical(Statistical { confidence: 0.9, tolerance: 0.1, min: 4, max: 40 }),
+    Sampling::Guided(Guided { tolerance: 0.02, min: 4, max: 64 }),
+    Sampling::Guided(Guided { tolerance: 0.05, min: 3, max: 11 }),
 ];
 
 /// Scenes with edges, small objects and curved mirrors, in a size that no tile divides.

@@ -48,7 +48,7 @@ fn a_picture_of_16_pixels_shares_25_samples() {
     says(
         folder,
         &["render", "figure-19", "-o", "out.pfm", "--sampling", "sobl:4"],
-        "unknown sampling `sobl`, expected none, regular, shared, adaptive, stochastic, random, sobol, statistical; did you mean `sobol`?",
+        "unknown sampling `sobl`, expected none, regular, shared, adaptive, stochastic, random, sobol, statistical, guided; did you mean `sobol`?",
     );
 }
 
@@ -99,6 +99,18 @@ fn decisions_are_said_in_words() {
     ] {
         assert!(statistical.contains(expected), "expected `{expected}` in: {statistical}");
     }
+    let guided = text("guided:tolerance=0.01,min=4,max=8", "8,8");
+    for expected in [
+        "σ_g = √(V_g + (0.15·K_g)²) = √(",
+        "n_g = (σ_g/ε_g)^0.8 = (",
+        "→ 4 samples are too few for what the first of this pixel and of those around saw: 8 are taken (n_g > n_p: ",
+        "→ the mean is accepted: its samples are as many as the first of the pixels around ask for (n_g ≤ n_p: ",
+        "I_p = Σ_s(I)/n_p = ",
+    ] {
+        assert!(guided.contains(expected), "expected `{expected}` in: {guided}");
+    }
+    let guided = text("guided:tolerance=0.0001,min=4,max=8", "8,8");
+    assert!(guided.contains("→ the mean is accepted: there may be no more samples (n_g > n_p: "), "{guided}");
     let stochastic = text("stochastic:4", "8,8");
     assert!(stochastic.contains("s_x = (i_s + ξ_x)/c_s = ("), "{stochastic}");
     assert!(stochastic.contains("col = col_0 + s_x = 8 + "), "{stochastic}");

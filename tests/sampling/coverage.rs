@@ -1,7 +1,7 @@
 //! How much of each pixel an edge covers, by every method, against the exact area.
 
 use crate::edges::{SIDE, Shape, camera_rays, coverage, picture, red, scene};
-use raywalk::scene::{Sampling, Statistical};
+use raywalk::scene::{Guided, Sampling, Statistical};
 
 /// A half-plane whose edge rises by this part over 1.
 fn slanted(slope: f64, d: f64) -> Shape {
@@ -87,6 +87,7 @@ fn every_method_comes_near_the_exact_area() {
         (Sampling::Sobol { n: 256 }, 0.03),
         // Where an edge cuts off a small part, the first 16 samples may agree by chance.
         (Sampling::Statistical(statistical), 0.1),
+        (Sampling::Guided(Guided { tolerance: 1e-4, min: 4, max: 4096 }), 0.03),
     ] {
         for shape in [slanted(0.3, 0.2), DISC] {
             let errors = errors(shape, sampling);
@@ -111,6 +112,7 @@ fn samples_are_counted() {
         (Sampling::Random { n: 5 }, 5 * pixels),
         (Sampling::Sobol { n: 6 }, 6 * pixels),
         (Sampling::Statistical(statistical), 8 * pixels),
+        (Sampling::Guided(Guided { tolerance: 0.001, min: 3, max: 64 }), 4 * pixels),
     ] {
         assert_eq!(camera_rays(&picture(&scene(empty, sampling))), rays, "{sampling:?}");
     }

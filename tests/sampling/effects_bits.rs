@@ -5,10 +5,10 @@ use crate::support;
 use raywalk::log::{RayKind, Step, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::TileOrder;
-use raywalk::scene::{Sampling, Scene, Statistical};
+use raywalk::scene::{Guided, Sampling, Scene, Statistical};
 use std::collections::BTreeSet;
 
-const METHODS: [Sampling; 8] = [
+const METHODS: [Sampling; 10] = [
     Sampling::Center,
     Sampling::Regular { n: 2 },
     Sampling::Shared { n: 1 },
@@ -17,6 +17,8 @@ const METHODS: [Sampling; 8] = [
     Sampling::Random { n: 3 },
     Sampling::Sobol { n: 2 },
     Sampling::Statistical(Statistical { confidence: 0.9, tolerance: 0.3, min: 4, max: 8 }),
+    Sampling::Guided(Guided { tolerance: 0.1, min: 4, max: 16 }),
+    Sampling::Guided(Guided { tolerance: 0.05, min: 3, max: 11 }),
 ];
 
 fn scene(sampling: Sampling) -> Scene {

@@ -2,16 +2,20 @@
 
 use crate::support::scene_of;
 use raywalk::record::{Arithmetic, pixel_color};
-use raywalk::scene::{Sampling, Scene};
+use raywalk::scene::{Guided, Sampling, Scene};
 use std::f64::consts::PI;
 
-const METHODS: [Sampling; 5] = [
+const METHODS: [Sampling; 6] = [
     Sampling::Stochastic { n: 4 },
     Sampling::Stochastic { n: 7 },
     Sampling::Random { n: 4 },
     Sampling::Sobol { n: 4 },
     Sampling::Sobol { n: 7 },
+    Sampling::Guided(GUIDED),
 ];
+
+/// With so many samples at the most that some pixels take them all and others don't.
+const GUIDED: Guided = Guided { tolerance: 0.01, min: 4, max: 64 };
 
 const SEEDS: u64 = 100;
 

@@ -207,7 +207,7 @@ fn tracing(random: &mut Random) -> Value {
 
 fn sampling(random: &mut Random) -> Value {
     let n = 1 + random.below(3);
-    match random.below(8) {
+    match random.below(9) {
         0 => json!({"regular": {"n": n}}),
         1 => json!({"shared": {"n": n}}),
         2 => json!({"adaptive": {"threshold": 0.01 + 0.2 * random.part(), "depth": n}}),
@@ -215,6 +215,7 @@ fn sampling(random: &mut Random) -> Value {
         4 => json!({"random": {"n": n}}),
         5 => json!({"sobol": {"n": n}}),
         6 => json!({"statistical": {"confidence": 0.9, "tolerance": 0.1, "min": 4, "max": 16}}),
+        7 => json!({"guided": {"tolerance": 0.001 + 0.1 * random.part(), "min": n, "max": 16}}),
         _ => json!({"none": {}}),
     }
 }

@@ -90,7 +90,8 @@ fn every_formula_gives_the_logged_value() {
         // Their last samples are a power of two, or none.
         let statistical =
             |max: u32| json!({"statistical": {"confidence": 0.9, "tolerance": 0.3, "min": 4, "max": max}});
-        for sampling in [json!({"shared": {"n": 2}}), statistical(16), statistical(11)] {
+        let guided = json!({"guided": {"tolerance": 0.05, "min": 2, "max": 8}});
+        for sampling in [json!({"shared": {"n": 2}}), statistical(16), statistical(11), guided] {
             for seed in 0..6 {
                 let scene = random_scenes::sampled(seed, sampling.clone());
                 for pixel in [[0, 0], [8, 0], [0, 6], [8, 6], [4, 3]] {

@@ -95,7 +95,7 @@ fn contributions_add_up_to_the_pixel_in_every_built_in_scene() {
 /// A sample's part of the pixel, by every method, where the samples differ; also in f32, where the rest is rounding.
 #[test]
 fn samples_add_up_by_every_method() {
-    use raywalk::scene::Statistical;
+    use raywalk::scene::{Guided, Statistical};
     let statistical = Statistical { confidence: 0.95, tolerance: 0.01, min: 4, max: 32 };
     let methods = [
         Sampling::Regular { n: 3 },
@@ -105,6 +105,7 @@ fn samples_add_up_by_every_method() {
         Sampling::Random { n: 5 },
         Sampling::Sobol { n: 8 },
         Sampling::Statistical(statistical),
+        Sampling::Guided(Guided { tolerance: 0.05, min: 4, max: 11 }),
     ];
     for name in ["textbook", "figure-6", "glass-and-mirror", "penumbra", "polished-surface"] {
         for sampling in methods {

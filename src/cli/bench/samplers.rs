@@ -8,7 +8,7 @@ use crate::cli::output::{self, Output};
 use crate::cli::progress::{Progress, ProgressOptions};
 use raywalk::scene::builtin;
 use raywalk::scene::file::visible;
-use raywalk::scene::{Sampling, Scene, Statistical};
+use raywalk::scene::{Guided, Sampling, Scene, Statistical};
 use raywalk::study::bench::chart::{self, Panel};
 use raywalk::study::bench::exact::{self, Exact};
 use raywalk::study::bench::samplers::{CompareError, Comparing, Comparison, Outcome, Reference, compare};
@@ -153,6 +153,8 @@ pub fn settings() -> Vec<Sampling> {
     }
     let statistical = |tolerance| Statistical { confidence: 0.95, tolerance, min: 8, max: 1024 };
     settings.extend([0.1, 0.05, 0.02].map(|tolerance| Sampling::Statistical(statistical(tolerance))));
+    let guided = |tolerance| Guided { tolerance, min: 4, max: 1024 };
+    settings.extend([0.02, 0.005, 0.001].map(|tolerance| Sampling::Guided(guided(tolerance))));
     settings
 }
 

@@ -146,6 +146,7 @@ const KEYS: &[(Unit, &str)] = &[
         weight.local weight.reflected weight.transmitted
         sample.jitter_x sample.jitter_y sample.x sample.y sample.time sample.weight cell.area disc.x disc.y
         cell.threshold statistical.confidence statistical.t_quantile statistical.tolerance
+        guided.variance guided.contrast guided.error guided.tolerance
         motion.axis motion.cos motion.sin motion.hit_normal motion.geometric_normal
         lobe.middle lobe.exponent lobe.helper lobe.axis_1 lobe.axis_2 lobe.x lobe.y lobe.z lobe.direction lobe.height",
     ),
@@ -153,7 +154,7 @@ const KEYS: &[(Unit, &str)] = &[
         Unit::Count,
         "polygon.crossings pattern.axes pattern.cell pattern.sum pattern.parity
         sample.column sample.across sample.above sample.count pixel.samples camera.rows
-        statistical.degrees_of_freedom statistical.alike_needed lobe.kept",
+        statistical.degrees_of_freedom statistical.alike_needed guided.asked lobe.kept",
     ),
     (
         Unit::Length,

@@ -52,7 +52,9 @@ pub(super) fn groups(decision: &Decision) -> Groups {
         Decision::Accepted { cell: Some(_), why: Acceptance::Alike } => &[&["Δ_I ≤ Δ_max"]],
         Decision::Accepted { cell: None, why: Acceptance::Alike } => &[&["n_p ≥ n_m"]],
         Decision::Accepted { why: Acceptance::Interval, .. } => &[&["h_max ≤ h_lim"]],
-        Decision::MoreSamples { .. } => &[&["h_max > h_lim", "n_p < n_m"]],
+        Decision::Accepted { why: Acceptance::Guided, .. } => &[&["n_g ≤ n_p"]],
+        Decision::Accepted { why: Acceptance::Max, .. } => &[&["n_g > n_p"]],
+        Decision::MoreSamples { .. } => &[&["h_max > h_lim", "n_p < n_m", "n_g > n_p"]],
         _ => &[],
     }
 }
@@ -282,6 +284,7 @@ fn texts() -> impl Iterator<Item = &'static str> {
         Decision::Accepted { cell: Some([0.0; 3]), why: Acceptance::Alike },
         Decision::Accepted { cell: None, why: Acceptance::Alike },
         Decision::Accepted { cell: None, why: Acceptance::Interval },
+        Decision::Accepted { cell: None, why: Acceptance::Guided },
         Decision::MoreSamples { from: 0, to: 0 },
     ];
     let of_groups = others.into_iter().flat_map(|decision| groups(&decision).iter().copied());

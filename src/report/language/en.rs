@@ -72,6 +72,9 @@ pub(super) const TEXTS: Texts = Texts {
     more_samples: |from, to| {
         format!("{from} samples are too few, the interval of their mean is too wide: {to} are taken")
     },
+    more_asked: |from, to| {
+        format!("{from} samples are too few for what the first of this pixel and of those around saw: {to} are taken")
+    },
     digits: |counts, is_one| format!("{counts} {}", if is_one { "digit" } else { "digits" }),
     decision_differs: "the decision differs between runs",
     no_digits: "0 digits: a decision differs between runs",
@@ -201,5 +204,6 @@ fn acceptance(why: Acceptance) -> &'static str {
         Acceptance::Depth => "it may not be cut further",
         Acceptance::Interval => "its interval is narrow enough",
         Acceptance::Max => "there may be no more samples",
+        Acceptance::Guided => "its samples are as many as the first of the pixels around ask for",
     }
 }

@@ -21,6 +21,7 @@ pub(super) const TEXTS: Texts = Texts {
         "random" => "sobremuestreo aleatorio",
         "sobol" => "sobremuestreo de Sobol",
         "statistical" => "sobremuestreo estadístico",
+        "guided" => "sobremuestreo guiado",
         "threshold" => "umbral",
         "depth" => "profundidad",
         "confidence" => "confianza",
@@ -91,6 +92,11 @@ pub(super) const TEXTS: Texts = Texts {
     accepted: |what, why| format!("se acepta {what}: {}", acceptance(why)),
     more_samples: |from, to| {
         format!("{from} muestras son pocas, el intervalo de su media es demasiado ancho: se toman {to}")
+    },
+    more_asked: |from, to| {
+        format!(
+            "{from} muestras son pocas para lo que ven las primeras de este píxel y de los de alrededor: se toman {to}"
+        )
     },
     digits: |counts, is_one| format!("{counts} {}", if is_one { "cifra" } else { "cifras" }),
     decision_differs: "la decisión no es la misma en todas las ejecuciones",
@@ -222,5 +228,6 @@ fn acceptance(why: Acceptance) -> &'static str {
         Acceptance::Depth => "no se puede dividir más",
         Acceptance::Interval => "su intervalo es bastante estrecho",
         Acceptance::Max => "no puede haber más muestras",
+        Acceptance::Guided => "sus muestras son tantas como piden las primeras de los píxeles de alrededor",
     }
 }

@@ -189,6 +189,8 @@ pub struct Texts {
     pub accepted: fn(&str, Acceptance) -> String,
     /// How many samples are too few, and how many are taken.
     pub more_samples: fn(u32, u32) -> String,
+    /// That the pilots around ask for more samples: how many there are and will be.
+    pub more_asked: fn(u32, u32) -> String,
     /// How many digits can be trusted; the counts, and whether they are one single digit.
     pub digits: fn(&str, bool) -> String,
     /// A decision that differs between runs.

@@ -154,6 +154,7 @@ fn with_every_sampler() {
         json!({"random": {"n": 2}}),
         json!({"sobol": {"n": 2}}),
         json!({"statistical": {"confidence": 0.9, "tolerance": 0.1, "min": 2, "max": 4}}),
+        json!({"guided": {"tolerance": 0.1, "min": 2, "max": 4}}),
     ];
     for sampling in samplers {
         let frame = Frame::turned(&mut random, 100.0, 1.0);

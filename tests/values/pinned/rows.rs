@@ -21,6 +21,8 @@ pub const PINS: &[Pin] = &[
         At::Pixel([31, 8]), F64, "a step of a flat line: a part of the samples meets it"),
     pin("figure_18_statistical", "figure-18", r#"{"sampling": {"statistical": {"confidence": 0.6, "tolerance": 0.3, "min": 2, "max": 8}}, "tracing": {"max_depth": 0}}"#,
         At::Pixel([24, 8]), F64, "another step, which takes more samples"),
+    pin("figure_18_guided", "figure-18", r#"{"sampling": {"guided": {"tolerance": 0.1, "min": 2, "max": 8}}, "tracing": {"max_depth": 0}}"#,
+        At::Pixel([24, 8]), F64, "the same step, where the first samples around ask for more"),
     pin("figure_19", "figure-19", r#"{"sampling": {"adaptive": {"threshold": 0.05, "depth": 1}}}"#,
         At::Pixel([14, 13]), F64, "an object that no corner of the pixel meets, and that is found"),
     pin("figure_20", "figure-20", r#"{"sampling": {"sobol": {"n": 4}}}"#,

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::scene::file::validate::limits::{
-    MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES, MIN_STATISTICAL,
+    MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES, MIN_GUIDED, MIN_STATISTICAL,
 };
 
 /// How rays are traced.
@@ -183,6 +183,18 @@ pub enum Sampling {
         #[schemars(range(min = MIN_STATISTICAL, max = MAX_SAMPLES))]
         max: u64,
     },
+    /// As many as a pilot in the pixel and around it asks for.
+    Guided {
+        /// The error of a sample for which one would be enough, as a fraction of `output.white`.
+        #[schemars(extend("exclusiveMinimum" = 0))]
+        tolerance: f64,
+        /// Fewest rays a pixel, the pilot; rounded up to a power of two, and to 2.
+        #[schemars(range(min = 1, max = MAX_SAMPLES))]
+        min: u64,
+        /// Most rays a pixel.
+        #[schemars(range(min = MIN_GUIDED, max = MAX_SAMPLES))]
+        max: u64,
+    },
 }
 
 impl Sampling {
@@ -197,6 +209,7 @@ impl Sampling {
             Self::Random { .. } => "random",
             Self::Sobol { .. } => "sobol",
             Self::Statistical { .. } => "statistical",
+            Self::Guided { .. } => "guided",
         }
     }
 }

@@ -282,6 +282,10 @@ fn samplings() {
     );
     refuses_value(with(statistical), "sampling.statistical.tolerance: must be positive, found 0");
     refuses_value(with(statistical), "sampling.statistical.max: must be `min`, 16, or more, found 8");
+    let guided = r#"{"guided": {"tolerance": -1, "min": 0, "max": 1}}"#;
+    refuses_value(with(guided), "sampling.guided.tolerance: must be positive, found -1");
+    refuses_value(with(guided), "sampling.guided.min: must be from 1 to 1048576, found 0");
+    refuses_value(with(guided), "sampling.guided.max: must be from 2 to 1048576, found 1");
 }
 
 #[test]

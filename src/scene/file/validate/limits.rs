@@ -15,6 +15,9 @@ pub const MAX_SAMPLES: u64 = 1 << 20;
 /// The fewest samples that tell a variance: two pairs.
 pub const MIN_STATISTICAL: u64 = 4;
 
+/// The fewest samples of a pilot: a variance needs two.
+pub const MIN_GUIDED: u64 = 2;
+
 /// The most cells a side of regular sampling, √[`MAX_SAMPLES`].
 pub const MAX_GRID: u64 = 1 << 10;
 
@@ -46,8 +49,9 @@ pub fn whole_numbers<'k>(mut keys: impl Iterator<Item = &'k str>) -> Option<[u64
         ("max_depth", _) => [0, MAX_DEPTH.into()],
         ("n", Some("regular" | "shared")) => [1, MAX_GRID],
         ("depth", Some("adaptive")) => [0, MAX_ADAPTIVE_DEPTH.into()],
-        ("n", _) | ("samples", _) | ("min", Some("statistical")) => [1, MAX_SAMPLES],
+        ("n", _) | ("samples", _) | ("min", Some("statistical" | "guided")) => [1, MAX_SAMPLES],
         ("max", Some("statistical")) => [MIN_STATISTICAL, MAX_SAMPLES],
+        ("max", Some("guided")) => [MIN_GUIDED, MAX_SAMPLES],
         ("count", Some("frames")) => [1, MAX_FRAMES.into()],
         _ => return None,
     })

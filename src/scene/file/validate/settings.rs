@@ -3,7 +3,9 @@
 use crate::scene::file::schema::{Frames, Output, Sampling, Tracing};
 
 use super::checker::Checker;
-use super::limits::{MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES, MIN_STATISTICAL};
+use super::limits::{
+    MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES, MIN_GUIDED, MIN_STATISTICAL,
+};
 
 /// Checks how rays are traced.
 pub fn tracing(mut check: Checker<'_>, tracing: &Tracing) {
@@ -28,13 +30,21 @@ pub fn sampling(check: &mut Checker<'_>, sampling: &Sampling) {
         Sampling::Statistical { confidence, tolerance, min, max } => {
             let mut check = check.at("statistical");
             check.between("confidence", confidence, 0.0, 1.0);
-            check.positive("tolerance", tolerance);
-            check.count("min", min, 1, MAX_SAMPLES);
-            check.count("max", max, MIN_STATISTICAL, MAX_SAMPLES);
-            if max < min {
-                check.at("max").error(format!("must be `min`, {min}, or more, found {max}"));
-            }
+            fewest_and_most(check, tolerance, [min, max], MIN_STATISTICAL);
         }
+        Sampling::Guided { tolerance, min, max } => {
+            fewest_and_most(check.at("guided"), tolerance, [min, max], MIN_GUIDED);
+        }
+    }
+}
+
+/// Checks a tolerance, and the fewest and the most samples, of which there must be so many at the least.
+fn fewest_and_most(mut check: Checker<'_>, tolerance: f64, [min, max]: [u64; 2], least: u64) {
+    check.positive("tolerance", tolerance);
+    check.count("min", min, 1, MAX_SAMPLES);
+    check.count("max", max, least, MAX_SAMPLES);
+    if max < min {
+        check.at("max").error(format!("must be `min`, {min}, or more, found {max}"));
     }
 }
 
