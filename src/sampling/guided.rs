@@ -10,10 +10,11 @@
 //! a pixel takes the same samples in each.
 
 use super::mean::{self, Sum};
-use super::place::{in_own_part, samples};
+use super::place::samples;
+use super::stochastic::sample;
 use crate::log::{Acceptance, Decision, Name};
 use crate::probe::{Probe, Silent};
-use crate::random::{Arrangement, Dimension, Draws, Pick};
+use crate::random::{Arrangement, Pick};
 use crate::scene::{Color, Guided, Scene};
 use crate::trace::Seen;
 use std::ops::Range;
@@ -84,10 +85,7 @@ pub fn pilot<P: Probe>(scene: &Scene, wanted: Guided, pixel: [u32; 2], probe: &m
 
 /// The samples with these numbers, from 0.
 fn take<P: Probe>(scene: &Scene, pixel: [u32; 2], numbers: Range<u32>, mut seen: impl FnMut(Color), probe: &mut P) {
-    let place = |number| {
-        let draws = Draws::of_pixel(scene.seed, pixel, number, Arrangement::Sobol);
-        (draws, in_own_part(draws.pick(Dimension::Pixel), number))
-    };
+    let place = |number| sample(scene, Arrangement::Sobol, pixel, number);
     samples(scene, pixel, numbers, place, |_: Pick, Seen { color, .. }| seen(color), probe);
 }
 
@@ -172,7 +170,7 @@ mod tests {
         assert!((of(0.01 * 0.01, 0.0) - 1.0).abs() < 1e-12, "the tolerance is the error for which one is enough");
         // 32^(4/5) is 16, and a contrast counts by 0.15 of itself: 3 and 4 make 5.
         assert!((of(0.32 * 0.32, 0.0) - 16.0).abs() < 1e-9);
-        assert!((of(0.24 * 0.24, 0.4) - libm::pow(0.06_f64.hypot(0.24) / 0.01, 0.8)).abs() < 1e-9);
+        assert!((of(0.24 * 0.24, 0.4) - libm::pow(libm::hypot(0.06, 0.24) / 0.01, 0.8)).abs() < 1e-9);
         assert_eq!(of(f64::MAX, 0.0), of(f64::MAX, 0.0).min(f64::MAX));
     }
 

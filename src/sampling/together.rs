@@ -19,7 +19,9 @@ pub fn few_samples(scene: &Scene) -> Option<u32> {
         Sampling::Center => 1,
         Sampling::Regular { n } => n.saturating_mul(n),
         Sampling::Stochastic { n } | Sampling::Random { n } | Sampling::Sobol { n } => n,
-        Sampling::Shared { .. } | Sampling::Adaptive { .. } | Sampling::Statistical(_) => return None,
+        Sampling::Shared { .. } | Sampling::Adaptive { .. } | Sampling::Statistical(_) | Sampling::Guided(_) => {
+            return None;
+        }
     };
     (2 * count as usize <= PACKET && scene.index.has_large_trees()).then_some(count)
 }
