@@ -189,10 +189,12 @@ type ByPlace<T> = HashMap<[u32; 2], T, BuildHasherDefault<PlaceHasher>>;
 struct PlaceHasher(u64);
 
 impl Hasher for PlaceHasher {
+    #[inline(always)]
     fn write_u32(&mut self, step: u32) {
         self.0 = hash(self.0, step.into());
     }
 
+    #[inline(always)]
     fn write(&mut self, bytes: &[u8]) {
         for bytes in bytes.chunks(4) {
             self.write_u32(bytes.iter().rev().fold(0, |word, byte| word << 8 | u32::from(*byte)));
@@ -200,6 +202,7 @@ impl Hasher for PlaceHasher {
     }
 
     /// How many numbers follow: two.
+    #[inline(always)]
     fn write_usize(&mut self, _: usize) {}
 
     fn finish(&self) -> u64 {

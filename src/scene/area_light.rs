@@ -107,6 +107,8 @@ impl AreaLight {
 
     /// The point of the light that a surface point asks for a point of the unit square, if that is uniform by area and profile or by
     /// solid angle; and the weight of its shadow ray, where not all have the same.
+    // A call would cost a picture of penumbras 7 % more instructions.
+    #[inline(always)]
     pub fn point<P: Probe>(&self, square: [f64; 2], from: DVec3, probe: &mut P) -> (DVec3, Option<f64>) {
         let seen = if self.by == Spread::SolidAngle { self.seen_point(square, from, probe) } else { None };
         seen.unwrap_or_else(|| (self.point_by_area(square, probe), None))
@@ -146,6 +148,7 @@ impl AreaLight {
     }
 
     /// The point of the light for a point of the unit square: uniform by area and profile, if that is uniform.
+    #[inline(always)]
     fn point_by_area<P: Probe>(&self, square: [f64; 2], probe: &mut P) -> DVec3 {
         match self.surface {
             LightSurface::Rectangle { center, edges } => {

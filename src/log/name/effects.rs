@@ -22,9 +22,9 @@ macro_rules! with_effects {
             // Guided sampling: the pilots of the pixels around, in parts of white, and how many samples they ask for.
             GuidedVariance: "guided.variance", "", "V_g", "", "1.4.2";
             GuidedContrast: "guided.contrast", "", "K_g", "", "1.4.2";
-            GuidedError: "guided.error", "", "σ_g", "√(V_g + (0.15·K_g)²)", "1.4.2";
+            GuidedError: "guided.error", "", "σ_g", "√(V_g + (0.25·K_g)²)", "1.4.2";
             GuidedTolerance: "guided.tolerance", "", "ε_g", "", "1.4.2";
-            GuidedAsked: "guided.asked", "", "n_g", "(σ_g/ε_g)^0.8", "1.4.2";
+            GuidedAsked: "guided.asked", "", "n_g", "(σ_g/ε_g)^0.75", "1.4.2";
 
             // Quantities that raywalk notes with the form of their formula only, as another program may log them: without one.
             EllipsoidTFormless: "ellipsoid.t", "", "t", "", "";
