@@ -34,6 +34,20 @@ pub enum Dimension {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Route(u64);
 
+/// What is spread jointly with the places in the pixel, as points of four dimensions: what an image depends on next to the place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Partner {
+    /// Nothing: all other dimensions are spread by themselves.
+    Nothing,
+    /// Where on the lens.
+    Lens,
+    /// When.
+    Time,
+    /// What the surface decides that the camera's ray hits: where on each light, and where its blurred rays go. What each of them brings is added
+    /// up, so that they need not know each other.
+    Surface,
+}
+
 /// Keeps the words of bounces apart from those of decisions.
 const BOUNCE: u64 = 1 << 40;
 
@@ -57,6 +71,19 @@ impl Route {
 }
 
 impl Dimension {
+    /// Whether the dimension is spread jointly with the places in the pixel, if this is their partner.
+    #[inline]
+    pub(super) fn is_of(self, partner: Partner) -> bool {
+        match self {
+            Dimension::Pixel => false,
+            Dimension::Time => partner == Partner::Time,
+            Dimension::Lens => partner == Partner::Lens,
+            Dimension::Light { route, .. } | Dimension::Reflection { route } | Dimension::Transmission { route } => {
+                partner == Partner::Surface && route == Route::CAMERA
+            }
+        }
+    }
+
     /// The dimension as a word to be hashed.
     #[inline]
     pub(super) fn word(self) -> u64 {

@@ -1,7 +1,8 @@
 //! The random numbers of one sample.
 
 use super::permutation::permuted;
-use super::{Dimension, Stratum, hash, sobol, unit};
+use super::sobol::{self, Scrambling};
+use super::{Dimension, Partner, Stratum, hash, unit};
 
 /// How the samples of a pixel share the range of a dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,23 +15,97 @@ pub enum Arrangement {
         count: u32,
     },
     /// As the points of a sequence of low discrepancy, of which any beginning is well spread.
-    Sobol,
+    Sobol {
+        /// What is spread jointly with the places in the pixel.
+        partner: Partner,
+    },
+}
+
+/// How the samples of a pixel follow each other in a dimension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Order {
+    /// By their numbers: the places in the pixel are taken in their order, so that a log reads row by row.
+    Own,
+    /// In the order of the partner, in which Sobol points are spread jointly with the places in the pixel.
+    Partner,
+    /// In an order that belongs to the dimension.
+    Shuffled,
 }
 
 /// The random numbers of one sample: pure functions of (seed, place, sample, dimension).
 ///
 /// Over the samples of a pixel each dimension is spread by the [`Arrangement`] (stratified together). Which of its strata a sample
 /// gets in a dimension is a permutation that belongs to the dimension (decorrelated): knowing where in the pixel a sample lies
-/// says nothing of where on the lens it lies. See `docs/sampling.md`.
+/// says nothing of where on the lens it lies. One pair is better still with Sobol points: the place and its [`Partner`] are spread over all
+/// four of their coordinates. See `docs/sampling.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Draws {
-    seed: u64,
-    /// Column and row of the pixel that the sample belongs to.
-    place: [u32; 2],
-    grid: Grid,
+    origin: Origin,
     /// The sample's number, from 0.
     number: u32,
     arrangement: Arrangement,
+}
+
+/// What all samples of a place have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Origin {
+    /// To be hashed when a number is asked for, so that a sample that draws none doesn't pay for it.
+    Given {
+        seed: u64,
+        /// Column and row of the pixel that the sample belongs to.
+        place: [u32; 2],
+        grid: Grid,
+    },
+    /// The hash of it.
+    Hashed(u64),
+}
+
+impl Origin {
+    #[inline]
+    fn hash(self) -> u64 {
+        let (seed, [column, row], grid) = match self {
+            Origin::Given { seed, place, grid } => (seed, place.map(u64::from), grid),
+            Origin::Hashed(hash) => return hash,
+        };
+        let grid = match grid {
+            Grid::Pixels => hash(seed, 0),
+            Grid::Corners(n) => hash(hash(seed, 1), n.into()),
+            Grid::NestedCorners(n) => hash(hash(seed, 2), n.into()),
+        };
+        hash(grid, column << 32 | row)
+    }
+}
+
+/// The random numbers of all samples of a pixel: what they have in common is hashed once.
+#[derive(Clone, Copy, Debug)]
+pub struct OfPixel {
+    hash: u64,
+    arrangement: Arrangement,
+    /// The key of the places in the pixel.
+    key: u64,
+    /// Their scrambling, if they are Sobol points.
+    scrambling: Scrambling,
+}
+
+impl OfPixel {
+    /// Those of a pixel with samples in this arrangement.
+    #[inline]
+    pub fn new(seed: u64, place: [u32; 2], arrangement: Arrangement) -> OfPixel {
+        let origin = Origin::Given { seed, place, grid: Grid::Pixels }.hash();
+        let key = hash(origin, Dimension::Pixel.word());
+        OfPixel { hash: origin, arrangement, key, scrambling: Scrambling::new(key) }
+    }
+
+    /// The numbers of the sample with this number, from 0, and its place in the pixel.
+    #[inline]
+    pub fn sample(&self, number: u32) -> (Draws, Pick) {
+        let draws = Draws { origin: Origin::Hashed(self.hash), number, arrangement: self.arrangement };
+        let pick = match self.arrangement {
+            Arrangement::Sobol { .. } => Pick { stratum: Stratum::WHOLE, jitter: self.scrambling.point(number) },
+            _ => draws.pick_under(self.key, Order::Own),
+        };
+        (draws, pick)
+    }
 }
 
 /// Several points that one sample draws in a dimension.
@@ -39,8 +114,8 @@ pub struct Splits<'d> {
     draws: &'d Draws,
     /// The hash that all of them have in common.
     key: u64,
-    /// Whether a single point has its strata out of order.
-    shuffles: bool,
+    /// The order of a single point.
+    order: Order,
     parts: u32,
 }
 
@@ -48,9 +123,10 @@ impl Splits<'_> {
     /// The point with this number, from 0.
     pub fn pick(&self, part: u32) -> Pick {
         if self.parts == 1 {
-            return self.draws.pick_under(self.key, self.shuffles);
+            return self.draws.pick_under(self.key, self.order);
         }
-        let within = self.draws.pick_under(hash(self.key, part.into()), true);
+        let order = if self.order == Order::Own { Order::Shuffled } else { self.order };
+        let within = self.draws.pick_under(hash(self.key, part.into()), order);
         Pick { stratum: Stratum::of(part, self.parts), jitter: within.point() }
     }
 }
@@ -86,7 +162,7 @@ impl Draws {
     /// The numbers of a sample of a pixel: its number from 0, and how the pixel's samples are arranged.
     #[inline]
     pub fn of_pixel(seed: u64, place: [u32; 2], number: u32, arrangement: Arrangement) -> Draws {
-        Draws { seed, place, grid: Grid::Pixels, number, arrangement }
+        Draws { origin: Origin::Given { seed, place, grid: Grid::Pixels }, number, arrangement }
     }
 
     /// The numbers of a sample that pixels share: they belong to its place in the picture, in steps of 1/n of a pixel. The n² corners
@@ -96,7 +172,8 @@ impl Draws {
         let [across, down] = corner.map(|step| step % n);
         let place = corner.map(|step| step / n);
         let arrangement = Arrangement::Stratified { count: n * n };
-        Draws { seed, place, grid: Grid::Corners(n), number: down * n + across, arrangement }
+        let origin = Origin::Given { seed, place, grid: Grid::Corners(n) };
+        Draws { origin, number: down * n + across, arrangement }
     }
 
     /// The same for a grid of 2^depth steps a pixel of which the coarse corners are used first: those of each coarser grid are
@@ -110,12 +187,13 @@ impl Draws {
         let digits = |level: u32| (digit(across, level) | digit(down, level) << 1) << (2 * level);
         let number = (0..depth).fold(0, |number, level| number | digits(level));
         let place = corner.map(|step| step / n);
-        Draws { seed, place, grid: Grid::NestedCorners(n), number, arrangement: Arrangement::Sobol }
+        let origin = Origin::Given { seed, place, grid: Grid::NestedCorners(n) };
+        Draws { origin, number, arrangement: Arrangement::Sobol { partner: Partner::Nothing } }
     }
 
     /// A number in [0, 1).
     pub fn number(&self, dimension: Dimension) -> f64 {
-        self.number_under(self.key_of(dimension))
+        self.number_under(self.key_of(dimension), self.order_of(dimension))
     }
 
     /// A point in the unit square.
@@ -125,13 +203,12 @@ impl Draws {
 
     /// A point in the unit square with its stratum.
     pub fn pick(&self, dimension: Dimension) -> Pick {
-        // The places in the pixel are taken in their order, so that a log reads row by row.
-        self.pick_under(self.key_of(dimension), dimension != Dimension::Pixel)
+        self.pick_under(self.key_of(dimension), self.order_of(dimension))
     }
 
     /// Of several numbers that one sample draws in a dimension, one with each part of [0, 1) for itself.
     pub fn split_number(&self, dimension: Dimension, part: u32, parts: u32) -> f64 {
-        let within = self.number_under(hash(self.key_of(dimension), part.into()));
+        let within = self.number_under(hash(self.key_of(dimension), part.into()), self.order_of(dimension));
         ((f64::from(part) + within) / f64::from(parts)).min(1.0 - f64::EPSILON / 2.0)
     }
 
@@ -143,45 +220,52 @@ impl Draws {
     /// Several points that one sample draws in a dimension: each has a stratum for itself, in which the samples of the pixel are
     /// arranged.
     pub fn splits(&self, dimension: Dimension, parts: u32) -> Splits<'_> {
-        Splits { draws: self, key: self.key_of(dimension), shuffles: dimension != Dimension::Pixel, parts }
+        Splits { draws: self, key: self.key_of(dimension), order: self.order_of(dimension), parts }
     }
 
-    /// The hash of seed, place and dimension. Reckoned where a number is asked for, so that samples which draw none don't pay for it.
+    #[inline]
+    fn order_of(&self, dimension: Dimension) -> Order {
+        match self.arrangement {
+            _ if dimension == Dimension::Pixel => Order::Own,
+            Arrangement::Sobol { partner } if dimension.is_of(partner) => Order::Partner,
+            _ => Order::Shuffled,
+        }
+    }
+
+    /// The hash of seed, place and dimension.
+    #[inline]
     fn key_of(&self, dimension: Dimension) -> u64 {
-        let grid = match self.grid {
-            Grid::Pixels => hash(self.seed, 0),
-            Grid::Corners(n) => hash(hash(self.seed, 1), n.into()),
-            Grid::NestedCorners(n) => hash(hash(self.seed, 2), n.into()),
-        };
-        let [column, row] = self.place.map(u64::from);
-        hash(hash(grid, column << 32 | row), dimension.word())
+        hash(self.origin.hash(), dimension.word())
     }
 
-    fn number_under(&self, key: u64) -> f64 {
+    fn number_under(&self, key: u64, order: Order) -> f64 {
         match self.arrangement {
             Arrangement::Independent => self.jitter(key)[0],
             Arrangement::Stratified { count } => {
                 let stratum = permuted(self.number, count, key);
                 ((f64::from(stratum) + self.jitter(key)[0]) / f64::from(count)).min(1.0 - f64::EPSILON / 2.0)
             }
-            Arrangement::Sobol => sobol::point_in_order(self.number, hash(key, 2), key)[0],
+            Arrangement::Sobol { .. } => self.sobol_point(key, order)[0],
         }
     }
 
-    fn pick_under(&self, key: u64, shuffles: bool) -> Pick {
+    fn pick_under(&self, key: u64, order: Order) -> Pick {
         match self.arrangement {
             Arrangement::Independent => Pick { stratum: Stratum::WHOLE, jitter: self.jitter(key) },
             Arrangement::Stratified { count } => {
-                let stratum = if shuffles { permuted(self.number, count, key) } else { self.number };
+                let stratum = if order == Order::Own { self.number } else { permuted(self.number, count, key) };
                 Pick { stratum: Stratum::of(stratum, count), jitter: self.jitter(key) }
             }
-            Arrangement::Sobol => {
-                let jitter = match shuffles {
-                    true => sobol::point_in_order(self.number, hash(key, 2), key),
-                    false => sobol::point(self.number, key),
-                };
-                Pick { stratum: Stratum::WHOLE, jitter }
-            }
+            Arrangement::Sobol { .. } => Pick { stratum: Stratum::WHOLE, jitter: self.sobol_point(key, order) },
+        }
+    }
+
+    #[inline]
+    fn sobol_point(&self, key: u64, order: Order) -> [f64; 2] {
+        match order {
+            Order::Own => sobol::point(self.number, key),
+            Order::Partner => sobol::partner(self.number, key),
+            Order::Shuffled => sobol::point_in_order(self.number, hash(key, 2), key),
         }
     }
 
@@ -197,7 +281,14 @@ mod tests {
     use super::*;
     use crate::random::Route;
 
-    const ALL: [Arrangement; 3] = [Arrangement::Independent, Arrangement::Stratified { count: 64 }, Arrangement::Sobol];
+    const ALL: [Arrangement; 6] = [
+        Arrangement::Independent,
+        Arrangement::Stratified { count: 64 },
+        Arrangement::Sobol { partner: Partner::Nothing },
+        Arrangement::Sobol { partner: Partner::Lens },
+        Arrangement::Sobol { partner: Partner::Time },
+        Arrangement::Sobol { partner: Partner::Surface },
+    ];
 
     fn draws(number: u32, arrangement: Arrangement) -> Draws {
         Draws::of_pixel(5, [3, 4], number, arrangement)

@@ -11,8 +11,8 @@ pub mod sobol;
 mod strata;
 pub mod warp;
 
-pub use dimension::{Dimension, Route};
-pub use draws::{Arrangement, Draws, Pick, Splits};
+pub use dimension::{Dimension, Partner, Route};
+pub use draws::{Arrangement, Draws, OfPixel, Pick, Splits};
 pub use strata::Stratum;
 
 /// The hash of a word under a key. Distinct words give distinct hashes under a key, and distinct keys of a word.

@@ -2,23 +2,71 @@
 //!
 //! The first 2^k points have one in each of the 2^k parts into which halvings of the sides cut the square, however the
 //! halvings are shared between the sides: a (0, 2)-sequence. Scrambling keeps that, and makes each point uniform by itself, so that
-//! a mean over the points has no bias (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995). More dimensions are
-//! further pairs, each scrambled by itself and taken in an order of its own (Burley, "Practical hash-based Owen scrambling",
-//! 2020). Written out here because 24 bits, which the crates for it give, are too few for f64.
+//! a mean over the points has no bias (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995). The same points in the order of the
+//! [`partner`] make four dimensions of which the first 4^k points have one in each of the 4^k boxes into which quarterings of the sides cut them: a
+//! (0, 4)-sequence in base 4. More dimensions are further pairs, each scrambled by itself and taken in an order of its own (Burley, "Practical
+//! hash-based Owen scrambling", 2020). Written out here because 24 bits, which the crates for it give, are too few for f64.
 
 use super::{GOLDEN, hash, mix, unit};
 
-/// The point with this number, its coordinates in [0, 1) with all 53 bits.
+/// A scrambling of the sequence, one of 2⁶⁴.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Scrambling {
+    /// The coins of each coordinate.
+    coins: [u64; 2],
+}
+
+impl Scrambling {
+    /// The scrambling with this key.
+    #[inline]
+    pub fn new(key: u64) -> Scrambling {
+        Scrambling { coins: [0, 1].map(|axis| mix(hash(key, axis) ^ GOLDEN)) }
+    }
+
+    /// The point with this number, its coordinates in [0, 1) with all 53 bits.
+    #[inline]
+    pub fn point(&self, index: u32) -> [f64; 2] {
+        let coordinate = |digits: u32, axis: usize| unit(scrambled(digits.into(), self.coins[axis]).reverse_bits());
+        [coordinate(index, 0), coordinate(second(index), 1)]
+    }
+}
+
+/// The point with this number under this key.
 #[inline]
 pub fn point(index: u32, key: u64) -> [f64; 2] {
-    let coordinate = |digits: u32, axis| unit(scrambled(digits.into(), hash(key, axis)).reverse_bits());
-    [coordinate(index, 0), coordinate(second(index), 1)]
+    Scrambling::new(key).point(index)
 }
 
 /// The point with this number of a sequence that stands in an order of its own: aligned runs of 2^k indices stay together.
 #[inline]
 pub fn point_in_order(index: u32, order: u64, key: u64) -> [f64; 2] {
     point(shuffled(index, order), key)
+}
+
+/// The point with this number of the sequence that is spread jointly with [`point`].
+///
+/// Faure's matrices over a field of four elements are powers of Pascal's triangle, one for each element a: the digit r in base 4 is the sum
+/// of C(c, r)·a^(c − r) times the digit c, and any four coordinates by different elements are a (0, 4)-sequence ("Discrépance de suites associées
+/// à un système de numération", 1982, for primes; Niederreiter, "Point sets and sequences with small discrepancy", 1987). The elements are 0, 1,
+/// α and α² = α + 1. Those of 0 and 1 are the two coordinates of [`point`], if the bits of the second one's digits are added up in pairs, which
+/// keeps what quarterings need. By P(a + b) = P(a)·P(b) those of α and α² are the same two coordinates of the index P(α)·i. (Ahmed et al., "SZ
+/// sequences: binary-constructed (0, 2^q)-sequences", 2025, have the whole family of such pairs.)
+#[inline]
+pub fn partner(index: u32, key: u64) -> [f64; 2] {
+    point(in_order_of_partner(index), key)
+}
+
+/// P(α)·i for the digits of an index in base 4, the first one last; the first bit of a digit, last too, counts 1 and the other α. As in [`second`],
+/// one power of two after the other is taken out of c − r, for which a digit is multiplied by α^(2^k): α, α², α⁴ = α, …
+#[inline]
+fn in_order_of_partner(index: u32) -> u32 {
+    const WITHOUT: [u32; 4] = [0x3333_3333, 0x0F0F_0F0F, 0x00FF_00FF, 0x0000_FFFF];
+    WITHOUT.iter().enumerate().fold(index, |digits, (level, without)| {
+        let moved = digits >> (2 << level) & without;
+        let (first, second) = (moved & 0x5555_5555, moved >> 1 & 0x5555_5555);
+        let both = first ^ second;
+        digits ^ if level % 2 == 0 { second | both << 1 } else { both | first << 1 }
+    })
 }
 
 /// The second coordinate as a binary fraction, its first digit last: Pascal's triangle modulo 2 (Kollig and Keller, "Efficient
@@ -33,8 +81,7 @@ fn second(index: u32) -> u32 {
 /// Owen's scrambling of a binary fraction whose first digit is the last bit: whether a digit is turned depends on the digits before it,
 /// and on nothing else. The first digits have a coin for each beginning; the sequels of these beginnings are scrambled each by itself.
 #[inline]
-fn scrambled(digits: u64, key: u64) -> u64 {
-    let coins = mix(key ^ GOLDEN);
+fn scrambled(digits: u64, coins: u64) -> u64 {
     let beginning = digits & (SIX - 1);
     let sequel = scrambled_roughly(digits >> 6, mix(coins.wrapping_add(beginning.wrapping_mul(GOLDEN))));
     sequel << 6 | scrambled_six(beginning, coins)
@@ -145,6 +192,43 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// However quarterings are shared between the four coordinates of a point and its partner, each box has one of any 4^k successive points.
+    #[test]
+    fn a_point_and_its_partner_are_spread_jointly() {
+        for (keys, start) in [([0, 1], 0), ([5, 9], 0), ([3, 70], 4096)] {
+            for k in 0..=4_u32 {
+                for halvings in 0..(k + 1).pow(3) {
+                    let [a, b, c] = [1, k + 1, (k + 1).pow(2)].map(|unit| halvings / unit % (k + 1));
+                    let Some(d) = k.checked_sub(a + b + c) else { continue };
+                    let sides = [a, b, c, d].map(|quarterings| 4_usize.pow(quarterings));
+                    let mut taken = vec![false; 4_usize.pow(k)];
+                    for index in start..start + 4_u32.pow(k) {
+                        let ([x, y], [u, v]) = (point(index, keys[0]), partner(index, keys[1]));
+                        let parts = [x, y, u, v].into_iter().zip(sides);
+                        let cell = parts.fold(0, |cell, (x, side)| cell * side + (x * side as f64) as usize);
+                        assert!(!std::mem::replace(&mut taken[cell], true), "{k}, {sides:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// A partner is a (0, 2)-sequence in base 2 by itself.
+    #[test]
+    fn a_partner_has_the_points_of_the_sequence_in_another_order() {
+        for k in 0..=10 {
+            for start in [0, 3 << k] {
+                let mut places: Vec<_> =
+                    (start..start + (1 << k)).map(|index| in_order_of_partner(index) >> k).collect();
+                places.dedup();
+                assert_eq!(places.len(), 1, "a run of {k} stays together");
+            }
+        }
+        let mut all: Vec<_> = (0..4096).map(in_order_of_partner).collect();
+        all.sort_unstable();
+        assert!(all.iter().copied().eq(0..4096));
     }
 
     #[test]

@@ -12,10 +12,11 @@
 
 use super::mean::{self, Sum};
 use super::place::samples;
-use super::stochastic::sample;
+use super::sobol::arrangement;
+use super::stochastic::draws;
 use crate::log::{Acceptance, Decision, Name};
 use crate::probe::{Probe, Silent};
-use crate::random::{Arrangement, Pick};
+use crate::random::Pick;
 use crate::scene::{Color, Guided, Scene};
 use crate::trace::Seen;
 use std::ops::Range;
@@ -86,7 +87,7 @@ pub fn pilot<P: Probe>(scene: &Scene, wanted: Guided, pixel: [u32; 2], probe: &m
 
 /// The samples with these numbers, from 0.
 fn take<P: Probe>(scene: &Scene, pixel: [u32; 2], numbers: Range<u32>, mut seen: impl FnMut(Color), probe: &mut P) {
-    let place = |number| sample(scene, Arrangement::Sobol, pixel, number);
+    let place = draws(scene, arrangement(scene), pixel);
     samples(scene, pixel, numbers, place, |_: Pick, Seen { color, .. }| seen(color), probe);
 }
 

@@ -100,11 +100,12 @@ pub fn samples<P: Probe>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Arrangement, Dimension};
+    use crate::random::{Arrangement, Dimension, Partner};
 
     #[test]
     fn each_point_of_a_doubling_has_a_part_for_itself() {
-        let pick = |number| Draws::of_pixel(3, [4, 5], number, Arrangement::Sobol).pick(Dimension::Pixel);
+        let arrangement = Arrangement::Sobol { partner: Partner::Nothing };
+        let pick = |number| Draws::of_pixel(3, [4, 5], number, arrangement).pick(Dimension::Pixel);
         for count in [1_u32, 2, 4, 8, 128] {
             let mut taken: Vec<_> = (count..2 * count)
                 .map(|number| {

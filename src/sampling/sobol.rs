@@ -8,5 +8,11 @@ use crate::scene::{Color, Scene};
 
 /// The mean of the first n points.
 pub fn pixel<P: Probe>(scene: &Scene, n: u32, pixel: [u32; 2], probe: &mut P) -> Color {
-    mean_of(scene, n, Arrangement::Sobol, pixel, probe)
+    mean_of(scene, n, arrangement(scene), pixel, probe)
+}
+
+/// How Sobol samples of this scene are arranged.
+#[inline]
+pub(super) fn arrangement(scene: &Scene) -> Arrangement {
+    Arrangement::Sobol { partner: scene.effects.partner() }
 }

@@ -14,11 +14,12 @@
 
 use super::mean::{self, Sum};
 use super::place::samples;
-use super::stochastic::sample;
+use super::sobol::arrangement;
+use super::stochastic::draws;
 use super::student;
 use crate::log::{Acceptance, Decision, Name};
 use crate::probe::Probe;
-use crate::random::{Arrangement, Pick};
+use crate::random::Pick;
 use crate::scene::file::validate::limits::MIN_STATISTICAL;
 use crate::scene::{Color, Scene, Statistical};
 use crate::trace::Seen;
@@ -40,7 +41,7 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], prob
     let mut draws_more = scene.effects.of_the_eye();
     loop {
         let numbers = taken.len() as u32..until.min(wanted.max);
-        let place = |number| sample(scene, Arrangement::Sobol, pixel, number);
+        let place = draws(scene, arrangement(scene), pixel);
         let seen = |pick: Pick, Seen { color, object }| {
             draws_more |= object.is_some() && scene.effects.of_surfaces();
             sum.add(color);
@@ -238,10 +239,10 @@ fn quantiles(confidence: f64, freedom: Color) -> Color {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Dimension, Draws};
+    use crate::random::{Arrangement, Dimension, Draws, Partner};
 
     fn taken(n: u32, color: impl Fn([f64; 2]) -> f64) -> Vec<Taken> {
-        let draws = |number| Draws::of_pixel(1, [2, 3], number, Arrangement::Sobol);
+        let draws = |number| Draws::of_pixel(1, [2, 3], number, Arrangement::Sobol { partner: Partner::Nothing });
         let place = |number| draws(number).point(Dimension::Pixel);
         (0..n).map(|number| Taken { place: place(number), color: Color::splat(color(place(number))) }).collect()
     }

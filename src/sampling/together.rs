@@ -3,7 +3,7 @@
 
 use super::mean::{self, Sum};
 use super::place::place_of_sample;
-use super::{regular, stochastic};
+use super::{regular, sobol, stochastic};
 use crate::geometry::{PACKET, Ray};
 use crate::log::Name;
 use crate::probe::Silent;
@@ -62,9 +62,9 @@ fn of_neighbours(scene: &Scene, pixels: impl Iterator<Item = [u32; 2]>, count: u
 fn sample(scene: &Scene, pixel: [u32; 2], number: u32) -> (Draws, [f64; 2]) {
     let (draws, pick) = match scene.sampling {
         Sampling::Regular { n } => regular::sample(scene, n, pixel, number),
-        Sampling::Stochastic { n } => stochastic::sample(scene, Arrangement::Stratified { count: n }, pixel, number),
-        Sampling::Random { .. } => stochastic::sample(scene, Arrangement::Independent, pixel, number),
-        Sampling::Sobol { .. } => stochastic::sample(scene, Arrangement::Sobol, pixel, number),
+        Sampling::Stochastic { n } => stochastic::draws(scene, Arrangement::Stratified { count: n }, pixel)(number),
+        Sampling::Random { .. } => stochastic::draws(scene, Arrangement::Independent, pixel)(number),
+        Sampling::Sobol { .. } => stochastic::draws(scene, sobol::arrangement(scene), pixel)(number),
         _ => {
             let draws = Draws::of_pixel(scene.seed, pixel, 0, Arrangement::Independent);
             return (draws, pixel.map(|along| f64::from(along) + 0.5));

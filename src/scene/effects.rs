@@ -1,6 +1,7 @@
 //! Which distributed effects a scene has: what a sample decides at random beside its place in the pixel.
 
 use super::{Camera, Light, LightKind, Material};
+use crate::random::Partner;
 
 /// The effects of a scene (Ramos, section 1.5).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -38,6 +39,16 @@ impl Effects {
     /// Whether a ray that meets an object may draw.
     pub fn of_surfaces(self) -> bool {
         self.area_lights || self.blurred_bounces
+    }
+
+    /// What is spread jointly with the places in a pixel: what decides of most of the picture.
+    #[inline]
+    pub fn partner(self) -> Partner {
+        match () {
+            () if self.lens => Partner::Lens,
+            () if self.motion => Partner::Time,
+            () => Partner::Surface,
+        }
     }
 
     /// Their names.

@@ -146,10 +146,11 @@ impl Reader<'_> {
             return Ok(base);
         }
         let exponent = self.power()?;
-        // Cosines lie between 0 and 1.
+        // Cosines lie between 0 and 1, to which they are rounded; a quotient may lie above 1 by more.
         zip(base, exponent, |a, b| {
-            let a = a.map(|x| x.clamp(0.0, 1.0));
-            a.with(b, |a, b| libm::pow(a.clamp(0.0, 1.0), b))
+            let most = if a.high <= 1.001 { 1.0 } else { f64::INFINITY };
+            let a = a.map(|x| x.clamp(0.0, most));
+            a.with(b, |a, b| libm::pow(a.clamp(0.0, most), b))
         })
     }
 

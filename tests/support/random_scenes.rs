@@ -81,7 +81,7 @@ fn point(random: &mut Random) -> Value {
 }
 
 fn sampling(random: &mut Random) -> Value {
-    match random.below(8) {
+    match random.below(9) {
         0 => json!({"none": {}}),
         1 => json!({"regular": {"n": 1 + random.below(3)}}),
         2 => json!({"shared": {"n": 1 + random.below(3)}}),
@@ -89,6 +89,7 @@ fn sampling(random: &mut Random) -> Value {
         4 => json!({"stochastic": {"n": 1 + random.below(7)}}),
         5 => json!({"random": {"n": 1 + random.below(12)}}),
         6 => json!({"sobol": {"n": 1 + random.below(7)}}),
+        7 => json!({"guided": {"tolerance": 0.05, "min": 2, "max": 8}}),
         _ => json!({"statistical": {"confidence": 0.9, "tolerance": 0.05, "min": 4, "max": 16}}),
     }
 }
