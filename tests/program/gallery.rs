@@ -83,6 +83,15 @@ fn distributed_effects() {
     }
 }
 
+/// Where guided sampling takes its samples: at edges and in penumbrae.
+#[test]
+fn samples_of_a_pixel() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["--sampling", "guided:tolerance=0.002,min=4,max=256", "--layers", "samples"];
+    picture(folder.path(), "penumbra", &options);
+    is_in_gallery("samples", &Bitmap::open(&folder.path().join("plate.samples.png")).enlarged(2));
+}
+
 /// The scene is the numeric example with another camera and another light, and nothing else.
 #[test]
 fn the_numeric_example_from_the_side() {
