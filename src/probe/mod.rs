@@ -155,7 +155,8 @@ impl Quantity for f64 {
 }
 
 impl Quantity for DVec3 {
-    #[inline]
+    // By hand every value goes through it.
+    #[inline(always)]
     fn map(self, mut f: impl FnMut(usize, f64) -> f64) -> DVec3 {
         DVec3::new(f(0, self.x), f(1, self.y), f(2, self.z))
     }
