@@ -2,7 +2,7 @@
 
 use super::permutation::permuted;
 use super::sobol::{self, Scrambling};
-use super::{Dimension, Partner, Stratum, hash, unit};
+use super::{Dimension, Partner, Splits, Stratum, hash, unit};
 
 /// How the samples of a pixel share the range of a dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub enum Arrangement {
 
 /// How the samples of a pixel follow each other in a dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Order {
+pub(super) enum Order {
     /// By their numbers: the places in the pixel are taken in their order, so that a log reads row by row.
     Own,
     /// In the order of the partner, in which Sobol points are spread jointly with the places in the pixel.
@@ -108,29 +108,6 @@ impl OfPixel {
     }
 }
 
-/// Several points that one sample draws in a dimension.
-#[derive(Clone, Copy, Debug)]
-pub struct Splits<'d> {
-    draws: &'d Draws,
-    /// The hash that all of them have in common.
-    key: u64,
-    /// The order of a single point.
-    order: Order,
-    parts: u32,
-}
-
-impl Splits<'_> {
-    /// The point with this number, from 0.
-    pub fn pick(&self, part: u32) -> Pick {
-        if self.parts == 1 {
-            return self.draws.pick_under(self.key, self.order);
-        }
-        let order = if self.order == Order::Own { Order::Shuffled } else { self.order };
-        let within = self.draws.pick_under(hash(self.key, part.into()), order);
-        Pick { stratum: Stratum::of(part, self.parts), jitter: within.point() }
-    }
-}
-
 /// What a place is counted in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Grid {
@@ -212,19 +189,13 @@ impl Draws {
         ((f64::from(part) + within) / f64::from(parts)).min(1.0 - f64::EPSILON / 2.0)
     }
 
-    /// Of several points that one sample draws in a dimension, the one with this number: see [`Draws::splits`].
+    /// Of several points that one sample draws in a dimension, the one with this number: see [`Splits`].
     pub fn split(&self, dimension: Dimension, part: u32, parts: u32) -> Pick {
-        self.splits(dimension, parts).pick(part)
-    }
-
-    /// Several points that one sample draws in a dimension: each has a stratum for itself, in which the samples of the pixel are
-    /// arranged.
-    pub fn splits(&self, dimension: Dimension, parts: u32) -> Splits<'_> {
-        Splits { draws: self, key: self.key_of(dimension), order: self.order_of(dimension), parts }
+        Splits::new(self, dimension, parts).pick(part)
     }
 
     #[inline]
-    fn order_of(&self, dimension: Dimension) -> Order {
+    pub(super) fn order_of(&self, dimension: Dimension) -> Order {
         match self.arrangement {
             _ if dimension == Dimension::Pixel => Order::Own,
             Arrangement::Sobol { partner } if dimension.is_of(partner) => Order::Partner,
@@ -232,9 +203,14 @@ impl Draws {
         }
     }
 
+    #[inline]
+    pub(super) fn is_sobol(&self) -> bool {
+        matches!(self.arrangement, Arrangement::Sobol { .. })
+    }
+
     /// The hash of seed, place and dimension.
     #[inline]
-    fn key_of(&self, dimension: Dimension) -> u64 {
+    pub(super) fn key_of(&self, dimension: Dimension) -> u64 {
         hash(self.origin.hash(), dimension.word())
     }
 
@@ -249,7 +225,7 @@ impl Draws {
         }
     }
 
-    fn pick_under(&self, key: u64, order: Order) -> Pick {
+    pub(super) fn pick_under(&self, key: u64, order: Order) -> Pick {
         match self.arrangement {
             Arrangement::Independent => Pick { stratum: Stratum::WHOLE, jitter: self.jitter(key) },
             Arrangement::Stratified { count } => {
@@ -262,11 +238,18 @@ impl Draws {
 
     #[inline]
     fn sobol_point(&self, key: u64, order: Order) -> [f64; 2] {
-        match order {
-            Order::Own => sobol::point(self.number, key),
-            Order::Partner => sobol::partner(self.number, key),
-            Order::Shuffled => sobol::point_in_order(self.number, hash(key, 2), key),
-        }
+        let [x, y] = self.sobol_digits(key, order);
+        [unit(x), unit(y)]
+    }
+
+    #[inline]
+    pub(super) fn sobol_digits(&self, key: u64, order: Order) -> [u64; 2] {
+        let index = match order {
+            Order::Own => self.number,
+            Order::Partner => sobol::partner(self.number),
+            Order::Shuffled => sobol::shuffled(self.number, hash(key, 2)),
+        };
+        Scrambling::new(key).digits(index)
     }
 
     /// Two numbers that nothing else depends on.
@@ -327,23 +310,6 @@ mod tests {
                 }
                 let correlation = sum * 12.0 / 25_600.0;
                 assert!(correlation.abs() < 4.0 / 160.0, "{arrangement:?} {one:?} {other:?}: {correlation}");
-            }
-        }
-    }
-
-    #[test]
-    fn splits_have_a_stratum_each_and_share_it_among_the_samples() {
-        let dimension = Dimension::Reflection { route: Route::CAMERA.reflected(0) };
-        for arrangement in &ALL[1..] {
-            for part in 0..16 {
-                let mut taken = [false; 64];
-                for number in 0..64 {
-                    let [x, y] = draws(number, *arrangement).split(dimension, part, 16).point();
-                    let inside = [x * 4.0 - f64::from(part % 4), y * 4.0 - f64::from(part / 4)];
-                    assert!(inside.iter().all(|x| (0.0..1.0).contains(x)), "{inside:?}");
-                    taken[(inside[1] * 8.0) as usize * 8 + (inside[0] * 8.0) as usize] = true;
-                }
-                assert!(taken.iter().all(|is_taken| *is_taken), "{arrangement:?} {part}");
             }
         }
     }

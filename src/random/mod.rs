@@ -8,11 +8,13 @@ mod dimension;
 mod draws;
 pub mod permutation;
 pub mod sobol;
+mod splits;
 mod strata;
 pub mod warp;
 
 pub use dimension::{Dimension, Partner, Route};
-pub use draws::{Arrangement, Draws, OfPixel, Pick, Splits};
+pub use draws::{Arrangement, Draws, OfPixel, Pick};
+pub use splits::Splits;
 pub use strata::Stratum;
 
 /// The hash of a word under a key. Distinct words give distinct hashes under a key, and distinct keys of a word.

@@ -3,7 +3,7 @@
 //! The first 2^k points have one in each of the 2^k parts into which halvings of the sides cut the square, however the
 //! halvings are shared between the sides: a (0, 2)-sequence. Scrambling keeps that, and makes each point uniform by itself, so that
 //! a mean over the points has no bias (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995). The same points in the order of the
-//! [`partner`] make four dimensions of which the first 4^k points have one in each of the 4^k boxes into which quarterings of the sides cut them: a
+//! [`partner`]s make four dimensions of which the first 4^k points have one in each of the 4^k boxes into which quarterings of the sides cut them: a
 //! (0, 4)-sequence in base 4. More dimensions are further pairs, each scrambled by itself and taken in an order of its own (Burley, "Practical
 //! hash-based Owen scrambling", 2020). Written out here because 24 bits, which the crates for it give, are too few for f64.
 
@@ -23,43 +23,34 @@ impl Scrambling {
         Scrambling { coins: [0, 1].map(|axis| mix(hash(key, axis) ^ GOLDEN)) }
     }
 
-    /// The point with this number, its coordinates in [0, 1) with all 53 bits.
+    /// The point with this number, its coordinates as binary fractions.
+    #[inline]
+    pub fn digits(&self, index: u32) -> [u64; 2] {
+        let coordinate = |digits: u32, axis: usize| scrambled(digits.into(), self.coins[axis]).reverse_bits();
+        [coordinate(index, 0), coordinate(second(index), 1)]
+    }
+
+    /// The same as numbers in [0, 1) with all 53 bits.
     #[inline]
     pub fn point(&self, index: u32) -> [f64; 2] {
-        let coordinate = |digits: u32, axis: usize| unit(scrambled(digits.into(), self.coins[axis]).reverse_bits());
-        [coordinate(index, 0), coordinate(second(index), 1)]
+        let [x, y] = self.digits(index);
+        [unit(x), unit(y)]
     }
 }
 
-/// The point with this number under this key.
-#[inline]
-pub fn point(index: u32, key: u64) -> [f64; 2] {
-    Scrambling::new(key).point(index)
-}
-
-/// The point with this number of a sequence that stands in an order of its own: aligned runs of 2^k indices stay together.
-#[inline]
-pub fn point_in_order(index: u32, order: u64, key: u64) -> [f64; 2] {
-    point(shuffled(index, order), key)
-}
-
-/// The point with this number of the sequence that is spread jointly with [`point`].
+/// Which point is the partner of the one with this number, with which it is spread jointly.
 ///
 /// Faure's matrices over a field of four elements are powers of Pascal's triangle, one for each element a: the digit r in base 4 is the sum
 /// of C(c, r)·a^(c − r) times the digit c, and any four coordinates by different elements are a (0, 4)-sequence ("Discrépance de suites associées
 /// à un système de numération", 1982, for primes; Niederreiter, "Point sets and sequences with small discrepancy", 1987). The elements are 0, 1,
-/// α and α² = α + 1. Those of 0 and 1 are the two coordinates of [`point`], if the bits of the second one's digits are added up in pairs, which
+/// α and α² = α + 1. Those of 0 and 1 are the two coordinates of the sequence, if the bits of the second one's digits are added up in pairs, which
 /// keeps what quarterings need. By P(a + b) = P(a)·P(b) those of α and α² are the same two coordinates of the index P(α)·i. (Ahmed et al., "SZ
 /// sequences: binary-constructed (0, 2^q)-sequences", 2025, have the whole family of such pairs.)
-#[inline]
-pub fn partner(index: u32, key: u64) -> [f64; 2] {
-    point(in_order_of_partner(index), key)
-}
-
-/// P(α)·i for the digits of an index in base 4, the first one last; the first bit of a digit, last too, counts 1 and the other α. As in [`second`],
+///
+/// P(α)·i is made of the digits of the index in base 4, the first one last; the first bit of a digit, last too, counts 1 and the other α. As in [`second`],
 /// one power of two after the other is taken out of c − r, for which a digit is multiplied by α^(2^k): α, α², α⁴ = α, …
 #[inline]
-fn in_order_of_partner(index: u32) -> u32 {
+pub fn partner(index: u32) -> u32 {
     const WITHOUT: [u32; 4] = [0x3333_3333, 0x0F0F_0F0F, 0x00FF_00FF, 0x0000_FFFF];
     WITHOUT.iter().enumerate().fold(index, |digits, (level, without)| {
         let moved = digits >> (2 << level) & without;
@@ -87,10 +78,11 @@ fn scrambled(digits: u64, coins: u64) -> u64 {
     sequel << 6 | scrambled_six(beginning, coins)
 }
 
-/// An index, scrambled in the same way from its first digit on. Here it is the last six digits that have coins: they say how the points
+/// The index in an order that belongs to a key: scrambled in the same way from its first digit on, so that aligned runs of 2^k indices stay
+/// together. Here it is the last six digits that have coins: they say how the points
 /// of a pixel follow each other.
 #[inline]
-fn shuffled(index: u32, key: u64) -> u32 {
+pub fn shuffled(index: u32, key: u64) -> u32 {
     let (block, place) = (index >> 6, index << 26);
     let coins = mix(key.wrapping_add(u64::from(block).wrapping_mul(GOLDEN)));
     let place = scrambled_six(place.reverse_bits().into(), coins) as u32;
@@ -125,6 +117,10 @@ fn scrambled_roughly(digits: u64, coins: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn point(index: u32, key: u64) -> [f64; 2] {
+        Scrambling::new(key).point(index)
+    }
 
     /// Whether the digit after the beginning `before` of `level` digits is turned.
     fn is_turned(level: u32, before: u64, key: u64) -> bool {
@@ -205,7 +201,7 @@ mod tests {
                     let sides = [a, b, c, d].map(|quarterings| 4_usize.pow(quarterings));
                     let mut taken = vec![false; 4_usize.pow(k)];
                     for index in start..start + 4_u32.pow(k) {
-                        let ([x, y], [u, v]) = (point(index, keys[0]), partner(index, keys[1]));
+                        let ([x, y], [u, v]) = (point(index, keys[0]), point(partner(index), keys[1]));
                         let parts = [x, y, u, v].into_iter().zip(sides);
                         let cell = parts.fold(0, |cell, (x, side)| cell * side + (x * side as f64) as usize);
                         assert!(!std::mem::replace(&mut taken[cell], true), "{k}, {sides:?}");
@@ -220,13 +216,12 @@ mod tests {
     fn a_partner_has_the_points_of_the_sequence_in_another_order() {
         for k in 0..=10 {
             for start in [0, 3 << k] {
-                let mut places: Vec<_> =
-                    (start..start + (1 << k)).map(|index| in_order_of_partner(index) >> k).collect();
+                let mut places: Vec<_> = (start..start + (1 << k)).map(|index| partner(index) >> k).collect();
                 places.dedup();
                 assert_eq!(places.len(), 1, "a run of {k} stays together");
             }
         }
-        let mut all: Vec<_> = (0..4096).map(in_order_of_partner).collect();
+        let mut all: Vec<_> = (0..4096).map(partner).collect();
         all.sort_unstable();
         assert!(all.iter().copied().eq(0..4096));
     }

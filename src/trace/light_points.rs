@@ -6,7 +6,7 @@ use super::shade::{Source, from_light};
 use crate::geometry::Shaft;
 use crate::log::{Name, Step};
 use crate::probe::Probe;
-use crate::random::Dimension;
+use crate::random::{Dimension, Splits};
 use crate::scene::square::place_in_square;
 use crate::scene::{AreaLight, Arrival, Between, Color, Light, Scene};
 use glam::DVec3;
@@ -23,7 +23,7 @@ pub(super) fn add<P: Probe>(
     probe: &mut P,
 ) -> Color {
     let dimension = Dimension::Light { route: meeting.path.route(), light: number };
-    let splits = meeting.path.draws.splits(dimension, area.samples);
+    let splits = Splits::new(meeting.path.draws, dimension, area.samples);
     let color = light.share();
     // What can't shadow any point of the light isn't asked for each. Whoever counts is told which searches that saves.
     let mut among = if P::IS_HURRIED {

@@ -5,7 +5,7 @@ use super::Meeting;
 use super::bounce::Bounce;
 use crate::log::{Decision, Name, Skippable, Step};
 use crate::probe::Probe;
-use crate::random::{Dimension, warp};
+use crate::random::{Dimension, Splits, warp};
 use crate::scene::area_light::least_axis;
 use crate::scene::square::place_in_square;
 use crate::scene::{Color, Scene};
@@ -32,7 +32,7 @@ pub(super) fn mean<P: Probe>(scene: &Scene, meeting: &Meeting, lobe: &Lobe, boun
         Skippable::Transmitted => Dimension::Transmission { route },
         _ => Dimension::Reflection { route },
     };
-    let splits = meeting.path.draws.splits(dimension, zones);
+    let splits = Splits::new(meeting.path.draws, dimension, zones);
     let axes = axes(lobe, probe);
     let mut sum: Option<Color> = None;
     let mut kept = 0;
