@@ -183,12 +183,6 @@ impl Draws {
         self.pick_under(self.key_of(dimension), self.order_of(dimension))
     }
 
-    /// Of several numbers that one sample draws in a dimension, one with each part of [0, 1) for itself.
-    pub fn split_number(&self, dimension: Dimension, part: u32, parts: u32) -> f64 {
-        let within = self.number_under(hash(self.key_of(dimension), part.into()), self.order_of(dimension));
-        ((f64::from(part) + within) / f64::from(parts)).min(1.0 - f64::EPSILON / 2.0)
-    }
-
     /// Of several points that one sample draws in a dimension, the one with this number: see [`Splits`].
     pub fn split(&self, dimension: Dimension, part: u32, parts: u32) -> Pick {
         Splits::new(self, dimension, parts).pick(part)
