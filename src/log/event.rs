@@ -271,6 +271,17 @@ pub enum Decision {
         /// Why.
         why: Acceptance,
     },
+    /// How many points of an area light are asked that takes as few as tell enough.
+    Asked {
+        /// The light's number.
+        light: u32,
+        /// Why so many.
+        why: Asking,
+        /// How many.
+        points: u32,
+        /// The object that hides all of the light, if one does.
+        object: Option<u32>,
+    },
     /// The samples so far don't tell the pixel's colour well enough.
     MoreSamples {
         /// How many there are.
@@ -377,6 +388,20 @@ words! {
         Objects = "objects",
         /// A small object lies in it, and no corner sees that.
         SmallObject = "small_object",
+    }
+}
+
+words! {
+    /// Why so many points of an area light are asked.
+    Asking {
+        /// Nothing can stand between, and the light is smooth: the points of a rule, without shadow rays.
+        Rule = "rule",
+        /// Nothing can stand between: all random points, without shadow rays.
+        InView = "in_view",
+        /// An object hides all of the light.
+        Hidden = "hidden",
+        /// It may be seen in part: all.
+        All = "all",
     }
 }
 

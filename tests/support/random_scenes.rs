@@ -24,10 +24,19 @@ pub fn sampled(seed: u64, sampling: Value) -> Scene {
 
 /// The scene of a seed with so many objects that there is a tree over them, under an area light that is asked for many points.
 pub fn crowded(seed: u64) -> Scene {
+    lit(seed, json!(9), 24)
+}
+
+/// The scene of a seed, every other time with a tree over its objects, under an area light that is asked for as many points as it takes.
+pub fn adaptive(seed: u64) -> Scene {
+    lit(seed, json!({"min": 1 + seed % 5, "max": 9}), if seed % 2 == 0 { 24 } else { 4 })
+}
+
+fn lit(seed: u64, samples: Value, objects: usize) -> Scene {
     let mut random = Random::new(seed);
     let mut text = text(&mut random);
-    let objects: Vec<_> = (0..24).map(|number| object(&mut random, number)).collect();
-    let mut light = json!({"name": "lamp", "color": color(&mut random), "samples": 9});
+    let objects: Vec<_> = (0..objects).map(|number| object(&mut random, number)).collect();
+    let mut light = json!({"name": "lamp", "color": color(&mut random), "samples": samples});
     let above = json!([4.0 * random.part() - 2.0, 3.0 + random.part(), 4.0 * random.part() - 1.0]);
     match random.below(3) {
         0 => light["rectangle"] = json!({"corner": above, "edge_u": [0.5, 0.2, 0.0], "edge_v": [0.0, 0.0, 0.5]}),

@@ -67,6 +67,12 @@ fn every_formula_gives_the_logged_value() {
         for pixel in support::grid(&effects, 9) {
             checked.check(&record::pixel(&effects, pixel, arithmetic));
         }
+        for seed in 0..4 {
+            let scene = random_scenes::adaptive(seed);
+            for pixel in support::grid(&scene, 4) {
+                checked.check(&record::pixel(&scene, pixel, arithmetic));
+            }
+        }
         // Surfaces in the same place, and bounces by interpolated normals that run on the wrong side.
         let touching = support::scene_of(include_bytes!("../support/touching.json"), "touching");
         for pixel in support::grid(&touching, 24) {

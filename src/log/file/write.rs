@@ -357,6 +357,15 @@ fn mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
             }
             text(out, &format!("\"why\":\"{}\"", why.word()));
         }
+        Decision::Asked { light, why, points, object } => {
+            text(out, "asked\":{\"light\":");
+            string(out, header.light(*light));
+            text(out, &format!(",\"why\":\"{}\",\"points\":{points}", why.word()));
+            if let Some(object) = object {
+                text(out, ",\"object\":");
+                string(out, header.object(*object));
+            }
+        }
         Decision::MoreSamples { from, to } => text(out, &format!("more_samples\":{{\"from\":{from},\"to\":{to}")),
     }
 }

@@ -47,6 +47,8 @@ pub const PINS: &[Pin] = &[
         At::Pixel([98, 60]), F64, "a turning box with a pattern, at a random time"),
     pin("penumbra", "penumbra", r#"{"sampling": {"regular": {"n": 1}}, "tracing": {"max_depth": 0}}"#,
         At::Pixel([116, 73]), F64, "a lamp of nine points"),
+    pin("penumbra_adaptive", "penumbra", r#"{"sampling": {"none": {}}, "tracing": {"max_depth": 0}, "lights": [{"name": "lamp", "disk": {"center": [-1.5, 5, 1], "normal": [0, 1, 0], "radius": 0.9}, "samples": {"min": 4, "max": 9}}]}"#,
+        At::Pixel([20, 110]), F64, "the lamp in full view: the points of a rule"),
     pin("polished_surface", "polished-surface", r#"{}"#,
         At::Pixel([8, 33]), F64, "a mirror without a lobe"),
     pin("refraction", "refraction", r#"{"sampling": {"none": {}}, "tracing": {"max_depth": 1, "formulas": "notes"}}"#,
