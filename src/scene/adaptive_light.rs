@@ -1,6 +1,7 @@
 //! Area lights that are asked only as much as they must: the rules by which the mean of one in full view is taken.
 
 use super::LightSurface;
+use super::area_light::Spread;
 use std::f64::consts::{PI, TAU};
 
 /// How a light is asked for as many of its points as it takes.
@@ -57,8 +58,8 @@ const SHARPEST: [[f64; 2]; 2] = [[0.25, 1.0], [0.0625, 0.25]];
 
 impl Adaptive {
     /// For a light of which so many points are asked at least.
-    pub fn new(surface: &LightSurface, least: u32) -> Adaptive {
-        Adaptive { least, rules: ORDERS.map(|order| Rule::new(surface, order)).collect() }
+    pub fn new(surface: &LightSurface, by: Spread, least: u32) -> Adaptive {
+        Adaptive { least, rules: ORDERS.map(|order| Rule::new(surface, by, order)).collect() }
     }
 
     /// The rule that does for a light in full view that looks like this; `None` where none does.
@@ -78,7 +79,7 @@ impl Rule {
     /// The rule of an order: on a rectangle Gauss and Legendre's along both sides; on a disk rings, by a rule in the square of the radius; on a
     /// sphere circles, by a rule in the height. Of the orders that are used most those with the fewest points: seven of Radon's ("Zur
     /// mechanischen Kubatur", 1948), the corners of an octahedron and of an icosahedron.
-    pub fn new(surface: &LightSurface, order: u32) -> Rule {
+    pub fn new(surface: &LightSurface, by: Spread, order: u32) -> Rule {
         let points = match surface {
             LightSurface::Rectangle { .. } if order == 3 => radon(),
             LightSurface::Rectangle { .. } => {
@@ -90,33 +91,43 @@ impl Rule {
                 nodes.iter().flat_map(|node| row(*node)).collect()
             }
             LightSurface::Disk { .. } => {
-                let rings = match order {
-                    3 => circles([[0.0, 0.25, 1.0], [2.0 / 3.0, 0.75, 6.0]]),
-                    _ => circles(
-                        gauss(order.div_ceil(2)).into_iter().map(|[x, weight]| [x, weight, f64::from(2 * order)]),
-                    ),
-                };
                 let on_disc = |[square, turn, weight]: [f64; 3]| {
                     let (radius, angle) = (square.sqrt(), TAU * turn);
-                    RulePoint { at: [radius * libm::cos(angle), radius * libm::sin(angle)], weight }
+                    // No −0.
+                    RulePoint { at: [radius * libm::cos(angle) + 0.0, radius * libm::sin(angle) + 0.0], weight }
                 };
-                rings.into_iter().map(on_disc).collect()
+                rings(order).into_iter().map(on_disc).collect()
             }
             LightSurface::Sphere { .. } => {
-                let near = (1.0 - 0.2_f64.sqrt()) / 2.0;
-                let rings = match order {
-                    2 => circles(gauss(2).into_iter().map(|[x, weight]| [x, weight, 3.0])),
-                    3 => {
-                        let [pole, five] = [1.0 / 12.0, 5.0 / 12.0];
-                        circles([[0.0, pole, 1.0], [near, five, 5.0], [1.0 - near, five, 5.0], [1.0, pole, 1.0]])
-                    }
-                    _ => circles(gauss(order).into_iter().map(|[x, weight]| [x, weight, f64::from(2 * order)])),
-                };
                 let in_square = |[height, turn, weight]: [f64; 3]| RulePoint { at: [turn, height], weight };
-                rings.into_iter().map(in_square).collect()
+                let circles = match by {
+                    Spread::Area => parallels(order),
+                    // The cap that is seen is round, too: its middle is at the height 0, and its rim at 1.
+                    Spread::SolidAngle => rings(order),
+                };
+                circles.into_iter().map(in_square).collect()
             }
         };
         Rule { order, points }
+    }
+}
+
+/// Points of a disk: the squares of their distances from the middle, their parts of a turn, and their weights.
+fn rings(order: u32) -> Vec<[f64; 3]> {
+    match order {
+        3 => circles([[0.0, 0.25, 1.0], [2.0 / 3.0, 0.75, 6.0]]),
+        _ => circles(gauss(order.div_ceil(2)).into_iter().map(|[x, weight]| [x, weight, f64::from(2 * order)])),
+    }
+}
+
+/// Points of a sphere: their heights from 0 to 1, their parts of a turn, and their weights.
+fn parallels(order: u32) -> Vec<[f64; 3]> {
+    let near = (1.0 - 0.2_f64.sqrt()) / 2.0;
+    let [pole, five] = [1.0 / 12.0, 5.0 / 12.0];
+    match order {
+        2 => circles(gauss(2).into_iter().map(|[x, weight]| [x, weight, 3.0])),
+        3 => circles([[0.0, pole, 1.0], [near, five, 5.0], [1.0 - near, five, 5.0], [1.0, pole, 1.0]]),
+        _ => circles(gauss(order).into_iter().map(|[x, weight]| [x, weight, f64::from(2 * order)])),
     }
 }
 
@@ -196,7 +207,7 @@ mod tests {
     fn rules_are_exact_for_polynomials() {
         for surface in SURFACES {
             for order in ORDERS {
-                let rule = Rule::new(&surface, order);
+                let rule = Rule::new(&surface, Spread::Area, order);
                 for (a, b) in (0..2 * order as i32).flat_map(|a| (0..2 * order as i32 - a).map(move |b| (a, b))) {
                     let of = |point: &RulePoint| {
                         let [x, y] = match surface {
@@ -233,7 +244,7 @@ mod tests {
     fn a_rule_has_no_fewer_points_than_are_asked_at_least() {
         let sight = Sight { spread: 0.01, fades: false, sharpness: 0.0 };
         let order = |least: u32, sight| {
-            let adaptive = Adaptive::new(&SURFACES[0], least);
+            let adaptive = Adaptive::new(&SURFACES[0], Spread::Area, least);
             adaptive.rule(&SURFACES[0], sight).map(|rule| rule.order)
         };
         assert_eq!(

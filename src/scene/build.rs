@@ -142,15 +142,15 @@ fn area(surface: LightSurface, light: &file::Light) -> LightKind {
         file::Profile::CosinePower(power) if power > 0.0 => Some(CosineProfile::new(power)),
         _ => None,
     };
-    let (samples, adaptive) = match light.samples {
-        file::LightSamples::Count(samples) => (count(samples), None),
-        file::LightSamples::Range(file::SampleRange { min, max }) => {
-            (count(max), Some(Adaptive::new(&surface, count(min))))
-        }
-    };
     let by = match light.by {
         file::By::Area => Spread::Area,
         file::By::SolidAngle => Spread::SolidAngle,
+    };
+    let (samples, adaptive) = match light.samples {
+        file::LightSamples::Count(samples) => (count(samples), None),
+        file::LightSamples::Range(file::SampleRange { min, max }) => {
+            (count(max), Some(Adaptive::new(&surface, by, count(min))))
+        }
     };
     LightKind::Area(Box::new(AreaLight { surface, profile, samples, by, adaptive }))
 }

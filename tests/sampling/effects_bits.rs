@@ -31,7 +31,7 @@ fn adaptive_scene(sampling: Sampling) -> Scene {
     let mut scene = scene(sampling);
     for light in &mut scene.lights {
         if let LightKind::Area(area) = &mut light.kind {
-            (area.samples, area.adaptive) = (4, Some(Adaptive::new(&area.surface, 2)));
+            (area.samples, area.adaptive) = (4, Some(Adaptive::new(&area.surface, area.by, 2)));
         }
     }
     scene
