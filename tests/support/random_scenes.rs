@@ -32,7 +32,8 @@ pub fn crowded(seed: u64) -> Scene {
 /// The scene of a seed, every other time with a tree over its objects, under an area light that is asked for as many points as it takes.
 pub fn adaptive(seed: u64) -> Scene {
     let mut random = Random::new(seed);
-    let mut scene = lit(&mut random, json!({"min": 1 + seed % 5, "max": 9}), if seed % 2 == 0 { 24 } else { 4 });
+    let mut scene =
+        lit(&mut random, json!({"min": 1 + seed % 5, "max": 9}), if seed.is_multiple_of(2) { 24 } else { 4 });
     let light = &mut scene["lights"][0];
     let is_disk = light["disk"].is_object();
     let is_sphere = light["sphere"].is_object();

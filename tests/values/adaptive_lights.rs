@@ -8,9 +8,11 @@ use crate::random_scenes;
 use crate::support;
 use glam::DVec3;
 use raywalk::geometry::Ray;
-use raywalk::log::{Asking, Decision, Value, What};
+use raywalk::log::{Asking, Decision, Tree, Value, What};
 use raywalk::probe::{Probe, Silent};
 use raywalk::record::{self, Arithmetic};
+use raywalk::report::language::Language;
+use raywalk::report::{Style, contributions, words};
 use raywalk::scene::{Index, LightKind, Scene};
 use raywalk::trace::camera_ray;
 use serde_json::json;
@@ -287,4 +289,17 @@ fn the_log_has_the_rule() {
     let colors: Vec<_> = colors.collect();
     assert_eq!(colors.len(), 7);
     assert!((colors.iter().sum::<DVec3>() - DVec3::new(3.0, 2.0, 1.0)).length() < 1e-14);
+    // The points of the rule bring the light, each its part.
+    let account = contributions::account(&log, &Tree::of(&log.events), 0);
+    assert_eq!(account.contributions.len(), 7);
+    let Some(What::Result { color }) = log.events.last().map(|event| &event.what) else { panic!("it has a result") };
+    let sum = DVec3::from(contributions::sum(&account.contributions));
+    assert!((sum - DVec3::from(*color)).length() < 1e-14, "{sum} {color:?}");
+    let asked = Decision::Asked { light: 0, why: Asking::Rule, points: 7, object: None };
+    let says = |language| words::decision_in(language, &log.header, &asked, Style::default());
+    assert_eq!(says(Language::English), "lamp is in full view: a rule of 7 points gives its mean, without shadow rays");
+    assert_eq!(
+        says(Language::Spanish),
+        "lamp está a plena vista: una regla de 7 puntos da su media, sin rayos de sombra"
+    );
 }
