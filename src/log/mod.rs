@@ -17,7 +17,9 @@ pub mod shard;
 pub mod tree;
 pub mod value;
 
-pub use event::{Acceptance, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
+pub use event::{
+    Acceptance, Asking, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Skippable, Split, Step, What,
+};
 pub use events::{Events, Input};
 pub use header::{FrameId, Header, Parameter, Subject};
 pub use name::{Name, Unit};

@@ -114,6 +114,7 @@ fn words_of(decision: Decision) -> [u64; 3] {
         Decision::Subdivided { cell, why, .. } => [43, word_of(cell), why as u64],
         Decision::Accepted { cell, why } => [44, cell.map_or(0, word_of), why as u64],
         Decision::Rejected { what } => [46, what as u64, 0],
+        Decision::Asked { light, why, points, .. } => [51, u64::from(light) << 32 | u64::from(points), why as u64],
         Decision::MoreSamples { from, to } => [45, from.into(), to.into()],
     }
 }

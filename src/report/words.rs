@@ -134,6 +134,10 @@ pub fn decision_in(language: Language, header: &Header, decision: &Decision, sty
         Decision::Accepted { cell: kept, why } => {
             (texts.accepted)(&kept.as_ref().map_or(texts.mean.to_owned(), cell), *why)
         }
+        Decision::Asked { light, why, points, object: hiding } => {
+            let hiding = hiding.map_or(texts.an_object, |hiding| header.object(hiding));
+            (texts.asked)(&plain(header.light(*light)), *why, *points, &plain(hiding))
+        }
         Decision::MoreSamples { from, to } if header.sampling.contains_key("guided") => (texts.more_asked)(*from, *to),
         Decision::MoreSamples { from, to } => (texts.more_samples)(*from, *to),
     }

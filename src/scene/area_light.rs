@@ -1,11 +1,13 @@
 //! Lights with a surface, and points on them.
 
+use super::adaptive_light::Adaptive;
 use super::profile::CosineProfile;
 use super::solid_angle::{self, Seen};
 use crate::geometry::Bounds;
 use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::warp;
+use arrayvec::ArrayVec;
 use glam::DVec3;
 
 /// A light with a surface. It gives the mean over the surface, by area or by solid angle, and by its profile, of what a point light
@@ -16,10 +18,12 @@ pub struct AreaLight {
     pub surface: LightSurface,
     /// How its weight falls toward the rim; `None` where it doesn't.
     pub profile: Option<CosineProfile>,
-    /// How many points of it each surface point asks.
+    /// How many points of it each surface point asks, at the most if it is adaptive.
     pub samples: u32,
     /// What its mean is taken by.
     pub by: Spread,
+    /// How it is asked for no more points than it takes; `None` where all are asked.
+    pub adaptive: Option<Adaptive>,
 }
 
 /// By what measure the points of an area light count alike.
@@ -114,6 +118,16 @@ impl AreaLight {
         seen.unwrap_or_else(|| (self.point_by_area(square, probe), None))
     }
 
+    /// The point of a rule (see [`Adaptive`]) for a light without profile.
+    pub fn ruled_point<P: Probe>(&self, at: [f64; 2], from: DVec3, probe: &mut P) -> DVec3 {
+        if let LightSurface::Disk { center, edges } = self.surface {
+            return self.point_of_disk(center, edges, at, probe);
+        }
+        probe.given(Name::SampleX, at[0]);
+        probe.given(Name::SampleY, at[1]);
+        self.point(at, from, probe).0
+    }
+
     /// The point by solid angle, with its weight by the profile; `None` where the solid angle is none.
     // Kept out of the way of lights by area.
     #[inline(never)]
@@ -158,18 +172,35 @@ impl AreaLight {
                 let y = probe.note(Name::LightY, b * spread);
                 on_edges(center, edges, [x, y], probe)
             }
-            LightSurface::Disk { center, edges } => {
-                let [a, b] = warp::disc(square);
-                probe.given(Name::DiscX, a);
-                probe.given(Name::DiscY, b);
-                let spread = self.spread((a * a + b * b).sqrt(), probe);
-                let x = probe.note(Name::LightXOnDisk, a * spread);
-                let y = probe.note(Name::LightYOnDisk, b * spread);
-                on_edges(center, edges, [x, y], probe)
-            }
+            LightSurface::Disk { center, edges } => self.point_of_disk(center, edges, warp::disc(square), probe),
             LightSurface::Sphere { center, radius } => {
                 let outward = probe.note(Name::LightOutward, DVec3::from(warp::sphere(square)));
                 probe.note(Name::LightPositionOnSphere, center + outward * radius)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn point_of_disk<P: Probe>(&self, center: DVec3, edges: [DVec3; 2], [a, b]: [f64; 2], probe: &mut P) -> DVec3 {
+        probe.given(Name::DiscX, a);
+        probe.given(Name::DiscY, b);
+        let spread = self.spread((a * a + b * b).sqrt(), probe);
+        let x = probe.note(Name::LightXOnDisk, a * spread);
+        let y = probe.note(Name::LightYOnDisk, b * spread);
+        on_edges(center, edges, [x, y], probe)
+    }
+
+    /// Points whose convex hull holds the light, with more to spare than the roundings of its points.
+    pub fn corners(&self) -> ArrayVec<DVec3, 8> {
+        const OFF: f64 = 1.0 + 1e-9;
+        match self.surface {
+            LightSurface::Rectangle { center, edges: [u, v] } | LightSurface::Disk { center, edges: [u, v] } => {
+                let at = |[x, y]: [f64; 2]| center + u * (x * OFF) + v * (y * OFF);
+                [[-1.0, -1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0]].map(at).into_iter().collect()
+            }
+            LightSurface::Sphere { center, radius } => {
+                let sign = |k: u32, axis: u32| if k >> axis & 1 == 0 { -radius * OFF } else { radius * OFF };
+                (0..8).map(|k| center + DVec3::new(sign(k, 0), sign(k, 1), sign(k, 2))).collect()
             }
         }
     }
@@ -222,7 +253,7 @@ mod tests {
                 1 => LightSurface::disk(vector(0), vector(3), number(6)),
                 _ => LightSurface::Sphere { center: vector(0), radius: number(6) },
             };
-            let light = AreaLight { surface, profile: None, samples: 1, by: Spread::Area };
+            let light = AreaLight { surface, profile: None, samples: 1, by: Spread::Area, adaptive: None };
             let (Bounds { min, max }, (center, radius)) = (light.bounds(), light.ball());
             for at in 0..20 {
                 let square = [0, 1].map(|axis| unit(hash(hash(k, at), axis)));

@@ -6,9 +6,9 @@ use super::file::schema as file;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Formulas, Guided, Index, Lens, Light,
-    LightKind, LightSurface, Material, Object, Output, ReflectedScale, Sampling, Scene, Shadows, Skip, Specular,
-    Statistical, Tracing, Transfer, Weights,
+    Adaptive, Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Formulas, Guided, Index,
+    Lens, Light, LightKind, LightSurface, Material, Object, Output, ReflectedScale, Sampling, Scene, Shadows, Skip,
+    Specular, Statistical, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::motion::{Motion, Turn};
@@ -146,7 +146,13 @@ fn area(surface: LightSurface, light: &file::Light) -> LightKind {
         file::By::Area => Spread::Area,
         file::By::SolidAngle => Spread::SolidAngle,
     };
-    LightKind::Area(Box::new(AreaLight { surface, profile, samples: count(light.samples), by }))
+    let (samples, adaptive) = match light.samples {
+        file::LightSamples::Count(samples) => (count(samples), None),
+        file::LightSamples::Range(file::SampleRange { min, max }) => {
+            (count(max), Some(Adaptive::new(&surface, by, count(min))))
+        }
+    };
+    LightKind::Area(Box::new(AreaLight { surface, profile, samples, by, adaptive }))
 }
 
 /// The limits of counts keep them far below 2³².

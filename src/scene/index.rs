@@ -16,8 +16,9 @@ pub struct Index {
     bounds: Option<Bounds>,
     /// What is known of each object, in the order of the scene; nothing where there is a tree.
     extents: Vec<Extent>,
-    /// Whether it was asked to show every ray all objects.
-    shows_all: bool,
+    /// The index without that wish, where it was asked to show every ray all objects. What decides how a light is asked looks there, so that a log has the
+    /// picture's values.
+    usual: Option<Box<Index>>,
     /// Whether there is a tree, of objects or of a mesh's triangles, in which rays save time by walking together.
     has_large_trees: bool,
 }
@@ -95,7 +96,7 @@ impl Index {
         if objects.len() - unbounded.len() <= WITHOUT_TREE {
             let extents =
                 if objects.len() <= MOST_BETWEEN { objects.iter().map(Extent::of).collect() } else { Vec::new() };
-            return Index { extents, shows_all: false, ..Index::of_all(objects) };
+            return Index { extents, ..Index::without_tree(objects) };
         }
         let bounds = unbounded.is_empty().then_some(around);
         let bounded: Vec<u32> =
@@ -106,17 +107,21 @@ impl Index {
             tree,
             bounds,
             extents: Vec::new(),
-            shows_all: false,
+            usual: None,
             has_large_trees: bounded.len() >= WORTH_PACKETS || has_large_meshes(objects),
         }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
     pub fn of_all(objects: &[Object]) -> Index {
+        Index { usual: Some(Box::new(Index::new(objects))), ..Index::without_tree(objects) }
+    }
+
+    fn without_tree(objects: &[Object]) -> Index {
         let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
         let Sorted { unbounded, around } = sorted(objects);
         let bounds = unbounded.is_empty().then_some(around);
-        Index { tree, bounds, extents: Vec::new(), shows_all: true, has_large_trees: has_large_meshes(objects) }
+        Index { tree, bounds, extents: Vec::new(), usual: None, has_large_trees: has_large_meshes(objects) }
     }
 
     /// Whether there are trees in which rays save time by walking together.
@@ -126,7 +131,12 @@ impl Index {
 
     /// Whether it was asked to show every ray all objects.
     pub fn shows_all(&self) -> bool {
-        self.shows_all
+        self.usual.is_some()
+    }
+
+    /// The index without the wish to show every ray all objects.
+    pub fn usual(&self) -> &Index {
+        self.usual.as_deref().unwrap_or(self)
     }
 
     /// The objects that can stand between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known

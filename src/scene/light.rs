@@ -61,12 +61,17 @@ impl Arrival {
 impl Light {
     /// The inputs of the light, for the log.
     pub fn give<P: Probe>(&self, probe: &mut P) {
+        self.give_with(self.share(), probe);
+    }
+
+    /// The same where a point of it has this intensity.
+    pub fn give_with<P: Probe>(&self, color: Color, probe: &mut P) {
         match &self.kind {
             LightKind::Point { position } => probe.given(Name::LightPosition, *position),
             LightKind::Area(area) => area.give(probe),
             LightKind::Directional { travel } => probe.given(Name::LightTravel, *travel),
         }
-        probe.given(Name::LightColor, self.share());
+        probe.given(Name::LightColor, color);
         if let Some([constant, linear, quadratic]) = self.attenuation {
             probe.given(Name::LightConstant, constant);
             probe.given(Name::LightLinear, linear);

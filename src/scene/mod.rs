@@ -3,6 +3,7 @@
 //! Behind the door of [`mod@file`] there are indices and no surprises: names are resolved, vectors have a length, and numbers
 //! are finite.
 
+pub mod adaptive_light;
 pub mod area_light;
 mod bare;
 mod build;
@@ -25,6 +26,7 @@ pub mod square;
 pub mod tracing;
 pub mod unsupported;
 
+pub use adaptive_light::{Adaptive, Rule, Sight};
 pub use area_light::{AreaLight, LightSurface};
 pub use build::{build, build_with};
 pub use camera::Camera;

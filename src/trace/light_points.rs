@@ -1,9 +1,9 @@
 //! Area lights: points of their surface, each with a shadow ray of its own (Ramos, section 1.5; Cook, Porter and Carpenter,
 //! "Distributed ray tracing", 1984).
 
-use super::Meeting;
 use super::shade::{Source, from_light};
-use crate::geometry::Shaft;
+use super::{Meeting, adaptive_light};
+use crate::geometry::{Leaving, Shaft};
 use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::{Dimension, Splits};
@@ -22,6 +22,9 @@ pub(super) fn add<P: Probe>(
     mut sum: Color,
     probe: &mut P,
 ) -> Color {
+    if let Some(adaptive) = &area.adaptive {
+        return adaptive_light::add(scene, meeting, view, (number, light, area, adaptive), sum, probe);
+    }
     let dimension = Dimension::Light { route: meeting.path.route(), light: number };
     let splits = Splits::new(meeting.path.draws, dimension, area.samples);
     let color = light.share();
@@ -40,7 +43,7 @@ pub(super) fn add<P: Probe>(
             let square = place_in_square(splits.pick(part), probe);
             let (position, weight) = area.point(square, meeting.surface.point, probe);
             let color = weight.map_or(color, |weight| probe.note(Name::LightColorWeighted, color * weight));
-            let source = Source { light, number, split, color: &color, among: among.as_deref() };
+            let source = Source { light, number, split, color: &color, among: among.as_deref(), is_free: false };
             let arrival = Arrival::of(position, meeting.surface.point, probe);
             from_light(scene, meeting, view, &source, arrival, probe)
         });
@@ -78,15 +81,36 @@ fn pays(scene: &Scene, meeting: &Meeting, samples: u32, among: Option<&[u32]>) -
 /// the surface.
 #[inline(never)]
 fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[u32]>) -> Option<Between> {
+    let OneSide { shaft, leaving, .. } = on_one_side(meeting, area)?;
+    scene.index.in_shaft(&scene.objects, &shaft, leaving, among)
+}
+
+/// A light that is all on one side of the surface.
+pub(super) struct OneSide {
+    /// The ways to it.
+    pub shaft: Shaft,
+    /// How they leave the surface.
+    pub leaving: Leaving,
+    /// Whether it is the viewer's side.
+    pub is_in_front: bool,
+}
+
+/// On which side of the surface all of the light is; `None` where it may be on both.
+#[inline(always)]
+pub(super) fn on_one_side(meeting: &Meeting, area: &AreaLight) -> Option<OneSide> {
     let surface = &meeting.surface;
     let shaft = Shaft::new(surface.point, area.bounds(), area.ball());
     let normal = surface.geometric_normal();
     let [least, most] = shaft.rise_along(normal);
     let [shown_least, shown_most] = surface.beneath.map_or([least, most], |_| shaft.rise_along(surface.normal));
-    let (leaving, shaft) = match () {
-        _ if least > 0.0 && shown_least > 0.0 => (meeting.leaving_here(), shaft.rising(normal, least)),
-        _ if most < 0.0 && shown_most < 0.0 => (meeting.leaving_beyond(), shaft.rising(-normal, -most)),
-        _ => return None,
-    };
-    scene.index.in_shaft(&scene.objects, &shaft, leaving, among)
+    match () {
+        _ if least > 0.0 && shown_least > 0.0 => {
+            Some(OneSide { shaft: shaft.rising(normal, least), leaving: meeting.leaving_here(), is_in_front: true })
+        }
+        _ if most < 0.0 && shown_most < 0.0 => {
+            let shaft = shaft.rising(-normal, -most);
+            Some(OneSide { shaft, leaving: meeting.leaving_beyond(), is_in_front: false })
+        }
+        _ => None,
+    }
 }

@@ -2,6 +2,7 @@
 //!
 //! This is the only tracer there is. What sees its values, and in which arithmetic they go on, is the probe's business.
 
+mod adaptive_light;
 mod bounce;
 mod light_points;
 mod media;

@@ -49,7 +49,7 @@ pub(super) fn from_all_lights<P: Probe>(scene: &Scene, meeting: &Meeting, probe:
             #[inline(always)]
             |probe| {
                 let arrival = light.seen_from(meeting.surface.point, probe);
-                let source = Source { light, number, split: 0, color: &light.color, among: None };
+                let source = Source { light, number, split: 0, color: &light.color, among: None, is_free: false };
                 from_light(scene, meeting, view, &source, arrival, probe)
             },
         );
@@ -69,6 +69,8 @@ pub(super) struct Source<'a> {
     pub color: &'a Color,
     /// The objects that can stand in its way, where that is known before the search for them.
     pub among: Option<&'a [u32]>,
+    /// Whether it is known that nothing stands in its way: no shadow ray asks.
+    pub is_free: bool,
 }
 
 /// What a light adds that is seen so; nothing if it stands at the surface point.
@@ -97,7 +99,8 @@ pub(super) fn from_light<P: Probe>(
     if let Some(why) = unseen::light(scene, meeting, source.color, is_in_front) {
         return without_shadow_ray(why, probe);
     }
-    let passed = shadow_ray(scene, meeting, source, &arrival, is_in_front, probe);
+    let passed =
+        if source.is_free { Color::ONE } else { shadow_ray(scene, meeting, source, &arrival, is_in_front, probe) };
     if passed == Color::ZERO {
         return Color::ZERO;
     }

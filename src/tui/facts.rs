@@ -66,6 +66,7 @@ impl Facts {
                 Decision::Coincident { .. } | Decision::Immersed { .. } | Decision::Bent { .. } => {}
                 // That nothing is in the way is told by the end of the ray.
                 Decision::Free => {}
+                Decision::Asked { .. } => {}
                 Decision::Subdivided { .. } | Decision::Accepted { .. } | Decision::MoreSamples { .. } => {}
                 Decision::DepthLimit { .. } | Decision::TotalInternalReflection => fact.limit = number,
                 _ => fact.outcome = number,

@@ -5,7 +5,7 @@ use crate::support;
 use jsonschema::Validator;
 use raywalk::log::file::{to_json, to_ndjson};
 use raywalk::log::schema::{self, MARKS, Of, STEPS, json_schema};
-use raywalk::log::{Acceptance, Decision, Miss, Name, SkipReason, Skippable, Split};
+use raywalk::log::{Acceptance, Asking, Decision, Miss, Name, SkipReason, Skippable, Split};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::builtin;
 use serde_json::{Number, Value, json};
@@ -179,6 +179,7 @@ fn it_knows_every_decision() {
         Decision::Skipped { .. } => "skipped",
         Decision::Subdivided { .. } => "subdivided",
         Decision::Accepted { .. } => "accepted",
+        Decision::Asked { .. } => "asked",
         Decision::MoreSamples { .. } => "more_samples",
     };
     let (what, cell) = (Skippable::Shadow, [0.0, 0.5, 0.25]);
@@ -203,6 +204,7 @@ fn it_knows_every_decision() {
         Decision::Skipped { what, why: SkipReason::Blocked },
         Decision::Subdivided { cell, why: Split::SmallObject, object: Some(0) },
         Decision::Accepted { cell: Some(cell), why: Acceptance::Alike },
+        Decision::Asked { light: 0, why: Asking::Hidden, points: 1, object: Some(0) },
         Decision::MoreSamples { from: 4, to: 8 },
     ];
     let words: Vec<_> = all.iter().map(word).collect();

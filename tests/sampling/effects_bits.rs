@@ -5,7 +5,7 @@ use crate::support;
 use raywalk::log::{RayKind, Step, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::TileOrder;
-use raywalk::scene::{Guided, Sampling, Scene, Statistical};
+use raywalk::scene::{Adaptive, Guided, LightKind, Sampling, Scene, Statistical};
 use std::collections::BTreeSet;
 
 const METHODS: [Sampling; 10] = [
@@ -26,10 +26,22 @@ fn scene(sampling: Sampling) -> Scene {
     Scene { sampling, seed: 5, ..scene }
 }
 
+/// The same with lights that are asked for as many points as it takes.
+fn adaptive_scene(sampling: Sampling) -> Scene {
+    let mut scene = scene(sampling);
+    for light in &mut scene.lights {
+        if let LightKind::Area(area) = &mut light.kind {
+            (area.samples, area.adaptive) = (4, Some(Adaptive::new(&area.surface, area.by, 2)));
+        }
+    }
+    scene
+}
+
 #[test]
 fn threads_crops_and_logs_agree() {
-    for sampling in METHODS {
-        let scene = scene(sampling);
+    let adaptive = [METHODS[4], METHODS[8]].map(adaptive_scene);
+    for scene in METHODS.into_iter().map(scene).chain(adaptive) {
+        let sampling = scene.sampling;
         let whole = picture_with(&scene, [0, 0, 41, 31], 1);
         for threads in [2, 7, 16] {
             let other = picture_with(&scene, [0, 0, 41, 31], threads);

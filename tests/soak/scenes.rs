@@ -118,7 +118,8 @@ fn light(random: &mut Random, name: &str) -> Value {
         light["attenuation"] = json!([1.0, 0.1 * random.part(), 0.01]);
     }
     if matches!(word, "rectangle" | "disk" | "sphere") {
-        light["samples"] = json!(1 + random.below(4));
+        let most = 1 + random.below(4);
+        light["samples"] = if chance(random, 0.5) { json!({"min": 1, "max": most}) } else { json!(most) };
     }
     light
 }

@@ -25,17 +25,42 @@ pub fn sampled(seed: u64, sampling: Value) -> Scene {
 /// The scene of a seed with so many objects that there is a tree over them, under an area light that is asked for many points.
 pub fn crowded(seed: u64) -> Scene {
     let mut random = Random::new(seed);
-    let mut text = text(&mut random);
-    let objects: Vec<_> = (0..24).map(|number| object(&mut random, number)).collect();
-    let mut light = json!({"name": "lamp", "color": color(&mut random), "samples": 9});
+    let scene = lit(&mut random, json!(9), 24);
+    support::scene_of(scene.to_string().as_bytes(), "crowded")
+}
+
+/// The scene of a seed, every other time with a tree over its objects, under an area light that is asked for as many points as it takes.
+pub fn adaptive(seed: u64) -> Scene {
+    let mut random = Random::new(seed);
+    let mut scene =
+        lit(&mut random, json!({"min": 1 + seed % 5, "max": 9}), if seed.is_multiple_of(2) { 24 } else { 4 });
+    let light = &mut scene["lights"][0];
+    let is_disk = light["disk"].is_object();
+    let is_sphere = light["sphere"].is_object();
+    if !is_disk && random.below(2) == 0 {
+        light["by"] = json!("solid_angle");
+    }
+    if !is_sphere && random.below(4) == 0 {
+        light["profile"] = json!({"cosine_power": 2.5});
+    }
+    if random.below(2) == 0 {
+        light["attenuation"] = json!([0.5, 0.25, 0.1]);
+    }
+    support::scene_of(scene.to_string().as_bytes(), "adaptive")
+}
+
+fn lit(random: &mut Random, samples: Value, objects: usize) -> Value {
+    let mut text = text(random);
+    let objects: Vec<_> = (0..objects).map(|number| object(random, number)).collect();
+    let mut light = json!({"name": "lamp", "color": color(random), "samples": samples});
     let above = json!([4.0 * random.part() - 2.0, 3.0 + random.part(), 4.0 * random.part() - 1.0]);
     match random.below(3) {
         0 => light["rectangle"] = json!({"corner": above, "edge_u": [0.5, 0.2, 0.0], "edge_v": [0.0, 0.0, 0.5]}),
-        1 => light["disk"] = json!({"center": above, "normal": point(&mut random), "radius": 0.4}),
+        1 => light["disk"] = json!({"center": above, "normal": point(random), "radius": 0.4}),
         _ => light["sphere"] = json!({"center": above, "radius": 0.3}),
     }
     (text["objects"], text["lights"], text["sampling"]) = (json!(objects), json!([light]), json!({"none": {}}));
-    support::scene_of(text.to_string().as_bytes(), "crowded")
+    text
 }
 
 fn text(random: &mut Random) -> Value {

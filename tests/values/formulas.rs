@@ -67,6 +67,12 @@ fn every_formula_gives_the_logged_value() {
         for pixel in support::grid(&effects, 9) {
             checked.check(&record::pixel(&effects, pixel, arithmetic));
         }
+        let text =
+            include_str!("../../scenes/penumbra.json").replace("\"samples\": 9", r#""samples": {"min": 4, "max": 9}"#);
+        let lamp = support::scene_of(text.as_bytes(), "lamp");
+        for pixel in [[20, 110], [60, 100], [100, 100], [10, 60], [150, 110]] {
+            checked.check(&record::pixel(&lamp, pixel, arithmetic));
+        }
         // Surfaces in the same place, and bounces by interpolated normals that run on the wrong side.
         let touching = support::scene_of(include_bytes!("../support/touching.json"), "touching");
         for pixel in support::grid(&touching, 24) {

@@ -15,6 +15,7 @@ mod random_scenes;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod adaptive_lights;
 mod decisions;
 mod diff;
 mod digits;

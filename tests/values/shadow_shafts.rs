@@ -15,7 +15,7 @@ impl Probe for Watching {}
 
 /// Asks that the silent tracer, which looks for obstacles with a shaft, gives the colours of one that shows a probe every test.
 #[track_caller]
-fn compare(scene: &Scene, name: &str, pixels: impl IntoIterator<Item = [u32; 2]>) {
+pub fn compare(scene: &Scene, name: &str, pixels: impl IntoIterator<Item = [u32; 2]>) {
     for pixel in pixels {
         let silent = sampling::pixel(scene, pixel, &mut Silent);
         let watched = sampling::pixel(scene, pixel, &mut Watching);
@@ -27,7 +27,7 @@ fn compare(scene: &Scene, name: &str, pixels: impl IntoIterator<Item = [u32; 2]>
     }
 }
 
-fn all_pixels(scene: &Scene) -> impl Iterator<Item = [u32; 2]> + use<> {
+pub fn all_pixels(scene: &Scene) -> impl Iterator<Item = [u32; 2]> + use<> {
     let [width, height] = scene.camera.resolution;
     (0..height).flat_map(move |y| (0..width).map(move |x| [x, y]))
 }

@@ -253,6 +253,16 @@ fn weights_of_the_shadow_rays_of_a_light() {
 }
 
 #[test]
+fn weights_of_a_rule() {
+    let adaptive = r#""samples": {"min": 4, "max": 9}"#;
+    let text = include_str!("../../scenes/penumbra.json").replace(r#""samples": 9"#, adaptive);
+    let log = record::pixel(&scene_of(text.as_bytes(), "rule"), [20, 110], Arithmetic::F64);
+    let rows = made(&log, None, light).expect("an area light").rows;
+    let is_lit = |row: &&Vec<String>| row[2] == "0.125" && row[3] == "(1, 1, 1)" && row[4] != "(0, 0, 0)";
+    assert!(rows[0][2] == "0.250" && rows[1..].iter().filter(is_lit).count() == 6, "{rows:?}");
+}
+
+#[test]
 fn a_shadow_ray_in_the_path_chooses_the_area_light() {
     let view = ["trace", "weighted-light", "--pixel", "80,80", "--view", "light", "--format", "text"];
     let of = |path: &[&str]| prints(&[&view[..], path].concat());

@@ -4,6 +4,10 @@
 //! eight operations. Both give the same bits, but for the fused operations, which round once where the processor can and twice where it
 //! can't: margins are for two roundings. The lesser of two numbers is told by one comparison.
 
+mod unfused;
+
+pub(super) use unfused::Unfused;
+
 /// Eight numbers, as they lie in memory.
 pub(super) type Eight = [f32; 8];
 
@@ -315,6 +319,23 @@ mod tests {
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2(avx2) => assert_eq!(avx2.run(|| results(avx2)), plain),
             Instructions::Plain(_) => assert_eq!(plain[0], 0b0000_1111),
+        }
+    }
+
+    /// A product whose rounding a fused operation would spare.
+    #[test]
+    fn unfused_lanes_round_a_product_everywhere() {
+        let bits = |lanes: Eight| lanes.map(f32::to_bits);
+        fn rounded<L: Lanes>(lanes: L) -> [Eight; 3] {
+            let (x, one) = (lanes.splat(1.0 + f32::EPSILON), lanes.splat(1.0));
+            let all = [lanes.times_plus(x, x, one), lanes.times_minus(x, x, one), lanes.less_times(one, x, x)];
+            all.map(|eight| lanes.store(eight))
+        }
+        let plain = rounded(Unfused(Plain)).map(bits);
+        assert_eq!(plain[1], [(2.0 * f32::EPSILON).to_bits(); 8]);
+        #[cfg(target_arch = "x86_64")]
+        if let Instructions::Avx2(avx2) = Instructions::detected() {
+            assert_eq!(avx2.run(|| rounded(Unfused(avx2))).map(bits), plain);
         }
     }
 }

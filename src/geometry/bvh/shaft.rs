@@ -4,7 +4,7 @@
 mod lanes;
 
 use super::block::Block;
-use super::lanes::{Instructions, Lanes, Plain};
+use super::lanes::{Instructions, Lanes, Plain, Unfused};
 use super::node::{Child, Content};
 use super::space::{Space, U, up};
 use super::{Bounds, Bvh};
@@ -23,6 +23,8 @@ pub struct Shaft {
     pub ball: (DVec3, f64),
     /// A unit vector along which all segments rise, and how much at least.
     rise: Option<(DVec3, f64)>,
+    /// Whether what is found must be the same on every machine.
+    is_repeatable: bool,
 }
 
 /// A walk looks at so many nodes before it gives up: what it would spare were it to find nothing is worth no more.
@@ -40,7 +42,7 @@ impl Shaft {
         const OFF: f64 = 1e-9;
         let off = (light.max - light.min) * OFF;
         let light = Bounds { min: light.min - off, max: light.max + off };
-        Shaft { point, light, ball: (center, radius * (1.0 + OFF)), rise: None }
+        Shaft { point, light, ball: (center, radius * (1.0 + OFF)), rise: None, is_repeatable: false }
     }
 
     /// How much the segments rise along a vector, at least and at most; 0 within rounding.
@@ -57,6 +59,13 @@ impl Shaft {
     pub fn rising(self, along: DVec3, least: f64) -> Shaft {
         Shaft { rise: Some((along, least)), ..self }
     }
+
+    /// The shaft, of which the same is found on every machine, for decisions that a picture hangs on. Fused operations, where a machine has
+    /// them, may find a little less.
+    #[must_use]
+    pub fn repeatable(self) -> Shaft {
+        Shaft { is_repeatable: true, ..self }
+    }
 }
 
 impl Bvh {
@@ -71,11 +80,17 @@ impl Bvh {
         let local = LocalShaft::new(&self.space, shaft, errors);
         match self.instructions {
             #[cfg(target_arch = "x86_64")]
+            Instructions::Avx2(avx2) if shaft.is_repeatable => avx2.run(
+                #[inline(always)]
+                || self.walk_shaft(Unfused(avx2), root, &local, found),
+            ),
+            #[cfg(target_arch = "x86_64")]
             Instructions::Avx2(avx2) => avx2.run(
                 #[inline(always)]
                 || self.walk_shaft(avx2, root, &local, found),
             ),
-            Instructions::Plain(Plain) => self.walk_shaft(Plain, root, &local, found),
+            // It has no fused operations.
+            Instructions::Plain(Plain) => self.walk_shaft(Unfused(Plain), root, &local, found),
         }
     }
 

@@ -230,6 +230,22 @@ impl Shape {
         }
     }
 
+    /// Whether the surface is convex as seen from a point: the ways to points on it, which lie between the ways to others on it, meet it. Of a
+    /// solid that is told from outside a box around it only.
+    pub fn is_convex_from(&self, point: DVec3) -> bool {
+        match self {
+            Shape::Plane(_) | Shape::Triangle(_) | Shape::Disk(_) => true,
+            Shape::Polygon(polygon) => polygon.is_convex(),
+            Shape::Sphere(sphere) => {
+                (point - sphere.center).length_squared() > sphere.radius * sphere.radius * (1.0 + 1e-9)
+            }
+            Shape::Ellipsoid(_) | Shape::Cuboid(_) | Shape::Cylinder(_) | Shape::Cone(_) => {
+                self.inside().is_some() && self.bounds().is_some_and(|bounds| !bounds.contains(point))
+            }
+            Shape::Mesh(_) | Shape::Moving(_) => false,
+        }
+    }
+
     /// Whether it moves.
     pub fn is_moving(&self) -> bool {
         matches!(self, Shape::Moving(_))

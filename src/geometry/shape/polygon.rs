@@ -27,6 +27,7 @@ pub struct Polygon {
     normal: DVec3,
     unit_normal: DVec3,
     bounds: Bounds,
+    is_convex: bool,
     /// Triangles with the normals at their corners, if shading is smooth.
     fan: Option<Fan>,
 }
@@ -53,6 +54,15 @@ fn outline(corners: &[DVec3], normal: DVec3) -> Vec<DVec2> {
     corners.iter().map(|corner| projection.of(*corner)).collect()
 }
 
+fn is_convex(corners: &[DVec2]) -> bool {
+    let corner = |k: usize| corners[k % corners.len()];
+    let turn = |k: usize| (corner(k + 1) - corner(k)).perp_dot(corner(k + 2) - corner(k + 1));
+    let is_left = |k: usize| turn(k) >= 0.0;
+    // One that winds around twice turns left too: a fan from a corner then turns back.
+    let is_fan = |k: usize| (corner(k) - corner(0)).perp_dot(corner(k + 1) - corner(0)) >= 0.0;
+    (0..corners.len()).all(|k| is_left(k) && is_fan(k))
+}
+
 impl Polygon {
     /// Its corners.
     pub fn corners(&self) -> &[DVec3] {
@@ -73,13 +83,7 @@ impl Polygon {
 
     /// Whether it turns the same way at all corners, once around.
     pub fn is_convex(&self) -> bool {
-        let corners = outline(&self.corners, self.normal);
-        let corner = |k: usize| corners[k % corners.len()];
-        let turn = |k: usize| (corner(k + 1) - corner(k)).perp_dot(corner(k + 2) - corner(k + 1));
-        let is_left = |k: usize| turn(k) >= 0.0;
-        // One that winds around twice turns left too: a fan from a corner then turns back.
-        let is_fan = |k: usize| (corner(k) - corner(0)).perp_dot(corner(k + 1) - corner(0)) >= 0.0;
-        (0..corners.len()).all(|k| is_left(k) && is_fan(k))
+        self.is_convex
     }
 
     /// The polygon with these corners, three or more; with a normal for each its shading is smooth.
@@ -95,6 +99,7 @@ impl Polygon {
             normal,
             unit_normal,
             bounds: Bounds::around(corners.iter().copied().chain(on_plane)),
+            is_convex: is_convex(&outline(&corners, normal)),
             fan: normals.map(|normals| Fan::new(&corners, normals, &outline(&corners, normal))),
             corners,
         }

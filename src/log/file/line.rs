@@ -211,6 +211,15 @@ pub(super) enum Mark<'t> {
         #[serde(borrow)]
         why: Word<'t>,
     },
+    Asked {
+        #[serde(borrow)]
+        light: Word<'t>,
+        #[serde(borrow)]
+        why: Word<'t>,
+        points: u32,
+        #[serde(borrow)]
+        object: Option<Word<'t>>,
+    },
     MoreSamples {
         from: u32,
         to: u32,

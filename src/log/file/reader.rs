@@ -6,7 +6,9 @@ use super::document::MAX_NESTING;
 use super::line::{End, Enter, Line, Mark};
 use super::read::Ending;
 use crate::log::escape::shortened;
-use crate::log::event::{Acceptance, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What};
+use crate::log::event::{
+    Acceptance, Asking, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What,
+};
 use crate::log::events::Events;
 use crate::log::header::Header;
 use crate::log::name::Name;
@@ -246,6 +248,12 @@ impl Reader {
             Mark::Accepted { cell, why } => {
                 Decision::Accepted { cell, why: Acceptance::find(&why).ok_or_else(|| unknown("reason", &why))? }
             }
+            Mark::Asked { light, why, points, object } => Decision::Asked {
+                light: self.light(&light)?,
+                why: Asking::find(&why).ok_or_else(|| unknown("reason", &why))?,
+                points,
+                object: object.map(|object| self.object(&object)).transpose()?,
+            },
             Mark::MoreSamples { from, to } => Decision::MoreSamples { from, to },
         })
     }

@@ -107,6 +107,10 @@ macro_rules! with_effects {
             LightWeight: "light.weight", "", "w_F", "c_F^p_F/m_F", "1.5";
             LightColorWeighted: "light.color", "weighted", "I_i", "I_i·w_F", "1.5";
 
+            // A point of a rule of quadrature has its part of the mean for a weight.
+            LightShare: "light.share", "", "w_Q", "", "1.5";
+            LightColorShared: "light.color", "shared", "I_i", "I_i·w_Q", "1.5";
+
             // A blurred bounce: directions of the lobe cosⁿ about M_z, which is R or T, in zones of equal probability.
             LobeMiddle: "lobe.middle", "", "M_z", "", "1.5";
             LobeExponent: "lobe.exponent", "", "n_z", "", "1.5";

@@ -136,7 +136,7 @@ const KEYS: &[(Unit, &str)] = &[
         hit.normal hit.geometric_normal reflect.direction
         refract.eta_1 refract.eta_2 refract.eta refract.cos_1 refract.cos_2 refract.direction
         light.travel light.constant light.direction light.attenuation light.spread light.x light.y light.outward
-        light.solid_angle light.profile_cosine light.profile_power light.profile_mean light.weight
+        light.solid_angle light.profile_cosine light.profile_power light.profile_mean light.weight light.share
         shadow.transmittance view.direction half.sum half.length half.direction mirror.direction
         transmit.eta transmit.sum transmit.length transmit.direction
         shade.n_dot_l shade.n_dot_h shade.r_dot_v shade.n_dot_transmitted shade.specular_power shade.transmitted_power

@@ -1,6 +1,6 @@
 //! What a line can say: the nodes that begin, the decisions, and the fields of each.
 
-use crate::log::event::{Acceptance, Miss, SkipReason, Skippable, Split};
+use crate::log::event::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
 
 /// A node or a decision, as the key in its line.
 pub struct Kind {
@@ -78,6 +78,10 @@ fn splits() -> Vec<&'static str> {
     Split::ALL.iter().map(|why| why.word()).collect()
 }
 
+fn askings() -> Vec<&'static str> {
+    Asking::ALL.iter().map(|why| why.word()).collect()
+}
+
 fn acceptances() -> Vec<&'static str> {
     Acceptance::ALL.iter().map(|why| why.word()).collect()
 }
@@ -112,7 +116,7 @@ pub const MARKS: &[Kind] = &[
     kind("coincident", &[OBJECT, TRIANGLE], "another surface in the same place, which counts as lying just behind"),
     kind("immersed", &[OBJECT], "the ray begins inside this medium; of several the innermost comes last"),
     kind("background", &[], "the ray leaves the scene and gets the background's colour"),
-    kind("free", &[], "nothing weakens the light on the way of the shadow ray"),
+    kind("free", &[], "nothing weakens the light on the way of the shadow ray, or from a point in full view"),
     kind("occluded", &[OBJECT], "the shadow ray ends at an opaque object"),
     kind(
         "attenuated",
@@ -143,6 +147,16 @@ pub const MARKS: &[Kind] = &[
         "accepted",
         &[optional("cell", Of::Triple), field("why", Of::Words(acceptances))],
         "what is known of a cell, or without one of the pixel, is enough",
+    ),
+    kind(
+        "asked",
+        &[
+            field("light", Of::Light),
+            field("why", Of::Words(askings)),
+            field("points", Of::Whole(1)),
+            optional("object", Of::Object),
+        ],
+        "so many points of an area light with `min` and `max` are asked",
     ),
     kind(
         "more_samples",

@@ -6,7 +6,7 @@
 use super::hit::{lights, number, shade, unit, value, vector};
 use super::sheet::{Ink, Piece, Place, Plane, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
-use crate::log::{Decision, Log, Name, Step, Tree, Value, What};
+use crate::log::{Asking, Decision, Log, Name, Step, Tree, Value, What};
 use crate::report::{terms, words};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -120,10 +120,17 @@ fn area_lights(log: &Log, tree: &Tree, ray: usize) -> Option<(usize, Vec<u32>)> 
 fn points_of(log: &Log, tree: &Tree, shade: usize, light: u32) -> Vec<Point> {
     let nodes: Vec<_> = lights(tree, shade).into_iter().filter(|(_, of, _)| *of == light).collect();
     let count = nodes.len() as f64;
+    // The weight of a rule's point is its part of the mean.
+    let is_by_rule = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Asked { light: of, why: Asking::Rule, .. }) if of == light);
+    let whole = if tree.own_events(shade).any(is_by_rule) { 1.0 } else { count };
     let point = |(node, _, split): &(usize, u32, u32)| Point {
         node: *node,
         split: *split,
-        weight: number(log, tree, *node, Name::LightWeight).unwrap_or(1.0) / count,
+        weight: [Name::LightWeight, Name::LightShare]
+            .map(|name| number(log, tree, *node, name).unwrap_or(1.0))
+            .into_iter()
+            .product::<f64>()
+            / whole,
         passed: passed(log, tree, *node),
     };
     nodes.iter().map(point).collect()
@@ -131,7 +138,9 @@ fn points_of(log: &Log, tree: &Tree, shade: usize, light: u32) -> Vec<Point> {
 
 /// What a light's shadow ray lets through; `None` where none was sent.
 fn passed(log: &Log, tree: &Tree, light: usize) -> Option<[f64; 3]> {
-    let ray = tree.children(light).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })))?;
+    let ray = tree.children(light).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })));
+    let is_free = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Free));
+    let Some(ray) = ray else { return tree.own_events(light).any(is_free).then_some([1.0; 3]) };
     let is_blocked = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Occluded { .. }));
     match vector(log, tree, light, Name::ShadowTransmittance) {
         Some(passed) => Some(passed.to_array()),

@@ -182,7 +182,8 @@ impl<'a> Walk<'a> {
         let noted = tree
             .own_events(node)
             .find(|event| matches!(self.log.events[*event].what, What::Note { name: Name::ShadeNDotL, .. }));
-        if shadow.is_none() {
+        let is_free = |event| self.decision(event) == Some(Decision::Free);
+        if shadow.is_none() && !tree.own_events(node).any(is_free) {
             let event = noted.unwrap_or(tree.nodes()[node].events.start);
             return self.ended.push(Ended { path, why: Why::LightBehind { light }, event });
         }

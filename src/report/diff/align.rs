@@ -167,6 +167,8 @@ enum Question {
     Leaks(Skippable),
     IsBent(Skippable),
     Rejected(Skippable),
+    /// How many points of this light.
+    IsAsked(u32),
     /// The cell by its bits; `None` for the pixel.
     IsEnough(Option<[u64; 3]>),
 }
@@ -200,6 +202,7 @@ fn question(decision: Decision) -> Question {
         Decision::Rejected { what } => Question::Rejected(what),
         Decision::Subdivided { cell, .. } => Question::IsEnough(Some(cell.map(f64::to_bits))),
         Decision::Accepted { cell, .. } => Question::IsEnough(cell.map(|cell| cell.map(f64::to_bits))),
+        Decision::Asked { light, .. } => Question::IsAsked(light),
         Decision::MoreSamples { .. } => Question::IsEnough(None),
     }
 }

@@ -4,7 +4,7 @@ mod close_up;
 mod viewer;
 
 use super::{Causes, Figure, Solution, Texts};
-use crate::log::{Acceptance, Miss, SkipReason, Skippable, Split};
+use crate::log::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
 
 pub(super) const TEXTS: Texts = Texts {
     decimal_mark: '.',
@@ -69,6 +69,14 @@ pub(super) const TEXTS: Texts = Texts {
     an_object: "an object",
     mean: "the mean",
     accepted: |what, why| format!("{what} is accepted: {}", acceptance(why)),
+    asked: |light, why, points, object| match why {
+        Asking::Rule => {
+            format!("{light} is in full view: a rule of {points} points gives its mean, without shadow rays")
+        }
+        Asking::InView => format!("{light} is in full view: {points} points of it need no shadow rays"),
+        Asking::Hidden => format!("{light} is hidden as a whole by {object}"),
+        Asking::All => format!("{light} may be hidden in part: all its {points} points are asked"),
+    },
     more_samples: |from, to| {
         format!("{from} samples are too few, the interval of their mean is too wide: {to} are taken")
     },

@@ -4,7 +4,7 @@ mod close_up;
 mod viewer;
 
 use super::{Causes, Figure, Solution, Texts};
-use crate::log::{Acceptance, Miss, SkipReason, Skippable, Split};
+use crate::log::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
 
 pub(super) const TEXTS: Texts = Texts {
     decimal_mark: ',',
@@ -90,6 +90,14 @@ pub(super) const TEXTS: Texts = Texts {
     an_object: "un objeto",
     mean: "la media",
     accepted: |what, why| format!("se acepta {what}: {}", acceptance(why)),
+    asked: |light, why, points, object| match why {
+        Asking::Rule => {
+            format!("{light} está a plena vista: una regla de {points} puntos da su media, sin rayos de sombra")
+        }
+        Asking::InView => format!("{light} está a plena vista: {points} de sus puntos no necesitan rayos de sombra"),
+        Asking::Hidden => format!("{object} tapa {light} por entero"),
+        Asking::All => format!("{light} puede estar en parte tapada: se preguntan todos sus {points} puntos"),
+    },
     more_samples: |from, to| {
         format!("{from} muestras son pocas, el intervalo de su media es demasiado ancho: se toman {to}")
     },

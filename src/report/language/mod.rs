@@ -9,7 +9,7 @@ mod es;
 pub mod viewer;
 
 use super::{Style, number};
-use crate::log::{Acceptance, Miss, Parameter, SkipReason, Skippable, Split, Value};
+use crate::log::{Acceptance, Asking, Miss, Parameter, SkipReason, Skippable, Split, Value};
 
 /// The language of a view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -187,6 +187,8 @@ pub struct Texts {
     pub mean: &'static str,
     /// What is accepted, and why.
     pub accepted: fn(&str, Acceptance) -> String,
+    /// How many points of a light are asked, and why; the last name is that of an object.
+    pub asked: fn(&str, Asking, u32, &str) -> String,
     /// How many samples are too few, and how many are taken.
     pub more_samples: fn(u32, u32) -> String,
     /// That the pilots around ask for more samples: how many there are and will be.

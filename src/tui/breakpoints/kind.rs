@@ -43,6 +43,7 @@ pub const WORDS: &[&str] = &[
     "skipped",
     "subdivided",
     "accepted",
+    "asked",
     "more-samples",
     "result",
 ];
@@ -117,6 +118,7 @@ fn of_decision(decision: &Decision) -> &'static [&'static str] {
         Decision::Skipped { .. } => &["skipped"],
         Decision::Subdivided { .. } => &["subdivided"],
         Decision::Accepted { .. } => &["accepted"],
+        Decision::Asked { .. } => &["asked"],
         Decision::MoreSamples { .. } => &["more-samples"],
     }
 }

@@ -49,7 +49,7 @@ fn traced(mut file: SceneFile) {
     }
     file.tracing.max_depth = file.tracing.max_depth.min(4);
     file.sampling = Sampling::None {};
-    file.lights.iter_mut().for_each(|light| light.samples = light.samples.min(4));
+    file.lights.iter_mut().for_each(|light| light.samples = light.samples.at_most(4));
     let text = file.to_json();
     let source = Source { name: "a.json", text: text.as_bytes() };
     let Ok((meshes, _)) = mesh::load(&file, &source, Folder::BuiltIn(square)) else { return };

@@ -70,7 +70,7 @@ fn light(light: &Light, shared_light: f64) -> schema::Light {
         color: light.color.unwrap_or([shared_light; 3]),
         attenuation: [1.0, 0.0, 0.0],
         profile: Profile::Uniform,
-        samples: 1,
+        samples: schema::LightSamples::Count(1),
         by: By::Area,
     }
 }

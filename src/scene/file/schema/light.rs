@@ -3,8 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Rgb, Vec3};
-use crate::scene::file::validate::limits::MAX_SAMPLES;
+use super::{LightSamples, Rgb, Vec3};
 
 /// One light.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -21,7 +20,7 @@ pub struct Light {
     /// How the light is spread over its surface; `Uniform` for all but rectangles and disks.
     pub profile: Profile,
     /// How many shadow rays ask for an area light; 1 for the others.
-    pub samples: u64,
+    pub samples: LightSamples,
     /// By what measure the points of an area light count alike; `Area` for all but rectangles and spheres.
     pub by: By,
 }
@@ -187,10 +186,9 @@ struct LightKeys {
     /// How the light is spread over its surface; `uniform` where it is left out. For rectangles and disks.
     #[serde(skip_serializing_if = "Option::is_none")]
     profile: Option<Profile>,
-    /// How many shadow rays ask for an area light; 1 where it is left out.
+    /// How many shadow rays ask for an area light: a number, or as many as it takes from `min` up to `max`; 1 where it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1, max = MAX_SAMPLES))]
-    samples: Option<u64>,
+    samples: Option<LightSamples>,
     /// By what measure the points of an area light count alike: `area` where it is left out, or `solid_angle` (rectangles and spheres).
     #[serde(skip_serializing_if = "Option::is_none")]
     by: Option<By>,
@@ -240,7 +238,7 @@ impl TryFrom<LightKeys> for Light {
             color: keys.color,
             attenuation: keys.attenuation,
             profile: keys.profile.unwrap_or_default(),
-            samples: keys.samples.unwrap_or(1),
+            samples: keys.samples.unwrap_or(LightSamples::Count(1)),
             by: keys.by.unwrap_or_default(),
         })
     }

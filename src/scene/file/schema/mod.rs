@@ -9,6 +9,7 @@ mod json_schema;
 mod light;
 mod material;
 mod objects;
+mod samples;
 mod settings;
 mod shape;
 
@@ -17,6 +18,7 @@ pub use json_schema::json_schema;
 pub use light::{By, DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
 pub use objects::MAX_DUPLICATES;
+pub use samples::{LightSamples, SampleRange};
 pub use settings::{
     Algorithm, Formulas, Frames, Output, ReflectedScale, Sampling, SpecularForm, SphereMethod, Tracing, Transfer,
 };

@@ -16,7 +16,8 @@ const EVERYTHING: &str = r#"{
     {"name": "b", "directional": {"direction": [0, -1, 0]}, "color": [300, 300, 300]},
     {"name": "c", "rectangle": {"corner": [0, 0, 0], "edge_u": [1, 0, 0], "edge_v": [0, 1, 0]},
      "profile": {"cosine_power": 2}, "samples": 16},
-    {"name": "d", "disk": {"center": [0, 0, 0], "normal": [0, 1, 0], "radius": 2}, "profile": "uniform"},
+    {"name": "d", "disk": {"center": [0, 0, 0], "normal": [0, 1, 0], "radius": 2}, "profile": "uniform",
+     "samples": {"min": 4, "max": 16}},
     {"name": "e", "sphere": {"center": [0, 0, 0], "radius": 2}, "samples": 4, "by": "solid_angle"},
     {"sphere": {"center": [0, 0, 0], "radius": 2}}
   ],

@@ -162,6 +162,14 @@ fn area_lights() {
         with(r#""sphere": {"center": [0, 0, 0], "radius": 1}, "samples": 0"#),
         "lights[0].samples: must be from 1 to 1048576, found 0",
     );
+    let sphere =
+        |samples: &str| with(&format!(r#""sphere": {{"center": [0, 0, 0], "radius": 1}}, "samples": {samples}"#));
+    refuses_value(sphere(r#"{"min": 5, "max": 4}"#), "lights[0].samples.max: must be `min`, 5, or more, found 4");
+    refuses_value(sphere(r#"{"min": 0, "max": 4}"#), "lights[0].samples.min: must be from 1 to 1048576, found 0");
+    refuses_value(
+        sphere(r#"{"min": 4, "max": 9999999}"#),
+        "lights[0].samples.max: must be from 1 to 1048576, found 9999999",
+    );
     refuses_value(
         with(r#""rectangle": {"corner": [0, 0, 0], "edge_u": [1, 0, 0], "edge_v": [0.1, 2, 0]}, "by": "solid_angle""#),
         "lights[0].by: `solid_angle` is for rectangles with perpendicular edges, found a parallelogram (`area` takes any)",

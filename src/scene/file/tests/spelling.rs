@@ -105,6 +105,25 @@ fn only_area_lights_have_samples() {
         textbook_with("\"color\": [220", "\"samples\": 4, \"color\": [220"),
         "lights[0]: `samples` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
     );
+    refuses_value(
+        textbook_with("\"color\": [220", "\"samples\": {\"min\": 1, \"max\": 4}, \"color\": [220"),
+        "lights[0]: `samples` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
+    );
+    let sphere = |samples: &str| {
+        let kind = format!(r#""sphere": {{"center": [0, 0, 0], "radius": 1}}, "samples": {samples}"#);
+        textbook_with("\"point\": {\"position\": [9, 12, 16]}", &kind)
+    };
+    refuses_value(sphere(r#"{"min": 1}"#), "lights[0].samples: the key `max` is missing, expected it here");
+    refuses_value(
+        sphere(r#"{"min": 1, "max": 4, "most": 5}"#),
+        "lights[0].samples.most: unknown key `most`, expected `min` or `max`",
+    );
+    for (wrong, found) in
+        [(r#""4""#, r#"the string "4""#), ("2.5", "2.5"), ("-4", "-4"), ("[1, 4]", "an array"), ("null", "null")]
+    {
+        let message = "expected a whole number from 1 to 1048576, or an object with `min` and `max`, found";
+        refuses_value(sphere(wrong), &format!("lights[0].samples: {message} {found}"));
+    }
 }
 
 #[test]

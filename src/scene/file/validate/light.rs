@@ -1,6 +1,6 @@
 //! The checks of one of the `lights`.
 
-use crate::scene::file::schema::{By, Light, LightKind, Profile, RectangleLight, Vec3};
+use crate::scene::file::schema::{By, Light, LightKind, LightSamples, Profile, RectangleLight, SampleRange, Vec3};
 
 use super::checker::Checker;
 use super::limits::MAX_SAMPLES;
@@ -25,7 +25,21 @@ pub fn light(check: &mut Checker<'_>, light: &Light) {
             "`solid_angle` is for rectangles with perpendicular edges, found a parallelogram (`area` takes any)";
         check.at("by").error(message.to_string());
     }
-    check.count("samples", light.samples, 1, MAX_SAMPLES);
+    samples(check, light.samples);
+}
+
+fn samples(check: &mut Checker<'_>, samples: LightSamples) {
+    match samples {
+        LightSamples::Count(count) => check.count("samples", count, 1, MAX_SAMPLES),
+        LightSamples::Range(SampleRange { min, max }) => {
+            let mut check = check.at("samples");
+            check.count("min", min, 1, MAX_SAMPLES);
+            check.count("max", max, 1, MAX_SAMPLES);
+            if max < min {
+                check.at("max").error(format!("must be `min`, {min}, or more, found {max}"));
+            }
+        }
+    }
 }
 
 /// Whether two vectors are at right angles, as far as the digits of a file tell: to a millionth.
