@@ -125,7 +125,7 @@ impl Way<'_> {
 
     fn splits(&self) -> Splits<'_> {
         let Way { meeting, area, number: light, .. } = *self;
-        meeting.path.draws.splits(Dimension::Light { route: meeting.path.route(), light }, area.samples)
+        Splits::new(meeting.path.draws, Dimension::Light { route: meeting.path.route(), light }, area.samples)
     }
 
     /// What the light looks like from the surface point.
