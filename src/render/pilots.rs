@@ -1,9 +1,9 @@
 //! Pixels whose numbers of samples the pilots around them decide (`sampling/guided.rs`): each pilot is traced once.
 
 use super::{Counter, Film, Progress, Settings, color_of, tiles_of};
-use crate::probe::{Probe, Silent};
+use crate::probe::Probe;
 use crate::record::{Arithmetic, Computation};
-use crate::sampling::guided::{Guide, Pilot, around, guided, pilot};
+use crate::sampling::guided::{Guide, Pilot, around, guided, pilot, pilots_of_row};
 use crate::sampling::mean::Sum;
 use crate::scene::{Color, Guided, Scene};
 use rayon::prelude::*;
@@ -103,26 +103,28 @@ impl Pilots<'_> {
         let mut counter = Counter::default();
         let mut pilots = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
         for row in top..bottom {
-            for column in left..right {
+            // Those of a row that are counted lie side by side.
+            let [first, end] = self.counted(row).map(|column| column.clamp(left, right));
+            for (columns, is_counted) in [(left..first, false), (first..end, true), (end..right, false)] {
                 if self.stop.load(Ordering::Relaxed) {
                     return None;
                 }
-                let pixel = [column, row];
-                pilots.push(if self.is_counted(pixel) {
-                    pilot(self.scene, self.wanted, pixel, &mut counter)
+                if is_counted {
+                    pilots.extend(columns.map(|column| pilot(self.scene, self.wanted, [column, row], &mut counter)));
                 } else {
-                    pilot(self.scene, self.wanted, pixel, &mut Silent)
-                });
+                    pilots_of_row(self.scene, self.wanted, row, columns, |pilot| pilots.push(pilot));
+                }
             }
         }
         Some((pilots, counter))
     }
 
-    /// Whether the rays of a pixel's pilot count as those of the picture. In another arithmetic its samples are traced, and counted, by themselves.
-    fn is_counted(&self, [column, row]: [u32; 2]) -> bool {
+    /// From which column of a row up to which the rays of pilots count as those of the picture. In another arithmetic a pixel's samples are traced, and
+    /// counted, by themselves.
+    fn counted(&self, row: u32) -> [u32; 2] {
         let Settings { crop: [left, top, right, bottom], counts_rays, arithmetic, .. } = *self.settings;
-        let is_within = (left..right).contains(&column) && (top..bottom).contains(&row);
-        counts_rays && is_within && arithmetic == Arithmetic::F64
+        let is_counted = counts_rays && (top..bottom).contains(&row) && arithmetic == Arithmetic::F64;
+        if is_counted { [left, right] } else { [0, 0] }
     }
 
     /// The pixels of a tile row by row; `None` when the work is to stop.

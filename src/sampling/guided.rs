@@ -14,6 +14,7 @@ use super::mean::{self, Sum};
 use super::place::samples;
 use super::sobol::arrangement;
 use super::stochastic::draws;
+use super::together;
 use crate::log::{Acceptance, Decision, Name};
 use crate::probe::{Probe, Silent};
 use crate::random::Pick;
@@ -73,16 +74,30 @@ pub fn around(scene: &Scene, [left, top, right, bottom]: [u32; 4]) -> [u32; 4] {
 /// The first samples of a pixel.
 pub fn pilot<P: Probe>(scene: &Scene, wanted: Guided, pixel: [u32; 2], probe: &mut P) -> Pilot {
     let mut colors = Vec::new();
-    let mut sum = Sum::ZERO;
-    let seen = |color: Color| {
-        sum.add(color);
-        colors.push((color / scene.output.white).clamp(Color::splat(-GREATEST_PART), Color::splat(GREATEST_PART)));
+    take(scene, pixel, 0..wanted.pilot(), |color| colors.push(color), probe);
+    Pilot::of(&colors, scene.output.white)
+}
+
+/// The same before nobody for the pixels in these columns of a row, whose samples walk together where that saves time.
+pub fn pilots_of_row(scene: &Scene, wanted: Guided, row: u32, columns: Range<u32>, mut found: impl FnMut(Pilot)) {
+    let count = wanted.pilot();
+    if !together::pays(scene, count) {
+        columns.for_each(|column| found(pilot(scene, wanted, [column, row], &mut Silent)));
+        return;
+    }
+    let sample = |pixel, number| {
+        let (draws, pick) = draws(scene, arrangement(scene), pixel)(number);
+        (draws, Some(pick))
     };
-    take(scene, pixel, 0..wanted.pilot(), seen, probe);
-    let n = colors.len() as f64;
-    let mean = colors.iter().copied().sum::<Color>() / n;
-    let squares = colors.iter().map(|color| *color - mean).map(|off| off * off).sum::<Color>();
-    Pilot { sum, mean, variance: (squares / (n - 1.0)).element_sum() / 3.0 }
+    let mut colors = Vec::new();
+    let take = |seen: Seen| {
+        colors.push(seen.color);
+        if colors.len() == count as usize {
+            found(Pilot::of(&colors, scene.output.white));
+            colors.clear();
+        }
+    };
+    together::samples_of_row(scene, row, columns, count, sample, take);
 }
 
 /// The samples with these numbers, from 0.
@@ -94,6 +109,17 @@ fn take<P: Probe>(scene: &Scene, pixel: [u32; 2], numbers: Range<u32>, mut seen:
 impl Pilot {
     /// A place for a pilot that is to come.
     pub const NONE: Pilot = Pilot { sum: Sum::ZERO, mean: Color::ZERO, variance: 0.0 };
+
+    /// From the colours of its samples, two or more.
+    fn of(colors: &[Color], white: f64) -> Pilot {
+        let mut sum = Sum::ZERO;
+        colors.iter().for_each(|color| sum.add(*color));
+        let part = |color: &Color| (*color / white).clamp(Color::splat(-GREATEST_PART), Color::splat(GREATEST_PART));
+        let n = colors.len() as f64;
+        let mean = colors.iter().map(part).sum::<Color>() / n;
+        let squares = colors.iter().map(|color| part(color) - mean).map(|off| off * off).sum::<Color>();
+        Pilot { sum, mean, variance: (squares / (n - 1.0)).element_sum() / 3.0 }
+    }
 }
 
 impl Guide {

@@ -7,7 +7,7 @@ use super::{regular, sobol, stochastic};
 use crate::geometry::{PACKET, Ray};
 use crate::log::Name;
 use crate::probe::Silent;
-use crate::random::{Arrangement, Draws};
+use crate::random::{Arrangement, Draws, Pick};
 use crate::scene::{Color, Sampling, Scene};
 use crate::trace::{Seen, see_together};
 use arrayvec::ArrayVec;
@@ -23,26 +23,16 @@ pub fn few_samples(scene: &Scene) -> Option<u32> {
             return None;
         }
     };
-    (2 * count as usize <= PACKET && scene.index.has_large_trees()).then_some(count)
+    pays(scene, count).then_some(count)
+}
+
+/// Whether it saves time that so many samples of a pixel walk together with those of its neighbours.
+pub(super) fn pays(scene: &Scene, count: u32) -> bool {
+    2 * u64::from(count) <= PACKET as u64 && scene.index.has_large_trees()
 }
 
 /// The colours of the pixels in these columns of a row, which have so many samples each, as [`few_samples`] says.
 pub fn row(scene: &Scene, row: u32, columns: Range<u32>, count: u32, colors: &mut Vec<Color>) {
-    let mut columns = columns;
-    while !columns.is_empty() {
-        let pixels = columns.by_ref().take(PACKET / count as usize).map(|column| [column, row]);
-        of_neighbours(scene, pixels, count, colors);
-    }
-}
-
-fn of_neighbours(scene: &Scene, pixels: impl Iterator<Item = [u32; 2]>, count: u32, colors: &mut Vec<Color>) {
-    let mut draws: ArrayVec<Draws, PACKET> = ArrayVec::new();
-    let mut aimed: ArrayVec<Option<Ray>, PACKET> = ArrayVec::new();
-    for (pixel, number) in pixels.flat_map(|pixel| (0..count).map(move |number| (pixel, number))) {
-        let (draw, place) = sample(scene, pixel, number);
-        aimed.push(scene.camera.sampled_ray(place, &draw, &mut Silent));
-        draws.push(draw);
-    }
     let (mut sum, mut seen_so_far) = (Sum::ZERO, 0);
     let take = |seen: Seen| {
         if scene.sampling == Sampling::Center {
@@ -55,11 +45,38 @@ fn of_neighbours(scene: &Scene, pixels: impl Iterator<Item = [u32; 2]>, count: u
             (sum, seen_so_far) = (Sum::ZERO, 0);
         }
     };
-    see_together(scene, &draws, &aimed, take, &mut Silent);
+    samples_of_row(scene, row, columns, count, |pixel, number| sample(scene, pixel, number), take);
 }
 
-/// The random numbers of a sample, and its place in the picture.
-fn sample(scene: &Scene, pixel: [u32; 2], number: u32) -> (Draws, [f64; 2]) {
+/// Shows `take` what the samples of the pixels in these columns of a row see, in their order. Each pixel has so many, of which `sample` gives the
+/// random numbers and the place in the pixel by its number; it has none where the ray goes through the centre.
+pub(super) fn samples_of_row(
+    scene: &Scene,
+    row: u32,
+    mut columns: Range<u32>,
+    count: u32,
+    sample: impl Fn([u32; 2], u32) -> (Draws, Option<Pick>),
+    mut take: impl FnMut(Seen),
+) {
+    while !columns.is_empty() {
+        let mut draws: ArrayVec<Draws, PACKET> = ArrayVec::new();
+        let mut aimed: ArrayVec<Option<Ray>, PACKET> = ArrayVec::new();
+        let pixels = columns.by_ref().take(PACKET / count as usize).map(|column| [column, row]);
+        for (pixel, number) in pixels.flat_map(|pixel| (0..count).map(move |number| (pixel, number))) {
+            let (draw, pick) = sample(pixel, number);
+            let place = match pick {
+                Some(pick) => place_of_sample(pixel, pick, &mut Silent),
+                None => pixel.map(|along| f64::from(along) + 0.5),
+            };
+            aimed.push(scene.camera.sampled_ray(place, &draw, &mut Silent));
+            draws.push(draw);
+        }
+        see_together(scene, &draws, &aimed, &mut take, &mut Silent);
+    }
+}
+
+/// The random numbers of a sample, and its place in the pixel.
+fn sample(scene: &Scene, pixel: [u32; 2], number: u32) -> (Draws, Option<Pick>) {
     let (draws, pick) = match scene.sampling {
         Sampling::Regular { n } => regular::sample(scene, n, pixel, number),
         Sampling::Stochastic { n } => stochastic::draws(scene, Arrangement::Stratified { count: n }, pixel)(number),
@@ -67,10 +84,10 @@ fn sample(scene: &Scene, pixel: [u32; 2], number: u32) -> (Draws, [f64; 2]) {
         Sampling::Sobol { .. } => stochastic::draws(scene, sobol::arrangement(scene), pixel)(number),
         _ => {
             let draws = Draws::of_pixel(scene.seed, pixel, 0, Arrangement::Independent);
-            return (draws, pixel.map(|along| f64::from(along) + 0.5));
+            return (draws, None);
         }
     };
-    (draws, place_of_sample(pixel, pick, &mut Silent))
+    (draws, Some(pick))
 }
 
 #[cfg(test)]
