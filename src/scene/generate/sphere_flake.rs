@@ -31,6 +31,7 @@ const HEAD: &str = r#"{
   "name": "sphere-flake",
   "camera": {"position": [2.1, 1.3, 1.7], "look_at": [0, 0, 0], "up": [0, 0, 1], "vertical_fov": 45,
              "resolution": [512, 512]},
+  "sampling": {"guided": {"tolerance": 0.002, "min": 4, "max": 4096}},
   "ambient": [0.1, 0.1, 0.1],
   "background": [0.078, 0.361, 0.753],
   "lights": [{"name": "key", "point": {"position": [4, 3, 2]}, "color": [0.5, 0.5, 0.5]},
