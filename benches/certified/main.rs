@@ -11,7 +11,7 @@ use raywalk::probe::{Probe, Silent};
 use raywalk::sampling;
 use raywalk::scene::file::schema::SphereMethod;
 use raywalk::scene::file::{self, Source, mesh};
-use raywalk::scene::{Scene, build, builtin, generate};
+use raywalk::scene::{Sampling, Scene, build, builtin, generate};
 use std::hint::black_box;
 use support::{Extent, Pairs, Uncertified, instructions};
 
@@ -77,7 +77,8 @@ impl Contest {
             let source = Source { name, text: &text };
             let meshes = mesh::load(&file, &source, mesh::Folder::BuiltIn(builtin::mesh));
             let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));
-            build(&file, &meshes).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+            let scene = build(&file, &meshes).unwrap_or_else(|unsupported| panic!("{unsupported}"));
+            Scene { sampling: Sampling::Center, ..scene }
         };
         Contest { scene: scene(SphereMethod::Robust), geometric: scene(SphereMethod::Geometric) }
     }
