@@ -3,7 +3,7 @@
 use super::{Counter, Film, Progress, Settings, color_of, tiles_of};
 use crate::probe::Probe;
 use crate::record::{Arithmetic, Computation};
-use crate::sampling::guided::{Guide, Pilot, around, guided, pilot, pilots_of_row};
+use crate::sampling::guided::{Guide, Pilot, around, guided, is_alone, pilot, pilots_of_row};
 use crate::sampling::mean::Sum;
 use crate::scene::{Color, Guided, Scene};
 use rayon::prelude::*;
@@ -66,7 +66,9 @@ impl Known {
 
     fn guide(&self, scene: &Scene, [column, row]: [u32; 2]) -> Guide {
         let [left, top, right, bottom] = around(scene, [column, row, column + 1, row + 1]);
-        Guide::of((top..bottom).flat_map(|row| &self.pilots[self.place([left, row])..self.place([right, row])]))
+        let own = if is_alone(scene) { usize::MAX } else { self.place([column, row]) };
+        let around = (top..bottom).flat_map(|row| self.place([left, row])..self.place([right, row]));
+        Guide::of(around.filter(|at| *at != own).map(|at| &self.pilots[at]))
     }
 }
 

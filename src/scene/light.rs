@@ -113,4 +113,11 @@ impl Light {
         let fading = 1.0 / (constant + linear * distance + quadratic * (distance * distance));
         *color * probe.note(Name::LightAttenuation, fading.min(1.0))
     }
+
+    /// Whether min(1, 1/(c + l·d + q·d²)) leaves 1 between two distances: it has no derivative there.
+    pub fn bends_between(&self, [near, far]: [f64; 2]) -> bool {
+        let Some([constant, linear, quadratic]) = self.attenuation else { return false };
+        let reciprocal = |distance: f64| constant + linear * distance + quadratic * (distance * distance);
+        reciprocal(near.max(0.0)) < 1.0 && reciprocal(far) > 1.0
+    }
 }

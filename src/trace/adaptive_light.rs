@@ -82,7 +82,10 @@ impl Way<'_> {
         let Way { area, number: light, .. } = *self;
         // How far the points of a sphere are that are spread by solid angle has no derivative at its limb.
         let has_limb = area.by == Spread::SolidAngle && matches!(area.surface, LightSurface::Sphere { .. });
-        let is_smooth = is_in_front && area.profile.is_none() && !(has_limb && self.light.attenuation.is_some());
+        let is_smooth = is_in_front
+            && area.profile.is_none()
+            && !(has_limb && self.light.attenuation.is_some())
+            && !self.light.bends_between(self.distances());
         if let Some(rule) = is_smooth.then(|| adaptive.rule(&area.surface, self.sight())).flatten() {
             let points = rule.points.len() as u32;
             probe.spared(Spared::Search, points.into());
@@ -126,6 +129,13 @@ impl Way<'_> {
     fn splits(&self) -> Splits<'_> {
         let Way { meeting, area, number: light, .. } = *self;
         Splits::new(meeting.path.draws, Dimension::Light { route: meeting.path.route(), light }, area.samples)
+    }
+
+    /// How far the light's points are at least and at most.
+    fn distances(&self) -> [f64; 2] {
+        let (center, radius) = self.area.ball();
+        let distance = (center - self.meeting.surface.point).length();
+        [distance - radius, distance + radius]
     }
 
     /// What the light looks like from the surface point.

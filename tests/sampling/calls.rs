@@ -103,8 +103,8 @@ fn decisions_are_said_in_words() {
     for expected in [
         "σ_g = √(V_g + (0.25·K_g)²) = √(",
         "n_g = (σ_g/ε_g)^0.75 = (",
-        "→ 4 samples are too few for what the first of this pixel and of those around saw: 8 are taken (n_g > n_p: ",
-        "→ the mean is accepted: its samples are as many as the first of the pixels around ask for (n_g ≤ n_p: ",
+        "→ 4 samples are too few for what the first samples of the pixels around it saw: 8 are taken (n_g > n_p: ",
+        "→ the mean is accepted: its samples are as many as the first samples of the pixels around it ask for (n_g ≤ n_p: ",
         "I_p = Σ_s(I)/n_p = ",
     ] {
         assert!(guided.contains(expected), "expected `{expected}` in: {guided}");

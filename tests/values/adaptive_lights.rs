@@ -109,9 +109,11 @@ fn lamp(random: &mut Random) -> serde_json::Value {
             light["by"] = json!(["area", "solid_angle"][kind as usize - 3]);
         }
     }
-    match part(0.0, 3.0) as u32 {
+    match part(0.0, 5.0) as u32 {
         0 => light["attenuation"] = json!([1.0, 0.5, 0.0]),
         1 => light["attenuation"] = json!([0.5, 0.0, 3.0]),
+        // It is 1 up to somewhere about the lamp, and has a bend there.
+        2 => light["attenuation"] = json!([0.0, 0.0, part(0.02, 0.5)]),
         _ => {}
     }
     light

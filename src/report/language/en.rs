@@ -75,13 +75,15 @@ pub(super) const TEXTS: Texts = Texts {
         }
         Asking::InView => format!("{light} is in full view: {points} points of it need no shadow rays"),
         Asking::Hidden => format!("{light} is hidden as a whole by {object}"),
-        Asking::All => format!("{light} may be hidden in part: all its {points} points are asked"),
+        Asking::All => {
+            format!("{light} may be hidden or behind the surface in part: all its {points} points are asked")
+        }
     },
     more_samples: |from, to| {
         format!("{from} samples are too few, the interval of their mean is too wide: {to} are taken")
     },
     more_asked: |from, to| {
-        format!("{from} samples are too few for what the first of this pixel and of those around saw: {to} are taken")
+        format!("{from} samples are too few for what the first samples of the pixels around it saw: {to} are taken")
     },
     digits: |counts, is_one| format!("{counts} {}", if is_one { "digit" } else { "digits" }),
     decision_differs: "the decision differs between runs",
@@ -212,6 +214,6 @@ fn acceptance(why: Acceptance) -> &'static str {
         Acceptance::Depth => "it may not be cut further",
         Acceptance::Interval => "its interval is narrow enough",
         Acceptance::Max => "there may be no more samples",
-        Acceptance::Guided => "its samples are as many as the first of the pixels around ask for",
+        Acceptance::Guided => "its samples are as many as the first samples of the pixels around it ask for",
     }
 }

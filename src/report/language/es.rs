@@ -96,14 +96,16 @@ pub(super) const TEXTS: Texts = Texts {
         }
         Asking::InView => format!("{light} está a plena vista: {points} de sus puntos no necesitan rayos de sombra"),
         Asking::Hidden => format!("{object} tapa {light} por entero"),
-        Asking::All => format!("{light} puede estar en parte tapada: se preguntan todos sus {points} puntos"),
+        Asking::All => format!(
+            "{light} puede estar en parte tapada o detrás de la superficie: se preguntan todos sus {points} puntos"
+        ),
     },
     more_samples: |from, to| {
         format!("{from} muestras son pocas, el intervalo de su media es demasiado ancho: se toman {to}")
     },
     more_asked: |from, to| {
         format!(
-            "{from} muestras son pocas para lo que ven las primeras de este píxel y de los de alrededor: se toman {to}"
+            "{from} muestras son pocas para lo que ven las primeras muestras de los píxeles de alrededor: se toman {to}"
         )
     },
     digits: |counts, is_one| format!("{counts} {}", if is_one { "cifra" } else { "cifras" }),
@@ -236,6 +238,6 @@ fn acceptance(why: Acceptance) -> &'static str {
         Acceptance::Depth => "no se puede dividir más",
         Acceptance::Interval => "su intervalo es bastante estrecho",
         Acceptance::Max => "no puede haber más muestras",
-        Acceptance::Guided => "sus muestras son tantas como piden las primeras de los píxeles de alrededor",
+        Acceptance::Guided => "sus muestras son tantas como piden las primeras muestras de los píxeles de alrededor",
     }
 }

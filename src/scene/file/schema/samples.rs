@@ -19,14 +19,15 @@ pub enum LightSamples {
     Range(SampleRange),
 }
 
-/// The fewest and the most points of an area light that are asked with a shadow ray, where one is needed.
+/// The fewest points of a rule that takes the place of shadow rays where nothing can stand before the light, and the points that are asked, each with
+/// a shadow ray, where something may. Where one object hides all of the light a single one is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SampleRange {
-    /// How many are asked first.
+    /// The fewest points of a rule; it may have more than `max`.
     #[schemars(range(min = 1, max = MAX_SAMPLES))]
     pub min: u64,
-    /// How many are asked where the first ones don't tell enough; `min` or more.
+    /// How many are asked where the light may be hidden in part, or where it is in full view and no rule is good enough; `min` or more.
     #[schemars(range(min = 1, max = MAX_SAMPLES))]
     pub max: u64,
 }
