@@ -99,7 +99,8 @@ fn decisions_are_said_in_words() {
     ] {
         assert!(statistical.contains(expected), "expected `{expected}` in: {statistical}");
     }
-    let guided = text("guided:tolerance=0.01,min=4,max=8", "8,8");
+    // Beside a pixel with a small object.
+    let guided = text("guided:tolerance=0.01,min=4,max=8", "9,8");
     for expected in [
         "σ_g = √(V_g + (0.25·K_g)²) = √(",
         "n_g = (σ_g/ε_g)^0.75 = (",
@@ -109,7 +110,7 @@ fn decisions_are_said_in_words() {
     ] {
         assert!(guided.contains(expected), "expected `{expected}` in: {guided}");
     }
-    let guided = text("guided:tolerance=0.0001,min=4,max=8", "8,8");
+    let guided = text("guided:tolerance=0.0001,min=4,max=8", "9,8");
     assert!(guided.contains("→ the mean is accepted: there may be no more samples (n_g > n_p: "), "{guided}");
     let stochastic = text("stochastic:4", "8,8");
     assert!(stochastic.contains("s_x = (i_s + ξ_x)/c_s = ("), "{stochastic}");
