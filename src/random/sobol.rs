@@ -47,7 +47,7 @@ impl Scrambling {
 /// keeps what quarterings need. By P(a + b) = P(a)·P(b) those of α and α² are the same two coordinates of the index P(α)·i. (Ahmed et al., "SZ
 /// sequences: binary-constructed (0, 2^q)-sequences", 2025, have the whole family of such pairs.)
 ///
-/// P(α)·i is made of the digits of the index in base 4, the first one last; the first bit of a digit, last too, counts 1 and the other α. As in [`second`],
+/// P(α)·i is made of the digits of the index in base 4, the first one last; the first bit of a digit, last too, counts 1 and the other α. As in `second`,
 /// one power of two after the other is taken out of c − r, for which a digit is multiplied by α^(2^k): α, α², α⁴ = α, …
 #[inline]
 pub fn partner(index: u32) -> u32 {
