@@ -7,7 +7,7 @@
 //! rough only: a power of 3/4 and a quarter of the contrast measured best on five scenes, though neither matters much (`docs/sampling.md`).
 //!
 //! A pixel's own pilot has no say, and nothing is looked at again: pixels draw independent numbers, so a mean knows nothing of how many samples it
-//! was to have, and has no bias. (With a say of its own a pixel keeps small bright things where its pilot meets them and loses them where it
+//! was to have, and has no bias. (With a say of its own a pixel keeps small bright objects where its pilot meets them and loses them where it
 //! doesn't: 40 % of the light of a dot was left.) The pilots that decide are traced in f64 before nobody, whatever the arithmetic of the pixel is, so that
 //! a pixel takes the same samples in each.
 

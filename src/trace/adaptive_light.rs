@@ -232,16 +232,16 @@ impl Way<'_> {
         let lets_light_pass = scene.tracing.shadows == Shadows::PerSurface;
         let search = Search::in_any_order(&Silent);
         scene.index.usual().visit(&ray, search, &mut Silent, |object, _, probe| {
-            let thing = &scene.objects[object as usize];
-            let is_opaque = !(lets_light_pass && scene.materials[thing.material].transmits());
+            let candidate = &scene.objects[object as usize];
+            let is_opaque = !(lets_light_pass && scene.materials[candidate.material].transmits());
             if is_opaque
                 && object != meeting.layer.object
-                && !thing.one_sided
-                && thing.shape.is_convex_from(point)
-                && thing.shape.is_crossed(object, false, &ray, probe)
-                && corners
-                    .iter()
-                    .all(|corner| way_to(*corner).is_some_and(|ray| thing.shape.is_crossed(object, false, &ray, probe)))
+                && !candidate.one_sided
+                && candidate.shape.is_convex_from(point)
+                && candidate.shape.is_crossed(object, false, &ray, probe)
+                && corners.iter().all(|corner| {
+                    way_to(*corner).is_some_and(|ray| candidate.shape.is_crossed(object, false, &ray, probe))
+                })
             {
                 found = Some(found.map_or(object, |other: u32| other.min(object)));
             }

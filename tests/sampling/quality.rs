@@ -86,10 +86,10 @@ fn the_bias_of_statistical_sampling_is_within_its_tolerance() {
     }
 }
 
-/// A pixel that took more samples where its own first ones meet a small bright thing would lose most of its light: with a say of its own in how
+/// A pixel that took more samples where its own first ones meet a small bright object would lose most of its light: with a say of its own in how
 /// many follow a pilot of two kept 0.13 of the light of a dot that covers a tenth of a pixel. Four standard errors of the picture's sum.
 #[test]
-fn guided_sampling_keeps_the_light_of_small_things() {
+fn guided_sampling_keeps_the_light_of_small_objects() {
     for (number, radius) in (0..).zip([0.1, 0.18, 0.3, 0.45]) {
         for min in [2, 4, 8] {
             let place = f64::from(number) * 0.37;

@@ -190,7 +190,7 @@ fn rules_are_as_right_as_they_are_said_to_be() {
     assert!(used[0] > 300 && used[1] > 100, "{used:?}");
 }
 
-/// A convex thing somewhere between floor and lamp.
+/// A convex object somewhere between floor and lamp.
 fn occluder(random: &mut Random) -> serde_json::Value {
     let mut part = |least: f64, most: f64| least + (most - least) * random.part();
     let center = DVec3::new(part(-1.0, 1.0), part(0.1, 1.5), part(-1.0, 1.0));

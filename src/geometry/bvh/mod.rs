@@ -134,7 +134,7 @@ impl Bvh {
         }
     }
 
-    /// The same for several rays, at most [`PACKET`], of which those in `rays` ask. Shows `meet` sets of rays that may meet a thing; it sets
+    /// The same for several rays, at most [`PACKET`], of which those in `rays` ask. Shows `meet` sets of rays that may meet a primitive; it sets
     /// the distances `limits`, up to which things still matter to a ray, a negative one to end its search.
     pub fn visit_together<P: Probe, S: RaySource>(
         &self,
