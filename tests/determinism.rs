@@ -1,12 +1,18 @@
 //! The same bytes everywhere: in debug and in release, for any processor, on any number of threads.
 //!
 //! The digests are pinned. `.ci/run` asks a program built with all optimizations for this machine's own processor for them, too,
-//! by naming it in `RAYWALK_PROGRAM`.
+//! by naming it in `RAYWALK_PROGRAM`; one that may not use the processor's best instructions (`RAYWALK_LANES=plain`); and one on a
+//! processor, emulated, that has none of them.
 
+#[path = "support/random.rs"]
+mod random;
+#[path = "support/random_scenes.rs"]
+mod random_scenes;
 mod support;
 
 use raywalk::scene::builtin;
-use std::path::PathBuf;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use support::snapshots;
 
@@ -43,4 +49,64 @@ fn other_arithmetics_have_the_same_bytes_everywhere() {
     };
     let pictures: String = ["f32", "decimal:3", "decimal:15"].into_iter().map(of_arithmetic).collect();
     snapshots().bind(|| insta::assert_snapshot!("digests_of_arithmetics", pictures));
+}
+
+/// What a rendering counts, as printed, and the bytes of the layer of tests.
+fn counts(scene: &Path, lanes: Option<&str>) -> (Value, Vec<u8>) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let picture = folder.path().join("a.exr");
+    let render = |options: &[&str]| {
+        let mut command = Command::new(program());
+        command.args(["render", "--size", "48x36", "-q", "-o"]).arg(&picture).arg(scene).args(options);
+        if let Some(lanes) = lanes {
+            command.env("RAYWALK_LANES", lanes);
+        }
+        let output = command.output().expect("it runs");
+        assert!(output.status.success(), "{scene:?} {options:?}: {}", String::from_utf8_lossy(&output.stderr));
+        output.stdout
+    };
+    let mut statistics: Value = serde_json::from_slice(&render(&["--stats", "json"])).expect("JSON");
+    render(&["--layers", "tests"]);
+    for of_the_machine in ["seconds", "peak_bytes"] {
+        statistics.as_object_mut().expect("an object").remove(of_the_machine);
+    }
+    (statistics, std::fs::read(&picture).expect("a picture"))
+}
+
+/// Filters with fused operations let through fewer boxes and primitives than filters without.
+#[test]
+fn counts_of_tests_are_the_same_for_every_processor() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: String, text: &[u8]| {
+        let file = folder.path().join(name);
+        std::fs::write(&file, text).expect("a file");
+        file
+    };
+    let generate = ["scene", "generate", "sphere-flake", "--level", "3"];
+    let flake = Command::new(program()).args(generate).output().expect("it runs").stdout;
+    let mut scenes = vec![PathBuf::from("mesh"), file("flake.json".into(), &flake)];
+    for seed in 0..6 {
+        let scene = random_scenes::crowd(seed, 200).to_string();
+        scenes.push(file(format!("{seed}.json"), scene.as_bytes()));
+    }
+    let mut pinned = String::new();
+    for scene in &scenes {
+        let (statistics, tests) = counts(scene, None);
+        assert_eq!(counts(scene, Some("plain")), (statistics.clone(), tests.clone()), "{scene:?}");
+        let name = scene.file_stem().expect("a name").to_string_lossy();
+        let digest = &blake3::hash(&tests).to_hex()[..16];
+        pinned += &format!("{digest}  {name}: {}\n", statistics["tests"]);
+    }
+    snapshots().bind(|| insta::assert_snapshot!("counts", pinned));
+}
+
+#[test]
+fn lanes_that_are_not_known_are_refused() {
+    let output =
+        Command::new(program()).args(["scene", "list"]).env("RAYWALK_LANES", "avx9").output().expect("it runs");
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(
+        String::from_utf8_lossy(&output.stderr),
+        "error: RAYWALK_LANES is `avx9`, expected `plain` or nothing\n"
+    );
 }

@@ -4,6 +4,7 @@ use raywalk::scene::file::SceneError;
 use raywalk::scene::file::visible;
 use std::io::{self, Write};
 use std::path::Path;
+use std::process::ExitCode;
 
 /// The answer is negative: a check failed.
 pub const NEGATIVE: u8 = 1;
@@ -68,6 +69,12 @@ impl Failure {
     /// The exit code.
     pub fn code(&self) -> u8 {
         self.code
+    }
+
+    /// Prints the message to standard error, and gives the exit code of the process.
+    pub fn exit(&self) -> ExitCode {
+        self.print();
+        ExitCode::from(self.code)
     }
 
     /// Prints the message to standard error.

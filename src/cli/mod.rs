@@ -34,6 +34,7 @@ use clap::{Parser, Subcommand};
 use failure::Failure;
 pub use failure::MACHINE;
 use options::ColorChoice;
+use raywalk::geometry::processor;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -91,6 +92,11 @@ pub fn run() -> ExitCode {
     };
     // Where signals can't be caught they end the process all the same.
     let signals = signals::leave_on_signals().ok();
+    if let Some(lanes) = processor::unknown_lanes() {
+        let lanes = failure::shown(lanes.as_ref());
+        let expected = format!("{} is `{lanes}`, expected `{}` or nothing", processor::LANES, processor::PLAIN);
+        return Failure::caller(expected).exit();
+    }
     let colors = cli.color;
     let done = match cli.command {
         None => walk::Walk::of_the_numeric_example().run(colors, signals),
@@ -119,10 +125,7 @@ pub fn run() -> ExitCode {
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            failure.print();
-            ExitCode::from(failure.code())
-        }
+        Err(failure) => failure.exit(),
     }
 }
 

@@ -6,8 +6,6 @@
 
 use super::doubled::Doubled;
 use glam::DVec3;
-#[cfg(target_arch = "x86_64")]
-use pulp::x86::V3;
 
 /// (b − a) × (c − a): perpendicular to the triangle, its length twice the area; zero for a triangle without area.
 ///
@@ -16,7 +14,7 @@ use pulp::x86::V3;
 #[inline]
 pub(super) fn area_normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
     #[cfg(target_arch = "x86_64")]
-    if let Some(normal) = V3::try_new().and_then(|v3| fused::area_normal(v3, a, b, c)) {
+    if let Some(normal) = super::processor::avx2().and_then(|v3| fused::area_normal(v3, a, b, c)) {
         return normal;
     }
     plain(a, b, c)

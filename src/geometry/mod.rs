@@ -9,6 +9,7 @@ mod line;
 pub mod mesh;
 pub mod motion;
 pub mod nearest;
+pub mod processor;
 pub mod ray;
 pub mod shape;
 pub(crate) mod size;

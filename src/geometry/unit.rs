@@ -59,6 +59,7 @@ mod fused {
     //! side. The crate `pulp` vouches that the instructions are there.
 
     use crate::geometry::doubled::{Doubled, exponent, scaled};
+    use crate::geometry::processor;
     use glam::DVec3;
     use pulp::x86::V3;
 
@@ -76,7 +77,7 @@ mod fused {
         /// The proof, if there is one.
         #[inline(always)]
         pub fn detected() -> Option<Fused> {
-            V3::try_new().map(Fused)
+            processor::avx2().map(Fused)
         }
 
         /// Calls `body`, in which all that is inlined may use the instructions.

@@ -57,9 +57,9 @@ pub(super) fn add<P: Probe>(
     // That decides what is asked, so it is the same whoever looks on.
     let index = scene.index.usual();
     let among = index.between(meeting.surface.point, area.ball(), meeting.layer.object);
-    let in_shaft = side.as_ref().and_then(|OneSide { shaft, leaving, .. }| {
-        index.in_shaft(&scene.objects, &shaft.repeatable(), *leaving, among.as_deref())
-    });
+    let in_shaft = side
+        .as_ref()
+        .and_then(|OneSide { shaft, leaving, .. }| index.in_shaft(&scene.objects, shaft, *leaving, among.as_deref()));
     let among = in_shaft.or(among);
     match (&side, among.as_deref()) {
         (Some(side), Some([])) if meeting.place.is_none() => way.in_full_view(adaptive, side.is_in_front, sum, probe),

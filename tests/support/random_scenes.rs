@@ -24,9 +24,12 @@ pub fn sampled(seed: u64, sampling: Value) -> Scene {
 
 /// The scene of a seed with so many objects that there is a tree over them, under an area light that is asked for many points.
 pub fn crowded(seed: u64) -> Scene {
-    let mut random = Random::new(seed);
-    let scene = lit(&mut random, json!(9), 24);
-    support::scene_of(scene.to_string().as_bytes(), "crowded")
+    support::scene_of(crowd(seed, 24).to_string().as_bytes(), "crowded")
+}
+
+/// The file of a scene of so many objects under an area light that is asked for many points.
+pub fn crowd(seed: u64, objects: usize) -> Value {
+    lit(&mut Random::new(seed), json!(9), objects)
 }
 
 /// The scene of a seed, every other time with a tree over its objects, under an area light that is asked for as many points as it takes.

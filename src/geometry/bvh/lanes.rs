@@ -184,6 +184,7 @@ pub(super) mod avx2 {
     //! The instructions of processors with AVX2. The crate `pulp` vouches that they are there.
 
     use super::{Eight, Lanes, SIGN};
+    use crate::geometry::processor;
     use pulp::x86::V3;
     use std::arch::x86_64::{__m256, _CMP_GE_OQ};
 
@@ -200,7 +201,7 @@ pub(super) mod avx2 {
     impl Avx2 {
         /// The proof, if there is one.
         pub fn detected() -> Option<Avx2> {
-            V3::try_new().map(Avx2)
+            processor::avx2().map(Avx2)
         }
     }
 

@@ -20,7 +20,7 @@ use super::line::RaySource;
 use crate::probe::Probe;
 use block::{SphereBlock, TriangleBlock};
 use glam::DVec3;
-use lanes::{Instructions, Lanes, Plain};
+use lanes::{Instructions, Lanes, Plain, Unfused};
 use node::{Child, Node};
 use packet::PacketWalk;
 pub use packet::{PACKET, PerRay, RayMask, each};
@@ -113,7 +113,7 @@ impl Bvh {
     /// `meet` gives the distance up to which things still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
     /// For a hurried probe the walk is there twice, for the processor's best instructions and for any processor; kernels
-    /// meet the same things in both.
+    /// meet the same things in both, and what a probe counts is the same.
     #[inline(always)]
     pub fn visit<P: Probe>(
         &self,
@@ -193,9 +193,13 @@ impl Bvh {
         if P::IS_HURRIED
             && let Instructions::Avx2(avx2) = self.instructions
         {
+            // Counts of tests are the same on every machine, so whoever may count takes no fused operations.
             return avx2.run(
                 #[inline(always)]
-                || walk.run(avx2, root, rays, limits),
+                || match P::IS_SILENT {
+                    true => walk.run(avx2, root, rays, limits),
+                    false => walk.run(Unfused(avx2), root, rays, limits),
+                },
             );
         }
         walk.run(Plain, root, rays, limits)
@@ -218,7 +222,10 @@ impl Bvh {
         {
             return avx2.run(
                 #[inline(always)]
-                || walk.run(avx2, root, t_max),
+                || match P::IS_SILENT {
+                    true => walk.run(avx2, root, t_max),
+                    false => walk.run(Unfused(avx2), root, t_max),
+                },
             );
         }
         walk.run(Plain, root, t_max)

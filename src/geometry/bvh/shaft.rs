@@ -4,7 +4,7 @@
 mod lanes;
 
 use super::block::Block;
-use super::lanes::{Instructions, Lanes, Plain, Unfused};
+use super::lanes::{Instructions, Lanes, Unfused};
 use super::node::{Child, Content};
 use super::space::{Space, U, up};
 use super::{Bounds, Bvh};
@@ -23,8 +23,6 @@ pub struct Shaft {
     pub ball: (DVec3, f64),
     /// A unit vector along which all segments rise, and how much at least.
     rise: Option<(DVec3, f64)>,
-    /// Whether what is found must be the same on every machine.
-    is_repeatable: bool,
 }
 
 /// A walk looks at so many nodes before it gives up: what it would spare were it to find nothing is worth no more.
@@ -42,7 +40,7 @@ impl Shaft {
         const OFF: f64 = 1e-9;
         let off = (light.max - light.min) * OFF;
         let light = Bounds { min: light.min - off, max: light.max + off };
-        Shaft { point, light, ball: (center, radius * (1.0 + OFF)), rise: None, is_repeatable: false }
+        Shaft { point, light, ball: (center, radius * (1.0 + OFF)), rise: None }
     }
 
     /// How much the segments rise along a vector, at least and at most; 0 within rounding.
@@ -59,18 +57,13 @@ impl Shaft {
     pub fn rising(self, along: DVec3, least: f64) -> Shaft {
         Shaft { rise: Some((along, least)), ..self }
     }
-
-    /// The shaft, of which the same is found on every machine, for decisions that a picture hangs on. Fused operations, where a machine has
-    /// them, may find a little less.
-    #[must_use]
-    pub fn repeatable(self) -> Shaft {
-        Shaft { is_repeatable: true, ..self }
-    }
 }
 
 impl Bvh {
     /// Shows `found` every thing that may meet a segment of the shaft, those beside the tree first; `found` says whether to go on. Returns
     /// whether all were shown.
+    ///
+    /// Pictures and counts hang on what is found, so no operation is fused, which not every machine can do.
     pub fn between(&self, shaft: &Shaft, mut found: impl FnMut(u32) -> bool) -> bool {
         if !self.beside.iter().all(|thing| found(*thing)) {
             return false;
@@ -80,17 +73,11 @@ impl Bvh {
         let local = LocalShaft::new(&self.space, shaft, errors);
         match self.instructions {
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2(avx2) if shaft.is_repeatable => avx2.run(
+            Instructions::Avx2(avx2) => avx2.run(
                 #[inline(always)]
                 || self.walk_shaft(Unfused(avx2), root, &local, found),
             ),
-            #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2(avx2) => avx2.run(
-                #[inline(always)]
-                || self.walk_shaft(avx2, root, &local, found),
-            ),
-            // It has no fused operations.
-            Instructions::Plain(Plain) => self.walk_shaft(Unfused(Plain), root, &local, found),
+            Instructions::Plain(plain) => self.walk_shaft(plain, root, &local, found),
         }
     }
 

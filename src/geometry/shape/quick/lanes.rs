@@ -4,6 +4,7 @@
 
 use super::{Corners, OfFour, Quick, RayLanes};
 use crate::geometry::bvh::{PerRay, RayMask};
+use crate::geometry::processor;
 use crate::geometry::ray::{Ray, Side};
 use crate::geometry::shape::edge::{LEAST_SIZE, OF_EDGE};
 use crate::geometry::shape::flat::{LEAST_KEPT, PlaneHit, margin_of};
@@ -25,7 +26,7 @@ impl Lanes {
     /// The instructions, if the processor has them.
     #[inline(always)]
     pub fn detected() -> Option<Lanes> {
-        V3::try_new().map(Lanes)
+        processor::avx2().map(Lanes)
     }
 
     #[inline(always)]
