@@ -53,7 +53,7 @@ const CALLS: [(i64, &str); 24] = [
 pub enum Fault {
     /// It fails with this error and does nothing.
     Error(Errno),
-    /// It and all further calls of its name fail with this error.
+    /// It and all further calls of its name fail with this error, but for messages on standard error.
     ErrorsFromNowOn(Errno),
     /// It reads or writes half of what was asked for.
     Short,
@@ -217,7 +217,7 @@ impl Tracer {
         self.calls.push(call);
         let Some((first, fault)) = self.fault else { return Ok(()) };
         let is_hit = match fault {
-            Fault::ErrorsFromNowOn(_) => at == first || at > first && self.calls[first].name == *name,
+            Fault::ErrorsFromNowOn(_) => at >= first && self.calls[first].name == *name && !call.writes_to(2),
             _ => at == first,
         };
         if !is_hit {

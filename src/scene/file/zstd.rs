@@ -64,12 +64,16 @@ impl<R: BufRead> Frames<R> {
     }
 }
 
-/// The error as a kind that says whether there is too little or something wrong.
+/// The error as a kind that says whether there is too little or something wrong; what the system says as it is.
 fn damaged(error: &(dyn error::Error + 'static)) -> Error {
     let mut cause = Some(error);
     while let Some(error) = cause {
-        if error.downcast_ref::<Error>().is_some_and(|error| error.kind() == ErrorKind::UnexpectedEof) {
-            return ErrorKind::UnexpectedEof.into();
+        if let Some(error) = error.downcast_ref::<Error>() {
+            match error.raw_os_error() {
+                Some(code) => return Error::from_raw_os_error(code),
+                None if error.kind() == ErrorKind::UnexpectedEof => return ErrorKind::UnexpectedEof.into(),
+                None => {}
+            }
         }
         cause = error.source();
     }
@@ -100,6 +104,28 @@ mod tests {
         let (bytes, result) = read(&file);
         assert!(result.is_ok());
         assert_eq!(bytes, [b"one ", &long[..]].concat());
+    }
+
+    #[test]
+    fn what_the_system_says_is_not_taken_for_damage() {
+        /// A disk that fails after so many bytes.
+        struct Failing<'b>(&'b [u8]);
+
+        impl Read for Failing<'_> {
+            fn read(&mut self, place: &mut [u8]) -> Result<usize> {
+                const EIO: i32 = 5;
+                match self.0.read(place)? {
+                    0 => Err(Error::from_raw_os_error(EIO)),
+                    count => Ok(count),
+                }
+            }
+        }
+
+        let whole = packed(b"all of it, and all of it again, and all of it once more");
+        for length in 0..whole.len() {
+            let result = unpacked(Failing(&whole[..length])).read_to_end(&mut Vec::new());
+            assert_eq!(result.unwrap_err().raw_os_error(), Some(5), "{length}");
+        }
     }
 
     #[test]
