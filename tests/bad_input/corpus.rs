@@ -19,13 +19,13 @@ const MAX_FILE: usize = 8 << 10;
 const MAX_CORPUS: usize = 300 << 10;
 
 /// A file of the corpus.
-struct Found {
-    path: PathBuf,
-    bytes: Vec<u8>,
+pub struct Found {
+    pub path: PathBuf,
+    pub bytes: Vec<u8>,
 }
 
 /// The files of a target in the order of their names; none where the package comes without its fuzz targets.
-fn files_of(target: &str) -> Vec<Found> {
+pub fn files_of(target: &str) -> Vec<Found> {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz");
     if !fuzz.exists() {
         return Vec::new();

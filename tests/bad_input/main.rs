@@ -18,6 +18,7 @@ mod scenes;
 mod catalogue;
 
 mod corpus;
+mod grown;
 mod logs;
 mod machine;
 mod meshes;

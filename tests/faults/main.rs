@@ -156,7 +156,7 @@ impl Case {
 
 /// What may happen to a call.
 fn faults_of(call: &Call) -> &'static [Fault] {
-    use Fault::{Error, ErrorsFromNowOn, Kill, Short};
+    use Fault::{Error, ErrorsFromNowOn, Kill, NoMoreMemory, Short};
     match call.name {
         "write" | "writev" | "pwrite64" => {
             &[Error(Errno::EIO), ErrorsFromNowOn(Errno::ENOSPC), Error(Errno::EINTR), Short, Kill]
@@ -165,6 +165,7 @@ fn faults_of(call: &Call) -> &'static [Fault] {
         "open" | "openat" => &[Error(Errno::EACCES), Error(Errno::EMFILE)],
         "fsync" | "fdatasync" => &[Error(Errno::EIO), Error(Errno::EINTR), Kill],
         "rename" | "renameat" | "renameat2" | "unlink" | "unlinkat" | "link" | "linkat" => &[Error(Errno::EIO), Kill],
+        "mmap" | "mremap" | "brk" => &[NoMoreMemory],
         _ => &[Error(Errno::EIO)],
     }
 }

@@ -20,8 +20,8 @@ use std::time::Duration;
 /// A command that takes longer hangs.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// What may fail: what reads, writes and orders files.
-const CALLS: [(i64, &str); 24] = [
+/// What may fail: what reads, writes and orders files, and what asks for memory.
+const CALLS: [(i64, &str); 27] = [
     (libc::SYS_read, "read"),
     (libc::SYS_readv, "readv"),
     (libc::SYS_pread64, "pread64"),
@@ -46,6 +46,9 @@ const CALLS: [(i64, &str); 24] = [
     (libc::SYS_newfstatat, "newfstatat"),
     (libc::SYS_fchmod, "fchmod"),
     (libc::SYS_flock, "flock"),
+    (libc::SYS_mmap, "mmap"),
+    (libc::SYS_mremap, "mremap"),
+    (libc::SYS_brk, "brk"),
 ];
 
 /// What happens to a call.
@@ -55,6 +58,8 @@ pub enum Fault {
     Error(Errno),
     /// It and all further calls of its name fail with this error, but for messages on standard error.
     ErrorsFromNowOn(Errno),
+    /// From it on there is no more memory.
+    NoMoreMemory,
     /// It reads or writes half of what was asked for.
     Short,
     /// The command is killed before it.
@@ -76,6 +81,11 @@ impl Call {
     /// Whether it writes to this file descriptor.
     pub fn writes_to(&self, descriptor: u64) -> bool {
         self.name.contains("write") && self.first == descriptor
+    }
+
+    /// Whether it asks for memory.
+    pub fn asks_for_memory(&self) -> bool {
+        matches!(self.name, "mmap" | "mremap" | "brk")
     }
 
     /// Whether it reads or writes.
@@ -218,20 +228,24 @@ impl Tracer {
         let Some((first, fault)) = self.fault else { return Ok(()) };
         let is_hit = match fault {
             Fault::ErrorsFromNowOn(_) => at >= first && self.calls[first].name == *name && !call.writes_to(2),
+            Fault::NoMoreMemory => at >= first && call.asks_for_memory(),
             _ => at == first,
         };
         if !is_hit {
             return Ok(());
         }
         match fault {
-            Fault::Error(error) | Fault::ErrorsFromNowOn(error) => {
-                // No call has this number, so that the kernel does nothing and leaves the result as it is.
-                registers.orig_rax = u64::MAX;
-                registers.rax = (-(error as i64)).cast_unsigned();
-            }
+            Fault::Error(error) | Fault::ErrorsFromNowOn(error) => fails_with(error, &mut registers),
+            Fault::NoMoreMemory => fails_with(Errno::ENOMEM, &mut registers),
             Fault::Short => registers.rdx = registers.rdx.div_ceil(2),
             Fault::Kill => return kill(self.group, Signal::SIGKILL),
         }
         ptrace::setregs(thread, registers)
     }
+}
+
+fn fails_with(error: Errno, registers: &mut libc::user_regs_struct) {
+    // No call has this number, so that the kernel does nothing and leaves the result as it is.
+    registers.orig_rax = u64::MAX;
+    registers.rax = (-i64::from(error as i32)).cast_unsigned();
 }
