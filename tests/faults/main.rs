@@ -73,7 +73,10 @@ impl Case {
     fn meets_all_faults(&self) -> usize {
         let done = self.without_a_fault();
         assert!(done.calls.len() > 3, "{:?}: {:?}", self.arguments, done.calls);
+        // Before the program looks at its first file, Rust's runtime sets itself up; without memory it can only abort.
+        let own = done.calls.iter().position(|call| call.name == "statx").unwrap_or_default();
         let faults: Vec<_> = (0..done.calls.len())
+            .filter(|at| *at >= own || !done.calls[*at].asks_for_memory())
             .flat_map(|at| faults_of(&done.calls[at]).iter().map(move |fault| (at, *fault)))
             .collect();
         let mut all_wrong = String::new();

@@ -236,6 +236,8 @@ impl Tracer {
         }
         match fault {
             Fault::Error(error) | Fault::ErrorsFromNowOn(error) => fails_with(error, &mut registers),
+            // It never fails, but gives the end that the memory has; asked for none it does so and does nothing.
+            Fault::NoMoreMemory if call.name == "brk" => registers.rdi = 0,
             Fault::NoMoreMemory => fails_with(Errno::ENOMEM, &mut registers),
             Fault::Short => registers.rdx = registers.rdx.div_ceil(2),
             Fault::Kill => return kill(self.group, Signal::SIGKILL),
