@@ -5,6 +5,7 @@ mod causes;
 mod diff;
 mod failure;
 mod frames;
+mod inputs;
 mod layers;
 mod live;
 mod log;
@@ -107,7 +108,7 @@ pub fn run() -> ExitCode {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },
-        Some(Command::Stress(stress)) => match stress.run() {
+        Some(Command::Stress(stress)) => match stress.run(colors) {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },

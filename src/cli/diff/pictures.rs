@@ -2,6 +2,7 @@
 
 use super::{Diff, DiffFormat};
 use crate::cli::failure::{Failure, shown};
+use crate::cli::inputs::Inputs;
 use crate::cli::output::{self, Output};
 use raywalk::log::Value;
 use raywalk::render::difference::{Difference, difference};
@@ -55,7 +56,7 @@ impl Diff {
             let path = shown(path);
             return Err(Failure::caller(format!("{path}: a heat map is a PNG, expected a name that ends in .png")));
         }
-        let output = Output::create(Some(path), &[&self.a, &self.b])?;
+        let output = Output::create(Some(path), &Inputs::of([&self.a, &self.b]))?;
         let heat =
             found.heat_map(a, b).map_err(|error| Failure::machine(format!("cannot write the heat map: {error}")))?;
         output.commit(&heat)
