@@ -27,22 +27,21 @@ mod signals;
 mod stress;
 mod textbook;
 mod trace;
+mod usage;
 mod views;
 mod walk;
 mod zstd;
 
 use clap::{Parser, Subcommand};
-use failure::Failure;
 pub use failure::MACHINE;
 use options::ColorChoice;
-use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// A ray tracer whose every computed value can be walked through.
 ///
 /// Without a command, walks through the numeric example of the source text in the terminal.
 #[derive(Parser)]
-#[command(name = "raywalk", version, max_term_width = 100)]
+#[command(name = "raywalk", bin_name = "raywalk", version, max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -86,9 +85,9 @@ enum Command {
 
 /// Runs the command line; gives the exit code of the process.
 pub fn run() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let cli = match usage::parse() {
         Ok(cli) => cli,
-        Err(error) => return usage(&error),
+        Err(code) => return code,
     };
     // Where signals can't be caught they end the process all the same.
     let signals = signals::leave_on_signals().ok();
@@ -121,23 +120,6 @@ pub fn run() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            failure.print();
-            ExitCode::from(failure.code())
-        }
-    }
-}
-
-/// Prints help and version to standard output, usage errors to standard error.
-fn usage(error: &clap::Error) -> ExitCode {
-    let printed = error.print().and_then(|()| io::stdout().flush());
-    if error.use_stderr() {
-        // Where standard error is closed there is nobody to tell.
-        return ExitCode::from(failure::CALLER);
-    }
-    match printed {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            let failure = Failure::stdout(&error);
             failure.print();
             ExitCode::from(failure.code())
         }

@@ -8,7 +8,7 @@ use glam::DVec3;
 use raywalk::geometry::{Leaving, Side};
 use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
-use raywalk::scene::file::{stdin_was_closed, suggest, visible};
+use raywalk::scene::file::{stdin_was_closed, suggest, visible, visible_json};
 use raywalk::trace::query::{Answer, Query};
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
@@ -136,7 +136,8 @@ impl Rays {
                 (id, Outcome::Error(unusable(line, &error)))
             }
         };
-        serde_json::to_writer(&mut *out, &Reply { id, reply })?;
+        // The id is written as it came, and whatever was quoted of a line as well.
+        out.write_all(visible_json(&serde_json::to_string(&Reply { id, reply })?).as_bytes())?;
         out.write_all(b"\n")
     }
 }

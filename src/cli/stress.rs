@@ -5,7 +5,7 @@ use super::options::ColorChoice;
 use super::output;
 use super::scene_argument::is_colored;
 use clap::{Args, ValueEnum};
-use raywalk::scene::file::{MAX_BYTES, Wanted, visible};
+use raywalk::scene::file::{MAX_BYTES, Wanted, visible, visible_json};
 use raywalk::study::stress::{self, Family, Way};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -51,7 +51,7 @@ impl Stress {
             .map_err(|error| Failure::caller(visible(&error).into_owned()))?;
         let text = match self.format {
             ReportFormat::Text => table.text(|name| visible(name).into_owned()),
-            ReportFormat::Json => table.json(),
+            ReportFormat::Json => visible_json(&table.json()).into_owned(),
         };
         output::print(text.as_bytes())?;
         Ok(table.holds())
@@ -78,7 +78,7 @@ fn answers(families: &[Family]) -> Result<(String, usize), Failure> {
                 Err(error) => json!({"id": case.id, "error": error}),
             };
             unanswered += usize::from(line.get("error").is_some());
-            text.push_str(&line.to_string());
+            text.push_str(&visible_json(&line.to_string()));
             text.push('\n');
         }
     }

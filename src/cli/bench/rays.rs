@@ -10,7 +10,7 @@ use crate::cli::output::{self, Output};
 use clap::Args;
 use raywalk::scene::Scene;
 use raywalk::scene::file::raw::{self, Primitives, RayFile};
-use raywalk::scene::file::{SceneError, is_callers_fault, visible};
+use raywalk::scene::file::{SceneError, is_callers_fault, visible, visible_json};
 use raywalk::study::bench::throughput::{self, Hits, Mode, Passes, Throughput, measure};
 use serde::Serialize;
 use std::fs;
@@ -275,7 +275,7 @@ impl<'a> Row<'a> {
 
 fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     let line = serde_json::to_string(value).map_err(|error| Failure::machine(format!("cannot write: {error}")))?;
-    output::print(format!("{line}\n").as_bytes())
+    output::print(format!("{}\n", visible_json(&line)).as_bytes())
 }
 
 fn no_threads(error: impl std::fmt::Display) -> Failure {

@@ -190,7 +190,7 @@ pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
     match words.into_iter().chain(optional).chain(parameters).chain(names).find(|name| hidden(name).next().is_some()) {
         None => Ok(()),
         Some(name) => {
-            Err(LogError::damaged(1, 1, &format!("a name must not hold control characters, found `{}`", visible(name))))
+            Err(LogError::damaged(1, 1, &format!("a name must not hold invisible characters, found `{}`", visible(name))))
         }
     }
 }

@@ -41,7 +41,7 @@ mod there;
 mod zstd;
 
 pub use error::{Problem, SceneError, Severity};
-pub use escape::visible;
+pub use escape::{visible, visible_json, visible_lines};
 pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
 pub use key_path::{KeyPath, Step};
 pub use load::{Loaded, check, check_as, check_scene, parse, placed, read};
