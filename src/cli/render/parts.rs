@@ -69,7 +69,7 @@ impl Render {
             false => (None, Kept::new()),
         };
         // As above: what is kept stands in the checkpoint.
-        let output = if self.resume { None } else { Some(output) };
+        let output = Some(output).filter(|_| !self.resume);
         let start = Instant::now();
         let (kept, counts) = self.render_rest(task, &header, kept, checkpoint.as_mut())?;
         seconds.render = start.elapsed().as_secs_f64();
