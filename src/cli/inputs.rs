@@ -33,9 +33,7 @@ impl Inputs {
     pub fn refuse(&self, result: &Path, metadata: &Metadata) -> Result<(), Failure> {
         match self.find(result, metadata)? {
             None => Ok(()),
-            Some(_) => {
-                Err(Failure::caller(format!("{}: is the input, which would be overwritten", shown(result))))
-            }
+            Some(_) => Err(Failure::caller(format!("{}: is the input, which would be overwritten", shown(result)))),
         }
     }
 

@@ -85,9 +85,7 @@ impl Output {
     /// Writes a result that comes bit by bit; `write` may fail only because `out` does.
     pub fn stream(self, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
         match self {
-            Output::Stdout => {
-                through(Box::new(standard()?), None, write).map_err(|error| Failure::stdout(&error))
-            }
+            Output::Stdout => through(Box::new(standard()?), None, write).map_err(|error| Failure::stdout(&error)),
             Output::Special(file, path) => through(Box::new(file), None, write).map_err(|error| match error.kind() {
                 io::ErrorKind::BrokenPipe => Failure::silent(0),
                 _ => Failure::io(&path, "write", &error),

@@ -60,8 +60,7 @@ fn is_spelt(before: &str, character: char, after: &str) -> bool {
 /// Whether the letters around a non-joiner would be joined without it.
 fn parts_letters(before: &str, after: &str) -> bool {
     let is_transparent = |character: &char| get_joining_type(*character) == JoiningType::Transparent;
-    let (last, next) =
-        (before.chars().rev().find(|c| !is_transparent(c)), after.chars().find(|c| !is_transparent(c)));
+    let (last, next) = (before.chars().rev().find(|c| !is_transparent(c)), after.chars().find(|c| !is_transparent(c)));
     let joins_left = |c| matches!(get_joining_type(c), JoiningType::LeftJoining | JoiningType::DualJoining);
     let joins_right = |c| matches!(get_joining_type(c), JoiningType::RightJoining | JoiningType::DualJoining);
     last.is_some_and(joins_left) && next.is_some_and(joins_right)
@@ -72,7 +71,11 @@ fn joins_pictures(before: &str, next: char) -> bool {
     // A picture, its colour of skin or its form.
     const MOST: usize = 2;
     let start = before.char_indices().rev().take(MOST).last().map_or(0, |(at, _)| at);
-    is_picture(next) && format!("{}{JOINER}{next}", &before[start..]).graphemes(true).next_back().is_some_and(|last| last.contains(JOINER))
+    is_picture(next)
+        && format!("{}{JOINER}{next}", &before[start..])
+            .graphemes(true)
+            .next_back()
+            .is_some_and(|last| last.contains(JOINER))
 }
 
 /// Whether a character is one that pictures are made of: a joiner makes one of it and another.
@@ -117,7 +120,8 @@ mod tests {
                      \u{2064}\u{2065}\u{2066}\u{206f}\u{3164}\u{fe00}\u{feff}\u{ffa0}\u{fff0}\u{fff9}\u{fffb}\u{13430}\u{1bca0}\u{1d173}\u{e0001}\
                      \u{e0020}\u{e007f}\u{e0100}\u{e01ef}\u{e0fff}";
         for mark in marks.chars() {
-            for (before, after) in [("", ""), ("ba", "ll"), ("کره", "ی"), ("क्", "ष"), ("👩", "🔬"), ("한", "글")] {
+            for (before, after) in [("", ""), ("ba", "ll"), ("کره", "ی"), ("क्", "ष"), ("👩", "🔬"), ("한", "글")]
+            {
                 let text = format!("{before}{mark}{after}");
                 let found: Vec<_> = hidden(&text).collect();
                 assert_eq!(found, [(before.len(), mark)], "{text:?}");
@@ -129,7 +133,22 @@ mod tests {
     #[test]
     fn what_is_seen_is_not_hidden() {
         for text in [
-            "esfera ñ é e\u{301} Å", "球", "ลูกบอล กำแพง", "गेंद", "หนึ่ง", "بيت", "کُره", "סַפִּיר", "ⵣ", "ཀྵ", "မြန်မာ", "한글", "ᠮᠣᠩᠭᠣᠯ", "👩🏽", "🇪🇸", "½ ⁿ ™",
+            "esfera ñ é e\u{301} Å",
+            "球",
+            "ลูกบอล กำแพง",
+            "गेंद",
+            "หนึ่ง",
+            "بيت",
+            "کُره",
+            "סַפִּיר",
+            "ⵣ",
+            "ཀྵ",
+            "မြန်မာ",
+            "한글",
+            "ᠮᠣᠩᠭᠣᠯ",
+            "👩🏽",
+            "🇪🇸",
+            "½ ⁿ ™",
         ] {
             assert_eq!(hidden(text).next(), None, "{text:?}");
         }
@@ -140,18 +159,40 @@ mod tests {
     fn joiners_pass_where_a_script_is_spelt_with_them() {
         for text in [
             // Between joining letters, and with signs on them.
-            "کره\u{200c}ی قرمز", "می\u{200c}خواهم", "ب\u{64e}\u{200c}\u{64e}ب", "ܒ\u{200c}ܒ", "ߓ\u{200c}ߓ",
+            "کره\u{200c}ی قرمز",
+            "می\u{200c}خواهم",
+            "ب\u{64e}\u{200c}\u{64e}ب",
+            "ܒ\u{200c}ܒ",
+            "ߓ\u{200c}ߓ",
             // Behind a virama.
-            "क्\u{200d}ष गोला", "अवन्\u{200c}", "അവന\u{d4d}\u{200d}", "ක\u{dca}\u{200d}ෂ", "ক\u{9cd}\u{200c}ষ", "க\u{bcd}\u{200c}ஷ",
+            "क्\u{200d}ष गोला",
+            "अवन्\u{200c}",
+            "അവന\u{d4d}\u{200d}",
+            "ක\u{dca}\u{200d}ෂ",
+            "ক\u{9cd}\u{200c}ষ",
+            "க\u{bcd}\u{200c}ஷ",
         ] {
             assert_eq!(hidden(text).next(), None, "{text:?}");
         }
         for text in [
-            "ba\u{200c}ll", "ba\u{200d}ll", "ball\u{200c}", "\u{200d}ball", "\u{200c}ی", "ی\u{200c}", "a\u{200c}ی", "ی\u{200c}a",
+            "ba\u{200c}ll",
+            "ba\u{200d}ll",
+            "ball\u{200c}",
+            "\u{200d}ball",
+            "\u{200c}ی",
+            "ی\u{200c}",
+            "a\u{200c}ی",
+            "ی\u{200c}a",
             // These letters join anyway, or never on that side.
-            "ب\u{200d}ب", "د\u{200c}ب", "ه\u{200d}", "ر\u{200c}ه",
+            "ب\u{200d}ب",
+            "د\u{200c}ب",
+            "ه\u{200d}",
+            "ر\u{200c}ه",
             // A consonant without the sign, a letter with another one.
-            "क\u{200d}ष", "क\u{200c}ष", "é\u{200d}ب", "كا\u{200c} ب",
+            "क\u{200d}ष",
+            "क\u{200c}ष",
+            "é\u{200d}ب",
+            "كا\u{200c} ب",
         ] {
             assert_eq!(hidden(text).count(), 1, "{text:?}");
         }
@@ -161,12 +202,29 @@ mod tests {
     #[test]
     fn joiners_and_forms_pass_within_pictures() {
         for text in [
-            "👩\u{200d}🔬", "👩🏽\u{200d}🔬", "❤\u{fe0f}\u{200d}🔥", "👨\u{200d}👩\u{200d}👧", "❤\u{fe0f}", "☀\u{fe0e} und ☀\u{fe0f}", "1\u{fe0f}\u{20e3}", "🏳\u{fe0f}\u{200d}🌈",
+            "👩\u{200d}🔬",
+            "👩🏽\u{200d}🔬",
+            "❤\u{fe0f}\u{200d}🔥",
+            "👨\u{200d}👩\u{200d}👧",
+            "❤\u{fe0f}",
+            "☀\u{fe0e} und ☀\u{fe0f}",
+            "1\u{fe0f}\u{20e3}",
+            "🏳\u{fe0f}\u{200d}🌈",
         ] {
             assert_eq!(hidden(text).next(), None, "{text:?}");
         }
         for text in [
-            "👩\u{200d}", "👩\u{200d}a", "a\u{200d}👩", "\u{200d}👩", "ball\u{fe0f}", "ball\u{fe0e}", "1\u{fe0f}", "球\u{fe00}", "a\u{fe0f}\u{20e3}", "👩\u{200d}\u{301}", "🏴\u{e0067}",
+            "👩\u{200d}",
+            "👩\u{200d}a",
+            "a\u{200d}👩",
+            "\u{200d}👩",
+            "ball\u{fe0f}",
+            "ball\u{fe0e}",
+            "1\u{fe0f}",
+            "球\u{fe00}",
+            "a\u{fe0f}\u{20e3}",
+            "👩\u{200d}\u{301}",
+            "🏴\u{e0067}",
         ] {
             assert_eq!(hidden(text).count(), 1, "{text:?}");
         }
@@ -177,8 +235,17 @@ mod tests {
     #[test]
     fn texts_that_look_alike_are_the_same_look() {
         for (a, b) in [
-            ("ball", "ball "), ("ball", "\u{a0}ball"), ("red ball", "red\u{3000}ball"), ("red ball", "red  ball"), ("ball", "ball\u{2800}"), ("é", "e\u{301}"),
-            ("ḍ\u{307}", "d\u{307}\u{323}"), ("❤", "❤\u{fe0f}"), ("می\u{200c}خواهم", "میخواهم"), ("Å", "\u{212b}"), ("", " \u{2003}"),
+            ("ball", "ball "),
+            ("ball", "\u{a0}ball"),
+            ("red ball", "red\u{3000}ball"),
+            ("red ball", "red  ball"),
+            ("ball", "ball\u{2800}"),
+            ("é", "e\u{301}"),
+            ("ḍ\u{307}", "d\u{307}\u{323}"),
+            ("❤", "❤\u{fe0f}"),
+            ("می\u{200c}خواهم", "میخواهم"),
+            ("Å", "\u{212b}"),
+            ("", " \u{2003}"),
         ] {
             assert_eq!(look(a), look(b));
         }

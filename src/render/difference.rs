@@ -157,7 +157,11 @@ impl LayerDifferences {
 /// The channels that only the first of two layers has.
 fn lacking<'l>(layer: &'l Beside, other: &'l Beside) -> impl Iterator<Item = String> + 'l {
     let is_there = |channel: &Numbers| other.channels.iter().any(|theirs| theirs.name == channel.name);
-    layer.channels.iter().filter(move |channel| !is_there(channel)).map(|channel| format!("{}.{}", layer.name, channel.name))
+    layer
+        .channels
+        .iter()
+        .filter(move |channel| !is_there(channel))
+        .map(|channel| format!("{}.{}", layer.name, channel.name))
 }
 
 impl LayerDifference {

@@ -18,6 +18,7 @@ mod scenes;
 mod catalogue;
 
 mod corpus;
+mod inputs;
 mod logs;
 mod machine;
 mod meshes;
@@ -27,4 +28,5 @@ mod output;
 mod pictures;
 mod resume;
 mod signals;
+mod streams;
 mod text;

@@ -129,7 +129,8 @@ impl RaysBench {
     /// For each scene the files of what its rays met, made sure of before the work begins: none is a file of any of the scenes.
     fn dumps(&self, refused: impl Fn(SceneError) -> Failure) -> Result<Vec<Vec<Output>>, Failure> {
         let Some(folder) = &self.dump else { return Ok(self.stems.iter().map(|_| Vec::new()).collect()) };
-        let rays = self.stems.iter().map(|stem| raw::find_rays(stem)).collect::<Result<Vec<_>, _>>().map_err(refused)?;
+        let rays =
+            self.stems.iter().map(|stem| raw::find_rays(stem)).collect::<Result<Vec<_>, _>>().map_err(refused)?;
         let primitives = self.stems.iter().flat_map(|stem| raw::primitive_files(stem));
         let inputs = Inputs::of(primitives).and(Inputs::of(rays.iter().flatten().map(|(_, path)| path)));
         let of_scene = |(stem, rays): (&PathBuf, &Vec<(String, PathBuf)>)| {
@@ -174,12 +175,7 @@ impl RaysBench {
         rays.iter().zip(dumps).try_for_each(|((kind, file), dump)| self.measure_rays(&scene, (kind, file), dump))
     }
 
-    fn measure_rays(
-        &self,
-        scene: &Scene,
-        (kind, file): (&str, &RayFile),
-        dump: Option<Output>,
-    ) -> Result<(), Failure> {
+    fn measure_rays(&self, scene: &Scene, (kind, file): (&str, &RayFile), dump: Option<Output>) -> Result<(), Failure> {
         let passes = self.passes.map_or(Passes::Seconds(self.seconds), |number| Passes::Number(number as usize));
         let mut hits = Hits::default();
         for mode in Mode::ALL {

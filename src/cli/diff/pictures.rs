@@ -5,7 +5,7 @@ use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::Inputs;
 use crate::cli::output::{self, Output};
 use raywalk::log::Value;
-use raywalk::render::difference::{Difference, LayerDifference, LayerDifferences, LargestOfLayer, difference};
+use raywalk::render::difference::{Difference, LargestOfLayer, LayerDifference, LayerDifferences, difference};
 use raywalk::render::export::{Beside, Format, Picture};
 use raywalk::report::number::size;
 use raywalk::scene::file::{visible, visible_json};

@@ -65,7 +65,8 @@ impl Render {
         let output = create()?;
         let (mut checkpoint, kept) = match self.resume {
             true if !output.is_file() => return Err(not_a_file(task)),
-            true => Checkpoint::open(&task.path, &header, &task.inputs).map(|(checkpoint, kept)| (Some(checkpoint), kept))?,
+            true => Checkpoint::open(&task.path, &header, &task.inputs)
+                .map(|(checkpoint, kept)| (Some(checkpoint), kept))?,
             false => (None, Kept::new()),
         };
         // As above: what is kept stands in the checkpoint.

@@ -2,10 +2,10 @@
 
 use super::exr::colors_of;
 use super::read::{EXR, PictureError, check_size, with_room_for};
+use exr::block::samples::Sample;
 use exr::image::{AnyChannel, FlatSamples};
 use exr::meta::MetaData;
 use exr::prelude::{ReadChannels, ReadLayers, Vec2};
-use exr::block::samples::Sample;
 use std::io::Cursor;
 
 /// Channels of a picture's file that are no colours.
@@ -52,7 +52,8 @@ pub fn beside(bytes: &[u8]) -> Result<Vec<Beside>, PictureError> {
     }
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;
     let (colored, colors) = colors_of(&headers)?;
-    let channels = || headers.iter().flat_map(|header| header.channels.list.iter().map(move |channel| (header, channel)));
+    let channels =
+        || headers.iter().flat_map(|header| header.channels.list.iter().map(move |channel| (header, channel)));
     if channels().count() == colors.len() {
         return Ok(Vec::new());
     }

@@ -60,7 +60,9 @@ pub fn exr(film: &Film, layers: Vec<ExrLayer>) -> Result<Vec<u8>, exr::error::Er
 /// [`PictureError`].
 pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;
-    headers.iter().try_for_each(|header| check_size([header.layer_size.width(), header.layer_size.height()].map(|side| side as u64)))?;
+    headers.iter().try_for_each(|header| {
+        check_size([header.layer_size.width(), header.layer_size.height()].map(|side| side as u64))
+    })?;
     if headers.iter().any(|header| header.layer_size.area() as u64 > most) {
         return Err(PictureError::Memory);
     }

@@ -36,9 +36,9 @@ pub fn stdin_was_closed() -> bool {
 
 /// Whether standard output was closed when the program began.
 ///
-/// Before anything else the standard library opens `/dev/null` in the place of a closed stream, for reading and writing. A shell opens it for
-/// one of the two (`> /dev/null`), and who makes all streams nothing opens it once for all. So a stream is taken for closed where it
-/// is `/dev/null`, open for both, and not what a neighbour is.
+/// Before anything else the standard library opens `/dev/null` in the place of closed streams, for reading and writing. A shell opens it for
+/// one of the two (`> /dev/null`). Whoever starts programs that nobody listens to opens it for both, once for several streams; so a
+/// stream is taken for closed only where it alone is such a `/dev/null`. Where two streams were closed it can't be known.
 #[cfg(unix)]
 pub fn stdout_was_closed() -> bool {
     was_closed(1)
@@ -48,7 +48,8 @@ pub fn stdout_was_closed() -> bool {
 fn was_closed(which: usize) -> bool {
     use rustix::fs::{FileType, OFlags, fcntl_getfl, fcntl_setfl, fstat, stat};
     let streams = [rustix::stdio::stdin(), rustix::stdio::stdout(), rustix::stdio::stderr()];
-    let (Ok(found), Ok(null), Ok(flags)) = (fstat(streams[which]), stat("/dev/null"), fcntl_getfl(streams[which])) else {
+    let (Ok(found), Ok(null), Ok(flags)) = (fstat(streams[which]), stat("/dev/null"), fcntl_getfl(streams[which]))
+    else {
         return false;
     };
     let is_null = FileType::from_raw_mode(found.st_mode) == FileType::CharacterDevice && found.st_rdev == null.st_rdev;
