@@ -8,7 +8,7 @@ use super::options::ColorChoice;
 use super::walk::has_terminal;
 use clap::{Args, ValueEnum};
 use raywalk::log::file::{is_log, is_utf16};
-use raywalk::render::export::{self, MAX_PICTURE_BYTES, PictureError, READABLE, is_picture};
+use raywalk::render::export::{self, Beside, MAX_PICTURE_BYTES, PictureError, READABLE, is_picture};
 use raywalk::render::part::is_part;
 use raywalk::report::diff::Tolerance;
 use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, visible};
@@ -25,7 +25,7 @@ const LOGS: &str = "\
 Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that \
 differs with the operands that it comes from, and how the difference grows on its way to the colour.";
 
-const MORE: &str = ".
+const MORE: &str = ". The layers that an OpenEXR has beside its colours are compared, too.
 
 A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s \
 being the largest component of both values. Without any, every difference counts.
@@ -92,7 +92,8 @@ enum DiffFormat {
 /// What can be compared.
 enum Compared {
     Log(Opened),
-    Picture(String, export::Picture),
+    /// With what its file has beside the colours.
+    Picture(String, export::Picture, Vec<Beside>),
 }
 
 impl Diff {
@@ -110,7 +111,7 @@ impl Diff {
                 // As `walk` does, it is told as text where nobody could press a key.
                 if self.walk && has_terminal() { self.walk(a, b, colors, signals) } else { self.logs(a, b) }
             }
-            (Compared::Picture(a_name, a), Compared::Picture(b_name, b)) => {
+            (Compared::Picture(a_name, a, a_layers), Compared::Picture(b_name, b, b_layers)) => {
                 let options = [
                     ("--digits", self.digits.is_some()),
                     ("--brief", self.brief),
@@ -121,10 +122,10 @@ impl Diff {
                 if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given) {
                     return Err(Failure::caller(format!("{option}: is for logs, found two pictures")));
                 }
-                self.pictures((&a_name, &a), (&b_name, &b))
+                self.pictures((&a_name, &a, &a_layers), (&b_name, &b, &b_layers))
             }
-            (Compared::Log(log), Compared::Picture(picture, _))
-            | (Compared::Picture(picture, _), Compared::Log(log)) => {
+            (Compared::Log(log), Compared::Picture(picture, ..))
+            | (Compared::Picture(picture, ..), Compared::Log(log)) => {
                 let log = visible(log.name());
                 Err(Failure::caller(format!("{log} is a log and {picture} a picture; expected two of a kind")))
             }
@@ -154,7 +155,8 @@ fn open(path: &Path, colors: ColorChoice) -> Result<Compared, Failure> {
         return Err(Failure::caller(format!("{name}: expected a log or a picture, {}", found(opened.beginning()))));
     }
     let bytes = opened.bytes().map_err(refused)?;
-    let picture = export::read(&bytes).map_err(|error| match error {
+    let read = export::read(&bytes).and_then(|picture| Ok((picture, export::beside(&bytes)?)));
+    let (picture, layers) = read.map_err(|error| match error {
         PictureError::Memory => Failure::machine(format!("{name}: {error}")),
         PictureError::Word { ref place, .. } => {
             let source = Source { name: &name, text: &bytes };
@@ -162,7 +164,7 @@ fn open(path: &Path, colors: ColorChoice) -> Result<Compared, Failure> {
         }
         _ => Failure::caller(format!("{name}: {error}")),
     })?;
-    Ok(Compared::Picture(name, picture))
+    Ok(Compared::Picture(name, picture, layers))
 }
 
 /// What begins like this, and what would help.

@@ -1,7 +1,6 @@
 //! What goes wrong, as a message and an exit code.
 
-use raywalk::scene::file::SceneError;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::{SceneError, visible, visible_lines};
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -33,14 +32,15 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// The caller must change something.
+    /// The caller must change something. What a message quotes is [`shown`] where it is put in, so that it stays in its line; whatever isn't is
+    /// made visible here.
     pub fn caller(message: impl Into<String>) -> Failure {
-        Failure { code: CALLER, message: format!("error: {}", message.into()) }
+        Failure { code: CALLER, message: visible_lines(&format!("error: {}", message.into())) }
     }
 
     /// The machine said no.
     pub fn machine(message: impl Into<String>) -> Failure {
-        Failure { code: MACHINE, message: format!("error: {}", message.into()) }
+        Failure { code: MACHINE, message: visible_lines(&format!("error: {}", message.into())) }
     }
 
     /// An exit code without a message.

@@ -1,6 +1,7 @@
 //! `render --layers`: what pixels cost and what they see, in the picture's own file or beside it.
 
 use super::failure::{Failure, shown};
+use super::inputs::Inputs;
 use super::output::Output;
 use raywalk::render::export::{self, Encoded, Format};
 use raywalk::render::layers::{Layer, Layered, false_colors};
@@ -52,7 +53,7 @@ impl Layers {
     }
 
     /// The files for them beside a picture; none where the picture's file holds them.
-    pub fn files(&self, picture: &Path, format: Format, inputs: &[PathBuf]) -> Result<Files, Failure> {
+    pub fn files(&self, picture: &Path, format: Format, inputs: &Inputs) -> Result<Files, Failure> {
         let file = |(layer, path): (&Layer, PathBuf)| {
             let output = Output::create(Some(&path), inputs)?;
             Ok((*layer, path, output))

@@ -5,6 +5,7 @@ mod causes;
 mod diff;
 mod failure;
 mod frames;
+mod inputs;
 mod layers;
 mod live;
 mod log;
@@ -26,6 +27,7 @@ mod signals;
 mod stress;
 mod textbook;
 mod trace;
+mod usage;
 mod views;
 mod walk;
 mod zstd;
@@ -35,14 +37,13 @@ use failure::Failure;
 pub use failure::MACHINE;
 use options::ColorChoice;
 use raywalk::geometry::processor;
-use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// A ray tracer whose every computed value can be walked through.
 ///
 /// Without a command, walks through the numeric example of the source text in the terminal.
 #[derive(Parser)]
-#[command(name = "raywalk", version, max_term_width = 100)]
+#[command(name = "raywalk", bin_name = "raywalk", version, max_term_width = 100)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -86,9 +87,9 @@ enum Command {
 
 /// Runs the command line; gives the exit code of the process.
 pub fn run() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let cli = match usage::parse() {
         Ok(cli) => cli,
-        Err(error) => return usage(&error),
+        Err(code) => return code,
     };
     // Where signals can't be caught they end the process all the same.
     let signals = signals::leave_on_signals().ok();
@@ -113,7 +114,7 @@ pub fn run() -> ExitCode {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },
-        Some(Command::Stress(stress)) => match stress.run() {
+        Some(Command::Stress(stress)) => match stress.run(colors) {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },
@@ -126,22 +127,5 @@ pub fn run() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.exit(),
-    }
-}
-
-/// Prints help and version to standard output, usage errors to standard error.
-fn usage(error: &clap::Error) -> ExitCode {
-    let printed = error.print().and_then(|()| io::stdout().flush());
-    if error.use_stderr() {
-        // Where standard error is closed there is nobody to tell.
-        return ExitCode::from(failure::CALLER);
-    }
-    match printed {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            let failure = Failure::stdout(&error);
-            failure.print();
-            ExitCode::from(failure.code())
-        }
     }
 }

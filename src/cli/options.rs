@@ -165,7 +165,7 @@ impl TracingOptions {
 
     /// The scene with these options, ready to be traced.
     pub fn apply(&self, loaded: Loaded) -> Result<Scene, Failure> {
-        let Loaded { scene: mut file, meshes, frame: frame_number } = loaded;
+        let Loaded { scene: mut file, meshes, frame: frame_number, .. } = loaded;
         if let Some(size) = self.size {
             file.camera.resolution = size;
         }

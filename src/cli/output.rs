@@ -1,12 +1,13 @@
 //! Where results go: standard output, or a file that is there whole or not at all.
 
 use super::failure::{Failure, shown};
+use super::inputs::{Claim, Inputs, place_of};
 use super::{signals, zstd};
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use raywalk::scene::file::Packing;
+use raywalk::scene::file::{Packing, stdout_was_closed};
 use std::fs::{self, Permissions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, StdoutLock, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -22,6 +23,8 @@ pub enum Output {
         place: PathBuf,
         /// The place as it was named.
         named: PathBuf,
+        /// The place is its own.
+        claim: Claim,
     },
     /// A device or pipe, which can't be replaced.
     Special(fs::File, PathBuf),
@@ -29,8 +32,10 @@ pub enum Output {
 
 impl Output {
     /// Standard output for none and `-`; else the file, which must not be one of the `inputs`.
-    pub fn create(path: Option<&Path>, inputs: &[impl AsRef<Path>]) -> Result<Output, Failure> {
-        let Some(path) = path.filter(|path| *path != Path::new("-")) else { return Ok(Output::Stdout) };
+    pub fn create(path: Option<&Path>, inputs: &Inputs) -> Result<Output, Failure> {
+        let Some(path) = path.filter(|path| *path != Path::new("-")) else {
+            return standard().and_then(|_| inputs.refuse_standard_output()).map(|()| Output::Stdout);
+        };
         let cannot_write = |error: &io::Error| Failure::io(path, "write", error);
         let metadata = match fs::metadata(path) {
             Ok(metadata) => Some(metadata),
@@ -41,14 +46,15 @@ impl Output {
             let path = shown(path);
             return Err(Failure::caller(format!("{path}: is a directory, expected the name of a file")));
         }
-        if metadata.is_some() && inputs.iter().any(|input| is_same(path, input.as_ref())) {
-            return Err(Failure::caller(format!("{}: is the input, which would be overwritten", shown(path))));
+        if let Some(metadata) = &metadata {
+            inputs.refuse(path, metadata)?;
         }
         if metadata.as_ref().is_some_and(|metadata| !metadata.is_file()) {
             let file = fs::OpenOptions::new().write(true).open(path).map_err(|error| cannot_write(&error))?;
             return Ok(Output::Special(file, path.to_owned()));
         }
-        let place = link_target(path);
+        let place = place_of(path);
+        let claim = Claim::of(path, &place)?;
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let mut builder = tempfile::Builder::new();
         builder.prefix(".raywalk-").suffix(".part");
@@ -63,7 +69,7 @@ impl Output {
         };
         let begun = signals::unfinished(|| builder.tempfile_in(folder));
         let file = begun.map_err(|error| cannot_write(&plain(error)))?;
-        Ok(Output::File { file, place, named: path.to_owned() })
+        Ok(Output::File { file, place, named: path.to_owned(), claim })
     }
 
     /// Whether it is a file, and neither standard output nor a device.
@@ -79,14 +85,12 @@ impl Output {
     /// Writes a result that comes bit by bit; `write` may fail only because `out` does.
     pub fn stream(self, write: impl FnOnce(&mut Sink) -> io::Result<()>) -> Result<(), Failure> {
         match self {
-            Output::Stdout => {
-                through(Box::new(io::stdout().lock()), None, write).map_err(|error| Failure::stdout(&error))
-            }
+            Output::Stdout => through(Box::new(standard()?), None, write).map_err(|error| Failure::stdout(&error)),
             Output::Special(file, path) => through(Box::new(file), None, write).map_err(|error| match error.kind() {
                 io::ErrorKind::BrokenPipe => Failure::silent(0),
                 _ => Failure::io(&path, "write", &error),
             }),
-            Output::File { mut file, place, named } => {
+            Output::File { mut file, place, named, claim } => {
                 let cannot_write = |error: &io::Error| Failure::io(&named, "write", error);
                 // To the file itself: the errors of a temporary file name it, which says nothing to anybody.
                 through(Box::new(file.as_file_mut()), packing(&named), write).map_err(|error| cannot_write(&error))?;
@@ -94,6 +98,7 @@ impl Output {
                 let unfinished = file.path().to_owned();
                 file.persist(&place).map_err(|error| cannot_write(&error.error))?;
                 signals::finished(&unfinished);
+                claim.keep();
                 Ok(())
             }
         }
@@ -134,28 +139,18 @@ fn through<'w>(
     }
 }
 
+/// Standard output, unless it was closed when the program began: nobody would have what is written.
+pub fn standard() -> Result<StdoutLock<'static>, Failure> {
+    if stdout_was_closed() {
+        return Err(Failure::stdout(&io::Error::other("it is closed")));
+    }
+    Ok(io::stdout().lock())
+}
+
 /// Writes to standard output.
 pub fn print(bytes: &[u8]) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
+    let mut out = standard()?;
     out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| Failure::stdout(&error))
-}
-
-/// Where a link leads, also one that leads to nothing yet: the link stays, and what it points to is written.
-fn link_target(path: &Path) -> PathBuf {
-    if let Ok(place) = fs::canonicalize(path) {
-        return place;
-    }
-    match fs::read_link(path) {
-        Ok(target) => path.parent().unwrap_or(Path::new("")).join(target),
-        Err(_) => path.to_owned(),
-    }
-}
-
-fn is_same(path: &Path, input: &Path) -> bool {
-    match (fs::canonicalize(path), fs::canonicalize(input)) {
-        (Ok(path), Ok(input)) => path == input,
-        _ => false,
-    }
 }
 
 /// What a new file gets, less the umask; a temporary file alone would be private.

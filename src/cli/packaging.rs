@@ -2,6 +2,7 @@
 
 use super::Cli;
 use super::failure::Failure;
+use super::inputs::Inputs;
 use super::output::{self, Output};
 use clap::{Args, Command, CommandFactory};
 use clap_complete::Shell;
@@ -56,7 +57,7 @@ impl Manual {
         std::fs::create_dir_all(folder).map_err(|error| Failure::io(folder, "create", &error))?;
         for command in with_all_below(command) {
             let path = folder.join(format!("{}.1", command.get_display_name().unwrap_or(command.get_name())));
-            Output::create(Some(&path), &[] as &[PathBuf])?.commit(&page(command)?)?;
+            Output::create(Some(&path), &Inputs::none())?.commit(&page(command)?)?;
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! A picture and the files that it goes into: one that was rendered, or put together from parts.
 
 use super::failure::{Failure, shown};
+use super::inputs::Inputs;
 use super::layers::{Files, Layers};
 use super::output::{self, Output};
 use raywalk::render::Film;
@@ -99,7 +100,7 @@ impl Place {
         format: Format,
         size: [u32; 2],
         layers: Option<&Layers>,
-        inputs: &[PathBuf],
+        inputs: &Inputs,
     ) -> Result<Place, Failure> {
         if let Some(longest) = format.longest_side().filter(|longest| size.iter().any(|side| side > longest)) {
             let ([width, height], path) = (size, shown(path));

@@ -2,13 +2,13 @@
 
 use super::failure::Failure;
 use super::options::{ColorChoice, TracingOptions};
-use super::scene_argument;
+use super::{output, scene_argument};
 use clap::Args;
 use glam::DVec3;
 use raywalk::geometry::{Leaving, Side};
 use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
-use raywalk::scene::file::{suggest, visible};
+use raywalk::scene::file::{stdin_was_closed, suggest, visible, visible_json};
 use raywalk::trace::query::{Answer, Query};
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
@@ -101,8 +101,11 @@ impl Rays {
         }
         let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import(), colors)?)?;
         let names: HashMap<&str, u32> = scene.objects.iter().map(|object| object.name.as_str()).zip(0..).collect();
+        if stdin_was_closed() {
+            return Err(unreadable(&io::Error::other("it is closed")));
+        }
         let mut input = BufReader::with_capacity(1 << 16, io::stdin().lock());
-        let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+        let mut out = BufWriter::with_capacity(1 << 16, output::standard()?);
         let mut line = Vec::new();
         while let Some(kept) = next_line(&mut input, &mut line).map_err(|error| unreadable(&error))? {
             if line.trim_ascii().is_empty() {
@@ -133,7 +136,8 @@ impl Rays {
                 (id, Outcome::Error(unusable(line, &error)))
             }
         };
-        serde_json::to_writer(&mut *out, &Reply { id, reply })?;
+        // The id is written as it came, and whatever was quoted of a line as well.
+        out.write_all(visible_json(&serde_json::to_string(&Reply { id, reply })?).as_bytes())?;
         out.write_all(b"\n")
     }
 }

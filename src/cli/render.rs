@@ -8,6 +8,7 @@ pub use parts::MAX_PART_BYTES;
 use super::bench::peak_bytes;
 use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
+use super::inputs::Inputs;
 use super::layers::Layers;
 use super::options::{ColorChoice, TracingOptions, numbers, region_in, warning_of_sampling};
 use super::output;
@@ -84,7 +85,7 @@ enum StatsFormat {
 struct Task {
     scene: Scene,
     settings: Settings,
-    inputs: Vec<PathBuf>,
+    inputs: Inputs,
     /// Where it goes.
     path: PathBuf,
 }
@@ -132,7 +133,7 @@ impl Render {
 
     /// Renders one frame into its file; gives the path of a finished picture's checkpoint.
     fn render_frame(&self, loaded: Loaded, frame: &Frame, mut seconds: Seconds) -> Result<Option<PathBuf>, Failure> {
-        let inputs = loaded.inputs(&self.scene);
+        let inputs = loaded.inputs.clone();
         let build = Instant::now();
         let scene = self.tracing.apply(frames::at(loaded, frame.number))?;
         seconds.build = build.elapsed().as_secs_f64();

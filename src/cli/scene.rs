@@ -3,6 +3,7 @@
 mod lights;
 
 use super::failure::Failure;
+use super::inputs::Inputs;
 use super::options::{ColorChoice, NffOptions};
 use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
@@ -66,9 +67,12 @@ pub struct Named {
 }
 
 impl Named {
-    fn without_meshes(&self, colors: ColorChoice) -> Result<SceneFile, Failure> {
+    /// The scene, and its files.
+    fn without_meshes(&self, colors: ColorChoice) -> Result<(SceneFile, Inputs), Failure> {
         let input = scene_argument::read(&self.scene, colors)?;
-        scene_argument::without_meshes(&input, &self.nff.import(), colors)
+        let scene = scene_argument::without_meshes(&input, &self.nff.import(), colors)?;
+        let inputs = input.files(&scene);
+        Ok((scene, inputs))
     }
 }
 
@@ -93,12 +97,12 @@ impl SceneCommand {
                 let counts = counts.join(", ");
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())
             }
-            SceneCommand::Show(scene) => output::print(scene.without_meshes(colors)?.to_json().as_bytes()),
+            SceneCommand::Show(scene) => output::print(scene.without_meshes(colors)?.0.to_json().as_bytes()),
             SceneCommand::Convert { scene, output } => {
-                let file = scene.without_meshes(colors)?;
-                let inputs = scene_argument::inputs(&file, &scene.scene);
+                let (file, inputs) = scene.without_meshes(colors)?;
+                let output_file = Output::create(output.as_deref(), &inputs)?;
                 warn_of_meshes(&file, &scene.scene, output.as_deref());
-                Output::create(output.as_deref(), &inputs)?.commit(file.to_json().as_bytes())
+                output_file.commit(file.to_json().as_bytes())
             }
             SceneCommand::Schema => output::print(format!("{:#}\n", schema::json_schema()).as_bytes()),
             SceneCommand::List => {
@@ -112,7 +116,7 @@ impl SceneCommand {
                         "--level: must be from 0 to {most} for a sphere-flake, found {level}"
                     )));
                 }
-                let output = Output::create(output.as_deref(), &[] as &[&Path])?;
+                let output = Output::create(output.as_deref(), &Inputs::none())?;
                 output.stream(|out| match what {
                     Generated::Knot => generate::write_obj(&generate::knot(level), out),
                     Generated::Icosphere => generate::write_obj(&generate::icosphere(level), out),

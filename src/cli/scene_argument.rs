@@ -1,6 +1,7 @@
 //! The scene that a command names: a path, `-` for standard input, or a built-in scene. A path that exists wins.
 
 use super::failure::Failure;
+use super::inputs::Inputs;
 use super::options::ColorChoice;
 use super::output;
 use raywalk::log::file::is_log;
@@ -10,7 +11,7 @@ use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self, Problem, Source, visible};
+use raywalk::scene::file::{self, Problem, SceneError, Source, visible};
 use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -34,20 +35,18 @@ pub struct Loaded {
     pub meshes: Meshes,
     /// Which frame of an animation it is, from 1.
     pub frame: u32,
+    /// The files that were read.
+    pub inputs: Inputs,
 }
 
-impl Loaded {
-    /// The files that were read, which no result may overwrite: the argument itself and the meshes beside it.
-    pub fn inputs(&self, argument: &Path) -> Vec<PathBuf> {
-        inputs(&self.scene, argument)
+impl Input {
+    /// The files of the scene in this text: its own and the meshes beside it, whether they are there or not.
+    pub fn files(&self, scene: &SceneFile) -> Inputs {
+        let Some(path) = &self.path else { return Inputs::none() };
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let meshes = mesh_paths(scene).into_iter().map(|mesh| folder.join(mesh));
+        Inputs::of([path.clone()].into_iter().chain(meshes))
     }
-}
-
-/// The files of a scene: the argument itself and the meshes beside it.
-pub fn inputs(scene: &SceneFile, argument: &Path) -> Vec<PathBuf> {
-    let folder = argument.parent().unwrap_or(Path::new(""));
-    let meshes = mesh_paths(scene).into_iter().map(|mesh| folder.join(mesh));
-    [argument.to_owned()].into_iter().chain(meshes).collect()
 }
 
 /// The paths of a scene's meshes, each once: thousands of objects may share a mesh.
@@ -95,9 +94,14 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 
 /// The file that the argument names; `None` if it names no file.
 fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, Failure> {
-    let is_path = argument == Path::new("-") || argument.symlink_metadata().is_ok();
-    let opened = is_path.then(|| file::open(argument)).transpose();
-    opened.map_err(|error| Failure::scene(&error, is_colored(colors)))
+    let refused = |error: SceneError| Failure::scene(&error, is_colored(colors));
+    // What can't be told from a file is no built-in scene.
+    let is_path = argument == Path::new("-")
+        || file::is_there(argument).map_err(|source| {
+            let file = argument.to_string_lossy().into_owned();
+            refused(SceneError::Unreadable { file, source })
+        })?;
+    is_path.then(|| file::open(argument)).transpose().map_err(refused)
 }
 
 fn whole(opened: file::Opened, argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
@@ -130,7 +134,8 @@ pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Load
     let loaded = mesh::load(&scene, &source, folder);
     let (meshes, warnings) = loaded.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     warn(&warnings, colors);
-    Ok(Loaded { scene, meshes, frame: 1 })
+    let inputs = input.files(&scene);
+    Ok(Loaded { scene, meshes, frame: 1, inputs })
 }
 
 /// Checks a scene that was read, but doesn't look for its meshes; prints its warnings.

@@ -1,19 +1,19 @@
 //! `raywalk stress`: cases with exact answers, and how far the program is from them.
 
-use super::failure::Failure;
+use super::failure::{Failure, shown};
+use super::options::ColorChoice;
 use super::output;
+use super::scene_argument::is_colored;
 use clap::{Args, ValueEnum};
-use raywalk::scene::file::{MAX_BYTES, visible};
+use raywalk::scene::file::{MAX_BYTES, Wanted, visible, visible_json};
 use raywalk::study::stress::{self, Family, Way};
 use serde_json::json;
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// Measure numerical stability on cases with exact answers
 #[derive(Args)]
 pub struct Stress {
-    /// Files of cases; a built-in sample where none is named
+    /// Files of cases, `-` for standard input; a built-in sample where none is named
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Print only the answers, as NDJSON, a line a case
@@ -37,8 +37,8 @@ enum ReportFormat {
 
 impl Stress {
     /// Runs the command; `false` where a requirement doesn't hold.
-    pub fn run(self) -> Result<bool, Failure> {
-        let families = self.families()?;
+    pub fn run(self, colors: ColorChoice) -> Result<bool, Failure> {
+        let families = self.families(colors)?;
         if self.answers {
             let (text, unanswered) = answers(&families)?;
             output::print(text.as_bytes())?;
@@ -51,17 +51,17 @@ impl Stress {
             .map_err(|error| Failure::caller(visible(&error).into_owned()))?;
         let text = match self.format {
             ReportFormat::Text => table.text(|name| visible(name).into_owned()),
-            ReportFormat::Json => table.json(),
+            ReportFormat::Json => visible_json(&table.json()).into_owned(),
         };
         output::print(text.as_bytes())?;
         Ok(table.holds())
     }
 
-    fn families(&self) -> Result<Vec<Family>, Failure> {
+    fn families(&self, colors: ColorChoice) -> Result<Vec<Family>, Failure> {
         if self.files.is_empty() {
             return stress::samples().map_err(Failure::caller);
         }
-        self.files.iter().map(|path| read(path)).collect()
+        self.files.iter().map(|path| read(path, colors)).collect()
     }
 }
 
@@ -78,25 +78,15 @@ fn answers(families: &[Family]) -> Result<(String, usize), Failure> {
                 Err(error) => json!({"id": case.id, "error": error}),
             };
             unanswered += usize::from(line.get("error").is_some());
-            text.push_str(&line.to_string());
+            text.push_str(&visible_json(&line.to_string()));
             text.push('\n');
         }
     }
     Ok((text, unanswered))
 }
 
-fn read(path: &Path) -> Result<Family, Failure> {
-    let name = path.to_string_lossy();
-    let missing = |error: &std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => Failure::caller(format!("{}: there is no such file", visible(&name))),
-        _ => Failure::io(path, "read", error),
-    };
-    let mut text = Vec::new();
-    let file = File::open(path).map_err(|error| missing(&error))?;
-    file.take(MAX_BYTES + 1).read_to_end(&mut text).map_err(|error| missing(&error))?;
-    if text.len() as u64 > MAX_BYTES {
-        return Err(Failure::caller(format!("{}: larger than {MAX_BYTES} bytes", visible(&name))));
-    }
-    let family = stress::parse(&text);
-    family.map_err(|error| Failure::caller(format!("{}: {}", visible(&name), visible(&error))))
+fn read(path: &Path, colors: ColorChoice) -> Result<Family, Failure> {
+    let text = Wanted { what: "a file of cases", max_bytes: MAX_BYTES }.read(path);
+    let text = text.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+    stress::parse(&text).map_err(|error| Failure::caller(format!("{}: {}", shown(path), visible(&error))))
 }

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
 use raywalk::scene::file::nff::Import;
-use raywalk::scene::file::{Wanted, visible};
+use raywalk::scene::file::{Wanted, visible, visible_json, visible_lines};
 use raywalk::study::textbook::{self, Checked, Example, MAX_TABLE_BYTES, TableError, Worked};
 use std::path::{Path, PathBuf};
 
@@ -59,9 +59,9 @@ impl Textbook {
         if let Some(path) = &self.with {
             let checked = check(path, example, &scene, colors)?;
             let text = match self.format {
-                TableFormat::Text => checked.text(),
-                TableFormat::Json => checked.json(),
-                TableFormat::Markdown => checked.markdown(),
+                TableFormat::Text => visible_lines(&checked.text()),
+                TableFormat::Json => visible_json(&checked.json()).into_owned(),
+                TableFormat::Markdown => visible_lines(&checked.markdown()),
             };
             output::print(text.as_bytes())?;
             return Ok(checked.departures().next().is_none());

@@ -162,7 +162,7 @@ impl Trace {
         let rounding = self.rounding()?;
         self.check_format(self.region.is_some())?;
         let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
-        let inputs = loaded.inputs(&self.scene);
+        let inputs = loaded.inputs.clone();
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         if let Some(region) = self.region {
             return self.of_region(&scene, region, &inputs);

@@ -2,6 +2,7 @@
 
 use super::failure::{Failure, HUNG_UP, INTERRUPTED, TERMINATED, shown};
 use super::frames;
+use super::inputs::Inputs;
 use super::live::Session;
 use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
 use super::output::{self, Output};
@@ -72,6 +73,8 @@ struct Walked {
     warning: Option<String>,
     /// Who traces the scene, unless it is a saved log.
     session: Option<Session>,
+    /// The files that were read.
+    inputs: Inputs,
 }
 
 /// The most columns or rows of a screenshot.
@@ -93,9 +96,9 @@ impl Walk {
             Some(path) => scene_argument::open(path, colors)?,
             None => Named::Scene(scene_argument::built_in("textbook")?),
         };
-        let Walked { name, log, warning, mut session } = match named {
+        let Walked { name, log, warning, mut session, inputs } = match named {
             Named::Scene(input) => self.of_scene(&input, colors)?,
-            Named::Log(opened) => self.of_log(opened)?,
+            Named::Log(opened) => self.of_log(opened, walked)?,
         };
         let was_log = session.is_none();
         let live = session.as_mut().map(|session| session as &mut dyn tui::Live);
@@ -104,7 +107,7 @@ impl Walk {
             let [width, height] = self.screen.unwrap_or(SCREEN);
             let options = self.options(Palette::True, warning);
             let picture = tui::picture(log, &options, live, &self.keys, (width, height));
-            return Output::create(Some(path), &[walked])?.commit(picture.as_bytes());
+            return Output::create(Some(path), &inputs)?.commit(picture.as_bytes());
         }
         if self.plain || !has_terminal() {
             // That a log is damaged is no advice: it is told in any case.
@@ -126,13 +129,13 @@ impl Walk {
     }
 
     /// A log that was saved.
-    fn of_log(&self, opened: Opened) -> Result<Walked, Failure> {
+    fn of_log(&self, opened: Opened, path: &Path) -> Result<Walked, Failure> {
         let has_options = self.tracing != TracingOptions::default() || self.subject != Subject::default();
         if has_options || self.frames.is_some() {
             return Err(saved_log::is_traced_already(&opened));
         }
         let Saved { name, log, ending } = saved_log::read(opened, &self.progress)?;
-        Ok(Walked { name, log, warning: (self.warnings().ending)(&ending), session: None })
+        Ok(Walked { name, log, warning: (self.warnings().ending)(&ending), session: None, inputs: Inputs::of([path]) })
     }
 
     /// The log of what is traced now.
@@ -143,13 +146,14 @@ impl Walk {
             return Err(Failure::caller(format!("{name}: expected a scene or a log, found an empty file")));
         }
         let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
+        let inputs = loaded.inputs.clone();
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
         let warning = warning.map(|effects| (self.warnings().biased)(&effects));
         let log = short_log(&scene, part, self.tracing.arithmetic())?;
         let session = Some(Session::new(scene, self.tracing.arithmetic()));
-        Ok(Walked { name: visible(&input.name).to_string(), log, warning, session })
+        Ok(Walked { name: visible(&input.name).to_string(), log, warning, session, inputs })
     }
 
     fn warnings(&self) -> &'static Warnings {

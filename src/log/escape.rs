@@ -1,11 +1,12 @@
 //! Text from outside, made safe to print: a file must not be able to drive the terminal.
 
+pub use super::hidden::{hidden, is_hidden, look};
 use std::borrow::Cow;
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthStr;
 
-/// The text with what would not be seen as itself escaped (`\u{1b}`): control characters, characters that change the direction
-/// of writing, and joiners where no script is spelt with them.
+/// The text with what would not be seen as itself escaped (`\u{1b}`): control characters, invisible ones, characters that change the
+/// direction of writing, and joiners where no script is spelt with them.
 pub fn visible(text: &str) -> Cow<'_, str> {
     let mut escaped = String::new();
     let mut copied = 0;
@@ -21,37 +22,31 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(escaped)
 }
 
-/// The characters of a text that would not be seen as themselves, with their places in bytes.
-pub fn hidden(text: &str) -> impl Iterator<Item = (usize, char)> {
-    let mut before = None;
-    text.char_indices().filter(move |(at, character)| {
-        let before = before.replace(*character);
-        let is_joiner = matches!(character, '\u{200c}' | '\u{200d}');
-        let after = || text[at + character.len_utf8()..].chars().next();
-        is_hidden(*character) && !(is_joiner && before.is_some_and(|before| may_join(before, after())))
-    })
+/// The text with each of its lines made [`visible`]: for messages of several lines.
+pub fn visible_lines(text: &str) -> String {
+    text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
 }
 
-/// Whether a joiner (U+200C, U+200D) between these changes what is seen: behind a letter or sign of a script whose letters join or
-/// are stacked, Arabic to Sinhala or another one of Asia and Africa, as in Persian می‌خواهم and Hindi क्‍षि; or between two pictures.
-fn may_join(before: char, after: Option<char>) -> bool {
-    let is_of_script = matches!(
-        before,
-        '\u{610}'..='\u{61a}' | '\u{620}'..='\u{dff}' | '\u{f00}'..='\u{109f}' | '\u{1700}'..='\u{180d}' | '\u{180f}'..='\u{1cff}'
-            | '\u{a800}'..='\u{abff}' | '\u{fb50}'..='\u{fdff}' | '\u{fe70}'..='\u{fefc}' | '\u{10a00}'..='\u{11fff}'
-            | '\u{1e900}'..='\u{1e95f}'
-    );
-    let is_picture = |character| matches!(character, '\u{2190}'..='\u{2bff}' | '\u{1f000}'..='\u{1faff}');
-    is_of_script || ((is_picture(before) || before == '\u{fe0f}') && after.is_some_and(is_picture))
-}
-
-/// Whether a character would not be seen as itself; of a joiner, [`hidden`] says where it is.
-pub fn is_hidden(character: char) -> bool {
-    let turns_writing = matches!(
-        character,
-        '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}'
-    );
-    character.is_control() || turns_writing
+/// A text of JSON with what would not be seen as itself escaped in its strings (`\u009b`), which means the same to whoever reads it.
+pub fn visible_json(text: &str) -> Cow<'_, str> {
+    if text.is_ascii() && !text.contains('\u{7f}') {
+        return Cow::Borrowed(text);
+    }
+    let mut escaped = String::new();
+    let mut copied = 0;
+    // Between strings JSON has no such characters but the ends of lines.
+    for (at, character) in hidden(text).filter(|(_, character)| !matches!(character, '\n' | '\r' | '\t')) {
+        escaped.push_str(&text[copied..at]);
+        for unit in character.encode_utf16(&mut [0; 2]) {
+            escaped.push_str(&format!("\\u{unit:04x}"));
+        }
+        copied = at + character.len_utf8();
+    }
+    if copied == 0 {
+        return Cow::Borrowed(text);
+    }
+    escaped.push_str(&text[copied..]);
+    Cow::Owned(escaped)
 }
 
 /// What a person takes for the characters of a text, each with the columns that it takes on a terminal.
@@ -91,14 +86,26 @@ mod tests {
         for text in ["کره‌ی قرمز", "क्‍ष गोला", "अवन्‌", "അവന്‍", "ක්‍ෂ", "👩‍🔬", "👩🏽‍🔬", "❤️‍🔥"]
         {
             assert_eq!(visible(text), text);
-            assert_eq!(hidden(text).count(), 0);
         }
         for text in
             ["a\u{200d}b", "\u{200c}ی", "ی\u{200c}\u{200c}ی", "é\u{200d}ب", "👩\u{200d}", "a\u{200c}ی", "ی \u{200d}ی"]
         {
-            assert_eq!(hidden(text).count(), 1, "{text:?}");
-            assert_eq!(visible(text).matches("\\u{200").count(), 1, "{text:?}");
+            assert!(visible(text).contains("\\u{200"), "{text:?}");
         }
+    }
+
+    #[test]
+    fn escaped_json_means_the_same() {
+        let text = "{\n\t\"a\u{9b}\u{202e}\": \"\u{e0041}ball\u{7f}\"}";
+        assert_eq!(visible_json(text), "{\n\t\"a\\u009b\\u202e\": \"\\udb40\\udc41ball\\u007f\"}");
+        let read = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
+        assert_eq!(read(&visible_json(text)), read(text));
+        assert!(matches!(visible_json("{\"name\": \"کره‌ی\"}"), Cow::Borrowed(_)));
+    }
+
+    #[test]
+    fn lines_of_a_message_stay_lines() {
+        assert_eq!(visible_lines("a\u{1b}[2J\nb\r\n"), "a\\u{1b}[2J\nb\\u{d}\n");
     }
 
     #[test]

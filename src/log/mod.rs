@@ -9,6 +9,7 @@ pub mod events;
 pub mod file;
 pub mod formula;
 pub mod header;
+mod hidden;
 pub mod name;
 pub mod rounding;
 pub mod schema;

@@ -1,6 +1,6 @@
 //! How far two pictures are apart.
 
-use super::export::{self, EncodeError, Picture};
+use super::export::{self, Beside, EncodeError, Numbers, Picture};
 
 /// How far two pictures of the same size are apart.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,5 +81,109 @@ impl Difference {
             levels.extend([0.0, 1.0, 2.0].map(|third| ((heat * 3.0 - third).clamp(0.0, 1.0) * 255.0 + 0.5) as u8));
         }
         export::png_of_levels(&levels, [width, height])
+    }
+}
+
+/// How far the layers beside the colours of two pictures are apart.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LayerDifferences {
+    /// The layers that both have.
+    pub of_both: Vec<LayerDifference>,
+    /// The names of the layers, or of single channels of a layer, that only the first one has.
+    pub only_in_a: Vec<String>,
+    /// Those that only the second one has.
+    pub only_in_b: Vec<String>,
+}
+
+/// How far a layer of two pictures is apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayerDifference {
+    /// Its name.
+    pub name: String,
+    /// How many pixels it has.
+    pub pixels: u64,
+    /// How many of them differ in some channel by more than is let pass.
+    pub differing: u64,
+    /// The largest difference of a channel; `None` if all are 0.
+    pub largest: Option<LargestOfLayer>,
+}
+
+/// The number in which a layer of two pictures differs most.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LargestOfLayer {
+    /// Column and row from the top left.
+    pub pixel: [u32; 2],
+    /// The channel's name in the layer.
+    pub channel: String,
+    /// The absolute difference.
+    pub difference: f64,
+    /// The first picture's number.
+    pub a: f64,
+    /// The second picture's number.
+    pub b: f64,
+}
+
+impl LayerDifferences {
+    /// Compares the layers of two pictures; `differs` says whether two numbers count as different.
+    pub fn of(a: &[Beside], b: &[Beside], differs: impl Fn(f64, f64) -> bool) -> LayerDifferences {
+        let mut found = LayerDifferences::default();
+        let is_same = |one: &Beside, other: &Beside| one.name == other.name && one.size == other.size;
+        for ours in a {
+            match b.iter().find(|theirs| is_same(ours, theirs)) {
+                None => found.only_in_a.push(ours.name.clone()),
+                Some(theirs) => {
+                    found.only_in_a.extend(lacking(ours, theirs));
+                    found.only_in_b.extend(lacking(theirs, ours));
+                    found.of_both.push(LayerDifference::of(ours, theirs, &differs));
+                }
+            }
+        }
+        let of_b_alone = b.iter().filter(|theirs| !a.iter().any(|ours| is_same(ours, theirs)));
+        found.only_in_b.extend(of_b_alone.map(|layer| layer.name.clone()));
+        found
+    }
+
+    /// Whether nothing counts as different.
+    pub fn is_same(&self) -> bool {
+        self.only_in_a.is_empty() && self.only_in_b.is_empty() && self.of_both.iter().all(|layer| layer.differing == 0)
+    }
+
+    /// Whether neither picture has a layer.
+    pub fn is_empty(&self) -> bool {
+        *self == LayerDifferences::default()
+    }
+}
+
+/// The channels that only the first of two layers has.
+fn lacking<'l>(layer: &'l Beside, other: &'l Beside) -> impl Iterator<Item = String> + 'l {
+    let is_there = |channel: &Numbers| other.channels.iter().any(|theirs| theirs.name == channel.name);
+    layer
+        .channels
+        .iter()
+        .filter(move |channel| !is_there(channel))
+        .map(|channel| format!("{}.{}", layer.name, channel.name))
+}
+
+impl LayerDifference {
+    /// Compares the channels that both have.
+    fn of(a: &Beside, b: &Beside, differs: impl Fn(f64, f64) -> bool) -> LayerDifference {
+        let pair = |ours: &'_ Numbers| b.channels.iter().position(|theirs| theirs.name == ours.name);
+        let pairs: Vec<_> = a.channels.iter().filter_map(|ours| Some((ours, &b.channels[pair(ours)?]))).collect();
+        let [width, height] = a.size;
+        let (mut largest, mut differing) = (None::<LargestOfLayer>, 0);
+        for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
+            let place = pixel[1] as usize * width as usize + pixel[0] as usize;
+            let mut is_different = false;
+            for (ours, theirs) in &pairs {
+                let (a, b) = (ours.at(place), theirs.at(place));
+                let difference = apart(a, b);
+                is_different |= differs(a, b);
+                if difference > largest.as_ref().map_or(0.0, |largest| largest.difference) {
+                    largest = Some(LargestOfLayer { pixel, channel: ours.name.clone(), difference, a, b });
+                }
+            }
+            differing += u64::from(is_different);
+        }
+        LayerDifference { name: a.name.clone(), pixels: u64::from(width) * u64::from(height), differing, largest }
     }
 }

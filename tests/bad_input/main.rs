@@ -19,6 +19,7 @@ mod catalogue;
 
 mod corpus;
 mod grown;
+mod inputs;
 mod logs;
 mod machine;
 mod meshes;
@@ -28,4 +29,5 @@ mod output;
 mod pictures;
 mod resume;
 mod signals;
+mod streams;
 mod text;

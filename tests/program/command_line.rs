@@ -319,7 +319,7 @@ fn wrong_answers_and_files_that_are_none_have_their_exit_codes() {
     assert!(prints(&["stress", &path("right.json", &sphere("4"))]).contains("holds"));
     let wrong = raywalk(&["stress", &path("wrong.json", &sphere("4.5"))]).output().expect("it runs");
     assert_eq!(wrong.status.code(), Some(1));
-    says(2, &["stress", "nowhere.json"], "nowhere.json: there is no such file");
+    says(2, &["stress", "nowhere.json"], "nowhere.json: no such file, expected a file of cases");
     says(2, &["stress", &path("text.json", "no JSON")], "text.json: ");
     says(2, &["stress", &path("op.json", &sphere("4").replace("\"sphere\"", "\"what\""))], "unknown operation `what`");
     says(2, &["stress", &path("in.json", &sphere("4").replace("\"r\"", "\"s\""))], "case `a`: in");

@@ -316,7 +316,7 @@ fn joiners_elsewhere_and_marks_that_turn_the_writing_are_refused() {
         std::fs::write(folder.path().join("s.json"), text).expect("written");
         let output = raywalk(&["scene", "check", "s.json"]).current_dir(folder.path()).output().expect("it runs");
         let message = String::from_utf8_lossy(&output.stderr);
-        let expected = "error: s.json:2:23: objects[0].name: a name must not hold control characters, found \\u{";
+        let expected = "error: s.json:2:23: objects[0].name: a name must not hold invisible characters, found \\u{";
         assert!(output.status.code() == Some(2) && message.starts_with(expected), "{name:?}: {message}");
     }
 }

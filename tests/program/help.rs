@@ -6,7 +6,7 @@ use std::fs;
 use std::process::{Command, Stdio};
 
 /// All commands, as their manual pages name them: `raywalk-scene-check`.
-fn commands() -> Vec<String> {
+pub fn commands() -> Vec<String> {
     let folder = tempfile::tempdir().expect("a folder");
     prints(&["man", "-o", folder.path().to_str().expect("UTF-8")]);
     let names = fs::read_dir(folder.path()).expect("the folder").map(|entry| {
@@ -41,7 +41,7 @@ fn every_command_says_what_it_does() {
 fn help_is_of_its_own_command() {
     let help = |command: &str| prints(&[command, "--help"]).split_whitespace().collect::<Vec<_>>().join(" ");
     // The formats that are read stand where they are read.
-    assert!(help("diff").contains(&format!("Pictures are {}. A component", raywalk::render::export::READABLE)));
+    assert!(help("diff").contains(&format!("Pictures are {}. The layers", raywalk::render::export::READABLE)));
     // Nothing is sampled where parts are put together.
     assert!(help("merge").contains("--white <VALUE>") && !help("merge").contains("tolerances of adaptive"));
     assert!(help("render").contains("tolerances of adaptive"));

@@ -41,4 +41,5 @@ mod schema;
 mod second_example;
 mod shards;
 mod stability;
+mod usage;
 mod worked_table;

@@ -3,6 +3,7 @@
 use super::scenes::{self, SceneOptions};
 use super::{TableFormat, arithmetic, limits, samplers};
 use crate::cli::failure::Failure;
+use crate::cli::inputs::Inputs;
 use crate::cli::options::{ColorChoice, MAX_THREADS};
 use crate::cli::progress::ProgressOptions;
 use crate::cli::sampling_spec::{sampling, sampling_or};
@@ -66,7 +67,8 @@ impl ErrorBench {
             _ => &scenes::SAMPLED,
         };
         let names = self.scenes.names(otherwise);
-        let scenes = names.iter().map(|name| self.scenes.load(name, colors)).collect::<Result<Vec<_>, _>>()?;
+        let loaded = names.iter().map(|name| self.scenes.load(name, colors)).collect::<Result<Vec<_>, _>>()?;
+        let (scenes, inputs): (Vec<_>, Vec<_>) = loaded.into_iter().unzip();
         if self.arithmetic {
             return arithmetic::run(&scenes, self.threads.into(), self.format);
         }
@@ -85,7 +87,7 @@ impl ErrorBench {
             target: self.target,
             chart: self.chart,
             progress: self.progress,
-            inputs: names,
+            inputs: inputs.into_iter().fold(Inputs::none(), Inputs::and),
             format: self.format,
         };
         request.run(&scenes)

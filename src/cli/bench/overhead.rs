@@ -41,7 +41,7 @@ impl OverheadBench {
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         let machine = Machine::this();
         let measure = |name: &std::path::PathBuf| {
-            let scene = self.scenes.load(name, colors)?;
+            let (scene, _) = self.scenes.load(name, colors)?;
             let overhead = overhead(&scene, self.pairs.into());
             let overhead = overhead.map_err(|error| {
                 Failure::caller(format!("{}: {error}, expected fewer samples a pixel", visible(&scene.name)))

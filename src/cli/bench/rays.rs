@@ -3,15 +3,17 @@
 use super::TableFormat;
 use super::machine::Machine;
 use super::table::quoted;
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, shown};
+use crate::cli::inputs::Inputs;
 use crate::cli::options::{ColorChoice, MAX_THREADS};
 use crate::cli::output::{self, Output};
 use clap::Args;
 use raywalk::scene::Scene;
 use raywalk::scene::file::raw::{self, Primitives, RayFile};
-use raywalk::scene::file::{SceneError, visible};
+use raywalk::scene::file::{SceneError, is_callers_fault, visible, visible_json};
 use raywalk::study::bench::throughput::{self, Hits, Mode, Passes, Throughput, measure};
 use serde::Serialize;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// How many rays a second are answered, on files of rays
@@ -87,7 +89,12 @@ impl Files {
         let primitives = raw::read_primitives(stem)?;
         let read = |(kind, path): (String, PathBuf)| Ok((kind, raw::read_rays(&path)?));
         let rays = raw::find_rays(stem)?.into_iter().map(read).collect::<Result<_, SceneError>>()?;
-        Ok(Files { name: stem.file_name().unwrap_or_default().to_string_lossy().into_owned(), primitives, rays })
+        Ok(Files { name: Files::name(stem), primitives, rays })
+    }
+
+    /// The name of a scene.
+    fn name(stem: &Path) -> String {
+        stem.file_name().unwrap_or_default().to_string_lossy().into_owned()
     }
 }
 
@@ -97,19 +104,43 @@ impl RaysBench {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         let machine = Machine::this();
-        if let Some(folder) = self.dump.as_ref().filter(|folder| !folder.is_dir()) {
-            let folder = folder.to_string_lossy();
-            return Err(Failure::caller(format!("--dump {}: expected a folder that is there", visible(&folder))));
+        if let Some(folder) = &self.dump {
+            match fs::metadata(folder) {
+                Ok(metadata) if metadata.is_dir() => {}
+                Err(error) if !is_callers_fault(&error) => return Err(Failure::io(folder, "write into", &error)),
+                _ => {
+                    let folder = shown(folder);
+                    return Err(Failure::caller(format!("--dump {folder}: expected a folder that is there")));
+                }
+            }
         }
+        let refused = |error: SceneError| Failure::scene(&error, colors.applies_to(&std::io::stderr()));
+        let dumps = self.dumps(refused)?;
         let mut is_first = true;
-        self.stems.iter().try_for_each(|stem| {
-            let scene =
-                Files::read(stem).map_err(|error| Failure::scene(&error, colors.applies_to(&std::io::stderr())))?;
+        self.stems.iter().zip(dumps).try_for_each(|(stem, dumps)| {
+            let scene = Files::read(stem).map_err(refused)?;
             if std::mem::take(&mut is_first) {
                 self.print_head(&machine)?;
             }
-            self.measure(scene, &machine)
+            self.measure(scene, dumps, &machine)
         })
+    }
+
+    /// For each scene the files of what its rays met, made sure of before the work begins: none is a file of any of the scenes.
+    fn dumps(&self, refused: impl Fn(SceneError) -> Failure) -> Result<Vec<Vec<Output>>, Failure> {
+        let Some(folder) = &self.dump else { return Ok(self.stems.iter().map(|_| Vec::new()).collect()) };
+        let rays =
+            self.stems.iter().map(|stem| raw::find_rays(stem)).collect::<Result<Vec<_>, _>>().map_err(refused)?;
+        let primitives = self.stems.iter().flat_map(|stem| raw::primitive_files(stem));
+        let inputs = Inputs::of(primitives).and(Inputs::of(rays.iter().flatten().map(|(_, path)| path)));
+        let of_scene = |(stem, rays): (&PathBuf, &Vec<(String, PathBuf)>)| {
+            let dump = |(kind, _): &(String, PathBuf)| {
+                let path = folder.join(format!("{}.{kind}.{ENGINE}.hits", Files::name(stem)));
+                Output::create(Some(&path), &inputs)
+            };
+            rays.iter().map(dump).collect()
+        };
+        self.stems.iter().zip(&rays).map(of_scene).collect()
     }
 
     /// What stands above all figures.
@@ -122,7 +153,7 @@ impl RaysBench {
     }
 
     /// Measures a scene, and prints each figure as soon as it is known.
-    fn measure(&self, files: Files, machine: &Machine) -> Result<(), Failure> {
+    fn measure(&self, files: Files, dumps: Vec<Output>, machine: &Machine) -> Result<(), Failure> {
         let Files { name, primitives, rays } = files;
         let mut scene = None;
         for threads in &self.threads {
@@ -140,10 +171,11 @@ impl RaysBench {
         if self.format == TableFormat::Text {
             output::print(Row::TITLE.as_bytes())?;
         }
-        rays.iter().try_for_each(|(kind, file)| self.measure_rays(&scene, kind, file))
+        let dumps = dumps.into_iter().map(Some).chain(std::iter::repeat_with(|| None));
+        rays.iter().zip(dumps).try_for_each(|((kind, file), dump)| self.measure_rays(&scene, (kind, file), dump))
     }
 
-    fn measure_rays(&self, scene: &Scene, kind: &str, file: &RayFile) -> Result<(), Failure> {
+    fn measure_rays(&self, scene: &Scene, (kind, file): (&str, &RayFile), dump: Option<Output>) -> Result<(), Failure> {
         let passes = self.passes.map_or(Passes::Seconds(self.seconds), |number| Passes::Number(number as usize));
         let mut hits = Hits::default();
         for mode in Mode::ALL {
@@ -153,10 +185,9 @@ impl RaysBench {
                 self.print_row(&Row::of(scene, (kind, mode), *threads, file.rays.len(), &measured))?;
             }
         }
-        let Some(folder) = &self.dump else { return Ok(()) };
-        let path = folder.join(format!("{}.{kind}.{ENGINE}.hits", scene.name));
+        let Some(dump) = dump else { return Ok(()) };
         let hits = hits.t.iter().zip(&hits.primitive);
-        Output::create(Some(&path), &[] as &[&Path])?.stream(|out| {
+        dump.stream(|out| {
             use std::io::Write;
             for (t, primitive) in hits {
                 out.write_all(&t.to_le_bytes())?;
@@ -240,7 +271,7 @@ impl<'a> Row<'a> {
 
 fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     let line = serde_json::to_string(value).map_err(|error| Failure::machine(format!("cannot write: {error}")))?;
-    output::print(format!("{line}\n").as_bytes())
+    output::print(format!("{}\n", visible_json(&line)).as_bytes())
 }
 
 fn no_threads(error: impl std::fmt::Display) -> Failure {

@@ -4,6 +4,7 @@ use super::TableFormat;
 use super::machine::Machine;
 use super::table::quoted;
 use crate::cli::failure::Failure;
+use crate::cli::inputs::Inputs;
 use crate::cli::output::{self, Output};
 use crate::cli::progress::{Progress, ProgressOptions};
 use raywalk::scene::builtin;
@@ -33,7 +34,7 @@ pub struct Request {
     /// Whether and how progress is shown.
     pub progress: ProgressOptions,
     /// The files of the scenes, which the chart may not overwrite.
-    pub inputs: Vec<PathBuf>,
+    pub inputs: Inputs,
     /// How the table is printed.
     pub format: TableFormat,
 }

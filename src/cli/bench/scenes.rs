@@ -1,6 +1,7 @@
 //! The scenes that a benchmark renders.
 
 use crate::cli::failure::Failure;
+use crate::cli::inputs::Inputs;
 use crate::cli::options::{self, ColorChoice, TracingOptions};
 use crate::cli::scene_argument;
 use clap::Args;
@@ -34,12 +35,14 @@ impl SceneOptions {
         if self.scenes.is_empty() { otherwise.iter().map(PathBuf::from).collect() } else { self.scenes.clone() }
     }
 
-    /// A scene of that name in this size, and makes sure that there is memory for its picture.
-    pub fn load(&self, name: &Path, colors: ColorChoice) -> Result<Scene, Failure> {
+    /// A scene of that name in this size with its files, and makes sure that there is memory for its picture.
+    pub fn load(&self, name: &Path, colors: ColorChoice) -> Result<(Scene, Inputs), Failure> {
         let tracing = TracingOptions { size: Some(self.size), ..TracingOptions::default() };
-        let scene = tracing.apply(scene_argument::load(name, &tracing.import(), colors)?)?;
+        let loaded = scene_argument::load(name, &tracing.import(), colors)?;
+        let inputs = loaded.inputs.clone();
+        let scene = tracing.apply(loaded)?;
         let [width, height] = self.size;
         ask_for_memory([0, 0, width, height]).map_err(|error| Failure::machine(error.to_string()))?;
-        Ok(scene)
+        Ok((scene, inputs))
     }
 }

@@ -5,6 +5,7 @@ use crate::cli::failure::Failure;
 use crate::cli::output;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
+use raywalk::scene::file::visible;
 use serde::Serialize;
 
 /// Measures scene after scene and prints the table; `text` and `csv` lay it out.
@@ -27,5 +28,5 @@ pub fn print_measured<M: Serialize>(
 
 /// A text as a cell of CSV.
 pub fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "\"\""))
+    format!("\"{}\"", visible(text).replace('"', "\"\""))
 }

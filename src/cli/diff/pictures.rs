@@ -2,19 +2,21 @@
 
 use super::{Diff, DiffFormat};
 use crate::cli::failure::{Failure, shown};
+use crate::cli::inputs::Inputs;
 use crate::cli::output::{self, Output};
 use raywalk::log::Value;
-use raywalk::render::difference::{Difference, difference};
-use raywalk::render::export::{Format, Picture};
+use raywalk::render::difference::{Difference, LargestOfLayer, LayerDifference, LayerDifferences, difference};
+use raywalk::render::export::{Beside, Format, Picture};
 use raywalk::report::number::size;
+use raywalk::scene::file::{visible, visible_json};
 use serde_json::json;
 
 impl Diff {
     /// Compares two pictures; `false` where they differ.
     pub(super) fn pictures(
         &self,
-        (a_name, a): (&str, &Picture),
-        (b_name, b): (&str, &Picture),
+        (a_name, a, a_layers): (&str, &Picture, &[Beside]),
+        (b_name, b, b_layers): (&str, &Picture, &[Beside]),
     ) -> Result<bool, Failure> {
         if a.is_float() != b.is_float() {
             let (float, integer) = if a.is_float() { (a_name, b_name) } else { (b_name, a_name) };
@@ -37,16 +39,16 @@ impl Diff {
         }
         let tolerance = self.tolerance();
         let differs = |a: f64, b: f64| tolerance.tells_apart(&Value::Number(a), &Value::Number(b));
-        let found = difference(a, b, differs);
+        let (found, layers) = (difference(a, b, differs), LayerDifferences::of(a_layers, b_layers, differs));
         if let Some(path) = &self.output {
             self.heat_map(path, a, b, &found)?;
         }
         let text = match self.format {
-            DiffFormat::Text => text(size_a, &found),
-            DiffFormat::Json => json(size_a, &found),
+            DiffFormat::Text => text(size_a, &found, &layers) + &text_of_layers(&layers, [a_name, b_name]),
+            DiffFormat::Json => json(size_a, &found, &layers),
         };
         output::print(text.as_bytes())?;
-        Ok(found.differing == 0)
+        Ok(found.differing == 0 && layers.is_same())
     }
 
     fn heat_map(&self, path: &std::path::Path, a: &Picture, b: &Picture, found: &Difference) -> Result<(), Failure> {
@@ -55,17 +57,20 @@ impl Diff {
             let path = shown(path);
             return Err(Failure::caller(format!("{path}: a heat map is a PNG, expected a name that ends in .png")));
         }
-        let output = Output::create(Some(path), &[&self.a, &self.b])?;
+        let output = Output::create(Some(path), &Inputs::of([&self.a, &self.b]))?;
         let heat =
             found.heat_map(a, b).map_err(|error| Failure::machine(format!("cannot write the heat map: {error}")))?;
         output.commit(&heat)
     }
 }
 
-fn text([width, height]: [u32; 2], found: &Difference) -> String {
+fn text([width, height]: [u32; 2], found: &Difference, layers: &LayerDifferences) -> String {
     let pixels = u64::from(width) * u64::from(height);
     let Difference { rmse, largest, differing } = found;
-    let Some(largest) = largest else { return format!("the same: {pixels} pixels, none differs\n") };
+    let Some(largest) = largest else {
+        let what = if layers.is_empty() { "the same" } else { "colours: the same" };
+        return format!("{what}: {pixels} pixels, none differs\n");
+    };
     let [x, y] = largest.pixel;
     let percent = 100.0 * *differing as f64 / pixels as f64;
     format!(
@@ -80,9 +85,31 @@ fn text([width, height]: [u32; 2], found: &Difference) -> String {
     )
 }
 
-fn json(size: [u32; 2], found: &Difference) -> String {
+/// A line a layer; nothing where there are none.
+fn text_of_layers(layers: &LayerDifferences, names: [&str; 2]) -> String {
+    let of_both = layers.of_both.iter().map(|LayerDifference { name, pixels, differing, largest }| {
+        let name = visible(name);
+        let Some(LargestOfLayer { pixel: [x, y], channel, difference, a, b }) = largest else {
+            return format!("layer {name}: the same\n");
+        };
+        let percent = size(100.0 * *differing as f64 / *pixels as f64);
+        let channel = visible(channel);
+        format!(
+            "layer {name}: {differing} of {pixels} pixels differ ({percent}%), the largest difference is {} in the channel \
+             {channel} of pixel {x},{y}: {a} against {b}\n",
+            size(*difference)
+        )
+    });
+    let alone = [&layers.only_in_a, &layers.only_in_b].into_iter().zip(names);
+    let alone = alone.flat_map(|(layers, file)| {
+        layers.iter().map(move |layer| format!("layer {}: is only in {file}\n", visible(layer)))
+    });
+    of_both.chain(alone).collect()
+}
+
+fn json(size: [u32; 2], found: &Difference, layers: &LayerDifferences) -> String {
     let mut object = json!({
-        "same": found.differing == 0,
+        "same": found.differing == 0 && layers.is_same(),
         "size": size,
         "differing_pixels": found.differing,
         "rmse": found.rmse,
@@ -96,5 +123,18 @@ fn json(size: [u32; 2], found: &Difference) -> String {
             "b": largest.b,
         });
     }
-    format!("{object}\n")
+    if !layers.is_empty() {
+        object["layers"] = layers.of_both.iter().map(json_of_layer).collect();
+        object["layers_only_in_a"] = json!(layers.only_in_a);
+        object["layers_only_in_b"] = json!(layers.only_in_b);
+    }
+    visible_json(&format!("{object}\n")).into_owned()
+}
+
+fn json_of_layer(layer: &LayerDifference) -> serde_json::Value {
+    let mut object = json!({ "name": layer.name, "differing_pixels": layer.differing });
+    if let Some(LargestOfLayer { pixel, channel, difference, a, b }) = &layer.largest {
+        object["largest"] = json!({ "pixel": pixel, "channel": channel, "difference": difference, "a": a, "b": b });
+    }
+    object
 }

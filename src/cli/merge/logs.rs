@@ -2,6 +2,7 @@
 
 use super::{Merge, open, some_of};
 use crate::cli::failure::{Failure, shown};
+use crate::cli::inputs::Inputs;
 use crate::cli::options::ColorChoice;
 use crate::cli::output::{Output, Sink};
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
@@ -31,7 +32,8 @@ impl Merge {
         }
         let in_order = in_order(&found)?;
         let header = Header { shard: None, ..found[0].1.clone() };
-        let output = || Output::create(Some(&self.output), &self.parts);
+        let inputs = Inputs::of(&self.parts);
+        let output = || Output::create(Some(&self.output), &inputs);
         let mut place = output()?;
         // A file can be begun again if another program turns out to have written a log anew; for anything else the logs are asked first.
         let is_file = place.is_file();

@@ -3,6 +3,7 @@
 use super::{Merge, open, some_of};
 use crate::cli::failure::{Failure, shown};
 use crate::cli::frames::numbered;
+use crate::cli::inputs::Inputs;
 use crate::cli::layers::Layers;
 use crate::cli::options::ColorChoice;
 use crate::cli::picture::{Place, Rendered, Shown, format_of};
@@ -63,7 +64,7 @@ impl Merge {
             }
             let [left, top, right, bottom] = picture.crop;
             let size = [right - left, bottom - top];
-            let place = Place::create(&path, format, size, layers.as_ref(), &self.parts)?;
+            let place = Place::create(&path, format, size, layers.as_ref(), &Inputs::of(&self.parts))?;
             let rendered = joined(parts, picture, layers, colors)?;
             let shown = Shown { output: self.shown.over(picture.output.into()), objects, is_quiet: self.quiet };
             place.write(&rendered, &shown)?;

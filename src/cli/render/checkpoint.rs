@@ -1,6 +1,7 @@
 //! What is rendered already, kept beside a picture until it is there: whatever ends the program, the next one goes on from there.
 
 use crate::cli::failure::{Failure, shown};
+use crate::cli::inputs::{Claim, Inputs, place_of};
 use raywalk::render::part::{PartError, PartHeader, Reader, Record, Writer};
 use raywalk::render::pieces::Pixels;
 use raywalk::scene::file::visible;
@@ -23,6 +24,8 @@ pub struct Checkpoint {
     synced: Instant,
     /// Into which picture it went already.
     went_into: Option<blake3::Hash>,
+    /// It is neither a result nor an input.
+    claim: Claim,
 }
 
 /// The pixels of pieces by their numbers.
@@ -30,14 +33,18 @@ pub type Kept = BTreeMap<u32, Pixels>;
 
 impl Checkpoint {
     /// The checkpoint of a picture's file, and what it has of it: nothing if it is begun now.
-    pub fn open(picture: &Path, header: &PartHeader) -> Result<(Checkpoint, Kept), Failure> {
+    pub fn open(picture: &Path, header: &PartHeader, inputs: &Inputs) -> Result<(Checkpoint, Kept), Failure> {
         let path = path_of(picture);
         let cannot = |error: &io::Error| Failure::io(&path, "keep what is rendered", error);
-        if let Ok(metadata) = fs::metadata(&path)
-            && !metadata.is_file()
-        {
-            return Err(Failure::caller(format!("{}: is no regular file", shown(&path))));
+        match fs::metadata(&path) {
+            Ok(metadata) if !metadata.is_file() => {
+                return Err(Failure::caller(format!("{}: is no regular file", shown(&path))));
+            }
+            Ok(metadata) => inputs.refuse(&path, &metadata)?,
+            Err(error) if error.kind() == ErrorKind::NotFound => {}
+            Err(error) => return Err(cannot(&error)),
         }
+        let claim = Claim::of(&path, &place_of(&path))?;
         let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
         let file = file.map_err(|error| cannot(&error))?;
         match file.try_lock() {
@@ -58,7 +65,7 @@ impl Checkpoint {
         };
         let writer = begin().map_err(|error| cannot(&error))?;
         let Found { kept, went_into, .. } = found.unwrap_or_default();
-        Ok((Checkpoint { path, writer, file, synced: Instant::now(), went_into }, kept))
+        Ok((Checkpoint { path, writer, file, synced: Instant::now(), went_into, claim }, kept))
     }
 
     /// Keeps a piece.
@@ -81,7 +88,7 @@ impl Checkpoint {
             Writer::new(out, header)?.went_into(files)
         };
         note().map_err(|error| self.failure(&error))?;
-        Ok(self.path)
+        Ok(self.into_path())
     }
 
     /// Whether it went into files with this digest.
@@ -91,6 +98,7 @@ impl Checkpoint {
 
     /// Where it is.
     pub fn into_path(self) -> PathBuf {
+        self.claim.keep();
         self.path
     }
 
@@ -109,11 +117,11 @@ pub fn remove(path: &Path) -> Result<(), Failure> {
 }
 
 /// Removes the checkpoint that was left beside a picture which is there already, if there is one.
-pub fn remove_left_of(picture: &Path, header: &PartHeader) -> Result<(), Failure> {
+pub fn remove_left_of(picture: &Path, header: &PartHeader, inputs: &Inputs) -> Result<(), Failure> {
     if !path_of(picture).exists() {
         return Ok(());
     }
-    let (left, _) = Checkpoint::open(picture, header)?;
+    let (left, _) = Checkpoint::open(picture, header, inputs)?;
     remove(&left.into_path())
 }
 

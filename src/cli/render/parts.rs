@@ -27,11 +27,13 @@ impl Render {
     /// are there.
     pub(super) fn resumed_picture(&self, task: &Task, format: Format) -> Result<PathBuf, Failure> {
         // Made sure of before the work begins, and let go: nothing is left behind by whatever ends it.
-        if !self.place(task, format)?.is_file() {
+        let place = self.place(task, format)?;
+        if !place.is_file() {
             return Err(not_a_file(task));
         }
         let header = self.header(task, Shard::WHOLE)?;
-        let (mut checkpoint, kept) = Checkpoint::open(&task.path, &header)?;
+        let (mut checkpoint, kept) = Checkpoint::open(&task.path, &header, &task.inputs)?;
+        drop(place);
         let files = || picture::digest(&task.path, format, self.layers.as_ref());
         if checkpoint.is_in(files().ok()) {
             self.tell(&task.path, "is there already");
@@ -57,17 +59,18 @@ impl Render {
         if is_whole(&task.path, &header) {
             self.tell(&task.path, "is there already and whole");
             // The run that made it may have been killed before it removed its checkpoint.
-            return if self.resume { checkpoint::remove_left_of(&task.path, &header) } else { Ok(()) };
+            return if self.resume { checkpoint::remove_left_of(&task.path, &header, &task.inputs) } else { Ok(()) };
         }
         let create = || Output::create(Some(&task.path), &task.inputs);
         let output = create()?;
         let (mut checkpoint, kept) = match self.resume {
             true if !output.is_file() => return Err(not_a_file(task)),
-            true => Checkpoint::open(&task.path, &header).map(|(checkpoint, kept)| (Some(checkpoint), kept))?,
+            true => Checkpoint::open(&task.path, &header, &task.inputs)
+                .map(|(checkpoint, kept)| (Some(checkpoint), kept))?,
             false => (None, Kept::new()),
         };
         // As above: what is kept stands in the checkpoint.
-        let output = if self.resume { None } else { Some(output) };
+        let output = Some(output).filter(|_| !self.resume);
         let start = Instant::now();
         let (kept, counts) = self.render_rest(task, &header, kept, checkpoint.as_mut())?;
         seconds.render = start.elapsed().as_secs_f64();

@@ -2,6 +2,7 @@
 
 use super::{Subject, Trace, TraceFormat};
 use crate::cli::failure::Failure;
+use crate::cli::inputs::Inputs;
 use crate::cli::options::TracingOptions;
 use crate::cli::output::{self, Output};
 use crate::cli::saved_log;
@@ -22,7 +23,7 @@ impl Trace {
         }
         let saved = saved_log::read(opened, &self.progress)?;
         self.check_format(matches!(saved.log.header.subject, log::Subject::Region(_)))?;
-        let output = Output::create(self.output.as_deref(), std::slice::from_ref(&self.scene))?;
+        let output = Output::create(self.output.as_deref(), &Inputs::of([&self.scene]))?;
         if let Some(warning) = saved.ending.warning() {
             output::tell(&format!("warning: {}: {warning}", saved.name));
         }

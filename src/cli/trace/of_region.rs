@@ -2,6 +2,7 @@
 
 use super::{Trace, TraceFormat, not_printed, too_long};
 use crate::cli::failure::Failure;
+use crate::cli::inputs::Inputs;
 use crate::cli::options::{region_in, warning_of_sampling};
 use crate::cli::output::{self, Output};
 use crate::cli::region::Traced;
@@ -15,11 +16,10 @@ use raywalk::report::segments::Segment;
 use raywalk::scene::Scene;
 use raywalk::scene::file::visible;
 use std::io;
-use std::path::PathBuf;
 
 impl Trace {
     /// The log of a region: in NDJSON as it grows, otherwise of at most so many events as memory holds.
-    pub(super) fn of_region(&self, scene: &Scene, region: [u32; 4], inputs: &[PathBuf]) -> Result<(), Failure> {
+    pub(super) fn of_region(&self, scene: &Scene, region: [u32; 4], inputs: &Inputs) -> Result<(), Failure> {
         let arithmetic = self.tracing.arithmetic();
         let region = region_in(scene, "--region", region)?;
         if self.causes {

@@ -189,9 +189,11 @@ pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
     let optional = [&tracing.formulas, &tracing.reflected_scale].into_iter().flatten();
     match words.into_iter().chain(optional).chain(parameters).chain(names).find(|name| hidden(name).next().is_some()) {
         None => Ok(()),
-        Some(name) => {
-            Err(LogError::damaged(1, 1, &format!("a name must not hold control characters, found `{}`", visible(name))))
-        }
+        Some(name) => Err(LogError::damaged(
+            1,
+            1,
+            &format!("a name must not hold invisible characters, found `{}`", visible(name)),
+        )),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Pictures that the crate `image` reads. What a header asks for is compared with what its file can hold before anything is unpacked.
 
-use super::read::{Channels, MAX_PICTURE_BYTES, Picture, PictureError, Samples, with_room_for};
+use super::read::{Channels, MAX_PICTURE_BYTES, Picture, PictureError, Samples, check_size, with_room_for};
 use crate::log::escape::shortened;
 use image::codecs::bmp::BmpDecoder;
 use image::codecs::jpeg::JpegDecoder;
@@ -102,6 +102,7 @@ pub(super) fn read(bytes: &[u8], kind: Kind) -> Result<Picture, PictureError> {
     match kind {
         Kind::Png => {
             // What is unpacked by the way is bounded by what the pixels need, which is checked as soon as the header itself is.
+            check_size([16, 20].map(|place| at(bytes, place).map_or(0, u32::from_be_bytes).into()))?;
             let most = unpacked_png(bytes).min(MOST) + MOST_BESIDE;
             let decoder = PngDecoder::with_limits(file, limits(most)).map_err(damaged)?;
             check_png(bytes)?;
@@ -109,7 +110,11 @@ pub(super) fn read(bytes: &[u8], kind: Kind) -> Result<Picture, PictureError> {
         }
         Kind::Bmp => picture(BmpDecoder::new(file), bytes, kind),
         Kind::Tga => picture(TgaDecoder::new(file), bytes, kind),
-        Kind::Qoi => picture(QoiDecoder::new(file), bytes, kind),
+        Kind::Qoi => {
+            // Its decoder knows a limit of its own, and says nothing of it.
+            check_size([4, 8].map(|place| at(bytes, place).map_or(0, u32::from_be_bytes).into()))?;
+            picture(QoiDecoder::new(file), bytes, kind)
+        }
         Kind::Tiff => picture(TiffDecoder::new(file), bytes, kind),
         Kind::Jpeg => picture(JpegDecoder::new(file), bytes, kind),
         Kind::Webp => picture(WebPDecoder::new(file), bytes, kind),
@@ -130,6 +135,7 @@ fn picture<D: ImageDecoder>(decoder: Result<D, ImageError>, bytes: &[u8], kind: 
     if pixels == 0 {
         return Err(PictureError::Header("a width and a height of 1 or more"));
     }
+    check_size([width.into(), height.into()])?;
     if needed > MOST {
         return Err(PictureError::Memory);
     }

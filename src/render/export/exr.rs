@@ -1,6 +1,6 @@
 //! OpenEXR: the traced values as f32, and layers beside them as channels `layer.channel`.
 
-use super::read::{Channels, Picture, PictureError, Samples};
+use super::read::{Channels, Picture, PictureError, Samples, check_size};
 use crate::log::escape::shortened;
 use crate::render::Film;
 use exr::meta::MetaData;
@@ -60,18 +60,21 @@ pub fn exr(film: &Film, layers: Vec<ExrLayer>) -> Result<Vec<u8>, exr::error::Er
 /// [`PictureError`].
 pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;
+    headers.iter().try_for_each(|header| {
+        check_size([header.layer_size.width(), header.layer_size.height()].map(|side| side as u64))
+    })?;
     if headers.iter().any(|header| header.layer_size.area() as u64 > most) {
         return Err(PictureError::Memory);
     }
     let reader = || exr::prelude::read().no_deep_data().largest_resolution_level();
-    match channels(&headers)? {
-        Channels::Rgb => {
+    match colors_of(&headers)?.1 {
+        RGB => {
             let channels =
                 reader().rgb_channels(Pixels::<3>::new, |pixels, place, (r, g, b)| pixels.put(place, [r, g, b]));
             let layer = channels.first_valid_layer().all_attributes().non_parallel();
             Ok(layer.from_buffered(Cursor::new(bytes))?.layer_data.channel_data.pixels.into_picture(Channels::Rgb))
         }
-        Channels::Grey => {
+        _ => {
             let channel = reader().specific_channels().required("Y");
             let channel =
                 channel.collect_pixels(Pixels::<1>::new, |pixels, place, (y,): (f32,)| pixels.put(place, [y]));
@@ -81,21 +84,26 @@ pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
     }
 }
 
-/// The channels that are read of a file with these layers.
-fn channels(layers: &[Header]) -> Result<Channels, PictureError> {
+/// The channels of a coloured picture, and of a grey one.
+const RGB: &[&str] = &["R", "G", "B"];
+const GREY: &[&str] = &["Y"];
+
+/// The channels that are the colours of a file with these parts, and which part has them.
+pub(super) fn colors_of(layers: &[Header]) -> Result<(usize, &'static [&'static str]), PictureError> {
     const SHOWN: usize = 80;
     let has = |header: &Header, name: &str| header.channels.list.iter().any(|channel| channel.name.eq(name));
-    let find = |names: &[&str]| layers.iter().find(|layer| names.iter().all(|name| has(layer, name)));
-    let found = find(&["R", "G", "B"]).map(|layer| (layer, Channels::Rgb));
-    let found = found.or_else(|| find(&["Y"]).map(|layer| (layer, Channels::Grey)));
+    let find = |names: &'static [&str]| {
+        let has_all = |layer: &Header| names.iter().all(|name| has(layer, name));
+        layers.iter().position(has_all).map(|part| (part, names))
+    };
+    let found = find(RGB).or_else(|| find(GREY));
     // The decoder takes every channel to have as many samples as the picture has pixels.
     let is_whole = |layer: &Header| layer.channels.list.iter().all(|channel| channel.sampling == Vec2(1, 1));
     // With chroma beside it a luminance is half of a coloured picture.
     let is_coloured = |layer: &Header| has(layer, "RY") || has(layer, "BY");
-    if let Some((_, channels)) =
-        found.filter(|(layer, channels)| is_whole(layer) && (*channels == Channels::Rgb || !is_coloured(layer)))
-    {
-        return Ok(channels);
+    let is_read = |part: usize, names| is_whole(&layers[part]) && (names == RGB || !is_coloured(&layers[part]));
+    if let Some(found) = found.filter(|(part, names)| is_read(*part, *names)) {
+        return Ok(found);
     }
     let names: Vec<_> = layers.iter().flat_map(|layer| &layer.channels.list).map(|one| one.name.to_string()).collect();
     Err(PictureError::Channels { found: shortened(&names.join(", "), SHOWN) })

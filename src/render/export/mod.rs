@@ -1,6 +1,7 @@
 //! Pictures as files, written and read: integer formats by the crate `image`, OpenEXR by `exr`, PFM, PPM and PGM here. Only integer formats
 //! know white, transfer, exposure and clipping.
 
+mod beside;
 mod decode;
 mod encode;
 mod exr;
@@ -11,6 +12,7 @@ mod ppm;
 mod quantize;
 mod read;
 
+pub use beside::{Beside, Numbers, beside};
 pub use exr::{Channel, ExrLayer};
 pub use format::{Format, MAX_WEBP_SIDE};
 pub use quantize::{Clipped, levels_of as levels};

@@ -1,6 +1,6 @@
 //! PPM and PGM, in ASCII and binary, and PFM read back. White space and comments are those of the specification of Netpbm.
 
-use super::read::{Channels, Picture, PictureError, Samples, with_room_for};
+use super::read::{Channels, Picture, PictureError, Samples, check_size, with_room_for};
 use crate::log::escape::shortened;
 use std::ops::Range;
 use std::str::FromStr;
@@ -45,6 +45,7 @@ pub(super) fn read(bytes: &[u8], Kind { channels, notation }: Kind) -> Result<Pi
     let mut side =
         |what: &str| words.number(|side: &u32| *side > 0, || format!("the {what} of the picture, 1 or more"));
     let (width, height) = (side("width")?, side("height")?);
+    check_size([width.into(), height.into()])?;
     let count = (u64::from(width) * u64::from(height)).saturating_mul(channels as u64);
     let samples = match notation {
         Notation::Float => {

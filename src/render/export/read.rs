@@ -1,6 +1,7 @@
 //! Pictures read back: by the crate `image` what it knows, PPM, PGM and PFM with the places of what is wrong in their text, and OpenEXR.
 
 use super::{decode, netpbm};
+use crate::scene::file::validate::limits::MAX_PIXELS;
 use std::ops::Range;
 
 /// The largest picture file that is read: 1 GiB.
@@ -73,6 +74,12 @@ pub enum PictureError {
         /// The first above it.
         found: u16,
     },
+    /// It has more pixels than any picture may have.
+    #[error("the picture has {} x {} pixels, expected at most {MAX_PIXELS} in all", size[0], size[1])]
+    TooManyPixels {
+        /// Width and height.
+        size: [u64; 2],
+    },
     /// An OpenEXR file without colours.
     #[error("expected an OpenEXR with the channels R, G and B, or Y alone for grey; found {found}")]
     Channels {
@@ -121,7 +128,7 @@ impl Picture {
 }
 
 /// What an OpenEXR file begins with.
-const EXR: &[u8] = b"\x76\x2f\x31\x01";
+pub(super) const EXR: &[u8] = b"\x76\x2f\x31\x01";
 
 /// Whether what begins like this is a picture that can be read.
 pub fn is_picture(beginning: &[u8]) -> bool {
@@ -141,6 +148,14 @@ pub fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
         (Some(kind), _) => netpbm::read(bytes, kind),
         (None, Some(kind)) => decode::read(bytes, kind),
         (None, None) => Err(PictureError::Unknown),
+    }
+}
+
+/// Refuses a size before anything is asked for because of it.
+pub(super) fn check_size(size: [u64; 2]) -> Result<(), PictureError> {
+    match size[0].saturating_mul(size[1]) > MAX_PIXELS {
+        true => Err(PictureError::TooManyPixels { size }),
+        false => Ok(()),
     }
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::ops::Range;
 
-use super::escape::{visible, width};
+use super::escape::{visible, visible_lines, width};
 use super::key_path::KeyPath;
 use super::source::Excerpt;
 
@@ -64,7 +64,7 @@ impl SceneError {
                 reports.extend((*omitted > 0).then(|| format!("{label}: {}", and_more(*omitted))));
                 reports.join("\n")
             }
-            Self::Refused { .. } | Self::Unreadable { .. } => format!("{label}: {self}"),
+            Self::Refused { .. } | Self::Unreadable { .. } => format!("{label}: {}", visible(&self.to_string())),
         }
     }
 }
@@ -134,7 +134,7 @@ pub struct Problem {
 impl Problem {
     /// The problem as it is shown to a person, with its source line underlined; ends without a newline.
     pub fn report(&self, severity: Severity, colour: bool) -> String {
-        let first_line = format!("{}: {self}", severity.label(colour));
+        let first_line = format!("{}: {}", severity.label(colour), visible_lines(&self.to_string()));
         let Some(excerpt) = &self.excerpt else {
             return first_line;
         };

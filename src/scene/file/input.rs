@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::error::SceneError;
 use super::packed::Packing;
+use super::there::{is_callers_fault, stdin_was_closed};
 
 /// The largest scene file: 256 MiB.
 pub const MAX_BYTES: u64 = 256 << 20;
@@ -67,6 +68,9 @@ impl Wanted {
     pub fn open(self, path: &Path) -> Result<Opened, SceneError> {
         let name = display_name(path);
         if path == Path::new("-") {
+            if stdin_was_closed() {
+                return Err(SceneError::Unreadable { file: name, source: io::Error::other("it is closed") });
+            }
             return self.begin(io::stdin(), 0, name);
         }
         // Asked before opening, because opening a FIFO would wait for a writer.
@@ -248,18 +252,6 @@ pub fn irregular(metadata: &Metadata) -> Option<&'static str> {
         }
     }
     Some("something else")
-}
-
-/// Whether the caller named the wrong thing, rather than the machine failing.
-pub fn is_callers_fault(error: &io::Error) -> bool {
-    matches!(
-        error.kind(),
-        ErrorKind::NotFound
-            | ErrorKind::IsADirectory
-            | ErrorKind::NotADirectory
-            | ErrorKind::InvalidFilename
-            | ErrorKind::InvalidInput
-    )
 }
 
 fn refused(name: &str, reason: String) -> SceneError {

@@ -5,7 +5,8 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 
 use super::escape::visible;
-use super::input::{irregular, is_callers_fault};
+use super::input::irregular;
+use super::there::is_callers_fault;
 
 /// Why the path of a mesh is not followed.
 #[derive(Debug, thiserror::Error)]
@@ -60,7 +61,13 @@ pub fn resolve_mesh_path(scene_path: &Path, mesh_path: &str) -> Result<PathBuf, 
         let message = format!("`{shown}` is a link out of the scene's folder, expected a file inside it");
         return Err(MeshPathError::Refused(message));
     }
-    if fs::canonicalize(scene_path).is_ok_and(|scene| scene == real) {
+    let scene = match fs::canonicalize(scene_path) {
+        Ok(scene) => Some(scene),
+        // Standard input has no place.
+        Err(error) if is_callers_fault(&error) => None,
+        Err(error) => return Err(MeshPathError::Unreadable { path: scene_path.to_owned(), source: error }),
+    };
+    if scene.is_some_and(|scene| scene == real) {
         let message = format!("`{shown}` is the scene file itself, expected an OBJ or PLY file");
         return Err(MeshPathError::Refused(message));
     }

@@ -37,10 +37,11 @@ mod suggest;
 mod syntax;
 #[cfg(test)]
 mod tests;
+mod there;
 mod zstd;
 
 pub use error::{Problem, SceneError, Severity};
-pub use escape::visible;
+pub use escape::{visible, visible_json, visible_lines};
 pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
 pub use key_path::{KeyPath, Step};
 pub use load::{Loaded, check, check_as, check_scene, parse, placed, read};
@@ -50,4 +51,5 @@ pub use packed::{Packing, unpacked_name};
 pub use schema::SceneFile;
 pub use source::{Excerpt, Source};
 pub use suggest::suggest;
+pub use there::{is_callers_fault, is_there, stdin_was_closed, stdout_was_closed};
 pub use validate::{Finding, Findings, validate};

@@ -1,5 +1,6 @@
 //! Prints a scene as people write it: what fits on a line stands on one line, and 1 is `1`, not `1.0`.
 
+use super::escape::visible_json;
 use super::scan::Scanner;
 use super::schema::SceneFile;
 
@@ -19,7 +20,8 @@ impl SceneFile {
         let mut printer = Printer { text: &compact, scanner: Scanner::new(&compact), printed: String::new() };
         printer.value(0, 0, true);
         printer.printed.push('\n');
-        printer.printed
+        // The path of a mesh may hold what drives a terminal; the names of a scene may not.
+        visible_json(&printer.printed).into_owned()
     }
 }
 

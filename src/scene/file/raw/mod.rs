@@ -15,7 +15,7 @@ mod rays;
 #[cfg(test)]
 mod tests;
 
-pub use primitives::{Primitives, RawSphere, parse_mesh, parse_spheres, read_primitives};
+pub use primitives::{Primitives, RawSphere, parse_mesh, parse_spheres, primitive_files, read_primitives};
 pub use rays::{Question, RawRay, RayFile, find_rays, parse_rays, read_rays};
 
 /// The largest raw file: 1 GiB.

@@ -7,7 +7,8 @@ use crate::scene::file::SceneError;
 use crate::scene::file::input::{Wanted, display_name};
 use crate::scene::file::mesh::limits::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::scene::file::nff::MAX_PRIMITIVES;
-use std::path::Path;
+use crate::scene::file::there::is_there;
+use std::path::{Path, PathBuf};
 
 /// What rays are shot at.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,20 +38,26 @@ impl Primitives {
     }
 }
 
+/// `STEM.mesh` and `STEM.spheres`, one of which holds a scene's primitives.
+pub fn primitive_files(stem: &Path) -> [PathBuf; 2] {
+    [".mesh", ".spheres"].map(|ending| {
+        let mut path = stem.as_os_str().to_owned();
+        path.push(ending);
+        PathBuf::from(path)
+    })
+}
+
 /// Reads `STEM.mesh`, or `STEM.spheres` where there is no such file.
 ///
 /// # Errors
 /// [`SceneError::Refused`] where there is neither or the file is damaged; [`SceneError::Unreadable`] where the machine
 /// doesn't give the bytes or has no room for them.
 pub fn read_primitives(stem: &Path) -> Result<Primitives, SceneError> {
-    let named = |ending: &str| {
-        let mut path = stem.as_os_str().to_owned();
-        path.push(ending);
-        std::path::PathBuf::from(path)
-    };
-    let (mesh, spheres) = (named(".mesh"), named(".spheres"));
+    let [mesh, spheres] = primitive_files(stem);
     let wanted = |what| Wanted { what, max_bytes: MAX_RAW_BYTES };
-    match (mesh.exists(), spheres.exists()) {
+    let is_there =
+        |path: &Path| is_there(path).map_err(|source| SceneError::Unreadable { file: display_name(path), source });
+    match (is_there(&mesh)?, is_there(&spheres)?) {
         (true, _) => {
             let bytes = wanted("a raw mesh").read(&mesh)?;
             parse_mesh(&bytes, &display_name(&mesh)).map(Primitives::Mesh)

@@ -13,9 +13,10 @@ mod settings;
 mod shape;
 pub(super) mod vector;
 
-use std::collections::HashSet;
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
 
-use super::escape::{hidden, shortened};
+use super::escape::{hidden, look, shortened};
 use super::explain::unknown_format;
 use super::key_path::KeyPath;
 use super::schema::{FORMAT, Sampling, SceneFile};
@@ -73,7 +74,7 @@ pub fn sampling(sampling: &Sampling) -> Vec<Finding> {
 }
 
 fn lights(mut check: Checker<'_>, scene: &SceneFile) {
-    let mut names = HashSet::new();
+    let mut names = HashMap::new();
     for (index, each) in scene.lights.iter().enumerate() {
         let mut check = check.at(index);
         unique_name(check.at("name"), &each.name, &mut names);
@@ -83,9 +84,10 @@ fn lights(mut check: Checker<'_>, scene: &SceneFile) {
 
 fn materials(mut check: Checker<'_>, scene: &SceneFile) {
     let used: HashSet<&str> = scene.objects.iter().filter_map(|object| object.material.as_deref()).collect();
+    let mut names = HashMap::new();
     for (key, each) in scene.materials.iter() {
         let mut check = check.at(key.to_string());
-        if let Some(problem) = wrong_name(key) {
+        for problem in taken_name(key, &mut names).into_iter().chain(wrong_name(key)) {
             check.error_in_key(problem);
         }
         if !used.contains(key) {
@@ -101,7 +103,7 @@ fn objects(mut check: Checker<'_>, scene: &SceneFile) {
     }
     let last = scene.frames.map_or(0.0, |frames| frames.duration);
     let times: Vec<_> = scene.camera.shutter.into_iter().flat_map(|time| [time, time + last]).collect();
-    let mut names = HashSet::new();
+    let mut names = HashMap::new();
     for (index, object) in scene.objects.iter().enumerate() {
         let mut check = check.at(index);
         unique_name(check.at("name"), &object.name, &mut names);
@@ -115,12 +117,27 @@ fn objects(mut check: Checker<'_>, scene: &SceneFile) {
     }
 }
 
-fn unique_name<'s>(mut check: Checker<'_>, given: &'s str, taken: &mut HashSet<&'s str>) {
-    if !taken.insert(given) {
-        let shown = shortened(given, 40);
-        check.error(format!("names must be unique, found `{shown}` a second time"));
+/// How many characters of a name are shown in a message.
+const SHOWN: usize = 40;
+
+/// Names by what people see of them.
+type Looks<'s> = HashMap<Cow<'s, str>, &'s str>;
+
+fn unique_name<'s>(mut check: Checker<'_>, given: &'s str, taken: &mut Looks<'s>) {
+    if let Some(problem) = taken_name(given, taken) {
+        check.error(problem);
     }
     name(check, given);
+}
+
+/// Takes a name, which must look different from those that are taken.
+fn taken_name<'s>(given: &'s str, taken: &mut Looks<'s>) -> Option<String> {
+    let other = taken.insert(look(given), given)?;
+    let shown = shortened(given, SHOWN);
+    Some(match other == given {
+        true => format!("names must be unique, found `{shown}` a second time"),
+        false => format!("names must not look alike, found `{shown}` beside `{}`", shortened(other, SHOWN)),
+    })
 }
 
 fn name(mut check: Checker<'_>, given: &str) {
@@ -133,6 +150,14 @@ fn wrong_name(name: &str) -> Option<String> {
     if name.is_empty() {
         return Some("a name must not be empty".to_string());
     }
-    let (_, hidden) = hidden(name).next()?;
-    Some(format!("a name must not hold control characters, found {}", hidden.escape_unicode()))
+    if let Some((at, hidden)) = hidden(name).next() {
+        let what = if hidden.is_control() { "control" } else { "invisible" };
+        let escaped = hidden.escape_unicode();
+        let before = match at {
+            0 => String::new(),
+            _ => format!(" behind `{}`", shortened(&name[..at], SHOWN)),
+        };
+        return Some(format!("a name must not hold {what} characters, found {escaped}{before}"));
+    }
+    look(name).is_empty().then(|| "a name must not be blank".to_string())
 }

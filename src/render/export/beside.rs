@@ -1,0 +1,92 @@
+//! What an OpenEXR file has beside its colours: channels in layers, as numbers to be compared.
+
+use super::exr::colors_of;
+use super::read::{EXR, PictureError, check_size, with_room_for};
+use exr::block::samples::Sample;
+use exr::image::{AnyChannel, FlatSamples};
+use exr::meta::MetaData;
+use exr::prelude::{ReadChannels, ReadLayers, Vec2};
+use std::io::Cursor;
+
+/// Channels of a picture's file that are no colours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beside {
+    /// What the channels' names have before their last dot; the whole name of a channel without one. As the file has it.
+    pub name: String,
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// In the order of their names.
+    pub channels: Vec<Numbers>,
+}
+
+/// The numbers of a channel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers {
+    /// What the channel's name has behind its last dot, as the file has it.
+    pub name: String,
+    samples: FlatSamples,
+}
+
+impl Numbers {
+    /// The number of a pixel, row by row from the top; 0 where there is none.
+    pub fn at(&self, pixel: usize) -> f64 {
+        if pixel >= self.samples.len() {
+            return 0.0;
+        }
+        match self.samples.value_by_flat_index(pixel) {
+            Sample::F16(number) => number.to_f64(),
+            Sample::F32(number) => number.into(),
+            Sample::U32(number) => number.into(),
+        }
+    }
+}
+
+/// The layers of a picture's file beside the colours that [`read`](super::read()) gives, in the order of the file; none of what is no OpenEXR.
+///
+/// # Errors
+/// [`PictureError`].
+pub fn beside(bytes: &[u8]) -> Result<Vec<Beside>, PictureError> {
+    const BYTES_PER_NUMBER: usize = 4;
+    if !bytes.starts_with(EXR) {
+        return Ok(Vec::new());
+    }
+    let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;
+    let (colored, colors) = colors_of(&headers)?;
+    let channels =
+        || headers.iter().flat_map(|header| header.channels.list.iter().map(move |channel| (header, channel)));
+    if channels().count() == colors.len() {
+        return Ok(Vec::new());
+    }
+    if channels().any(|(_, channel)| channel.sampling != Vec2(1, 1)) {
+        return Err(PictureError::Kind("an OpenEXR with fewer numbers than pixels in a channel".to_owned()));
+    }
+    let mut numbers = 0;
+    for (header, _) in channels() {
+        let size = header.layer_size;
+        check_size([size.width(), size.height()].map(|side| side as u64))?;
+        numbers += size.area();
+    }
+    drop(with_room_for::<u8>(numbers * BYTES_PER_NUMBER)?);
+    let reader = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
+    let image = reader.all_layers().all_attributes().non_parallel().from_buffered(Cursor::new(bytes))?;
+    let mut found: Vec<Beside> = Vec::new();
+    for (part, layer) in image.layer_data.into_iter().enumerate() {
+        let size = [layer.size.width() as u32, layer.size.height() as u32];
+        let of_part = layer.attributes.layer_name.as_ref().map_or_else(String::new, |name| format!("{name}."));
+        let of_part = if part == colored { String::new() } else { of_part };
+        for AnyChannel { name, sample_data: samples, .. } in layer.channel_data.list {
+            let name = name.to_string();
+            if part == colored && colors.contains(&name.as_str()) {
+                continue;
+            }
+            let whole = format!("{of_part}{name}");
+            let (layer, channel) = whole.rsplit_once('.').unwrap_or((&whole, &name));
+            let numbers = Numbers { name: channel.to_owned(), samples };
+            match found.iter_mut().find(|other| other.name == layer && other.size == size) {
+                Some(other) => other.channels.push(numbers),
+                None => found.push(Beside { name: layer.to_owned(), size, channels: vec![numbers] }),
+            }
+        }
+    }
+    Ok(found)
+}
