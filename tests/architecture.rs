@@ -10,7 +10,7 @@ use support::source::{SourceFile, files_below, program};
 
 /// The rooms, from the ground up: each may import those before it.
 const ROOMS: &[&str] = &[
-    "log", "random", "probe", "geometry", "scene", "trace", "sampling", "record", "render", "report", "study", "tui",
+    "threads", "log", "random", "probe", "geometry", "scene", "trace", "sampling", "record", "render", "report", "study", "tui",
     "cli",
 ];
 

@@ -12,6 +12,7 @@ mod merge;
 mod options;
 mod output;
 mod packaging;
+mod patient;
 mod picture;
 mod progress;
 mod rays;
@@ -26,6 +27,7 @@ mod signals;
 mod stress;
 mod textbook;
 mod trace;
+mod unfinished;
 mod views;
 mod walk;
 mod zstd;
@@ -89,6 +91,8 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
+    // Small things are done on this thread: others are started only for work that is worth it.
+    raywalk::threads::work_alone();
     // Where signals can't be caught they end the process all the same.
     let signals = signals::leave_on_signals().ok();
     let colors = cli.color;

@@ -1,14 +1,15 @@
 //! Where results go: standard output, or a file that is there whole or not at all.
 
 use super::failure::{Failure, shown};
-use super::{signals, zstd};
+use super::patient::Patient;
+use super::unfinished::Beside;
+use super::zstd;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use raywalk::scene::file::Packing;
-use std::fs::{self, Permissions};
+use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
 
 /// A place for a result, made sure of before the work begins.
 pub enum Output {
@@ -17,7 +18,7 @@ pub enum Output {
     /// A file that is written beside its place and then renamed.
     File {
         /// The file beside it.
-        file: NamedTempFile,
+        file: Beside,
         /// The place, where links have led.
         place: PathBuf,
         /// The place as it was named.
@@ -50,18 +51,12 @@ impl Output {
         }
         let place = link_target(path);
         let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".raywalk-").suffix(".part");
-        let permissions = metadata.map(|metadata| metadata.permissions()).or_else(default_permissions);
-        if let Some(permissions) = permissions {
-            builder.permissions(permissions);
-        }
         // The system's error names the temporary file, which says nothing to anybody.
         let plain = |error: io::Error| match error.to_string().split_once(" at path ") {
             Some((said, _)) => io::Error::new(error.kind(), said.to_owned()),
             None => error,
         };
-        let begun = signals::unfinished(|| builder.tempfile_in(folder));
+        let begun = Beside::begin(folder, metadata.map(|metadata| metadata.permissions()));
         let file = begun.map_err(|error| cannot_write(&plain(error)))?;
         Ok(Output::File { file, place, named: path.to_owned() })
     }
@@ -86,15 +81,10 @@ impl Output {
                 io::ErrorKind::BrokenPipe => Failure::silent(0),
                 _ => Failure::io(&path, "write", &error),
             }),
-            Output::File { mut file, place, named } => {
+            Output::File { file, place, named } => {
                 let cannot_write = |error: &io::Error| Failure::io(&named, "write", error);
-                // To the file itself: the errors of a temporary file name it, which says nothing to anybody.
-                through(Box::new(file.as_file_mut()), packing(&named), write).map_err(|error| cannot_write(&error))?;
-                file.as_file().sync_all().map_err(|error| cannot_write(&error))?;
-                let unfinished = file.path().to_owned();
-                file.persist(&place).map_err(|error| cannot_write(&error.error))?;
-                signals::finished(&unfinished);
-                Ok(())
+                through(Box::new(file.as_file()), packing(&named), write).map_err(|error| cannot_write(&error))?;
+                file.take(&place).map_err(|error| cannot_write(&error))
             }
         }
     }
@@ -109,7 +99,7 @@ fn packing(path: &Path) -> Option<Packing> {
 }
 
 fn through<'w>(
-    mut place: Box<dyn Write + 'w>,
+    place: Box<dyn Write + 'w>,
     packing: Option<Packing>,
     write: impl FnOnce(&mut Sink) -> io::Result<()>,
 ) -> io::Result<()> {
@@ -118,8 +108,9 @@ fn through<'w>(
         write(&mut out)?;
         out.flush()
     };
+    let mut place = Patient(place);
     match packing {
-        None => into(place),
+        None => into(Box::new(place)),
         Some(Packing::Gzip) => {
             // The packed data name no file and no time: the same result has the same bytes.
             let mut packed = GzEncoder::new(BufWriter::new(&mut place), Compression::fast());
@@ -156,18 +147,6 @@ fn is_same(path: &Path, input: &Path) -> bool {
         (Ok(path), Ok(input)) => path == input,
         _ => false,
     }
-}
-
-/// What a new file gets, less the umask; a temporary file alone would be private.
-#[cfg(unix)]
-fn default_permissions() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
-}
-
-#[cfg(not(unix))]
-fn default_permissions() -> Option<Permissions> {
-    None
 }
 
 /// Tells people something on standard error; where that is closed or full there is nobody to tell.

@@ -93,6 +93,7 @@ impl Render {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         self.check()?;
+        self.tracing.use_threads();
         let load = Instant::now();
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let load = load.elapsed().as_secs_f64();

@@ -17,7 +17,7 @@ use raywalk::report::language::viewer::Warnings;
 use raywalk::report::{self, Style};
 use raywalk::scene::file::{Opened, visible};
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
-use signal_hook::iterator::Handle;
+use raywalk_guard::Endings;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
@@ -87,7 +87,8 @@ impl Walk {
     }
 
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice, signals: Option<Handle>) -> Result<(), Failure> {
+    pub fn run(self, colors: ColorChoice, signals: Option<Endings>) -> Result<(), Failure> {
+        self.tracing.use_threads();
         let walked = self.walked.as_deref().unwrap_or(Path::new("textbook"));
         let named = match &self.walked {
             Some(path) => scene_argument::open(path, colors)?,
@@ -118,7 +119,7 @@ impl Walk {
         }
         // From here on the viewer minds its signals itself: it has a terminal to give back.
         if let Some(signals) = signals {
-            signals.close();
+            signals.give_up();
         }
         let outcome = tui::run(log, self.options(palette(colors), warning), live)
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;

@@ -47,7 +47,7 @@ impl Live for Session {
         let (scene, arithmetic) = (&self.scene, self.arithmetic);
         // The printed values are those of one pixel; the others are as by hand.
         let arithmetic = if arithmetic == Arithmetic::Printed { Arithmetic::Decimal(3) } else { arithmetic };
-        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic));
+        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic, whole));
         if whole {
             rendering.finish();
         }

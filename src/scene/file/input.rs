@@ -1,5 +1,6 @@
 //! Bytes from outside, of bounded size and never by waiting for a device.
 
+use raywalk_guard::attempt;
 use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read};
 use std::mem;
@@ -155,9 +156,9 @@ impl Opened {
         }
         let mut bytes = mem::take(&mut self.beginning);
         let expected = usize::try_from(self.size().unwrap_or(0)).unwrap_or(usize::MAX).saturating_sub(bytes.len());
-        bytes.try_reserve(expected).map_err(|_| self.failure(ErrorKind::OutOfMemory.into()))?;
+        attempt(|| bytes.try_reserve(expected)).map_err(|_| self.failure(ErrorKind::OutOfMemory.into()))?;
         let left = (most + 1).saturating_sub(bytes.len() as u64);
-        let read = self.rest.by_ref().take(left).read_to_end(&mut bytes);
+        let read = attempt(|| self.rest.by_ref().take(left).read_to_end(&mut bytes));
         read.map_err(|error| self.failure(error))?;
         if bytes.len() as u64 <= most {
             return Ok(bytes);
