@@ -12,7 +12,6 @@ mod merge;
 mod options;
 mod output;
 mod packaging;
-mod patient;
 mod picture;
 mod progress;
 mod rays;

@@ -1,12 +1,12 @@
 //! Where results go: standard output, or a file that is there whole or not at all.
 
 use super::failure::{Failure, shown};
-use super::patient::Patient;
 use super::unfinished::Beside;
 use super::zstd;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use raywalk::scene::file::Packing;
+use raywalk_guard::Patient;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

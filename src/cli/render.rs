@@ -162,6 +162,8 @@ impl Render {
         let (rendered, counts) = self.rendered(task)?;
         seconds.render = start.elapsed().as_secs_f64();
         let written = place.write(&rendered, &self.shown(task, &names_of(&task.scene)))?;
+        // Of an earlier run that was killed when the picture was there.
+        checkpoint::remove_left_of(&task.path, || self.header(task, Shard::WHOLE))?;
         self.print_statistics(task, counts, seconds, written.clipped_pixels)
     }
 

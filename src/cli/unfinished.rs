@@ -1,7 +1,6 @@
 //! A result while it is written: a file beside its place, which takes its place in one step, and which nothing leaves behind for long.
 
-use super::patient::retried;
-use raywalk_guard::Unfinished;
+use raywalk_guard::{Unfinished, retried};
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io;
@@ -80,7 +79,7 @@ impl Beside {
 }
 
 /// Makes sure that the names in a folder outlast a loss of power.
-fn sync_folder(folder: &Path) -> io::Result<()> {
+pub fn sync_folder(folder: &Path) -> io::Result<()> {
     // A folder that may be written and not read can't be opened.
     let Ok(opened) = File::open(folder) else { return Ok(()) };
     match retried(|| opened.sync_all()) {

@@ -149,7 +149,8 @@ impl Walk {
         let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
         let warning = warning.map(|effects| (self.warnings().biased)(&effects));
         let log = short_log(&scene, part, self.tracing.arithmetic())?;
-        let session = Some(Session::new(scene, self.tracing.arithmetic()));
+        // For a screenshot there is nothing to be shown before the whole of it.
+        let session = Some(Session::new(scene, self.tracing.arithmetic(), self.screenshot.is_some()));
         Ok(Walked { name: visible(&input.name).to_string(), log, warning, session })
     }
 

@@ -1,6 +1,6 @@
 //! Bytes from outside, of bounded size and never by waiting for a device.
 
-use raywalk_guard::attempt;
+use raywalk_guard::{Patient, attempt};
 use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read};
 use std::mem;
@@ -84,7 +84,8 @@ impl Wanted {
     ///
     /// # Errors
     /// Those of [`Wanted::open`].
-    pub fn begin(self, mut input: impl Read + 'static, size: u64, name: String) -> Result<Opened, SceneError> {
+    pub fn begin(self, input: impl Read + 'static, size: u64, name: String) -> Result<Opened, SceneError> {
+        let mut input = Patient(input);
         let mut beginning = Vec::new();
         let read = input.by_ref().take(BEGINNING).read_to_end(&mut beginning);
         read.map_err(|error| self.failure(&name, error))?;

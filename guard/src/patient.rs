@@ -1,8 +1,11 @@
-//! Writing that goes on where a signal has interrupted it.
+//! Input and output that go on where a signal has interrupted them.
 
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, Read, Write};
 
 /// Does something again as long as a signal interrupts it.
+///
+/// # Errors
+/// Any other of `work`.
 pub fn retried<T>(mut work: impl FnMut() -> io::Result<T>) -> io::Result<T> {
     loop {
         match work() {
@@ -12,7 +15,8 @@ pub fn retried<T>(mut work: impl FnMut() -> io::Result<T>) -> io::Result<T> {
     }
 }
 
-/// A place whose `write` and `flush` are never interrupted. What packs bytes doesn't always try again by itself.
+/// A file or the like whose `read`, `write` and `flush` are never interrupted. What packs and unpacks bytes doesn't always try again by itself.
+#[derive(Debug)]
 pub struct Patient<W>(pub W);
 
 impl<W: Write> Write for Patient<W> {
@@ -22,6 +26,12 @@ impl<W: Write> Write for Patient<W> {
 
     fn flush(&mut self) -> io::Result<()> {
         retried(|| self.0.flush())
+    }
+}
+
+impl<R: Read> Read for Patient<R> {
+    fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
+        retried(|| self.0.read(place))
     }
 }
 
@@ -56,6 +66,14 @@ mod tests {
         }
     }
 
+    impl Read for Restless {
+        fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
+            self.call()?;
+            place[0] = self.calls as u8;
+            Ok(1)
+        }
+    }
+
     #[test]
     fn what_is_interrupted_goes_on() {
         let mut patient = Patient(Restless::default());
@@ -67,6 +85,10 @@ mod tests {
         }
         patient.flush().expect("it is tried again");
         assert!(patient.0.taken == text);
+        let mut place = [0];
+        for _ in 0..10 {
+            assert_eq!(patient.read(&mut place).expect("it is tried again"), 1);
+        }
         assert!(retried(|| Err::<(), _>(io::Error::from(ErrorKind::StorageFull))).is_err());
     }
 }
