@@ -1,7 +1,7 @@
 //! Where results go: standard output, or a file that is there whole or not at all.
 
 use super::failure::{Failure, shown};
-use super::unfinished::Beside;
+use super::unfinished::{self, Beside};
 use super::zstd;
 use flate2::Compression;
 use flate2::write::GzEncoder;
@@ -50,7 +50,7 @@ impl Output {
             return Ok(Output::Special(file, path.to_owned()));
         }
         let place = link_target(path);
-        let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let folder = folder_of(&place);
         // The system's error names the temporary file, which says nothing to anybody.
         let plain = |error: io::Error| match error.to_string().split_once(" at path ") {
             Some((said, _)) => io::Error::new(error.kind(), said.to_owned()),
@@ -142,6 +142,15 @@ fn link_target(path: &Path) -> PathBuf {
     }
 }
 
+/// Removes what killed runs left beside a result that is there already, so that none is begun.
+pub fn sweep_around(path: &Path) {
+    unfinished::sweep(folder_of(&link_target(path)));
+}
+
+fn folder_of(place: &Path) -> &Path {
+    place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 fn is_same(path: &Path, input: &Path) -> bool {
     match (fs::canonicalize(path), fs::canonicalize(input)) {
         (Ok(path), Ok(input)) => path == input,
@@ -152,4 +161,51 @@ fn is_same(path: &Path, input: &Path) -> bool {
 /// Tells people something on standard error; where that is closed or full there is nobody to tell.
 pub fn tell(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raywalk::scene::file::{Opened, Wanted};
+    use std::sync::{Arc, Mutex};
+
+    /// Is interrupted at every other call.
+    struct Restless(Arc<Mutex<(usize, Vec<u8>)>>);
+
+    impl Write for Restless {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            let mut state = self.0.lock().expect("nobody panics");
+            state.0 += 1;
+            if state.0 % 2 == 1 {
+                return Err(io::ErrorKind::Interrupted.into());
+            }
+            state.1.extend_from_slice(bytes);
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn whatever_packs_a_result_goes_on_where_it_is_interrupted() {
+        let text: Vec<u8> = (0..300_000_u32).flat_map(|x| x.wrapping_mul(2_654_435_761).to_be_bytes()).collect();
+        for packing in [None, Some(Packing::Gzip), Some(Packing::Zstd)] {
+            let taken = Arc::new(Mutex::new((0, Vec::new())));
+            let written = through(Box::new(Restless(Arc::clone(&taken))), packing, |out| out.write_all(&text));
+            written.expect("it is tried again");
+            let (calls, packed) = taken.lock().expect("nobody panics").clone();
+            assert!(calls > 1);
+            let unpacked = match packing {
+                None => packed,
+                Some(_) => {
+                    let wanted = Wanted { what: "a result", max_bytes: 1 << 30 };
+                    let opened = wanted.begin(io::Cursor::new(packed), 0, "result".to_owned());
+                    opened.and_then(Opened::bytes).expect("it is whole")
+                }
+            };
+            assert!(unpacked == text);
+        }
+    }
 }

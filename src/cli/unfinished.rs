@@ -49,7 +49,8 @@ impl Beside {
             note = Some(Unfinished::new(path));
             let file = OpenOptions::new().write(true).create_new(true).mode(mode).open(path)?;
             // Somebody who sweeps may have been quicker: then another name is tried. Some file systems have no locks.
-            let is_lost = matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock)) || file.metadata()?.nlink() == 0;
+            let is_taken = matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock));
+            let is_lost = is_taken || file.metadata().is_ok_and(|metadata| metadata.nlink() == 0);
             if is_lost { Err(io::ErrorKind::AlreadyExists.into()) } else { Ok(file) }
         };
         let file = tempfile::Builder::new().prefix(&prefix).suffix(SUFFIX).rand_bytes(RANDOM).make_in(folder, begin)?;
@@ -89,7 +90,7 @@ pub fn sync_folder(folder: &Path) -> io::Result<()> {
 }
 
 /// Removes what processes left in a folder that were killed. Only what nobody has locked: whoever writes such a file has.
-fn sweep(folder: &Path) {
+pub fn sweep(folder: &Path) {
     let mut swept = SWEPT.lock().unwrap_or_else(PoisonError::into_inner);
     if !swept.insert(folder.to_owned()) {
         return;

@@ -138,8 +138,8 @@ struct Found {
 
 /// What an earlier run left; `None` if there is nothing of use.
 fn read(file: &File, path: &Path, header: &PartHeader) -> Result<Option<Found>, Failure> {
-    let is_empty = file.metadata().is_ok_and(|metadata| metadata.len() == 0);
-    if is_empty {
+    let metadata = file.metadata().map_err(|error| Failure::io(path, "read", &error))?;
+    if metadata.len() == 0 {
         return Ok(None);
     }
     let mut reader = match Reader::open(BufReader::new(file)) {

@@ -56,6 +56,7 @@ impl Render {
         let header = self.header(task, self.shard.unwrap_or(Shard::WHOLE))?;
         if is_whole(&task.path, &header) {
             self.tell(&task.path, "is there already and whole");
+            output::sweep_around(&task.path);
             // The run that made it may have been killed before it removed its checkpoint.
             return checkpoint::remove_left_of(&task.path, || Ok(header));
         }
@@ -67,7 +68,7 @@ impl Render {
             false => (None, Kept::new()),
         };
         // As above: what is kept stands in the checkpoint.
-        let output = if self.resume { None } else { Some(output) };
+        let output = Some(output).filter(|_| !self.resume);
         let start = Instant::now();
         let (kept, counts) = self.render_rest(task, &header, kept, checkpoint.as_mut())?;
         seconds.render = start.elapsed().as_secs_f64();

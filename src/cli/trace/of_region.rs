@@ -35,6 +35,7 @@ impl Trace {
             if !self.progress.quiet {
                 output::tell(&format!("note: {}: is there already and whole", visible(&path.to_string_lossy())));
             }
+            output::sweep_around(path);
             return Ok(());
         }
         let output = Output::create(self.output.as_deref(), inputs)?;
