@@ -12,5 +12,6 @@ pub mod report;
 pub mod sampling;
 pub mod scene;
 pub mod study;
+pub mod threads;
 pub mod trace;
 pub mod tui;

@@ -2,8 +2,12 @@
 
 mod cli;
 
+use raywalk_guard::Allocator;
 use std::panic::catch_unwind;
 use std::process::ExitCode;
+
+#[global_allocator]
+static ALLOCATOR: Allocator = Allocator::new(cli::MACHINE);
 
 fn main() -> ExitCode {
     // A panic is a bug of ours; its message is out, and scripts that tell exit codes apart needn't know another one.

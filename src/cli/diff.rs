@@ -12,7 +12,7 @@ use raywalk::render::export::{self, Beside, MAX_PICTURE_BYTES, PictureError, REA
 use raywalk::render::part::is_part;
 use raywalk::report::diff::Tolerance;
 use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, visible};
-use signal_hook::iterator::Handle;
+use raywalk_guard::Endings;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -98,7 +98,7 @@ enum Compared {
 
 impl Diff {
     /// Runs the command; `false` where something differs.
-    pub fn run(self, colors: ColorChoice, signals: Option<Handle>) -> Result<bool, Failure> {
+    pub fn run(self, colors: ColorChoice, signals: Option<Endings>) -> Result<bool, Failure> {
         if [&self.a, &self.b].iter().all(|path| **path == Path::new("-")) {
             return Err(Failure::caller("diff - -: only one of the two can come from standard input"));
         }

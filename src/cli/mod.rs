@@ -27,6 +27,7 @@ mod signals;
 mod stress;
 mod textbook;
 mod trace;
+mod unfinished;
 mod usage;
 mod views;
 mod walk;
@@ -91,6 +92,8 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(code) => return code,
     };
+    // Small things are done on this thread: others are started only for work that is worth it.
+    raywalk::threads::work_alone();
     // Where signals can't be caught they end the process all the same.
     let signals = signals::leave_on_signals().ok();
     if let Some(lanes) = processor::unknown_lanes() {

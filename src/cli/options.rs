@@ -152,6 +152,11 @@ pub enum TestsChoice {
 }
 
 impl TracingOptions {
+    /// From here on work is shared among as many threads as were asked for.
+    pub fn use_threads(&self) {
+        raywalk::threads::want(self.threads.into());
+    }
+
     /// How files of another format are read: an NFF view keeps its angle in another size.
     pub fn import(&self) -> Import {
         Import { resolution: self.size, ..self.nff.import() }

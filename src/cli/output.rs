@@ -2,14 +2,15 @@
 
 use super::failure::{Failure, shown};
 use super::inputs::{Claim, Inputs, place_of};
-use super::{signals, zstd};
+use super::unfinished::{self, Beside};
+use super::zstd;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use raywalk::scene::file::{Packing, stdout_was_closed};
-use std::fs::{self, Permissions};
+use raywalk_guard::Patient;
+use std::fs;
 use std::io::{self, BufWriter, StdoutLock, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
 
 /// A place for a result, made sure of before the work begins.
 pub enum Output {
@@ -18,7 +19,7 @@ pub enum Output {
     /// A file that is written beside its place and then renamed.
     File {
         /// The file beside it.
-        file: NamedTempFile,
+        file: Beside,
         /// The place, where links have led.
         place: PathBuf,
         /// The place as it was named.
@@ -55,19 +56,13 @@ impl Output {
         }
         let place = place_of(path);
         let claim = Claim::of(path, &place)?;
-        let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".raywalk-").suffix(".part");
-        let permissions = metadata.map(|metadata| metadata.permissions()).or_else(default_permissions);
-        if let Some(permissions) = permissions {
-            builder.permissions(permissions);
-        }
+        let folder = folder_of(&place);
         // The system's error names the temporary file, which says nothing to anybody.
         let plain = |error: io::Error| match error.to_string().split_once(" at path ") {
             Some((said, _)) => io::Error::new(error.kind(), said.to_owned()),
             None => error,
         };
-        let begun = signals::unfinished(|| builder.tempfile_in(folder));
+        let begun = Beside::begin(folder, metadata.map(|metadata| metadata.permissions()));
         let file = begun.map_err(|error| cannot_write(&plain(error)))?;
         Ok(Output::File { file, place, named: path.to_owned(), claim })
     }
@@ -90,14 +85,10 @@ impl Output {
                 io::ErrorKind::BrokenPipe => Failure::silent(0),
                 _ => Failure::io(&path, "write", &error),
             }),
-            Output::File { mut file, place, named, claim } => {
+            Output::File { file, place, named, claim } => {
                 let cannot_write = |error: &io::Error| Failure::io(&named, "write", error);
-                // To the file itself: the errors of a temporary file name it, which says nothing to anybody.
-                through(Box::new(file.as_file_mut()), packing(&named), write).map_err(|error| cannot_write(&error))?;
-                file.as_file().sync_all().map_err(|error| cannot_write(&error))?;
-                let unfinished = file.path().to_owned();
-                file.persist(&place).map_err(|error| cannot_write(&error.error))?;
-                signals::finished(&unfinished);
+                through(Box::new(file.as_file()), packing(&named), write).map_err(|error| cannot_write(&error))?;
+                file.take(&place).map_err(|error| cannot_write(&error))?;
                 claim.keep();
                 Ok(())
             }
@@ -114,7 +105,7 @@ fn packing(path: &Path) -> Option<Packing> {
 }
 
 fn through<'w>(
-    mut place: Box<dyn Write + 'w>,
+    place: Box<dyn Write + 'w>,
     packing: Option<Packing>,
     write: impl FnOnce(&mut Sink) -> io::Result<()>,
 ) -> io::Result<()> {
@@ -123,8 +114,9 @@ fn through<'w>(
         write(&mut out)?;
         out.flush()
     };
+    let mut place = Patient(place);
     match packing {
-        None => into(place),
+        None => into(Box::new(place)),
         Some(Packing::Gzip) => {
             // The packed data name no file and no time: the same result has the same bytes.
             let mut packed = GzEncoder::new(BufWriter::new(&mut place), Compression::fast());
@@ -153,19 +145,63 @@ pub fn print(bytes: &[u8]) -> Result<(), Failure> {
     out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| Failure::stdout(&error))
 }
 
-/// What a new file gets, less the umask; a temporary file alone would be private.
-#[cfg(unix)]
-fn default_permissions() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
+/// Removes what killed runs left beside a result that is there already, so that none is begun.
+pub fn sweep_around(path: &Path) {
+    unfinished::sweep(folder_of(&place_of(path)));
 }
 
-#[cfg(not(unix))]
-fn default_permissions() -> Option<Permissions> {
-    None
+fn folder_of(place: &Path) -> &Path {
+    place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Tells people something on standard error; where that is closed or full there is nobody to tell.
 pub fn tell(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raywalk::scene::file::{Opened, Wanted};
+    use std::sync::{Arc, Mutex};
+
+    /// Is interrupted at every other call.
+    struct Restless(Arc<Mutex<(usize, Vec<u8>)>>);
+
+    impl Write for Restless {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            let mut state = self.0.lock().expect("nobody panics");
+            state.0 += 1;
+            if state.0 % 2 == 1 {
+                return Err(io::ErrorKind::Interrupted.into());
+            }
+            state.1.extend_from_slice(bytes);
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn whatever_packs_a_result_goes_on_where_it_is_interrupted() {
+        let text: Vec<u8> = (0..300_000_u32).flat_map(|x| x.wrapping_mul(2_654_435_761).to_be_bytes()).collect();
+        for packing in [None, Some(Packing::Gzip), Some(Packing::Zstd)] {
+            let taken = Arc::new(Mutex::new((0, Vec::new())));
+            let written = through(Box::new(Restless(Arc::clone(&taken))), packing, |out| out.write_all(&text));
+            written.expect("it is tried again");
+            let (calls, packed) = taken.lock().expect("nobody panics").clone();
+            assert!(calls > 1);
+            let unpacked = match packing {
+                None => packed,
+                Some(_) => {
+                    let wanted = Wanted { what: "a result", max_bytes: 1 << 30 };
+                    let opened = wanted.begin(io::Cursor::new(packed), 0, "result".to_owned());
+                    opened.and_then(Opened::bytes).expect("it is whole")
+                }
+            };
+            assert!(unpacked == text);
+        }
+    }
 }

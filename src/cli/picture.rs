@@ -73,7 +73,7 @@ pub fn digest(path: &Path, format: Format, layers: Option<&Layers>) -> io::Resul
     let mut hasher = blake3::Hasher::new();
     hasher.update(format!("{format:?}").as_bytes());
     for path in [path.to_owned()].into_iter().chain(layers.map_or_else(Vec::new, |layers| layers.paths(path, format))) {
-        let bytes = fs::read(path)?;
+        let bytes = raywalk_guard::attempt(|| fs::read(path))?;
         hasher.update(&bytes.len().to_le_bytes()).update(&bytes);
     }
     Ok(hasher.finalize())

@@ -99,6 +99,7 @@ impl Rays {
         if self.tracing.arithmetic() != Arithmetic::F64 {
             return Err(Failure::caller("rays: --arithmetic: queries are answered in f64 only"));
         }
+        self.tracing.use_threads();
         let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import(), colors)?)?;
         let names: HashMap<&str, u32> = scene.objects.iter().map(|object| object.name.as_str()).zip(0..).collect();
         if stdin_was_closed() {

@@ -7,6 +7,7 @@ use raywalk::probe::CutOff;
 use raywalk::record::region::{self, Region};
 use raywalk::record::{self, Arithmetic, MAX_EVENTS, Part};
 use raywalk::scene::Scene;
+use raywalk::threads::Threads;
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -46,7 +47,7 @@ impl Traced<'_> {
     }
 
     /// Writes the log; `advance` is told of each pixel.
-    pub fn write(&self, threads: &rayon::ThreadPool, out: &mut Sink, advance: impl Fn()) -> io::Result<()> {
+    pub fn write(&self, threads: &Threads, out: &mut Sink, advance: impl Fn()) -> io::Result<()> {
         let header = self.header();
         let mut writer = Writer::new(out, &header)?;
         let waiting = AtomicUsize::new(0);

@@ -94,6 +94,7 @@ impl Render {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         self.check()?;
+        self.tracing.use_threads();
         let load = Instant::now();
         let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
         let load = load.elapsed().as_secs_f64();
@@ -162,6 +163,8 @@ impl Render {
         let (rendered, counts) = self.rendered(task)?;
         seconds.render = start.elapsed().as_secs_f64();
         let written = place.write(&rendered, &self.shown(task, &names_of(&task.scene)))?;
+        // Of an earlier run that was killed when the picture was there.
+        checkpoint::remove_left_of(&task.path, &task.inputs, || self.header(task, Shard::WHOLE))?;
         self.print_statistics(task, counts, seconds, written.clipped_pixels)
     }
 

@@ -137,6 +137,7 @@ impl TraceFormat {
 impl Trace {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        self.tracing.use_threads();
         match scene_argument::open(&self.scene, colors)? {
             Named::Scene(input) => self.of_scene(&input, colors)?,
             Named::Log(opened) => self.of_log(opened)?,

@@ -18,7 +18,7 @@ use raywalk::report::language::viewer::Warnings;
 use raywalk::report::{self, Style};
 use raywalk::scene::file::{Opened, visible};
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
-use signal_hook::iterator::Handle;
+use raywalk_guard::Endings;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
@@ -90,7 +90,8 @@ impl Walk {
     }
 
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice, signals: Option<Handle>) -> Result<(), Failure> {
+    pub fn run(self, colors: ColorChoice, signals: Option<Endings>) -> Result<(), Failure> {
+        self.tracing.use_threads();
         let walked = self.walked.as_deref().unwrap_or(Path::new("textbook"));
         let named = match &self.walked {
             Some(path) => scene_argument::open(path, colors)?,
@@ -121,7 +122,7 @@ impl Walk {
         }
         // From here on the viewer minds its signals itself: it has a terminal to give back.
         if let Some(signals) = signals {
-            signals.close();
+            signals.give_up();
         }
         let outcome = tui::run(log, self.options(palette(colors), warning), live)
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
@@ -152,7 +153,8 @@ impl Walk {
         let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
         let warning = warning.map(|effects| (self.warnings().biased)(&effects));
         let log = short_log(&scene, part, self.tracing.arithmetic())?;
-        let session = Some(Session::new(scene, self.tracing.arithmetic()));
+        // For a screenshot there is nothing to be shown before the whole of it.
+        let session = Some(Session::new(scene, self.tracing.arithmetic(), self.screenshot.is_some()));
         Ok(Walked { name: visible(&input.name).to_string(), log, warning, session, inputs })
     }
 

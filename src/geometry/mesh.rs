@@ -1,6 +1,7 @@
 //! Meshes as data: corners and the triangles between them.
 
 use super::bounds::Bounds;
+use crate::threads::share;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -48,7 +49,7 @@ fn balance(faces: &[[u32; 3]]) -> (bool, bool) {
         let sides = [(a, b), (b, c), (c, a)].into_iter().filter(|(from, to)| from != to);
         edges.extend(sides.map(|(from, to)| (from.min(to), from.max(to), from < to)));
     }
-    edges.par_sort_unstable();
+    share(edges.len(), || edges.par_sort_unstable());
     let runs = || edges.chunk_by(|one, other| (one.0, one.1) == (other.0, other.1));
     let is_closed = !edges.is_empty() && runs().all(|run| run.len() % 2 == 0);
     let is_consistent = is_closed && runs().all(|run| 2 * run.iter().filter(|edge| edge.2).count() == run.len());

@@ -119,7 +119,8 @@ impl<'o> Recorder<'o> {
         let more = self.events.len().clamp(AT_FIRST, PIECE << 4);
         let is_asked = self.outlet.is_none() && self.events.len() >= MANY;
         let beside = if is_asked { (self.events.len() + more) * BYTES_BESIDE } else { 0 };
-        let asked = Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
+        let is_room = || Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
+        let asked = raywalk_guard::attempt(is_room);
         if asked.is_err() {
             resume_unwind(Box::new(CutOff::Memory));
         }

@@ -7,10 +7,9 @@ use super::{Arithmetic, MAX_EVENTS, Part, digits, header, record};
 use crate::log::{Event, Events, Log, Shard, Subject};
 use crate::probe::{CutOff, Recorder, until_cut_off};
 use crate::scene::Scene;
+use crate::threads::Threads;
 use rayon::prelude::*;
 use std::io;
-use std::sync::mpsc::sync_channel;
-use std::thread;
 
 /// A rectangle of pixels: left, top, right and bottom, the last two exclusive.
 pub type Region = [u32; 4];
@@ -53,39 +52,23 @@ pub fn of_pixel(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic, room: us
     Ok(events)
 }
 
-/// Hands what `make` makes of each pixel to `take`, in the order of the pixels; `make` runs on as many threads as the pool of threads
-/// that this is called with has.
+/// Hands what `make` makes of each pixel to `take`, in the order of the pixels; `make` runs on these threads.
 ///
 /// # Errors
-/// The first of `take`, after which nothing more is made, or that no thread can be started.
+/// The first of `take`, after which nothing more is made.
 pub fn in_order<T: Send>(
     pixels: impl Iterator<Item = [u32; 2]> + Send,
-    threads: &rayon::ThreadPool,
+    threads: &Threads,
     make: impl Fn([u32; 2]) -> T + Sync,
     mut take: impl FnMut([u32; 2], T) -> io::Result<()>,
 ) -> io::Result<()> {
     /// Pixels a thread at a time: so many that one that takes long keeps nobody waiting for long.
     const EACH: usize = 32;
-    thread::scope(|scope| {
-        // While one piece is taken the next is made, and no more, so that memory doesn't grow where taking is slow.
-        let (sender, receiver) = sync_channel::<Vec<([u32; 2], T)>>(1);
-        thread::Builder::new().spawn_scoped(scope, || {
-            let sender = sender;
-            let mut left = pixels;
-            loop {
-                let piece: Vec<_> = left.by_ref().take(EACH * threads.current_num_threads()).collect();
-                if piece.is_empty() {
-                    return;
-                }
-                let made = threads.install(|| piece.into_par_iter().map(|pixel| (pixel, make(pixel))).collect());
-                if sender.send(made).is_err() {
-                    return;
-                }
-            }
-        })?;
-        for (pixel, made) in receiver.into_iter().flatten() {
-            take(pixel, made)?;
-        }
-        Ok(())
-    })
+    let mut left = pixels;
+    let each = EACH * threads.count();
+    let piece = || {
+        let piece: Vec<_> = left.by_ref().take(each).collect();
+        (!piece.is_empty()).then(|| piece.into_par_iter().map(|pixel| (pixel, make(pixel))).collect::<Vec<_>>())
+    };
+    threads.hand_over(piece, |made| made.into_iter().try_for_each(|(pixel, made)| take(pixel, made)))
 }

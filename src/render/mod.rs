@@ -23,7 +23,9 @@ use crate::random::permutation::permuted;
 use crate::record::{Arithmetic, Computation, Pixel};
 use crate::sampling::together;
 use crate::scene::{Color, Sampling, Scene};
+use crate::threads::Threads;
 use rayon::prelude::*;
+use raywalk_guard::attempt;
 use std::io;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -45,7 +47,7 @@ pub struct Settings {
     pub crop: [u32; 4],
     /// In which arithmetic.
     pub arithmetic: Arithmetic,
-    /// On how many threads; 0 is one a core.
+    /// On how many threads; 0 is one a core. Where the system lets fewer start, on those.
     pub threads: usize,
     /// Whether rays are counted.
     pub counts_rays: bool,
@@ -68,12 +70,6 @@ pub enum RenderError {
     /// It was asked to stop.
     #[error("interrupted")]
     Interrupted,
-    /// There are no threads to be had.
-    #[error("cannot start threads: {0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// There is no room for the stacks of so many threads.
-    #[error("cannot start threads: not enough memory for {0} of them")]
-    Stacks(usize),
     /// What was rendered can't be kept.
     #[error(transparent)]
     Io(#[from] io::Error),
@@ -98,7 +94,7 @@ pub const BYTES_PER_PIXEL: usize = 2 * size_of::<Color>() + 16;
 pub fn ask_for_memory([left, top, right, bottom]: [u32; 4]) -> Result<(), RenderError> {
     let (width, height) = (right - left, bottom - top);
     let bytes = (width as usize).checked_mul(height as usize).and_then(|pixels| pixels.checked_mul(BYTES_PER_PIXEL));
-    let is_there = bytes.is_some_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok());
+    let is_there = bytes.is_some_and(|bytes| attempt(|| Vec::<u8>::new().try_reserve_exact(bytes)).is_ok());
     if is_there { Ok(()) } else { Err(RenderError::Memory(width, height)) }
 }
 
@@ -145,33 +141,15 @@ fn by_rows(
     by_tiles(settings, of_row, progress)
 }
 
-/// Makes sure, as far as that goes, that there is room for the stacks: a thread that has begun and finds no memory could only
-/// abort.
-fn ask_for_stacks(threads: usize) -> Result<(), RenderError> {
-    /// What a thread of the standard library gets.
-    const STACK: usize = 2 << 20;
-    let asked = Vec::<u8>::new().try_reserve_exact(threads.saturating_mul(STACK));
-    asked.map_err(|_| RenderError::Stacks(threads))
-}
-
-/// So many threads to share work among; 0 is one a core.
-///
-/// # Errors
-/// [`RenderError::Threads`] or [`RenderError::Stacks`] when they can't be had.
-pub fn threads(count: usize) -> Result<rayon::ThreadPool, RenderError> {
-    ask_for_stacks(count)?;
-    Ok(rayon::ThreadPoolBuilder::new().num_threads(count).build()?)
-}
-
 /// Does the work on the threads that the settings ask for.
 fn on_threads(
     settings: &Settings,
     work: impl FnOnce() -> Option<(Film, Counter)> + Send,
 ) -> Result<Rendered, RenderError> {
     ask_for_memory(settings.crop)?;
-    // More threads than tiles would only be in each other's way; 0 stays one a core.
-    let threads = threads(settings.threads.min(tiles(settings.crop).len()))?;
-    let (film, counter) = threads.install(work).ok_or(RenderError::Interrupted)?;
+    // More threads than tiles would only be in each other's way.
+    let threads = Threads::of(settings.threads, tiles(settings.crop).len());
+    let (film, counter) = threads.run(work).ok_or(RenderError::Interrupted)?;
     Ok(Rendered { film, counts: settings.counts_rays.then_some(counter) })
 }
 

@@ -1,10 +1,12 @@
 //! A picture in pieces, of which each can be rendered, kept and put together by itself.
 
 use super::layers::{Layered, Seen, layers_in};
-use super::{Counter, Film, RenderError, Settings, ask_for_memory, colors_in, digits, threads};
+use super::{Counter, Film, RenderError, Settings, ask_for_memory, colors_in, digits};
 use crate::log::Shard;
 use crate::scene::{Color, Scene};
+use crate::threads::Threads;
 use rayon::prelude::*;
+use raywalk_guard::attempt;
 use std::io;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -67,7 +69,7 @@ impl Canvas {
         }
         let mut pixels = Vec::new();
         let count = width as usize * height as usize;
-        pixels.try_reserve_exact(count).map_err(|_| RenderError::Memory(width, height))?;
+        attempt(|| pixels.try_reserve_exact(count)).map_err(|_| RenderError::Memory(width, height))?;
         pixels.resize(count, Seen::default());
         Ok(Canvas::Layers(Layered { width, height, pixels }))
     }
@@ -117,7 +119,7 @@ pub fn render_pieces(
     stop: &AtomicBool,
 ) -> Result<Counter, RenderError> {
     ask_for_memory(settings.crop)?;
-    let threads = threads(settings.threads)?;
+    let threads = Threads::of(settings.threads, pieces.len());
     let (failed, done) = (AtomicBool::new(false), Mutex::new(done));
     let is_over = || stop.load(Ordering::Relaxed) || failed.load(Ordering::Relaxed);
     let render = |(number, area): &(u32, [u32; 4])| {
@@ -134,7 +136,7 @@ pub fn render_pieces(
         done(*number, pixels).inspect_err(|_| failed.store(true, Ordering::Relaxed))?;
         Ok(counter)
     };
-    let rendered: Vec<Result<Counter, RenderError>> = threads.install(|| pieces.par_iter().map(render).collect());
+    let rendered: Vec<Result<Counter, RenderError>> = threads.run(|| pieces.par_iter().map(render).collect());
     let mut sum = Counter::default();
     let mut first = None;
     for counter in rendered {

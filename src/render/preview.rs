@@ -4,6 +4,7 @@ use crate::log::{Name, RayKind, Step};
 use crate::probe::{Probe, Quantity};
 use crate::record::{Arithmetic, Pixel};
 use crate::scene::{Color, Scene};
+use crate::threads::{Threads, wanted};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -43,6 +44,7 @@ pub fn in_passes<T: Send>(
     mut publish: impl FnMut(Vec<([u32; 2], T)>),
     stop: &AtomicBool,
 ) {
+    let threads = Threads::of(wanted(), columns as usize * rows as usize);
     for coarse in (0..=coarsest).rev() {
         let distance = 1 << coarse;
         let is_new =
@@ -56,7 +58,9 @@ pub fn in_passes<T: Send>(
                 .flat_map(|row| (0..columns).step_by(distance as usize).map(move |column| [column, row]));
             let places: Vec<[u32; 2]> = grid.filter(is_new).collect();
             let of_place = |place: [u32; 2]| (!stop.load(Ordering::Relaxed)).then(|| (place, of_dot(place)));
-            let Some(dots) = places.into_par_iter().map(of_place).collect::<Option<Vec<_>>>() else { return };
+            let Some(dots) = threads.run(|| places.into_par_iter().map(of_place).collect::<Option<Vec<_>>>()) else {
+                return;
+            };
             publish(dots);
             row = end;
         }

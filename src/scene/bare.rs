@@ -3,13 +3,17 @@
 use super::file::schema as file;
 use super::{AroundEye, Camera, Ceilings, Color, Effects, Formulas, Index, Object, Sampling, Scene, build};
 use crate::geometry::Shape;
+use crate::threads::share;
 use glam::DVec3;
 use rayon::prelude::*;
 
 impl Scene {
     /// A scene of these shapes alone, which is only asked about rays: two-sided, dark, in the default material, seen by nobody. Objects
     /// have no names, so that a million of them cost no more than their shapes.
-    pub fn of_shapes(name: &str, shapes: impl IntoParallelIterator<Item = Shape>) -> Scene {
+    pub fn of_shapes(
+        name: &str,
+        shapes: impl IntoParallelIterator<Iter = impl IndexedParallelIterator<Item = Shape>, Item = Shape>,
+    ) -> Scene {
         let object = |shape| Object {
             name: String::new(),
             slack: Shape::slack(&shape),
@@ -18,7 +22,8 @@ impl Scene {
             one_sided: false,
             inside: None,
         };
-        let objects: Vec<_> = shapes.into_par_iter().map(object).collect();
+        let shapes = shapes.into_par_iter();
+        let objects: Vec<_> = share(shapes.len(), || shapes.map(object).collect());
         Scene {
             name: name.to_owned(),
             digest: String::new(),

@@ -4,6 +4,7 @@ use super::Object;
 use crate::geometry::bvh::{Bvh, Form, PerRay, RayMask, Search};
 use crate::geometry::{Bounds, Leaving, RaySource, Shaft, Shape};
 use crate::probe::Probe;
+use crate::threads::share;
 use arrayvec::ArrayVec;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -246,7 +247,8 @@ fn sorted(objects: &[Object]) -> Sorted {
         Sorted { around: one.around.union(other.around), ..one }
     };
     let nothing = || Sorted { unbounded: Vec::new(), around: Bounds::EMPTY };
-    (0..objects.len() as u32).into_par_iter().with_min_len(CHUNK).fold(nothing, with).reduce(nothing, join)
+    let numbers = 0..objects.len() as u32;
+    share(objects.len(), || numbers.into_par_iter().with_min_len(CHUNK).fold(nothing, with).reduce(nothing, join))
 }
 
 #[cfg(test)]

@@ -28,9 +28,10 @@ fn e20_memory_limit() {
     let large = ["render", "textbook", "--size", "16000x16000", "-q", "-o", "a.png"];
     with_little_memory(folder.path(), &large)
         .fails(3, "error: not enough memory for a picture of 16000 x 16000 pixels");
-    let threads = ["render", "textbook", "--size", "1000x1000", "--threads", "4000", "-q", "-o", "a.png"];
-    with_little_memory(folder.path(), &threads).fails(3, "error: cannot start threads");
-    assert_eq!(names_in(folder.path()), ["m.obj", "t.json"]);
+    // Where there is no room for the stacks of all threads, there is for some.
+    let threads = ["render", "textbook", "--size", "500x500", "--threads", "4000", "-q", "-o", "b.png"];
+    with_little_memory(folder.path(), &threads).ends_with(0);
+    assert_eq!(names_in(folder.path()), ["b.png", "m.obj", "t.json"]);
     let small = ["render", "textbook", "--size", "9x9", "--threads", "2", "-q", "-o", "a.png"];
     with_little_memory(folder.path(), &small).ends_with(0);
 }

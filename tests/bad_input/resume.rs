@@ -85,9 +85,37 @@ fn a_checkpoint_left_beside_a_whole_shard_goes() {
     let call = ["render", "textbook", "--size", "100x70", "-q", "--resume", "--shard", "1/1", "-o", "a.part"];
     assert!(start(folder.path(), &call).wait().expect("it ends").success());
     let left = folder.path().join("a.part.checkpoint");
-    fs::write(&left, checkpoint()).expect("written");
-    assert!(start(folder.path(), &call).wait().expect("it ends").success());
-    assert!(!left.exists());
+    // Also in a run that keeps none itself.
+    let without: Vec<_> = call.iter().copied().filter(|word| *word != "--resume").collect();
+    for call in [&call[..], &without] {
+        fs::write(&left, checkpoint()).expect("written");
+        assert!(start(folder.path(), call).wait().expect("it ends").success());
+        assert!(!left.exists(), "{call:?}");
+    }
+    // One of something else isn't ours to remove, and in nobody's way.
+    let other = checkpoint().windows(2).position(|pair| pair == b"70").expect("the height");
+    let mut other = {
+        let mut text = checkpoint();
+        text[other] = b'8';
+        text
+    };
+    other.truncate(2000);
+    for call in [&call[..], &without] {
+        fs::write(&left, &other).expect("written");
+        assert!(start(folder.path(), call).wait().expect("it ends").success());
+        assert!(fs::read(&left).expect("it is there") == other, "{call:?}");
+    }
+}
+
+#[test]
+fn a_checkpoint_left_beside_a_picture_goes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let without: Vec<_> = CALL.iter().copied().filter(|word| *word != "--resume").collect();
+    for call in [&CALL[..], &without] {
+        fs::write(folder.path().join("a.pfm.checkpoint"), checkpoint()).expect("written");
+        assert!(start(folder.path(), call).wait().expect("it ends").success());
+        assert_eq!(names_in(folder.path()), ["a.pfm"], "{call:?}");
+    }
 }
 
 const CALL: [&str; 8] = ["render", "textbook", "--size", "100x70", "-q", "--resume", "-o", "a.pfm"];

@@ -93,6 +93,31 @@ fn s02_sigterm() {
     log_without_end("TERM", Some(143));
 }
 
+/// Where the program aborts itself it leaves nothing behind, and no core dump.
+#[test]
+fn s02_sigabrt() {
+    ends(&["ABRT"], 3);
+}
+
+/// What a killed process left goes with the next run in its folder; what a living one is at work on stays.
+#[test]
+fn s03_sigkill_leaves_nothing_for_long() {
+    let folder = folder_with_old_picture();
+    let small = || {
+        let arguments = ["render", "textbook", "--size", "16x12", "-q", "-o", "b.png"];
+        answer(&mut raywalk(folder.path(), &arguments)).ends_with(0);
+        names_in(folder.path())
+    };
+    let mut child = start(folder.path(), &ENDLESS);
+    let during = small();
+    assert_eq!(during.len(), 3, "{during:?}");
+    assert!(during[0].starts_with(".raywalk-") && during[0].ends_with(".part"), "{during:?}");
+    child.kill().expect("it is killed");
+    child.wait().expect("it ends");
+    assert_eq!(names_in(folder.path()), during);
+    assert_eq!(small(), ["a.pfm", "b.png"]);
+}
+
 #[test]
 fn s03_sigkill() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -120,6 +145,7 @@ fn s03_sigkill() {
     // What was left behind stands in nobody's way.
     assert!(render().wait().expect("it ends").success());
     assert_eq!(fs::read(folder.path().join("a.pfm")).expect("a picture"), picture);
+    assert_eq!(names_in(folder.path()), ["a.pfm"]);
     log_without_end("KILL", None);
 }
 

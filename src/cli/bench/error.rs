@@ -61,6 +61,7 @@ pub struct ErrorBench {
 impl ErrorBench {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        raywalk::threads::want(self.threads.into());
         let otherwise: &[&str] = match () {
             _ if self.arithmetic => &scenes::FEW,
             _ if self.depths || self.cutoffs => &scenes::BRANCHING,

@@ -64,7 +64,7 @@ struct Row<'a> {
     mode: &'static str,
     scene: &'a str,
     rays: &'a str,
-    threads: u16,
+    threads: usize,
     n: usize,
     mrays_median: f64,
     mrays_lower_quartile: f64,
@@ -158,7 +158,7 @@ impl RaysBench {
         let mut scene = None;
         for threads in &self.threads {
             drop(scene.take());
-            let (built, lap) = throughput::build(&name, &primitives, usize::from(*threads)).map_err(no_threads)?;
+            let (built, lap) = throughput::build(&name, &primitives, usize::from(*threads));
             scene = Some(built);
             let (build_s, build_cpu_s) = (lap.seconds, lap.cpu_seconds);
             let (build_threads, primitives) = (*threads, primitives.count());
@@ -180,9 +180,8 @@ impl RaysBench {
         let mut hits = Hits::default();
         for mode in Mode::ALL {
             for threads in &self.threads {
-                let threads_used = usize::from(*threads);
-                let measured = measure(scene, file, mode, threads_used, passes, &mut hits).map_err(no_threads)?;
-                self.print_row(&Row::of(scene, (kind, mode), *threads, file.rays.len(), &measured))?;
+                let measured = measure(scene, file, mode, usize::from(*threads), passes, &mut hits);
+                self.print_row(&Row::of(scene, (kind, mode), file.rays.len(), &measured))?;
             }
         }
         let Some(dump) = dump else { return Ok(()) };
@@ -226,8 +225,8 @@ impl<'a> Row<'a> {
     const TITLE: &'static str =
         "  rays       mode   threads       rays      hits  passes  Mrays/s  (quartiles)     Mrays/cpu s\n";
 
-    fn of(scene: &'a Scene, (rays, mode): (&'a str, Mode), threads: u16, n: usize, measured: &Throughput) -> Row<'a> {
-        let Throughput { per_second, per_cpu_second, hits, t_sum } = *measured;
+    fn of(scene: &'a Scene, (rays, mode): (&'a str, Mode), n: usize, measured: &Throughput) -> Row<'a> {
+        let Throughput { threads, per_second, per_cpu_second, hits, t_sum } = *measured;
         let mega = |speed: f64| speed * 1e-6;
         Row {
             engine: ENGINE,
@@ -272,10 +271,6 @@ impl<'a> Row<'a> {
 fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     let line = serde_json::to_string(value).map_err(|error| Failure::machine(format!("cannot write: {error}")))?;
     output::print(format!("{}\n", visible_json(&line)).as_bytes())
-}
-
-fn no_threads(error: impl std::fmt::Display) -> Failure {
-    Failure::machine(format!("cannot start threads: {error}"))
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

@@ -61,6 +61,7 @@ const HALVINGS: u32 = 5;
 impl ScalingBench {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+        raywalk::threads::want(self.threads.into());
         let machine = Machine::this();
         // Before anything is measured.
         let loaded = scene_argument::load(&self.scene, &TracingOptions::default().import(), colors)?;
@@ -73,9 +74,8 @@ impl ScalingBench {
         ask_for_memory([0, 0, width, height]).map_err(|error| Failure::machine(error.to_string()))?;
         let passes = usize::from(self.passes);
         let counts = std::iter::successors(Some(FEWEST), |count| count.checked_mul(10));
-        let of_count = |count| of_spheres(count, passes).map_err(|error| Failure::machine(error.to_string()));
-        let spheres = counts.take_while(|count| *count <= self.spheres).map(|count| of_count(count).map(Row::of));
-        let spheres = spheres.collect::<Result<Vec<_>, _>>()?;
+        let spheres = counts.take_while(|count| *count <= self.spheres);
+        let spheres: Vec<_> = spheres.map(|count| Row::of(of_spheres(count, passes))).collect();
         let sizes = (0..=HALVINGS).rev().map(|halvings| self.size.map(|side| side >> halvings));
         let of_size = |size: [u32; 2]| {
             let measured = of_size(&in_size(size)?, self.threads.into(), passes);

@@ -17,7 +17,7 @@ use raywalk::report::words;
 use raywalk::scene::file::{Opened, visible};
 use raywalk::tui::Theme;
 use raywalk::tui::beside::{self, Beside};
-use signal_hook::iterator::Handle;
+use raywalk_guard::Endings;
 use std::cmp::Ordering;
 use std::io::Read;
 
@@ -75,7 +75,7 @@ impl Diff {
         a: Opened,
         b: Opened,
         colors: ColorChoice,
-        signals: Option<Handle>,
+        signals: Option<Endings>,
     ) -> Result<bool, Failure> {
         let mut pairs = Pairs::of(Source::open(a)?, Source::open(b)?)?;
         let tolerance = self.tolerance();
@@ -104,7 +104,7 @@ impl Diff {
             Beside::new(rows, [title(&pairs.a.name, pixel, &a.header), title(&pairs.b.name, pixel, &b.header)]);
         // From here on the viewer minds its signals itself: it has a terminal to give back.
         if let Some(signals) = signals {
-            signals.close();
+            signals.give_up();
         }
         let theme = Theme::new(palette(colors), self.ascii);
         let exit = beside::run(beside, &theme)

@@ -16,14 +16,15 @@ use std::sync::Arc;
 pub struct Session {
     scene: Arc<Scene>,
     arithmetic: Arithmetic,
+    waits: bool,
     /// The picture; begun when somebody wants to see it.
     rendering: Option<Rendering>,
 }
 
 impl Session {
-    /// The session of a scene.
-    pub fn new(scene: Scene, arithmetic: Arithmetic) -> Session {
-        Session { scene: Arc::new(scene), arithmetic, rendering: None }
+    /// The session of a scene; one that waits shows nothing of a picture before all of it is there.
+    pub fn new(scene: Scene, arithmetic: Arithmetic, waits: bool) -> Session {
+        Session { scene: Arc::new(scene), arithmetic, waits, rendering: None }
     }
 
     fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
@@ -44,10 +45,10 @@ impl Live for Session {
     }
 
     fn picture(&mut self, whole: bool) -> Option<Arc<Image>> {
-        let (scene, arithmetic) = (&self.scene, self.arithmetic);
+        let (scene, arithmetic, whole) = (&self.scene, self.arithmetic, whole || self.waits);
         // The printed values are those of one pixel; the others are as by hand.
         let arithmetic = if arithmetic == Arithmetic::Printed { Arithmetic::Decimal(3) } else { arithmetic };
-        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic));
+        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic, whole));
         if whole {
             rendering.finish();
         }

@@ -3,6 +3,7 @@
 use raywalk::record::Arithmetic;
 use raywalk::render::{export, preview};
 use raywalk::scene::Scene;
+use raywalk::threads::work_alone;
 use raywalk::tui::{COARSEST, Dot, Image};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,6 +12,9 @@ use std::time::{Duration, Instant};
 
 /// How long a picture in the making is kept back between two that are shown.
 const PAUSE: Duration = Duration::from_millis(100);
+
+/// How long the viewer waits for a picture where no thread can be started for it: what has been rendered by then is shown.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// The thread that renders, and what it has. Dropping it ends the work.
 pub struct Rendering {
@@ -25,18 +29,26 @@ struct Shared {
 }
 
 impl Rendering {
-    /// Begins to render.
-    pub fn start(scene: Arc<Scene>, arithmetic: Arithmetic) -> Rendering {
+    /// Begins to render, on a thread of its own; the whole picture, if nothing is shown before it.
+    pub fn start(scene: Arc<Scene>, arithmetic: Arithmetic, whole: bool) -> Rendering {
         let output = scene.output;
         let levels = move |color: [f64; 3], stops: f64| export::levels(color, &output, stops);
         let empty = Image::empty(scene.camera.resolution, Arc::new(levels));
         let shared =
             Arc::new(Shared { latest: Mutex::new(Some(Arc::new(empty.clone()))), stop: AtomicBool::new(false) });
-        let of_thread = Arc::clone(&shared);
-        let thread = thread::Builder::new()
-            .name("picture".to_owned())
-            .spawn(move || of_thread.render(&scene, arithmetic, empty))
-            .ok();
+        if whole {
+            shared.render(&scene, arithmetic, empty, None);
+            return Rendering { shared, thread: None };
+        }
+        let (of_thread, of_scene, image) = (Arc::clone(&shared), Arc::clone(&scene), empty.clone());
+        let work = move || {
+            work_alone();
+            of_thread.render(&of_scene, arithmetic, image, None);
+        };
+        let thread = thread::Builder::new().name("picture".to_owned()).spawn(work).ok();
+        if thread.is_none() {
+            shared.render(&scene, arithmetic, empty, Some(Instant::now() + PATIENCE));
+        }
         Rendering { shared, thread }
     }
 
@@ -62,7 +74,8 @@ impl Drop for Rendering {
 }
 
 impl Shared {
-    fn render(&self, scene: &Scene, arithmetic: Arithmetic, mut image: Image) {
+    /// Renders the picture, or as much of it as there is time for.
+    fn render(&self, scene: &Scene, arithmetic: Arithmetic, mut image: Image, until: Option<Instant>) {
         let grid = [image.columns(), image.rows()];
         let (step, columns) = (image.step, image.columns() as usize);
         let pixel = |place: [u32; 2]| place.map(|number| number * step);
@@ -75,6 +88,9 @@ impl Shared {
                 image.dots[index(place)] = Some(Dot { color: color.to_array(), depth, rays, samples, error: None });
             }
             clock.publish(self, &image);
+            if until.is_some_and(|until| Instant::now() >= until) {
+                self.stop.store(true, Ordering::Relaxed);
+            }
         };
         preview::in_passes(grid, COARSEST, dot, publish, &self.stop);
         self.put(&image);

@@ -2,9 +2,11 @@
 
 use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::{Claim, Inputs, place_of};
+use crate::cli::unfinished::sync_folder;
 use raywalk::render::part::{PartError, PartHeader, Reader, Record, Writer};
 use raywalk::render::pieces::Pixels;
 use raywalk::scene::file::visible;
+use raywalk_guard::retried;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -108,21 +110,33 @@ impl Checkpoint {
     }
 }
 
-/// Removes a checkpoint, as the picture is there; somebody else may have done so.
+/// Removes a checkpoint, as the picture is there for good; somebody else may have done so.
 pub fn remove(path: &Path) -> Result<(), Failure> {
-    match fs::remove_file(path) {
+    // The run that put the picture there may have been killed before it made sure of that.
+    let picture = path.with_extension("");
+    if let Some(folder) = fs::canonicalize(&picture).ok().as_deref().and_then(Path::parent) {
+        sync_folder(folder).map_err(|error| Failure::io(&picture, "write", &error))?;
+    }
+    match retried(|| fs::remove_file(path)) {
         Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::io(path, "remove", &error)),
         _ => Ok(()),
     }
 }
 
-/// Removes the checkpoint that was left beside a picture which is there already, if there is one.
-pub fn remove_left_of(picture: &Path, header: &PartHeader, inputs: &Inputs) -> Result<(), Failure> {
+/// Removes the checkpoint that was left beside a picture which is there, if there is one of this very picture. Anything else, and one that
+/// another run is at work on, is nobody's business here.
+pub fn remove_left_of(
+    picture: &Path,
+    inputs: &Inputs,
+    header: impl FnOnce() -> Result<PartHeader, Failure>,
+) -> Result<(), Failure> {
     if !path_of(picture).exists() {
         return Ok(());
     }
-    let (left, _) = Checkpoint::open(picture, header, inputs)?;
-    remove(&left.into_path())
+    match Checkpoint::open(picture, &header()?, inputs) {
+        Ok((left, _)) => remove(&left.into_path()),
+        Err(_) => Ok(()),
+    }
 }
 
 /// What a checkpoint holds.

@@ -58,8 +58,9 @@ impl Render {
         let header = self.header(task, self.shard.unwrap_or(Shard::WHOLE))?;
         if is_whole(&task.path, &header) {
             self.tell(&task.path, "is there already and whole");
+            output::sweep_around(&task.path);
             // The run that made it may have been killed before it removed its checkpoint.
-            return if self.resume { checkpoint::remove_left_of(&task.path, &header, &task.inputs) } else { Ok(()) };
+            return checkpoint::remove_left_of(&task.path, &task.inputs, || Ok(header));
         }
         let create = || Output::create(Some(&task.path), &task.inputs);
         let output = create()?;
@@ -79,7 +80,10 @@ impl Render {
             kept.iter().try_for_each(|(number, pixels)| writer.piece(*number, pixels))?;
             writer.finish().map(|_| ())
         })?;
-        checkpoint.map_or(Ok(()), |checkpoint| checkpoint::remove(&checkpoint.into_path()))?;
+        match checkpoint {
+            Some(checkpoint) => checkpoint::remove(&checkpoint.into_path())?,
+            None => checkpoint::remove_left_of(&task.path, &task.inputs, || Ok(header))?,
+        }
         self.print_statistics(task, Some(counts), seconds, 0)
     }
 
@@ -119,7 +123,7 @@ impl Render {
     }
 
     /// What a part of this picture says about itself.
-    fn header(&self, task: &Task, shard: Shard) -> Result<PartHeader, Failure> {
+    pub(super) fn header(&self, task: &Task, shard: Shard) -> Result<PartHeader, Failure> {
         let Task { scene, settings, .. } = task;
         let content = match (&self.layers, self.digits_seed()?) {
             (Some(layers), _) => Content::Layers { names: layers.names(), objects: names_of(scene) },

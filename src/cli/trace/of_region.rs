@@ -10,11 +10,11 @@ use crate::cli::saved_log;
 use raywalk::log::{Header, Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, MAX_EVENTS};
-use raywalk::render;
 use raywalk::report::lines;
 use raywalk::report::segments::Segment;
 use raywalk::scene::Scene;
 use raywalk::scene::file::visible;
+use raywalk::threads::Threads;
 use std::io;
 
 impl Trace {
@@ -35,6 +35,7 @@ impl Trace {
             if !self.progress.quiet {
                 output::tell(&format!("note: {}: is there already and whole", visible(&path.to_string_lossy())));
             }
+            output::sweep_around(path);
             return Ok(());
         }
         let output = Output::create(self.output.as_deref(), inputs)?;
@@ -49,9 +50,9 @@ impl Trace {
             let log = record::region::bounded(scene, region, arithmetic).map_err(|why| too_long(why, arithmetic))?;
             return output.commit(&self.view(Some(scene), &log, format)?);
         }
-        let threads = render::threads(self.tracing.threads.into());
-        let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
-        let progress = self.progress.start(traced.pixels().count() as u64);
+        let count = traced.pixels().count();
+        let threads = Threads::of(self.tracing.threads.into(), count);
+        let progress = self.progress.start(count as u64);
         let written = output.stream(|out| traced.write(&threads, out, || progress.advance(1)));
         progress.finish();
         written
@@ -60,8 +61,7 @@ impl Trace {
     /// The rays of a region as lines in space; of each pixel's log only they are kept.
     fn rays_of(&self, scene: &Scene, header: &Header, region: [u32; 4]) -> Result<Vec<Segment>, Failure> {
         let arithmetic = self.tracing.arithmetic();
-        let threads = render::threads(self.tracing.threads.into());
-        let threads = threads.map_err(|error| Failure::machine(error.to_string()))?;
+        let threads = Threads::of(self.tracing.threads.into(), record::region::pixels(region).count());
         let make = |pixel| {
             let events = record::region::of_pixel(scene, pixel, arithmetic, MAX_EVENTS)?;
             Ok(lines::rays(&Log { header: header.clone(), events }))

@@ -8,6 +8,7 @@ use super::outliers::{self, Sorted};
 use super::space::Space;
 use super::split::{BLOCK, Part, Rough};
 use super::{Bvh, Form};
+use crate::threads::share;
 use arrayvec::ArrayVec;
 use rayon::prelude::*;
 
@@ -61,6 +62,10 @@ struct Growth {
 impl Bvh {
     /// The tree over these things, and things that have no box.
     pub fn new(unbounded: Vec<u32>, things: &[u32], form: impl Fn(u32) -> Form + Sync) -> Bvh {
+        share(things.len(), || Bvh::of(unbounded, things, &form))
+    }
+
+    fn of(unbounded: Vec<u32>, things: &[u32], form: impl Fn(u32) -> Form + Sync) -> Bvh {
         let mut bvh = Bvh { beside: unbounded, instructions: Instructions::detected(), ..Bvh::default() };
         let bounds_of = |thing: u32| form(thing).bounds().widened();
         let Sorted { outliers, kept, around } = outliers::sorted(things, bounds_of);

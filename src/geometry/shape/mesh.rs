@@ -20,6 +20,7 @@ use crate::geometry::ray::{Crossing, Leaving, Ray, Side, Surface};
 use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
 use crate::probe::{Probe, ROUNDINGS, Silent};
+use crate::threads::share;
 use glam::DVec3;
 use left::{LeftTriangle, corners_in_common, overlap};
 use rayon::prelude::*;
@@ -39,6 +40,10 @@ pub struct TriangleMesh {
 impl TriangleMesh {
     /// Builds the tree. Triangles without area are left out of it.
     pub fn new(mesh: Arc<Mesh>) -> TriangleMesh {
+        share(mesh.faces.len(), || TriangleMesh::of(mesh))
+    }
+
+    fn of(mesh: Arc<Mesh>) -> TriangleMesh {
         let has_area = |triangle: &u32| !mesh.is_degenerate(*triangle);
         let solid: Vec<u32> = (0..mesh.faces.len() as u32).into_par_iter().filter(has_area).collect();
         let tree = Bvh::new(Vec::new(), &solid, |triangle| Form::Triangle(mesh.corners(triangle)));

@@ -6,6 +6,7 @@ use super::lines::Brackets;
 use super::read::{Ending, ReadLog, check_names, check_version, error_at};
 use super::reader::Reader;
 use crate::log::{Header, Log};
+use raywalk_guard::attempt;
 use serde::Deserialize;
 use std::io::{self, ErrorKind};
 use std::{slice, thread};
@@ -24,19 +25,25 @@ struct Document<'t> {
     end: Option<End>,
 }
 
+/// A nesting for which any stack is enough: the parser's own limit would be 128.
+const SHALLOW: usize = 64;
+
 /// How much larger than its bytes a document is in memory, with the lines that are made of it.
 const GROWTH: usize = 3;
 
 /// Reads the document.
 pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
     // In the middle of the work it could only abort.
-    let asked = Vec::<u8>::new().try_reserve_exact(bytes.len().saturating_mul(GROWTH));
+    let asked = attempt(|| Vec::<u8>::new().try_reserve_exact(bytes.len().saturating_mul(GROWTH)));
     asked.map_err(|_| io::Error::from(ErrorKind::OutOfMemory))?;
-    if let Some(line) = too_deep_at(bytes) {
+    if let Some(line) = deeper_at(bytes, MAX_NESTING) {
         let message = format!("nested more than {MAX_NESTING} deep");
         return Err(LogError::Damaged { line, column: 1, message });
     }
-    // The parser's own limit is 128 and its recursion follows the nesting, so it gets a stack that is large enough.
+    // The parser's recursion follows the nesting: where that is deep it gets a stack that is large enough.
+    if deeper_at(bytes, SHALLOW).is_none() {
+        return parse(bytes);
+    }
     thread::scope(|scope| {
         let parse = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, || parse(bytes))?;
         parse.join().unwrap_or_else(|_| Err(LogError::NotALog { found: "a document that can't be read".into() }))
@@ -78,12 +85,12 @@ fn parse_as<'t, T: Deserialize<'t>>(bytes: &'t [u8]) -> Result<(T, bool), serde_
     Ok((value, json.end().is_ok()))
 }
 
-/// The line where the document nests too deep, if it does.
-fn too_deep_at(bytes: &[u8]) -> Option<usize> {
+/// The line where the document nests deeper than this, if it does.
+fn deeper_at(bytes: &[u8], most: usize) -> Option<usize> {
     let mut brackets = Brackets::default();
     let at = bytes.iter().position(|byte| {
         brackets.pass(slice::from_ref(byte));
-        brackets.depth > MAX_NESTING
+        brackets.depth > most
     })?;
     Some(1 + bytes[..at].iter().filter(|byte| **byte == b'\n').count())
 }

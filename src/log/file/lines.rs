@@ -1,6 +1,7 @@
 //! The lines of a log as they come: little more of its text is held than a block.
 
 use memchr::memchr;
+use raywalk_guard::attempt;
 use std::io::{self, ErrorKind, Read};
 
 /// How much is read at a time: enough for a fast digest, and soon gone from the cache again.
@@ -177,7 +178,7 @@ impl<R: Read> Lines<R> {
     }
 
     fn read_more(&mut self) -> io::Result<()> {
-        self.block.try_reserve(BLOCK).map_err(|_| io::Error::from(ErrorKind::OutOfMemory))?;
+        attempt(|| self.block.try_reserve(BLOCK)).map_err(|_| io::Error::from(ErrorKind::OutOfMemory))?;
         match self.input.by_ref().take(BLOCK as u64).read_to_end(&mut self.block) {
             Ok(0) => self.is_at_end = true,
             Ok(_) => {}

@@ -187,7 +187,8 @@ impl Reader {
         const MOST: usize = 1 << 20;
         let more = self.events.len().clamp(64, MOST);
         let beside = (self.events.len() + more) * BYTES_BESIDE;
-        let asked = Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
+        let is_room = || Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
+        let asked = raywalk_guard::attempt(is_room);
         asked.map_err(|_| LogError::Io(ErrorKind::OutOfMemory.into()))
     }
 

@@ -10,6 +10,7 @@ use super::{Arithmetic, Computation};
 use crate::log::{Digits, Events, Value, What};
 use crate::probe::{CutOff, Erased, Perturbed, Probe, RayTree};
 use align::{Alignment, Run, components};
+use raywalk_guard::attempt;
 
 /// The arithmetics of the runs, the first with `seed` itself.
 fn arithmetics(seed: u64) -> [Arithmetic; RUNS] {
@@ -44,7 +45,7 @@ pub(super) fn put_into(
     record: impl Fn(Arithmetic) -> Result<Events, CutOff>,
 ) -> Result<(), CutOff> {
     // The numbers of digits themselves: in the middle of the work an allocation that fails could only abort.
-    let asked = Vec::<Digits>::new().try_reserve_exact(2 * events.len());
+    let asked = attempt(|| Vec::<Digits>::new().try_reserve_exact(2 * events.len()));
     asked.map_err(|_| CutOff::Memory)?;
     let mut differs = filled(events.len(), false)?;
     let mut values = Vec::with_capacity(RUNS);
@@ -77,7 +78,7 @@ pub(super) fn put_into(
 /// Memory for something of each event.
 fn filled<T: Copy>(count: usize, content: T) -> Result<Vec<T>, CutOff> {
     let mut filled = Vec::new();
-    filled.try_reserve_exact(count).map_err(|_| CutOff::Memory)?;
+    attempt(|| filled.try_reserve_exact(count)).map_err(|_| CutOff::Memory)?;
     filled.resize(count, content);
     Ok(filled)
 }

@@ -162,6 +162,6 @@ pub(super) fn check_size(size: [u64; 2]) -> Result<(), PictureError> {
 /// An empty list with room for `count` samples: in the middle of the work it could only abort.
 pub(super) fn with_room_for<T>(count: usize) -> Result<Vec<T>, PictureError> {
     let mut list = Vec::new();
-    list.try_reserve_exact(count).map_err(|_| PictureError::Memory)?;
+    raywalk_guard::attempt(|| list.try_reserve_exact(count)).map_err(|_| PictureError::Memory)?;
     Ok(list)
 }

@@ -6,11 +6,13 @@ mod observer;
 pub use map::false_colors;
 
 use super::export::{Channel, ExrLayer};
-use super::{Film, Progress, RenderError, Settings, TILE, ask_for_memory, threads, tiles};
+use super::{Film, Progress, RenderError, Settings, TILE, ask_for_memory, tiles};
 use crate::record::Pixel;
 use crate::scene::{Color, Scene};
+use crate::threads::Threads;
 use observer::Observer;
 use rayon::prelude::*;
+use raywalk_guard::attempt;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -125,12 +127,12 @@ pub fn render_layers(
     let [left, top, right, bottom] = settings.crop;
     ask_for_memory(settings.crop)?;
     let (width, height) = (right - left, bottom - top);
-    let is_room = Vec::<Seen>::new().try_reserve_exact(width as usize * height as usize).is_ok();
+    let is_room = attempt(|| Vec::<Seen>::new().try_reserve_exact(width as usize * height as usize)).is_ok();
     if !is_room {
         return Err(RenderError::Memory(width, height));
     }
-    let threads = threads(settings.threads.min(tiles(settings.crop).len()))?;
-    let pixels = threads.install(|| layers_in(scene, settings, &progress, stop)).ok_or(RenderError::Interrupted)?;
+    let threads = Threads::of(settings.threads, tiles(settings.crop).len());
+    let pixels = threads.run(|| layers_in(scene, settings, &progress, stop)).ok_or(RenderError::Interrupted)?;
     Ok(Layered { width, height, pixels })
 }
 

@@ -1,5 +1,6 @@
 //! Bytes from outside, of bounded size and never by waiting for a device.
 
+use raywalk_guard::{Patient, attempt};
 use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read};
 use std::mem;
@@ -87,7 +88,8 @@ impl Wanted {
     ///
     /// # Errors
     /// Those of [`Wanted::open`].
-    pub fn begin(self, mut input: impl Read + 'static, size: u64, name: String) -> Result<Opened, SceneError> {
+    pub fn begin(self, input: impl Read + 'static, size: u64, name: String) -> Result<Opened, SceneError> {
+        let mut input = Patient(input);
         let mut beginning = Vec::new();
         let read = input.by_ref().take(BEGINNING).read_to_end(&mut beginning);
         read.map_err(|error| self.failure(&name, error))?;
@@ -159,9 +161,9 @@ impl Opened {
         }
         let mut bytes = mem::take(&mut self.beginning);
         let expected = usize::try_from(self.size().unwrap_or(0)).unwrap_or(usize::MAX).saturating_sub(bytes.len());
-        bytes.try_reserve(expected).map_err(|_| self.failure(ErrorKind::OutOfMemory.into()))?;
+        attempt(|| bytes.try_reserve(expected)).map_err(|_| self.failure(ErrorKind::OutOfMemory.into()))?;
         let left = (most + 1).saturating_sub(bytes.len() as u64);
-        let read = self.rest.by_ref().take(left).read_to_end(&mut bytes);
+        let read = attempt(|| self.rest.by_ref().take(left).read_to_end(&mut bytes));
         read.map_err(|error| self.failure(error))?;
         if bytes.len() as u64 <= most {
             return Ok(bytes);

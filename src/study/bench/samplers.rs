@@ -6,6 +6,7 @@ use super::exact::{self, NotExact};
 use crate::record::Arithmetic;
 use crate::render::{Counter, RenderError, Settings, render};
 use crate::scene::{Color, Sampling, Scene};
+use crate::threads::Threads;
 use serde::Serialize;
 use std::fmt;
 use std::sync::atomic::AtomicBool;
@@ -93,8 +94,7 @@ pub fn compare(
     let own_seed = scene.seed;
     let (reference, reference_error) = match comparing.reference {
         Reference::Exact => {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(comparing.threads).build();
-            let (exact, error) = pool.map_err(RenderError::Threads)?.install(|| exact::picture(&scene))?;
+            let (exact, error) = Threads::of(comparing.threads, usize::MAX).run(|| exact::picture(&scene))?;
             REFERENCE_SEEDS.iter().for_each(|_| done());
             (exact, error.map(|error| error / scene.output.white))
         }

@@ -13,7 +13,6 @@ use crate::scene::generate::random_spheres;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::Serialize;
-use std::io;
 use std::sync::atomic::AtomicBool;
 
 /// How many rays of each kind are shot at the spheres: the square of this.
@@ -46,22 +45,19 @@ pub struct OfSize {
 }
 
 /// Builds and traces random spheres.
-///
-/// # Errors
-/// Where there are no threads to be had.
-pub fn of_spheres(spheres: u32, passes: usize) -> io::Result<OfSpheres> {
+pub fn of_spheres(spheres: u32, passes: usize) -> OfSpheres {
     let shapes = random_spheres(spheres).map(Shape::Sphere);
     let (scene, built) = timed(|| Scene::of_shapes("spheres", shapes));
     let mut hits = Hits::default();
     let mut traced = |rays: Vec<RawRay>| {
         let file = RayFile { question: Question::Closest, resolution: [0, 0], rays };
         let count = file.rays.len() as f64;
-        let measured = measure(&scene, &file, Mode::Single, 1, Passes::Number(passes), &mut hits)?;
-        Ok::<_, io::Error>((measured.per_cpu_second.under(1e9), measured.hits as f64 / count))
+        let measured = measure(&scene, &file, Mode::Single, 1, Passes::Number(passes), &mut hits);
+        (measured.per_cpu_second.under(1e9), measured.hits as f64 / count)
     };
-    let (ns_per_camera_ray, hit) = traced(camera_rays())?;
-    let (ns_per_random_ray, _) = traced(random_rays())?;
-    Ok(OfSpheres { spheres, build_s: built.seconds, ns_per_camera_ray, ns_per_random_ray, hit })
+    let (ns_per_camera_ray, hit) = traced(camera_rays());
+    let (ns_per_random_ray, _) = traced(random_rays());
+    OfSpheres { spheres, build_s: built.seconds, ns_per_camera_ray, ns_per_random_ray, hit }
 }
 
 /// Renders a scene in this size again and again.
@@ -120,7 +116,7 @@ mod tests {
 
     #[test]
     fn most_rays_meet_many_spheres() {
-        let Ok(measured) = of_spheres(1000, 1) else { panic!("no threads") };
+        let measured = of_spheres(1000, 1);
         assert!(measured.hit > 0.3 && measured.hit < 1.0, "{}", measured.hit);
         assert_eq!(measured.spheres, 1000);
         assert!(random_rays().iter().all(|ray| ray.direction.iter().all(|x| x.is_finite())));

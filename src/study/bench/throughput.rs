@@ -6,12 +6,11 @@ use crate::geometry::shape::{Sphere, SphereMethod, TriangleMesh};
 use crate::geometry::{PACKET, Shape};
 use crate::scene::Scene;
 use crate::scene::file::raw::{Primitives, Question, RawRay, RayFile};
+use crate::threads::Threads;
 use crate::trace::query::{Query, RayHit};
 use arrayvec::ArrayVec;
 use glam::DVec3;
 use rayon::prelude::*;
-use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
-use std::io;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
@@ -64,6 +63,8 @@ pub struct Hits {
 /// The speed over a file of rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Throughput {
+    /// On how many threads.
+    pub threads: usize,
     /// Rays a second by the clock.
     pub per_second: Spread,
     /// Rays a processor second.
@@ -76,30 +77,24 @@ pub struct Throughput {
 
 /// The scene of the primitives: one object for a mesh, one for each sphere. Says how long it took on so many threads to make it
 /// ready to be traced.
-///
-/// # Errors
-/// Where there are no threads to be had.
-pub fn build(name: &str, primitives: &Primitives, threads: usize) -> Result<(Scene, Lap), ThreadPoolBuildError> {
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
-    Ok(match primitives {
+pub fn build(name: &str, primitives: &Primitives, threads: usize) -> (Scene, Lap) {
+    let threads = Threads::of(threads, usize::MAX);
+    match primitives {
         Primitives::Mesh(mesh) => {
             let mesh = Arc::new(mesh.clone());
-            pool.install(|| timed(|| Scene::of_shapes(name, [Shape::Mesh(Arc::new(TriangleMesh::new(mesh)))])))
+            threads.run(|| timed(|| Scene::of_shapes(name, [Shape::Mesh(Arc::new(TriangleMesh::new(mesh)))])))
         }
         Primitives::Spheres(spheres) => {
             let shapes = spheres.par_iter().map(|sphere| {
                 let center = DVec3::from_array(sphere.center.map(f64::from));
                 Shape::Sphere(Sphere::new(center, sphere.radius.into(), false, SphereMethod::Robust))
             });
-            pool.install(|| timed(|| Scene::of_shapes(name, shapes)))
+            threads.run(|| timed(|| Scene::of_shapes(name, shapes)))
         }
-    })
+    }
 }
 
-/// Traces the rays again and again on so many threads. `hits` holds what the last pass found.
-///
-/// # Errors
-/// Where there are no threads to be had.
+/// Traces the rays again and again on so many threads, or on those that can be started. `hits` holds what the last pass found.
 pub fn measure(
     scene: &Scene,
     file: &RayFile,
@@ -107,26 +102,27 @@ pub fn measure(
     threads: usize,
     passes: Passes,
     hits: &mut Hits,
-) -> io::Result<Throughput> {
+) -> Throughput {
     // One before it counts, which warms the caches up.
-    let first = pass(scene, file, mode, threads, hits)?;
+    let (first, threads) = pass(scene, file, mode, threads, hits);
     let number = match passes {
         Passes::Number(number) => number,
         Passes::Seconds(seconds) => (seconds / first.seconds).ceil().clamp(3.0, 15.0) as usize,
     };
-    let laps = (0..number).map(|_| pass(scene, file, mode, threads, hits)).collect::<io::Result<Vec<_>>>()?;
+    let laps: Vec<Lap> = (0..number).map(|_| pass(scene, file, mode, threads, hits).0).collect();
     let rays = file.rays.len() as f64;
     let met = || hits.t.iter().zip(&hits.primitive).filter(|(_, primitive)| **primitive != NOTHING);
-    Ok(Throughput {
+    Throughput {
+        threads,
         per_second: Spread::of(laps.iter().map(|lap| lap.seconds).collect()).under(rays),
         per_cpu_second: Spread::of(laps.iter().map(|lap| lap.cpu_seconds).collect()).under(rays),
         hits: met().count(),
         t_sum: met().map(|(t, _)| f64::from(*t)).sum(),
-    })
+    }
 }
 
-/// Traces all rays once.
-fn pass(scene: &Scene, file: &RayFile, mode: Mode, threads: usize, hits: &mut Hits) -> io::Result<Lap> {
+/// Traces all rays once; says how long it took and on how many threads.
+fn pass(scene: &Scene, file: &RayFile, mode: Mode, threads: usize, hits: &mut Hits) -> (Lap, usize) {
     hits.t.resize(file.rays.len(), 0.0);
     hits.primitive.resize(file.rays.len(), NOTHING);
     let answers = hits.t.chunks_mut(QUEUE).zip(hits.primitive.chunks_mut(QUEUE));
@@ -144,15 +140,13 @@ fn pass(scene: &Scene, file: &RayFile, mode: Mode, threads: usize, hits: &mut Hi
     };
     let run = || {
         thread::scope(|scope| {
-            for _ in 1..threads {
-                thread::Builder::new().spawn_scoped(scope, work)?;
-            }
+            let others = (1..threads).take_while(|_| thread::Builder::new().spawn_scoped(scope, work).is_ok()).count();
             work();
-            Ok(())
+            others + 1
         })
     };
-    let (done, lap): (io::Result<()>, Lap) = timed(run);
-    done.map(|()| lap)
+    let (threads, lap) = timed(run);
+    (lap, threads)
 }
 
 fn closest(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
@@ -227,11 +221,10 @@ mod tests {
     #[track_caller]
     fn finds(primitives: &Primitives, question: Question, t: [f32; 2], primitive: u32) {
         for (threads, mode) in [(1, Mode::Single), (1, Mode::Batch), (3, Mode::Single), (3, Mode::Batch)] {
-            let scene = build("test", primitives, threads).map(|(scene, _)| scene);
+            let (scene, _) = build("test", primitives, threads);
             let mut hits = Hits::default();
-            let measured =
-                scene.map(|scene| measure(&scene, &file(question), mode, threads, Passes::Number(2), &mut hits));
-            let Ok(Ok(measured)) = measured else { panic!("no threads") };
+            let measured = measure(&scene, &file(question), mode, threads, Passes::Number(2), &mut hits);
+            assert_eq!(measured.threads, threads);
             assert!(hits.t.chunks(2).all(|pair| pair == t), "{:?}", &hits.t[..2]);
             assert!(hits.primitive.chunks(2).all(|pair| pair == [primitive, NOTHING]));
             assert_eq!(measured.hits, hits.t.len() / 2);
@@ -255,7 +248,7 @@ mod tests {
     #[test]
     fn rays_end_where_they_are_said_to_end() {
         let sphere = RawSphere { center: [0.25, 0.25, 0.0], radius: 1.0 };
-        let Ok((scene, _)) = build("test", &Primitives::Spheres(vec![sphere]), 1) else { panic!("no threads") };
+        let (scene, _) = build("test", &Primitives::Spheres(vec![sphere]), 1);
         let rays = vec![ray(0.25, 2.0), ray(0.25, 2.0_f32.next_up())];
         for (question, mode) in [Question::Closest, Question::Occlusion]
             .into_iter()
@@ -263,7 +256,7 @@ mod tests {
         {
             let mut hits = Hits::default();
             let file = RayFile { question, resolution: [0, 0], rays: rays.clone() };
-            assert!(measure(&scene, &file, mode, 1, Passes::Number(1), &mut hits).is_ok());
+            measure(&scene, &file, mode, 1, Passes::Number(1), &mut hits);
             assert_eq!(hits.primitive, [NOTHING, 0], "{question:?}");
         }
     }

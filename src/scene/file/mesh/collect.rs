@@ -232,7 +232,9 @@ fn push<T>(list: &mut Vec<T>, item: T, limit: usize, what: &str, span: Range<usi
     if list.len() == limit {
         return Err(Fault::wrong(span, format!("too many {what}, expected at most {limit}")));
     }
-    list.try_reserve(1)?;
+    if list.len() == list.capacity() {
+        raywalk_guard::attempt(|| list.try_reserve(1))?;
+    }
     list.push(item);
     Ok(())
 }

@@ -62,5 +62,5 @@ pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, SceneError> {
 
 /// Makes sure, as far as that goes, that there is memory for what tracing builds over the mesh: there it could only abort.
 fn ask_for_memory(mesh: &Mesh) -> Result<(), std::collections::TryReserveError> {
-    Vec::<u8>::new().try_reserve_exact(mesh.faces.len() * TREE_BYTES_PER_TRIANGLE)
+    raywalk_guard::attempt(|| Vec::<u8>::new().try_reserve_exact(mesh.faces.len() * TREE_BYTES_PER_TRIANGLE))
 }

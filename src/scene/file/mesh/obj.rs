@@ -211,7 +211,9 @@ impl Named {
         match found {
             None => self.lost += 1,
             Some(index) if index as usize >= self.so_far => {
-                self.ahead.try_reserve(1)?;
+                if self.ahead.len() == self.ahead.capacity() {
+                    raywalk_guard::attempt(|| self.ahead.try_reserve(1))?;
+                }
                 self.ahead.push(index);
             }
             Some(_) => {}

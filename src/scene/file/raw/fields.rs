@@ -63,7 +63,7 @@ impl<'b> Fields<'b> {
     ) -> Result<Vec<T>, SceneError> {
         let mut list = Vec::new();
         // The counts were compared with the length of the file.
-        list.try_reserve_exact(count as usize).map_err(|_| self.out_of_memory())?;
+        raywalk_guard::attempt(|| list.try_reserve_exact(count as usize)).map_err(|_| self.out_of_memory())?;
         for number in 0..count {
             list.push(read(self, number)?);
         }
