@@ -140,6 +140,8 @@ struct Tracer {
     has_begun: bool,
     calls: Vec<Call>,
     fault: Option<(usize, Fault)>,
+    /// The thread in a call with other arguments, and its own. A command expects to find them again.
+    altered: Option<(Pid, [u64; 2])>,
 }
 
 impl Tracer {
@@ -151,7 +153,7 @@ impl Tracer {
             | Options::PTRACE_O_TRACECLONE
             | Options::PTRACE_O_TRACEEXEC
             | Options::PTRACE_O_EXITKILL;
-        let tracer = Tracer { child, group, has_begun: false, calls: Vec::new(), fault: None };
+        let tracer = Tracer { child, group, has_begun: false, calls: Vec::new(), fault: None, altered: None };
         if let Err(error) = ptrace::seize(group, options) {
             let _ = killpg(group, Signal::SIGKILL);
             return Err(error);
@@ -215,6 +217,10 @@ impl Tracer {
         let mut registers = ptrace::getregs(thread)?;
         let about_to = registers.rax.cast_signed() == -i64::from(libc::ENOSYS);
         if !about_to {
+            if let Some((_, [first, third])) = self.altered.take_if(|(altered, _)| *altered == thread) {
+                (registers.rdi, registers.rdx) = (first, third);
+                ptrace::setregs(thread, registers)?;
+            }
             return Ok(());
         }
         let number = registers.orig_rax.cast_signed();
@@ -234,6 +240,7 @@ impl Tracer {
         if !is_hit {
             return Ok(());
         }
+        self.altered = Some((thread, [registers.rdi, registers.rdx]));
         match fault {
             Fault::Error(error) | Fault::ErrorsFromNowOn(error) => fails_with(error, &mut registers),
             // It never fails, but gives the end that the memory has; asked for none it does so and does nothing.
