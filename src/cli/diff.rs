@@ -93,7 +93,7 @@ enum DiffFormat {
 enum Compared {
     Log(Opened),
     /// With what its file has beside the colours.
-    Picture(String, export::Picture, Vec<Beside>),
+    Picture(String, export::Picture, Option<Vec<Beside>>),
 }
 
 impl Diff {
@@ -122,7 +122,9 @@ impl Diff {
                 if let Some((option, _)) = options.iter().find(|(_, is_given)| *is_given) {
                     return Err(Failure::caller(format!("{option}: is for logs, found two pictures")));
                 }
-                self.pictures((&a_name, &a, &a_layers), (&b_name, &b, &b_layers))
+                // Only an OpenEXR can have layers: another picture doesn't lack them.
+                let layers = a_layers.zip(b_layers).unwrap_or_default();
+                self.pictures((&a_name, &a, &layers.0), (&b_name, &b, &layers.1))
             }
             (Compared::Log(log), Compared::Picture(picture, ..))
             | (Compared::Picture(picture, ..), Compared::Log(log)) => {

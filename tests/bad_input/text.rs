@@ -236,6 +236,78 @@ fn b25_escape_codes() {
 }
 
 #[test]
+fn b25_invisible_characters() {
+    let with_name = |name: &str| textbook_with("\"name\": \"sphere\"", &format!("\"name\": \"{name}\""));
+    let marks = [
+        "ad", "34f", "61c", "115f", "1160", "17b4", "180b", "180e", "200b", "200c", "200d", "200e", "200f", "2028",
+        "202a", "202e", "2060", "2061", "2064", "2065", "2066", "206f", "3164", "fe00", "fe0f", "feff", "ffa0", "fff9",
+        "fffb", "e0001", "e0041", "e007f", "e0100",
+    ];
+    for mark in marks {
+        let character = u32::from_str_radix(mark, 16).ok().and_then(char::from_u32).expect("a character");
+        let expected = format!(
+            "34:14: objects[1].name: a name must not hold invisible characters, found \\u{{{mark}}} behind `ba`"
+        );
+        refuses(with_name(&format!("ba{character}ll")), &expected);
+    }
+    refuses_value(with_name("\u{3164}"), "objects[1].name: a name must not hold invisible characters, found \\u{3164}");
+    refuses_value(
+        textbook_with("\"name\": \"F\"", "\"name\": \"F\u{2060}\""),
+        "lights[0].name: a name must not hold invisible characters, found \\u{2060} behind `F`",
+    );
+    refuses_value(
+        textbook_with("\"name\": \"textbook\"", "\"name\": \"\u{e0074}ext\""),
+        "name: a name must not hold invisible characters, found \\u{e0074}",
+    );
+    let material = textbook_with("\"ball\": {", "\"b\u{ad}all\": {");
+    assert!(error_of(material).contains(": a name must not hold invisible characters, found \\u{ad} behind `b`"));
+}
+
+#[test]
+fn b25_names_that_look_alike() {
+    let with_name = |name: &str| textbook_with("\"name\": \"plane\"", &format!("\"name\": \"{name}\""));
+    for name in ["sphere ", " sphere", "\u{a0}sphere", "sphere\u{3000}", "sphere\u{2800}"] {
+        let expected = format!("34:14: objects[1].name: names must not look alike, found `sphere` beside `{name}`");
+        refuses(with_name(name), &expected);
+    }
+    loads(with_name("Sphere"));
+    loads(with_name("sphere 2"));
+    refuses_value(with_name(" \u{2003}"), "objects[0].name: a name must not be blank");
+    let both = with_name("\u{e9}tang").replace("\"sphere\",", "\"e\u{301}tang\",");
+    refuses_value(both, "objects[1].name: names must not look alike, found `e\u{301}tang` beside `\u{e9}tang`");
+    let error = error_of(textbook_with("\"wall\": {", "\"ball \": {"));
+    assert!(error.contains(": names must not look alike, found `ball` beside `ball `"), "{error}");
+}
+
+#[test]
+fn b25_names_of_all_scripts_are_read() {
+    for name in [
+        "गेंद",
+        "क्\u{200d}ष",
+        "अवन्\u{200c}",
+        "می\u{200c}خواهم",
+        "کره\u{200c}ی قرمز",
+        "ลูกบอลสีแดง",
+        "e\u{301}toile",
+        "Å",
+        "بيت",
+        "ക\u{d4d}\u{200d}",
+        "한글",
+        "球",
+        "👩\u{200d}🔬",
+        "❤\u{fe0f}",
+        "❤\u{fe0f}\u{200d}🔥",
+        "1\u{fe0f}\u{20e3}",
+        "🇪🇸",
+        "👍🏽",
+        "מַיִם",
+        "ကြယ်",
+    ] {
+        loads(textbook_with("\"name\": \"sphere\"", &format!("\"name\": \"{name}\"")));
+    }
+}
+
+#[test]
 fn b26_deep_arrays() {
     error_of("[".repeat(100_000));
     let (open, close) = ("[".repeat(100_000), "]".repeat(100_000));

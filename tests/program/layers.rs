@@ -171,3 +171,97 @@ fn what_is_named_zst_is_packed_and_read() {
     let output = raywalk(&["diff", packed.to_str().unwrap(), plain.to_str().unwrap()]).output().unwrap();
     assert!(String::from_utf8_lossy(&output.stderr).contains("the log was cut off"), "{output:?}");
 }
+
+/// An OpenEXR of two by one pixels that are all black, with these channels beside the colours.
+fn black_with(folder: &Path, name: &str, beside: &[(&str, FlatSamples)]) -> String {
+    let black = ["R", "G", "B"].map(|name| (name, FlatSamples::F32(vec![0.0, 0.0])));
+    let channels = black.iter().chain(beside).map(|(name, samples)| AnyChannel::new(*name, samples.clone())).collect();
+    let channels = AnyChannels::sort(channels);
+    let layer = exr::prelude::Layer::new((2, 1), LayerAttributes::default(), Encoding::UNCOMPRESSED, channels);
+    let path = folder.join(name);
+    Image::from_layer(layer).write().non_parallel().to_file(&path).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn layers_that_differ_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str, beside: &[(&str, FlatSamples)]| black_with(folder.path(), name, beside);
+    let floats = |a: f32, b: f32| FlatSamples::F32(vec![a, b]);
+    let ids = |a: u32, b: u32| FlatSamples::U32(vec![a, b]);
+    let a = file(
+        "a.exr",
+        &[
+            ("depth.Z", floats(1.0, 2.0)),
+            ("id", ids(7, 4_294_967_295)),
+            ("n.X", floats(0.0, 0.5)),
+            ("n.Y", floats(1.0, f32::NAN)),
+        ],
+    );
+    let same = file(
+        "same.exr",
+        &[
+            ("depth.Z", floats(1.0, 2.0)),
+            ("id", ids(7, 4_294_967_295)),
+            ("n.X", floats(0.0, 0.5)),
+            ("n.Y", floats(1.0, f32::NAN)),
+        ],
+    );
+    let b = file(
+        "b.exr",
+        &[
+            ("A", floats(1.0, 1.0)),
+            ("depth.Z", floats(1.0, 2.25)),
+            ("Z", floats(1.0, 1.0)),
+            ("id", ids(7, 4_294_967_294)),
+            ("n.X", floats(0.25, 0.5)),
+            ("n.Z", floats(0.0, 0.0)),
+        ],
+    );
+    let none = file("none.exr", &[]);
+    let diff = |arguments: &[&str]| {
+        let output = raywalk(&[&["diff"], arguments].concat()).output().unwrap();
+        (
+            String::from_utf8(output.stdout).unwrap().replace(folder.path().to_str().unwrap(), ""),
+            output.status.code().unwrap(),
+        )
+    };
+    let colours = "colours: the same: 2 pixels, none differs\n";
+    assert_eq!(
+        diff(&[&a, &same]),
+        (format!("{colours}layer depth: the same\nlayer id: the same\nlayer n: the same\n"), 0)
+    );
+    let expected = "layer depth: 1 of 2 pixels differ (50%), the largest difference is 0.25 in the channel Z of pixel 1,0: 2 against 2.25\n\
+                    layer id: 1 of 2 pixels differ (50%), the largest difference is 1 in the channel id of pixel 1,0: 4294967295 against \
+                    4294967294\n\
+                    layer n: 1 of 2 pixels differ (50%), the largest difference is 0.25 in the channel X of pixel 0,0: 0 against 0.25\n\
+                    layer n.Y: is only in /a.exr\nlayer n.Z: is only in /b.exr\nlayer Z: is only in /b.exr\n";
+    let (text, code) = diff(&[&a, &b]);
+    assert_eq!((text.as_str(), code), (format!("{colours}{expected}").as_str(), 1));
+    assert_eq!(diff(&[&none, &none]), ("the same: 2 pixels, none differs\n".to_owned(), 0));
+    assert_eq!(diff(&[&a, &none]).1, 1);
+    // A format without layers lacks none, and alpha is not compared.
+    let pfm = folder.path().join("a.pfm");
+    fs::write(&pfm, [&b"PF 2 1 -1.0\n"[..], &[0; 24]].concat()).unwrap();
+    assert_eq!(diff(&[&a, pfm.to_str().unwrap()]), ("the same: 2 pixels, none differs\n".to_owned(), 0));
+    let alpha = file("alpha.exr", &[("A", floats(1.0, 0.5))]);
+    assert_eq!(diff(&[&alpha, &none]).1, 0);
+    // What is let pass in colours is let pass in layers, but not that one is missing.
+    let c = file("c.exr", &[("depth.Z", floats(1.0, 2.25))]);
+    let d = file("d.exr", &[("depth.Z", floats(1.0, 2.0))]);
+    assert_eq!((diff(&[&c, &d]).1, diff(&[&c, &d, "--abs", "0.25"]).1, diff(&[&c, &d, "--rel", "0.01"]).1), (1, 0, 1));
+    let (json, code) = diff(&[&a, &b, "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!((code, &found["same"], &found["differing_pixels"]), (1, &false.into(), &0.into()));
+    let depth = serde_json::json!({
+        "name": "depth", "differing_pixels": 1,
+        "largest": {"pixel": [1, 0], "channel": "Z", "difference": 0.25, "a": 2.0, "b": 2.25},
+    });
+    assert_eq!((&found["layers"][0], &found["layers_only_in_b"]), (&depth, &serde_json::json!(["n.Z", "Z"])));
+    // Names come from outside.
+    let hostile = file("hostile.exr", &[("\u{1b}[2J.\u{9b}Z", floats(1.0, 1.0))]);
+    for arguments in [&["diff", hostile.as_str(), none.as_str()][..], &["diff", &hostile, &none, "--format", "json"]] {
+        let shown = String::from_utf8(raywalk(arguments).output().unwrap().stdout).unwrap();
+        assert!(!shown.contains(|c: char| c.is_control() && c != '\n'), "{shown:?}");
+    }
+}

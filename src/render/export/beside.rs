@@ -5,6 +5,7 @@ use super::read::{EXR, PictureError, check_size, with_room_for};
 use exr::block::samples::Sample;
 use exr::image::{AnyChannel, FlatSamples};
 use exr::meta::MetaData;
+use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, Vec2};
 use std::io::Cursor;
 
@@ -41,30 +42,34 @@ impl Numbers {
     }
 }
 
-/// The layers of a picture's file beside the colours that [`read`](super::read()) gives, in the order of the file; none of what is no OpenEXR.
+/// The layers of a picture's file beside the colours that [`read`](super::read()) gives and their alpha, which is no part of the comparison, in
+/// the order of the file; `None` of what is no OpenEXR, and can have none.
 ///
 /// # Errors
 /// [`PictureError`].
-pub fn beside(bytes: &[u8]) -> Result<Vec<Beside>, PictureError> {
+pub fn beside(bytes: &[u8]) -> Result<Option<Vec<Beside>>, PictureError> {
     const BYTES_PER_NUMBER: usize = 4;
+    const ALPHA: &str = "A";
     if !bytes.starts_with(EXR) {
-        return Ok(Vec::new());
+        return Ok(None);
     }
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;
     let (colored, colors) = colors_of(&headers)?;
-    let channels =
-        || headers.iter().flat_map(|header| header.channels.list.iter().map(move |channel| (header, channel)));
-    if channels().count() == colors.len() {
-        return Ok(Vec::new());
+    let is_color = |part: usize, name: &str| part == colored && (colors.contains(&name) || name == ALPHA);
+    let has_more = |(part, header): (usize, &Header)| {
+        header.channels.list.iter().any(|channel| !is_color(part, &channel.name.to_string()))
+    };
+    if !headers.iter().enumerate().any(has_more) {
+        return Ok(Some(Vec::new()));
     }
-    if channels().any(|(_, channel)| channel.sampling != Vec2(1, 1)) {
+    if headers.iter().flat_map(|header| &header.channels.list).any(|channel| channel.sampling != Vec2(1, 1)) {
         return Err(PictureError::Kind("an OpenEXR with fewer numbers than pixels in a channel".to_owned()));
     }
     let mut numbers = 0;
-    for (header, _) in channels() {
+    for header in &headers {
         let size = header.layer_size;
         check_size([size.width(), size.height()].map(|side| side as u64))?;
-        numbers += size.area();
+        numbers += size.area() * header.channels.list.len();
     }
     drop(with_room_for::<u8>(numbers * BYTES_PER_NUMBER)?);
     let reader = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
@@ -72,11 +77,12 @@ pub fn beside(bytes: &[u8]) -> Result<Vec<Beside>, PictureError> {
     let mut found: Vec<Beside> = Vec::new();
     for (part, layer) in image.layer_data.into_iter().enumerate() {
         let size = [layer.size.width() as u32, layer.size.height() as u32];
-        let of_part = layer.attributes.layer_name.as_ref().map_or_else(String::new, |name| format!("{name}."));
-        let of_part = if part == colored { String::new() } else { of_part };
+        // The part with the colours is the picture itself.
+        let of_part = layer.attributes.layer_name.as_ref().filter(|_| part != colored);
+        let of_part = of_part.map_or_else(String::new, |name| format!("{name}."));
         for AnyChannel { name, sample_data: samples, .. } in layer.channel_data.list {
             let name = name.to_string();
-            if part == colored && colors.contains(&name.as_str()) {
+            if is_color(part, &name) {
                 continue;
             }
             let whole = format!("{of_part}{name}");
@@ -88,5 +94,5 @@ pub fn beside(bytes: &[u8]) -> Result<Vec<Beside>, PictureError> {
             }
         }
     }
-    Ok(found)
+    Ok(Some(found))
 }

@@ -143,6 +143,30 @@ fn claim(kind: Kind, side: u16) -> Vec<u8> {
 }
 
 #[test]
+fn more_pixels_than_a_picture_may_have() {
+    for kind in [Kind::Png, Kind::Bmp, Kind::Tga, Kind::Qoi, Kind::Tiff, Kind::Jpeg] {
+        let error = read(&claim(kind, 65535)).unwrap_err();
+        assert!(matches!(error, PictureError::TooManyPixels { size: [65535, 65535] }), "{kind:?}: {error}");
+    }
+    for text in ["P2 65535 65535 255 0", "P6 65535 65535 255\n", "PF 65535 65535 1\n", "Pf 4294967295 4294967295 1\n"] {
+        let error = read(text.as_bytes()).unwrap_err();
+        assert!(matches!(error, PictureError::TooManyPixels { .. }), "{text}: {error}");
+    }
+    // An OpenEXR says twice what it is.
+    let mut exr =
+        crate::render::export::with_layers(&crate::render::Film::new([0, 0, 16, 12]), Vec::new()).unwrap().bytes;
+    let window = |right: i32, bottom: i32| [0, 0, right, bottom].map(i32::to_le_bytes).concat();
+    let (small, large) = (window(15, 11), window(65534, 65534));
+    for at in 0..exr.len() - large.len() {
+        if exr[at..].starts_with(&small) {
+            exr[at..at + large.len()].copy_from_slice(&large);
+        }
+    }
+    let error = read(&exr).unwrap_err();
+    assert!(matches!(error, PictureError::TooManyPixels { size: [65535, 65535] }), "{error}");
+}
+
+#[test]
 fn a_header_that_asks_for_more_than_its_bytes_hold() {
     for kind in [Kind::Png, Kind::Bmp, Kind::Tga, Kind::Qoi, Kind::Tiff, Kind::Jpeg, Kind::Webp] {
         let bytes = claim(kind, 16_000);
