@@ -2,7 +2,7 @@
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::io::Write;
+use std::io::{self, Read, Write};
 
 /// The system's allocator. Where it fails, an [`attempt`] is told so; any other allocation ends the program, as it would anyway, but with
 /// a message, an exit code and without unfinished files.
@@ -91,6 +91,24 @@ pub fn attempt<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
+/// Input whose reader has to be given its memory, also where what is read is [attempted](attempt): what unpacks has no way to say that there
+/// is none.
+#[derive(Debug)]
+pub struct Demanding<R>(pub R);
+
+impl<R: Read> Read for Demanding<R> {
+    fn read(&mut self, place: &mut [u8]) -> io::Result<usize> {
+        struct Restored(u32);
+        impl Drop for Restored {
+            fn drop(&mut self) {
+                ATTEMPTS.set(self.0);
+            }
+        }
+        let _restored = Restored(ATTEMPTS.replace(0));
+        self.0.read(place)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,6 +125,18 @@ mod tests {
         // Also one in which something else went wrong.
         assert!(catch_unwind(|| attempt(|| std::panic::resume_unwind(Box::new(())))).is_err());
         assert_eq!(ATTEMPTS.get(), 0);
+        // What reads in one isn't in it.
+        struct Asks;
+        impl Read for Asks {
+            fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+                assert_eq!(ATTEMPTS.get(), 0);
+                Ok(0)
+            }
+        }
+        attempt(|| {
+            assert_eq!(Demanding(Asks).read(&mut [0]).expect("it is read"), 0);
+            assert_eq!(ATTEMPTS.get(), 1);
+        });
         let list: Vec<u32> = (0..100_000).collect();
         assert_eq!(list.iter().map(|x| u64::from(*x)).sum::<u64>(), 4_999_950_000);
     }

@@ -8,7 +8,7 @@ mod allocator;
 mod patient;
 mod unfinished;
 
-pub use allocator::{Allocator, attempt};
+pub use allocator::{Allocator, Demanding, attempt};
 pub use patient::{Patient, retried};
 pub use unfinished::Unfinished;
 

@@ -1,6 +1,7 @@
 //! Packed files, which are unpacked as they are read.
 
 use super::{gzip, zstd};
+use raywalk_guard::Demanding;
 use std::io::{Error, ErrorKind, Read};
 
 /// The name of a file without the ending that says by what it is packed.
@@ -39,8 +40,8 @@ impl Packing {
     /// The bytes as they were.
     pub(super) fn unpacked(self, input: impl Read + 'static) -> Box<dyn Read> {
         match self {
-            Packing::Gzip => Box::new(gzip::unpacked(input)),
-            Packing::Zstd => Box::new(zstd::unpacked(input)),
+            Packing::Gzip => Box::new(Demanding(gzip::unpacked(input))),
+            Packing::Zstd => Box::new(Demanding(zstd::unpacked(input))),
         }
     }
 
