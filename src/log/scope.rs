@@ -3,6 +3,11 @@
 //! The symbols of a formula mean the latest quantity of that symbol that the computation could see: in the node itself,
 //! in the intersection test that found the nearest hit, then in the enclosing nodes.
 
+mod index;
+
+pub(super) use index::Index;
+use index::Nearest;
+
 use super::event::{Decision, Event, RayKind, Step, What};
 use super::events::Events;
 use super::formula::Several;
@@ -21,7 +26,7 @@ pub struct Operand {
 
 /// What a symbol in the formula of the quantity noted by `event` stands for.
 pub fn operand(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
-    if let Some(value) = given(events, event, symbol) {
+    if let Some(value) = given_at(events, event, symbol) {
         return Some(Operand { event, value });
     }
     seen_from(events, tree, tree.owner(event), event, symbol)
@@ -29,7 +34,7 @@ pub fn operand(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Opti
 
 /// The same if the event's own node has it, itself and not in a test inside it.
 pub fn operand_in_node(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
-    match given(events, event, symbol) {
+    match given_at(events, event, symbol) {
         Some(value) => Some(Operand { event, value }),
         None => in_node(events, tree, tree.owner(event), event, symbol),
     }
@@ -56,10 +61,10 @@ pub fn noted_before(events: &Events, tree: &Tree, event: usize, symbol: &str) ->
     let mut before = event;
     let mut node = tree.owner(event);
     loop {
-        let found = tree.own_events_before(node, before).rev().find_map(|event| {
-            let value = noted(&events[event], symbol)?;
-            Some(Operand { event, value })
-        });
+        let found = match tree.index(events).noted(node, before, symbol) {
+            Some(event) => event.and_then(|event| noted_as(events, event, symbol)),
+            None => tree.own_events_before(node, before).rev().find_map(|event| noted_as(events, event, symbol)),
+        };
         if found.is_some() || node == 0 {
             return found;
         }
@@ -82,47 +87,26 @@ fn seen_from(events: &Events, tree: &Tree, mut node: usize, mut before: usize, s
 }
 
 fn in_node(events: &Events, tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
-    tree.own_events_before(node, before).rev().find_map(|event| {
-        let value = noted(&events[event], symbol).or_else(|| given(events, event, symbol))?;
+    let has = |event: usize| {
+        let value = noted(&events[event], symbol).or_else(|| given_at(events, event, symbol))?;
         Some(Operand { event, value })
-    })
+    };
+    match tree.index(events).has(node, before, symbol) {
+        Some(event) => event.and_then(has),
+        None => tree.own_events_before(node, before).rev().find_map(has),
+    }
+}
+
+fn noted_as(events: &Events, event: usize, symbol: &str) -> Option<Operand> {
+    Some(Operand { event, value: noted(&events[event], symbol)? })
 }
 
 /// The test, directly inside `node` or in a moving object's frame there, that found the nearest object. A mesh has a test for each triangle; the one at the
 /// least distance found it, of several the one of the first triangle.
 pub fn nearest_test(events: &Events, tree: &Tree, node: usize, before: usize) -> Option<usize> {
-    let nearest = tree.own_events_before(node, before).find_map(|event| match events[event].what {
-        What::Mark(Decision::Nearest { object }) => Some(object),
-        _ => None,
-    })?;
-    // Triangles that only lie in the same place are told by marks.
-    let is_behind = |number: Option<u32>| {
-        let mark = What::Mark(Decision::Coincident { object: nearest, triangle: number });
-        number.is_some() && tree.own_events_before(node, before).any(|event| events[event].what == mark)
-    };
-    let triangle_of = |child: usize| match tree.nodes()[child].step {
-        Some(Step::Test { object, triangle }) if object == nearest => Some(triangle),
-        _ => None,
-    };
-    let is_hit = |child: usize| tree.own_events(child).any(|event| events[event].what == What::Mark(Decision::Hit));
-    // The tests with a moving object stand in a node around them.
-    let is_moving = |child: &usize| tree.nodes()[*child].step == Some(Step::Motion { object: nearest });
-    let moving = tree.children(node).filter(is_moving).flat_map(|motion| tree.children(motion));
-    let tests = tree.children(node).chain(moving).filter_map(|child| Some((child, triangle_of(child)?)));
-    let found = tests.filter(|(child, triangle)| triangle.is_none() || (is_hit(*child) && !is_behind(*triangle)));
-    let key = |(child, triangle): &(usize, Option<u32>)| {
-        // Everything else has one test, so that its distance doesn't matter.
-        let distance = triangle.and_then(|_| distance(events, tree, *child)).unwrap_or(f64::INFINITY);
-        (distance, *triangle)
-    };
-    found.min_by(|a, b| key(a).0.total_cmp(&key(b).0).then(key(a).1.cmp(&key(b).1))).map(|(child, _)| child)
-}
-
-/// How far along the ray a test found its object.
-fn distance(events: &Events, tree: &Tree, test: usize) -> Option<f64> {
-    match in_node(events, tree, test, usize::MAX, Name::PlaneT.symbol())?.value {
-        Value::Number(distance) => Some(distance),
-        Value::Triple(_) => None,
+    match tree.index(events).nearest(node) {
+        Some(nearest) => nearest?.before(before),
+        None => Nearest::of(events, tree, node, before)?.before(before),
     }
 }
 
@@ -133,7 +117,7 @@ fn noted(event: &Event, symbol: &str) -> Option<Value> {
     }
 }
 
-fn given(events: &Events, event: usize, symbol: &str) -> Option<Value> {
+fn given_at(events: &Events, event: usize, symbol: &str) -> Option<Value> {
     events.given(&events[event]).iter().rev().find(|(name, _)| name.symbol() == symbol).map(|(_, value)| *value)
 }
 
@@ -168,7 +152,7 @@ pub fn operand_of_element(events: &Events, tree: &Tree, element: Element, symbol
         Element::Sample(sample) if symbol == Name::CombineColor.symbol() => brought(events, tree, sample),
         Element::Sample(sample) => {
             let start = tree.nodes()[sample].events.start;
-            events.get(start).and_then(|_| given(events, start, symbol))
+            events.get(start).and_then(|_| given_at(events, start, symbol))
         }
     }
 }

@@ -39,7 +39,7 @@ mod syntax;
 mod tests;
 mod zstd;
 
-pub use error::{Problem, SceneError, Severity};
+pub use error::{Problem, SceneError, Severity, more_warnings};
 pub use escape::visible;
 pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
 pub use key_path::{KeyPath, Step};
