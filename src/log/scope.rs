@@ -14,6 +14,7 @@ use super::formula::Several;
 use super::name::Name;
 use super::tree::Tree;
 use super::value::Value;
+use std::mem::discriminant;
 
 /// A value that a formula puts in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,6 +72,34 @@ pub fn noted_before(events: &Events, tree: &Tree, event: usize, symbol: &str) ->
         before = tree.nodes()[node].events.start;
         node = tree.nodes()[node].parent;
     }
+}
+
+/// The latest of a node's own events before one that notes this quantity.
+pub fn latest_note(events: &Events, tree: &Tree, node: usize, before: usize, name: Name) -> Option<usize> {
+    let is_it = |at: &usize| matches!(events[*at].what, What::Note { name: noted, .. } if noted == name);
+    let found = tree.index(events).names(node, before, name);
+    found.unwrap_or_else(|| tree.own_events_before(node, before).rfind(is_it))
+}
+
+/// The latest of a node's own events before one that is a decision of this kind, whatever was decided.
+pub fn latest_mark(events: &Events, tree: &Tree, node: usize, before: usize, like: &Decision) -> Option<usize> {
+    let kind = discriminant(like);
+    let is_it = |at: &usize| matches!(&events[*at].what, What::Mark(decision) if discriminant(decision) == kind);
+    let found = tree.index(events).marked(node, before, kind);
+    found.unwrap_or_else(|| tree.own_events_before(node, before).rfind(is_it))
+}
+
+/// The largest number that a node noted or was given before an event.
+pub fn size_before(events: &Events, tree: &Tree, node: usize, before: usize) -> f64 {
+    let gone_through = || tree.own_events_before(node, before).fold(0.0, |size, at| size_of(events, at, size));
+    tree.index(events).size(node, before).unwrap_or_else(gone_through)
+}
+
+/// The largest of a number and those that an event notes or has among its inputs.
+fn size_of(events: &Events, event: usize, size: f64) -> f64 {
+    let noted = if let What::Note { value, .. } = events[event].what { Some(value) } else { None };
+    let values = noted.into_iter().chain(events.given(&events[event]).iter().map(|(_, value)| *value));
+    values.fold(size, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
 }
 
 fn seen_from(events: &Events, tree: &Tree, mut node: usize, mut before: usize, symbol: &str) -> Option<Operand> {

@@ -18,6 +18,9 @@ use crate::log::whole::Whole;
 use std::io::ErrorKind;
 use std::mem;
 
+/// The most events of a saved log, or of one of its pixels where it is read by pixels, that are held in memory.
+pub const MAX_SAVED_EVENTS: usize = 1 << 24;
+
 /// Turns lines into events: names into numbers, words into decisions.
 pub(super) struct Reader {
     /// What the log says about itself.
@@ -164,6 +167,9 @@ impl Reader {
         };
         if self.events.len() == self.events.capacity() {
             self.ask_for_memory()?;
+        }
+        if self.events.len() == MAX_SAVED_EVENTS {
+            return Err(LogError::TooLong { line: number });
         }
         for (name, value) in self.carried.drain(..).chain(line.given.inputs) {
             self.events.give(name, || value);

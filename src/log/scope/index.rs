@@ -1,12 +1,14 @@
 //! What stands in nodes that hold much: a search there takes as many steps as the number has digits, and not as many as there are events.
 
-use super::{given_at, noted};
+use super::{given_at, noted, size_of};
 use crate::log::event::{Decision, Step, What};
 use crate::log::events::Events;
 use crate::log::name::Name;
 use crate::log::tree::Tree;
 use crate::log::value::Value;
 use std::collections::HashMap;
+use std::hash::Hash;
+use std::mem::{self, Discriminant};
 
 /// A node with no more events of its own is gone through.
 const FEW: usize = 64;
@@ -27,6 +29,10 @@ pub(in crate::log) struct Index {
 struct Symbols {
     noted: HashMap<&'static str, Vec<u32>>,
     given: HashMap<&'static str, Vec<u32>>,
+    names: HashMap<Name, Vec<u32>>,
+    marks: HashMap<Discriminant<Decision>, Vec<u32>>,
+    /// Where the largest number so far grows, and to what.
+    sizes: Vec<(u32, f64)>,
 }
 
 impl Index {
@@ -57,13 +63,30 @@ impl Index {
 
     /// The latest of a node's own events before one that notes a symbol; outside `None` where the node is to be gone through.
     pub(super) fn noted(&self, node: usize, before: usize, symbol: &str) -> Option<Option<usize>> {
-        self.symbols.get(&node).map(|symbols| last(&symbols.noted, before, symbol))
+        self.symbols.get(&node).map(|symbols| last(&symbols.noted, before, &symbol))
     }
 
     /// The same with those that have it among their inputs.
     pub(super) fn has(&self, node: usize, before: usize, symbol: &str) -> Option<Option<usize>> {
         let of_node = self.symbols.get(&node)?;
-        Some(last(&of_node.noted, before, symbol).max(last(&of_node.given, before, symbol)))
+        Some(last(&of_node.noted, before, &symbol).max(last(&of_node.given, before, &symbol)))
+    }
+
+    /// The same with those that note one quantity.
+    pub(super) fn names(&self, node: usize, before: usize, name: Name) -> Option<Option<usize>> {
+        self.symbols.get(&node).map(|symbols| last(&symbols.names, before, &name))
+    }
+
+    /// The same with the decisions of a kind.
+    pub(super) fn marked(&self, node: usize, before: usize, kind: Discriminant<Decision>) -> Option<Option<usize>> {
+        self.symbols.get(&node).map(|symbols| last(&symbols.marks, before, &kind))
+    }
+
+    /// The largest number in a node before an event; outside `None` where the node is to be gone through.
+    pub(super) fn size(&self, node: usize, before: usize) -> Option<f64> {
+        let sizes = &self.symbols.get(&node)?.sizes;
+        let count = sizes.partition_point(|(event, _)| (*event as usize) < before);
+        Some(count.checked_sub(1).map_or(0.0, |at| sizes[at].1))
     }
 
     /// The tests of the nearest object in a node; outside `None` where the node is to be gone through.
@@ -76,19 +99,31 @@ impl Symbols {
     fn of(events: &Events, tree: &Tree, node: usize) -> Symbols {
         let mut symbols = Symbols::default();
         for event in tree.own_events(node) {
-            if let What::Note { name, .. } = events[event].what {
-                symbols.noted.entry(name.symbol()).or_default().push(event as u32);
+            match &events[event].what {
+                What::Note { name, .. } => {
+                    symbols.noted.entry(name.symbol()).or_default().push(event as u32);
+                    symbols.names.entry(*name).or_default().push(event as u32);
+                }
+                What::Mark(decision) => {
+                    symbols.marks.entry(mem::discriminant(decision)).or_default().push(event as u32);
+                }
+                _ => {}
             }
             for (name, _) in events.given(&events[event]) {
                 symbols.given.entry(name.symbol()).or_default().push(event as u32);
+            }
+            let largest = symbols.sizes.last().map_or(0.0, |(_, size)| *size);
+            let size = size_of(events, event, largest);
+            if size > largest {
+                symbols.sizes.push((event as u32, size));
             }
         }
         symbols
     }
 }
 
-fn last(by_symbol: &HashMap<&'static str, Vec<u32>>, before: usize, symbol: &str) -> Option<usize> {
-    let list = by_symbol.get(symbol)?;
+fn last<K: Eq + Hash>(lists: &HashMap<K, Vec<u32>>, before: usize, key: &K) -> Option<usize> {
+    let list = lists.get(key)?;
     let count = list.partition_point(|event| (*event as usize) < before);
     count.checked_sub(1).map(|at| list[at] as usize)
 }

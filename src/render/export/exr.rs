@@ -63,6 +63,7 @@ pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
     if headers.iter().any(|header| header.layer_size.area() as u64 > most) {
         return Err(PictureError::Memory);
     }
+    check_size(&headers, bytes.len())?;
     let reader = || exr::prelude::read().no_deep_data().largest_resolution_level();
     match channels(&headers)? {
         Channels::Rgb => {
@@ -79,6 +80,22 @@ pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
             Ok(layer.from_buffered(Cursor::new(bytes))?.layer_data.channel_data.pixels.into_picture(Channels::Grey))
         }
     }
+}
+
+/// Refuses a file whose headers ask for more than the bytes behind them can hold.
+fn check_size(headers: &[Header], length: usize) -> Result<(), PictureError> {
+    /// A block has its place in a table and begins with its own place and length, 16 bytes and more.
+    const BYTES_PER_BLOCK: usize = 16;
+    /// As many bytes come from one at the most: a match of 258 bytes takes 2 bits or more (RFC 1951), and every other method that is read packs
+    /// less.
+    const RATIO: usize = 1032;
+    let blocks = headers.iter().fold(0, |sum: usize, header| sum.saturating_add(header.chunk_count));
+    let bytes = |header: &Header| header.layer_size.area().saturating_mul(header.channels.bytes_per_pixel);
+    let unpacked = headers.iter().fold(0, |sum: usize, header| sum.saturating_add(bytes(header)));
+    if blocks.saturating_mul(BYTES_PER_BLOCK) > length || unpacked / (2 * RATIO) > length {
+        return Err(PictureError::Header("a size that fits the bytes behind it"));
+    }
+    Ok(())
 }
 
 /// The channels that are read of a file with these layers.
