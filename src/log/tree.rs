@@ -157,7 +157,9 @@ impl Tree {
             steps.extend(self.nodes[at].step);
             at = self.nodes[at].parent;
         }
-        steps.iter().rev().fold(String::new(), |path, step| path_of_child(&path, *step))
+        let mut path = String::new();
+        steps.iter().rev().for_each(|step| add_step(&mut path, *step));
+        path
     }
 }
 
@@ -168,15 +170,28 @@ pub type OwnEvents<'t> = Map<slice::Iter<'t, u32>, fn(&u32) -> usize>;
 /// shadow ray also its light's number from 1: `3 C R S1`. Of several rays of a kind from one place each has its number after a
 /// dot: `C R.12 S1.4` is the fourth shadow ray to the first light from the twelfth zone of a blurred reflection. A pixel of one sample has no sample node and no number.
 pub fn path_of_child(path: &str, step: Step) -> String {
-    let gap = if path.is_empty() { "" } else { " " };
-    match step {
-        Step::Pixel(_) => String::new(),
-        Step::Sample { number } => format!("{path}{gap}{number}"),
+    let mut path = path.to_owned();
+    add_step(&mut path, step);
+    path
+}
+
+/// Makes the path of a node that of a node inside it.
+fn add_step(path: &mut String, step: Step) {
+    let part = match step {
+        Step::Pixel(_) => {
+            path.clear();
+            return;
+        }
+        Step::Sample { number } => number.to_string(),
         Step::Ray { kind, split, .. } => {
             let light = if let RayKind::Shadow { light } = kind { (light + 1).to_string() } else { String::new() };
             let split = if split == 0 { String::new() } else { format!(".{split}") };
-            format!("{path}{gap}{}{light}{split}", kind.letter())
+            format!("{}{light}{split}", kind.letter())
         }
-        _ => path.to_owned(),
+        _ => return,
+    };
+    if !path.is_empty() {
+        path.push(' ');
     }
+    path.push_str(&part);
 }

@@ -28,6 +28,9 @@ const EYE: &[(Name, Value)] =
 /// So many events the walk of the numeric example doesn't have in any arithmetic, also where all tests are shown.
 const MOST_EVENTS: usize = 1 << 10;
 
+/// So many nodes are around no value that the book computes.
+const DEEPEST: usize = 16;
+
 /// Where the source text (Ramos, "Trazado de rayos") explains the value that `event` notes, such as `1.2.1`, or `1.3 (5d)` in the
 /// walk of the numeric example; `None` for what the text doesn't have, and for other events.
 pub fn tag(log: &Log, tree: &Tree, event: usize) -> Option<String> {
@@ -40,6 +43,10 @@ pub fn tag(log: &Log, tree: &Tree, event: usize) -> Option<String> {
 
 /// The step of the numeric example that computes the value.
 fn step(log: &Log, tree: &Tree, event: usize, name: Name) -> Option<&'static str> {
+    // Its walk is no deeper, and a path is as long as the way to its node.
+    if tree.nodes()[tree.owner(event)].level > DEEPEST {
+        return None;
+    }
     let path = tree.path(tree.owner(event));
     let unprinted = || UNPRINTED.iter().find(|(ray, key, _)| *ray == path && *key == name.key());
     let step = Printed::of(&path, name.key()).map(|printed| printed.step);

@@ -20,6 +20,7 @@ mod catalogue;
 mod corpus;
 mod logs;
 mod machine;
+mod memory;
 mod meshes;
 mod numbers;
 mod obj;

@@ -51,11 +51,17 @@ pub fn answer(command: &mut Command) -> Answer {
 /// Runs a call to its end, however much memory it takes.
 #[track_caller]
 pub fn unlimited_answer(command: &mut Command) -> Answer {
+    limited_answer(command, MOST_TIME)
+}
+
+/// Runs a call to its end, if it takes at most so much time on a processor.
+#[track_caller]
+pub fn limited_answer(command: &mut Command, most_time: Duration) -> Answer {
     let place = tempfile::tempdir().expect("a folder");
     let [out, message] = ["out", "message"].map(|name| place.path().join(name));
     let file = |path: &Path| File::create(path).expect("a file");
     let child = command.stdout(file(&out)).stderr(file(&message)).spawn().expect("it starts");
-    let (status, peak) = wait(child, MOST_TIME);
+    let (status, peak) = wait(child, most_time);
     let message = String::from_utf8_lossy(&fs::read(message).expect("the message")).into_owned();
     let answer = Answer { code: status.code(), out: fs::read(out).expect("the output"), message, peak };
     assert!(answer.code.is_some(), "{command:?}: ended by a signal, {status}");

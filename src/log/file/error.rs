@@ -26,7 +26,9 @@ pub enum LogError {
         found: String,
     },
     /// There are more events than are held in memory.
-    #[error("{line}:1: the log is too long to be held in memory, expected at most {MAX_SAVED_EVENTS} events, found more")]
+    #[error(
+        "{line}:1: the log is too long to be held in memory, expected at most {MAX_SAVED_EVENTS} events, found more"
+    )]
     TooLong {
         /// The line of the first that is too many, from 1.
         line: usize,

@@ -208,6 +208,20 @@ mod tests {
     }
 
     #[test]
+    fn a_header_that_asks_for_more_than_there_is() {
+        let bytes = with_channels(&["B", "G", "R"]);
+        let window = [0_i32, 0, 1, 0].map(i32::to_le_bytes).concat();
+        let places: Vec<_> = (0..bytes.len() - 16).filter(|at| bytes[*at..].starts_with(&window)).collect();
+        assert!(!places.is_empty());
+        let mut asks = bytes.clone();
+        for at in places {
+            asks[at + 8..at + 16].copy_from_slice(&[9999_i32, 9999].map(i32::to_le_bytes).concat());
+        }
+        let refused = super::read(&asks, 1 << 28).unwrap_err().to_string();
+        assert!(refused.ends_with("expected a size that fits the bytes behind it"), "{refused}");
+    }
+
+    #[test]
     fn a_picture_reads_back_and_damage_is_told() {
         let mut film = Film::new([0, 0, 40, 30]);
         let colors: Vec<Color> = (0..1200).map(|k| Color::new(f64::from(k % 7), f64::from(k) * 0.5, -1.0)).collect();
