@@ -186,6 +186,12 @@ fn scenes_of_one_line() {
     let checked = bounded("a.json", lights.as_bytes(), &["scene", "check", "@"], 0);
     assert_eq!(checked.message.matches("warning: a.json").count(), 20, "{}", checked.message);
     assert!(checked.message.ends_with("warning: and 39980 more warnings, not shown\n"), "{}", checked.message);
+    let many_lights = many(&format!("{objects}\"lights\":["), same("{\"point\":{\"position\":[0,0,0]}},"), "]}");
+    let refused = bounded("a.json", &many_lights, &["scene", "check", "@"], 2);
+    assert!(refused.message.contains("too many lights, expected at most 131072, found more"), "{}", refused.message);
+    let many_materials = many(&format!("{objects}\"materials\":{{"), |number| format!("\"{number:07}\":{{}},"), "}}");
+    let refused = bounded("a.json", &many_materials, &["scene", "check", "@"], 2);
+    assert!(refused.message.contains("too many materials, expected at most 131072, found more"), "{}", refused.message);
     let materials = (0..1000).map(|number| format!("\"{number}\":{{}}")).collect::<Vec<_>>().join(",");
     let checked =
         bounded("a.json", format!("{objects}\"materials\":{{{materials}}}}}").as_bytes(), &["scene", "check", "@"], 0);

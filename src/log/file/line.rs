@@ -197,6 +197,9 @@ pub(super) enum Mark<'t> {
     },
 }
 
+/// The most inputs of an event: some thirty are the most that raywalk writes.
+pub const MAX_INPUTS: usize = 1 << 10;
+
 /// The inputs of an event, in the order of the table, whatever order the file has.
 #[derive(Default)]
 pub(super) struct Given {
@@ -217,6 +220,11 @@ impl<'de> Deserialize<'de> for Given {
                 let (mut inputs, mut unknown) = (Vec::new(), Vec::new());
                 while let Some(Word(key)) = map.next_key()? {
                     match Name::find(&key, "") {
+                        Some(_) if inputs.len() == MAX_INPUTS => {
+                            let message =
+                                format!("too many inputs of an event, expected at most {MAX_INPUTS}, found more");
+                            return Err(de::Error::custom(message));
+                        }
                         Some(name) => inputs.push((name, map.next_value()?)),
                         None => {
                             map.next_value::<IgnoredAny>()?;
