@@ -133,7 +133,7 @@ pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Load
     let folder = input.path.as_ref().map_or(Folder::BuiltIn(builtin::mesh), |path| Folder::OfScene(path));
     let loaded = mesh::load(&scene, &source, folder);
     let (meshes, warnings) = loaded.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    warn(&warnings, colors);
+    warn(&warnings.told, warnings.more, colors);
     let inputs = input.files(&scene);
     Ok(Loaded { scene, meshes, frame: 1, inputs })
 }
@@ -142,14 +142,17 @@ pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Load
 pub fn without_meshes(input: &Input, import: &Import, colors: ColorChoice) -> Result<SceneFile, Failure> {
     let loaded = file::check_as(&input.bytes, &input.name, import)
         .map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    warn(&loaded.warnings, colors);
+    warn(&loaded.warnings, loaded.more_warnings, colors);
     Ok(loaded.scene)
 }
 
-/// Prints what is odd about a scene.
-pub fn warn(warnings: &[Problem], colors: ColorChoice) {
+/// Prints what is odd about a scene, and how much more of it there is.
+pub fn warn(warnings: &[Problem], more: usize, colors: ColorChoice) {
     for warning in warnings {
         output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
+    }
+    if let Some(more) = file::more_warnings(more, is_colored(colors)) {
+        output::tell(&more);
     }
 }
 

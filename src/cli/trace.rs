@@ -16,6 +16,7 @@ use super::views::{Lang, TreeOf, View};
 use clap::{Args, ValueEnum};
 use close_up::CloseUpOf;
 use glam::DVec3;
+use raywalk::log::header::MAX_NAMES;
 use raywalk::log::{Header, Log, Shard, file as log_file};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
@@ -165,6 +166,13 @@ impl Trace {
         let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
         let inputs = loaded.inputs.clone();
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
+        let names = scene.objects.len() + scene.lights.len();
+        if names > MAX_NAMES && matches!(self.format, None | Some(TraceFormat::Ndjson | TraceFormat::Json)) {
+            output::tell(&format!(
+                "warning: {}: the log names {names} objects and lights; raywalk reads logs with at most {MAX_NAMES}",
+                visible(&self.scene.to_string_lossy())
+            ));
+        }
         if let Some(region) = self.region {
             return self.of_region(&scene, region, &inputs);
         }

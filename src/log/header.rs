@@ -1,6 +1,9 @@
 //! What a log says about itself: enough to replay it without the scene.
 
+mod read;
+
 use super::shard::Shard;
+use super::whole::whole;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;
@@ -9,8 +12,14 @@ use std::fmt;
 /// The name and version of the format.
 pub const FORMAT: &str = "raywalk-log/1";
 
+/// The most names in a header, of objects and lights together.
+pub const MAX_NAMES: usize = 1 << 20;
+
+/// The most methods of sampling in a header, and parameters of each.
+pub const MAX_PARAMETERS: usize = 64;
+
 /// The first line of a log.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Header {
     /// The format and its version, `raywalk-log/1`.
@@ -83,6 +92,7 @@ impl fmt::Display for Parameter {
 #[schemars(deny_unknown_fields)]
 pub struct FrameId {
     /// Its number, from 1.
+    #[serde(deserialize_with = "whole")]
     pub number: u32,
     /// What it adds to the times of the shutter, in the unit of the objects' motions.
     pub time: f64,
@@ -100,7 +110,7 @@ pub struct SceneId {
 }
 
 /// What part of a scene was traced.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
     /// One pixel: column and row from the top left.
@@ -118,6 +128,7 @@ pub struct TracingId {
     /// The algorithm: `recursive`, `whitted` or `foley`.
     pub algorithm: String,
     /// Its depth limit.
+    #[serde(deserialize_with = "whole")]
     pub max_depth: u32,
     /// The specular term: `half_vector`, `reflection_vector` or `half_vector_compensated`.
     pub specular: String,

@@ -17,6 +17,7 @@ pub mod scope;
 pub mod shard;
 pub mod tree;
 pub mod value;
+mod whole;
 
 pub use event::{
     Acceptance, Asking, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Skippable, Split, Step, What,

@@ -3,12 +3,18 @@
 //! The symbols of a formula mean the latest quantity of that symbol that the computation could see: in the node itself,
 //! in the intersection test that found the nearest hit, then in the enclosing nodes.
 
+mod index;
+
+pub(super) use index::Index;
+use index::Nearest;
+
 use super::event::{Decision, Event, RayKind, Step, What};
 use super::events::Events;
 use super::formula::Several;
 use super::name::Name;
 use super::tree::Tree;
 use super::value::Value;
+use std::mem::discriminant;
 
 /// A value that a formula puts in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +27,7 @@ pub struct Operand {
 
 /// What a symbol in the formula of the quantity noted by `event` stands for.
 pub fn operand(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
-    if let Some(value) = given(events, event, symbol) {
+    if let Some(value) = given_at(events, event, symbol) {
         return Some(Operand { event, value });
     }
     seen_from(events, tree, tree.owner(event), event, symbol)
@@ -29,7 +35,7 @@ pub fn operand(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Opti
 
 /// The same if the event's own node has it, itself and not in a test inside it.
 pub fn operand_in_node(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
-    match given(events, event, symbol) {
+    match given_at(events, event, symbol) {
         Some(value) => Some(Operand { event, value }),
         None => in_node(events, tree, tree.owner(event), event, symbol),
     }
@@ -56,16 +62,44 @@ pub fn noted_before(events: &Events, tree: &Tree, event: usize, symbol: &str) ->
     let mut before = event;
     let mut node = tree.owner(event);
     loop {
-        let found = tree.own_events_before(node, before).rev().find_map(|event| {
-            let value = noted(&events[event], symbol)?;
-            Some(Operand { event, value })
-        });
+        let found = match tree.index(events).noted(node, before, symbol) {
+            Some(event) => event.and_then(|event| noted_as(events, event, symbol)),
+            None => tree.own_events_before(node, before).rev().find_map(|event| noted_as(events, event, symbol)),
+        };
         if found.is_some() || node == 0 {
             return found;
         }
         before = tree.nodes()[node].events.start;
         node = tree.nodes()[node].parent;
     }
+}
+
+/// The latest of a node's own events before one that notes this quantity.
+pub fn latest_note(events: &Events, tree: &Tree, node: usize, before: usize, name: Name) -> Option<usize> {
+    let is_it = |at: &usize| matches!(events[*at].what, What::Note { name: noted, .. } if noted == name);
+    let found = tree.index(events).names(node, before, name);
+    found.unwrap_or_else(|| tree.own_events_before(node, before).rfind(is_it))
+}
+
+/// The latest of a node's own events before one that is a decision of this kind, whatever was decided.
+pub fn latest_mark(events: &Events, tree: &Tree, node: usize, before: usize, like: &Decision) -> Option<usize> {
+    let kind = discriminant(like);
+    let is_it = |at: &usize| matches!(&events[*at].what, What::Mark(decision) if discriminant(decision) == kind);
+    let found = tree.index(events).marked(node, before, kind);
+    found.unwrap_or_else(|| tree.own_events_before(node, before).rfind(is_it))
+}
+
+/// The largest number that a node noted or was given before an event.
+pub fn size_before(events: &Events, tree: &Tree, node: usize, before: usize) -> f64 {
+    let gone_through = || tree.own_events_before(node, before).fold(0.0, |size, at| size_of(events, at, size));
+    tree.index(events).size(node, before).unwrap_or_else(gone_through)
+}
+
+/// The largest of a number and those that an event notes or has among its inputs.
+fn size_of(events: &Events, event: usize, size: f64) -> f64 {
+    let noted = if let What::Note { value, .. } = events[event].what { Some(value) } else { None };
+    let values = noted.into_iter().chain(events.given(&events[event]).iter().map(|(_, value)| *value));
+    values.fold(size, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
 }
 
 fn seen_from(events: &Events, tree: &Tree, mut node: usize, mut before: usize, symbol: &str) -> Option<Operand> {
@@ -82,47 +116,26 @@ fn seen_from(events: &Events, tree: &Tree, mut node: usize, mut before: usize, s
 }
 
 fn in_node(events: &Events, tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
-    tree.own_events_before(node, before).rev().find_map(|event| {
-        let value = noted(&events[event], symbol).or_else(|| given(events, event, symbol))?;
+    let has = |event: usize| {
+        let value = noted(&events[event], symbol).or_else(|| given_at(events, event, symbol))?;
         Some(Operand { event, value })
-    })
+    };
+    match tree.index(events).has(node, before, symbol) {
+        Some(event) => event.and_then(has),
+        None => tree.own_events_before(node, before).rev().find_map(has),
+    }
+}
+
+fn noted_as(events: &Events, event: usize, symbol: &str) -> Option<Operand> {
+    Some(Operand { event, value: noted(&events[event], symbol)? })
 }
 
 /// The test, directly inside `node` or in a moving object's frame there, that found the nearest object. A mesh has a test for each triangle; the one at the
 /// least distance found it, of several the one of the first triangle.
 pub fn nearest_test(events: &Events, tree: &Tree, node: usize, before: usize) -> Option<usize> {
-    let nearest = tree.own_events_before(node, before).find_map(|event| match events[event].what {
-        What::Mark(Decision::Nearest { object }) => Some(object),
-        _ => None,
-    })?;
-    // Triangles that only lie in the same place are told by marks.
-    let is_behind = |number: Option<u32>| {
-        let mark = What::Mark(Decision::Coincident { object: nearest, triangle: number });
-        number.is_some() && tree.own_events_before(node, before).any(|event| events[event].what == mark)
-    };
-    let triangle_of = |child: usize| match tree.nodes()[child].step {
-        Some(Step::Test { object, triangle }) if object == nearest => Some(triangle),
-        _ => None,
-    };
-    let is_hit = |child: usize| tree.own_events(child).any(|event| events[event].what == What::Mark(Decision::Hit));
-    // The tests with a moving object stand in a node around them.
-    let is_moving = |child: &usize| tree.nodes()[*child].step == Some(Step::Motion { object: nearest });
-    let moving = tree.children(node).filter(is_moving).flat_map(|motion| tree.children(motion));
-    let tests = tree.children(node).chain(moving).filter_map(|child| Some((child, triangle_of(child)?)));
-    let found = tests.filter(|(child, triangle)| triangle.is_none() || (is_hit(*child) && !is_behind(*triangle)));
-    let key = |(child, triangle): &(usize, Option<u32>)| {
-        // Everything else has one test, so that its distance doesn't matter.
-        let distance = triangle.and_then(|_| distance(events, tree, *child)).unwrap_or(f64::INFINITY);
-        (distance, *triangle)
-    };
-    found.min_by(|a, b| key(a).0.total_cmp(&key(b).0).then(key(a).1.cmp(&key(b).1))).map(|(child, _)| child)
-}
-
-/// How far along the ray a test found its object.
-fn distance(events: &Events, tree: &Tree, test: usize) -> Option<f64> {
-    match in_node(events, tree, test, usize::MAX, Name::PlaneT.symbol())?.value {
-        Value::Number(distance) => Some(distance),
-        Value::Triple(_) => None,
+    match tree.index(events).nearest(node) {
+        Some(nearest) => nearest?.before(before),
+        None => Nearest::of(events, tree, node, before)?.before(before),
     }
 }
 
@@ -133,7 +146,7 @@ fn noted(event: &Event, symbol: &str) -> Option<Value> {
     }
 }
 
-fn given(events: &Events, event: usize, symbol: &str) -> Option<Value> {
+fn given_at(events: &Events, event: usize, symbol: &str) -> Option<Value> {
     events.given(&events[event]).iter().rev().find(|(name, _)| name.symbol() == symbol).map(|(_, value)| *value)
 }
 
@@ -168,7 +181,7 @@ pub fn operand_of_element(events: &Events, tree: &Tree, element: Element, symbol
         Element::Sample(sample) if symbol == Name::CombineColor.symbol() => brought(events, tree, sample),
         Element::Sample(sample) => {
             let start = tree.nodes()[sample].events.start;
-            events.get(start).and_then(|_| given(events, start, symbol))
+            events.get(start).and_then(|_| given_at(events, start, symbol))
         }
     }
 }

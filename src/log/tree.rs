@@ -1,7 +1,12 @@
 //! The events as a tree: nodes in pre-order in one flat array, so that a view needs to touch only what it shows.
 
 use super::event::{Event, RayKind, Step, What};
+use super::events::Events;
+use super::scope::Index;
+use std::iter::Map;
 use std::ops::Range;
+use std::slice;
+use std::sync::OnceLock;
 
 /// The tree of a log's nodes. Node 0 is the root: the pixel, or the whole region.
 #[derive(Clone, Debug)]
@@ -9,8 +14,12 @@ pub struct Tree {
     nodes: Vec<Node>,
     /// The node of each event.
     owner: Vec<u32>,
-    /// The events of pixels themselves, of the root too. A pixel may hold thousands of samples, which a search for one of these passes over.
-    of_pixels: Vec<u32>,
+    /// The events of each node itself, node after node. A ray may stand around a hundred thousand tests, which a search passes over at once.
+    own: Vec<u32>,
+    /// Where those of each node begin, and at the end where they all end.
+    own_start: Vec<u32>,
+    /// What is in nodes that hold much, made when it is first asked for.
+    index: OnceLock<Index>,
 }
 
 /// A node of the tree.
@@ -32,7 +41,13 @@ impl Tree {
     /// The tree of these events. Nodes that are never left (in a log that was cut off) end where the events do.
     pub fn of(events: &[Event]) -> Tree {
         let root = Node { step: None, parent: 0, level: 0, events: 0..events.len(), subtree_end: 1 };
-        let mut tree = Tree { nodes: vec![root], owner: Vec::with_capacity(events.len()), of_pixels: Vec::new() };
+        let mut tree = Tree {
+            nodes: vec![root],
+            owner: Vec::with_capacity(events.len()),
+            own: Vec::new(),
+            own_start: Vec::new(),
+            index: OnceLock::new(),
+        };
         let mut open = vec![0];
         for (index, event) in events.iter().enumerate() {
             if let What::Enter { step, .. } = event.what {
@@ -53,15 +68,31 @@ impl Tree {
             }
             let owner = open[open.len() - 1];
             tree.owner.push(owner as u32);
-            if matches!(tree.nodes[owner].step, None | Some(Step::Pixel(_))) {
-                tree.of_pixels.push(index as u32);
-            }
             if event.what == What::Leave && open.len() > 1 {
                 tree.close_down_to(open.len() - 1, &mut open, index + 1);
             }
         }
         tree.close_down_to(0, &mut open, events.len());
+        tree.list_own_events();
         tree
+    }
+
+    /// Sorts the events by their nodes.
+    fn list_own_events(&mut self) {
+        // First the number of each node's events stands one place further on, then where they begin.
+        let mut starts = vec![0_u32; self.nodes.len() + 2];
+        self.owner.iter().for_each(|node| starts[*node as usize + 2] += 1);
+        for node in 2..starts.len() {
+            starts[node] += starts[node - 1];
+        }
+        self.own = vec![0; self.owner.len()];
+        for (event, node) in (0..).zip(&self.owner) {
+            let place = &mut starts[*node as usize + 1];
+            self.own[*place as usize] = event;
+            *place += 1;
+        }
+        starts.pop();
+        self.own_start = starts;
     }
 
     fn close_down_to(&mut self, count: usize, open: &mut Vec<usize>, end: usize) {
@@ -92,13 +123,30 @@ impl Tree {
 
     /// The events of a node itself, without those of the nodes inside it, in order.
     pub fn own_events(&self, node: usize) -> OwnEvents<'_> {
-        OwnEvents { tree: self, node, rest: self.nodes[node].events.clone() }
+        self.own_list(node).iter().map(|event| *event as usize)
     }
 
     /// Those of them that lie before an event.
     pub fn own_events_before(&self, node: usize, before: usize) -> OwnEvents<'_> {
-        let Range { start, end } = self.nodes[node].events;
-        OwnEvents { tree: self, node, rest: start..end.min(before) }
+        let all = self.own_list(node);
+        let count = all.partition_point(|event| (*event as usize) < before);
+        all[..count].iter().map(|event| *event as usize)
+    }
+
+    /// Those of them from an event on.
+    pub fn own_events_from(&self, node: usize, from: usize) -> OwnEvents<'_> {
+        let all = self.own_list(node);
+        let before = all.partition_point(|event| (*event as usize) < from);
+        all[before..].iter().map(|event| *event as usize)
+    }
+
+    fn own_list(&self, node: usize) -> &[u32] {
+        &self.own[self.own_start[node] as usize..self.own_start[node + 1] as usize]
+    }
+
+    /// What is in nodes that hold much. The events are those that the tree was made of.
+    pub(super) fn index(&self, events: &Events) -> &Index {
+        self.index.get_or_init(|| Index::of(events, self))
     }
 
     /// The way of a node's ray from the eye, such as `C R S1`, or `3 C R S1` in the third sample; empty outside every ray.
@@ -109,101 +157,41 @@ impl Tree {
             steps.extend(self.nodes[at].step);
             at = self.nodes[at].parent;
         }
-        steps.iter().rev().fold(String::new(), |path, step| path_of_child(&path, *step))
+        let mut path = String::new();
+        steps.iter().rev().for_each(|step| add_step(&mut path, *step));
+        path
     }
 }
 
-/// The events of a node itself. A node inside it is passed over in one step, however much it holds.
-#[derive(Clone, Debug)]
-pub struct OwnEvents<'t> {
-    tree: &'t Tree,
-    node: usize,
-    rest: Range<usize>,
-}
-
-impl OwnEvents<'_> {
-    /// The events of the node directly inside that holds this one; `None` if no node inside does.
-    fn inside(&self, event: usize) -> Option<Range<usize>> {
-        let mut holder = self.tree.owner(event);
-        if holder == self.node {
-            return None;
-        }
-        // The root is its own parent.
-        while self.tree.nodes[holder].parent != self.node && holder != 0 {
-            holder = self.tree.nodes[holder].parent;
-        }
-        let inside = self.tree.nodes[holder].events.clone();
-        Some(if self.is_pixel() { self.gap_around(inside) } else { inside })
-    }
-
-    /// Whether the node has a list of its events.
-    fn is_pixel(&self) -> bool {
-        let is_region = || matches!(self.tree.nodes.get(1).map(|node| node.step), Some(Some(Step::Pixel(_))));
-        match self.tree.nodes[self.node].step {
-            Some(step) => matches!(step, Step::Pixel(_)),
-            None => !is_region(),
-        }
-    }
-
-    /// The nodes inside that follow one another without an event of the node itself between them, around one of them.
-    fn gap_around(&self, inside: Range<usize>) -> Range<usize> {
-        let list = &self.tree.of_pixels;
-        let next = list.partition_point(|event| (*event as usize) < inside.end);
-        let previous = list[..next].iter().rev().find(|event| (**event as usize) < inside.start);
-        let bounds = &self.tree.nodes[self.node].events;
-        let start = previous.map_or(bounds.start, |event| (*event as usize + 1).max(bounds.start));
-        let end = list.get(next).map_or(bounds.end, |event| (*event as usize).min(bounds.end));
-        start..end
-    }
-}
-
-impl Iterator for OwnEvents<'_> {
-    type Item = usize;
-
-    fn next(&mut self) -> Option<usize> {
-        while !self.rest.is_empty() {
-            let event = self.rest.start;
-            match self.inside(event) {
-                None => {
-                    self.rest.start += 1;
-                    return Some(event);
-                }
-                Some(inside) => self.rest.start = inside.end,
-            }
-        }
-        None
-    }
-}
-
-impl DoubleEndedIterator for OwnEvents<'_> {
-    fn next_back(&mut self) -> Option<usize> {
-        while !self.rest.is_empty() {
-            let event = self.rest.end - 1;
-            match self.inside(event) {
-                None => {
-                    self.rest.end = event;
-                    return Some(event);
-                }
-                Some(inside) => self.rest.end = inside.start,
-            }
-        }
-        None
-    }
-}
+/// The events of a node itself, in order.
+pub type OwnEvents<'t> = Map<slice::Iter<'t, u32>, fn(&u32) -> usize>;
 
 /// The path of a node inside a node with this path: samples add their number, rays their letter, a
 /// shadow ray also its light's number from 1: `3 C R S1`. Of several rays of a kind from one place each has its number after a
 /// dot: `C R.12 S1.4` is the fourth shadow ray to the first light from the twelfth zone of a blurred reflection. A pixel of one sample has no sample node and no number.
 pub fn path_of_child(path: &str, step: Step) -> String {
-    let gap = if path.is_empty() { "" } else { " " };
-    match step {
-        Step::Pixel(_) => String::new(),
-        Step::Sample { number } => format!("{path}{gap}{number}"),
+    let mut path = path.to_owned();
+    add_step(&mut path, step);
+    path
+}
+
+/// Makes the path of a node that of a node inside it.
+fn add_step(path: &mut String, step: Step) {
+    let part = match step {
+        Step::Pixel(_) => {
+            path.clear();
+            return;
+        }
+        Step::Sample { number } => number.to_string(),
         Step::Ray { kind, split, .. } => {
             let light = if let RayKind::Shadow { light } = kind { (light + 1).to_string() } else { String::new() };
             let split = if split == 0 { String::new() } else { format!(".{split}") };
-            format!("{path}{gap}{}{light}{split}", kind.letter())
+            format!("{}{light}{split}", kind.letter())
         }
-        _ => path.to_owned(),
+        _ => return,
+    };
+    if !path.is_empty() {
+        path.push(' ');
     }
+    path.push_str(&part);
 }

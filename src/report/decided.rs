@@ -224,36 +224,32 @@ impl Decider<'_> {
     /// Where what was noted for this decision begins: behind the last time that more samples were asked for.
     fn begin(&self) -> usize {
         let own = self.tree.owner(self.event);
-        let is_more = |at: &usize| matches!(self.log.events[*at].what, What::Mark(Decision::MoreSamples { .. }));
         if own == 0 || matches!(self.tree.nodes()[own].step, Some(Step::Pixel(_))) {
-            self.tree.own_events_before(own, self.event).rev().find(is_more).unwrap_or(0)
+            self.latest(&Decision::MoreSamples { from: 0, to: 0 }).unwrap_or(0)
         } else {
             0
         }
     }
 
+    /// The latest decision of a kind that the node took before this one.
+    fn latest(&self, like: &Decision) -> Option<usize> {
+        scope::latest_mark(&self.log.events, self.tree, self.tree.owner(self.event), self.event, like)
+    }
+
     /// The largest number that the node noted or was given so far.
     fn size(&self) -> f64 {
-        let own = self.tree.own_events_before(self.tree.owner(self.event), self.event);
-        let values = own.flat_map(|at| {
-            let noted = if let What::Note { value, .. } = self.log.events[at].what { Some(value) } else { None };
-            noted.into_iter().chain(self.log.given(at).iter().map(|(_, value)| *value))
-        });
-        values.fold(0.0, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
+        scope::size_before(&self.log.events, self.tree, self.tree.owner(self.event), self.event)
     }
 
     /// Whether the ray leaves the sphere that is tested: its other end is then at 2·T_A, and nothing tells where it begins but the side on
     /// which it was sent off.
     fn leaves_sphere(&self) -> bool {
-        let is_other_end =
-            |at: usize| matches!(self.log.events[at].what, What::Note { name: Name::SphereTLeaving, .. });
-        self.tree.own_events(self.tree.owner(self.event)).any(is_other_end)
+        let own = self.tree.owner(self.event);
+        scope::latest_note(&self.log.events, self.tree, own, usize::MAX, Name::SphereTLeaving).is_some()
     }
 
     fn is_outside(&self) -> bool {
-        let own = self.tree.owner(self.event);
-        let is_outside = |at: usize| self.log.events[at].what == What::Mark(Decision::Outside);
-        self.tree.own_events_before(own, self.event).any(is_outside)
+        self.latest(&Decision::Outside).is_some()
     }
 }
 

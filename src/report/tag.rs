@@ -25,6 +25,12 @@ const EXAMPLE: &[(Name, Value)] = &[
 const EYE: &[(Name, Value)] =
     &[(Name::RayOrigin, Value::Triple([16.0, 2.0, 7.0])), (Name::RayVector, Value::Triple([-12.0, 4.0, 1.0]))];
 
+/// So many events the walk of the numeric example doesn't have in any arithmetic, also where all tests are shown.
+const MOST_EVENTS: usize = 1 << 10;
+
+/// So many nodes are around no value that the book computes.
+const DEEPEST: usize = 16;
+
 /// Where the source text (Ramos, "Trazado de rayos") explains the value that `event` notes, such as `1.2.1`, or `1.3 (5d)` in the
 /// walk of the numeric example; `None` for what the text doesn't have, and for other events.
 pub fn tag(log: &Log, tree: &Tree, event: usize) -> Option<String> {
@@ -37,6 +43,10 @@ pub fn tag(log: &Log, tree: &Tree, event: usize) -> Option<String> {
 
 /// The step of the numeric example that computes the value.
 fn step(log: &Log, tree: &Tree, event: usize, name: Name) -> Option<&'static str> {
+    // Its walk is no deeper, and a path is as long as the way to its node.
+    if tree.nodes()[tree.owner(event)].level > DEEPEST {
+        return None;
+    }
     let path = tree.path(tree.owner(event));
     let unprinted = || UNPRINTED.iter().find(|(ray, key, _)| *ray == path && *key == name.key());
     let step = Printed::of(&path, name.key()).map(|printed| printed.step);
@@ -51,6 +61,10 @@ fn is_of_the_example(log: &Log, tree: &Tree, node: usize) -> bool {
     let mut around =
         std::iter::successors(Some(node), |node| Some(nodes[*node].parent).filter(|parent| parent != node));
     let Some(camera) = around.find(|node| is_camera(*node)) else { return false };
+    // This is asked for every value that the book may have, and its walk is short.
+    if nodes[camera].events.len() > MOST_EVENTS {
+        return false;
+    }
     let sets_out = EYE.iter().all(|input| tree.own_events(camera).any(|event| has(log.given(event), input)));
     let agrees =
         |(name, value): &(Name, Value)| EXAMPLE.iter().all(|(known, there)| known != name || there.same_bits(value));

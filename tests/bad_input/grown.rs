@@ -3,7 +3,7 @@
 
 use crate::corpus::files_of;
 use crate::meshes::folder_with_mesh;
-use crate::run::{answer_within, raywalk};
+use crate::run::{limited_answer, raywalk};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use std::fs;
@@ -58,7 +58,7 @@ fn is_bounded(target: &str, file: &[u8]) {
     let folder = folder_with_mesh(&name);
     fs::write(folder.path().join(&name), file).expect("a file");
     for arguments in commands {
-        let answer = answer_within(&mut raywalk(folder.path(), arguments), MOST_TIME);
+        let answer = limited_answer(&mut raywalk(folder.path(), arguments), MOST_TIME);
         assert!(answer.peak <= most_memory(file.len()) >> 10, "{arguments:?}: took {} KiB of memory", answer.peak);
         let ends = matches!(answer.code, Some(0..=3));
         assert!(ends, "{arguments:?}: {:?} {}", answer.code, answer.message);

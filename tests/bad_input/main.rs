@@ -20,6 +20,7 @@ mod catalogue;
 mod corpus;
 mod grown;
 mod inputs;
+mod little_memory;
 mod logs;
 mod machine;
 mod memory;

@@ -51,12 +51,12 @@ pub fn answer(command: &mut Command) -> Answer {
 /// Runs a call to its end, however much memory it takes.
 #[track_caller]
 pub fn unlimited_answer(command: &mut Command) -> Answer {
-    answer_within(command, MOST_TIME)
+    limited_answer(command, MOST_TIME)
 }
 
-/// Runs a call to its end, which takes at most so much time on a processor, however much memory.
+/// Runs a call to its end, if it takes at most so much time on a processor.
 #[track_caller]
-pub fn answer_within(command: &mut Command, most_time: Duration) -> Answer {
+pub fn limited_answer(command: &mut Command, most_time: Duration) -> Answer {
     let place = tempfile::tempdir().expect("a folder");
     let [out, message] = ["out", "message"].map(|name| place.path().join(name));
     let file = |path: &Path| File::create(path).expect("a file");

@@ -3,6 +3,7 @@
 use crate::cli::options::ColorChoice;
 use crate::cli::scene_argument::{self, Input};
 use raywalk::render::reach::{Reach, reach};
+use raywalk::scene::file::validate::limits::MAX_PROBLEMS;
 use raywalk::scene::file::{self, Finding, KeyPath};
 use raywalk::scene::{Color, Light, LightKind, Material, Scene};
 
@@ -49,8 +50,10 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
         };
         Some(Finding { path: KeyPath::default().join("lights").join(light), message, is_about_key: false })
     };
-    let findings: Vec<Finding> = (0..is_outside.len()).filter_map(finding).collect();
-    scene_argument::warn(&file::placed(&findings, &input.bytes, &input.name), colors);
+    // The place of each is looked for, so that only those that are told have one.
+    let mut findings = (0..is_outside.len()).filter_map(finding);
+    let told: Vec<Finding> = findings.by_ref().take(MAX_PROBLEMS).collect();
+    scene_argument::warn(&file::placed(&told, &input.bytes, &input.name), findings.count(), colors);
 }
 
 /// Whether a light has a place and the camera can't see it.

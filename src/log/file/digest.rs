@@ -1,30 +1,29 @@
 //! The digest by which a log is known again that another program wrote anew.
 
-use super::write::{Lines, header_line};
+use super::write::{Lines, write_header};
 use crate::log::events::Events;
 use crate::log::header::Header;
 use std::mem;
 
 /// The digest of a log as raywalk writes its lines, however they were spelt where it was read.
 pub(super) struct Digest {
-    header: Header,
     paths: Vec<String>,
     hasher: blake3::Hasher,
 }
 
 impl Digest {
     /// That of the header.
-    pub fn new(header: Header) -> Digest {
+    pub fn new(header: &Header) -> Digest {
         let mut hasher = blake3::Hasher::new();
-        // A header that was read can be written.
-        hasher.update(&header_line(&header).unwrap_or_default());
-        Digest { header, paths: Vec::new(), hasher }
+        let written = write_header(header, &mut hasher);
+        debug_assert!(written.is_ok(), "a header that was read can be written");
+        Digest { paths: Vec::new(), hasher }
     }
 
-    /// Adds further events.
-    pub fn add(&mut self, events: &Events) {
+    /// Adds further events of a log with this header.
+    pub fn add(&mut self, header: &Header, events: &Events) {
         let hasher = &mut self.hasher;
-        let mut lines = Lines::new(&self.header);
+        let mut lines = Lines::new(header);
         lines.paths = mem::take(&mut self.paths);
         let added = lines.hand_on(events, |text| {
             hasher.update(text);

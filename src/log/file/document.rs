@@ -1,96 +1,155 @@
 //! Reading a log that is one nested document.
+//!
+//! Its keys may stand in any order, the header behind the events, and the nodes inside a node before what the node is. So it is read three
+//! times: for the places of the nodes' contents, for the header and what is no JSON, and then event by event as lines are. No more of the
+//! events is held in between than one.
 
 use super::LogError;
-use super::line::{End, Line, with_whole_numbers};
-use super::lines::Brackets;
-use super::read::{Ending, ReadLog, check_names, check_version, error_at};
+use super::line::{End, Line, from_text};
+use super::lines::{Brackets, MAX_LOG_LINE, too_long};
+use super::read::{Ending, ReadLog, check_names, check_version, error_at, message_of};
 use super::reader::Reader;
 use crate::log::{Header, Log};
-use raywalk_guard::attempt;
 use serde::Deserialize;
-use std::io::{self, ErrorKind};
-use std::{slice, thread};
+use serde::de::IgnoredAny;
+use std::ops::Range;
+
+mod places;
+
+use places::{Contents, Places};
 
 /// How deep the nodes of a log, and the brackets of a document, may nest: a ray tree of the greatest depth takes two brackets a level, and a few more at its end.
 pub const MAX_NESTING: usize = 2048;
 
-/// Enough stack for the parser at that depth, with room to spare.
-const STACK: usize = 256 << 20;
-
+/// What stands around the events.
 #[derive(Deserialize)]
-struct Document<'t> {
+struct Outside {
     header: Header,
-    #[serde(borrow)]
-    children: Vec<Line<'t>>,
+    #[serde(rename = "children")]
+    _children: IgnoredAny,
     end: Option<End>,
 }
 
-/// A nesting for which any stack is enough: the parser's own limit would be 128.
-const SHALLOW: usize = 64;
-
-/// How much larger than its bytes a document is in memory, with the lines that are made of it.
-const GROWTH: usize = 3;
-
 /// Reads the document.
 pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
-    // In the middle of the work it could only abort.
-    let asked = attempt(|| Vec::<u8>::new().try_reserve_exact(bytes.len().saturating_mul(GROWTH)));
-    asked.map_err(|_| io::Error::from(ErrorKind::OutOfMemory))?;
-    if let Some(line) = deeper_at(bytes, MAX_NESTING) {
-        let message = format!("nested more than {MAX_NESTING} deep");
-        return Err(LogError::Damaged { line, column: 1, message });
-    }
-    // The parser's recursion follows the nesting: where that is deep it gets a stack that is large enough.
-    if deeper_at(bytes, SHALLOW).is_none() {
-        return parse(bytes);
-    }
-    thread::scope(|scope| {
-        let parse = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, || parse(bytes))?;
-        parse.join().unwrap_or_else(|_| Err(LogError::NotALog { found: "a document that can't be read".into() }))
-    })
-}
-
-fn parse(bytes: &[u8]) -> Result<ReadLog, LogError> {
-    let (document, is_alone) = parse_as::<Document>(bytes)
-        .or_else(|error| {
-            let mut is_alone = false;
-            let again = || {
-                let (value, alone) = parse_as(bytes)?;
-                is_alone = alone;
-                Ok(value)
-            };
-            with_whole_numbers(error, again).map(|document| (document, is_alone))
-        })
-        .map_err(|error| error_at(1, &error))?;
-    check_version(&document.header.log)?;
-    check_names(&document.header)?;
-    let mut reader = Reader::new(&document.header);
-    for child in document.children {
-        reader.take(child, 1)?;
-    }
-    let ending = match document.end {
+    let places = Places::of(bytes).map_err(|too_deep| {
+        let line = 1 + memchr::memchr_iter(b'\n', &bytes[..too_deep]).count();
+        LogError::Damaged { line, column: 1, message: format!("nested more than {MAX_NESTING} deep") }
+    })?;
+    let mut json = serde_json::Deserializer::from_slice(bytes);
+    json.disable_recursion_limit();
+    let Outside { header, end, .. } = Outside::deserialize(&mut json).map_err(|error| error_at(1, &error))?;
+    let is_alone = json.end().is_ok();
+    check_version(&header.log)?;
+    check_names(&header)?;
+    let mut reader = Reader::new(header);
+    events(bytes, &places, &mut reader)?;
+    let ending = match end {
         _ if !is_alone => Ending::Mismatch { what: "other text stands after the document".into() },
         None => Ending::Missing { incomplete_record: false },
         // The digest is that of the same log as lines.
         Some(end) => reader.check_end(&end, None),
     };
-    Ok(ReadLog { log: Log { events: reader.events, header: document.header }, ending })
+    let mut events = reader.events;
+    events.shrink_to_fit();
+    Ok(ReadLog { log: Log { events, header: reader.header }, ending })
 }
 
-/// The value that the bytes begin with, and whether nothing stands after it.
-fn parse_as<'t, T: Deserialize<'t>>(bytes: &'t [u8]) -> Result<(T, bool), serde_json::Error> {
-    let mut json = serde_json::Deserializer::from_slice(bytes);
-    json.disable_recursion_limit();
-    let value = T::deserialize(&mut json)?;
-    Ok((value, json.end().is_ok()))
+/// Reads the events, each node's before those inside it.
+fn events(bytes: &[u8], places: &Places, reader: &mut Reader) -> Result<(), LogError> {
+    let no_events = || LogError::damaged(1, 1, "expected a list of events as `children`");
+    let first = places.get(0).ok_or_else(no_events)?;
+    let (mut at, mut next) = (first.range.start + 1, 1);
+    // The lists that are being read, each with the place behind its node.
+    let mut open = vec![(first, bytes.len())];
+    let mut text = Vec::new();
+    while let Some((list, behind)) = open.last().copied() {
+        at += bytes[at..].iter().take_while(|byte| byte.is_ascii_whitespace() || **byte == b',').count();
+        if at + 1 >= list.range.end {
+            (at, next) = (behind, list.after);
+            open.pop();
+            continue;
+        }
+        let own = Own::of(bytes, at, places, next);
+        reader.take(own.line(bytes, &mut text)?, 1)?;
+        if let Some(inside) = own.inside {
+            open.push((inside, own.range.end));
+            at = inside.range.start + 1;
+            next += 1;
+        } else {
+            at = own.range.end;
+        }
+    }
+    Ok(())
 }
 
-/// The line where the document nests deeper than this, if it does.
-fn deeper_at(bytes: &[u8], most: usize) -> Option<usize> {
-    let mut brackets = Brackets::default();
-    let at = bytes.iter().position(|byte| {
-        brackets.pass(slice::from_ref(byte));
-        brackets.depth > most
-    })?;
-    Some(1 + bytes[..at].iter().filter(|byte| **byte == b'\n').count())
+/// What belongs to an event itself.
+struct Own<'p> {
+    /// The whole of it.
+    range: Range<usize>,
+    /// The events inside.
+    inside: Option<&'p Contents>,
+}
+
+/// What stands in the place of the events inside.
+const NOTHING: &[u8] = b"null";
+
+impl<'p> Own<'p> {
+    /// That of the event which begins at a place; `next` are the first contents behind that.
+    fn of(bytes: &[u8], start: usize, places: &'p Places, mut next: usize) -> Own<'p> {
+        let mut brackets = Brackets::default();
+        let (mut at, mut inside) = (start, None);
+        while at < bytes.len() {
+            if let Some(contents) = places.get(next).filter(|contents| contents.range.start == at) {
+                // Where there are two of them, the second is left, for the parser to refuse.
+                if inside.is_none() {
+                    inside = Some(contents);
+                    (at, next) = (contents.range.end, contents.after);
+                    continue;
+                }
+            }
+            brackets.pass(&bytes[at..=at]);
+            at += 1;
+            if brackets.are_none() {
+                break;
+            }
+        }
+        Own { range: start..at, inside }
+    }
+
+    /// The event as a line of a log has it; `text` is where it is put together.
+    fn line<'t>(&self, bytes: &'t [u8], text: &'t mut Vec<u8>) -> Result<Line<'t>, LogError> {
+        let inside = self.inside.map_or(0, |contents| contents.range.len());
+        if self.range.len() - inside > MAX_LOG_LINE {
+            return Err(too_long(self.line_and_column(bytes, 0).0, MAX_LOG_LINE).into());
+        }
+        let text = match self.inside {
+            None => &bytes[self.range.clone()],
+            Some(Contents { range, .. }) => {
+                let parts = [&bytes[self.range.start..range.start], NOTHING, &bytes[range.end..self.range.end]];
+                text.clear();
+                parts.iter().for_each(|part| text.extend_from_slice(part));
+                &*text
+            }
+        };
+        from_text(text).map_err(|error| {
+            let before = text.split_inclusive(|byte| *byte == b'\n').take(error.line().saturating_sub(1));
+            let place = before.map(<[u8]>::len).sum::<usize>() + error.column().saturating_sub(1);
+            let (line, column) = self.line_and_column(bytes, place);
+            LogError::damaged(line, column, &message_of(&error))
+        })
+    }
+
+    /// Line and column, from 1, of a place in that line.
+    fn line_and_column(&self, bytes: &[u8], place: usize) -> (usize, usize) {
+        let mut place = self.range.start + place;
+        if let Some(Contents { range, .. }) = self.inside
+            && place >= range.start
+        {
+            place += range.len().saturating_sub(NOTHING.len());
+        }
+        let before = &bytes[..place.min(bytes.len())];
+        let line = 1 + memchr::memchr_iter(b'\n', before).count();
+        (line, before.len() - memchr::memrchr(b'\n', before).map_or(0, |end| end + 1) + 1)
+    }
 }

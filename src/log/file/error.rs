@@ -1,5 +1,6 @@
 //! What can be wrong with a log.
 
+use super::reader::MAX_SAVED_EVENTS;
 use crate::log::escape::shortened;
 use crate::log::header::FORMAT;
 
@@ -23,6 +24,14 @@ pub enum LogError {
     OtherVersion {
         /// The version that the log names.
         found: String,
+    },
+    /// There are more events than are held in memory.
+    #[error(
+        "{line}:1: the log is too long to be held in memory, expected at most {MAX_SAVED_EVENTS} events, found more"
+    )]
+    TooLong {
+        /// The line of the first that is too many, from 1.
+        line: usize,
     },
     /// A record is damaged.
     #[error("{line}:{column}: {message}")]

@@ -2,21 +2,22 @@
 
 use crate::log::name::Name;
 use crate::log::value::Value;
+use crate::log::whole::{Whole, whole};
 use serde::de::{Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, de};
 use std::borrow::Cow;
 use std::fmt;
 use std::ops::Deref;
 
-/// A line of a log after the header (in a nested document: an element of `children`).
+/// A line of a log after the header (in a nested document: an element of `children`, without its own).
 #[derive(Deserialize)]
 pub(super) struct Line<'t> {
-    pub at: Option<u32>,
-    pub node: Option<u32>,
+    pub at: Option<Whole<u32>>,
+    pub node: Option<Whole<u32>>,
     #[serde(borrow)]
     pub enter: Option<Enter<'t>>,
     #[serde(default)]
-    pub parent: u32,
+    pub parent: Whole<u32>,
     #[serde(borrow)]
     pub note: Option<Word<'t>>,
     #[serde(borrow, default)]
@@ -32,8 +33,8 @@ pub(super) struct Line<'t> {
     #[serde(default)]
     pub decision_differs: bool,
     pub end: Option<End>,
-    #[serde(borrow, default)]
-    pub children: Vec<Line<'t>>,
+    /// What a line has no place for.
+    pub children: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -47,6 +48,7 @@ pub(super) struct PixelResult {
 /// The last line: how many events there are, and the digest of all lines before it.
 #[derive(Deserialize, Clone, PartialEq, Debug)]
 pub(super) struct End {
+    #[serde(deserialize_with = "whole")]
     pub events: u64,
     pub digest: Option<String>,
 }
@@ -58,58 +60,27 @@ impl End {
     }
 }
 
-/// Reads a value in which other programs may have written whole numbers as 1.0 or 1e0.
+/// Reads a value.
 #[inline]
 pub(super) fn from_text<'t, T: Deserialize<'t>>(text: &'t [u8]) -> Result<T, serde_json::Error> {
-    serde_json::from_slice(text).or_else(|error| with_whole_numbers(error, || serde_json::from_slice(text)))
-}
-
-/// Reads a value again whose numbers may be why it couldn't be read.
-pub(super) fn with_whole_numbers<'t, T: Deserialize<'t>>(
-    error: serde_json::Error,
-    again: impl FnOnce() -> Result<serde_json::Value, serde_json::Error>,
-) -> Result<T, serde_json::Error> {
-    let read = if error.is_data() { again().ok() } else { None };
-    read.and_then(|value| T::deserialize(whole_numbers(value)).ok()).ok_or(error)
-}
-
-/// The value with every number that is whole as an integer.
-fn whole_numbers(mut value: serde_json::Value) -> serde_json::Value {
-    /// Up to there every whole number is one of f64, too.
-    const MOST: f64 = 9_007_199_254_740_992.0;
-    match &mut value {
-        serde_json::Value::Number(number) => match number.as_f64() {
-            Some(x) if number.is_f64() && x == x.trunc() && x.abs() < MOST && (x != 0.0 || x.is_sign_positive()) => {
-                *number = (x as i64).into();
-            }
-            _ => {}
-        },
-        serde_json::Value::Array(items) => {
-            items.iter_mut().for_each(|item| *item = whole_numbers(item.take()));
-        }
-        serde_json::Value::Object(fields) => {
-            fields.values_mut().for_each(|field| *field = whole_numbers(field.take()));
-        }
-        _ => {}
-    }
-    value
+    serde_json::from_slice(text)
 }
 
 #[derive(Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Enter<'t> {
-    Pixel([u32; 2]),
+    Pixel([Whole<u32>; 2]),
     Sample {
-        number: u32,
+        number: Whole<u32>,
     },
     Ray {
         #[serde(borrow)]
         kind: Word<'t>,
-        depth: u32,
+        depth: Whole<u32>,
         #[serde(borrow)]
         light: Option<Word<'t>>,
         #[serde(default)]
-        split: u32,
+        split: Whole<u32>,
     },
     Motion {
         #[serde(borrow)]
@@ -118,12 +89,12 @@ pub(super) enum Enter<'t> {
     Zone {
         #[serde(borrow)]
         what: Word<'t>,
-        number: u32,
+        number: Whole<u32>,
     },
     Test {
         #[serde(borrow)]
         object: Word<'t>,
-        triangle: Option<u32>,
+        triangle: Option<Whole<u32>>,
     },
     Shade {
         #[serde(borrow)]
@@ -133,7 +104,7 @@ pub(super) enum Enter<'t> {
         #[serde(borrow)]
         light: Word<'t>,
         #[serde(default)]
-        split: u32,
+        split: Whole<u32>,
     },
     Combine {},
 }
@@ -155,7 +126,7 @@ pub(super) enum Mark<'t> {
     Coincident {
         #[serde(borrow)]
         object: Word<'t>,
-        triangle: Option<u32>,
+        triangle: Option<Whole<u32>>,
     },
     Immersed {
         #[serde(borrow)]
@@ -216,15 +187,18 @@ pub(super) enum Mark<'t> {
         light: Word<'t>,
         #[serde(borrow)]
         why: Word<'t>,
-        points: u32,
+        points: Whole<u32>,
         #[serde(borrow)]
         object: Option<Word<'t>>,
     },
     MoreSamples {
-        from: u32,
-        to: u32,
+        from: Whole<u32>,
+        to: Whole<u32>,
     },
 }
+
+/// The most inputs of an event: some thirty are the most that raywalk writes.
+pub const MAX_INPUTS: usize = 1 << 10;
 
 /// The inputs of an event, in the order of the table, whatever order the file has.
 #[derive(Default)]
@@ -246,6 +220,11 @@ impl<'de> Deserialize<'de> for Given {
                 let (mut inputs, mut unknown) = (Vec::new(), Vec::new());
                 while let Some(Word(key)) = map.next_key()? {
                     match Name::find(&key, "") {
+                        Some(_) if inputs.len() == MAX_INPUTS => {
+                            let message =
+                                format!("too many inputs of an event, expected at most {MAX_INPUTS}, found more");
+                            return Err(de::Error::custom(message));
+                        }
                         Some(name) => inputs.push((name, map.next_value()?)),
                         None => {
                             map.next_value::<IgnoredAny>()?;

@@ -10,6 +10,12 @@ const BLOCK: usize = 256 << 10;
 /// What some programs begin a text in UTF-8 with.
 pub(super) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
+/// The longest line of a log behind its header, also where it is broken into several: some thousand times as long as those of raywalk.
+pub const MAX_LOG_LINE: usize = 1 << 20;
+
+/// The longest header of a log: as long as a scene, whose names it has.
+pub const MAX_LOG_HEADER: usize = 1 << 28;
+
 /// The lines of a text, and the digest of those that have gone by.
 pub(super) struct Lines<R> {
     input: R,
@@ -27,6 +33,8 @@ pub(super) struct Lines<R> {
     damage: Option<io::Error>,
     hasher: blake3::Hasher,
     number: usize,
+    /// The most bytes of the next line.
+    most: usize,
 }
 
 /// A line without its end; where other programs have broken a value into several, all of them.
@@ -52,6 +60,7 @@ impl<R: Read> Lines<R> {
             damage: None,
             hasher,
             number: 0,
+            most: MAX_LOG_HEADER,
         }
     }
 
@@ -76,6 +85,11 @@ impl<R: Read> Lines<R> {
             Some(damage) => Err(damage),
             None => Ok(self.block),
         }
+    }
+
+    /// The header was read: lines are shorter from there on.
+    pub fn pass_header(&mut self) {
+        self.most = MAX_LOG_LINE;
     }
 
     /// The next line. An object that isn't complete there goes on in the next lines, but no further than to one that begins with a brace.
@@ -107,10 +121,14 @@ impl<R: Read> Lines<R> {
     #[inline]
     fn length(&mut self, mut searched: usize) -> io::Result<(usize, usize)> {
         loop {
-            if let Some(more) = memchr(b'\n', &self.block[self.next + searched..]) {
-                return Ok((searched + more, searched + more + 1));
+            let found = memchr(b'\n', &self.block[self.next + searched..]);
+            searched = found.map_or(self.block.len() - self.next, |more| searched + more);
+            if searched > self.most {
+                return Err(too_long(self.number.max(1), self.most));
             }
-            searched = self.block.len() - self.next;
+            if found.is_some() {
+                return Ok((searched, searched + 1));
+            }
             if self.is_at_end {
                 return Ok((searched, searched));
             }
@@ -192,6 +210,12 @@ impl<R: Read> Lines<R> {
     }
 }
 
+/// What is said of a line that is too long.
+pub(super) fn too_long(number: usize, most: usize) -> io::Error {
+    let message = format!("line {number} is too long, expected at most {most} bytes in this line of a log, found more");
+    io::Error::new(ErrorKind::FileTooLarge, message)
+}
+
 /// The brackets of a JSON text that are open. Those in strings don't count.
 #[derive(Default)]
 pub(super) struct Brackets {
@@ -213,6 +237,11 @@ impl Brackets {
                 _ => {}
             }
         }
+    }
+
+    /// Whether none are, outside of strings.
+    pub fn are_none(&self) -> bool {
+        self.depth == 0 && !self.in_string
     }
 
     /// Whether some are, outside of strings: no string goes on in another line.

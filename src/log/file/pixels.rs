@@ -15,7 +15,6 @@ use std::mem;
 
 /// A log that is read a pixel at a time.
 pub struct PixelReader<R> {
-    header: Header,
     source: Source<R>,
     /// The pixel whose opening event was read, while its own events weren't handed on yet.
     opened: Option<[u32; 2]>,
@@ -34,6 +33,7 @@ enum Source<R> {
     },
     /// What is one document is read as a whole.
     Document {
+        header: Header,
         rest: Events,
         /// How many of them were handed on.
         taken: usize,
@@ -59,20 +59,18 @@ impl<R: Read> PixelReader<R> {
         let mut lines = Lines::of(input);
         if is_document(lines.beginning()?) {
             let ReadLog { log, ending } = document::read(&lines.whole()?)?;
-            let source = Source::Document { rest: log.events, taken: 0, ending };
-            return Ok(PixelReader::of(log.header, source));
+            return Ok(PixelReader::of(Source::Document { header: log.header, rest: log.events, taken: 0, ending }));
         }
-        let header = read::header(&mut lines)?;
-        let reader = Box::new(Reader::new(&header));
-        Ok(PixelReader::of(header, Source::Lines { lines: Box::new(lines), reader }))
+        let reader = Box::new(Reader::new(read::header(&mut lines)?));
+        Ok(PixelReader::of(Source::Lines { lines: Box::new(lines), reader }))
     }
 
-    fn of(header: Header, source: Source<R>) -> PixelReader<R> {
-        let opened = match header.subject {
-            Subject::Pixel(pixel) => Some(pixel),
-            Subject::Ray(_) | Subject::Region(_) => None,
-        };
-        PixelReader { header, source, opened, ending: None, again: None }
+    fn of(source: Source<R>) -> PixelReader<R> {
+        let mut reader = PixelReader { source, opened: None, ending: None, again: None };
+        if let Subject::Pixel(pixel) = reader.header().subject {
+            reader.opened = Some(pixel);
+        }
+        reader
     }
 
     /// With what gives the input once more. Whether a log that another program wrote anew is whole takes long to find out: this way only
@@ -87,7 +85,10 @@ impl<R: Read> PixelReader<R> {
 
     /// What the log says about itself.
     pub fn header(&self) -> &Header {
-        &self.header
+        match &self.source {
+            Source::Lines { reader, .. } => &reader.header,
+            Source::Document { header, .. } => header,
+        }
     }
 
     /// How the log ends; `None` before the last pixel was read.
@@ -149,7 +150,7 @@ impl<R: Read> PixelReader<R> {
     pub fn add_to(self, writer: &mut Writer<'_, impl Write>) -> Result<(), LogError> {
         const PIECE: usize = 4096;
         let ending = match self.source {
-            Source::Document { mut rest, taken, ending } => {
+            Source::Document { mut rest, taken, ending, .. } => {
                 rest.drain(..taken);
                 writer.write(&rest)?;
                 ending
@@ -175,7 +176,13 @@ impl<R: Read> PixelReader<R> {
     /// Reads events up to the one that opens a pixel, or to the end; gives the pixel.
     fn read_to_pixel(&mut self, events: &mut Events) -> Result<Option<[u32; 2]>, LogError> {
         match &mut self.source {
-            Source::Document { rest, taken, ending } => {
+            Source::Document { header, rest, taken, ending } => {
+                if !matches!(header.subject, Subject::Region(_))
+                    && *taken == 0
+                    && !rest.iter().any(|event| opens(event).is_some())
+                {
+                    *events = mem::take(rest);
+                }
                 for event in &rest[*taken..] {
                     *taken += 1;
                     if let Some(pixel) = opens(event) {

@@ -99,8 +99,7 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     if is_document(lines.beginning()?) {
         return document::read(&lines.whole()?);
     }
-    let header = header(&mut lines)?;
-    let mut reader = Reader::new(&header);
+    let mut reader = Reader::new(header(&mut lines)?);
     let ending = loop {
         if let Some(ending) = record(&mut lines, &mut reader)? {
             break with_damage(ending, &lines);
@@ -108,7 +107,7 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     };
     let mut events = reader.events;
     events.shrink_to_fit();
-    Ok(ReadLog { log: Log { header, events }, ending })
+    Ok(ReadLog { log: Log { header: reader.header, events }, ending })
 }
 
 /// Reads the next record behind the header; the ending where there is none that can be read.
@@ -156,7 +155,9 @@ pub(super) fn with_damage(ending: Ending, lines: &Lines<impl Read>) -> Ending {
 pub(super) fn header(lines: &mut Lines<impl Read>) -> Result<Header, LogError> {
     while let Some(line) = lines.next_line()? {
         if !line.text.trim_ascii().is_empty() {
-            return header_in(&line);
+            let header = header_in(&line)?;
+            lines.pass_header();
+            return Ok(header);
         }
     }
     Err(LogError::NotALog { found: "nothing".into() })
@@ -202,9 +203,13 @@ pub(super) fn check_version(found: &str) -> Result<(), LogError> {
 }
 
 pub(super) fn error_at(line: usize, error: &serde_json::Error) -> LogError {
+    LogError::damaged(line + error.line().saturating_sub(1), error.column().max(1), &message_of(error))
+}
+
+/// What is wrong, without the place.
+pub(super) fn message_of(error: &serde_json::Error) -> String {
     let text = error.to_string();
-    let message = text.split(" at line ").next().unwrap_or(&text);
-    LogError::damaged(line + error.line().saturating_sub(1), error.column().max(1), message)
+    text.split(" at line ").next().unwrap_or(&text).to_owned()
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use super::LogError;
 use super::digest::Digest;
 use super::document::MAX_NESTING;
 use super::line::{End, Enter, Line, Mark};
+use super::numbers::Numbers;
 use super::read::Ending;
 use crate::log::escape::shortened;
 use crate::log::event::{
@@ -13,14 +14,19 @@ use crate::log::events::Events;
 use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::value::Value;
-use std::collections::HashMap;
+use crate::log::whole::Whole;
 use std::io::ErrorKind;
 use std::mem;
 
+/// The most events of a saved log, or of one of its pixels where it is read by pixels, that are held in memory.
+pub const MAX_SAVED_EVENTS: usize = 1 << 24;
+
 /// Turns lines into events: names into numbers, words into decisions.
 pub(super) struct Reader {
-    objects: HashMap<String, u32>,
-    lights: HashMap<String, u32>,
+    /// What the log says about itself.
+    pub(super) header: Header,
+    objects: Numbers,
+    lights: Numbers,
     /// Those that weren't handed on.
     pub(super) events: Events,
     /// How many were.
@@ -63,17 +69,14 @@ impl Unknown {
 }
 
 impl Reader {
-    pub(super) fn new(header: &Header) -> Reader {
-        let numbered = |names: &[String]| {
-            // The first of equal names wins, as it does in a scene.
-            names.iter().enumerate().rev().map(|(number, name)| (name.clone(), number as u32)).collect()
-        };
+    pub(super) fn new(header: Header) -> Reader {
         Reader {
-            objects: numbered(&header.objects),
-            lights: numbered(&header.lights),
+            objects: Numbers::of(&header.objects),
+            lights: Numbers::of(&header.lights),
+            digest: Some(Digest::new(&header)),
+            header,
             events: Events::new(),
             handed_on: 0,
-            digest: Some(Digest::new(header.clone())),
             depth: 0,
             unknown: Unknown::default(),
             carried: Vec::new(),
@@ -83,7 +86,7 @@ impl Reader {
     /// Hands the events on.
     pub(super) fn hand_on(&mut self) -> Events {
         if let Some(digest) = &mut self.digest {
-            digest.add(&self.events);
+            digest.add(&self.header, &self.events);
         }
         self.handed_on += self.events.len();
         mem::take(&mut self.events)
@@ -101,7 +104,7 @@ impl Reader {
         let written_anew = self.digest.take().filter(|_| self.unknown.count == 0);
         let fits_events = || {
             written_anew.is_some_and(|mut digest| {
-                digest.add(&self.events);
+                digest.add(&self.header, &self.events);
                 end.has(digest.finish())
             })
         };
@@ -111,17 +114,20 @@ impl Reader {
         Ending::Mismatch { what: "its digest fits neither its bytes nor its events".into() }
     }
 
-    /// Takes the event of the line with this number, and those of its children.
+    /// Takes the event of the line with this number.
     pub(super) fn take(&mut self, line: Line, number: usize) -> Result<(), LogError> {
         let damaged = |message: String| LogError::damaged(number, 1, &message);
         let missing = |field: &str| damaged(format!("expected an event, found no `{field}`"));
-        let at = line.at.ok_or_else(|| missing("at"))?;
-        let node = line.node.ok_or_else(|| missing("node"))?;
+        let Whole(at) = line.at.ok_or_else(|| missing("at"))?;
+        let Whole(node) = line.node.ok_or_else(|| missing("node"))?;
+        if line.children.is_some() {
+            return Err(damaged("expected one event, found `children` in it".into()));
+        }
         line.given.unknown.iter().for_each(|key| self.unknown.add(key, number));
         let what = if let Some(enter) = line.enter {
             let step = self.step(enter).map_err(damaged)?;
             // Nothing is around a pixel, whatever its line says.
-            let parent = if matches!(step, Step::Pixel(_)) { 0 } else { line.parent };
+            let parent = if matches!(step, Step::Pixel(_)) { 0 } else { line.parent.0 };
             What::Enter { parent, step }
         } else if let Some(key) = line.note {
             let value = line.value.ok_or_else(|| missing("value"))?;
@@ -162,13 +168,13 @@ impl Reader {
         if self.events.len() == self.events.capacity() {
             self.ask_for_memory()?;
         }
+        if self.events.len() == MAX_SAVED_EVENTS {
+            return Err(LogError::TooLong { line: number });
+        }
         for (name, value) in self.carried.drain(..).chain(line.given.inputs) {
             self.events.give(name, || value);
         }
         self.events.add(|given| Event { at, node, what, given, digits: digits.map(Box::new) });
-        for child in line.children {
-            self.take(child, number)?;
-        }
         Ok(())
     }
 
@@ -194,9 +200,9 @@ impl Reader {
 
     fn step(&self, enter: Enter) -> Result<Step, String> {
         Ok(match enter {
-            Enter::Pixel(pixel) => Step::Pixel(pixel),
-            Enter::Sample { number } => Step::Sample { number },
-            Enter::Ray { kind, depth, light, split } => {
+            Enter::Pixel(pixel) => Step::Pixel(pixel.map(|Whole(side)| side)),
+            Enter::Sample { number: Whole(number) } => Step::Sample { number },
+            Enter::Ray { kind, depth: Whole(depth), light, split: Whole(split) } => {
                 let kind = match (&*kind, light) {
                     ("camera", _) => RayKind::Camera,
                     ("reflected", _) => RayKind::Reflected,
@@ -206,11 +212,13 @@ impl Reader {
                 };
                 Step::Ray { kind, depth, split }
             }
-            Enter::Test { object, triangle } => Step::Test { object: self.object(&object)?, triangle },
+            Enter::Test { object, triangle } => {
+                Step::Test { object: self.object(&object)?, triangle: triangle.map(|Whole(number)| number) }
+            }
             Enter::Shade { object } => Step::Shade { object: self.object(&object)? },
-            Enter::Light { light, split } => Step::Light { light: self.light(&light)?, split },
+            Enter::Light { light, split: Whole(split) } => Step::Light { light: self.light(&light)?, split },
             Enter::Motion { object } => Step::Motion { object: self.object(&object)? },
-            Enter::Zone { what, number } => Step::Zone { what: skippable(&what)?, number },
+            Enter::Zone { what, number: Whole(number) } => Step::Zone { what: skippable(&what)?, number },
             Enter::Combine {} => Step::Combine,
         })
     }
@@ -222,7 +230,9 @@ impl Reader {
             Mark::Outside {} => Decision::Outside,
             Mark::Inside {} => Decision::Inside,
             Mark::Nearest { object } => Decision::Nearest { object: self.object(&object)? },
-            Mark::Coincident { object, triangle } => Decision::Coincident { object: self.object(&object)?, triangle },
+            Mark::Coincident { object, triangle } => {
+                Decision::Coincident { object: self.object(&object)?, triangle: triangle.map(|Whole(number)| number) }
+            }
             Mark::Immersed { object } => Decision::Immersed { object: self.object(&object)? },
             Mark::Bent { what } => Decision::Bent { what: skippable(&what)? },
             Mark::Background {} => Decision::Background,
@@ -249,22 +259,22 @@ impl Reader {
             Mark::Accepted { cell, why } => {
                 Decision::Accepted { cell, why: Acceptance::find(&why).ok_or_else(|| unknown("reason", &why))? }
             }
-            Mark::Asked { light, why, points, object } => Decision::Asked {
+            Mark::Asked { light, why, points: Whole(points), object } => Decision::Asked {
                 light: self.light(&light)?,
                 why: Asking::find(&why).ok_or_else(|| unknown("reason", &why))?,
                 points,
                 object: object.map(|object| self.object(&object)).transpose()?,
             },
-            Mark::MoreSamples { from, to } => Decision::MoreSamples { from, to },
+            Mark::MoreSamples { from: Whole(from), to: Whole(to) } => Decision::MoreSamples { from, to },
         })
     }
 
     fn object(&self, name: &str) -> Result<u32, String> {
-        self.objects.get(name).copied().ok_or_else(|| format!("object `{name}` isn't in the header"))
+        self.objects.find(&self.header.objects, name).ok_or_else(|| format!("object `{name}` isn't in the header"))
     }
 
     fn light(&self, name: &str) -> Result<u32, String> {
-        self.lights.get(name).copied().ok_or_else(|| format!("light `{name}` isn't in the header"))
+        self.lights.find(&self.header.lights, name).ok_or_else(|| format!("light `{name}` isn't in the header"))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::log::name::Name;
 use crate::log::value::Value;
 use crate::log::{Log, tree::path_of_child};
 use mark::mark;
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 
 /// Events as lines of NDJSON: what several threads make of the pixels of a region, for one [`Writer`] to put together.
 pub struct Lines<'h> {
@@ -69,7 +69,7 @@ impl<'h, W: Write> Writer<'h, W> {
     /// Starts a log with its header.
     pub fn new(out: W, header: &'h Header) -> io::Result<Self> {
         let mut writer = Writer { out, hasher: blake3::Hasher::new(), events: 0, lines: Lines::new(header) };
-        writer.put(&header_line(header)?)?;
+        write_header(header, &mut Digested(&mut writer))?;
         Ok(writer)
     }
 
@@ -110,10 +110,26 @@ impl<'h, W: Write> Writer<'h, W> {
     }
 }
 
-pub(super) fn header_line(header: &Header) -> io::Result<Vec<u8>> {
-    let mut line = serde_json::to_vec(header)?;
-    line.push(b'\n');
-    Ok(line)
+/// Writes the header as the first line of a log.
+pub(super) fn write_header(header: &Header, out: &mut impl Write) -> io::Result<()> {
+    // It is written in many small pieces.
+    let mut out = BufWriter::new(out);
+    serde_json::to_writer(&mut out, header)?;
+    out.write_all(b"\n")?;
+    out.flush()
+}
+
+/// What is written to a log goes into its digest.
+struct Digested<'w, 'h, W: Write>(&'w mut Writer<'h, W>);
+
+impl<W: Write> Write for Digested<'_, '_, W> {
+    fn write(&mut self, text: &[u8]) -> io::Result<usize> {
+        self.0.put(text).map(|()| text.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 /// The whole log as NDJSON.

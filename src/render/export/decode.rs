@@ -101,6 +101,8 @@ pub(super) fn read(bytes: &[u8], kind: Kind) -> Result<Picture, PictureError> {
     let file = Cursor::new(bytes);
     match kind {
         Kind::Png => {
+            let bytes = &critical(bytes)?;
+            let file = Cursor::new(&**bytes);
             // What is unpacked by the way is bounded by what the pixels need, which is checked as soon as the header itself is.
             check_size([16, 20].map(|place| at(bytes, place).map_or(0, u32::from_be_bytes).into()))?;
             let most = unpacked_png(bytes).min(MOST) + MOST_BESIDE;
@@ -147,8 +149,8 @@ fn picture<D: ImageDecoder>(decoder: Result<D, ImageError>, bytes: &[u8], kind: 
     let needed = needed as usize;
     // What decoders take by the way, and after them the samples, could only abort.
     drop(with_room_for::<u8>(needed * (1 + BYTES_BESIDE))?);
-    let mut unpacked = with_room_for(needed)?;
-    unpacked.resize(needed, 0_u8);
+    // Zeros that aren't written take no memory: a header may ask for more than its file holds.
+    let mut unpacked = vec![0_u8; needed];
     decoder.read_image(&mut unpacked).map_err(damaged)?;
     let channels = if color.has_color() { Channels::Rgb } else { Channels::Grey };
     let count = Count { all: color.channel_count() as usize, kept: channels as usize };
@@ -209,7 +211,6 @@ fn check_png(bytes: &[u8]) -> Result<(), PictureError> {
     if unpacked / DEFLATE_RATIO > bytes.len() as u64 {
         return Err(PictureError::Header("a size that fits the bytes behind it"));
     }
-    const SIGNATURE: usize = 8;
     let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
     while let (Some(length), Some(name)) = (at(rest, 0).map(u32::from_be_bytes), at::<4>(rest, 4)) {
         match &name {
@@ -225,6 +226,29 @@ fn check_png(bytes: &[u8]) -> Result<(), PictureError> {
             .unwrap_or_default();
     }
     Ok(())
+}
+
+/// What stands before the chunks of a PNG.
+const SIGNATURE: usize = 8;
+
+/// The parts of a PNG of which its pixels are made. Profiles of colours, texts and the pictures of an animation are left out: the decoder would
+/// unpack them, and some kilobytes of them unpack to more than there is memory for.
+fn critical(bytes: &[u8]) -> Result<Vec<u8>, PictureError> {
+    const KEPT: [&[u8; 4]; 5] = [b"IHDR", b"PLTE", b"tRNS", b"IDAT", b"IEND"];
+    let mut kept = with_room_for(bytes.len())?;
+    let (signature, mut rest) = bytes.split_at(SIGNATURE.min(bytes.len()));
+    kept.extend_from_slice(signature);
+    // A chunk is its length, its name, so many bytes, and their check.
+    while let (Some(length), Some(name)) = (at(rest, 0).map(u32::from_be_bytes), at::<4>(rest, 4)) {
+        let (chunk, behind) = rest.split_at((length as usize).saturating_add(12).min(rest.len()));
+        // Unknown ones without which the picture can't be understood begin with a capital letter. The decoder says what is wrong with them.
+        if KEPT.contains(&&name) || name[0].is_ascii_uppercase() {
+            kept.extend_from_slice(chunk);
+        }
+        rest = behind;
+    }
+    kept.extend_from_slice(rest);
+    Ok(kept)
 }
 
 /// How many bytes the pixels of a PNG have before they are expanded, by its header; 0 where that is cut off.

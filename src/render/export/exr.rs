@@ -66,6 +66,7 @@ pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
     if headers.iter().any(|header| header.layer_size.area() as u64 > most) {
         return Err(PictureError::Memory);
     }
+    check_packing(&headers, bytes.len())?;
     let reader = || exr::prelude::read().no_deep_data().largest_resolution_level();
     match colors_of(&headers)?.1 {
         RGB => {
@@ -82,6 +83,22 @@ pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
             Ok(layer.from_buffered(Cursor::new(bytes))?.layer_data.channel_data.pixels.into_picture(Channels::Grey))
         }
     }
+}
+
+/// Refuses a file whose headers ask for more than the bytes behind them can hold.
+fn check_packing(headers: &[Header], length: usize) -> Result<(), PictureError> {
+    /// A block has its place in a table and begins with its own place and length, 16 bytes and more.
+    const BYTES_PER_BLOCK: usize = 16;
+    /// As many bytes come from one at the most: a match of 258 bytes takes 2 bits or more (RFC 1951), and every other method that is read packs
+    /// less.
+    const RATIO: usize = 1032;
+    let blocks = headers.iter().fold(0, |sum: usize, header| sum.saturating_add(header.chunk_count));
+    let bytes = |header: &Header| header.layer_size.area().saturating_mul(header.channels.bytes_per_pixel);
+    let unpacked = headers.iter().fold(0, |sum: usize, header| sum.saturating_add(bytes(header)));
+    if blocks.saturating_mul(BYTES_PER_BLOCK) > length || unpacked / (2 * RATIO) > length {
+        return Err(PictureError::Header("a size that fits the bytes behind it"));
+    }
+    Ok(())
 }
 
 /// The channels of a coloured picture, and of a grey one.
@@ -196,6 +213,20 @@ mod tests {
         refuses(&["A", "Z\u{7}"], "A, Z\\u{7}");
         refuses(&["B", "R"], "B, R");
         refuses(&["BY", "RY", "Y"], "BY, RY, Y");
+    }
+
+    #[test]
+    fn a_header_that_asks_for_more_than_there_is() {
+        let bytes = with_channels(&["B", "G", "R"]);
+        let window = [0_i32, 0, 1, 0].map(i32::to_le_bytes).concat();
+        let places: Vec<_> = (0..bytes.len() - 16).filter(|at| bytes[*at..].starts_with(&window)).collect();
+        assert!(!places.is_empty());
+        let mut asks = bytes.clone();
+        for at in places {
+            asks[at + 8..at + 16].copy_from_slice(&[9999_i32, 9999].map(i32::to_le_bytes).concat());
+        }
+        let refused = super::read(&asks, 1 << 28).unwrap_err().to_string();
+        assert!(refused.ends_with("expected a size that fits the bytes behind it"), "{refused}");
     }
 
     #[test]

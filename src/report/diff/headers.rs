@@ -45,7 +45,17 @@ const FIELDS: [Field; 22] = [
 
 /// What the headers say differently, in the order of a header.
 pub fn header_differences(a: &Header, b: &Header) -> Vec<HeaderDifference> {
-    let said = FIELDS.iter().map(|(field, say)| HeaderDifference { field, a: say(a), b: say(b) });
+    // A million names that are the same needn't be said.
+    let is_same = |field: &str| match field {
+        "objects" => a.objects == b.objects,
+        "lights" => a.lights == b.lights,
+        _ => false,
+    };
+    let said = FIELDS.iter().filter(|(field, _)| !is_same(field)).map(|(field, say)| HeaderDifference {
+        field,
+        a: say(a),
+        b: say(b),
+    });
     // Another program may not know the scene's digest.
     let is_told = |said: &HeaderDifference| said.field != "scene.digest" || (!said.a.is_empty() && !said.b.is_empty());
     said.filter(|said| said.a != said.b && is_told(said)).collect()
@@ -77,9 +87,10 @@ impl Numbering {
     /// The numbering that makes `b` agree with `a`; `b` gets the names in their new order.
     pub fn unify(a: &Header, b: &mut Header) -> Numbering {
         let is_same = a.objects == b.objects && a.lights == b.lights;
-        if !is_same {
-            b.only_elsewhere = only_in(&a.objects, &b.objects).chain(only_in(&a.lights, &b.lights)).collect();
+        if is_same {
+            return Numbering { objects: Vec::new(), lights: Vec::new(), is_same };
         }
+        b.only_elsewhere = only_in(&a.objects, &b.objects).chain(only_in(&a.lights, &b.lights)).collect();
         let objects = renumbered(&a.objects, &mut b.objects);
         let lights = renumbered(&a.lights, &mut b.lights);
         Numbering { objects, lights, is_same }

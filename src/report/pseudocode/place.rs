@@ -1,6 +1,6 @@
 //! Where in the algorithm a step stands, whatever the algorithm's lines are.
 
-use crate::log::{Decision, Event, Log, Name, RayKind, Skippable, Step, Tree, What};
+use crate::log::{Decision, Event, Log, Name, RayKind, Skippable, Step, Tree, What, scope};
 
 macro_rules! places {
     ($($(#[$doc:meta])* $place:ident,)*) => {
@@ -175,17 +175,16 @@ fn noted_in_ray(log: &Log, tree: &Tree, ray: usize, event: usize, name: Name) ->
 
 /// Which bounce a ray has come to: that whose direction it noted last.
 fn latest_bounce(log: &Log, tree: &Tree, ray: usize, event: usize) -> Skippable {
-    let latest = tree.own_events_before(ray, event).rev().find_map(|at| match log.events[at].what {
-        What::Note { name: Name::ReflectDirection, .. } => Some(Skippable::Reflected),
-        What::Note { name: Name::RefractDirection, .. } => Some(Skippable::Transmitted),
-        _ => None,
-    });
-    latest.unwrap_or(Skippable::Reflected)
+    let latest = |name| scope::latest_note(&log.events, tree, ray, event, name);
+    if latest(Name::RefractDirection) > latest(Name::ReflectDirection) {
+        Skippable::Transmitted
+    } else {
+        Skippable::Reflected
+    }
 }
 
 fn is_hit_known(log: &Log, tree: &Tree, ray: usize, event: usize) -> bool {
-    let is_nearest = |at: usize| matches!(log.events[at].what, What::Mark(Decision::Nearest { .. }));
-    tree.own_events_before(ray, event).rev().any(is_nearest)
+    scope::latest_mark(&log.events, tree, ray, event, &Decision::Nearest { object: 0 }).is_some()
 }
 
 /// A test belongs to the search of the ray around it; a moving object carries the hit back later.

@@ -3,9 +3,10 @@
 use super::Task;
 use crate::log::{Log, Name, Step, Tree, Value};
 use crate::report::words;
+use std::collections::{HashMap, HashSet};
 
 /// Whose data it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Owner {
     Everywhere,
     Object(u32),
@@ -15,6 +16,8 @@ pub(super) enum Owner {
 /// What is the same wherever it is put in.
 pub(super) struct Data {
     pub groups: Vec<(Owner, Vec<(Name, Value)>)>,
+    /// Where the group of an owner stands.
+    places: HashMap<Owner, usize>,
 }
 
 /// Inputs that don't belong to the object or light at whose node they stand.
@@ -22,15 +25,15 @@ const OF_THE_STEP: &[Name] = &[Name::RayOrigin, Name::RayDirection];
 
 impl Data {
     pub(super) fn of(log: &Log, tree: &Tree) -> Data {
-        let mut data = Data { groups: Vec::new() };
+        let mut data = Data { groups: Vec::new(), places: HashMap::new() };
         // What has another value elsewhere, as the points of an area light have, is told where it is put in.
-        let mut varying: Vec<(Owner, Name)> = Vec::new();
+        let mut varying: HashSet<(Owner, Name)> = HashSet::new();
         for (index, (_, given)) in log.events.with_given().enumerate() {
             for (name, value) in given {
                 let Some(owner) = owner(tree, index, *name) else { continue };
                 match data.find(owner, *name) {
                     Some(known) if known.same_bits(value) => {}
-                    Some(_) => varying.push((owner, *name)),
+                    Some(_) => drop(varying.insert((owner, *name))),
                     None => data.put(owner, *name, *value),
                 }
             }
@@ -39,16 +42,18 @@ impl Data {
             names.retain(|(name, _)| !varying.contains(&(*owner, *name)));
         }
         data.groups.retain(|(_, names)| !names.is_empty());
+        data.places = data.groups.iter().enumerate().map(|(place, (owner, _))| (*owner, place)).collect();
         data
     }
 
     fn find(&self, owner: Owner, name: Name) -> Option<Value> {
-        let (_, names) = self.groups.iter().find(|(group, _)| *group == owner)?;
+        let (_, names) = &self.groups[*self.places.get(&owner)?];
         names.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
     }
 
     fn put(&mut self, owner: Owner, name: Name, value: Value) {
-        match self.groups.iter_mut().find(|(group, _)| *group == owner) {
+        let place = *self.places.entry(owner).or_insert(self.groups.len());
+        match self.groups.get_mut(place) {
             Some((_, names)) => names.push((name, value)),
             None => self.groups.push((owner, vec![(name, value)])),
         }

@@ -75,6 +75,11 @@ impl From<Problem> for SceneError {
     }
 }
 
+/// What is said of warnings that are not shown; `None` where there are none.
+pub fn more_warnings(count: usize, colour: bool) -> Option<String> {
+    (count > 0).then(|| format!("{}: and {count} more warnings, not shown", Severity::Warning.label(colour)))
+}
+
 fn in_lines(problems: &[Problem], omitted: usize) -> String {
     let mut lines: Vec<String> = problems.iter().map(Problem::to_string).collect();
     lines.extend((omitted > 0).then(|| and_more(omitted)));

@@ -26,6 +26,8 @@ pub struct Loaded {
     pub scene: SceneFile,
     /// What is odd about it but does not stop anybody.
     pub warnings: Vec<Problem>,
+    /// How many more warnings there are.
+    pub more_warnings: usize,
 }
 
 /// Reads and checks a scene file, or standard input for `-`.
@@ -56,8 +58,8 @@ pub fn check_as(text: &[u8], file_name: &str, import: &Import) -> Result<Loaded,
     ask_for_memory(text, JSON_GROWTH, file_name)?;
     let scene = parse(text, file_name)?;
     let (source, text) = decode(text, file_name)?;
-    let warnings = judge(validate(&scene), |findings| place(findings, &source, text))?;
-    Ok(Loaded { scene, warnings })
+    let (warnings, more_warnings) = judge(validate(&scene), |findings| place(findings, &source, text))?;
+    Ok(Loaded { scene, warnings, more_warnings })
 }
 
 /// How much larger a scene is, ready to be traced, than its text: measured on files of nothing but small spheres.
@@ -77,7 +79,8 @@ fn ask_for_memory(text: &[u8], growth: usize, file_name: &str) -> Result<(), Sce
 /// # Errors
 /// [`SceneError::Invalid`], with every problem.
 pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, SceneError> {
-    judge(validate(scene), |findings| findings.iter().map(|finding| unplaced(finding, file_name)).collect())
+    let unplaced = |findings: &[Finding]| findings.iter().map(|finding| unplaced(finding, file_name)).collect();
+    judge(validate(scene), unplaced).map(|(warnings, _)| warnings)
 }
 
 /// Gives what others found about a scene its place in the text that it was loaded from. Where that isn't JSON there are
@@ -101,13 +104,13 @@ fn unplaced(finding: &Finding, file_name: &str) -> Problem {
     }
 }
 
-/// The warnings, when there are no errors.
+/// The warnings and how many more there are, when there are no errors.
 pub(super) fn judge(
     findings: Findings,
     place: impl Fn(&[Finding]) -> Vec<Problem>,
-) -> Result<Vec<Problem>, SceneError> {
+) -> Result<(Vec<Problem>, usize), SceneError> {
     if findings.errors.is_empty() {
-        return Ok(place(&findings.warnings));
+        return Ok((place(&findings.warnings), findings.omitted_warnings));
     }
     Err(SceneError::Invalid { problems: place(&findings.errors), omitted: findings.omitted })
 }

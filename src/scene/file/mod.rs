@@ -40,7 +40,7 @@ mod tests;
 mod there;
 mod zstd;
 
-pub use error::{Problem, SceneError, Severity};
+pub use error::{Problem, SceneError, Severity, more_warnings};
 pub use escape::{visible, visible_json, visible_lines};
 pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
 pub use key_path::{KeyPath, Step};

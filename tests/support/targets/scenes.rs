@@ -21,7 +21,7 @@ pub fn nff(bytes: &[u8]) {
 }
 
 fn checked(bytes: &[u8], name: &str) {
-    let Loaded { scene, warnings } = match file::check_as(bytes, name, &Import::default()) {
+    let Loaded { scene, warnings, .. } = match file::check_as(bytes, name, &Import::default()) {
         Ok(loaded) => loaded,
         Err(error) => return is_a_message(&error),
     };

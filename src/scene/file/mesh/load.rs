@@ -55,14 +55,14 @@ impl Meshes {
 }
 
 /// Reads the meshes of a scene whose file is `scene_text`, in which paths that lead nowhere are shown. Gives them and
-/// warnings.
+/// warnings, at most [`MAX_PROBLEMS`], with the number of further ones.
 ///
 /// # Errors
 /// [`SceneError::Invalid`] with every path that is not followed, or with the first problem of a mesh file;
 /// [`SceneError::Refused`] and [`SceneError::Unreadable`] as for a scene file.
-pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(Meshes, Vec<Problem>), SceneError> {
+pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(Meshes, Warnings), SceneError> {
     let mut meshes = Meshes::default();
-    let mut warnings = Vec::new();
+    let mut warnings = Warnings::default();
     let mut problems = Vec::new();
     let mut omitted = 0;
     for (index, object) in scene.objects.iter().enumerate() {
@@ -85,15 +85,34 @@ pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(M
             Err(NotRead::File(_)) => break,
         };
         meshes.insert(&named.path, read.0.mesh, read.1);
-        warnings.extend(read.0.warnings);
+        read.0.warnings.into_iter().for_each(|warning| warnings.add(|| warning));
     }
     if !problems.is_empty() {
         return Err(SceneError::Invalid { problems, omitted });
     }
-    warnings.extend(
-        transmitting(scene, &meshes).map(|(index, message)| path_problem(scene_text, index, message.to_owned())),
-    );
+    for (index, message) in transmitting(scene, &meshes) {
+        warnings.add(|| path_problem(scene_text, index, message.to_owned()));
+    }
     Ok((meshes, warnings))
+}
+
+/// What is odd about the meshes of a scene.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Warnings {
+    /// The first ones.
+    pub told: Vec<Problem>,
+    /// How many more there are.
+    pub more: usize,
+}
+
+impl Warnings {
+    fn add(&mut self, warning: impl FnOnce() -> Problem) {
+        if self.told.len() < MAX_PROBLEMS {
+            self.told.push(warning());
+        } else {
+            self.more += 1;
+        }
+    }
 }
 
 /// The objects whose meshes transmit but enclose no medium, each mesh once, and what that means.

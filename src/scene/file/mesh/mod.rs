@@ -21,7 +21,7 @@ mod ply;
 mod tests;
 mod words;
 
-pub use load::{Folder, Meshes, load};
+pub use load::{Folder, Meshes, Warnings, load};
 
 use super::error::{Problem, SceneError};
 use super::packed::unpacked_name;

@@ -80,8 +80,9 @@ pub fn check(bytes: &[u8], file_name: &str, import: &Import) -> Result<Loaded, S
     let mut warnings: Vec<_> = records.passed_over.iter().map(|passed| passed.problem(&source)).collect();
     let (scene, places) = mapping::scene(records, file_name, import);
     let place = |findings: &_| places.place(findings, &source);
-    warnings.extend(judge(validate(&scene), place)?);
-    Ok(Loaded { scene, warnings })
+    let (found, more_warnings) = judge(validate(&scene), place)?;
+    warnings.extend(found);
+    Ok(Loaded { scene, warnings, more_warnings })
 }
 
 /// Parses the bytes of an NFF file; whether the numbers make sense is only asked where the format itself says.

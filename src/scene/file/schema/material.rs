@@ -177,6 +177,9 @@ pub struct Checker {
     pub size: f64,
 }
 
+/// The most materials of a scene in JSON: each takes many times the bytes of its text.
+pub const MAX_MATERIALS: usize = 1 << 17;
+
 /// The materials by name, in the order of the file, which is also the order in which they are printed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Materials {
@@ -249,6 +252,11 @@ impl<'de> Visitor<'de> for MaterialsVisitor {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Materials, A::Error> {
         let mut materials = Materials::default();
         while let Some(name) = map.next_key_seed(NewName(&materials))? {
+            if materials.len() == MAX_MATERIALS {
+                return Err(de::Error::custom(format!(
+                    "too many materials, expected at most {MAX_MATERIALS}, found more"
+                )));
+            }
             materials.insert(&name, map.next_value()?);
         }
         Ok(materials)

@@ -61,7 +61,7 @@ pub struct SceneFile {
     #[schemars(inner(range(min = 0)))]
     pub background: Rgb,
     /// The lights, in the order of the file.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "objects::lights")]
     pub lights: Vec<Light>,
     /// The materials by name, in the order of the file.
     #[serde(default)]

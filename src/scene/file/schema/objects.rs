@@ -1,4 +1,4 @@
-//! The objects of a scene as they are read: as many as there are, unless most of them are refused anyway.
+//! The objects and lights of a scene as they are read: as many objects as there are, unless most of them are refused anyway.
 
 use std::collections::HashSet;
 use std::fmt;
@@ -6,7 +6,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-use super::Object;
+use super::{Light, Object};
 
 /// So many objects may have a name that is taken until reading stops. Fewer are all read, so that each is told.
 pub const MAX_DUPLICATES: usize = 1 << 16;
@@ -39,6 +39,35 @@ impl<'de> Visitor<'de> for Objects {
             objects.push(object);
         }
         Ok(objects)
+    }
+}
+
+/// The most lights of a scene. Each is asked for a shadow ray at every hit, and takes many times the bytes of its text.
+pub const MAX_LIGHTS: usize = 1 << 17;
+
+/// Reads the lights.
+pub fn lights<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Light>, D::Error> {
+    deserializer.deserialize_seq(Lights)
+}
+
+struct Lights;
+
+impl<'de> Visitor<'de> for Lights {
+    type Value = Vec<Light>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("an array")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Vec<Light>, A::Error> {
+        let mut lights: Vec<Light> = Vec::new();
+        while let Some(light) = seq.next_element()? {
+            if lights.len() == MAX_LIGHTS {
+                return Err(A::Error::custom(format!("too many lights, expected at most {MAX_LIGHTS}, found more")));
+            }
+            lights.push(light);
+        }
+        Ok(lights)
     }
 }
 

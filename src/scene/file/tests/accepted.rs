@@ -58,7 +58,7 @@ fn survives_printing(text: &str) {
 
 #[test]
 fn the_textbook_scene() {
-    let Loaded { scene, warnings } = loads(TEXTBOOK);
+    let Loaded { scene, warnings, .. } = loads(TEXTBOOK);
     assert_eq!(warnings, []);
     assert_eq!(scene.camera.aim, Aim::Direction([-12.0, 4.0, 1.0]));
     assert_eq!(scene.materials.index_of("ball"), Some(1));

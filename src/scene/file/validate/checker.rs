@@ -89,6 +89,8 @@ impl Checker<'_> {
         let walk = self.walk();
         if walk.findings.warnings.len() < MAX_PROBLEMS {
             walk.findings.warnings.push(Finding { path: walk.path.clone(), message, is_about_key });
+        } else {
+            walk.findings.omitted_warnings += 1;
         }
     }
 

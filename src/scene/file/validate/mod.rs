@@ -42,6 +42,8 @@ pub struct Findings {
     pub warnings: Vec<Finding>,
     /// How many more errors there are.
     pub omitted: usize,
+    /// How many more warnings there are.
+    pub omitted_warnings: usize,
 }
 
 /// Checks a whole scene; it may be traced when there are no errors.

@@ -25,7 +25,7 @@ pub(super) fn folder_and_scene(paths: &[&str]) -> (tempfile::TempDir, String) {
 pub(super) fn load_in(folder: &Path, text: &str) -> Result<(Meshes, Vec<Problem>), SceneError> {
     let scene = check(text.as_bytes(), "scene.json").unwrap().scene;
     let source = Source { name: "scene.json", text: text.as_bytes() };
-    load(&scene, &source, Folder::OfScene(&folder.join("scene.json")))
+    load(&scene, &source, Folder::OfScene(&folder.join("scene.json"))).map(|(meshes, warnings)| (meshes, warnings.told))
 }
 
 /// The message, with the folder's name left out.

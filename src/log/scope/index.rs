@@ -1,0 +1,200 @@
+//! What stands in nodes that hold much: a search there takes as many steps as the number has digits, and not as many as there are events.
+
+use super::{given_at, noted, size_of};
+use crate::log::event::{Decision, Step, What};
+use crate::log::events::Events;
+use crate::log::name::Name;
+use crate::log::tree::Tree;
+use crate::log::value::Value;
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::mem::{self, Discriminant};
+
+/// A node with no more events of its own is gone through.
+const FEW: usize = 64;
+
+/// One whose tests have no more of them is, too, for the nearest test.
+const FEW_OF_TESTS: usize = 256;
+
+/// Where the symbols and the nearest tests of those nodes are that hold much.
+#[derive(Clone, Debug, Default)]
+pub(in crate::log) struct Index {
+    symbols: HashMap<usize, Symbols>,
+    /// `None` where no object is the nearest.
+    nearest: HashMap<usize, Option<Nearest>>,
+}
+
+/// The events of a node by symbol, in order.
+#[derive(Clone, Debug, Default)]
+struct Symbols {
+    noted: HashMap<&'static str, Vec<u32>>,
+    given: HashMap<&'static str, Vec<u32>>,
+    names: HashMap<Name, Vec<u32>>,
+    marks: HashMap<Discriminant<Decision>, Vec<u32>>,
+    /// Where the largest number so far grows, and to what.
+    sizes: Vec<(u32, f64)>,
+}
+
+impl Index {
+    /// That of these events.
+    pub(in crate::log) fn of(events: &Events, tree: &Tree) -> Index {
+        let mut index = Index::default();
+        let mut of_tests = vec![0; tree.nodes().len()];
+        for (child, node) in tree.nodes().iter().enumerate().skip(1) {
+            let is_test = matches!(node.step, Some(Step::Test { .. }));
+            let size = 1 + if is_test { tree.own_events(child).len() } else { 0 };
+            of_tests[node.parent] += size;
+            // What is tested in a moving object's frame counts for the ray around it.
+            if matches!(tree.nodes()[node.parent].step, Some(Step::Motion { .. })) {
+                of_tests[tree.nodes()[node.parent].parent] += size;
+            }
+        }
+        for (node, of_tests) in of_tests.into_iter().enumerate() {
+            let own = tree.own_events(node).len();
+            if own > FEW {
+                index.symbols.insert(node, Symbols::of(events, tree, node));
+            }
+            if own > FEW || of_tests > FEW_OF_TESTS {
+                index.nearest.insert(node, Nearest::of(events, tree, node, usize::MAX));
+            }
+        }
+        index
+    }
+
+    /// The latest of a node's own events before one that notes a symbol; outside `None` where the node is to be gone through.
+    pub(super) fn noted(&self, node: usize, before: usize, symbol: &str) -> Option<Option<usize>> {
+        self.symbols.get(&node).map(|symbols| last(&symbols.noted, before, &symbol))
+    }
+
+    /// The same with those that have it among their inputs.
+    pub(super) fn has(&self, node: usize, before: usize, symbol: &str) -> Option<Option<usize>> {
+        let of_node = self.symbols.get(&node)?;
+        Some(last(&of_node.noted, before, &symbol).max(last(&of_node.given, before, &symbol)))
+    }
+
+    /// The same with those that note one quantity.
+    pub(super) fn names(&self, node: usize, before: usize, name: Name) -> Option<Option<usize>> {
+        self.symbols.get(&node).map(|symbols| last(&symbols.names, before, &name))
+    }
+
+    /// The same with the decisions of a kind.
+    pub(super) fn marked(&self, node: usize, before: usize, kind: Discriminant<Decision>) -> Option<Option<usize>> {
+        self.symbols.get(&node).map(|symbols| last(&symbols.marks, before, &kind))
+    }
+
+    /// The largest number in a node before an event; outside `None` where the node is to be gone through.
+    pub(super) fn size(&self, node: usize, before: usize) -> Option<f64> {
+        let sizes = &self.symbols.get(&node)?.sizes;
+        let count = sizes.partition_point(|(event, _)| (*event as usize) < before);
+        Some(count.checked_sub(1).map_or(0.0, |at| sizes[at].1))
+    }
+
+    /// The tests of the nearest object in a node; outside `None` where the node is to be gone through.
+    pub(super) fn nearest(&self, node: usize) -> Option<Option<&Nearest>> {
+        self.nearest.get(&node).map(Option::as_ref)
+    }
+}
+
+impl Symbols {
+    fn of(events: &Events, tree: &Tree, node: usize) -> Symbols {
+        let mut symbols = Symbols::default();
+        for event in tree.own_events(node) {
+            match &events[event].what {
+                What::Note { name, .. } => {
+                    symbols.noted.entry(name.symbol()).or_default().push(event as u32);
+                    symbols.names.entry(*name).or_default().push(event as u32);
+                }
+                What::Mark(decision) => {
+                    symbols.marks.entry(mem::discriminant(decision)).or_default().push(event as u32);
+                }
+                _ => {}
+            }
+            for (name, _) in events.given(&events[event]) {
+                symbols.given.entry(name.symbol()).or_default().push(event as u32);
+            }
+            let largest = symbols.sizes.last().map_or(0.0, |(_, size)| *size);
+            let size = size_of(events, event, largest);
+            if size > largest {
+                symbols.sizes.push((event as u32, size));
+            }
+        }
+        symbols
+    }
+}
+
+fn last<K: Eq + Hash>(lists: &HashMap<K, Vec<u32>>, before: usize, key: &K) -> Option<usize> {
+    let list = lists.get(key)?;
+    let count = list.partition_point(|event| (*event as usize) < before);
+    count.checked_sub(1).map(|at| list[at] as usize)
+}
+
+/// The tests, directly inside a node or in a moving object's frame there, that may have found the nearest object.
+#[derive(Clone, Debug)]
+pub(super) struct Nearest {
+    /// The event that says which object it is.
+    event: usize,
+    /// From the nearest on. With each stands the event after which none of those up to it counts any more, because marks tell that their
+    /// triangles only lie in the same place.
+    tests: Vec<(usize, usize)>,
+}
+
+impl Nearest {
+    /// Those of a node, if an event before this one says which object is the nearest.
+    pub(super) fn of(events: &Events, tree: &Tree, node: usize, before: usize) -> Option<Nearest> {
+        let (event, nearest) = tree.own_events_before(node, before).find_map(|event| match events[event].what {
+            What::Mark(Decision::Nearest { object }) => Some((event, object)),
+            _ => None,
+        })?;
+        let mut behind: HashMap<u32, usize> = HashMap::new();
+        for event in tree.own_events(node) {
+            if let What::Mark(Decision::Coincident { object, triangle: Some(triangle) }) = events[event].what
+                && object == nearest
+            {
+                behind.entry(triangle).or_insert(event);
+            }
+        }
+        let triangle_of = |child: usize| match tree.nodes()[child].step {
+            Some(Step::Test { object, triangle }) if object == nearest => Some(triangle),
+            _ => None,
+        };
+        let is_hit = |child: usize| tree.own_events(child).any(|event| events[event].what == What::Mark(Decision::Hit));
+        // The tests with a moving object stand in a node around them.
+        let is_moving = |child: &usize| tree.nodes()[*child].step == Some(Step::Motion { object: nearest });
+        let moving = tree.children(node).filter(is_moving).flat_map(|motion| tree.children(motion));
+        let tests = tree.children(node).chain(moving).filter_map(|child| Some((child, triangle_of(child)?)));
+        let found = tests.filter(|(child, triangle)| triangle.is_none() || is_hit(*child));
+        // Everything but a mesh has one test, so that its distance doesn't matter.
+        let distance = |child: usize, triangle: Option<u32>| match triangle {
+            Some(_) => distance(events, tree, child).unwrap_or(f64::INFINITY),
+            None => f64::INFINITY,
+        };
+        let mut found: Vec<_> = found.map(|(child, triangle)| (distance(child, triangle), triangle, child)).collect();
+        found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut latest = 0;
+        let tests = found.into_iter().map(|(_, triangle, child)| {
+            let until = triangle.and_then(|triangle| behind.get(&triangle)).copied().unwrap_or(usize::MAX);
+            latest = until.max(latest);
+            (child, latest)
+        });
+        Some(Nearest { event, tests: tests.collect() })
+    }
+
+    /// The test that found the nearest object, as far as the events before one tell.
+    pub(super) fn before(&self, before: usize) -> Option<usize> {
+        let out = self.tests.partition_point(|(_, until)| *until < before);
+        self.tests.get(out).filter(|_| self.event < before).map(|(test, _)| *test)
+    }
+}
+
+/// How far along the ray a test found its object.
+fn distance(events: &Events, tree: &Tree, test: usize) -> Option<f64> {
+    let symbol = Name::PlaneT.symbol();
+    let found = tree
+        .own_events(test)
+        .rev()
+        .find_map(|event| noted(&events[event], symbol).or_else(|| given_at(events, event, symbol)));
+    match found? {
+        Value::Number(distance) => Some(distance),
+        Value::Triple(_) => None,
+    }
+}
