@@ -10,8 +10,8 @@ use support::source::{SourceFile, files_below, program};
 
 /// The rooms, from the ground up: each may import those before it.
 const ROOMS: &[&str] = &[
-    "threads", "log", "random", "probe", "geometry", "scene", "trace", "sampling", "record", "render", "report", "study", "tui",
-    "cli",
+    "threads", "log", "random", "probe", "geometry", "scene", "trace", "sampling", "record", "render", "report",
+    "study", "tui", "cli",
 ];
 
 /// Rooms and parts of rooms that may import less than all that lies below them.

@@ -76,7 +76,8 @@ mod tests {
         }
         drop(dropped);
         // More than there are places for.
-        let many: Vec<_> = (0..2 * PLACES).map(|number| Unfinished::new(&folder.path().join(number.to_string()))).collect();
+        let many: Vec<_> =
+            (0..2 * PLACES).map(|number| Unfinished::new(&folder.path().join(number.to_string()))).collect();
         remove_all();
         assert!(!unfinished.exists() && finished.exists());
         // What was taken out isn't freed again.

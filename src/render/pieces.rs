@@ -5,8 +5,8 @@ use super::{Counter, Film, RenderError, Settings, ask_for_memory, colors_in, dig
 use crate::log::Shard;
 use crate::scene::{Color, Scene};
 use crate::threads::Threads;
-use raywalk_guard::attempt;
 use rayon::prelude::*;
+use raywalk_guard::attempt;
 use std::io;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -58,7 +58,9 @@ pub fn in_passes<T: Send>(
                 .flat_map(|row| (0..columns).step_by(distance as usize).map(move |column| [column, row]));
             let places: Vec<[u32; 2]> = grid.filter(is_new).collect();
             let of_place = |place: [u32; 2]| (!stop.load(Ordering::Relaxed)).then(|| (place, of_dot(place)));
-            let Some(dots) = threads.run(|| places.into_par_iter().map(of_place).collect::<Option<Vec<_>>>()) else { return };
+            let Some(dots) = threads.run(|| places.into_par_iter().map(of_place).collect::<Option<Vec<_>>>()) else {
+                return;
+            };
             publish(dots);
             row = end;
         }

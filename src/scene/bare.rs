@@ -10,7 +10,10 @@ use rayon::prelude::*;
 impl Scene {
     /// A scene of these shapes alone, which is only asked about rays: two-sided, dark, in the default material, seen by nobody. Objects
     /// have no names, so that a million of them cost no more than their shapes.
-    pub fn of_shapes(name: &str, shapes: impl IntoParallelIterator<Iter = impl IndexedParallelIterator<Item = Shape>, Item = Shape>) -> Scene {
+    pub fn of_shapes(
+        name: &str,
+        shapes: impl IntoParallelIterator<Iter = impl IndexedParallelIterator<Item = Shape>, Item = Shape>,
+    ) -> Scene {
         let object = |shape| Object {
             name: String::new(),
             slack: Shape::slack(&shape),

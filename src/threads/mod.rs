@@ -3,8 +3,8 @@
 //! Everything else calls rayon as if a pool were there. Work that is small, or meant for one thread, stays on the thread that asks. What is
 //! computed depends on neither, so where the system lets no more threads start the work goes on with those that it has.
 
-use raywalk_guard::attempt;
 use rayon::{ThreadBuilder, ThreadPool, ThreadPoolBuilder};
+use raywalk_guard::attempt;
 use std::cell::Cell;
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -76,7 +76,8 @@ impl Threads {
     pub fn of(wanted: usize, pieces: usize) -> Threads {
         let most = if wanted == 0 { cores() } else { wanted };
         let count = most.min(pieces);
-        let here = if IS_ALONE.get() { None } else { rayon::current_thread_index().map(|_| rayon::current_num_threads()) };
+        let here =
+            if IS_ALONE.get() { None } else { rayon::current_thread_index().map(|_| rayon::current_num_threads()) };
         Threads(match here {
             _ if count <= 1 => Workers::Alone,
             Some(here) if here == count => Workers::Here,
@@ -198,9 +199,8 @@ fn count_with_room(mut count: usize) -> usize {
     const STACK: usize = 2 << 20;
     /// How many times as much must be there.
     const ROOM: usize = 4;
-    let is_room = |count: usize| {
-        attempt(|| Vec::<u8>::new().try_reserve_exact(count.saturating_mul(ROOM * STACK))).is_ok()
-    };
+    let is_room =
+        |count: usize| attempt(|| Vec::<u8>::new().try_reserve_exact(count.saturating_mul(ROOM * STACK))).is_ok();
     while count > 0 && !is_room(count) {
         count /= 2;
     }

@@ -94,7 +94,11 @@ fn a_checkpoint_left_beside_a_whole_shard_goes() {
     }
     // One of something else isn't ours to remove, and in nobody's way.
     let other = checkpoint().windows(2).position(|pair| pair == b"70").expect("the height");
-    let mut other = { let mut text = checkpoint(); text[other] = b'8'; text };
+    let mut other = {
+        let mut text = checkpoint();
+        text[other] = b'8';
+        text
+    };
     other.truncate(2000);
     for call in [&call[..], &without] {
         fs::write(&left, &other).expect("written");
