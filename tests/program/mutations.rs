@@ -66,10 +66,10 @@ fn raw_answers(bytes: &[u8]) -> Result<(), TestCaseError> {
     let rays = rays.or_else(|_| raw::parse_rays(&raw_file(2), "good"));
     let primitives = primitives.or_else(|_| raw::parse_mesh(&raw_file(0), "good").map(Primitives::Mesh));
     if let (Ok(rays), Ok(primitives)) = (rays, primitives) {
-        let (scene, _) = throughput::build("a", &primitives, 1).expect("a thread");
+        let (scene, _) = throughput::build("a", &primitives, 1);
         let mut hits = Hits::default();
-        let [alone, measured] = Mode::ALL
-            .map(|mode| throughput::measure(&scene, &rays, mode, 1, Passes::Number(1), &mut hits).expect("a thread"));
+        let [alone, measured] =
+            Mode::ALL.map(|mode| throughput::measure(&scene, &rays, mode, 1, Passes::Number(1), &mut hits));
         prop_assert_eq!((alone.hits, alone.t_sum), (measured.hits, measured.t_sum));
         prop_assert!(measured.hits <= rays.rays.len() && hits.t.iter().all(|t| !t.is_nan()));
     }
