@@ -175,3 +175,75 @@ fn what_is_wrong_is_said_with_the_argument_made_visible() {
         assert!(String::from_utf8_lossy(&output.stderr).contains("Usage: raywalk "));
     }
 }
+
+/// Names of files are arguments, too, and texts of files are shown in results as well as in messages.
+#[test]
+fn no_escape_of_a_file_reaches_the_terminal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let name = "a\u{1b}]0;t\u{7}\u{9b}31m\u{202e}\u{200b}";
+    let write = |ending: &str, text: &str| {
+        std::fs::write(folder.path().join(format!("{name}{ending}")), text).expect("written");
+    };
+    let scene = |mesh: &str| {
+        format!(
+            "{{\"format\": \"raywalk-scene/1\", \"camera\": {{\"position\": [0.4, 0.7, 5], \"direction\": [0, 0, -1], \"resolution\": [8, 6]}},\n \
+             \"objects\": [{{\"name\": \"m\", \"shape\": {{\"mesh\": {{\"path\": {}}}}}}}]}}",
+            serde_json::json!(mesh)
+        )
+    };
+    write(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    write(".json", &scene(&format!("{name}.obj")));
+    write(".missing", &scene("x\u{9b}\u{202e}.obj"));
+    write(".bad", "{\"format\": \"raywalk-scene/1\", \"a\u{9b}\": 1, \"\u{202e}\": [");
+    write(".csv", "quantity,printed\n\u{202e}\u{9b}31m,1\n");
+    let calls = [
+        "trace textbook --pixel 1,1 -o @.nd",
+        "render textbook --size 4x3 -q -o @.png",
+        "render textbook --size 4x3 -q -o @.part --shard 1/2",
+        "render textbook --size 4x3 -o @.part --shard 1/2",
+        "scene show @.json",
+        "scene show @.missing",
+        "scene convert @.json",
+        "scene convert @.json -o nowhere/@",
+        "scene check @.json",
+        "scene check @.missing",
+        "scene check @.bad",
+        "scene check @.part",
+        "render @.json -o @.zzz",
+        "render @.json -o @/x.png",
+        "render @.json -o @.json --shard 1/2",
+        "render textbook --size 4x3 -o @.pfm --resume",
+        "trace @.json --pixel 4,3",
+        "trace @.json --pixel 4,3 --format text",
+        "trace @.json --pixel 4,3 --format markdown --lang es",
+        "trace @.nd --causes",
+        "walk @.json --plain",
+        "walk @.nd --plain --lang es",
+        "walk @.nd --pixel 1,1",
+        "walk textbook --screenshot @",
+        "walk textbook --screenshot a.svg --keys <@>",
+        "diff @.nd @.nd",
+        "diff @.nd @.nd --format json",
+        "diff @.nd @.png",
+        "diff @.png @.bad",
+        "merge @.part -o @.png",
+        "merge @.nd -o @",
+        "merge @.png -o @",
+        "textbook --with @.csv",
+        "stress @.csv",
+        "rays @.json",
+        "bench rays @",
+        "bench rays @ --dump @",
+        "bench error @.json --size 4x3 --depths --format csv -q",
+        "bench error @.json --size 4x3 --depths --format json -q",
+        "man -o @.csv",
+    ];
+    for call in calls {
+        let words: Vec<OsString> = call.split(' ').map(|word| word.replace('@', name).into()).collect();
+        let mut program = Command::new(env!("CARGO_BIN_EXE_raywalk"));
+        let output = program.args(&words).current_dir(folder.path()).output().expect("it runs");
+        assert!(matches!(output.status.code(), Some(0..=3)), "{call}: {:?}", output.status);
+        is_safe(&words, &output.stderr);
+        is_safe(&words, &output.stdout);
+    }
+}
