@@ -6,10 +6,12 @@
 
 mod allocator;
 mod patient;
+mod streams;
 mod unfinished;
 
 pub use allocator::{Allocator, Demanding, attempt};
 pub use patient::{Patient, retried};
+pub use streams::{stdin_was_closed, stdout_was_closed};
 pub use unfinished::Unfinished;
 
 use signal_hook::SigId;

@@ -1,6 +1,6 @@
 //! Bytes from outside, of bounded size and never by waiting for a device.
 
-use raywalk_guard::{Patient, attempt};
+use raywalk_guard::{Patient, attempt, stdin_was_closed};
 use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Read};
 use std::mem;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use super::error::SceneError;
 use super::packed::Packing;
-use super::there::{is_callers_fault, stdin_was_closed};
+use super::there::is_callers_fault;
 
 /// The largest scene file: 256 MiB.
 pub const MAX_BYTES: u64 = 256 << 20;

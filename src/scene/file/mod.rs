@@ -51,5 +51,5 @@ pub use packed::{Packing, unpacked_name};
 pub use schema::SceneFile;
 pub use source::{Excerpt, Source};
 pub use suggest::suggest;
-pub use there::{is_callers_fault, is_there, stdin_was_closed, stdout_was_closed};
+pub use there::{is_callers_fault, is_there};
 pub use validate::{Finding, Findings, validate};
