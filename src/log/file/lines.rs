@@ -124,7 +124,7 @@ impl<R: Read> Lines<R> {
             let found = memchr(b'\n', &self.block[self.next + searched..]);
             searched = found.map_or(self.block.len() - self.next, |more| searched + more);
             if searched > self.most {
-                return Err(too_long(self.number.max(1), self.most));
+                return Err(too_long(self.number + 1, self.most));
             }
             if found.is_some() {
                 return Ok((searched, searched + 1));
