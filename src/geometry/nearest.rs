@@ -3,6 +3,7 @@
 use super::ray::{Crossing, Ray, Side};
 use super::shape::Shape;
 use crate::probe::{Probe, ROUNDINGS};
+use std::collections::{HashMap, HashSet};
 
 /// A crossing with an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,25 +109,70 @@ impl Nearest {
         let slope = |hit: &Hit| shape(hit.object).slope(ray, hit.crossing);
         let size = |hit: &Hit| shape(hit.object).size(hit.crossing.primitive);
         let (its_slope, its_size) = (slope(&nearest), size(&nearest));
-        // An edge or a corner is crossed once, on the triangle that is met first.
-        let are_neighbours = |one: &Hit, other: &Hit| {
-            let [one_part, other_part] = [one, other].map(|hit| hit.crossing.primitive);
-            one.object == other.object && shape(one.object).are_neighbours(one_part, other_part)
-        };
         let is_here = |hit: &Hit| {
             let gap = (hit.crossing.t - nearest.crossing.t) * its_slope.max(slope(hit));
             let points = 2.0 * (ray.origin.abs().element_sum() + hit.crossing.t);
             gap <= probe.slack(points) + ROUNDINGS * (its_size + size(hit))
         };
-        let mut here = vec![nearest];
-        for hit in hits.iter().filter(|hit| is_here(hit)) {
-            if !here.iter().any(|kept| kept == hit || are_neighbours(kept, hit)) {
-                here.push(*hit);
-            }
-        }
+        hits.retain(is_here);
+        hits.insert(0, nearest);
+        let mut here = if hits.len() <= FEW { once_each(&hits, shape) } else { once_each_of_many(&hits, shape) };
         here.sort_by_key(Hit::rank);
         here
     }
+}
+
+/// Up to so many hits it is quicker to compare each with each.
+const FEW: usize = 16;
+
+/// The hits without those of a surface that is hit already: an edge or a corner is crossed once, on the triangle that is met first.
+fn once_each<'s>(hits: &[Hit], shape: impl Fn(u32) -> &'s Shape) -> Vec<Hit> {
+    let mut kept: Vec<Hit> = Vec::new();
+    for hit in hits {
+        let is_same = |other: &Hit| {
+            other == hit
+                || other.object == hit.object
+                    && shape(hit.object).are_neighbours(other.crossing.primitive, hit.crossing.primitive)
+        };
+        if !kept.iter().any(is_same) {
+            kept.push(*hit);
+        }
+    }
+    kept
+}
+
+/// The same, in time that grows with their number.
+#[cold]
+fn once_each_of_many<'s>(hits: &[Hit], shape: impl Fn(u32) -> &'s Shape) -> Vec<Hit> {
+    let mut kept = Vec::new();
+    let mut parts = HashSet::new();
+    // Of triangles with the same corners the first stands for all: they aren't neighbours, and have the same ones.
+    let mut outlines = HashSet::new();
+    let mut at_corner: HashMap<_, Vec<u32>> = HashMap::new();
+    for hit in hits {
+        let Hit { object, crossing: Crossing { primitive, .. } } = *hit;
+        // Whatever is crossed again of another shape is the same surface.
+        let corners = shape(object).corners(primitive);
+        if !parts.insert((object, corners.map(|_| primitive))) {
+            continue;
+        }
+        if let Some(corners) = corners {
+            let mut corners = corners.map(|corner| (object, corner.to_array().map(|x| (x + 0.0).to_bits())));
+            corners.sort_unstable();
+            if !outlines.contains(&corners) {
+                let is_neighbour = |other: &u32| shape(object).are_neighbours(*other, primitive);
+                if corners.iter().filter_map(|corner| at_corner.get(corner)).flatten().any(is_neighbour) {
+                    continue;
+                }
+                outlines.insert(corners);
+                for corner in corners {
+                    at_corner.entry(corner).or_default().push(primitive);
+                }
+            }
+        }
+        kept.push(*hit);
+    }
+    kept
 }
 
 /// By how much the distances of crossings in the same place may differ.
@@ -139,4 +185,40 @@ fn closeness<P: Probe>(nearest: f64, ray: &Ray, probe: &P) -> f64 {
     const FLAT: f64 = 64.0;
     let size = nearest + ray.origin.abs().element_sum();
     CLOSE * size + FLAT * probe.slack(size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Mesh;
+    use crate::geometry::shape::{Plane, TriangleMesh};
+    use crate::random::hash;
+    use glam::DVec3;
+    use std::sync::Arc;
+
+    /// Triangles that share corners and edges, overlap, and are there several times, and what is hit of them and of spheres.
+    fn hits_at_random(seed: u64) -> (Vec<Hit>, [Shape; 2]) {
+        let draw = |number: u64, below: u64| hash(seed, number) % below;
+        let positions = (0..9).map(|k| DVec3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
+        let faces = (0..40).map(|k| [0, 1, 2].map(|corner| draw(3 * k + corner, 9) as u32));
+        let faces: Vec<_> = faces.filter(|[a, b, c]| a != b && b != c && c != a).collect();
+        let count = faces.len() as u64;
+        let mesh = TriangleMesh::new(Arc::new(Mesh { positions, faces, ..Mesh::default() }));
+        let shapes = [Shape::Mesh(Arc::new(mesh)), Shape::Plane(Plane::new([0.0, 0.0, 1.0, 0.0]))];
+        let hit = |k: u64| {
+            let object = draw(1000 + k, 3).saturating_sub(1) as u32;
+            let primitive = if object == 0 { draw(2000 + k, count) as u32 } else { 0 };
+            Hit { object, crossing: Crossing { t: 1.0, side: Side::Front, primitive } }
+        };
+        ((0..100).map(hit).collect(), shapes)
+    }
+
+    #[test]
+    fn an_index_keeps_the_same_hits() {
+        for seed in 0..500 {
+            let (hits, shapes) = hits_at_random(seed);
+            let shape = |object: u32| &shapes[object as usize];
+            assert_eq!(once_each_of_many(&hits, shape), once_each(&hits, shape), "{seed}");
+        }
+    }
 }

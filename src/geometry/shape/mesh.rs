@@ -106,6 +106,11 @@ impl TriangleMesh {
         }
     }
 
+    /// The corners of a triangle.
+    pub fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
+        self.mesh.corners(triangle)
+    }
+
     /// The greatest coordinate of a triangle.
     pub fn size(&self, triangle: u32) -> f64 {
         self.facet(triangle).bounds().size()

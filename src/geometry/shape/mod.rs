@@ -169,6 +169,14 @@ impl Shape {
         }
     }
 
+    /// The corners of a triangle of a mesh; other shapes have one surface, of which no part is neighbour to another.
+    pub(in crate::geometry) fn corners(&self, triangle: u32) -> Option<[DVec3; 3]> {
+        match self.at_rest() {
+            Shape::Mesh(mesh) => Some(mesh.corners_of(triangle)),
+            _ => None,
+        }
+    }
+
     /// Whether [`Shape::can_be_crossed_in`] may tell more of it than a ball around it does.
     pub fn is_told_by_a_shaft(&self) -> bool {
         matches!(self, Shape::Mesh(_) | Shape::Plane(_))
