@@ -152,7 +152,7 @@ fn once_each_of_many<'s>(hits: &[Hit], shape: impl Fn(u32) -> &'s Shape) -> Vec<
     for hit in hits {
         let Hit { object, crossing: Crossing { primitive, .. } } = *hit;
         // Whatever is crossed again of another shape is the same surface.
-        let corners = shape(object).corners(primitive);
+        let corners = shape(object).corners_of(primitive);
         if !parts.insert((object, corners.map(|_| primitive))) {
             continue;
         }

@@ -2,20 +2,16 @@
 
 #[cfg(target_arch = "x86_64")]
 use pulp::x86::V3;
-use std::ffi::OsString;
 #[cfg(target_arch = "x86_64")]
 use std::sync::LazyLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The environment variable that keeps the program from the processor's best instructions. Results don't depend on them, and tests ask
-/// both ways for the same.
-pub const LANES: &str = "RAYWALK_LANES";
+static IS_PLAIN: AtomicBool = AtomicBool::new(false);
 
-/// What [`LANES`] may say, if anything.
-pub const PLAIN: &str = "plain";
-
-/// What [`LANES`] says, if it isn't known.
-pub fn unknown_lanes() -> Option<OsString> {
-    std::env::var_os(LANES).filter(|lanes| !lanes.is_empty() && lanes != PLAIN)
+/// Keeps to what every processor has. Results don't depend on it, and tests ask both ways for the same. To be called before anything else:
+/// what is made up already stays.
+pub fn keep_to_plain_instructions() {
+    IS_PLAIN.store(true, Ordering::Relaxed);
 }
 
 /// The instructions of AVX2 with fused operations, where the processor has them and they are wanted.
@@ -23,8 +19,6 @@ pub fn unknown_lanes() -> Option<OsString> {
 #[inline(always)]
 pub(crate) fn avx2() -> Option<V3> {
     static AVX2: LazyLock<Option<V3>> =
-        LazyLock::new(
-            || if std::env::var_os(LANES).is_some_and(|lanes| lanes == PLAIN) { None } else { V3::try_new() },
-        );
+        LazyLock::new(|| if IS_PLAIN.load(Ordering::Relaxed) { None } else { V3::try_new() });
     *AVX2
 }

@@ -15,7 +15,8 @@ fn work_is_done_on_as_many_threads_as_are_asked_for() {
     for wanted in [1, 2, 3, 7] {
         let threads = Threads::of(wanted, 100);
         assert_eq!((threads.count(), squares(&threads, 1000)), (wanted, (expected(1000), wanted)));
-        assert_eq!(Threads::of(wanted, 2).count(), wanted.min(2), "no more threads than pieces");
+        // Two pieces don't begin more than two threads; a pool that is there already may have more.
+        assert!((wanted.min(2)..=wanted).contains(&Threads::of(wanted, 2).count()));
         // In a pool of this size it stays where it is.
         let pool = begin(wanted).expect("a pool of few threads");
         assert_eq!(pool.install(|| squares(&Threads::of(wanted, 100), 10).1), wanted);

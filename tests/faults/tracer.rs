@@ -148,12 +148,12 @@ impl Tracer {
     fn of(command: &mut Command) -> nix::Result<Tracer> {
         let child = command.spawn().expect("a shell");
         let group = Pid::from_raw(child.id().cast_signed());
+        let tracer = Tracer { child, group, has_begun: false, calls: Vec::new(), fault: None, altered: None };
         waitpid(group, Some(WaitPidFlag::WUNTRACED))?;
         let options = Options::PTRACE_O_TRACESYSGOOD
             | Options::PTRACE_O_TRACECLONE
             | Options::PTRACE_O_TRACEEXEC
             | Options::PTRACE_O_EXITKILL;
-        let tracer = Tracer { child, group, has_begun: false, calls: Vec::new(), fault: None, altered: None };
         if let Err(error) = ptrace::seize(group, options) {
             let _ = killpg(group, Signal::SIGKILL);
             return Err(error);

@@ -231,10 +231,10 @@ fn layers_that_differ_are_named() {
         diff(&[&a, &same]),
         (format!("{colours}layer depth: the same\nlayer id: the same\nlayer n: the same\n"), 0)
     );
-    let expected = "layer depth: 1 of 2 pixels differ (50%), the largest difference is 0.25 in the channel Z of pixel 1,0: 2 against 2.25\n\
-                    layer id: 1 of 2 pixels differ (50%), the largest difference is 1 in the channel id of pixel 1,0: 4294967295 against \
+    let expected = "layer depth: 1 of 2 pixels differ (50.0%), the largest difference is 0.250 in the channel Z of pixel 1,0: 2 against 2.25\n\
+                    layer id: 1 of 2 pixels differ (50.0%), the largest difference is 1.00 in the channel id of pixel 1,0: 4294967295 against \
                     4294967294\n\
-                    layer n: 1 of 2 pixels differ (50%), the largest difference is 0.25 in the channel X of pixel 0,0: 0 against 0.25\n\
+                    layer n: 1 of 2 pixels differ (50.0%), the largest difference is 0.250 in the channel X of pixel 0,0: 0 against 0.25\n\
                     layer n.Y: is only in /a.exr\nlayer n.Z: is only in /b.exr\nlayer Z: is only in /b.exr\n";
     let (text, code) = diff(&[&a, &b]);
     assert_eq!((text.as_str(), code), (format!("{colours}{expected}").as_str(), 1));

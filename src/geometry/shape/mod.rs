@@ -170,7 +170,7 @@ impl Shape {
     }
 
     /// The corners of a triangle of a mesh; other shapes have one surface, of which no part is neighbour to another.
-    pub(in crate::geometry) fn corners(&self, triangle: u32) -> Option<[DVec3; 3]> {
+    pub(in crate::geometry) fn corners_of(&self, triangle: u32) -> Option<[DVec3; 3]> {
         match self.at_rest() {
             Shape::Mesh(mesh) => Some(mesh.corners_of(triangle)),
             _ => None,

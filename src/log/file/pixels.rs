@@ -33,7 +33,7 @@ enum Source<R> {
     },
     /// What is one document is read as a whole.
     Document {
-        header: Header,
+        header: Box<Header>,
         rest: Events,
         /// How many of them were handed on.
         taken: usize,
@@ -59,7 +59,8 @@ impl<R: Read> PixelReader<R> {
         let mut lines = Lines::of(input);
         if is_document(lines.beginning()?) {
             let ReadLog { log, ending } = document::read(&lines.whole()?)?;
-            return Ok(PixelReader::of(Source::Document { header: log.header, rest: log.events, taken: 0, ending }));
+            let header = Box::new(log.header);
+            return Ok(PixelReader::of(Source::Document { header, rest: log.events, taken: 0, ending }));
         }
         let reader = Box::new(Reader::new(read::header(&mut lines)?));
         Ok(PixelReader::of(Source::Lines { lines: Box::new(lines), reader }))
