@@ -22,6 +22,9 @@ const VIRAMA: u8 = 9;
 /// writing, what chooses a form, tags); what ends lines; annotations; the controls of hieroglyphs and of musical notes; and fillers with a
 /// glyph of nothing.
 pub fn is_hidden(character: char) -> bool {
+    if character.is_ascii() {
+        return character.is_ascii_control();
+    }
     let is_ignorable = matches!(
         character,
         '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180b}'..='\u{180f}'

@@ -18,8 +18,16 @@ pub(super) struct Before<'a> {
     places: HashMap<Spot, usize>,
     /// When each of them is in both logs.
     times: Vec<[Time; 2]>,
-    /// By the nodes of A, the decisions in them that differ.
-    decisions: HashMap<usize, Vec<usize>>,
+    /// The places of decisions that differ, all and by the ray of A that they belong to.
+    decisions: Vec<usize>,
+    decisions_of_rays: HashMap<usize, Vec<usize>>,
+    /// Those of steps that only one log has.
+    nodes_alone: Vec<usize>,
+    /// Those of values that differ.
+    values: Vec<usize>,
+    /// By the nodes of A, the decisions and the values in them that differ.
+    decisions_here: HashMap<usize, Vec<usize>>,
+    values_here: HashMap<usize, Vec<usize>>,
 }
 
 /// When a thing is in a log: how many things that were compared are before it there.
@@ -34,10 +42,33 @@ impl<'a> Before<'a> {
     pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>, kinds: Rc<Kinds>) -> Before<'a> {
         let places = alignment.spots.iter().enumerate().map(|(place, spot)| (*spot, place)).collect();
         let times = times(a, b, &alignment);
-        let mut before = Before { a, b, alignment, kinds, places, times, decisions: HashMap::new() };
+        let mut before = Before {
+            a,
+            b,
+            alignment,
+            kinds,
+            places,
+            times,
+            decisions: Vec::new(),
+            decisions_of_rays: HashMap::new(),
+            nodes_alone: Vec::new(),
+            values: Vec::new(),
+            decisions_here: HashMap::new(),
+            values_here: HashMap::new(),
+        };
         for place in 0..before.alignment.spots.len() {
+            let home = before.alignment.homes[place];
             if before.decides_otherwise(place) {
-                before.decisions.entry(before.alignment.homes[place]).or_default().push(place);
+                before.decisions.push(place);
+                before.decisions_of_rays.entry(before.ray_around(home)).or_default().push(place);
+                before.decisions_here.entry(home).or_default().push(place);
+            }
+            if before.is_node_alone(place) {
+                before.nodes_alone.push(place);
+            }
+            if before.value_differs(place) {
+                before.values.push(place);
+                before.values_here.entry(home).or_default().push(place);
             }
         }
         before
@@ -52,17 +83,16 @@ impl<'a> Before<'a> {
         let is_decision = self.decides_otherwise(place);
         let is_step_alone = !matches!(spot, Spot::Both(..)) && !is_decision;
         let decided_here = self
-            .decisions
+            .decisions_here
             .get(&home)
             .and_then(|places| places.iter().copied().find(|other| self.may_cause(*other, place)));
         let found = decided_here.filter(|_| is_step_alone).or_else(|| {
-            let is_here = |other: &usize| self.alignment.homes[*other] == home;
-            let value_here = self.earlier(place).find(|other| is_here(other) && self.value_differs(*other));
+            let value_here = self.values_here.get(&home).and_then(|values| self.last_of(values, place));
             let decided = || self.decided_before(place);
             // What only one log has follows from a decision, and not the decision from it.
             let may_follow = !is_step_alone && !is_decision;
-            let alone = || self.earlier(place).find(|other| may_follow && self.is_node_alone(*other));
-            let value = || self.earlier(place).find(|other| self.value_differs(*other));
+            let alone = || may_follow.then(|| self.last_of(&self.nodes_alone, place)).flatten();
+            let value = || self.last_of(&self.values, place);
             value_here.or_else(decided).or_else(alone).or_else(value)
         });
         found.map(|place| self.alignment.spots[place])
@@ -77,10 +107,8 @@ impl<'a> Before<'a> {
     /// The last decision before a place that differs: of its ray itself, or else of the rays that this one sent out.
     fn decided_before(&self, place: usize) -> Option<usize> {
         let ray = self.ray_around(self.alignment.homes[place]);
-        let decides = |other: &usize| self.decides_otherwise(*other);
-        let is_own = |other: &usize| self.ray_around(self.alignment.homes[*other]) == ray;
-        let own = self.earlier(place).find(|other| decides(other) && is_own(other));
-        own.or_else(|| self.earlier(place).find(decides))
+        let own = self.decisions_of_rays.get(&ray).and_then(|decisions| self.last_of(decisions, place));
+        own.or_else(|| self.last_of(&self.decisions, place))
     }
 
     /// The node in A in which this stands, or would.
@@ -104,13 +132,14 @@ impl<'a> Before<'a> {
         logs.filter(|(cause, _)| cause.is_there).any(is_before)
     }
 
-    /// What stands before a place in its ray, the last first.
-    fn earlier(&self, place: usize) -> impl Iterator<Item = usize> + '_ {
+    /// The last of some places, which are in their order, that stands before a place in its ray and may be its cause.
+    fn last_of(&self, places: &[usize], place: usize) -> Option<usize> {
         let ray = self.ray_around(self.alignment.homes[place]);
         let within = ray..self.a.tree.nodes()[ray].subtree_end;
+        let before = places[..places.partition_point(|other| *other < place)].iter().rev().copied();
         // The order is that of A's tree: what belongs to a ray stands together.
-        let of_ray = (0..place).rev().take_while(move |other| within.contains(&self.alignment.homes[*other]));
-        of_ray.filter(move |other| self.may_cause(*other, place))
+        let mut of_ray = before.take_while(|other| within.contains(&self.alignment.homes[*other]));
+        of_ray.find(|other| self.may_cause(*other, place))
     }
 
     /// The node in A of the ray in which a node stands; the root if it stands in none.
