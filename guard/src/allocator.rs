@@ -34,7 +34,7 @@ impl Allocator {
         if ATTEMPTS.try_with(Cell::get).unwrap_or(0) > 0 {
             return;
         }
-        super::wait_for_turn();
+        super::wait_for_turn(self.code);
         let mut message = [0; 100];
         let room = message.len();
         let mut left = &mut message[..];

@@ -24,6 +24,9 @@ use std::time::Duration;
 /// Whether a thread has begun to end the program.
 static ENDING: AtomicBool = AtomicBool::new(false);
 
+/// Whether it has removed what is unfinished: all that is left is to say why, which may wait for a reader for ever.
+static REMOVED: AtomicBool = AtomicBool::new(false);
+
 /// Signals that end the program, until this is [given up](Endings::give_up).
 #[derive(Debug)]
 pub struct Endings(Vec<SigId>);
@@ -37,9 +40,12 @@ impl Endings {
         let mut endings = Endings(Vec::new());
         for (signal, code) in signals {
             let handler = move || {
-                // A thread that ends the program already may be the one that was interrupted: it goes on.
                 if !ENDING.swap(true, Ordering::SeqCst) {
                     end(code, b"");
+                }
+                // A thread that ends the program already may be the one that was interrupted: it goes on, but waits for nobody.
+                if REMOVED.load(Ordering::SeqCst) {
+                    exit(code.into());
                 }
             };
             // SAFETY: the handler swaps atomic values and calls `unlink`, `write` and `_exit`, which POSIX lists among the functions that are
@@ -64,23 +70,31 @@ impl Endings {
 /// Where the system refuses the handler.
 pub fn end_on_abort(signal: i32, code: u8) -> io::Result<()> {
     let handler = move || {
-        wait_for_turn();
+        wait_for_turn(code);
         end(code, b"error: the program had to end in the middle of its work\n");
     };
     // SAFETY: as above; `wait_for_turn` only sleeps.
     unsafe { register(signal, handler) }.map(|_| ())
 }
 
-/// Goes on in the one thread that ends the program; any other waits here for the end.
-fn wait_for_turn() {
+/// Goes on in the one thread that ends the program; any other waits here for the end, but no longer than removing files takes: the thread
+/// that ends the program may be the one that was interrupted.
+fn wait_for_turn(code: u8) {
+    const MOST: u32 = 1000;
+    let mut waited = 0;
     while ENDING.swap(true, Ordering::SeqCst) {
+        if waited == MOST {
+            exit(code.into());
+        }
         sleep(Duration::from_millis(1));
+        waited += 1;
     }
 }
 
 /// Removes unfinished files, says why, and ends at once.
 fn end(code: u8, message: &[u8]) -> ! {
     unfinished::remove_all();
+    REMOVED.store(true, Ordering::SeqCst);
     let mut left = message;
     while !left.is_empty() {
         match rustix::io::write(io::stderr(), left) {

@@ -27,7 +27,8 @@ mod before_main {
 
     extern "C" fn look() {
         for (number, closed) in (0..).zip(&CLOSED) {
-            // SAFETY: the descriptor lives for this one call, which asks whether there is one; nothing else runs yet that could close it.
+            // SAFETY: the contract of `borrow_raw` is for whoever uses the descriptor. It is used for one system call, which is there to ask
+            // whether it is one and does nothing to it; nothing else runs yet.
             let stream = unsafe { BorrowedFd::borrow_raw(number) };
             closed.store(fcntl_getfd(stream) == Err(Errno::BADF), Ordering::Relaxed);
         }

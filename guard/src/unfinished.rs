@@ -7,7 +7,7 @@ use std::path::Path;
 use std::ptr;
 use std::sync::atomic::{AtomicPtr, Ordering};
 
-/// More files than are ever unfinished at a time: a picture and its layers.
+/// More files than are ever unfinished at a time: a picture and its layers, or what the rays of one scene met.
 const PLACES: usize = 64;
 
 static PATHS: [AtomicPtr<CString>; PLACES] = [const { AtomicPtr::new(ptr::null_mut()) }; PLACES];
@@ -15,8 +15,14 @@ static PATHS: [AtomicPtr<CString>; PLACES] = [const { AtomicPtr::new(ptr::null_m
 /// A file that is removed if the program ends early, until this is dropped.
 #[derive(Debug)]
 pub struct Unfinished {
-    place: Option<&'static AtomicPtr<CString>>,
+    /// Where its path is kept, and the path.
+    place: Option<(&'static AtomicPtr<CString>, *mut CString)>,
 }
+
+// SAFETY: the pointer is compared with others, and followed only by whoever took it out of its place.
+unsafe impl Send for Unfinished {}
+// SAFETY: as above; nothing is done by a shared reference.
+unsafe impl Sync for Unfinished {}
 
 impl Unfinished {
     /// The file of this path, which need not be there yet: so nothing comes between its beginning and the note of it.
@@ -27,7 +33,7 @@ impl Unfinished {
         let take = |place: &&AtomicPtr<CString>| {
             place.compare_exchange(ptr::null_mut(), path, Ordering::SeqCst, Ordering::SeqCst).is_ok()
         };
-        let place = PATHS.iter().find(take);
+        let place = PATHS.iter().find(take).map(|place| (place, path));
         if place.is_none() {
             // SAFETY: it is the pointer from `Box::into_raw` above, and no place has it.
             drop(unsafe { Box::from_raw(path) });
@@ -38,11 +44,10 @@ impl Unfinished {
 
 impl Drop for Unfinished {
     fn drop(&mut self) {
-        let Some(place) = self.place else { return };
-        let path = place.swap(ptr::null_mut(), Ordering::SeqCst);
+        let Some((place, path)) = self.place else { return };
         // Where it is gone already, the program is about to end.
-        if !path.is_null() {
-            // SAFETY: pointers in a place come from `Box::into_raw`, and the swap gives one to nobody else.
+        if place.compare_exchange(path, ptr::null_mut(), Ordering::SeqCst, Ordering::SeqCst).is_ok() {
+            // SAFETY: it comes from `Box::into_raw`, and the exchange gives it to nobody else.
             drop(unsafe { Box::from_raw(path) });
         }
     }

@@ -2,8 +2,10 @@
 
 use super::failure::{Failure, shown};
 use raywalk::scene::file::is_callers_fault;
+use std::collections::BTreeSet;
 use std::fs::{self, Metadata};
 use std::io;
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -31,7 +33,7 @@ impl Inputs {
 
     /// Refuses a result whose file is one of them, by whatever name or link. Where that can't be found out, the machine says why.
     pub fn refuse(&self, result: &Path, metadata: &Metadata) -> Result<(), Failure> {
-        match self.find(result, metadata)? {
+        match self.find(metadata)? {
             None => Ok(()),
             Some(_) => Err(Failure::caller(format!("{}: is the input, which would be overwritten", shown(result)))),
         }
@@ -41,13 +43,13 @@ impl Inputs {
     pub fn refuse_standard_output(&self) -> Result<(), Failure> {
         // What is closed or has no metadata is no file that somebody reads.
         let Some(metadata) = standard_file(&io::stdout()) else { return Ok(()) };
-        match self.find(Path::new("/dev/stdout"), &metadata)? {
+        match self.find(&metadata)? {
             None => Ok(()),
             Some(input) => Err(Failure::caller(format!("{}: is the input and standard output, too", shown(input)))),
         }
     }
 
-    fn find(&self, result: &Path, metadata: &Metadata) -> Result<Option<&Path>, Failure> {
+    fn find(&self, result: &Metadata) -> Result<Option<&Path>, Failure> {
         for input in &self.0 {
             let found = match input.as_path() == Path::new("-") {
                 true => standard_file(&io::stdin()),
@@ -58,7 +60,7 @@ impl Inputs {
                     Err(error) => return Err(Failure::io(input, "read", &error)),
                 },
             };
-            if found.is_some_and(|found| is_same((result, metadata), (input, &found))) {
+            if found.is_some_and(|found| (found.dev(), found.ino()) == (result.dev(), result.ino())) {
                 return Ok(Some(input));
             }
         }
@@ -67,64 +69,66 @@ impl Inputs {
 }
 
 /// What a standard stream is, if it is a regular file.
-#[cfg(unix)]
 fn standard_file(stream: &impl std::os::fd::AsFd) -> Option<Metadata> {
     let file = fs::File::from(stream.as_fd().try_clone_to_owned().ok()?);
     file.metadata().ok().filter(Metadata::is_file)
 }
 
-#[cfg(not(unix))]
-fn standard_file<S>(_: &S) -> Option<Metadata> {
-    None
+/// The places of this run's results, written or about to be, and what is there: device and inode.
+static RESULTS: Mutex<Results> = Mutex::new(Results { places: BTreeSet::new(), files: BTreeSet::new() });
+
+struct Results {
+    places: BTreeSet<PathBuf>,
+    files: BTreeSet<File>,
 }
 
-#[cfg(unix)]
-fn is_same((_, a): (&Path, &Metadata), (_, b): (&Path, &Metadata)) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    (a.dev(), a.ino()) == (b.dev(), b.ino())
-}
-
-#[cfg(not(unix))]
-fn is_same((a, _): (&Path, &Metadata), (b, _): (&Path, &Metadata)) -> bool {
-    matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
-}
-
-/// The places of this run's results, written or about to be.
-static RESULTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+/// What tells a file from others, whatever its names are.
+type File = (u64, u64);
 
 /// A place that is one result's alone, from when it is begun on; dropped without [`Claim::keep`] it is free again.
-pub struct Claim(Option<PathBuf>);
+pub struct Claim {
+    place: PathBuf,
+    /// What the result is to replace.
+    replaced: Option<File>,
+    is_kept: bool,
+}
 
 impl Claim {
     /// Claims a place, which `named` leads to.
     pub fn of(named: &Path, place: &Path) -> Result<Claim, Failure> {
         let mut results = RESULTS.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_taken = |other: &PathBuf| {
-            other == place
-                || matches!((fs::metadata(place), fs::metadata(other)),
-                    (Ok(ours), Ok(theirs)) if is_same((place, &ours), (other, &theirs)))
-        };
-        if results.iter().any(is_taken) {
+        let replaced = file_at(place);
+        if results.places.contains(place) || replaced.is_some_and(|file| results.files.contains(&file)) {
             let message = format!("{}: is another result of this call, expected a file for each", shown(named));
             return Err(Failure::caller(message));
         }
-        results.push(place.to_owned());
-        Ok(Claim(Some(place.to_owned())))
+        results.places.insert(place.to_owned());
+        results.files.extend(replaced);
+        Ok(Claim { place: place.to_owned(), replaced, is_kept: false })
     }
 
     /// The result is there: nothing else of this run may go to its place.
     pub fn keep(mut self) {
-        self.0 = None;
+        self.is_kept = true;
     }
 }
 
 impl Drop for Claim {
     fn drop(&mut self) {
         let mut results = RESULTS.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(at) = self.0.take().and_then(|place| results.iter().position(|other| *other == place)) {
-            results.swap_remove(at);
+        if let Some(replaced) = self.replaced {
+            results.files.remove(&replaced);
+        }
+        if self.is_kept {
+            results.files.extend(file_at(&self.place));
+        } else {
+            results.places.remove(&self.place);
         }
     }
+}
+
+fn file_at(place: &Path) -> Option<File> {
+    fs::metadata(place).ok().map(|metadata| (metadata.dev(), metadata.ino()))
 }
 
 /// Where a path leads, also by links that lead to nothing yet: they stay, and what they point to is written. The folder is spelt without

@@ -66,7 +66,7 @@ impl Beside {
     /// Takes the place, for good: also a loss of power doesn't bring back what was there before.
     pub fn take(self, place: &Path) -> io::Result<()> {
         let Beside { mut file, folder, note } = self;
-        retried(|| file.as_file().sync_all())?;
+        synced(file.as_file())?;
         let file = loop {
             match file.persist(place) {
                 Ok(file) => break file,
@@ -81,9 +81,17 @@ impl Beside {
 
 /// Makes sure that the names in a folder outlast a loss of power.
 pub fn sync_folder(folder: &Path) -> io::Result<()> {
-    // A folder that may be written and not read can't be opened.
-    let Ok(opened) = File::open(folder) else { return Ok(()) };
-    match retried(|| opened.sync_all()) {
+    match retried(|| File::open(folder)) {
+        Ok(opened) => synced(&opened),
+        // One that may be written and not read.
+        Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Ok(()),
+        Err(error) => Err(error),
+    }
+}
+
+/// Some file systems and devices have no such call.
+fn synced(file: &File) -> io::Result<()> {
+    match retried(|| file.sync_all()) {
         Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => Ok(()),
         done => done,
     }
@@ -104,8 +112,9 @@ pub fn sweep(folder: &Path) {
             continue;
         }
         let path = entry.path();
-        // The lock is kept until the file is gone.
-        if let Ok(file) = OpenOptions::new().write(true).open(&path)
+        // Some file systems lock only what is opened for writing; the part of a result that may not be written isn't. The lock is kept until the
+        // file is gone.
+        if let Ok(file) = OpenOptions::new().write(true).open(&path).or_else(|_| File::open(&path))
             && file.try_lock().is_ok()
         {
             let _ = fs::remove_file(&path);

@@ -3,6 +3,7 @@
 use super::ray::{Crossing, Ray, Side};
 use super::shape::Shape;
 use crate::probe::{Probe, ROUNDINGS};
+use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
 /// A crossing with an object.
@@ -145,34 +146,65 @@ fn once_each<'s>(hits: &[Hit], shape: impl Fn(u32) -> &'s Shape) -> Vec<Hit> {
 #[cold]
 fn once_each_of_many<'s>(hits: &[Hit], shape: impl Fn(u32) -> &'s Shape) -> Vec<Hit> {
     let mut kept = Vec::new();
-    let mut parts = HashSet::new();
-    // Of triangles with the same corners the first stands for all: they aren't neighbours, and have the same ones.
-    let mut outlines = HashSet::new();
-    let mut at_corner: HashMap<_, Vec<u32>> = HashMap::new();
+    let mut known = HashSet::new();
+    let mut met = Met::default();
     for hit in hits {
-        let Hit { object, crossing: Crossing { primitive, .. } } = *hit;
-        // Whatever is crossed again of another shape is the same surface.
+        let Hit { object, crossing: Crossing { t, side, primitive } } = *hit;
         let corners = shape(object).corners_of(primitive);
-        if !parts.insert((object, corners.map(|_| primitive))) {
-            continue;
+        // Whatever is crossed again of another shape is the same surface.
+        let key = corners.map(|_| (primitive, t.to_bits(), side == Side::Front));
+        if known.insert((object, key)) && corners.is_none_or(|corners| met.adds(object, primitive, corners, &shape)) {
+            kept.push(*hit);
         }
-        if let Some(corners) = corners {
-            let mut corners = corners.map(|corner| (object, corner.to_array().map(|x| (x + 0.0).to_bits())));
-            corners.sort_unstable();
-            if !outlines.contains(&corners) {
-                let is_neighbour = |other: &u32| shape(object).are_neighbours(*other, primitive);
-                if corners.iter().filter_map(|corner| at_corner.get(corner)).flatten().any(is_neighbour) {
-                    continue;
-                }
-                outlines.insert(corners);
-                for corner in corners {
-                    at_corner.entry(corner).or_default().push(primitive);
-                }
-            }
-        }
-        kept.push(*hit);
     }
     kept
+}
+
+/// A corner of an object's mesh.
+type Corner = (u32, [u64; 3]);
+
+/// The triangles that were kept, by what they have in common with others.
+///
+/// Those at one edge all overlap, in one plane and on one side, as otherwise they would be neighbours: the first stands for all of them. So
+/// the first stands for those that have all three corners in common.
+#[derive(Default)]
+struct Met {
+    outlines: HashSet<[Corner; 3]>,
+    /// How many outlines have a corner.
+    corners: HashMap<Corner, usize>,
+    /// How many have an edge, and the first of them.
+    edges: HashMap<[Corner; 2], (usize, u32)>,
+}
+
+impl Met {
+    /// Adds a triangle unless it is a neighbour of one that is there.
+    fn adds<'s>(&mut self, object: u32, triangle: u32, corners: [DVec3; 3], shape: &impl Fn(u32) -> &'s Shape) -> bool {
+        // With one zero for both.
+        let mut outline = corners.map(|corner| (object, corner.to_array().map(|x| (x + 0.0).to_bits())));
+        outline.sort_unstable();
+        let [a, b, c] = outline;
+        if self.outlines.contains(&outline) {
+            return true;
+        }
+        let edges = [[a, b], [a, c], [b, c]];
+        let at_edges: Vec<_> = edges.iter().filter_map(|edge| self.edges.get(edge)).copied().collect();
+        let with_corners: usize = outline.iter().filter_map(|corner| self.corners.get(corner)).sum();
+        // One with two corners in common is at both; any more have one in common.
+        let with_edges: usize = at_edges.iter().map(|(count, _)| 2 * count).sum();
+        let is_neighbour = with_corners > with_edges
+            || at_edges.iter().any(|(_, first)| shape(object).are_neighbours(*first, triangle));
+        if is_neighbour {
+            return false;
+        }
+        self.outlines.insert(outline);
+        for corner in outline {
+            *self.corners.entry(corner).or_default() += 1;
+        }
+        for edge in edges {
+            self.edges.entry(edge).or_insert((0, triangle)).0 += 1;
+        }
+        true
+    }
 }
 
 /// By how much the distances of crossings in the same place may differ.
@@ -193,13 +225,16 @@ mod tests {
     use crate::geometry::Mesh;
     use crate::geometry::shape::{Plane, TriangleMesh};
     use crate::random::hash;
-    use glam::DVec3;
+    use glam::{DMat3, DVec3};
     use std::sync::Arc;
 
     /// Triangles that share corners and edges, overlap, and are there several times, and what is hit of them and of spheres.
     fn hits_at_random(seed: u64) -> (Vec<Hit>, [Shape; 2]) {
         let draw = |number: u64, below: u64| hash(seed, number) % below;
-        let positions = (0..9).map(|k| DVec3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
+        // Of every other seed in a plane askew, whose corners are rounded.
+        let place = |k: i32| DVec3::new(f64::from(k % 3), f64::from(k / 3), 0.0);
+        let askew = DMat3::from_axis_angle(DVec3::new(0.36, 0.48, 0.8), 0.7) * 1.3;
+        let positions = (0..9).map(|k| if seed.is_multiple_of(2) { place(k) } else { askew * place(k) }).collect();
         let faces = (0..40).map(|k| [0, 1, 2].map(|corner| draw(3 * k + corner, 9) as u32));
         let faces: Vec<_> = faces.filter(|[a, b, c]| a != b && b != c && c != a).collect();
         let count = faces.len() as u64;
@@ -208,7 +243,8 @@ mod tests {
         let hit = |k: u64| {
             let object = draw(1000 + k, 3).saturating_sub(1) as u32;
             let primitive = if object == 0 { draw(2000 + k, count) as u32 } else { 0 };
-            Hit { object, crossing: Crossing { t: 1.0, side: Side::Front, primitive } }
+            let side = if draw(3000 + k, 8) == 0 { Side::Back } else { Side::Front };
+            Hit { object, crossing: Crossing { t: 1.0 + draw(4000 + k, 2) as f64, side, primitive } }
         };
         ((0..100).map(hit).collect(), shapes)
     }

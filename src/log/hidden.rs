@@ -89,12 +89,9 @@ fn is_picture(character: char) -> bool {
 /// A text as a person tells it from others: without what may be invisible, with any number of blanks of any kind as one space and none at the
 /// ends, and with letters and their marks in the order and the form that Unicode takes for the same (NFC).
 pub fn look(text: &str) -> Cow<'_, str> {
-    let is_itself = text.is_ascii()
-        && !text.starts_with(' ')
-        && !text.ends_with(' ')
-        && !text.contains("  ")
-        && !text.contains(|character: char| character.is_ascii_control());
-    if is_itself {
+    let bytes = text.as_bytes();
+    let has_blanks_inside = !text.starts_with(' ') && !text.ends_with(' ') && !bytes.windows(2).any(|two| two == b"  ");
+    if has_blanks_inside && bytes.iter().all(|byte| matches!(byte, b' '..=b'~')) {
         return Cow::Borrowed(text);
     }
     let mut seen = String::new();

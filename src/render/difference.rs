@@ -1,6 +1,7 @@
 //! How far two pictures are apart.
 
 use super::export::{self, Beside, EncodeError, Numbers, Picture};
+use std::collections::{HashMap, HashSet};
 
 /// How far two pictures of the same size are apart.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,9 +128,10 @@ impl LayerDifferences {
     /// Compares the layers of two pictures; `differs` says whether two numbers count as different.
     pub fn of(a: &[Beside], b: &[Beside], differs: impl Fn(f64, f64) -> bool) -> LayerDifferences {
         let mut found = LayerDifferences::default();
-        let is_same = |one: &Beside, other: &Beside| one.name == other.name && one.size == other.size;
+        let key = |layer: &'_ Beside| (layer.name.clone(), layer.size);
+        let of_b: HashMap<_, _> = b.iter().map(|layer| (key(layer), layer)).collect();
         for ours in a {
-            match b.iter().find(|theirs| is_same(ours, theirs)) {
+            match of_b.get(&key(ours)) {
                 None => found.only_in_a.push(ours.name.clone()),
                 Some(theirs) => {
                     found.only_in_a.extend(lacking(ours, theirs));
@@ -138,7 +140,8 @@ impl LayerDifferences {
                 }
             }
         }
-        let of_b_alone = b.iter().filter(|theirs| !a.iter().any(|ours| is_same(ours, theirs)));
+        let of_a: HashSet<_> = a.iter().map(key).collect();
+        let of_b_alone = b.iter().filter(|theirs| !of_a.contains(&key(theirs)));
         found.only_in_b.extend(of_b_alone.map(|layer| layer.name.clone()));
         found
     }
@@ -156,19 +159,19 @@ impl LayerDifferences {
 
 /// The channels that only the first of two layers has.
 fn lacking<'l>(layer: &'l Beside, other: &'l Beside) -> impl Iterator<Item = String> + 'l {
-    let is_there = |channel: &Numbers| other.channels.iter().any(|theirs| theirs.name == channel.name);
+    let theirs: HashSet<&str> = other.channels.iter().map(|channel| channel.name.as_str()).collect();
     layer
         .channels
         .iter()
-        .filter(move |channel| !is_there(channel))
+        .filter(move |channel| !theirs.contains(channel.name.as_str()))
         .map(|channel| format!("{}.{}", layer.name, channel.name))
 }
 
 impl LayerDifference {
     /// Compares the channels that both have.
     fn of(a: &Beside, b: &Beside, differs: impl Fn(f64, f64) -> bool) -> LayerDifference {
-        let pair = |ours: &'_ Numbers| b.channels.iter().position(|theirs| theirs.name == ours.name);
-        let pairs: Vec<_> = a.channels.iter().filter_map(|ours| Some((ours, &b.channels[pair(ours)?]))).collect();
+        let of_b: HashMap<&str, &Numbers> = b.channels.iter().map(|channel| (channel.name.as_str(), channel)).collect();
+        let pairs: Vec<_> = a.channels.iter().filter_map(|ours| Some((ours, *of_b.get(ours.name.as_str())?))).collect();
         let [width, height] = a.size;
         let (mut largest, mut differing) = (None::<LargestOfLayer>, 0);
         for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {

@@ -225,3 +225,33 @@ fn nodes_that_hold_much() {
         }
     }
 }
+
+/// Two logs of which one has more of everything, or something else: what stands before each difference was looked for in all of its ray.
+#[test]
+fn logs_that_differ_in_much() {
+    const MANY: usize = 40_000;
+    let ray = |node: usize, parent: usize| {
+        format!(
+            "{{\"at\":1,\"node\":{node},\"enter\":{{\"ray\":{{\"kind\":\"camera\",\"depth\":0}}}},\"parent\":{parent}}}\n"
+        )
+    };
+    let note = |key: &str, value: &str| format!("{{\"at\":1,\"node\":1,\"note\":\"{key}\",\"value\":{value}}}\n");
+    let notes = |key: &str, value: &str, count: usize| format!("{}{}", ray(1, 0), note(key, value).repeat(count));
+    let siblings =
+        |count: usize| (1..=count).map(|node| ray(node, 0) + &format!("{{\"at\":1,\"node\":{node},\"leave\":{{}}}}\n"));
+    let pairs = [
+        [notes("plane.t", "2", MANY), notes("plane.t", "2", MANY / 2)],
+        [notes("plane.t", "2", MANY), notes("plane.t", "3", MANY)],
+        [notes("plane.t", "2", MANY), notes("hit.point", "[1,2,3]", MANY)],
+        [siblings(MANY / 4).collect(), siblings(MANY / 8).collect()],
+    ];
+    for bodies in pairs {
+        let folder = tempfile::tempdir().expect("a folder");
+        for (name, body) in ["a.ndjson", "b.ndjson"].iter().zip(&bodies) {
+            fs::write(folder.path().join(name), format!("{}\n{body}", header("\"a\"", ""))).expect("written");
+        }
+        let call = ["diff", "a.ndjson", "b.ndjson"];
+        let answer = limited_answer(&mut raywalk(folder.path(), &call), Duration::from_secs(20));
+        assert!(matches!(answer.code, Some(1 | 2)), "{:?}: {}", answer.code, answer.message);
+    }
+}

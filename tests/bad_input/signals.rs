@@ -1,6 +1,7 @@
 //! The rows s01 to s05: signals in the middle of the work.
 
 use crate::run::{answer, names_in, raywalk, wait};
+use crate::shared::skipped;
 use std::fs::{self, File};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -173,7 +174,7 @@ fn s04_sigstop() {
 fn s05_sighup() {
     // Where these tests themselves run under nohup, so does the program.
     if is_hang_up_ignored() {
-        println!("skipped: SIGHUP is ignored here, and so it is by what is started here");
+        skipped("SIGHUP is ignored here, and so it is by what is started here");
     } else {
         ends(&["HUP"], 129);
     }

@@ -6,6 +6,9 @@
 
 #![cfg(all(target_os = "linux", target_arch = "x86_64"))]
 
+#[path = "../support/shared.rs"]
+#[allow(dead_code)]
+mod shared;
 mod tracer;
 
 use nix::errno::Errno;
@@ -204,7 +207,7 @@ macro_rules! noticed_in {
         #[test]
         fn $name() {
             if !tracer::can_trace() {
-                println!("SKIPPED: commands can't be traced here");
+                shared::skipped("commands can't be traced here");
                 return;
             }
             let count = Case::after(&$before, &$arguments).meets_all_faults();
@@ -256,7 +259,7 @@ noticed_in! {
 #[test]
 fn the_tracer_lets_calls_fail() {
     if !tracer::can_trace() {
-        println!("SKIPPED: commands can't be traced here");
+        shared::skipped("commands can't be traced here");
         return;
     }
     let case = Case::after(&[], &["scene", "convert", "textbook.json", "-o", "a.json"]);

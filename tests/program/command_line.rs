@@ -198,7 +198,7 @@ fn a_log_takes_no_options_of_tracing() {
 #[test]
 fn a_standard_error_that_is_full_spoils_nothing() {
     let Ok(full) = fs::OpenOptions::new().write(true).open("/dev/full") else {
-        eprintln!("skipped: there is no /dev/full here");
+        crate::shared::skipped("there is no /dev/full here");
         return;
     };
     let folder = tempfile::tempdir().expect("a folder");

@@ -57,7 +57,7 @@ fn pages_are_good_troff() {
         .stderr(Stdio::piped())
         .spawn()
     else {
-        eprintln!("SKIPPED: no groff here");
+        crate::shared::skipped("no groff here");
         return;
     };
     let mut checker = checker;
@@ -74,7 +74,7 @@ fn shells_can_complete() {
         assert!(script.contains(part) && script.contains("sampling") && script.contains("merge"), "{shell}");
         // The shell itself has nothing against it.
         let Ok(mut checker) = Command::new(shell).arg("-n").stdin(Stdio::piped()).spawn() else {
-            eprintln!("SKIPPED: no {shell} here");
+            crate::shared::skipped(&format!("no {shell} here"));
             continue;
         };
         std::io::Write::write_all(&mut checker.stdin.take().expect("a pipe"), script.as_bytes()).expect("written");

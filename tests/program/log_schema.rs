@@ -313,7 +313,7 @@ fn the_calls_of_the_page_run() {
     for (call, tool) in calls.into_iter().zip(["jq", "python3", "duckdb"]) {
         assert!(call.contains(&format!("\n{tool} ")), "{call}");
         if Command::new(tool).arg("--version").output().is_err() {
-            eprintln!("SKIPPED: no {tool} here");
+            crate::shared::skipped(&format!("no {tool} here"));
             continue;
         }
         let folder = tempfile::tempdir().expect("a folder");

@@ -100,6 +100,18 @@ impl Files {
 
 const ENGINE: &str = "raywalk";
 
+/// For each scene the files of what its rays met; none is a file of any of the scenes.
+struct Dumps {
+    paths: Vec<Vec<PathBuf>>,
+    inputs: Inputs,
+}
+
+impl Dumps {
+    fn begin(&self, of_scene: &[PathBuf]) -> Result<Vec<Output>, Failure> {
+        of_scene.iter().map(|path| Output::create(Some(path), &self.inputs)).collect()
+    }
+}
+
 impl RaysBench {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
@@ -116,9 +128,12 @@ impl RaysBench {
         }
         let refused = |error: SceneError| Failure::scene(&error, colors.applies_to(&std::io::stderr()));
         let dumps = self.dumps(refused)?;
+        // Before the work begins it is made sure that they can be written; a file begins in its scene's turn, as there may be many.
+        dumps.paths.iter().try_for_each(|of_scene| dumps.begin(of_scene).map(drop))?;
         let mut is_first = true;
-        self.stems.iter().zip(dumps).try_for_each(|(stem, dumps)| {
+        self.stems.iter().zip(&dumps.paths).try_for_each(|(stem, of_scene)| {
             let scene = Files::read(stem).map_err(refused)?;
+            let dumps = dumps.begin(of_scene)?;
             if std::mem::take(&mut is_first) {
                 self.print_head(&machine)?;
             }
@@ -126,21 +141,19 @@ impl RaysBench {
         })
     }
 
-    /// For each scene the files of what its rays met, made sure of before the work begins: none is a file of any of the scenes.
-    fn dumps(&self, refused: impl Fn(SceneError) -> Failure) -> Result<Vec<Vec<Output>>, Failure> {
-        let Some(folder) = &self.dump else { return Ok(self.stems.iter().map(|_| Vec::new()).collect()) };
+    fn dumps(&self, refused: impl Fn(SceneError) -> Failure) -> Result<Dumps, Failure> {
+        let Some(folder) = &self.dump else {
+            return Ok(Dumps { paths: vec![Vec::new(); self.stems.len()], inputs: Inputs::none() });
+        };
         let rays =
             self.stems.iter().map(|stem| raw::find_rays(stem)).collect::<Result<Vec<_>, _>>().map_err(refused)?;
         let primitives = self.stems.iter().flat_map(|stem| raw::primitive_files(stem));
         let inputs = Inputs::of(primitives).and(Inputs::of(rays.iter().flatten().map(|(_, path)| path)));
         let of_scene = |(stem, rays): (&PathBuf, &Vec<(String, PathBuf)>)| {
-            let dump = |(kind, _): &(String, PathBuf)| {
-                let path = folder.join(format!("{}.{kind}.{ENGINE}.hits", Files::name(stem)));
-                Output::create(Some(&path), &inputs)
-            };
-            rays.iter().map(dump).collect()
+            let name = Files::name(stem);
+            rays.iter().map(|(kind, _)| folder.join(format!("{name}.{kind}.{ENGINE}.hits"))).collect()
         };
-        self.stems.iter().zip(&rays).map(of_scene).collect()
+        Ok(Dumps { paths: self.stems.iter().zip(&rays).map(of_scene).collect(), inputs })
     }
 
     /// What stands above all figures.

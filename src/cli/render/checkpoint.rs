@@ -74,7 +74,7 @@ impl Checkpoint {
     pub fn keep(&mut self, number: u32, pixels: &Pixels) -> io::Result<()> {
         self.writer.piece(number, pixels)?;
         if self.synced.elapsed() >= SYNCED_EVERY {
-            self.file.sync_data()?;
+            retried(|| self.file.sync_data())?;
             self.synced = Instant::now();
         }
         Ok(())

@@ -7,6 +7,7 @@ use exr::image::{AnyChannel, FlatSamples};
 use exr::meta::MetaData;
 use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, Vec2};
+use std::collections::HashMap;
 use std::io::Cursor;
 
 /// Channels of a picture's file that are no colours.
@@ -75,6 +76,7 @@ pub fn beside(bytes: &[u8]) -> Result<Option<Vec<Beside>>, PictureError> {
     let reader = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
     let image = reader.all_layers().all_attributes().non_parallel().from_buffered(Cursor::new(bytes))?;
     let mut found: Vec<Beside> = Vec::new();
+    let mut places = HashMap::new();
     for (part, layer) in image.layer_data.into_iter().enumerate() {
         let size = [layer.size.width() as u32, layer.size.height() as u32];
         // The part with the colours is the picture itself.
@@ -88,10 +90,11 @@ pub fn beside(bytes: &[u8]) -> Result<Option<Vec<Beside>>, PictureError> {
             let whole = format!("{of_part}{name}");
             let (layer, channel) = whole.rsplit_once('.').unwrap_or((&whole, &name));
             let numbers = Numbers { name: channel.to_owned(), samples };
-            match found.iter_mut().find(|other| other.name == layer && other.size == size) {
-                Some(other) => other.channels.push(numbers),
-                None => found.push(Beside { name: layer.to_owned(), size, channels: vec![numbers] }),
+            let at = *places.entry((layer.to_owned(), size)).or_insert(found.len());
+            if at == found.len() {
+                found.push(Beside { name: layer.to_owned(), size, channels: Vec::new() });
             }
+            found[at].channels.push(numbers);
         }
     }
     Ok(Some(found))

@@ -5,7 +5,7 @@ use super::changed::Changed;
 use crate::log::{Decision, Step, What};
 use crate::report::side_by_side::Run;
 use crate::report::words;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// The nodes of A whose object or light is of another kind in B.
 pub(super) struct Kinds {
@@ -13,7 +13,12 @@ pub(super) struct Kinds {
     nodes: BTreeMap<usize, Changed>,
     /// The same by the number of an object.
     objects: BTreeMap<u32, Changed>,
+    /// What the rays of A and of B meet, if any object changed.
+    met: [Met; 2],
 }
+
+/// By the nodes of rays, the events that say what a ray meets, and what that is.
+type Met = HashMap<usize, Vec<(usize, u32)>>;
 
 impl Kinds {
     /// Those of two aligned logs.
@@ -29,8 +34,9 @@ impl Kinds {
             Some(Step::Test { object, .. }) => Some((object, changed.clone())),
             _ => None,
         };
-        let objects = nodes.iter().filter_map(object).collect();
-        Kinds { nodes, objects }
+        let objects: BTreeMap<_, _> = nodes.iter().filter_map(object).collect();
+        let met = if objects.is_empty() { Default::default() } else { [met(a), met(b)] };
+        Kinds { nodes, objects, met }
     }
 
     /// What changed, in the order of A.
@@ -55,27 +61,36 @@ impl Kinds {
             return None;
         }
         let met = || {
-            let (run, thing) = match spot {
-                Spot::OnlyA(thing) => (a, thing),
-                Spot::OnlyB(thing) => (b, thing),
+            let (run, met, thing) = match spot {
+                Spot::OnlyA(thing) => (a, &self.met[0], thing),
+                Spot::OnlyB(thing) => (b, &self.met[1], thing),
                 Spot::Both(..) => return None,
             };
             let (Thing::Event(event) | Thing::Input(event, _)) = thing else { return None };
-            self.objects.get(&met_before(run, event)?)
+            self.objects.get(&met_before(met, run.tree.owner(event), event)?)
         };
         self.nodes.get(&home).or_else(met)
     }
 }
 
-/// The object that the ray of an event met before it, if the event stands in the ray's own node.
-fn met_before(run: Run, event: usize) -> Option<u32> {
-    let node = run.tree.owner(event);
-    let is_ray = matches!(run.tree.nodes()[node].step, Some(Step::Ray { .. }));
-    let mut own = run.tree.own_events_before(node, event).rev().filter(|_| is_ray);
-    own.find_map(|at| match run.log.events[at].what {
-        What::Mark(Decision::Nearest { object }) => Some(object),
-        _ => None,
-    })
+fn met(run: Run) -> Met {
+    let mut met = Met::new();
+    for (event, what) in run.log.events.iter().map(|event| event.what).enumerate() {
+        if let What::Mark(Decision::Nearest { object }) = what {
+            let node = run.tree.owner(event);
+            if matches!(run.tree.nodes()[node].step, Some(Step::Ray { .. })) {
+                met.entry(node).or_default().push((event, object));
+            }
+        }
+    }
+    met
+}
+
+/// The object that the ray of a node met before an event.
+fn met_before(met: &Met, node: usize, event: usize) -> Option<u32> {
+    let met = met.get(&node)?;
+    let before = met.partition_point(|(at, _)| *at < event);
+    met[..before].last().map(|(_, object)| *object)
 }
 
 /// What the light or the object of a node is, told by its inputs.
