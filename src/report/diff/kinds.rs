@@ -75,8 +75,8 @@ impl Kinds {
 
 fn met(run: Run) -> Met {
     let mut met = Met::new();
-    for (event, what) in run.log.events.iter().map(|event| event.what).enumerate() {
-        if let What::Mark(Decision::Nearest { object }) = what {
+    for (event, what) in run.log.events.iter().map(|event| &event.what).enumerate() {
+        if let What::Mark(Decision::Nearest { object }) = *what {
             let node = run.tree.owner(event);
             if matches!(run.tree.nodes()[node].step, Some(Step::Ray { .. })) {
                 met.entry(node).or_default().push((event, object));
