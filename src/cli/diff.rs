@@ -4,6 +4,7 @@ mod logs;
 mod pictures;
 
 use super::failure::Failure;
+use super::inputs;
 use super::options::ColorChoice;
 use super::walk::has_terminal;
 use clap::{Args, ValueEnum};
@@ -102,6 +103,7 @@ impl Diff {
         if [&self.a, &self.b].iter().all(|path| **path == Path::new("-")) {
             return Err(Failure::caller("diff - -: only one of the two can come from standard input"));
         }
+        inputs::reads([&self.a, &self.b]);
         let [a, b] = [open(&self.a, colors)?, open(&self.b, colors)?];
         match (a, b) {
             (Compared::Log(a), Compared::Log(b)) => {

@@ -22,7 +22,10 @@ impl Inputs {
 
     /// These files; `-` is standard input.
     pub fn of(paths: impl IntoIterator<Item = impl Into<PathBuf>>) -> Inputs {
-        Inputs(paths.into_iter().map(Into::into).collect())
+        let paths: Vec<PathBuf> = paths.into_iter().map(Into::into).collect();
+        let files = paths.iter().filter_map(|path| if is_stdin(path) { stdin() } else { file_at(path) });
+        READ.lock().unwrap_or_else(PoisonError::into_inner).extend(files);
+        Inputs(paths)
     }
 
     /// Those and these.
@@ -51,7 +54,7 @@ impl Inputs {
 
     fn find(&self, result: &Metadata) -> Result<Option<&Path>, Failure> {
         for input in &self.0 {
-            let found = match input.as_path() == Path::new("-") {
+            let found = match is_stdin(input) {
                 true => standard_file(&io::stdin()),
                 false => match fs::metadata(input) {
                     Ok(found) => Some(found),
@@ -66,6 +69,31 @@ impl Inputs {
         }
         Ok(None)
     }
+}
+
+/// What the inputs of this run are, for all that is only printed. There may be more than any one result is made of.
+static READ: Mutex<BTreeSet<File>> = Mutex::new(BTreeSet::new());
+
+/// These files are read by this run, which makes no result of them but what it prints.
+pub fn reads(paths: impl IntoIterator<Item = impl Into<PathBuf>>) {
+    let _ = Inputs::of(paths);
+}
+
+/// Refuses to print into a file that is read: it would never end, or be spoiled.
+pub fn refuse_printing() -> Result<(), Failure> {
+    let Some(metadata) = standard_file(&io::stdout()) else { return Ok(()) };
+    match READ.lock().unwrap_or_else(PoisonError::into_inner).contains(&(metadata.dev(), metadata.ino())) {
+        true => Err(Failure::caller("standard output: is one of the inputs, too, expected another file")),
+        false => Ok(()),
+    }
+}
+
+fn is_stdin(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+fn stdin() -> Option<File> {
+    standard_file(&io::stdin()).map(|metadata| (metadata.dev(), metadata.ino()))
 }
 
 /// What a standard stream is, if it is a regular file.

@@ -1,7 +1,7 @@
 //! Where results go: standard output, or a file that is there whole or not at all.
 
 use super::failure::{Failure, shown};
-use super::inputs::{Claim, Inputs, place_of};
+use super::inputs::{Claim, Inputs, place_of, refuse_printing};
 use super::unfinished::{self, Beside};
 use super::zstd;
 use flate2::Compression;
@@ -136,6 +136,7 @@ pub fn standard() -> Result<StdoutLock<'static>, Failure> {
     if stdout_was_closed() {
         return Err(Failure::stdout(&io::Error::other("it is closed")));
     }
+    refuse_printing()?;
     Ok(io::stdout().lock())
 }
 

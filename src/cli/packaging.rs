@@ -1,7 +1,7 @@
 //! `raywalk completions` and `raywalk man`: what a package installs beside the program.
 
 use super::Cli;
-use super::failure::Failure;
+use super::failure::{Failure, shown};
 use super::inputs::Inputs;
 use super::output::{self, Output};
 use clap::{Args, Command, CommandFactory};
@@ -54,7 +54,10 @@ impl Manual {
         let mut command = Cli::command();
         command.build();
         let Some(folder) = &self.output else { return output::print(&page(command)?) };
-        std::fs::create_dir_all(folder).map_err(|error| Failure::io(folder, "create", &error))?;
+        std::fs::create_dir_all(folder).map_err(|error| match folder.is_dir() || !folder.exists() {
+            true => Failure::io(folder, "create", &error),
+            false => Failure::caller(format!("{}: is a file, expected a folder", shown(folder))),
+        })?;
         for command in with_all_below(command) {
             let path = folder.join(format!("{}.1", command.get_display_name().unwrap_or(command.get_name())));
             Output::create(Some(&path), &Inputs::none())?.commit(&page(command)?)?;

@@ -1,6 +1,7 @@
 //! `raywalk rays`: ray queries, a line each.
 
 use super::failure::Failure;
+use super::inputs;
 use super::options::{ColorChoice, TracingOptions};
 use super::{output, scene_argument};
 use clap::Args;
@@ -106,6 +107,7 @@ impl Rays {
         if stdin_was_closed() {
             return Err(unreadable(&io::Error::other("it is closed")));
         }
+        inputs::reads(["-"]);
         let mut input = BufReader::with_capacity(1 << 16, io::stdin().lock());
         let mut out = BufWriter::with_capacity(1 << 16, output::standard()?);
         let mut line = Vec::new();

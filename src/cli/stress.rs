@@ -1,6 +1,7 @@
 //! `raywalk stress`: cases with exact answers, and how far the program is from them.
 
 use super::failure::{Failure, shown};
+use super::inputs;
 use super::options::ColorChoice;
 use super::output;
 use super::scene_argument::is_colored;
@@ -38,6 +39,7 @@ enum ReportFormat {
 impl Stress {
     /// Runs the command; `false` where a requirement doesn't hold.
     pub fn run(self, colors: ColorChoice) -> Result<bool, Failure> {
+        inputs::reads(&self.files);
         let families = self.families(colors)?;
         if self.answers {
             let (text, unanswered) = answers(&families)?;

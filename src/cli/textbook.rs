@@ -1,6 +1,7 @@
 //! `raywalk textbook`: the numeric example as a table.
 
 use super::failure::Failure;
+use super::inputs;
 use super::options::{ColorChoice, TracingOptions};
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
@@ -57,6 +58,7 @@ impl Textbook {
         };
         let scene = scene_of(example, colors)?;
         if let Some(path) = &self.with {
+            inputs::reads([path]);
             let checked = check(path, example, &scene, colors)?;
             let text = match self.format {
                 TableFormat::Text => visible_lines(&checked.text()),

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
 use std::os::unix::fs::symlink;
 use std::path::Path;
+use std::process::Command;
 
 const SCENE: &str = r#"{"format": "raywalk-scene/1", "camera": {"position": [0.4, 0.7, 5], "direction": [0, 0, -1], "resolution": [8, 6]},
  "lights": [{"name": "F", "point": {"position": [1, 1, 5]}}], "frames": {"count": 2, "duration": 1},
@@ -205,4 +206,37 @@ fn no_two_results_are_one_file() {
     let twice = ["bench", "rays", "r", "other/r", "--passes", "1", "--threads", "1", "--dump", "dump"];
     answer(&mut raywalk(folder.path(), &twice)).fails(2, "r.primary.raywalk.hits: is another result of this call");
     assert_eq!(names_in(&folder.path().join("dump")), [""; 0]);
+}
+
+/// What is only printed goes nowhere that it is read from, either: `rays` would read its own answers for ever.
+#[test]
+fn nothing_is_printed_into_what_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    for name in ["mesh.json", "knot.obj"] {
+        fs::copy(scenes.join(name), folder.path().join(name)).expect("a scene");
+    }
+    fs::write(folder.path().join("q.ndjson"), "{\"o\":[0,0,9],\"d\":[0,0,-1]}\n").expect("written");
+    let trace = ["trace", "textbook", "--pixel", "160,120", "-o", "a.ndjson"];
+    answer(&mut raywalk(folder.path(), &trace)).ends_with(0);
+    for (call, printed_into) in [
+        ("rays mesh.json <q.ndjson", "q.ndjson"),
+        ("rays mesh.json <q.ndjson", "knot.obj"),
+        ("scene show mesh.json", "mesh.json"),
+        ("walk a.ndjson --plain", "./a.ndjson"),
+        ("walk - --plain <a.ndjson", "a.ndjson"),
+        ("walk mesh.json --plain", "knot.obj"),
+        ("diff a.ndjson a.ndjson", "a.ndjson"),
+        ("trace a.ndjson --format text", "a.ndjson"),
+        ("render mesh.json --size 4x4 -q -o z.png --stats json", "mesh.json"),
+        ("bench overhead mesh.json --pairs 1 --size 4x4", "knot.obj"),
+    ] {
+        let before = fs::read(folder.path().join(printed_into)).expect("an input");
+        let mut shell = Command::new("sh");
+        let line = format!("timeout 60 \"$0\" {call} >>{printed_into}");
+        shell.args(["-c", &line, env!("CARGO_BIN_EXE_raywalk")]).current_dir(folder.path());
+        let output = shell.output().expect("it runs");
+        assert_eq!(output.status.code(), Some(2), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(fs::read(folder.path().join(printed_into)).expect("an input") == before, "{line}");
+    }
 }

@@ -4,7 +4,7 @@ use super::TableFormat;
 use super::machine::Machine;
 use super::table::quoted;
 use crate::cli::failure::{Failure, shown};
-use crate::cli::inputs::Inputs;
+use crate::cli::inputs::{Claim, Inputs, place_of};
 use crate::cli::options::{ColorChoice, MAX_THREADS};
 use crate::cli::output::{self, Output};
 use clap::Args;
@@ -107,6 +107,13 @@ struct Dumps {
 }
 
 impl Dumps {
+    fn check(&self) -> Result<(), Failure> {
+        self.paths.iter().try_for_each(|of_scene| self.begin(of_scene).map(drop))?;
+        let claims: Result<Vec<_>, _> =
+            self.paths.iter().flatten().map(|path| Claim::of(path, &place_of(path))).collect();
+        claims.map(drop)
+    }
+
     fn begin(&self, of_scene: &[PathBuf]) -> Result<Vec<Output>, Failure> {
         of_scene.iter().map(|path| Output::create(Some(path), &self.inputs)).collect()
     }
@@ -129,7 +136,7 @@ impl RaysBench {
         let refused = |error: SceneError| Failure::scene(&error, colors.applies_to(&std::io::stderr()));
         let dumps = self.dumps(refused)?;
         // Before the work begins it is made sure that they can be written; a file begins in its scene's turn, as there may be many.
-        dumps.paths.iter().try_for_each(|of_scene| dumps.begin(of_scene).map(drop))?;
+        dumps.check()?;
         let mut is_first = true;
         self.stems.iter().zip(&dumps.paths).try_for_each(|(stem, of_scene)| {
             let scene = Files::read(stem).map_err(refused)?;

@@ -59,14 +59,15 @@ pub fn exr(film: &Film, layers: Vec<ExrLayer>) -> Result<Vec<u8>, exr::error::Er
 /// # Errors
 /// [`PictureError`].
 pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
+    check_attributes(bytes)?;
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;
     headers.iter().try_for_each(|header| {
         check_size([header.layer_size.width(), header.layer_size.height()].map(|side| side as u64))
     })?;
+    check_packing(&headers, bytes.len())?;
     if headers.iter().any(|header| header.layer_size.area() as u64 > most) {
         return Err(PictureError::Memory);
     }
-    check_packing(&headers, bytes.len())?;
     let reader = || exr::prelude::read().no_deep_data().largest_resolution_level();
     match colors_of(&headers)?.1 {
         RGB => {
@@ -83,6 +84,43 @@ pub(super) fn read(bytes: &[u8], most: u64) -> Result<Picture, PictureError> {
             Ok(layer.from_buffered(Cursor::new(bytes))?.layer_data.channel_data.pixels.into_picture(Channels::Grey))
         }
     }
+}
+
+/// The most attributes in the headers of an OpenEXR file. The decoder keeps all of them, in two kilobytes each.
+pub const MAX_ATTRIBUTES: usize = 1 << 14;
+
+/// Refuses a file with more attributes than that, before any is kept. Whatever else is wrong with the headers the decoder says.
+///
+/// Behind the magic number and the version each header is a list of attributes: name and type, each ended by a zero, the value's length in four
+/// bytes, and the value. An empty name ends the list, another one the headers of a file with several parts.
+fn check_attributes(bytes: &[u8]) -> Result<(), PictureError> {
+    const VERSION: usize = 8;
+    let mut rest = bytes.get(VERSION..).unwrap_or_default();
+    let text = |rest: &mut &[u8]| -> Option<usize> {
+        let length = memchr::memchr(0, rest)?;
+        *rest = &rest[length + 1..];
+        Some(length)
+    };
+    let mut is_behind_header = true;
+    for count in 0.. {
+        let Some(name) = text(&mut rest) else { return Ok(()) };
+        if name == 0 {
+            if is_behind_header {
+                return Ok(());
+            }
+            is_behind_header = true;
+            continue;
+        }
+        if count > MAX_ATTRIBUTES {
+            return Err(PictureError::Header("at most 16384 attributes in all"));
+        }
+        is_behind_header = false;
+        let value = text(&mut rest).and_then(|_| rest.split_first_chunk());
+        let Some((length, behind)) = value else { return Ok(()) };
+        let Some(behind) = behind.get(u32::from_le_bytes(*length) as usize..) else { return Ok(()) };
+        rest = behind;
+    }
+    Ok(())
 }
 
 /// Refuses a file whose headers ask for more than the bytes behind them can hold.
@@ -154,6 +192,25 @@ mod tests {
     use super::*;
     use crate::scene::Color;
     use exr::prelude::read;
+
+    #[test]
+    fn attributes_are_counted_before_they_are_kept() {
+        let whole = exr(&Film::new([0, 0, 1, 1]), Vec::new()).unwrap();
+        let with = |count: usize| {
+            let attributes: Vec<u8> = (0..count)
+                .flat_map(|number| [format!("z{number}\0int\0").as_bytes(), &4_u32.to_le_bytes(), &[0; 4]].concat())
+                .collect();
+            [&whole[..8], &attributes, &whole[8..]].concat()
+        };
+        // The table of blocks has their places from the beginning of the file, which nobody asks.
+        assert!(check_attributes(&with(MAX_ATTRIBUTES - 100)).is_ok());
+        assert!(check_attributes(&whole).is_ok());
+        let refused = super::read(&with(MAX_ATTRIBUTES + 1), 100);
+        assert!(matches!(refused, Err(PictureError::Header("at most 16384 attributes in all"))), "{refused:?}");
+        for length in 0..whole.len() {
+            assert!(check_attributes(&whole[..length]).is_ok(), "{length}");
+        }
+    }
 
     #[test]
     fn every_number_is_read_back() {

@@ -6,6 +6,7 @@ use super::reader::Reader;
 use super::records::{Fill, Light, PassedOver, Primitive, Records, View};
 use super::shapes;
 use super::tokens::Token;
+use crate::scene::file::schema::MAX_LIGHTS;
 use crate::scene::file::schema::{Shape, Vec3};
 use crate::scene::file::validate::limits::MAX_SIDE;
 
@@ -133,6 +134,9 @@ impl File<'_> {
         let position = self.reader.triple("l", "the position")?;
         let has_color = self.reader.has_number();
         let color = if has_color { Some(self.reader.triple("l", "the colour")?) } else { None };
+        if self.records.lights.len() == MAX_LIGHTS {
+            return Err(Mistake::at(&entity, format!("too many lights, expected at most {MAX_LIGHTS}")));
+        }
         self.records.lights.push(Light { position, color, at: entity.start as u32 });
         Ok(())
     }
