@@ -2,7 +2,7 @@
 
 use super::failure::{Failure, shown};
 use raywalk::scene::file::is_callers_fault;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, Metadata};
 use std::io;
 use std::os::unix::fs::MetadataExt;
@@ -23,7 +23,8 @@ impl Inputs {
     /// These files; `-` is standard input.
     pub fn of(paths: impl IntoIterator<Item = impl Into<PathBuf>>) -> Inputs {
         let paths: Vec<PathBuf> = paths.into_iter().map(Into::into).collect();
-        let files = paths.iter().filter_map(|path| if is_stdin(path) { stdin() } else { file_at(path) });
+        let file = |path: &PathBuf| if is_stdin(path) { stdin() } else { file_at(path) };
+        let files = paths.iter().filter_map(|path| Some((file(path)?, path.clone())));
         READ.lock().unwrap_or_else(PoisonError::into_inner).extend(files);
         Inputs(paths)
     }
@@ -39,16 +40,6 @@ impl Inputs {
         match self.find(metadata)? {
             None => Ok(()),
             Some(_) => Err(Failure::caller(format!("{}: is the input, which would be overwritten", shown(result)))),
-        }
-    }
-
-    /// The same for a result that goes to standard output.
-    pub fn refuse_standard_output(&self) -> Result<(), Failure> {
-        // What is closed or has no metadata is no file that somebody reads.
-        let Some(metadata) = standard_file(&io::stdout()) else { return Ok(()) };
-        match self.find(&metadata)? {
-            None => Ok(()),
-            Some(input) => Err(Failure::caller(format!("{}: is the input and standard output, too", shown(input)))),
         }
     }
 
@@ -72,7 +63,7 @@ impl Inputs {
 }
 
 /// What the inputs of this run are, for all that is only printed. There may be more than any one result is made of.
-static READ: Mutex<BTreeSet<File>> = Mutex::new(BTreeSet::new());
+static READ: Mutex<BTreeMap<File, PathBuf>> = Mutex::new(BTreeMap::new());
 
 /// These files are read by this run, which makes no result of them but what it prints.
 pub fn reads(paths: impl IntoIterator<Item = impl Into<PathBuf>>) {
@@ -82,9 +73,9 @@ pub fn reads(paths: impl IntoIterator<Item = impl Into<PathBuf>>) {
 /// Refuses to print into a file that is read: it would never end, or be spoiled.
 pub fn refuse_printing() -> Result<(), Failure> {
     let Some(metadata) = standard_file(&io::stdout()) else { return Ok(()) };
-    match READ.lock().unwrap_or_else(PoisonError::into_inner).contains(&(metadata.dev(), metadata.ino())) {
-        true => Err(Failure::caller("standard output: is one of the inputs, too, expected another file")),
-        false => Ok(()),
+    match READ.lock().unwrap_or_else(PoisonError::into_inner).get(&(metadata.dev(), metadata.ino())) {
+        Some(input) => Err(Failure::caller(format!("{}: is the input and standard output, too", shown(input)))),
+        None => Ok(()),
     }
 }
 

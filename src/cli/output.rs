@@ -35,7 +35,7 @@ impl Output {
     /// Standard output for none and `-`; else the file, which must not be one of the `inputs`.
     pub fn create(path: Option<&Path>, inputs: &Inputs) -> Result<Output, Failure> {
         let Some(path) = path.filter(|path| *path != Path::new("-")) else {
-            return standard().and_then(|_| inputs.refuse_standard_output()).map(|()| Output::Stdout);
+            return standard().map(|_| Output::Stdout);
         };
         let cannot_write = |error: &io::Error| Failure::io(path, "write", error);
         let metadata = match fs::metadata(path) {
