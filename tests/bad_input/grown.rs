@@ -21,8 +21,8 @@ fn most_memory(target: &str, bytes: usize) -> u64 {
     let by_the_byte = match target {
         "log" => 2 * 8,
         "scene" => 24,
-        "obj" | "ply" => 34,
-        _ => 70,
+        "obj" | "ply" => 90,
+        _ => 90,
     };
     PROGRAM + (64 << 20) + by_the_byte * bytes as u64
 }
