@@ -1,7 +1,7 @@
 //! How the program goes on where it is interrupted, and ends where it can't: unfinished files go, a message says why, and so does the exit
 //! code.
 //!
-//! Two things can end it in the middle of the work: a signal, and an allocation that fails in code that has no way to say so. Neither
+//! Two events can end it in the middle of the work: a signal, and an allocation that fails in code that has no way to say so. Neither
 //! may allocate, take a lock or run destructors, so both do the same few system calls: remove the files, write the message, end.
 
 mod allocator;

@@ -92,7 +92,7 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(code) => return code,
     };
-    // Small things are done on this thread: others are started only for work that is worth it.
+    // Small work is done on this thread: others are started only for work that is worth it.
     raywalk::threads::work_alone();
     // Where signals can't be caught they end the process all the same.
     let signals = signals::leave_on_signals().ok();

@@ -111,7 +111,7 @@ impl Threads {
         }
     }
 
-    /// Does one thing on them while the thread that asks does another, which gets what the first hands over: a few pieces at a time, in
+    /// Does one task on them while the thread that asks does another, which gets what the first hands over: a few pieces at a time, in
     /// their order. Alone one comes after the other, piece by piece.
     ///
     /// # Errors

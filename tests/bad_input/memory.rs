@@ -226,7 +226,7 @@ fn nodes_that_hold_much() {
     }
 }
 
-/// Two logs of which one has more of everything, or something else: what stands before each difference was looked for in all of its ray.
+/// Two logs of which one has more of everything, or something else: the cause of each difference was looked for in all of its ray.
 #[test]
 fn logs_that_differ_in_much() {
     const MANY: usize = 40_000;

@@ -113,7 +113,7 @@ impl Bvh {
     /// `meet` gives the distance up to which things still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
     /// For a hurried probe the walk is there twice, for the processor's best instructions and for any processor; kernels
-    /// meet the same things in both, and what a probe counts is the same.
+    /// meet the same primitives in both, and what a probe counts is the same.
     #[inline(always)]
     pub fn visit<P: Probe>(
         &self,

@@ -21,7 +21,7 @@ use places::{Contents, Places};
 /// How deep the nodes of a log, and the brackets of a document, may nest: a ray tree of the greatest depth takes two brackets a level, and a few more at its end.
 pub const MAX_NESTING: usize = 2048;
 
-/// What stands around the events.
+/// The keys around the events.
 #[derive(Deserialize)]
 struct Outside {
     header: Header,
@@ -91,7 +91,7 @@ struct Own<'p> {
     inside: Option<&'p Contents>,
 }
 
-/// What stands in the place of the events inside.
+/// The text that replaces the events inside.
 const NOTHING: &[u8] = b"null";
 
 impl<'p> Own<'p> {

@@ -1,4 +1,4 @@
-//! What stands in nodes that hold much: a search there takes as many steps as the number has digits, and not as many as there are events.
+//! The contents of nodes that hold much: a search there takes as many steps as the number has digits, and not as many as there are events.
 
 use super::{given_at, noted, size_of};
 use crate::log::event::{Decision, Step, What};

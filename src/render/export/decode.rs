@@ -228,7 +228,7 @@ fn check_png(bytes: &[u8]) -> Result<(), PictureError> {
     Ok(())
 }
 
-/// What stands before the chunks of a PNG.
+/// The signature before the chunks of a PNG.
 const SIGNATURE: usize = 8;
 
 /// The parts of a PNG of which its pixels are made. Profiles of colours, texts and the pictures of an animation are left out: the decoder would

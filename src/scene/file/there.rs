@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
-/// Whether the caller named the wrong thing, rather than the machine failing.
+/// Whether the caller named the wrong file, rather than the machine failing.
 pub fn is_callers_fault(error: &io::Error) -> bool {
     matches!(
         error.kind(),
