@@ -1,17 +1,88 @@
 //! raywalk: a deterministic ray tracer whose every computed value can be walked through in the terminal.
 //!
 //! Start reading at [`trace`], the recursion; [`probe`] is what sees its values, [`log`] is what they are recorded in.
+//!
+//! # A pixel, traced and pinned
+//!
+//! ```
+//! use raywalk::glam::DVec3;
+//! use raywalk::record::{self, Arithmetic};
+//! use raywalk::report::{Style, text};
+//! use raywalk::scene::{OpenError, Scene};
+//! use raywalk::trace::Query;
+//!
+//! let scene: Scene = r#"{
+//!     "format": "raywalk-scene/1",
+//!     "camera": { "eye": [0, 0, 5], "look_at": [0, 0, 0], "vertical_fov": 40, "resolution": [3, 3] },
+//!     "lights": [{ "point": { "position": [3, 4, 5] }, "color": [1, 1, 1] }],
+//!     "materials": { "red": { "diffuse": [0.8, 0.1, 0.1] } },
+//!     "objects": [{ "name": "ball", "material": "red", "sphere": { "center": [0, 0, 0], "radius": 1 } }]
+//! }"#.parse()?;
+//!
+//! // One ray.
+//! let hit = Query::new(DVec3::new(0.0, 0.0, 5.0), DVec3::NEG_Z).nearest(&scene).expect("the ball is in front of the eye");
+//! assert_eq!((hit.t, hit.point), (4.0, DVec3::Z));
+//!
+//! // One pixel: every value of it. `insta::assert_snapshot!(steps)` pins it.
+//! let log = record::pixel(&scene, [1, 1], Arithmetic::F64);
+//! let steps = text::text(&log, Style { digits: 3 });
+//! assert!(steps.contains("nearest: ball"), "{steps}");
+//! # Ok::<(), OpenError>(())
+//! ```
+//!
+//! # A log of another renderer
+//!
+//! A renderer in any language writes lines of JSON (`docs/log.md`); one in Rust may take these types. `raywalk diff` then finds the first
+//! value in which the two renderers differ.
+//!
+//! ```
+//! use raywalk::glam::DVec3;
+//! use raywalk::log::{Log, Name, RayKind, Step, Subject, file};
+//! use raywalk::probe::{Probe, Recorder};
+//! use raywalk::record::{self, Arithmetic};
+//! use raywalk::scene::Scene;
+//!
+//! let scene = Scene::built_in("textbook")?;
+//! let mut values = Recorder::default();
+//! values.within(Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 }, |values| {
+//!     let point = values.note(Name::HitPoint, DVec3::new(4.0, 6.0, 8.0));
+//!     values.within(Step::Shade { object: 0 }, |values| {
+//!         values.within(Step::Light { light: 0, split: 0 }, |values| {
+//!             // A mistake: this direction has no length of 1.
+//!             values.note(Name::LightDirection, DVec3::new(9.0, 12.0, 16.0) - point);
+//!         });
+//!     });
+//! });
+//! let header = record::header(&scene, Subject::Pixel([160, 120]), Arithmetic::F64);
+//! let mine = Log { header, events: values.finish([0.0; 3]) };
+//! let lines = file::to_ndjson(&mine)?;
+//! // raywalk diff raywalk.ndjson mine.ndjson --common: light.direction differs
+//! assert_eq!(file::read(&lines)?.log, mine);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Features
+//!
+//! `program`, on by default, is the `raywalk` command and what only it needs: pictures and their formats, the viewer, studies. A renderer's
+//! tests take `raywalk = { version = "0.1", default-features = false }`: scenes, the tracer, probes, logs and their texts, with fewer
+//! than half of the crates.
+
+/// Vectors and matrices, as this library's signatures have them.
+pub use glam;
 
 pub mod geometry;
 pub mod log;
 pub mod probe;
 pub mod random;
 pub mod record;
+#[cfg(feature = "program")]
 pub mod render;
 pub mod report;
 pub mod sampling;
 pub mod scene;
+#[cfg(feature = "program")]
 pub mod study;
 pub mod threads;
 pub mod trace;
+#[cfg(feature = "program")]
 pub mod tui;

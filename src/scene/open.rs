@@ -1,9 +1,10 @@
 //! From a file to a scene that can be traced, in one step.
 
 use super::file::mesh::{self, Folder};
-use super::file::{self, SceneError, Source};
+use super::file::{self, SceneError, SceneFile, Source};
 use super::{Scene, Unsupported, build, builtin};
 use std::path::Path;
+use std::str::FromStr;
 
 /// Why there is no scene.
 #[derive(Debug, thiserror::Error)]
@@ -39,10 +40,41 @@ impl Scene {
     }
 }
 
+/// What messages call a scene that comes from no file.
+const NO_FILE: &str = "scene";
+
+/// The scene that this text describes, JSON or NFF. The paths of its meshes lead from the current folder.
+///
+/// # Errors
+/// [`OpenError::File`] and [`OpenError::Unsupported`].
+impl FromStr for Scene {
+    type Err = OpenError;
+
+    fn from_str(text: &str) -> Result<Scene, OpenError> {
+        ready(text.as_bytes(), NO_FILE, Folder::OfScene(Path::new("-")))
+    }
+}
+
+/// A scene made in code, with the checks that a file gets. The paths of its meshes lead from the current folder.
+///
+/// # Errors
+/// [`OpenError::File`] and [`OpenError::Unsupported`].
+impl TryFrom<&SceneFile> for Scene {
+    type Error = OpenError;
+
+    fn try_from(scene: &SceneFile) -> Result<Scene, OpenError> {
+        file::check_scene(scene, NO_FILE)?;
+        with_meshes(scene, b"", NO_FILE, Folder::OfScene(Path::new("-")))
+    }
+}
+
 fn ready(text: &[u8], name: &str, folder: Folder) -> Result<Scene, OpenError> {
-    let scene = file::check(text, name)?.scene;
-    let (meshes, _) = mesh::load(&scene, &Source { name, text }, folder)?;
-    Ok(build(&scene, &meshes)?)
+    with_meshes(&file::check(text, name)?.scene, text, name, folder)
+}
+
+fn with_meshes(scene: &SceneFile, text: &[u8], name: &str, folder: Folder) -> Result<Scene, OpenError> {
+    let (meshes, _) = mesh::load(scene, &Source { name, text }, folder)?;
+    Ok(build(scene, &meshes)?)
 }
 
 #[cfg(test)]
@@ -58,6 +90,21 @@ mod tests {
             let shapes = |scene: &Scene| scene.objects.iter().map(|object| object.shape.clone()).collect::<Vec<_>>();
             assert!(!by_name.objects.is_empty() && shapes(&by_name) == shapes(&by_file), "{name}");
         }
+    }
+
+    #[test]
+    fn a_scene_made_in_code_is_that_of_its_text_and_is_checked() {
+        let text = builtin::text("mesh").unwrap();
+        // Its mesh comes with the library, not from the current folder.
+        assert!(matches!(text.parse::<Scene>(), Err(OpenError::File(_))));
+        let text = builtin::text("textbook").unwrap();
+        let mut in_code = file::parse(text.as_bytes(), "textbook.json").unwrap();
+        let (made, parsed) = (Scene::try_from(&in_code).unwrap(), text.parse::<Scene>().unwrap());
+        assert_eq!(made.objects.len(), parsed.objects.len());
+        assert_eq!(made.digest, Scene::built_in("textbook").unwrap().digest);
+        in_code.lights[0].color = [f64::NAN; 3];
+        let refused = Scene::try_from(&in_code).map(|_| ()).unwrap_err().to_string();
+        assert!(refused.contains("lights[0].color"), "{refused}");
     }
 
     #[test]

@@ -57,13 +57,21 @@ pub struct RayHit {
 const STEPS: u32 = 8;
 
 impl Query {
+    /// What lies anywhere before a point that is on no surface; `direction` may have any length but zero.
+    pub fn new(origin: DVec3, direction: DVec3) -> Query {
+        Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None }
+    }
+
     /// What is wrong with the numbers of this query, if anything is.
     pub fn check(&self) -> Result<(), &'static str> {
-        match () {
-            _ if !self.origin.is_finite() => Err("o: expected finite numbers"),
-            _ if !self.direction.is_finite() => Err("d: expected finite numbers"),
-            _ if self.direction == DVec3::ZERO => Err("d: expected a direction that is not zero"),
-            _ => Ok(()),
+        if !self.origin.is_finite() {
+            Err("o: expected finite numbers")
+        } else if !self.direction.is_finite() {
+            Err("d: expected finite numbers")
+        } else if self.direction == DVec3::ZERO {
+            Err("d: expected a direction that is not zero")
+        } else {
+            Ok(())
         }
     }
 

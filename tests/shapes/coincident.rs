@@ -114,8 +114,7 @@ fn a_moving_surface_is_in_the_same_place_as_one_at_rest() {
             let slope = libm::pow(10.0, -3.0 - 3.0 * random.part());
             let target = DVec3::new(far + 0.1, 0.123, 0.2) + along * (0.6 * random.part() - 0.3);
             let way = along - normal.normalize() * slope;
-            let query =
-                Query { origin: target - way * 3.0, direction: way, t_min: 0.0, t_max: f64::INFINITY, from: None };
+            let query = Query::new(target - way * 3.0, way);
             if let Some(hit) = query.hit(&scene) {
                 assert_eq!(hit.object, 0, "{first}, {second}: {query:?}");
             }

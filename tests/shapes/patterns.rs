@@ -46,7 +46,7 @@ fn shows(shape: &str, size: f64, is_odd: impl Fn(DVec3, DVec3) -> bool) {
         // Not at the edge of a cell, where the last bit decides: queries and rays of a log normalise in their own ways.
         let aim = DVec3::new(f64::from(k % 7), f64::from(k % 11), f64::from(k % 13)) / 13.0 + 0.001;
         let origin = aim - direction * 5.0;
-        let query = Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None };
+        let query = Query::new(origin, direction);
         let Some(hit) = query.nearest(&scene) else { continue };
         let is_odd = is_odd((hit.point / size).floor(), hit.normal);
         let expected = if is_odd { ODD } else { EVEN };

@@ -56,7 +56,7 @@ fn a_deep_document_reads_back() {
 #[test]
 fn a_document_that_nests_without_end_is_refused() {
     let text = format!("{{\"header\": {}", "[".repeat(200_000));
-    assert_eq!(read(text.as_bytes()).expect_err("too deep").to_string(), "1:1: nested more than 2048 deep");
+    assert_eq!(read(text.as_bytes()).expect_err("too deep").to_string(), "1:1: brackets nested more than 4114 deep");
 }
 
 #[test]

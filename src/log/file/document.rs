@@ -18,8 +18,11 @@ mod places;
 
 use places::{Contents, Places};
 
-/// How deep the nodes of a log, and the brackets of a document, may nest: a ray tree of the greatest depth takes two brackets a level, and a few more at its end.
+/// How deep the nodes of a log may nest.
 pub const MAX_NESTING: usize = 2048;
+
+/// How deep the brackets of a document may nest: two for each node and for the document itself, and a few inside an event.
+const MAX_BRACKETS: usize = 2 * (MAX_NESTING + 1) + 16;
 
 /// The keys around the events.
 #[derive(Deserialize)]
@@ -34,7 +37,7 @@ struct Outside {
 pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
     let places = Places::of(bytes).map_err(|too_deep| {
         let line = 1 + memchr::memchr_iter(b'\n', &bytes[..too_deep]).count();
-        LogError::Damaged { line, column: 1, message: format!("nested more than {MAX_NESTING} deep") }
+        LogError::Damaged { line, column: 1, message: format!("brackets nested more than {MAX_BRACKETS} deep") }
     })?;
     let mut json = serde_json::Deserializer::from_slice(bytes);
     json.disable_recursion_limit();

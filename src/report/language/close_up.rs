@@ -1,43 +1,67 @@
 //! The texts of close-ups: a hit's vectors, the zones of a blurred bounce, the points of an area light.
 
-use super::{OfName, OfNames};
+use super::{OfName, OfNames, Text};
 
-/// The texts of close-ups.
-pub struct CloseUp {
+texts! {
+    /// The texts of close-ups.
+    CloseUp;
+
     /// The vectors at the hit of a ray, by its path.
-    pub vectors: OfName,
+    vectors: OfName =
+        |path| format!("Vectors at the hit of the ray {path}"),
+        |path| format!("Vectores en la intersección del rayo {path}");
     /// How their figure is to be read.
-    pub vectors_note: &'static str,
+    vectors_note: Text =
+        "Each figure lies in the plane of its vectors: its angles are those of the log.",
+        "Cada figura está en el plano de sus vectores: sus ángulos son los del registro.";
     /// Two vectors, their product, their angle, the light that they are for.
-    pub vector_columns: [&'static str; 4],
+    vector_columns: [Text; 4] = ["vectors", "product", "angle", "light"], ["vectores", "producto", "ángulo", "fuente"];
     /// The plane of the arriving ray and the normal.
-    pub plane_of_incidence: &'static str,
+    plane_of_incidence: Text = "plane of incidence", "plano de incidencia";
     /// Nothing is transmitted.
-    pub total_reflection: &'static str,
+    total_reflection: Text = "total internal reflection", "reflexión total";
     /// The plane of the normal and the direction to a light.
-    pub plane_of_light: OfName,
+    plane_of_light: OfName =
+        |light| format!("plane of N and L: light {light}"),
+        |light| format!("plano de N y L: fuente {light}");
     /// The plane of the directions to a light and to the viewer.
-    pub plane_of_view: OfName,
+    plane_of_view: OfName =
+        |light| format!("plane of L and V: light {light}"),
+        |light| format!("plano de L y V: fuente {light}");
     /// The zones of a ray's hit.
-    pub zones: OfName,
+    zones: OfName =
+        |path| format!("Zones of the blurred bounce at the hit of the ray {path}"),
+        |path| format!("Zonas angulares en la intersección del rayo {path}");
     /// How their figure is to be read.
-    pub zones_note: &'static str,
+    zones_note: Text =
+        "Seen along the axis of the lobe; equal areas are equally likely, the angles are those from the axis.",
+        "Vistas a lo largo del eje del lóbulo; áreas iguales son igual de probables, los ángulos se miden desde el eje.";
     /// Number, the direction's three parts, its angle from the axis, what became of it.
-    pub zone_columns: [&'static str; 6],
+    zone_columns: [Text; 6] =
+        ["zone", "x_z", "y_z", "z_z", "angle", "direction"],
+        ["zona", "x_z", "y_z", "z_z", "ángulo", "dirección"];
     /// The lobe about a direction, with its exponent.
-    pub lobe: OfNames,
+    lobe: OfNames =
+        |middle, exponent| format!("lobe cosⁿ about {middle}, n = {exponent}"),
+        |middle, exponent| format!("lóbulo cosⁿ alrededor de {middle}, n = {exponent}");
     /// A direction on the right side of the surface.
-    pub kept: &'static str,
+    kept: Text = "kept", "aceptada";
     /// One on the wrong side.
-    pub rejected: &'static str,
+    rejected: Text = "rejected: wrong side of the surface", "rechazada: al otro lado de la superficie";
     /// The points of a light that a ray's hit asks.
-    pub light: OfNames,
+    light: OfNames =
+        |light, path| format!("Light {light} at the hit of the ray {path}"),
+        |light, path| format!("Fuente {light} en la intersección del rayo {path}");
     /// How their figure is to be read.
-    pub light_note: &'static str,
+    light_note: Text =
+        "The area of a point is the weight of its shadow ray; hollow: blocked, or on the far side of a sphere.",
+        "El área de un punto es el peso de su rayo de sombra; hueco: bloqueado, o en la cara oculta de una esfera.";
     /// How another area light of the hit is shown: its path and its name.
-    pub another_light: OfNames,
+    another_light: OfNames =
+        |path, light| format!("--path '{path}' shows light {light}."),
+        |path, light| format!("--path '{path}' muestra la fuente {light}.");
     /// Number, point, weight, what passes, what it adds.
-    pub light_columns: [&'static str; 5],
+    light_columns: [Text; 5] = ["ray", "F", "weight", "τ", "adds"], ["rayo", "F", "peso", "τ", "aporta"];
     /// The sum of the weights.
-    pub weights: OfName,
+    weights: OfName = |sum| format!("sum of the weights: {sum}"), |sum| format!("suma de los pesos: {sum}");
 }

@@ -37,7 +37,7 @@ const NOT_FINITE: &str = "not finite";
 fn shape(case: &Map<String, Value>) -> &'static str {
     let Some(shape) = checked_shape(case) else { return INVALID };
     let [Some(origin), Some(direction)] = ["o", "d"].map(|key| triple(case, key)) else { return INVALID };
-    let query = Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None };
+    let query = Query::new(origin, direction);
     if query.check().is_err() {
         return INVALID;
     }

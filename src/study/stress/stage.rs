@@ -144,7 +144,7 @@ fn light(input: &LightInput) -> Light {
 /// The ray that a query sends for this input.
 pub(super) fn ray(way: &Way, scene: &Scene, input: &RayInput) -> Ray {
     let (origin, direction) = (input.o.into(), input.d.into());
-    way.ray(Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None }.ray(scene).0)
+    way.ray(Query::new(origin, direction).ray(scene).0)
 }
 
 /// What a ray meets first, and the surface there, with what was noted on the way.

@@ -1,6 +1,6 @@
 //! Where the contents of nodes stand in a document.
 
-use super::MAX_NESTING;
+use super::MAX_BRACKETS;
 use std::ops::Range;
 
 /// The `children` of the document and of the nodes in it, in order of where they begin.
@@ -75,7 +75,7 @@ impl Places {
                 }
                 _ => {}
             }
-            if open.len() > MAX_NESTING {
+            if open.len() > MAX_BRACKETS {
                 return Err(start);
             }
         }
@@ -123,6 +123,6 @@ mod tests {
 
     #[test]
     fn endless_brackets_are_told() {
-        assert_eq!(Places::of(&vec![b'['; 5000]).err(), Some(MAX_NESTING));
+        assert_eq!(Places::of(&vec![b'['; 2 * MAX_BRACKETS]).err(), Some(MAX_BRACKETS));
     }
 }

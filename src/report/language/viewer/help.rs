@@ -1,126 +1,170 @@
 //! The help: every key in words.
 
-use super::super::OfName;
+use crate::report::language::{OfName, Text};
 
-/// The texts of the help.
-pub struct Help {
+texts! {
+    /// The texts of the help.
+    Help;
+
     /// Its title.
-    pub title: &'static str,
+    title: Text = "Keys", "Teclas";
     /// What keys do in it where all of it is seen.
-    pub finds: &'static str,
+    finds: Text = "/ finds, Esc closes", "/ busca, Esc cierra";
     /// What they do where it scrolls.
-    pub scrolls: &'static str,
+    scrolls: Text = "j k scroll, / finds, Esc closes", "j k desplazan, / busca, Esc cierra";
     /// What stands for the letter of one's choice in `m+letter`.
-    pub letter: &'static str,
+    letter: Text = "letter", "letra";
     /// What a number before a key does.
-    pub counts: &'static str,
+    counts: Text = "A number before a key repeats it: 5j, 10n.", "Un número antes de una tecla la repite: 5j, 10n.";
     /// All commands, in a sentence.
-    pub commands: OfName,
+    commands: OfName = |list| format!("Commands: {list}."), |list| format!("Órdenes: {list}.");
     /// How to change to another language; in that language, so that those who want it can read it.
-    pub other_language: &'static str,
+    other_language: Text = ":lang es: en español.", ":lang en: in English.";
     /// No key matches.
-    pub nothing: &'static str,
+    nothing: Text = "no key does that", "ninguna tecla hace eso";
     /// The headings.
-    pub groups: Groups,
+    groups: Groups;
     /// The keys.
-    pub keys: Keys,
+    keys: Keys;
 }
 
-/// The headings of the help, by what the keys under them are for.
-#[allow(missing_docs)]
-pub struct Groups {
-    pub step: &'static str,
-    pub tree: &'static str,
-    pub fold: &'static str,
-    pub picture: &'static str,
-    pub understand: &'static str,
-    pub viewer: &'static str,
-    pub nesting: &'static str,
-    pub run: &'static str,
-    pub find: &'static str,
-    pub keep: &'static str,
-    pub breakpoints: &'static str,
+texts! {
+    /// The headings of the help, by what the keys under them are for.
+    #[allow(missing_docs)]
+    Groups;
+
+    step: Text = "Step through the computation", "Recorrer el cálculo paso a paso";
+    tree: Text = "Move in the tree", "Moverse por el árbol";
+    fold: Text = "Fold", "Plegar";
+    picture: Text = "In the picture and the schematic", "En la imagen y el esquema";
+    understand: Text = "Understand", "Comprender";
+    viewer: Text = "The viewer", "El visor";
+    nesting: Text = "Step into, over and out", "Entrar, saltar y salir";
+    run: Text = "Run and play", "Ejecutar y reproducir";
+    find: Text = "Find", "Buscar";
+    keep: Text = "Remember and copy", "Recordar y copiar";
+    breakpoints: Text = "In the list of breakpoints", "En la lista de puntos de interrupción";
 }
 
-/// What the keys do; the names are those of the actions.
-#[allow(missing_docs)]
-pub struct Keys {
-    pub next_value: &'static str,
-    pub previous_value: &'static str,
-    pub next_event: &'static str,
-    pub previous_event: &'static str,
-    pub next_ray: &'static str,
-    pub previous_ray: &'static str,
-    pub down: &'static str,
-    pub up: &'static str,
-    pub out: &'static str,
-    pub r#in: &'static str,
-    pub enter: &'static str,
-    pub next_sibling: &'static str,
-    pub previous_sibling: &'static str,
-    pub first: &'static str,
-    pub last: &'static str,
-    pub half_page_down: &'static str,
-    pub half_page_up: &'static str,
-    pub page_down: &'static str,
-    pub page_up: &'static str,
-    pub center: &'static str,
-    pub toggle: &'static str,
-    pub open_siblings: &'static str,
-    pub close_siblings: &'static str,
-    pub open_all: &'static str,
-    pub close_all: &'static str,
-    pub zoom_in: &'static str,
-    pub zoom_out: &'static str,
-    pub brighter: &'static str,
-    pub darker: &'static str,
-    pub next_view: &'static str,
-    pub operands: &'static str,
-    pub uses: &'static str,
-    pub back: &'static str,
-    pub contributions: &'static str,
-    pub arithmetics: &'static str,
-    pub quiz: &'static str,
-    pub answer: &'static str,
-    pub switch_pane: &'static str,
-    pub previous_pane: &'static str,
-    pub only_pane: &'static str,
-    pub wider: &'static str,
-    pub narrower: &'static str,
-    pub help: &'static str,
-    pub close: &'static str,
-    pub quit: &'static str,
-    pub interrupt: &'static str,
-    pub suspend: &'static str,
-    pub step_into: &'static str,
-    pub step_into_back: &'static str,
-    pub step_over: &'static str,
-    pub step_over_back: &'static str,
-    pub step_out: &'static str,
-    pub step_out_back: &'static str,
-    pub first_step: &'static str,
-    pub last_step: &'static str,
-    pub r#break: &'static str,
-    pub toggle_break: &'static str,
-    pub breakpoints: &'static str,
-    pub run: &'static str,
-    pub run_back: &'static str,
-    pub stops: &'static str,
-    pub play: &'static str,
-    pub faster: &'static str,
-    pub slower: &'static str,
-    pub grow: &'static str,
-    pub search: &'static str,
-    pub next_match: &'static str,
-    pub previous_match: &'static str,
-    pub filter: &'static str,
-    pub mark: &'static str,
-    pub go_to_mark: &'static str,
-    pub jump_back: &'static str,
-    pub marks: &'static str,
-    pub copy_value: &'static str,
-    pub copy_path: &'static str,
-    pub command: &'static str,
-    pub mouse: &'static str,
-    pub delete: &'static str,
+texts! {
+    /// What the keys do; the names are those of the actions.
+    #[allow(missing_docs)]
+    Keys;
+
+    next_value: Text = "to the next computed value", "al siguiente valor calculado";
+    previous_value: Text = "to the previous computed value", "al valor calculado anterior";
+    next_event: Text = "to the next event", "al siguiente suceso";
+    previous_event: Text = "to the previous event", "al suceso anterior";
+    next_ray: Text = "to the next ray", "al siguiente rayo";
+    previous_ray: Text = "to the previous ray", "al rayo anterior";
+    down: Text = "down", "abajo";
+    up: Text = "up", "arriba";
+    out: Text = "close the node, or go to the one around it", "cerrar el nodo, o ir al que lo contiene";
+    r#in: Text =
+        "open the node, go into it, then to its computation",
+        "abrir el nodo, entrar en él y después en su cálculo";
+    enter: Text = "the same; in the picture: to the tree of the pixel", "lo mismo; en la imagen: al árbol del píxel";
+    next_sibling: Text = "to the next node of the same parent", "al siguiente nodo del mismo padre";
+    previous_sibling: Text = "to the previous node of the same parent", "al nodo anterior del mismo padre";
+    first: Text = "to the first row", "a la primera fila";
+    last: Text = "to the last row; with a count, to that step", "a la última fila; con un número, a ese paso";
+    half_page_down: Text = "half a page down", "media página abajo";
+    half_page_up: Text = "half a page up", "media página arriba";
+    page_down: Text = "a page down", "una página abajo";
+    page_up: Text = "a page up", "una página arriba";
+    center: Text = "put the row into the middle", "poner la fila en el centro";
+    toggle: Text = "open or close the node", "abrir o cerrar el nodo";
+    open_siblings: Text = "open the node and its siblings", "abrir el nodo y sus hermanos";
+    close_siblings: Text = "close the node and its siblings", "cerrar el nodo y sus hermanos";
+    open_all: Text = "open everything inside the node", "abrir todo lo que hay dentro del nodo";
+    close_all: Text = "close everything inside the node", "cerrar todo lo que hay dentro del nodo";
+    zoom_in: Text = "larger", "más grande";
+    zoom_out: Text = "smaller", "más pequeño";
+    brighter: Text = "brighter by half a stop", "medio punto de exposición más";
+    darker: Text = "darker by half a stop", "medio punto de exposición menos";
+    next_view: Text =
+        "another view: colours, depth, rays, samples; top, front, camera",
+        "otra vista: colores, profundidad, rayos, muestras; desde arriba, de frente, desde el ojo";
+    operands: Text =
+        "what this value is made of; Enter goes to an operand",
+        "de qué se compone este valor; Enter va a un operando";
+    uses: Text = "which steps take this value", "qué pasos toman este valor";
+    back: Text =
+        "back to before the last jump, then to before the one before it",
+        "volver a antes del último salto, y luego a antes del anterior";
+    contributions: Text = "why the pixel has this colour", "por qué el píxel tiene este color";
+    arithmetics: Text =
+        "the node's values by hand, in f32 and in f64, with the digits to trust",
+        "los valores del nodo a mano, en f32 y en f64, con las cifras fiables";
+    quiz: Text =
+        "begin or end a quiz, which hides results and decisions",
+        "empezar o terminar un cuestionario, que oculta resultados y decisiones";
+    answer: Text =
+        "answer in the quiz (Enter in the computation, too)",
+        "responder en el cuestionario (también Enter en el cálculo)";
+    switch_pane: Text =
+        "to the next pane; in the computation j and k move too",
+        "al siguiente panel; en el cálculo también se mueven j y k";
+    previous_pane: Text = "to the pane before", "al panel anterior";
+    only_pane: Text = "only this pane, or all again", "solo este panel, o todos otra vez";
+    wider: Text = "a wider tree; in a list, on to the right", "un árbol más ancho; en una lista, hacia la derecha";
+    narrower: Text =
+        "a narrower tree; in a list, back to the left",
+        "un árbol más estrecho; en una lista, hacia la izquierda";
+    help: Text = "this help", "esta ayuda";
+    close: Text =
+        "close what lies over the panes; else dismiss the message, stop playing, end the search, then the filter",
+        "cerrar lo que tapa los paneles; si no, quitar el mensaje, parar la reproducción, terminar la búsqueda y después el filtro";
+    quit: Text = "quit (or close the help)", "salir (o cerrar la ayuda)";
+    interrupt: Text = "quit at once", "salir en el acto";
+    suspend: Text = "to the shell; fg comes back", "al intérprete de órdenes; fg vuelve";
+    step_into: Text = "into: to the next event, wherever it is", "entrar: al siguiente suceso, esté donde esté";
+    step_into_back: Text = "into, backward", "entrar, hacia atrás";
+    step_over: Text =
+        "over: to the next event of this node or one around it",
+        "saltar: al siguiente suceso de este nodo o de uno que lo contiene";
+    step_over_back: Text = "over, backward", "saltar, hacia atrás";
+    step_out: Text =
+        "out: past the end of this node, to one around it",
+        "salir: más allá del final de este nodo, a uno que lo contiene";
+    step_out_back: Text = "out, backward: to before this node", "salir, hacia atrás: a antes de este nodo";
+    first_step: Text = "to the first step (42G goes to step 42)", "al primer paso (42G va al paso 42)";
+    last_step: Text = "to the last step", "al último paso";
+    r#break: Text =
+        "type a breakpoint: hit, object NAME, depth 2, T2_A < 0",
+        "escribir un punto de interrupción: hit, object NOMBRE, depth 2, T2_A < 0";
+    toggle_break: Text =
+        "set or clear a breakpoint on what happens here",
+        "poner o quitar un punto de interrupción en lo que ocurre aquí";
+    breakpoints: Text = "list the breakpoints", "lista de los puntos de interrupción";
+    run: Text = "run to the next breakpoint (c folds)", "ejecutar hasta el siguiente punto de interrupción (c pliega)";
+    run_back: Text = "run back to the previous breakpoint", "volver hasta el punto de interrupción anterior";
+    stops: Text = "list where the runs stopped", "lista de dónde se ha parado la ejecución";
+    play: Text = "play, value by value; again to stop", "reproducir, valor a valor; otra vez para parar";
+    faster: Text = "play twice as fast", "reproducir el doble de rápido";
+    slower: Text = "play half as fast", "reproducir la mitad de rápido";
+    grow: Text =
+        "let the tree grow with the steps; again to see all of it",
+        "que el árbol crezca con los pasos; otra vez para verlo entero";
+    search: Text =
+        "search names, symbols, words and values; capitals count if there are any",
+        "buscar nombres, símbolos, palabras y valores; las mayúsculas cuentan si las hay";
+    next_match: Text = "to the next match (n steps)", "a la siguiente coincidencia (n avanza un paso)";
+    previous_match: Text = "to the previous match", "a la coincidencia anterior";
+    filter: Text =
+        "show only rows that match; nothing typed shows all",
+        "mostrar solo las filas que coinciden; sin texto se muestran todas";
+    mark: Text = "set a bookmark here", "poner un marcador aquí";
+    go_to_mark: Text = "go to a bookmark", "ir a un marcador";
+    jump_back: Text = "go back to before the last jump", "volver a antes del último salto";
+    marks: Text = "list the bookmarks", "lista de los marcadores";
+    copy_value: Text = "copy the value with all its digits", "copiar el valor con todas sus cifras";
+    copy_path: Text =
+        "copy the address, such as C R S1 shade.n_dot_l",
+        "copiar la dirección, como C R S1 shade.n_dot_l";
+    command: Text = "type a command; :help lists them", "escribir una orden; :help las enumera";
+    mouse: Text = "let the mouse select and scroll, or not", "que el ratón seleccione y desplace, o no";
+    delete: Text =
+        "delete it; Space turns it on or off, Enter goes to its next place",
+        "lo borra; Space lo activa o desactiva, Enter va al siguiente lugar";
 }

@@ -1,39 +1,93 @@
 //! The lists that lie over the panes: their titles, their columns, and what keys do in them.
 
-use super::super::OfName;
+use crate::report::language::{OfName, Text};
 
-/// The texts of lists.
-pub struct Lists {
+texts! {
+    /// The texts of lists.
+    Lists;
+
     /// What keys do in them.
-    pub hints: Hints,
+    hints: Hints;
     /// Where runs stop.
-    pub breakpoints: List<&'static str, 2>,
+    breakpoints: List<Text, 2> =
+        List {
+            title: "Breakpoints",
+            columns: ["state", "stops at"],
+            nothing: "none: b types one, x sets one here",
+        },
+        List {
+            title: "Puntos de interrupción",
+            columns: ["estado", "se para en"],
+            nothing: "ninguno: b escribe uno, x pone uno aquí",
+        };
     /// A breakpoint that is on.
-    pub on: &'static str,
+    on: Text = "on", "sí";
     /// One that is off.
-    pub off: &'static str,
+    off: Text = "off", "no";
     /// Where they stopped.
-    pub stops: List<&'static str, 4>,
+    stops: List<Text, 4> =
+        List {
+            title: "Where runs stopped",
+            columns: ["step", "pixel", "stopped at", "what is there"],
+            nothing: "nowhere yet: r runs to a breakpoint",
+        },
+        List {
+            title: "Dónde se ha parado la ejecución",
+            columns: ["paso", "píxel", "parado por", "qué hay allí"],
+            nothing: "en ningún sitio: r va a un punto de interrupción",
+        };
     /// The bookmarks.
-    pub bookmarks: List<&'static str, 3>,
+    bookmarks: List<Text, 3> =
+        List {
+            title: "Bookmarks",
+            columns: ["key", "address", "what is there"],
+            nothing: "none: m and a letter set one",
+        },
+        List {
+            title: "Marcadores",
+            columns: ["letra", "dirección", "qué hay allí"],
+            nothing: "ninguno: m y una letra ponen uno",
+        };
     /// A bookmark in a pixel of a region, and what is there.
-    pub in_pixel: fn([u32; 2], &str) -> String,
+    in_pixel: fn([u32; 2], &str) -> String =
+        |[x, y], what| format!("in {x},{y}: {what}"),
+        |[x, y], what| format!("en {x},{y}: {what}");
     /// A bookmark that leads nowhere.
-    pub not_in_this_log: &'static str,
+    not_in_this_log: Text = "(not in this log)", "(no está en este registro)";
     /// What a value is made of.
-    pub operands: List<OfName, 3>,
+    operands: List<OfName, 3> =
+        List {
+            title: |value| format!("What {value} is made of"),
+            columns: ["operand", "value", "from"],
+            nothing: "this step takes nothing that the log names",
+        },
+        List {
+            title: |value| format!("De qué se compone {value}"),
+            columns: ["operando", "valor", "procedencia"],
+            nothing: "este paso no toma nada que el registro nombre",
+        };
     /// An input of a node.
-    pub given_in: OfName,
+    given_in: OfName = |place| format!("given in {place}"), |place| format!("dato de {place}");
     /// What takes a value.
-    pub uses: List<OfName, 2>,
+    uses: List<OfName, 2> =
+        List {
+            title: |value| format!("What takes {value}"),
+            columns: ["value", "computed in"],
+            nothing: "no later step takes it",
+        },
+        List {
+            title: |value| format!("Qué pasos toman {value}"),
+            columns: ["valor", "se calcula en"],
+            nothing: "ningún paso posterior lo toma",
+        };
     /// A step by its number.
-    pub step: fn(usize) -> String,
+    step: fn(usize) -> String = |number| format!("step {number}"), |number| format!("paso {number}");
     /// Why a pixel has its colour.
-    pub account: Account,
+    account: Account;
     /// The values of a node in several arithmetics.
-    pub arithmetics: Arithmetics,
+    arithmetics: Arithmetics;
     /// Why a list can't be shown yet.
-    pub to_come: ToCome,
+    to_come: ToCome;
 }
 
 /// The texts of a list, with a title and so many columns.
@@ -46,58 +100,144 @@ pub struct List<Title, const COLUMNS: usize> {
     pub nothing: &'static str,
 }
 
-/// What keys do in lists, from the longest way to say it to the shortest.
-pub struct Hints {
+texts! {
+    /// What keys do in lists, from the longest way to say it to the shortest.
+    Hints;
+
     /// In a list of places.
-    pub usual: [&'static str; 2],
+    usual: [Text; 2] =
+        ["j k select, Enter goes there, Esc closes", "Enter goes, Esc closes"],
+        ["j k eligen, Enter va allí, Esc cierra", "Enter va, Esc cierra"];
     /// And where lines are cut.
-    pub cut: [&'static str; 2],
+    cut: [Text; 2] =
+        ["j k select, < > scroll, Enter goes there, Esc closes", "< > scroll, Enter goes, Esc closes"],
+        ["j k eligen, < > desplazan, Enter va allí, Esc cierra", "< > desplazan, Enter va, Esc cierra"];
     /// Where besides no line leads anywhere.
-    pub cut_plain: &'static str,
+    cut_plain: Text = "< > scroll, Esc closes", "< > desplazan, Esc cierra";
     /// Where nothing else fits.
-    pub closes: &'static str,
+    closes: Text = "Esc closes", "Esc cierra";
     /// In that of breakpoints.
-    pub breakpoints: [&'static str; 4],
+    breakpoints: [Text; 4] =
+        [
+            "Space on/off, d deletes, Enter next place, Esc closes",
+            "Space on/off, d deletes, Enter next",
+            "Space on/off, d del, Enter next",
+            "Space on/off, d deletes",
+        ],
+        [
+            "Space activa o no, d borra, Enter al siguiente, Esc cierra",
+            "Space activa, d borra, Enter sigue",
+            "Space sí/no, d borra, Enter sigue",
+            "Space sí/no, d borra",
+        ];
 }
 
-/// The texts of why a pixel has its colour.
-pub struct Account {
+texts! {
+    /// The texts of why a pixel has its colour.
+    Account;
+
     /// Its title with the colour, its columns.
-    pub list: List<OfName, 9>,
+    list: List<OfName, 9> =
+        List {
+            title: |color| format!("Why the colour is {color}"),
+            columns: [
+                "share",
+                "path",
+                "times",
+                "from",
+                "class",
+                "figure 14",
+                "% of r g b",
+                "brings",
+                "= own colour * weight",
+            ],
+            nothing: "no light is accounted for yet",
+        },
+        List {
+            title: |color| format!("Por qué el color es {color}"),
+            columns: [
+                "parte",
+                "camino",
+                "veces",
+                "procedencia",
+                "clase",
+                "figura 14",
+                "% de r g b",
+                "aporta",
+                "= color propio * peso",
+            ],
+            nothing: "todavía no se conoce ninguna contribución",
+        };
     /// Its title where the log ends before the colour.
-    pub so_far: OfName,
+    so_far: OfName =
+        |color| format!("The log ends before the colour; so far {color}"),
+        |color| format!("El registro termina antes del color; hasta aquí {color}");
     /// Behind the title, the class of the path of the selected ray.
-    pub here: OfName,
+    here: OfName = |class| format!(" - here {class}"), |class| format!(" - aquí {class}");
     /// The ways of figure 14 as [`cases`](crate::report::path_class::cases) has them, with its words in the language.
-    pub cases: fn(&str) -> &str,
+    cases: fn(&str) -> &str =
+        |cases| cases,
+        |cases| match cases {
+            "direct" => "directa",
+            "for a" => "por a",
+            _ => cases,
+        };
     /// So many smaller contributions in one.
-    pub smaller: fn(usize) -> String,
+    smaller: fn(usize) -> String =
+        |count| format!("{count} smaller ones together"),
+        |count| format!("otras {count} menores en total");
     /// The heading of so many paths that bring nothing.
-    pub brings_nothing: fn(usize) -> String,
+    brings_nothing: fn(usize) -> String =
+        |count| format!("What brings nothing ({count}):"),
+        |count| format!("Lo que no aporta nada ({count}):");
 }
 
-/// The texts of the values of a node in several arithmetics.
-pub struct Arithmetics {
+texts! {
+    /// The texts of the values of a node in several arithmetics.
+    Arithmetics;
+
     /// Its title with the node, its columns: by hand, f32, the digits, f64.
-    pub list: List<OfName, 5>,
+    list: List<OfName, 5> =
+        List {
+            title: |node| format!("{node} in three arithmetics"),
+            columns: ["", "by hand", "f32", "digits", "f64"],
+            nothing: "this node computes nothing itself",
+        },
+        List {
+            title: |node| format!("{node} en tres aritméticas"),
+            columns: ["", "a mano", "f32", "cifras", "f64"],
+            nothing: "este nodo no calcula nada por sí mismo",
+        };
     /// What stands in place of a value.
-    pub not_reached: &'static str,
+    not_reached: Text = "not reached", "no se alcanza";
     /// What stands in place of the number of digits.
-    pub decided_otherwise: &'static str,
+    decided_otherwise: Text = "0: decided otherwise", "0: se decide otra cosa";
     /// The three arithmetics in a sentence.
-    pub names: [&'static str; 3],
+    names: [Text; 3] = ["by hand", "in f32", "in f64"], ["a mano", "en f32", "en f64"];
     /// An arithmetic doesn't reach the node.
-    pub never_reached: OfName,
+    never_reached: OfName =
+        |arithmetic| format!("not reached {arithmetic}: it decides otherwise before"),
+        |arithmetic| format!("{arithmetic} no se llega aquí: antes se decide otra cosa");
     /// It decides otherwise in it.
-    pub other_decisions: OfName,
+    other_decisions: OfName =
+        |arithmetic| format!("other decisions {arithmetic} in this node"),
+        |arithmetic| format!("{arithmetic} se decide otra cosa en este nodo");
 }
 
-/// Why a list can't be shown yet while the tree grows.
-pub struct ToCome {
+texts! {
+    /// Why a list can't be shown yet while the tree grows.
+    ToCome;
+
     /// The colour isn't known.
-    pub color: &'static str,
+    color: Text =
+        "the colour isn't computed yet; t shows the whole tree",
+        "el color no se ha calculado aún; t muestra el árbol entero";
     /// The node isn't complete.
-    pub node: &'static str,
+    node: Text =
+        "this node isn't computed yet to its end; t shows the whole tree",
+        "este nodo no se ha calculado aún hasta el final; t muestra el árbol entero";
     /// What takes a value comes after it.
-    pub uses: &'static str,
+    uses: Text =
+        "what takes a value comes after it; t shows the whole tree",
+        "lo que toma un valor viene después; t muestra el árbol entero";
 }

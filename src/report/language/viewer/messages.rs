@@ -1,216 +1,386 @@
 //! What is said at the bottom: why something can't be done, and what was done that isn't seen.
 
-use super::super::{OfName, OfNames};
 use crate::log::file::Ending;
+use crate::report::language::words::{EN, ES};
+use crate::report::language::{OfName, OfNames, Text, words};
 
-/// What is said at the bottom.
-pub struct Messages {
+texts! {
+    /// What is said at the bottom.
+    Messages;
+
     /// There are fewer steps than that.
-    pub last_step: fn(usize) -> String,
+    last_step: fn(usize) -> String =
+        |count| format!("there are {count} steps; this is the last"),
+        |count| format!("hay {count} pasos; este es el último");
     /// Nobody would let the viewer go on.
-    pub no_shell: &'static str,
+    no_shell: Text = "there is no shell to go to", "no hay intérprete de órdenes al que ir";
     /// A saved log can't be traced.
-    pub no_scene: &'static str,
+    no_scene: Text = "a saved log has no scene to trace", "un registro guardado no tiene escena que trazar";
     /// The key is for other panes.
-    pub other_pane: &'static str,
+    other_pane: Text =
+        "that is for the picture and the schematic; Tab goes there",
+        "eso es para la imagen y el esquema; Tab va allí";
     /// The key means nothing.
-    pub no_key: &'static str,
+    no_key: Text = "no such key; ? shows the keys", "esa tecla no existe; ? muestra las teclas";
     /// The node has no more siblings.
-    pub no_siblings: &'static str,
+    no_siblings: Text = "no more nodes in this one's parent", "no hay más nodos del mismo padre";
     /// The log ends.
-    pub no_steps: &'static str,
+    no_steps: Text = "no more steps in this direction", "no hay más pasos en esta dirección";
     /// It has no more values.
-    pub no_values: &'static str,
+    no_values: Text = "no more computed values in this direction", "no hay más valores calculados en esta dirección";
     /// It has no more rays.
-    pub no_rays: &'static str,
+    no_rays: Text = "no more rays in this direction", "no hay más rayos en esta dirección";
     /// There is nothing to step over to.
-    pub no_step_over: &'static str,
+    no_step_over: Text =
+        "no more steps here or around it in this direction",
+        "no hay más pasos aquí ni alrededor en esta dirección";
     /// There is nothing to step out to.
-    pub no_step_out: &'static str,
+    no_step_out: Text =
+        "nothing around it to step out to in this direction",
+        "no hay nada alrededor a lo que salir en esta dirección";
     /// All of the tree is shown.
-    pub whole_tree: &'static str,
+    whole_tree: Text = "the whole tree is shown", "se muestra el árbol entero";
     /// It grows.
-    pub tree_grows: &'static str,
+    tree_grows: Text =
+        "the tree grows with the steps; t shows all of it",
+        "el árbol crece con los pasos; t lo muestra entero";
     /// It plays at so many steps a second, or would.
-    pub rate: fn(u32, bool) -> String,
+    rate: fn(u32, bool) -> String =
+        |rate, is_playing| {
+            let steps = if rate == 1 { "step" } else { "steps" };
+            format!("{rate} {steps} a second{}", if is_playing { "" } else { "; P plays" })
+        },
+        |rate, is_playing| {
+            let steps = if rate == 1 { "paso" } else { "pasos" };
+            format!("{rate} {steps} por segundo{}", if is_playing { "" } else { "; P reproduce" })
+        };
     /// There is nothing left to play.
-    pub nothing_to_play: &'static str,
+    nothing_to_play: Text =
+        "no more computed values to play; 0 goes to the first step",
+        "no hay más valores calculados que reproducir; 0 va al primer paso";
     /// All was played.
-    pub played: &'static str,
+    played: Text = "played to the last computed value", "reproducido hasta el último valor calculado";
     /// Nothing was jumped from.
-    pub nowhere_back: &'static str,
+    nowhere_back: Text = "nowhere to go back to: nothing was jumped from", "no hay adónde volver: no ha habido saltos";
     /// There was no jump.
-    pub no_jump: &'static str,
+    no_jump: Text = "no jump to come back from", "no hay salto del que volver";
     /// A ray of one's own isn't traced again.
-    pub not_traced_again: &'static str,
+    not_traced_again: Text =
+        "where one was before the first pixel isn't traced again",
+        "lo anterior al primer píxel no se vuelve a trazar";
     /// The step is only near.
-    pub nearest_step: &'static str,
+    nearest_step: Text =
+        "that step isn't in this log; this is the nearest",
+        "ese paso no está en este registro; este es el más cercano";
     /// What was copied.
-    pub copied: OfName,
+    copied: OfName = |text| format!("copied: {text}"), |text| format!("copiado: {text}");
     /// The log has no steps.
-    pub no_step_to_remember: &'static str,
+    no_step_to_remember: Text = "no step to remember", "no hay paso que recordar";
     /// A bookmark, and its address.
-    pub bookmark: fn(char, &str) -> String,
+    bookmark: fn(char, &str) -> String =
+        |letter, address| format!("bookmark {letter}: {address}"),
+        |letter, address| format!("marcador {letter}: {address}");
     /// There is no such bookmark.
-    pub no_bookmark: fn(char) -> String,
+    no_bookmark: fn(char) -> String =
+        |letter| format!("no bookmark {letter}; m{letter} sets it, M lists all"),
+        |letter| format!("no hay marcador {letter}; m{letter} lo pone, M los enumera");
     /// The log doesn't have its address.
-    pub bookmark_elsewhere: fn(char, &str) -> String,
+    bookmark_elsewhere: fn(char, &str) -> String =
+        |letter, address| format!("bookmark {letter}: this log has no {address}"),
+        |letter, address| format!("marcador {letter}: este registro no tiene {address}");
     /// Nothing is searched for.
-    pub no_search: &'static str,
+    no_search: Text = "nothing is searched for; / searches", "no se busca nada; / busca";
     /// A text wasn't found.
-    pub not_found: OfName,
+    not_found: OfName = |text| format!("not found: {text}"), |text| format!("no se encuentra: {text}");
     /// No row of the tree matches a text.
-    pub no_row: OfName,
+    no_row: OfName = |text| format!("no row matches: {text}"), |text| format!("ninguna fila coincide: {text}");
     /// The search went on at the beginning.
-    pub from_the_beginning: &'static str,
+    from_the_beginning: Text = "from the beginning again", "otra vez desde el principio";
     /// It went on at the end.
-    pub from_the_end: &'static str,
+    from_the_end: Text = "from the end again", "otra vez desde el final";
     /// A text was pasted where no line is typed.
-    pub pasted_nowhere: &'static str,
+    pasted_nowhere: Text =
+        "text can only be pasted into a line that is being typed, such as after / or :",
+        "solo se puede pegar texto en una línea que se está escribiendo, como tras / o :";
     /// The mouse belongs to the viewer.
-    pub mouse_is_ours: &'static str,
+    mouse_is_ours: Text =
+        "the mouse selects and scrolls; ^t gives it back",
+        "el ratón selecciona y desplaza; ^t lo devuelve";
     /// It belongs to the terminal.
-    pub mouse_is_the_terminals: &'static str,
+    mouse_is_the_terminals: Text = "the mouse is the terminal's", "el ratón es del terminal";
     /// The book has one pixel.
-    pub one_pixel_printed: &'static str,
+    one_pixel_printed: Text = "the book prints one pixel only", "el libro solo imprime un píxel";
     /// A region has too many values to be compared.
-    pub regions_not_compared: &'static str,
+    regions_not_compared: Text = "only pixels and rays are compared", "solo se comparan píxeles y rayos";
     /// The log of a pixel would have more events than this.
-    pub too_long: fn(usize) -> String,
+    too_long: fn(usize) -> String =
+        |most| format!("the log would have more than {most} events"),
+        |most| format!("el registro tendría más de {most} sucesos");
     /// There is no memory for it.
-    pub no_memory: &'static str,
+    no_memory: Text = "not enough memory for the log", "no hay memoria para el registro";
     /// It is shown in this language now.
-    pub language: &'static str,
+    language: Text = "in English", "en español";
     /// The call that leads back to where the viewer was left.
-    pub back_here: OfName,
+    back_here: OfName = |call| format!("back here: {call}"), |call| format!("para volver aquí: {call}");
     /// Warnings that stay until they are dismissed.
-    pub warnings: Warnings,
+    warnings: Warnings;
 }
 
-/// What to warn of before one looks.
-pub struct Warnings {
+texts! {
+    /// What to warn of before one looks.
+    Warnings;
+
     /// How a saved log ends, unless it is complete.
-    pub ending: fn(&Ending) -> Option<String>,
+    ending: fn(&Ending) -> Option<String> =
+        |ending| ending.warning(),
+        |ending| match ending {
+            Ending::Complete => None,
+            Ending::Missing { incomplete_record: false } => {
+                Some("el registro no tiene línea final: está cortado".to_owned())
+            }
+            Ending::Missing { incomplete_record: true } => {
+                Some("el registro está cortado: se ha omitido 1 línea incompleta".to_owned())
+            }
+            Ending::Unknown { count, key, line } => {
+                let values = if *count == 1 { "1 valor" } else { &format!("{count} valores") };
+                Some(format!(
+                    "se han omitido {values} de magnitudes desconocidas, el primero en la línea {line}: `{key}`"
+                ))
+            }
+            Ending::Mismatch { what } => Some(format!("el registro ha cambiado después de escribirse: {what}")),
+            Ending::Damaged { what } => Some(format!("el registro está dañado, esto es lo que hay antes: {what}")),
+        };
     /// Adaptive sampling is biased with these effects.
-    pub biased: OfName,
+    biased: OfName =
+        |effects| {
+            format!(
+                "adaptive sampling is biased with {effects}: cells whose corners agree by chance are not cut; expected \
+                 another sampling, such as sobol:64"
+            )
+        },
+        |effects| {
+            format!(
+                "el muestreo adaptativo tiene sesgo con {effects}: las celdas cuyas esquinas coinciden por azar no se \
+                 dividen; se espera otro muestreo, como sobol:64"
+            )
+        };
 }
 
-/// What the quiz says.
-pub struct Quiz {
+texts! {
+    /// What the quiz says.
+    Quiz;
+
     /// It begins.
-    pub begins: &'static str,
+    begins: Text =
+        "quiz: n goes to the next value, = answers it, Q ends",
+        "cuestionario: n va al siguiente valor, = lo responde, Q termina";
     /// It ends: so many right, of so many.
-    pub ends: fn(u32, u32) -> String,
+    ends: fn(u32, u32) -> String =
+        |right, asked| format!("the quiz is over: {right} of {asked} right"),
+        |right, asked| format!("fin del cuestionario: {right} de {asked} bien");
     /// There is none.
-    pub none: &'static str,
+    none: Text = "no quiz is on; Q begins one", "no hay cuestionario; Q empieza uno";
     /// The step has nothing to answer.
-    pub nothing_hidden: &'static str,
+    nothing_hidden: Text =
+        "this step hides no result; n goes to the next",
+        "este paso no oculta ningún resultado; n va al siguiente";
     /// A decision is asked for.
-    pub what_is_decided: &'static str,
+    what_is_decided: Text =
+        "what is decided? hit, miss, inside, background, an object's name, ...",
+        "¿qué se decide? hit (interseca), miss (no), inside (dentro), background (fondo), un objeto, ...";
     /// The answer is right.
-    pub right: &'static str,
+    right: Text = "right", "correcto";
     /// The value is off by so much.
-    pub off: OfName,
+    off: OfName = |by| format!("off by {by}"), |by| format!("se desvía en {by}");
     /// The decision is another one.
-    pub not_it: &'static str,
+    not_it: Text = "it isn't", "no es eso";
     /// How it is wrong, and what would have been right.
-    pub it_is: OfNames,
+    it_is: OfNames = |off, truth| format!("{off}; it is {truth}"), |off, truth| format!("{off}; es {truth}");
     /// How it is wrong, while it may be tried again.
-    pub try_again: OfName,
+    try_again: OfName = |off| format!("{off}; try again"), |off| format!("{off}; inténtelo otra vez");
     /// The answer is no number.
-    pub no_number: &'static str,
+    no_number: Text = "that is no number: type it like 12.5", "eso no es un número: escríbalo como 12,5";
     /// It isn't three numbers.
-    pub no_triple: &'static str,
+    no_triple: Text =
+        "that is no triple: type three numbers, like (1, 2, 3) or 1 2 3",
+        "eso no son tres números: escríbalos como (1; 2; 3) o 1 2 3";
     /// It is no decision.
-    pub no_decision: &'static str,
+    no_decision: Text =
+        "that is no decision: type it like hit, miss, nearest, background, or an object's name",
+        "eso no es una decisión: escriba hit, miss, nearest, background o el nombre de un objeto";
     /// A list would tell the results.
-    pub tells_results: &'static str,
+    tells_results: Text =
+        "that would tell the results; Q ends the quiz",
+        "eso diría los resultados; Q termina el cuestionario";
     /// A value would.
-    pub tells_result: &'static str,
+    tells_result: Text =
+        "that would tell the result; = answers, Q ends the quiz",
+        "eso diría el resultado; = responde, Q termina el cuestionario";
     /// A name would.
-    pub tells_decision: &'static str,
+    tells_decision: Text =
+        "that would tell the decision; = answers, Q ends the quiz",
+        "eso diría la decisión; = responde, Q termina el cuestionario";
 }
 
-/// What is said of breakpoints.
-pub struct Breakpoints {
+texts! {
+    /// What is said of breakpoints.
+    Breakpoints;
+
     /// One was set.
-    pub set: OfName,
+    set: OfName =
+        |text| format!("breakpoint: {text}; r runs to it, B lists all"),
+        |text| format!("punto de interrupción: {text}; r va hasta él, B los enumera");
     /// One was deleted.
-    pub deleted: OfName,
+    deleted: OfName =
+        |text| format!("no breakpoint any more: {text}"),
+        |text| format!("ya no hay punto de interrupción: {text}");
     /// The quiz hides where it stops.
-    pub hidden: &'static str,
+    hidden: Text = "a quiz hides where that stops; Q ends it", "un cuestionario oculta dónde se para; Q lo termina";
     /// The step can't have one.
-    pub nothing_here: &'static str,
+    nothing_here: Text = "nothing here that a run could stop at", "aquí no hay nada en lo que pararse";
     /// It stops nowhere.
-    pub nowhere: OfName,
+    nowhere: OfName =
+        |text| format!("nowhere in this log: {text}"),
+        |text| format!("en ningún lugar de este registro: {text}");
     /// All are off.
-    pub all_off: &'static str,
+    all_off: Text =
+        "all breakpoints are off; B lists them",
+        "todos los puntos de interrupción están desactivados; B los enumera";
     /// There are none.
-    pub none: &'static str,
+    none: Text = "no breakpoints; b sets one", "no hay puntos de interrupción; b pone uno";
     /// A run ended: after so many stops of so many, forward or not.
-    pub no_more: fn(usize, usize, bool) -> String,
+    no_more: fn(usize, usize, bool) -> String =
+        |done, times, is_forward| {
+            let stopped = if done == 0 { String::new() } else { format!("stopped {done} of {times} times; ") };
+            format!("{stopped}no breakpoint stops {} this step", if is_forward { "after" } else { "before" })
+        },
+        |done, times, is_forward| {
+            let stopped = if done == 0 { String::new() } else { format!("parado {done} de {times} veces; ") };
+            let side = if is_forward { "después" } else { "antes" };
+            format!("{stopped}ningún punto de interrupción {side} de este paso")
+        };
     /// A run stopped: by which, and at what.
-    pub stopped: OfNames,
+    stopped: OfNames =
+        |breakpoint, what| format!("stopped by {breakpoint}: {what}"),
+        |breakpoint, what| format!("parado por {breakpoint}: {what}");
     /// What can be typed.
-    pub expected: &'static str,
+    expected: Text =
+        "expected a breakpoint: hit, shadow, object NAME, light NAME, depth 2 or T2_A < 0",
+        "se espera un punto de interrupción: hit, shadow, object NOMBRE, light NOMBRE, depth 2 o T2_A < 0";
     /// What kinds of events there are.
-    pub expected_kind: &'static str,
+    expected_kind: Text =
+        "expected a kind of event such as shadow, hit, occluded or total-internal-reflection",
+        "se espera una clase de suceso, como shadow, hit, occluded o total-internal-reflection";
     /// No kind of event is called so, but so.
-    pub kind_like: OfNames,
+    kind_like: OfNames =
+        |text, near| format!("no kind of event is called `{text}`; did you mean `{near}`?"),
+        |text, near| format!("ninguna clase de suceso se llama `{text}`; ¿quiso decir `{near}`?");
     /// The log has no object called so, but one called so.
-    pub object_like: OfNames,
+    object_like: OfNames =
+        |text, near| format!("there is no object `{text}`; did you mean `{near}`?"),
+        |text, near| format!("no hay ningún objeto `{text}`; ¿quiso decir `{near}`?");
     /// The log has no object called so, but others, and so many more.
-    pub other_objects: fn(&str, &str, usize) -> String,
+    other_objects: fn(&str, &str, usize) -> String =
+        |text, others, more| format!("there is no object `{text}`, but {others}{}", words::and_more(more)[EN]),
+        |text, others, more| format!("no hay ningún objeto `{text}`, sino {others}{}", words::and_more(more)[ES]);
     /// The log has no objects.
-    pub no_objects: &'static str,
+    no_objects: Text = "there is no object in this log", "no hay ningún objeto en este registro";
     /// The log has no light called so, but one called so.
-    pub light_like: OfNames,
+    light_like: OfNames =
+        |text, near| format!("there is no light `{text}`; did you mean `{near}`?"),
+        |text, near| format!("no hay ninguna fuente `{text}`; ¿quiso decir `{near}`?");
     /// The log has no light called so, but others, and so many more.
-    pub other_lights: fn(&str, &str, usize) -> String,
+    other_lights: fn(&str, &str, usize) -> String =
+        |text, others, more| format!("there is no light `{text}`, but {others}{}", words::and_more(more)[EN]),
+        |text, others, more| format!("no hay ninguna fuente `{text}`, sino {others}{}", words::and_more(more)[ES]);
     /// The log has no lights.
-    pub no_lights: &'static str,
+    no_lights: Text = "there is no light in this log", "no hay ninguna fuente en este registro";
     /// What can be typed behind `depth`.
-    pub expected_depth: &'static str,
+    expected_depth: Text =
+        "expected a level of the ray tree, such as depth 2",
+        "se espera un nivel del árbol de rayos, como depth 2";
     /// A number has no components.
-    pub no_components: OfName,
+    no_components: OfName =
+        |symbol| format!("{symbol} is a number and has no components"),
+        |symbol| format!("{symbol} es un número y no tiene componentes");
     /// A triple can only be compared by parts.
-    pub three_numbers: OfName,
+    three_numbers: OfName =
+        |key| {
+            format!("{key} has three numbers: compare {key}.x, .y or .z (.r, .g or .b), or the length |{key}|")
+        },
+        |key| {
+            format!("{key} son tres números: compare {key}.x, .y o .z (.r, .g o .b), o la longitud |{key}|")
+        };
     /// What stands in place of a number.
-    pub expected_number: OfName,
+    expected_number: OfName =
+        |text| format!("expected a number such as 0 or -1.5e-3, not `{text}`"),
+        |text| format!("se espera un número como 0 o -1,5e-3, no `{text}`");
     /// Nothing is called so, but so.
-    pub name_like: OfNames,
+    name_like: OfNames =
+        |text, near| format!("nothing is called `{text}`; did you mean `{near}`?"),
+        |text, near| format!("nada se llama `{text}`; ¿quiso decir `{near}`?");
     /// Nothing is called so.
-    pub no_name: OfName,
+    no_name: OfName =
+        |text| {
+            format!(
+                "nothing is called `{text}`: expected a kind of event (hit), object NAME, light NAME, depth 2 or a quantity (T2_A < 0)"
+            )
+        },
+        |text| {
+            format!(
+                "nada se llama `{text}`: se espera una clase de suceso (hit), object NOMBRE, light NOMBRE, depth 2 o una magnitud (T2_A < 0)"
+            )
+        };
 }
 
-/// What is said of commands.
-pub struct Commands {
+texts! {
+    /// What is said of commands.
+    Commands;
+
     /// What stands for the letter that a command takes.
-    pub letter: &'static str,
+    letter: Text = "LETTER", "LETRA";
     /// What stands for the condition.
-    pub condition: &'static str,
+    condition: Text = "CONDITION", "CONDICIÓN";
     /// What stands for the text.
-    pub text: &'static str,
+    text: Text = "TEXT", "TEXTO";
     /// That a number is one, too.
-    pub step: &'static str,
+    step: Text = ":42 (a step)", ":42 (un paso)";
     /// A command takes nothing.
-    pub nothing_behind: OfName,
+    nothing_behind: OfName =
+        |command| format!("nothing stands behind :{command}"),
+        |command| format!("detrás de :{command} no va nada");
     /// No command is called so, but so.
-    pub like: OfNames,
+    like: OfNames =
+        |text, near| format!("no command :{text}; did you mean :{near}?"),
+        |text, near| format!("no hay orden :{text}; ¿quiso decir :{near}?");
     /// All commands.
-    pub expected: OfName,
+    expected: OfName =
+        |commands| format!("expected a step or a command: {commands}"),
+        |commands| format!("se espera un paso o una orden: {commands}");
     /// A beginning that several have.
-    pub may_be: OfNames,
+    may_be: OfNames =
+        |text, commands| format!(":{text} may be {commands}"),
+        |text, commands| format!(":{text} puede ser {commands}");
     /// How many steps there are.
-    pub steps: fn(usize) -> String,
+    steps: fn(usize) -> String =
+        |count| format!("there are steps 1 to {count}"),
+        |count| format!("hay pasos del 1 al {count}");
     /// What stands behind `bookmark`.
-    pub expected_letter: &'static str,
+    expected_letter: Text = "expected one letter, such as :bookmark a", "se espera una letra, como :bookmark a";
     /// What stands behind `pixel`.
-    pub expected_pixel: &'static str,
+    expected_pixel: Text =
+        "expected a column and a row, such as :pixel 160,120",
+        "se esperan una columna y una fila, como :pixel 160,120";
     /// What stands behind `lang`.
-    pub expected_language: &'static str,
+    expected_language: Text = "expected a language: :lang en or :lang es", "se espera un idioma: :lang en o :lang es";
     /// The first and last columns and rows of the log.
-    pub log_has: fn([u32; 4]) -> String,
+    log_has: fn([u32; 4]) -> String =
+        |[left, top, right, bottom]| format!("the log has columns {left} to {right} and rows {top} to {bottom}"),
+        |[left, top, right, bottom]| {
+            format!("el registro tiene las columnas {left} a {right} y las filas {top} a {bottom}")
+        };
     /// The last column and row of the picture.
-    pub picture_has: fn([u32; 2]) -> String,
+    picture_has: fn([u32; 2]) -> String =
+        |[column, row]| format!("the picture has columns 0 to {column} and rows 0 to {row}"),
+        |[column, row]| format!("la imagen tiene las columnas 0 a {column} y las filas 0 a {row}");
 }

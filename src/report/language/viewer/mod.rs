@@ -13,22 +13,24 @@ pub use lists::{Account, Arithmetics, Hints, List, Lists, ToCome};
 pub use messages::{Breakpoints, Commands, Messages, Quiz, Warnings};
 pub use panes::{Outcomes, Panes, Picture, Schematic, Status};
 
-/// The texts of the viewer.
-pub struct Viewer {
+texts! {
+    /// The texts of the viewer.
+    Viewer;
+
     /// The bottom line.
-    pub status: Status,
+    status: Status;
     /// The panes.
-    pub panes: Panes,
+    panes: Panes;
     /// The lists over them.
-    pub lists: Lists,
+    lists: Lists;
     /// The help.
-    pub help: Help,
+    help: Help;
     /// What is said at the bottom.
-    pub messages: Messages,
+    messages: Messages;
     /// The quiz.
-    pub quiz: Quiz,
+    quiz: Quiz;
     /// Breakpoints, and what is wrong with one that was typed.
-    pub breakpoints: Breakpoints,
+    breakpoints: Breakpoints;
     /// Commands, and what is wrong with one that was typed.
-    pub commands: Commands,
+    commands: Commands;
 }

@@ -1,127 +1,163 @@
 //! The panes and the bottom line.
 
-use super::super::{OfName, OfNames};
+use crate::report::language::{OfName, OfNames, Text};
 
-/// The texts of the bottom line.
-pub struct Status {
+texts! {
+    /// The texts of the bottom line.
+    Status;
+
     /// The step, of how many.
-    pub step: fn(usize, usize) -> String,
+    step: fn(usize, usize) -> String =
+        |step, count| format!("step {step}/{count}"),
+        |step, count| format!("paso {step}/{count}");
     /// The section of the source text that has a quantity.
-    pub section: OfName,
+    section: OfName = |section| format!("section {section}"), |section| format!("sección {section}");
     /// The keys to begin with, from the longest way to say it to the shortest; the longest with those that move.
-    pub hints: [&'static str; 3],
+    hints: [Text; 3] =
+        ["n next value  p previous  ? help  q quit", "n next  ? help  q quit", "? help"],
+        ["n siguiente valor  p anterior  ? ayuda  q salir", "n siguiente  ? ayuda  q salir", "? ayuda"];
     /// All of them, around those that move.
-    pub all_hints: OfName,
+    all_hints: OfName =
+        |moves| format!("n next value  p previous  {moves}  ? help  q quit"),
+        |moves| format!("n siguiente valor  p anterior  {moves}  ? ayuda  q salir");
     /// The keys that move in the tree, and in other panes.
-    pub moves: [&'static str; 2],
+    moves: [Text; 2] =
+        ["j k move  Space fold", "j k move  Tab tree"],
+        ["j k mueven  Space pliega", "j k mueven  Tab árbol"];
     /// It plays, at so many steps a second.
-    pub playing: fn(u32) -> String,
+    playing: fn(u32) -> String = |rate| format!("playing {rate}/s"), |rate| format!("reproduce {rate}/s");
     /// The tree grows.
-    pub growing: &'static str,
+    growing: Text = "growing", "crece";
     /// The tree is filtered.
-    pub filtered: &'static str,
+    filtered: Text = "filtered", "filtrado";
     /// The mouse is used.
-    pub mouse: &'static str,
+    mouse: Text = "mouse", "ratón";
     /// A search isn't complete.
-    pub counting: &'static str,
+    counting: Text = "counting matches", "contando coincidencias";
     /// Which match, of how many.
-    pub matches: OfNames,
+    matches: OfNames =
+        |number, count| format!("match {number}/{count}"),
+        |number, count| format!("coincidencia {number}/{count}");
     /// How many were right in a quiz, of how many.
-    pub quiz: fn(u32, u32) -> String,
+    quiz: fn(u32, u32) -> String =
+        |right, asked| format!("quiz {right} of {asked}"),
+        |right, asked| format!("cuestionario {right} de {asked}");
     /// Before a line that filters.
-    pub filter: &'static str,
+    filter: Text = "filter: ", "filtro: ";
     /// Before a breakpoint.
-    pub break_at: &'static str,
+    break_at: Text = "break at: ", "parar en: ";
     /// Before what keys are looked for by.
-    pub keys_with: &'static str,
+    keys_with: Text = "keys with: ", "teclas con: ";
     /// Before an answer.
-    pub answer: &'static str,
+    answer: Text = "your answer: ", "su respuesta: ";
     /// Before a warning.
-    pub warning: &'static str,
+    warning: Text = "warning: ", "aviso: ";
     /// The terminal is too small.
-    pub too_small: [&'static str; 3],
+    too_small: [Text; 3] = ["too small:", "needs 20x6", "(q quits)"], ["pequeño:", "mínimo 20x6", "(q sale)"];
 }
 
-/// The texts of panes.
-pub struct Panes {
+texts! {
+    /// The texts of panes.
+    Panes;
+
     /// The algorithm, by its name.
-    pub algorithm: OfName,
+    algorithm: OfName = |name| format!("{name} algorithm"), |name| format!("algoritmo {name}");
     /// The calls below it.
-    pub calls: &'static str,
+    calls: Text = "calls", "llamadas";
     /// A shadow ray among them.
-    pub shadow_ray: OfName,
+    shadow_ray: OfName = |path| format!("shadow ray {path}"), |path| format!("rayo de sombra {path}");
     /// The end of a node.
-    pub end: &'static str,
+    end: Text = "end", "fin";
     /// The end of a node, by what it is.
-    pub end_of: OfName,
+    end_of: OfName = |node| format!("end of {node}"), |node| format!("fin de: {node}");
     /// A decision that is hidden.
-    pub hidden_decision: &'static str,
+    hidden_decision: Text = "decision ?", "¿decisión?";
     /// A result that is hidden.
-    pub hidden_result: &'static str,
+    hidden_result: Text = "result ?", "¿resultado?";
     /// What is still to come.
-    pub not_computed: &'static str,
+    not_computed: Text = "not computed yet", "no calculado aún";
     /// A colour as the result.
-    pub result: OfName,
+    result: OfName = |color| format!("result {color}"), |color| format!("resultado {color}");
     /// A ray by what it is for, without its path.
-    pub ray: OfName,
+    ray: OfName = |kind| format!("ray {kind}"), |kind| format!("rayo {kind}");
     /// How many rays a closed node hides.
-    pub hidden_rays: fn(u32) -> String,
+    hidden_rays: fn(u32) -> String =
+        |count| if count == 1 { "1 ray".to_owned() } else { format!("{count} rays") },
+        |count| if count == 1 { "1 rayo".to_owned() } else { format!("{count} rayos") };
     /// What nodes came to.
-    pub outcomes: Outcomes,
+    outcomes: Outcomes;
     /// So many samples are drawn.
-    pub samples: fn(usize) -> String,
+    samples: fn(usize) -> String =
+        |count| match count {
+            1 => "1 sample in the pixel".to_owned(),
+            _ => format!("{count} samples in the pixel"),
+        },
+        |count| match count {
+            1 => "1 muestra en el píxel".to_owned(),
+            _ => format!("{count} muestras en el píxel"),
+        };
     /// The picture.
-    pub picture: Picture,
+    picture: Picture;
     /// The schematic.
-    pub schematic: Schematic,
+    schematic: Schematic;
 }
 
-/// What a node came to, in a word or two.
-pub struct Outcomes {
+texts! {
+    /// What a node came to, in a word or two.
+    Outcomes;
+
     /// A shadow ray that reaches its light.
-    pub lit: &'static str,
+    lit: Text = "lit", "llega la luz";
     /// A hit.
-    pub hit: &'static str,
+    hit: Text = "hit", "interseca";
     /// A miss.
-    pub miss: &'static str,
+    miss: Text = "miss", "no interseca";
     /// Nothing is hit.
-    pub background: &'static str,
+    background: Text = "background", "fondo";
     /// An object stands before the light.
-    pub blocked_by: OfName,
+    blocked_by: OfName = |object| format!("blocked by {object}"), |object| format!("bloqueado por {object}");
     /// A direction on the wrong side.
-    pub rejected: &'static str,
+    rejected: Text = "rejected", "rechazado";
     /// An object weakens the light.
-    pub weakened_by: OfName,
+    weakened_by: OfName = |object| format!("weakened by {object}"), |object| format!("atenuado por {object}");
     /// The depth limit.
-    pub depth_limit: &'static str,
+    depth_limit: Text = "depth limit", "profundidad máxima";
     /// Total internal reflection.
-    pub total_reflection: &'static str,
+    total_reflection: Text = "total reflection", "reflexión total";
 }
 
-/// The texts of the picture.
-pub struct Picture {
+texts! {
+    /// The texts of the picture.
+    Picture;
+
     /// Its layers: the colours, the depth, the rays, the samples, the error of single precision.
-    pub layers: [&'static str; 5],
+    layers: [Text; 5] =
+        ["picture", "depth", "rays per pixel", "samples per pixel", "error of f32"],
+        ["imagen", "profundidad", "rayos por píxel", "muestras por píxel", "error de f32"];
     /// The exposure in stops.
-    pub exposure: OfName,
+    exposure: OfName = |stops| format!("{stops} stops"), |stops| format!("exposición {stops}");
     /// The depth of a pixel.
-    pub depth: OfName,
+    depth: OfName = |depth| format!("depth {depth}"), |depth| format!("profundidad {depth}");
     /// The rays of a pixel.
-    pub rays: fn(u32) -> String,
+    rays: fn(u32) -> String = |count| format!("rays {count}"), |count| format!("rayos {count}");
     /// Its levels in a file.
-    pub levels: fn([u8; 3]) -> String,
+    levels: fn([u8; 3]) -> String = |[r, g, b]| format!("8-bit {r} {g} {b}"), |[r, g, b]| format!("8 bits {r} {g} {b}");
     /// The cursor is at the edge.
-    pub ends: &'static str,
+    ends: Text = "the picture ends here", "la imagen termina aquí";
 }
 
-/// The texts of the schematic.
-pub struct Schematic {
+texts! {
+    /// The texts of the schematic.
+    Schematic;
+
     /// From where it is seen: from above, from the front, from the eye.
-    pub views: [&'static str; 3],
+    views: [Text; 3] =
+        ["schematic from above", "schematic from the front", "schematic from the eye"],
+        ["esquema desde arriba", "esquema de frente", "esquema desde el ojo"];
     /// The key that turns it.
-    pub turns: &'static str,
+    turns: Text = "v turns", "v gira";
     /// There is no ray to be drawn.
-    pub no_rays: &'static str,
+    no_rays: Text = "the log has no rays here", "el registro no tiene rayos aquí";
     /// The rays are too long to be drawn.
-    pub too_far: &'static str,
+    too_far: Text = "the rays reach too far to be drawn", "los rayos llegan demasiado lejos para dibujarlos";
 }
