@@ -2,6 +2,7 @@
 
 use super::skips::{picture, skipped};
 use crate::support;
+use proptest::prelude::*;
 use raywalk::log::{Decision, SkipReason, Skippable, Step, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::{Counter, Statistics};
@@ -95,6 +96,42 @@ fn light_of_which_the_weights_leave_nothing_gets_no_shadow_ray() {
     assert_eq!(shadow_rays(&scene), 0);
     scene.tracing.skip = Skip::NONE.with(SkipReason::ZeroLight);
     assert_eq!(shadow_rays(&scene), 9);
+}
+
+/// A colour whose channels are there or not.
+fn channels() -> impl Strategy<Value = [f64; 3]> {
+    prop::array::uniform3(prop::sample::select(vec![0.0, 0.0, 0.25, 3.0]))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Behind a filter, the light gets a shadow ray where some channel comes through all of them: the filter, W_l, the light's colour, and
+    /// one of the two coefficients. From the back it is the coefficient of what shines through.
+    #[test]
+    fn a_light_gets_a_shadow_ray_where_a_channel_is_left(
+        [filter, local, light, diffuse, specular, through] in [channels(), channels(), channels(), channels(), channels(), channels()],
+        is_behind: bool,
+    ) {
+        let height = if is_behind { -2 } else { 3 };
+        let text = format!(
+            r#"{{"format": "raywalk-scene/1",
+            "camera": {{"position": [0, 0, 5], "direction": [0, 0, -1], "resolution": [1, 1], "vertical_fov": 20}},
+            "lights": [{{"name": "lamp", "point": {{"position": [0, 1, {height}]}}, "color": {light:?}}}],
+            "materials": {{
+                "filter": {{"weights": {{"local": 0, "transmitted": {filter:?}}}}},
+                "floor": {{"diffuse": {diffuse:?}, "specular": {specular:?}, "transmission": {through:?}, "weights": {{"local": {local:?}}}}}}},
+            "objects": [
+                {{"name": "filter", "shape": {{"plane": {{"coefficients": [0, 0, 1, -4]}}}}, "material": "filter"}},
+                {{"name": "floor", "shape": {{"plane": {{"coefficients": [0, 0, 1, 0]}}}}, "material": "floor"}}]}}"#
+        );
+        let scene = support::scene_of(text.as_bytes(), "filtered");
+        let is_left = |channel: usize| {
+            let used = if is_behind { through[channel] } else { diffuse[channel] + specular[channel] };
+            [filter, local, light].iter().all(|factor| factor[channel] > 0.0) && used > 0.0
+        };
+        prop_assert_eq!(shadow_rays(&scene), u64::from((0..3).any(is_left)), "{}", text);
+    }
 }
 
 /// The local model behind a filter of another colour: neither its weight nor that of the path is zero.
