@@ -10,6 +10,7 @@ mod build;
 pub mod builtin;
 pub mod camera;
 pub mod ceiling;
+mod converted;
 mod effects;
 pub mod file;
 pub mod generate;
@@ -45,6 +46,7 @@ pub use unsupported::Unsupported;
 
 use crate::geometry::{Shape, Side};
 use crate::log::FrameId;
+use compact_str::CompactString;
 use glam::DVec3;
 
 /// A colour: red, green and blue, linear and unbounded.
@@ -93,7 +95,7 @@ pub struct Scene {
 #[derive(Clone, Debug)]
 pub struct Object {
     /// Its name, unique in the scene.
-    pub name: String,
+    pub name: CompactString,
     /// Its shape.
     pub shape: Shape,
     /// Its material, by number.

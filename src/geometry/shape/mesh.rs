@@ -46,7 +46,7 @@ impl TriangleMesh {
     fn of(mesh: Arc<Mesh>) -> TriangleMesh {
         let has_area = |triangle: &u32| !mesh.is_degenerate(*triangle);
         let solid: Vec<u32> = (0..mesh.faces.len() as u32).into_par_iter().filter(has_area).collect();
-        let tree = Bvh::new(Vec::new(), &solid, |triangle| Form::Triangle(mesh.corners(triangle)));
+        let tree = Bvh::new(Vec::new(), solid, |triangle| Form::Triangle(mesh.corners(triangle)));
         let normal = |triangle| {
             let [a, b, c] = mesh.corners(triangle);
             Facet::new(a, b, c).normal

@@ -85,7 +85,7 @@ fn triangle(mut check: Checker<'_>, triangle: &Triangle) {
         check.at("vertices").error(message.to_string());
     }
     if let Some(normals) = &triangle.normals {
-        directions(check.at("normals"), normals);
+        directions(check.at("normals"), &normals[..]);
     }
 }
 
