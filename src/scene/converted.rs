@@ -1,5 +1,7 @@
 //! From one long list to another, without having both at once.
 
+use std::hint::black_box;
+
 /// After so many things the room that they took is given back.
 const GIVEN_BACK: usize = 1 << 12;
 
@@ -18,6 +20,9 @@ pub(super) fn converted<T, U, E>(
         made.push(convert(made.len(), each)?);
         if from.len().is_multiple_of(GIVEN_BACK) {
             from.shrink_to_fit();
+            // Allocators keep small pieces that are free one by one. To be asked for something larger makes them join those that are neighbours, and what
+            // is made next may be larger than what it was made of.
+            drop(black_box(Vec::<u8>::with_capacity(1 << 16)));
         }
     }
     Ok(made)
