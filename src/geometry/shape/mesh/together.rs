@@ -30,7 +30,7 @@ impl TriangleMesh {
             Search::nearest_first(probe),
             limits,
             #[inline(always)]
-            |which, triangle, _, limits| {
+            |which, mut triangle, _, limits| loop {
                 let mut offer = |at: usize, crossing: Option<Crossing>, probe: &P| {
                     if let Some(crossing) = crossing {
                         nearest[at].offer(object, crossing, &rays[at], probe);
@@ -55,6 +55,10 @@ impl TriangleMesh {
                 }
                 for at in each(rest) {
                     offer(at, self.meet(object, one_sided, triangle, &rays[at], left[at].as_ref(), probe), probe);
+                }
+                match self.copies.after(triangle) {
+                    Some(copy) => triangle = copy,
+                    None => break,
                 }
             },
         );
@@ -82,7 +86,7 @@ impl TriangleMesh {
             search,
             limits,
             #[inline(always)]
-            |which, triangle, is_sure, limits| {
+            |which, mut triangle, is_sure, limits| loop {
                 for at in each(which) {
                     let meet = |probe: &mut P| {
                         self.meet(object, one_sided, triangle, sources[at].ray(), left[at].as_ref(), probe).is_some()
@@ -90,6 +94,10 @@ impl TriangleMesh {
                     if is_sure || meet(probe) {
                         limits[at] = -1.0;
                     }
+                }
+                match self.copies.after(triangle) {
+                    Some(copy) => triangle = copy,
+                    None => break,
                 }
             },
         );
