@@ -98,12 +98,15 @@ impl SceneCommand {
                 lights::tell(&input, built, colors);
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())
             }
-            SceneCommand::Show(scene) => output::print(scene.without_meshes(colors)?.0.to_json().as_bytes()),
+            SceneCommand::Show(scene) => {
+                let (file, inputs) = scene.without_meshes(colors)?;
+                Output::create(None, &inputs)?.stream(|out| file.write_json(out))
+            }
             SceneCommand::Convert { scene, output } => {
                 let (file, inputs) = scene.without_meshes(colors)?;
                 let output_file = Output::create(output.as_deref(), &inputs)?;
                 warn_of_meshes(&file, &scene.scene, output.as_deref());
-                output_file.commit(file.to_json().as_bytes())
+                output_file.stream(|out| file.write_json(out))
             }
             SceneCommand::Schema => output::print(format!("{:#}\n", schema::json_schema()).as_bytes()),
             SceneCommand::List => {

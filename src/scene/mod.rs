@@ -108,6 +108,9 @@ pub struct Object {
     pub inside: Option<Side>,
 }
 
+// Scenes have millions of them: docs/robustness.md has what memory a file takes by the byte.
+const _: () = assert!(size_of::<Object>() <= 120 && size_of::<Material>() <= 240);
+
 /// How traced values become the numbers of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Output {

@@ -46,20 +46,21 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
 const ABSENT: &str = "absent";
 const PRESENT: &str = "present";
 
+/// The names of the objects and lights of a scene, with the list that they stand in. There may be a million of them, so no copy is made.
+fn own_names<'r>(run: Run<'r>) -> impl Iterator<Item = (&'static str, &'r str)> {
+    let header = &run.log.header;
+    let elsewhere: HashSet<&str> = header.only_elsewhere.iter().map(String::as_str).collect();
+    let objects = header.objects.iter().map(|name| ("objects", name.as_str()));
+    let lights = header.lights.iter().map(|name| ("lights", name.as_str()));
+    objects.chain(lights).filter(move |(_, name)| !elsewhere.contains(name))
+}
+
 /// Objects and lights that only one of the scenes has.
 fn names(a: Run, b: Run) -> Vec<Changed> {
     let only = |run: Run, other: Run| -> Vec<(String, String)> {
-        let lists = |run: Run| {
-            let header = &run.log.header;
-            let elsewhere: HashSet<_> = header.only_elsewhere.iter().collect();
-            let own = |names: &[String]| names.iter().filter(|name| !elsewhere.contains(name)).cloned().collect();
-            [("objects", own(&header.objects)), ("lights", own(&header.lights))]
-        };
-        let named = |(list, names): (&'static str, Vec<String>)| {
-            names.into_iter().map(move |name| format!("{list}.{}", words::plain(&name)))
-        };
-        let theirs: HashSet<String> = lists(other).into_iter().flat_map(named).collect();
-        let missing: Vec<_> = lists(run).into_iter().flat_map(named).filter(|place| !theirs.contains(place)).collect();
+        let theirs: HashSet<(&str, &str)> = own_names(other).collect();
+        let missing = own_names(run).filter(|named| !theirs.contains(named));
+        let missing: Vec<_> = missing.map(|(list, name)| format!("{list}.{}", words::plain(name))).collect();
         if missing.is_empty() {
             return Vec::new();
         }

@@ -339,12 +339,16 @@ fn triangles_that_are_there_again_are_met_as_often() {
             .collect();
         let together = [&shared, &alone].map(|shape| {
             let mut nearest: PerRay<Nearest> = std::array::from_fn(|at| Nearest::of(&rays[at]));
-            let (mut limits, mut crossed) = ([f64::INFINITY; PACKET], [f64::INFINITY; PACKET]);
+            let mut limits: PerRay<f64> = std::array::from_fn(|at| rays[at].t_max);
+            let mut crossed = limits;
             shape.nearest_together((0, false), &rays, 0xff, &mut nearest, &mut limits, &mut Silent);
             shape.cross_together((0, false), &rays, 0xff, &mut crossed, &mut Silent);
             let shape = Shape::Mesh(Arc::new(shape.clone()));
-            let first = |at: usize| nearest[at].place(&rays[at], |_| &shape, &mut Silent).first().map(|hit| hit.crossing);
-            ((0..PACKET).map(first).collect::<Vec<_>>(), crossed.map(|limit| limit < 0.0))
+            let first = |(nearest, ray): (Nearest, &Ray)| {
+                nearest.place(ray, |_| &shape, &mut Silent).first().map(|hit| hit.crossing)
+            };
+            let firsts: Vec<_> = nearest.into_iter().zip(&rays).map(first).collect();
+            (firsts, crossed.map(|limit| limit < 0.0))
         });
         assert_eq!(together[0], together[1]);
         for (at, ray) in rays.iter().enumerate() {

@@ -56,6 +56,8 @@ pub struct Material {
     pub pattern: Option<Box<Pattern>>,
 }
 
+const _: () = assert!(size_of::<Material>() <= 264);
+
 impl Default for Material {
     fn default() -> Self {
         Self {
