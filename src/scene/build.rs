@@ -237,7 +237,7 @@ fn shape(
             Shape::Triangle(Box::new(Triangle::new(triangle.vertices, triangle.normals.map(|normals| *normals))))
         }
         file::Shape::Polygon(polygon) => {
-            Shape::Polygon(Box::new(Polygon::new(&polygon.vertices, polygon.normals.as_deref())))
+            Shape::Polygon(Box::new(Polygon::of(polygon.vertices, polygon.normals.as_deref())))
         }
         file::Shape::Box(cuboid) => Shape::Cuboid(Cuboid::new(cuboid.min.into(), cuboid.max.into())),
         file::Shape::Cylinder(cylinder) => {

@@ -13,8 +13,11 @@ const MOST_OBJECTS: usize = 400;
 /// The drawing of a scene.
 pub fn of(scene: &Arc<Scene>) -> Drawing {
     let eye = scene.camera.position();
-    let lights: Vec<Thing> =
-        scene.lights.iter().map(|light| Thing { name: light.name.to_string(), lines: light_lines(&light.kind) }).collect();
+    let lights: Vec<Thing> = scene
+        .lights
+        .iter()
+        .map(|light| Thing { name: light.name.to_string(), lines: light_lines(&light.kind) })
+        .collect();
     let seen_by = Arc::clone(scene);
     Drawing {
         objects: objects(scene),

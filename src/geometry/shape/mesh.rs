@@ -22,8 +22,8 @@ use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
 use crate::probe::{Probe, ROUNDINGS, Silent};
 use crate::threads::share;
-use glam::DVec3;
 use copies::{Copies, Normals};
+use glam::DVec3;
 use left::{LeftTriangle, corners_in_common, overlap};
 use rayon::prelude::*;
 use std::iter::successors;
@@ -103,7 +103,8 @@ impl TriangleMesh {
         let bars = |triangle: &u32| {
             left.as_ref().is_some_and(|left| left.bars_all(&self.mesh, &self.normals, *triangle, shaft))
         };
-        let bars_copies = |triangle| successors(Some(triangle), |triangle| self.copies.after(*triangle)).all(|each| bars(&each));
+        let bars_copies =
+            |triangle| successors(Some(triangle), |triangle| self.copies.after(*triangle)).all(|each| bars(&each));
         !self.tree.between(shaft, bars_copies)
     }
 

@@ -88,7 +88,12 @@ impl Polygon {
 
     /// The polygon with these corners, three or more; with a normal for each its shading is smooth.
     pub fn new(vertices: &[[f64; 3]], normals: Option<&[[f64; 3]]>) -> Polygon {
-        let corners: Box<[DVec3]> = vertices.iter().copied().map(DVec3::from).collect();
+        Polygon::of(vertices.to_vec(), normals)
+    }
+
+    /// The same of a list that nobody needs any more: it becomes that of the polygon.
+    pub fn of(vertices: Vec<[f64; 3]>, normals: Option<&[[f64; 3]]>) -> Polygon {
+        let corners: Box<[DVec3]> = vertices.into_iter().map(DVec3::from).collect();
         let normal = newell_normal(&corners);
         let unit_normal = unit(normal);
         let point = corners.first().copied().unwrap_or_default();

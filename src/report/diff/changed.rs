@@ -4,7 +4,7 @@ use super::align::{Alignment, Spot, Thing, computed};
 use super::kinds::{Kinds, kind};
 use super::telling_apart;
 use super::tolerance::Tolerance;
-use crate::log::{Decision, Name, RayKind, Step, What};
+use crate::log::{Decision, Header, Name, RayKind, Step, What};
 use crate::report::side_by_side::Run;
 use crate::report::{number, words};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -46,21 +46,29 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
 const ABSENT: &str = "absent";
 const PRESENT: &str = "present";
 
-/// The names of the objects and lights of a scene, with the list that they stand in. There may be a million of them, so no copy is made.
-fn own_names<'r>(run: Run<'r>) -> impl Iterator<Item = (&'static str, &'r str)> {
+/// A list of the names that a scene has itself. There may be a million of them, so no copy is made.
+fn own_names<'r>(run: Run<'r>, list: fn(&Header) -> &[String]) -> impl Iterator<Item = &'r str> {
     let header = &run.log.header;
     let elsewhere: HashSet<&str> = header.only_elsewhere.iter().map(String::as_str).collect();
-    let objects = header.objects.iter().map(|name| ("objects", name.as_str()));
-    let lights = header.lights.iter().map(|name| ("lights", name.as_str()));
-    objects.chain(lights).filter(move |(_, name)| !elsewhere.contains(name))
+    list(header).iter().map(String::as_str).filter(move |name| !elsewhere.contains(name))
 }
+
+/// The lists of names in a header.
+const LISTS: [(&str, fn(&Header) -> &[String]); 2] =
+    [("objects", |header| &header.objects), ("lights", |header| &header.lights)];
 
 /// Objects and lights that only one of the scenes has.
 fn names(a: Run, b: Run) -> Vec<Changed> {
     let only = |run: Run, other: Run| -> Vec<(String, String)> {
-        let theirs: HashSet<(&str, &str)> = own_names(other).collect();
-        let missing = own_names(run).filter(|named| !theirs.contains(named));
-        let missing: Vec<_> = missing.map(|(list, name)| format!("{list}.{}", words::plain(name))).collect();
+        let mut missing = Vec::new();
+        for (kind, list) in LISTS {
+            if own_names(run, list).eq(own_names(other, list)) {
+                continue;
+            }
+            let theirs: HashSet<&str> = own_names(other, list).collect();
+            let names = own_names(run, list).filter(|name| !theirs.contains(name));
+            missing.extend(names.map(|name| format!("{kind}.{}", words::plain(name))));
+        }
         if missing.is_empty() {
             return Vec::new();
         }

@@ -110,7 +110,10 @@ fn primitives() {
     assert_eq!(shape("c 0 0 0 -2 0 0 1 -1"), cone(2.0, 1.0, true));
     assert_eq!(shape("c 0 0 0 0 0 0 1 -1"), cone(0.0, 1.0, true));
     let (a, b, c, d) = ([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
-    assert_eq!(shape("p 3 0 0 0 1 0 0 1 1 0"), Shape::Triangle(Box::new(Triangle { vertices: [a, b, c], normals: None })));
+    assert_eq!(
+        shape("p 3 0 0 0 1 0 0 1 1 0"),
+        Shape::Triangle(Box::new(Triangle { vertices: [a, b, c], normals: None }))
+    );
     let quad = Polygon { vertices: vec![a, b, c, d], normals: None };
     assert_eq!(shape("p 4 0 0 0 1 0 0 1 1 0 0 1 0"), Shape::Polygon(Box::new(quad.clone())));
     let normal = [0.0, 0.0, 1.0];

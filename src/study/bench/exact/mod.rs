@@ -138,7 +138,8 @@ impl Exact {
 }
 
 fn figure(scene: &Scene, object: &Object) -> Result<Figure, NotExact> {
-    let color = color(scene, &scene.materials[object.material]).ok_or_else(|| NotExact::Color(object.name.to_string()))?;
+    let color =
+        color(scene, &scene.materials[object.material]).ok_or_else(|| NotExact::Color(object.name.to_string()))?;
     let (shape, outline) = drawn(scene, object).ok_or_else(|| NotExact::Shape(object.name.to_string()))?;
     Ok(Figure { shape, color, outline })
 }
