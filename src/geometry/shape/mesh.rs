@@ -103,8 +103,9 @@ impl TriangleMesh {
         let bars = |triangle: &u32| {
             left.as_ref().is_some_and(|left| left.bars_all(&self.mesh, &self.normals, *triangle, shaft))
         };
-        let bars_copies =
-            |triangle| successors(Some(triangle), |triangle| self.copies.after(*triangle)).all(|each| bars(&each));
+        let bars_copies = |triangle| {
+            successors(Some(triangle), |triangle| self.copies.after::<true>(*triangle)).all(|each| bars(&each))
+        };
         !self.tree.between(shaft, bars_copies)
     }
 
@@ -130,6 +131,33 @@ impl TriangleMesh {
 
     /// Whether the ray crosses the object at all. Ends with the first triangle that is found.
     pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, source: &impl RaySource, probe: &mut P) -> bool {
+        if self.copies.are_there() {
+            return self.is_crossed_among_copies(object, one_sided, source, probe);
+        }
+        self.is_crossed_by::<P, false>(object, one_sided, source, probe)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_crossed_among_copies<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        source: &impl RaySource,
+        probe: &mut P,
+    ) -> bool {
+        self.is_crossed_by::<P, true>(object, one_sided, source, probe)
+    }
+
+    /// The same. `COPIES` says whether the tree's triangles stand for others: asked at each, that would take time where they don't.
+    #[inline(always)]
+    fn is_crossed_by<P: Probe, const COPIES: bool>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        source: &impl RaySource,
+        probe: &mut P,
+    ) -> bool {
         let left = self.left(object, source);
         // A sure hit says nothing of the triangle that the ray leaves and its neighbours, nor of sides.
         let search = match left {
@@ -144,7 +172,7 @@ impl TriangleMesh {
             |mut triangle, is_sure| loop {
                 is_crossed =
                     is_sure || self.meet(object, one_sided, triangle, source.ray(), left.as_ref(), probe).is_some();
-                match self.copies.after(triangle) {
+                match self.copies.after::<COPIES>(triangle) {
                     _ if is_crossed => break -1.0,
                     Some(copy) => triangle = copy,
                     None => break source.reach(),
@@ -212,7 +240,38 @@ impl TriangleMesh {
 
     /// Tests the triangles that the ray can meet, but for the one that it leaves, and shows `meet` every crossing. `meet`
     /// says how far further ones matter; a negative distance ends the search.
+    #[inline(always)]
     fn visit<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        search: Search,
+        probe: &mut P,
+        meet: impl FnMut(Crossing, &P) -> f64,
+    ) {
+        if self.copies.are_there() {
+            return self.visit_among_copies(object, one_sided, ray, search, probe, meet);
+        }
+        self.visit_by::<P, false>(object, one_sided, ray, search, probe, meet);
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn visit_among_copies<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        search: Search,
+        probe: &mut P,
+        meet: impl FnMut(Crossing, &P) -> f64,
+    ) {
+        self.visit_by::<P, true>(object, one_sided, ray, search, probe, meet);
+    }
+
+    #[inline(always)]
+    fn visit_by<P: Probe, const COPIES: bool>(
         &self,
         object: u32,
         one_sided: bool,
@@ -231,7 +290,7 @@ impl TriangleMesh {
                 if let Some(crossing) = self.meet(object, one_sided, triangle, ray, left.as_ref(), probe) {
                     t_max = meet(crossing, probe);
                 }
-                match self.copies.after(triangle) {
+                match self.copies.after::<COPIES>(triangle) {
                     Some(copy) if t_max >= 0.0 => triangle = copy,
                     _ => break t_max,
                 }

@@ -30,8 +30,11 @@ pub(super) struct Copies {
 /// The normals of the triangles, as [`Facet`] has them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Normals {
-    vectors: Vec<DVec3>,
-    /// For each triangle where its normal stands; empty where that is at its own number.
+    /// Empty where there are copies.
+    at_their_numbers: Vec<DVec3>,
+    /// Those of the triangles that are copies of none, where there are copies,
+    of_firsts: Vec<DVec3>,
+    /// and for each triangle where its normal stands among them.
     places: Vec<u32>,
 }
 
@@ -64,9 +67,18 @@ impl Copies {
         Some((Copies { next }, places, firsts))
     }
 
-    /// The copy after this one.
+    /// Whether there are any.
     #[inline(always)]
-    pub fn after(&self, triangle: u32) -> Option<u32> {
+    pub fn are_there(&self) -> bool {
+        !self.next.is_empty()
+    }
+
+    /// The copy after this one; none where it is known that there are none.
+    #[inline(always)]
+    pub fn after<const COPIES: bool>(&self, triangle: u32) -> Option<u32> {
+        if !COPIES {
+            return None;
+        }
         self.next.get(triangle as usize).copied().filter(|next| *next != NONE)
     }
 }
@@ -78,13 +90,25 @@ impl Normals {
             let [a, b, c] = mesh.corners(triangle);
             Facet::new(a, b, c).normal
         };
-        Normals { vectors: triangles.map(normal).collect(), places }
+        let normals = triangles.map(normal).collect();
+        match places.is_empty() {
+            true => Normals { at_their_numbers: normals, ..Normals::default() },
+            false => Normals { of_firsts: normals, places, ..Normals::default() },
+        }
     }
 
     /// That of a triangle, where it lies in memory.
     #[inline(always)]
     pub fn of(&self, triangle: u32) -> &DVec3 {
-        let place = self.places.get(triangle as usize).unwrap_or(&triangle);
-        &self.vectors[*place as usize]
+        match self.at_their_numbers.get(triangle as usize) {
+            Some(normal) => normal,
+            None => self.of_copy(triangle),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn of_copy(&self, triangle: u32) -> &DVec3 {
+        &self.of_firsts[self.places[triangle as usize] as usize]
     }
 }

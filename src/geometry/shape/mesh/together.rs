@@ -22,6 +22,13 @@ impl TriangleMesh {
         limits: &mut PerRay<f64>,
         probe: &mut P,
     ) {
+        if self.copies.are_there() {
+            for at in each(which) {
+                self.nearest(object, one_sided, &rays[at], &mut nearest[at], probe);
+                limits[at] = nearest[at].limit();
+            }
+            return;
+        }
         let left = self.left_by_each(object, rays, which);
         let lanes = RayLanes::of(rays, which);
         self.tree.visit_together::<P, Ray>(
@@ -30,7 +37,7 @@ impl TriangleMesh {
             Search::nearest_first(probe),
             limits,
             #[inline(always)]
-            |which, mut triangle, _, limits| loop {
+            |which, triangle, _, limits| {
                 let mut offer = |at: usize, crossing: Option<Crossing>, probe: &P| {
                     if let Some(crossing) = crossing {
                         nearest[at].offer(object, crossing, &rays[at], probe);
@@ -56,10 +63,6 @@ impl TriangleMesh {
                 for at in each(rest) {
                     offer(at, self.meet(object, one_sided, triangle, &rays[at], left[at].as_ref(), probe), probe);
                 }
-                match self.copies.after(triangle) {
-                    Some(copy) => triangle = copy,
-                    None => break,
-                }
             },
         );
     }
@@ -74,6 +77,10 @@ impl TriangleMesh {
         limits: &mut PerRay<f64>,
         probe: &mut P,
     ) {
+        if self.copies.are_there() {
+            let crossed = each(which).filter(|at| self.is_crossed(object, one_sided, &sources[*at], probe));
+            return crossed.for_each(|at| limits[at] = -1.0);
+        }
         let left = self.left_by_each(object, sources, which);
         // A sure hit says nothing of the triangle that a ray leaves and its neighbours, nor of sides.
         let search = match left.iter().all(Option::is_none) && !one_sided {
@@ -86,7 +93,7 @@ impl TriangleMesh {
             search,
             limits,
             #[inline(always)]
-            |which, mut triangle, is_sure, limits| loop {
+            |which, triangle, is_sure, limits| {
                 for at in each(which) {
                     let meet = |probe: &mut P| {
                         self.meet(object, one_sided, triangle, sources[at].ray(), left[at].as_ref(), probe).is_some()
@@ -94,10 +101,6 @@ impl TriangleMesh {
                     if is_sure || meet(probe) {
                         limits[at] = -1.0;
                     }
-                }
-                match self.copies.after(triangle) {
-                    Some(copy) => triangle = copy,
-                    None => break,
                 }
             },
         );
