@@ -47,15 +47,17 @@ const ABSENT: &str = "absent";
 const PRESENT: &str = "present";
 
 /// A list of the names that a scene has itself. There may be a million of them, so no copy is made.
-fn own_names<'r>(run: Run<'r>, list: fn(&Header) -> &[String]) -> impl Iterator<Item = &'r str> {
+fn own_names<'r>(run: Run<'r>, list: List) -> impl Iterator<Item = &'r str> {
     let header = &run.log.header;
     let elsewhere: HashSet<&str> = header.only_elsewhere.iter().map(String::as_str).collect();
     list(header).iter().map(String::as_str).filter(move |name| !elsewhere.contains(name))
 }
 
+/// A list of names in a header.
+type List = fn(&Header) -> &[String];
+
 /// The lists of names in a header.
-const LISTS: [(&str, fn(&Header) -> &[String]); 2] =
-    [("objects", |header| &header.objects), ("lights", |header| &header.lights)];
+const LISTS: [(&str, List); 2] = [("objects", |header| &header.objects), ("lights", |header| &header.lights)];
 
 /// Objects and lights that only one of the scenes has.
 fn names(a: Run, b: Run) -> Vec<Changed> {

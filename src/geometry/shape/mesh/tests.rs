@@ -345,7 +345,7 @@ fn triangles_that_are_there_again_are_met_as_often() {
             shape.cross_together((0, false), &rays, 0xff, &mut crossed, &mut Silent);
             let shape = Shape::Mesh(Arc::new(shape.clone()));
             let first = |(nearest, ray): (Nearest, &Ray)| {
-                nearest.place(ray, |_| &shape, &mut Silent).first().map(|hit| hit.crossing)
+                nearest.place(ray, |_| &shape, &Silent).first().map(|hit| hit.crossing)
             };
             let firsts: Vec<_> = nearest.into_iter().zip(&rays).map(first).collect();
             (firsts, crossed.map(|limit| limit < 0.0))
