@@ -2,7 +2,7 @@
 
 mod cli;
 
-use raywalk_guard::Allocator;
+use raywalk_guard::{Allocator, give_back_large_pieces};
 use std::panic::catch_unwind;
 use std::process::ExitCode;
 
@@ -10,6 +10,7 @@ use std::process::ExitCode;
 static ALLOCATOR: Allocator = Allocator::new(cli::MACHINE);
 
 fn main() -> ExitCode {
+    give_back_large_pieces();
     // A panic is a bug of ours; its message is out, and scripts that tell exit codes apart needn't know another one.
     catch_unwind(cli::run).unwrap_or(ExitCode::from(cli::MACHINE))
 }

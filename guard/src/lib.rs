@@ -6,11 +6,13 @@
 
 mod allocator;
 mod patient;
+mod pieces;
 mod streams;
 mod unfinished;
 
 pub use allocator::{Allocator, Demanding, attempt};
 pub use patient::{Patient, retried};
+pub use pieces::give_back_large_pieces;
 pub use streams::{stdin_was_closed, stdout_was_closed};
 pub use unfinished::Unfinished;
 

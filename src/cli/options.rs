@@ -206,7 +206,7 @@ impl TracingOptions {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }
         file.tracing.formulas = self.formulas.or(file.tracing.formulas);
-        let built = build_with(&file, &meshes, self.arithmetic.implied_formulas());
+        let built = build_with(file, &meshes, self.arithmetic.implied_formulas());
         let mut scene = built.map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
         scene.frame = frame;
         scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);

@@ -232,7 +232,7 @@ impl Render {
 }
 
 fn names_of(scene: &Scene) -> Vec<String> {
-    scene.objects.iter().map(|object| object.name.clone()).collect()
+    scene.objects.iter().map(|object| object.name.to_string()).collect()
 }
 
 fn failed(error: &RenderError) -> Failure {

@@ -9,7 +9,7 @@ use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
 use raywalk::scene::file::{SceneFile, schema, visible};
-use raywalk::scene::{build, builtin, generate};
+use raywalk::scene::{Formulas, build_with, builtin, generate};
 use std::path::{Path, PathBuf};
 
 /// Check, show, convert, list or generate scenes.
@@ -85,8 +85,6 @@ impl SceneCommand {
                 let import = scene.nff.import();
                 let loaded = scene_argument::scene(&input, &import, colors)?;
                 let Loaded { scene: file, meshes, .. } = loaded;
-                let built = build(&file, &meshes).map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
-                lights::tell(&input, built, colors);
                 let name = visible(&file.name).into_owned();
                 let counted = |count: usize, what| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
                 let counts = [
@@ -95,14 +93,20 @@ impl SceneCommand {
                     counted(file.materials.len(), "material"),
                 ];
                 let counts = counts.join(", ");
+                let built = build_with(file, &meshes, Formulas::Robust);
+                let built = built.map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
+                lights::tell(&input, built, colors);
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())
             }
-            SceneCommand::Show(scene) => output::print(scene.without_meshes(colors)?.0.to_json().as_bytes()),
+            SceneCommand::Show(scene) => {
+                let (file, inputs) = scene.without_meshes(colors)?;
+                Output::create(None, &inputs)?.stream(|out| file.write_json(out))
+            }
             SceneCommand::Convert { scene, output } => {
                 let (file, inputs) = scene.without_meshes(colors)?;
                 let output_file = Output::create(output.as_deref(), &inputs)?;
                 warn_of_meshes(&file, &scene.scene, output.as_deref());
-                output_file.commit(file.to_json().as_bytes())
+                output_file.stream(|out| file.write_json(out))
             }
             SceneCommand::Schema => output::print(format!("{:#}\n", schema::json_schema()).as_bytes()),
             SceneCommand::List => {

@@ -117,8 +117,8 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
         seed: scene.seed,
         frame: scene.frame,
         shard: None,
-        objects: scene.objects.iter().map(|object| object.name.clone()).collect(),
-        lights: scene.lights.iter().map(|light| light.name.clone()).collect(),
+        objects: scene.objects.iter().map(|object| object.name.to_string()).collect(),
+        lights: scene.lights.iter().map(|light| light.name.to_string()).collect(),
         only_elsewhere: Vec::new(),
     }
 }

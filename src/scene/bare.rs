@@ -4,6 +4,7 @@ use super::file::schema as file;
 use super::{AroundEye, Camera, Ceilings, Color, Effects, Formulas, Index, Object, Sampling, Scene, build};
 use crate::geometry::Shape;
 use crate::threads::share;
+use compact_str::CompactString;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -15,7 +16,7 @@ impl Scene {
         shapes: impl IntoParallelIterator<Iter = impl IndexedParallelIterator<Item = Shape>, Item = Shape>,
     ) -> Scene {
         let object = |shape| Object {
-            name: String::new(),
+            name: CompactString::default(),
             slack: Shape::slack(&shape),
             shape,
             material: 0,

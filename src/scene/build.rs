@@ -1,6 +1,7 @@
 //! From a checked scene file to a scene that can be traced.
 
 use super::area_light::Spread;
+use super::converted::converted;
 use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::profile::CosineProfile;
@@ -17,28 +18,42 @@ use crate::geometry::shape::{
 };
 use glam::DVec3;
 use std::collections::HashMap;
+use std::io::{BufWriter, Write};
 use std::sync::Arc;
 
 /// Makes a checked scene file and the meshes that it names ready to be traced, with the robust formulas unless it names others.
 pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsupported> {
-    build_with(scene, meshes, Formulas::Robust)
+    build_with(scene.clone(), meshes, Formulas::Robust)
 }
 
-/// The same for a computation that implies these formulas, as one by hand does those of the notes.
-pub fn build_with(scene: &file::SceneFile, meshes: &Meshes, implied: Formulas) -> Result<Scene, Unsupported> {
+/// The same for a computation that implies these formulas, as one by hand does those of the notes. What the scene file holds is given back while the
+/// scene grows: both have room for as many objects, and they aren't there at once.
+pub fn build_with(scene: file::SceneFile, meshes: &Meshes, implied: Formulas) -> Result<Scene, Unsupported> {
+    let digest = digest(&scene, meshes);
     let tracing = tracing(&scene.tracing, implied);
     let sphere_method = tracing.sphere_method;
-    let mut materials: Vec<_> = scene.materials.iter().map(|(_, material)| self::material(material)).collect();
+    let (names, of_file) = scene.materials.into_parts();
+    // Materials that are one piece of memory in the file are one here, too.
+    let mut materials = Vec::new();
+    let mut latest: Option<Arc<file::Material>> = None;
+    let numbers = converted(of_file, |_, each| {
+        if !latest.as_ref().is_some_and(|latest| Arc::ptr_eq(latest, &each)) {
+            materials.push(self::material(&each));
+        }
+        latest = Some(each);
+        Ok(materials.len() - 1)
+    })?;
     let default_material = materials.len();
     materials.push(self::material(&file::Material::default()));
+    let moves = scene.objects.iter().any(|object| object.motion.is_some());
     let mut trees = Trees { meshes, built: HashMap::new() };
-    let object = |(index, object): (usize, &file::Object)| {
-        let named = |name: &String| scene.materials.index_of(name);
-        let material = object.material.as_ref().and_then(named).unwrap_or(default_material);
-        let shape = shape(&object.shape, sphere_method, index, &mut trees)?;
-        let shape = moving(shape, object, index, scene.camera.shutter);
+    let object = |index: usize, object: file::Object| {
+        let named = object.material.and_then(|name| names.get(&name));
+        let material = named.map_or(default_material, |place| numbers[*place as usize]);
+        let shape = shape(object.shape, sphere_method, index, &mut trees)?;
+        let shape = moving(shape, object.motion.as_deref(), index, scene.camera.shutter);
         Ok(Object {
-            name: object.name.clone(),
+            name: object.name,
             slack: shape.slack(),
             inside: if materials[material].transmits() { shape.inside() } else { None },
             shape,
@@ -46,12 +61,12 @@ pub fn build_with(scene: &file::SceneFile, meshes: &Meshes, implied: Formulas) -
             material,
         })
     };
-    let objects: Vec<_> = scene.objects.iter().enumerate().map(object).collect::<Result<_, Unsupported>>()?;
-    let camera = camera(&scene.camera, scene.objects.iter().any(|object| object.motion.is_some()));
-    let lights: Vec<_> = scene.lights.iter().map(light).collect();
+    let objects = converted(scene.objects, object)?;
+    let camera = camera(&scene.camera, moves);
+    let lights = converted(scene.lights, |_, each| Ok(light(each)))?;
     let built = Scene {
-        name: scene.name.clone(),
-        digest: digest(scene, meshes),
+        name: scene.name,
+        digest,
         effects: Effects::of(&camera, &lights, &materials),
         around_eye: AroundEye::of(&camera, &objects),
         camera,
@@ -81,8 +96,10 @@ fn color(rgb: impl Into<[f64; 3]>) -> Color {
 /// The digest of the resolved scene and the files of its meshes, as a log's header names it.
 fn digest(scene: &file::SceneFile, meshes: &Meshes) -> String {
     let mut hasher = blake3::Hasher::new();
-    // Writing plain numbers and strings to memory can't fail.
-    hasher.update(&serde_json::to_vec(scene).unwrap_or_default());
+    // Through a buffer, so that the text of a large scene isn't there as a whole. Writing plain numbers and strings to it can't fail.
+    let mut text = BufWriter::with_capacity(1 << 16, &mut hasher);
+    let _ = serde_json::to_writer(&mut text, scene).and_then(|()| text.flush().map_err(serde_json::Error::io));
+    drop(text);
     for (path, digest) in meshes.digests() {
         hasher.update(path.as_bytes()).update(digest.as_bytes());
     }
@@ -115,7 +132,7 @@ fn camera(camera: &file::Camera, moves: bool) -> Camera {
     built
 }
 
-fn light(light: &file::Light) -> Light {
+fn light(light: file::Light) -> Light {
     let kind = match light.kind {
         file::LightKind::Point(file::PointLight { position }) => LightKind::Point { position: position.into() },
         file::LightKind::Directional(file::DirectionalLight { direction }) => {
@@ -123,18 +140,18 @@ fn light(light: &file::Light) -> Light {
             LightKind::Directional { travel: direction / direction.length() }
         }
         file::LightKind::Rectangle(file::RectangleLight { corner, edge_u, edge_v }) => {
-            area(LightSurface::rectangle(corner.into(), edge_u.into(), edge_v.into()), light)
+            area(LightSurface::rectangle(corner.into(), edge_u.into(), edge_v.into()), &light)
         }
         file::LightKind::Disk(file::DiskLight { center, normal, radius }) => {
-            area(LightSurface::disk(center.into(), normal.into(), radius), light)
+            area(LightSurface::disk(center.into(), normal.into(), radius), &light)
         }
         file::LightKind::Sphere(file::SphereLight { center, radius }) => {
-            area(LightSurface::Sphere { center: center.into(), radius }, light)
+            area(LightSurface::Sphere { center: center.into(), radius }, &light)
         }
     };
     let fades = !matches!(kind, LightKind::Directional { .. }) && light.attenuation != [1.0, 0.0, 0.0];
     let attenuation = fades.then_some(light.attenuation);
-    Light { name: light.name.clone(), kind, color: color(light.color), attenuation }
+    Light { name: light.name, kind, color: color(light.color), attenuation }
 }
 
 fn area(surface: LightSurface, light: &file::Light) -> LightKind {
@@ -177,17 +194,15 @@ pub(super) fn material(material: &file::Material) -> Material {
         gloss_exponent: material.gloss_exponent,
         translucency_exponent: material.translucency_exponent,
         zones: next_square(count(material.samples)),
-        pattern: material.pattern.map(|file::Pattern::Checker(checker)| Checker {
-            a: color(checker.a),
-            b: color(checker.b),
-            size: checker.size,
+        pattern: material.pattern.as_deref().map(|file::Pattern::Checker(checker)| {
+            Box::new(Checker { a: color(checker.a), b: color(checker.b), size: checker.size })
         }),
     }
 }
 
 /// The shape with its motion, if it has one.
-fn moving(shape: Shape, object: &file::Object, index: usize, shutter: [f64; 2]) -> Shape {
-    let Some(motion) = &object.motion else { return shape };
+fn moving(shape: Shape, motion: Option<&file::Motion>, index: usize, shutter: [f64; 2]) -> Shape {
+    let Some(motion) = motion else { return shape };
     let turn = motion
         .rotation
         .as_ref()
@@ -203,7 +218,7 @@ fn next_square(n: u32) -> u32 {
 }
 
 fn shape(
-    shape: &file::Shape,
+    shape: file::Shape,
     sphere_method: SphereMethod,
     index: usize,
     trees: &mut Trees,
@@ -216,13 +231,13 @@ fn shape(
         file::Shape::Ellipsoid(ellipsoid) => Shape::Ellipsoid(Box::new(Ellipsoid::new(
             ellipsoid.center.into(),
             ellipsoid.radii.into(),
-            ellipsoid.rotation,
+            ellipsoid.rotation.map(|rows| *rows),
         ))),
         file::Shape::Triangle(triangle) => {
-            Shape::Triangle(Box::new(Triangle::new(triangle.vertices, triangle.normals)))
+            Shape::Triangle(Box::new(Triangle::new(triangle.vertices, triangle.normals.map(|normals| *normals))))
         }
         file::Shape::Polygon(polygon) => {
-            Shape::Polygon(Box::new(Polygon::new(&polygon.vertices, polygon.normals.as_deref())))
+            Shape::Polygon(Box::new(Polygon::of(polygon.vertices, polygon.normals.as_deref())))
         }
         file::Shape::Box(cuboid) => Shape::Cuboid(Cuboid::new(cuboid.min.into(), cuboid.max.into())),
         file::Shape::Cylinder(cylinder) => {

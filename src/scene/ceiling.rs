@@ -54,7 +54,7 @@ impl Ceilings {
 
 /// The most that a surface of this material can send out by itself.
 fn local(scene: &Scene, material: &Material, level: u32) -> Color {
-    let pattern = material.pattern.map_or(Color::ONE, |pattern| pattern.a.max(pattern.b));
+    let pattern = material.pattern.as_deref().map_or(Color::ONE, |pattern| pattern.a.max(pattern.b));
     let ambient = scene.ambient * material.ambient * pattern;
     if scene.tracing.shades_ambient_only(level) {
         return ambient;

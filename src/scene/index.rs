@@ -103,14 +103,9 @@ impl Index {
         let bounded: Vec<u32> =
             (0..objects.len() as u32).filter(|object| unbounded.binary_search(object).is_err()).collect();
         let form = |object: u32| objects[object as usize].shape.form().unwrap_or(Form::Within(Bounds::EMPTY));
-        let tree = Bvh::new(unbounded, &bounded, form);
-        Index {
-            tree,
-            bounds,
-            extents: Vec::new(),
-            usual: None,
-            has_large_trees: bounded.len() >= WORTH_PACKETS || has_large_meshes(objects),
-        }
+        let has_large_trees = bounded.len() >= WORTH_PACKETS || has_large_meshes(objects);
+        let tree = Bvh::new(unbounded, bounded, form);
+        Index { tree, bounds, extents: Vec::new(), usual: None, has_large_trees }
     }
 
     /// Shows every ray all objects in the order of the scene, as a log of every test wants it.
@@ -119,7 +114,7 @@ impl Index {
     }
 
     fn without_tree(objects: &[Object]) -> Index {
-        let tree = Bvh::new((0..objects.len() as u32).collect(), &[], |_| Form::Within(Bounds::EMPTY));
+        let tree = Bvh::new((0..objects.len() as u32).collect(), Vec::new(), |_| Form::Within(Bounds::EMPTY));
         let Sorted { unbounded, around } = sorted(objects);
         let bounds = unbounded.is_empty().then_some(around);
         Index { tree, bounds, extents: Vec::new(), usual: None, has_large_trees: has_large_meshes(objects) }

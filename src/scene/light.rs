@@ -3,13 +3,14 @@
 use super::{AreaLight, Color};
 use crate::log::Name;
 use crate::probe::Probe;
+use compact_str::CompactString;
 use glam::DVec3;
 
 /// A light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// Its name, unique in the scene.
-    pub name: String,
+    pub name: CompactString,
     /// Its place or direction.
     pub kind: LightKind,
     /// Its intensity per channel, I_i.

@@ -29,7 +29,7 @@ pub struct Material {
     /// How many zones a lobe has: a square number.
     pub zones: u32,
     /// What multiplies `ambient` and `diffuse` from place to place.
-    pub pattern: Option<Checker>,
+    pub pattern: Option<Box<Checker>>,
 }
 
 /// A checkerboard: cubes of two colours that fill space, of which a flat surface shows squares.

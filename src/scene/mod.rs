@@ -10,6 +10,7 @@ mod build;
 pub mod builtin;
 pub mod camera;
 pub mod ceiling;
+mod converted;
 mod effects;
 pub mod file;
 pub mod generate;
@@ -45,6 +46,7 @@ pub use unsupported::Unsupported;
 
 use crate::geometry::{Shape, Side};
 use crate::log::FrameId;
+use compact_str::CompactString;
 use glam::DVec3;
 
 /// A colour: red, green and blue, linear and unbounded.
@@ -93,7 +95,7 @@ pub struct Scene {
 #[derive(Clone, Debug)]
 pub struct Object {
     /// Its name, unique in the scene.
-    pub name: String,
+    pub name: CompactString,
     /// Its shape.
     pub shape: Shape,
     /// Its material, by number.
@@ -105,6 +107,9 @@ pub struct Object {
     /// The side of its surface on which its medium lies; `None` where it transmits nothing, or encloses nothing.
     pub inside: Option<Side>,
 }
+
+// Scenes have millions of them: docs/robustness.md has what memory a file takes by the byte.
+const _: () = assert!(size_of::<Object>() <= 120 && size_of::<Material>() <= 240);
 
 /// How traced values become the numbers of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -19,7 +19,7 @@ fn with_little_memory(folder: &Path, arguments: &[&str]) -> Answer {
 #[test]
 fn e20_memory_limit() {
     let folder = folder_with_mesh("m.obj");
-    fs::write(folder.path().join("m.obj"), format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}", "f 1 2 3\n".repeat(1_500_000)))
+    fs::write(folder.path().join("m.obj"), format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}", "f 1 2 3\n".repeat(3_000_000)))
         .expect("written");
     let render = ["render", "t.json", "--size", "9x9", "-q", "-o", "a.png"];
     with_little_memory(folder.path(), &render).fails(3, "error: m.obj: ");

@@ -255,3 +255,44 @@ fn logs_that_differ_in_much() {
         assert!(matches!(answer.code, Some(1 | 2)), "{:?}: {}", answer.code, answer.message);
     }
 }
+
+/// The smallest objects there are of each shape. Those of NFF take more (docs/robustness.md).
+#[test]
+fn objects_of_a_scene() {
+    let before = r#"{"format":"raywalk-scene/1","camera":{"position":[0,0,5],"direction":[0,0,-1],"resolution":[8,6]},"objects":["#;
+    let shapes = [
+        r#""sphere":{"center":[0,0,0],"radius":1}"#,
+        r#""plane":{"coefficients":[1,0,0,0]}"#,
+        r#""box":{"min":[0,0,0],"max":[1,1,1]}"#,
+        r#""triangle":{"vertices":[[0,0,0],[1,0,0],[0,1,0]]}"#,
+        r#""polygon":{"vertices":[[0,0,0],[1,0,0],[0,1,0]]}"#,
+    ];
+    for shape in shapes {
+        let text = many(before, same(&format!(r#"{{"shape":{{{shape}}}}},"#)), "]}");
+        bounded("s.json", &text, &["scene", "check", "@"], 0);
+        bounded("s.json", &text, &["scene", "show", "@"], 0);
+    }
+    let polygon = many(&format!(r#"{before}{{"shape":{{"polygon":{{"vertices":["#), same("[0,0,0],"), "]}}},");
+    let polygon = [polygon.strip_suffix(b"]}}},").expect("its end"), b",[1,0,0],[0,1,0]]}}}]}".as_slice()].concat();
+    bounded("s.json", &polygon, &["scene", "check", "@"], 0);
+}
+
+/// Triangles between the same few corners, each a few bytes.
+#[test]
+fn triangles_of_a_mesh() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    let ply = format!("{ply}element face {}\nproperty list uchar int vertex_indices\nend_header\n", SIZE / 8);
+    let faces = many("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", same("f 1 2 3\n"), "");
+    let short = many("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", same("f 1 2 3 4\n"), "");
+    let text = [format!("{ply}0 0 0\n1 0 0\n0 1 0\n").into_bytes(), b"3 0 1 2\n".repeat(SIZE / 8)].concat();
+    for (name, mesh) in [("m.obj", faces), ("m.obj", short), ("m.ply", text)] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let scene = format!(
+            r#"{{"format":"raywalk-scene/1","camera":{{"position":[0,0,5],"direction":[0,0,-1],"resolution":[8,6]}},
+                "objects":[{{"shape":{{"mesh":{{"path":"{name}.gz"}}}}}}]}}"#
+        );
+        fs::write(folder.path().join("t.json"), scene).expect("written");
+        fs::write(folder.path().join(format!("{name}.gz")), packed(&mesh)).expect("written");
+        bounded_in(folder.path(), mesh.len(), "t.json", &["scene", "check", "@"], 0);
+    }
+}

@@ -193,7 +193,7 @@ fn shadow_rays_grow_linearly() {
         let scene = changed_scene("textbook", |file| {
             let lamp = file.lights[0].clone();
             file.lights = (0..lights)
-                .map(|number| raywalk::scene::file::schema::Light { name: format!("F{number}"), ..lamp.clone() })
+                .map(|number| raywalk::scene::file::schema::Light { name: format!("F{number}").into(), ..lamp.clone() })
                 .collect();
         });
         let log = record::pixel(&scene, [160, 120], Arithmetic::F64);

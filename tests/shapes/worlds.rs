@@ -178,7 +178,7 @@ pub fn world(number: u64) -> World {
     let offset = if random.part() < 0.5 { DVec3::ZERO } else { offset };
     let shapes: Vec<Shape> = make(&mut random).into_iter().filter_map(|shape| placed(shape, scale, offset)).collect();
     let things: Vec<u32> = (0..shapes.len() as u32).collect();
-    let tree = Bvh::new(Vec::new(), &things, |thing| shapes[thing as usize].form().expect("bounded"));
+    let tree = Bvh::new(Vec::new(), things.clone(), |thing| shapes[thing as usize].form().expect("bounded"));
     let mut targets = Vec::new();
     for shape in &shapes {
         match corners_of(shape) {

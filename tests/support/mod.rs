@@ -48,7 +48,7 @@ fn built(text: &[u8], name: &str, formulas: Formulas, change: impl FnOnce(&mut S
     let source = Source { name, text };
     let meshes = mesh::load(&loaded.scene, &source, mesh::Folder::BuiltIn(builtin::mesh));
     let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));
-    build_with(&loaded.scene, &meshes, formulas).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+    build_with(loaded.scene, &meshes, formulas).unwrap_or_else(|unsupported| panic!("{unsupported}"))
 }
 
 /// The middle pixel of a scene.

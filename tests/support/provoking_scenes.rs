@@ -66,7 +66,7 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
         |center: [f64; 3], radius| Shape::Sphere(Sphere::new(center.into(), radius, false, options.sphere_method));
     let plane = |coefficients| Shape::Plane(Plane::new(coefficients));
     let object = |name: &str, shape, material| Object {
-        name: name.to_owned(),
+        name: name.into(),
         shape,
         material,
         one_sided: false,
@@ -81,7 +81,7 @@ pub fn everything(name: &str, eye: [f64; 3], options: Options) -> Scene {
             point("behind", [-2.0, 4.0, -9.0], [0.5, 0.6, 0.9], None),
             point("in the water", [0.0, 1.0, -4.25], [0.3, 0.3, 0.3], None),
             Light {
-                name: "sun".to_owned(),
+                name: "sun".into(),
                 kind: LightKind::Directional { travel: DVec3::new(-0.6, -0.8, 0.0) },
                 color: DVec3::new(0.4, 0.4, 0.2),
                 attenuation: None,
@@ -122,7 +122,7 @@ pub fn straight_through(options: Options) -> Scene {
         lights: vec![point("behind", [0.0, 0.0, -4.0], [1.0, 0.5, 0.25], None)],
         materials: vec![shade],
         objects: vec![Object {
-            name: "shade".to_owned(),
+            name: "shade".into(),
             shape: Shape::Plane(Plane::new([0.0, 0.0, 1.0, 0.0])),
             material: 0,
             one_sided: false,
@@ -178,5 +178,5 @@ fn weights([local, reflected, transmitted]: [f64; 3]) -> Weights {
 
 fn point(name: &str, position: [f64; 3], color: [f64; 3], attenuation: Option<[f64; 3]>) -> Light {
     let kind = LightKind::Point { position: position.into() };
-    Light { name: name.to_owned(), kind, color: color.into(), attenuation }
+    Light { name: name.into(), kind, color: color.into(), attenuation }
 }

@@ -289,7 +289,7 @@ fn angles_name_their_lights() {
     let log = record::pixel(&scene("figure-6"), [160, 120], Arithmetic::F64);
     let close_up = made(&log, Some("C T"), vectors).expect("a hit");
     let named: Vec<_> = close_up.rows.iter().filter(|row| row[0] == "N, L").map(|row| row[3].as_str()).collect();
-    let lights: Vec<_> = scene("figure-6").lights.iter().map(|light| light.name.clone()).collect();
+    let lights: Vec<_> = scene("figure-6").lights.iter().map(|light| light.name.to_string()).collect();
     assert!(named.len() > 1, "{text}");
     assert_eq!(named, lights.iter().map(String::as_str).take(named.len()).collect::<Vec<_>>());
     for row in &close_up.rows {

@@ -13,8 +13,11 @@ const MOST_OBJECTS: usize = 400;
 /// The drawing of a scene.
 pub fn of(scene: &Arc<Scene>) -> Drawing {
     let eye = scene.camera.position();
-    let lights: Vec<Thing> =
-        scene.lights.iter().map(|light| Thing { name: light.name.clone(), lines: light_lines(&light.kind) }).collect();
+    let lights: Vec<Thing> = scene
+        .lights
+        .iter()
+        .map(|light| Thing { name: light.name.to_string(), lines: light_lines(&light.kind) })
+        .collect();
     let seen_by = Arc::clone(scene);
     Drawing {
         objects: objects(scene),
@@ -30,7 +33,7 @@ pub fn objects(scene: &Scene) -> Vec<Thing> {
     let around = around(scene, scene.camera.position());
     let objects = scene.objects.iter().take(MOST_OBJECTS).map(|object| {
         let lines = object.shape.outline(&around);
-        Thing { name: object.name.clone(), lines: lines.into_iter().map(arrays).collect() }
+        Thing { name: object.name.to_string(), lines: lines.into_iter().map(arrays).collect() }
     });
     objects.collect()
 }

@@ -29,6 +29,8 @@ pub(super) struct SphereBlock {
     things: [u32; 8],
 }
 
+const _: () = assert!(size_of::<TriangleBlock>() <= 8 * 44 && size_of::<SphereBlock>() <= 8 * 20);
+
 /// What blocks have in common.
 pub(super) trait Block: Sized {
     /// What a lane is made of.

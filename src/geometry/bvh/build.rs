@@ -61,25 +61,26 @@ struct Growth {
 
 impl Bvh {
     /// The tree over these things, and things that have no box.
-    pub fn new(unbounded: Vec<u32>, things: &[u32], form: impl Fn(u32) -> Form + Sync) -> Bvh {
+    pub fn new(unbounded: Vec<u32>, things: Vec<u32>, form: impl Fn(u32) -> Form + Sync) -> Bvh {
         share(things.len(), || Bvh::of(unbounded, things, &form))
     }
 
-    fn of(unbounded: Vec<u32>, things: &[u32], form: impl Fn(u32) -> Form + Sync) -> Bvh {
+    fn of(unbounded: Vec<u32>, things: Vec<u32>, form: impl Fn(u32) -> Form + Sync) -> Bvh {
         let mut bvh = Bvh { beside: unbounded, instructions: Instructions::detected(), ..Bvh::default() };
         let bounds_of = |thing: u32| form(thing).bounds().widened();
+        let is_empty = things.is_empty();
         let Sorted { outliers, kept, around } = outliers::sorted(things, bounds_of);
-        bvh.bounds = (!things.is_empty()).then(|| outliers.iter().fold(around, |all, far| all.union(bounds_of(*far))));
+        bvh.bounds = (!is_empty).then(|| outliers.iter().fold(around, |all, far| all.union(bounds_of(*far))));
         bvh.beside.extend(outliers);
         if kept.is_empty() {
             return bvh;
         }
         bvh.space = Space::around(around);
-        bvh.grow(&kept, form);
+        bvh.grow(kept, form);
         bvh
     }
 
-    fn grow(&mut self, things: &[u32], form: impl Fn(u32) -> Form + Sync) {
+    fn grow(&mut self, things: Vec<u32>, form: impl Fn(u32) -> Form + Sync) {
         let space = self.space;
         let rough = |thing: &u32| {
             let form = form(*thing);
@@ -93,11 +94,15 @@ impl Bvh {
             Rough::new(*thing, kind, &around)
         };
         let mut roughs: Vec<Rough> = things.par_iter().with_min_len(CHUNK).map(rough).collect();
+        drop(things);
         let mut growth = Growth::default();
         let whole = Part::of(&roughs, 0..roughs.len());
         self.root = Some(growth.grow(&mut roughs, 0, &whole, 0));
         self.nodes = growth.nodes;
-        let things_of = |leaf: &Leaf| roughs[leaf.start as usize..][..leaf.count as usize].iter().map(Rough::thing);
+        // Only their order is needed from here on: the boxes of a million things don't lie beside their blocks.
+        let things: Vec<u32> = roughs.par_iter().with_min_len(CHUNK).map(Rough::thing).collect();
+        drop(roughs);
+        let things_of = |leaf: &Leaf| things[leaf.start as usize..][..leaf.count as usize].iter().copied();
         let triangles = growth.triangles.par_iter().with_min_len(CHUNK / 8);
         let corners = |thing| if let Form::Triangle(corners) = form(thing) { Some((thing, corners)) } else { None };
         self.triangles =
@@ -230,7 +235,7 @@ mod tests {
 
     fn on_threads(count: usize, things: &[u32]) -> Option<Bvh> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().ok()?;
-        Some(pool.install(|| Bvh::new(Vec::new(), things, ball)))
+        Some(pool.install(|| Bvh::new(Vec::new(), things.to_vec(), ball)))
     }
 
     #[test]
@@ -244,7 +249,7 @@ mod tests {
     fn everything_is_in_the_tree_once() {
         for count in [1, 7, 9, 1000] {
             let things: Vec<u32> = (0..count).collect();
-            let tree = Bvh::new(Vec::new(), &things, ball);
+            let tree = Bvh::new(Vec::new(), things.clone(), ball);
             let mut found: Vec<u32> = tree.things().collect();
             found.sort_unstable();
             assert_eq!(found, things);
@@ -254,7 +259,7 @@ mod tests {
     #[test]
     fn things_in_one_place_make_a_tree() {
         let things: Vec<u32> = (0..5000).collect();
-        let tree = Bvh::new(Vec::new(), &things, |_| Form::Sphere { center: DVec3::ONE, radius: 1.0 });
+        let tree = Bvh::new(Vec::new(), things, |_| Form::Sphere { center: DVec3::ONE, radius: 1.0 });
         assert_eq!(tree.things().count(), 5000);
         assert!(tree.spheres.len() < 1300, "{} blocks", tree.spheres.len());
     }

@@ -26,7 +26,7 @@ pub(super) struct Sorted {
 }
 
 /// Finds the outliers.
-pub(super) fn sorted(things: &[u32], bounds_of: impl Fn(u32) -> Bounds + Sync) -> Sorted {
+pub(super) fn sorted(mut things: Vec<u32>, bounds_of: impl Fn(u32) -> Bounds + Sync) -> Sorted {
     let step = things.len().div_ceil(SAMPLE).max(1);
     let middle = median(things.iter().step_by(step).map(|thing| bounds_of(*thing).center()).collect());
     let look_at = |chunk: &[u32]| {
@@ -45,13 +45,13 @@ pub(super) fn sorted(things: &[u32], bounds_of: impl Fn(u32) -> Bounds + Sync) -
     let (farthest, around) = things.par_chunks(CHUNK).map(look_at).reduce(nothing, join);
     let is_gap = |pair: &[(f64, u32)]| pair[0].0 > FAR * pair[1].0;
     let Some(last) = farthest.windows(2).rposition(is_gap) else {
-        return Sorted { outliers: Vec::new(), kept: things.to_vec(), around };
+        return Sorted { outliers: Vec::new(), kept: things, around };
     };
     let mut outliers: Vec<u32> = farthest[..=last].iter().map(|(_, thing)| *thing).collect();
     outliers.sort_unstable();
-    let kept: Vec<u32> = things.iter().copied().filter(|thing| outliers.binary_search(thing).is_err()).collect();
-    let around = kept.iter().fold(Bounds::EMPTY, |around, thing| around.union(bounds_of(*thing)));
-    Sorted { outliers, kept, around }
+    things.retain(|thing| outliers.binary_search(thing).is_err());
+    let around = things.iter().fold(Bounds::EMPTY, |around, thing| around.union(bounds_of(*thing)));
+    Sorted { outliers, kept: things, around }
 }
 
 /// The things that reach farthest out, one more than there can be outliers, the farthest first.
@@ -90,9 +90,9 @@ mod tests {
             Bounds { min: at - half, max: at + half }
         };
         let things: Vec<u32> = (0..20).collect();
-        let Sorted { outliers, kept, around } = sorted(&things, bounds_of);
+        let Sorted { outliers, kept, around } = sorted(things, bounds_of);
         assert_eq!((outliers, kept.len()), (vec![3], 19));
         assert_eq!(around, Bounds { min: DVec3::splat(-0.5), max: DVec3::new(19.5, 0.5, 0.5) });
-        assert!(sorted(&kept, bounds_of).outliers.is_empty());
+        assert!(sorted(kept, bounds_of).outliers.is_empty());
     }
 }

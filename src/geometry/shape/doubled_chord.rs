@@ -13,6 +13,9 @@ const OF_SQUARE: f64 = 4.0 * f64::EPSILON;
 /// errs by 2·p·8u·|OC| and five roundings, r² by one; p and r are at most the root of the larger of L2oc and r².
 const OF_CHORD: f64 = 16.0 * f64::EPSILON;
 
+/// That in parts of the other. Both are powers of two, so that their products with a number are, too.
+const OF_CHORD_PER_SQUARE: f64 = OF_CHORD / OF_SQUARE;
+
 /// Where squares neither overflow nor lose digits.
 const MIDDLING: std::ops::Range<f64> = 1e-260..1e260;
 
@@ -22,40 +25,35 @@ pub(super) const LEAST_DIFFERENCE: f64 = 0.75;
 /// The least part of L2oc left of L2oc − r² with which a distance can be corrected.
 pub(super) const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
 
-/// Where f64 can't tell how a line lies to a sphere.
+/// Where f64 can't tell how a line lies to a sphere: a bound of the relative error of L2oc. In a word, since a million spheres have a million
+/// of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Doubt {
-    of_side: f64,
-    of_touch: f64,
-    /// The square of the radius; another number where it may be 0 and all is in doubt or nothing.
-    radius_squared: f64,
-}
+pub(super) struct Doubt(f64);
 
 impl Doubt {
     /// No doubt at all.
-    pub const NONE: Doubt = Doubt { of_side: f64::NEG_INFINITY, of_touch: f64::NEG_INFINITY, radius_squared: 1.0 };
+    pub const NONE: Doubt = Doubt(f64::NEG_INFINITY);
+
+    /// Nothing but doubt. Times zero it is zero, which is no less than a difference of zeros; so it isn't infinite, nor is the bound of T2_A.
+    const ALL: Doubt = Doubt(f64::MAX / OF_CHORD_PER_SQUARE);
 
     /// The doubts about a sphere with this square of its radius: where that is so small that digits of squares are lost, all is in
     /// doubt.
     pub fn of_radius(radius_squared: f64) -> Doubt {
-        if MIDDLING.contains(&radius_squared) {
-            Doubt { of_side: OF_SQUARE, of_touch: OF_CHORD, radius_squared }
-        } else {
-            Doubt { of_side: f64::INFINITY, of_touch: f64::INFINITY, radius_squared: 1.0 }
-        }
+        if MIDDLING.contains(&radius_squared) { Doubt(OF_SQUARE) } else { Doubt::ALL }
     }
 
-    /// Whether f64 can't tell on which side of the sphere the origin lies by `difference`, L2oc − r². Squares without end are in
-    /// doubt.
+    /// Whether f64 can't tell on which side of the sphere with this square of its radius the origin lies by the difference L2oc − r². Squares
+    /// without end are in doubt.
     #[inline(always)]
-    pub fn has_side(self, difference: f64, l2_oc: f64) -> bool {
-        difference.abs() <= self.of_side * (l2_oc + self.radius_squared)
+    pub fn has_side(self, l2_oc: f64, radius_squared: f64) -> bool {
+        (l2_oc - radius_squared).abs() <= self.0 * (l2_oc + radius_squared)
     }
 
     /// Whether f64 can't tell if the line meets the sphere.
     #[inline(always)]
-    pub fn has_touch(self, t2_a: f64, l2_oc: f64) -> bool {
-        t2_a.abs() <= self.of_touch * (l2_oc + self.radius_squared)
+    pub fn has_touch(self, t2_a: f64, l2_oc: f64, radius_squared: f64) -> bool {
+        t2_a.abs() <= self.0 * (l2_oc + radius_squared) * OF_CHORD_PER_SQUARE
     }
 }
 

@@ -3,6 +3,7 @@
 //! Each triangle is intersected by the kernel of a triangle, in a test of its own. The tree narrows down and decides nothing: of
 //! several triangles in the same place the first in the mesh file wins, whatever the order of the tests.
 
+mod copies;
 mod left;
 mod together;
 
@@ -21,9 +22,11 @@ use crate::geometry::size::unit;
 use crate::log::{Miss, Step};
 use crate::probe::{Probe, ROUNDINGS, Silent};
 use crate::threads::share;
+use copies::{Copies, Normals};
 use glam::DVec3;
 use left::{LeftTriangle, corners_in_common, overlap};
 use rayon::prelude::*;
+use std::iter::successors;
 use std::sync::{Arc, OnceLock};
 
 /// A mesh, ready to be met by rays. A crossing's primitive is the triangle's number in the mesh.
@@ -31,8 +34,9 @@ use std::sync::{Arc, OnceLock};
 pub struct TriangleMesh {
     mesh: Arc<Mesh>,
     tree: Bvh,
-    /// The normals of the triangles, as [`Facet`] has them.
-    normals: Vec<DVec3>,
+    /// Those of the triangles that the tree has stand for these, too.
+    copies: Copies,
+    normals: Normals,
     /// What [`TriangleMesh::inside`] found; only media need it.
     inside: OnceLock<Option<Side>>,
 }
@@ -45,14 +49,19 @@ impl TriangleMesh {
 
     fn of(mesh: Arc<Mesh>) -> TriangleMesh {
         let has_area = |triangle: &u32| !mesh.is_degenerate(*triangle);
-        let solid: Vec<u32> = (0..mesh.faces.len() as u32).into_par_iter().filter(has_area).collect();
-        let tree = Bvh::new(Vec::new(), &solid, |triangle| Form::Triangle(mesh.corners(triangle)));
-        let normal = |triangle| {
-            let [a, b, c] = mesh.corners(triangle);
-            Facet::new(a, b, c).normal
+        let tree_over = |solid| Bvh::new(Vec::new(), solid, |triangle| Form::Triangle(mesh.corners(triangle)));
+        let numbers = (0..mesh.faces.len() as u32).into_par_iter();
+        let (tree, copies, normals) = match Copies::of(&mesh) {
+            None => {
+                let tree = tree_over(numbers.clone().filter(has_area).collect());
+                (tree, Copies::default(), Normals::new(&mesh, numbers, Vec::new()))
+            }
+            Some((copies, places, firsts)) => {
+                let tree = tree_over(firsts.iter().copied().filter(has_area).collect());
+                (tree, copies, Normals::new(&mesh, firsts.into_par_iter(), places))
+            }
         };
-        let normals = (0..mesh.faces.len() as u32).into_par_iter().map(normal).collect();
-        TriangleMesh { mesh, tree, normals, inside: OnceLock::new() }
+        TriangleMesh { mesh, tree, copies, normals, inside: OnceLock::new() }
     }
 
     /// The triangles.
@@ -91,9 +100,13 @@ impl TriangleMesh {
     /// the side on which they set off.
     pub fn can_be_crossed_in(&self, shaft: &Shaft, leaving: Option<Leaving>) -> bool {
         let left = leaving.and_then(|leaving| LeftTriangle::in_shaft(&self.mesh, &self.normals, leaving, shaft));
-        let bars =
-            |triangle| left.as_ref().is_some_and(|left| left.bars_all(&self.mesh, &self.normals, triangle, shaft));
-        !self.tree.between(shaft, bars)
+        let bars = |triangle: &u32| {
+            left.as_ref().is_some_and(|left| left.bars_all(&self.mesh, &self.normals, *triangle, shaft))
+        };
+        let bars_copies = |triangle| {
+            successors(Some(triangle), |triangle| self.copies.after::<true>(*triangle)).all(|each| bars(&each))
+        };
+        !self.tree.between(shaft, bars_copies)
     }
 
     /// Whether two triangles have one or two corners in common and don't overlap.
@@ -118,6 +131,33 @@ impl TriangleMesh {
 
     /// Whether the ray crosses the object at all. Ends with the first triangle that is found.
     pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, source: &impl RaySource, probe: &mut P) -> bool {
+        if self.copies.are_there() {
+            return self.is_crossed_among_copies(object, one_sided, source, probe);
+        }
+        self.is_crossed_by::<P, false>(object, one_sided, source, probe)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_crossed_among_copies<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        source: &impl RaySource,
+        probe: &mut P,
+    ) -> bool {
+        self.is_crossed_by::<P, true>(object, one_sided, source, probe)
+    }
+
+    /// The same. `COPIES` says whether the tree's triangles stand for others: asked at each, that would take time where they don't.
+    #[inline(always)]
+    fn is_crossed_by<P: Probe, const COPIES: bool>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        source: &impl RaySource,
+        probe: &mut P,
+    ) -> bool {
         let left = self.left(object, source);
         // A sure hit says nothing of the triangle that the ray leaves and its neighbours, nor of sides.
         let search = match left {
@@ -129,10 +169,14 @@ impl TriangleMesh {
             source,
             search,
             #[inline(always)]
-            |triangle, is_sure| {
+            |mut triangle, is_sure| loop {
                 is_crossed =
                     is_sure || self.meet(object, one_sided, triangle, source.ray(), left.as_ref(), probe).is_some();
-                if is_crossed { -1.0 } else { source.reach() }
+                match self.copies.after::<COPIES>(triangle) {
+                    _ if is_crossed => break -1.0,
+                    Some(copy) => triangle = copy,
+                    None => break source.reach(),
+                }
             },
         );
         probe.bounds_tested(tested);
@@ -164,7 +208,7 @@ impl TriangleMesh {
         for at in from..found.len() {
             let crossing = found[at];
             let (size, slope) =
-                (self.size(crossing.primitive), unit(self.normals[crossing.primitive as usize]).dot(ray.direction));
+                (self.size(crossing.primitive), unit(*self.normals.of(crossing.primitive)).dot(ray.direction));
             let bound = ROUNDINGS * (2.0 * (ray.origin.abs().element_sum() + crossing.t.abs()) + 2.0 * size);
             let is_same = |before: &&Crossing| (crossing.t - before.t) * slope.abs() <= bound;
             let is_again = found[from..kept].iter().rev().take_while(is_same).any(|before| {
@@ -196,7 +240,38 @@ impl TriangleMesh {
 
     /// Tests the triangles that the ray can meet, but for the one that it leaves, and shows `meet` every crossing. `meet`
     /// says how far further ones matter; a negative distance ends the search.
+    #[inline(always)]
     fn visit<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        search: Search,
+        probe: &mut P,
+        meet: impl FnMut(Crossing, &P) -> f64,
+    ) {
+        if self.copies.are_there() {
+            return self.visit_among_copies(object, one_sided, ray, search, probe, meet);
+        }
+        self.visit_by::<P, false>(object, one_sided, ray, search, probe, meet);
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn visit_among_copies<P: Probe>(
+        &self,
+        object: u32,
+        one_sided: bool,
+        ray: &Ray,
+        search: Search,
+        probe: &mut P,
+        meet: impl FnMut(Crossing, &P) -> f64,
+    ) {
+        self.visit_by::<P, true>(object, one_sided, ray, search, probe, meet);
+    }
+
+    #[inline(always)]
+    fn visit_by<P: Probe, const COPIES: bool>(
         &self,
         object: u32,
         one_sided: bool,
@@ -211,11 +286,14 @@ impl TriangleMesh {
             ray,
             search,
             #[inline(always)]
-            |triangle, _| {
+            |mut triangle, _| loop {
                 if let Some(crossing) = self.meet(object, one_sided, triangle, ray, left.as_ref(), probe) {
                     t_max = meet(crossing, probe);
                 }
-                t_max
+                match self.copies.after::<COPIES>(triangle) {
+                    Some(copy) if t_max >= 0.0 => triangle = copy,
+                    _ => break t_max,
+                }
             },
         );
         probe.bounds_tested(tested);
@@ -304,13 +382,13 @@ impl TriangleMesh {
     fn corners(&self, triangle: u32) -> Corners<'_> {
         let [a, b, c] = self.mesh.faces[triangle as usize];
         let at = |corner: u32| &self.mesh.positions[corner as usize];
-        Corners { corners: [at(a), at(b), at(c)], normal: &self.normals[triangle as usize] }
+        Corners { corners: [at(a), at(b), at(c)], normal: self.normals.of(triangle) }
     }
 
     #[inline(always)]
     fn facet(&self, triangle: u32) -> Facet {
         let [a, b, c] = self.mesh.corners(triangle);
-        Facet { a, b, c, normal: self.normals[triangle as usize] }
+        Facet { a, b, c, normal: *self.normals.of(triangle) }
     }
 }
 

@@ -80,6 +80,8 @@ pub enum Shape {
     Moving(Box<Moving>),
 }
 
+const _: () = assert!(size_of::<Shape>() <= 72 && size_of::<Triangle>() <= 104 && size_of::<Polygon>() <= 128);
+
 /// Calls a method of the kernel behind a shape, or of a mesh, which is many, or of a moving shape.
 macro_rules! kernel {
     ($shape:expr, $kernel:ident => $call:expr, $mesh:ident => $mesh_call:expr) => {

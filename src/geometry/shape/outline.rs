@@ -28,7 +28,7 @@ impl Shape {
             }
             Shape::Ellipsoid(ellipsoid) => great_circles(ellipsoid.center, ellipsoid.half_axes()),
             Shape::Triangle(triangle) => vec![closed(vec![triangle.facet.a, triangle.facet.b, triangle.facet.c])],
-            Shape::Polygon(polygon) => vec![closed(polygon.corners.clone())],
+            Shape::Polygon(polygon) => vec![closed(polygon.corners.to_vec())],
             Shape::Cuboid(_) => self.bounds().map(|bounds| edges(&bounds)).unwrap_or_default(),
             Shape::Cylinder(cylinder) => tube(&cylinder.axis, [cylinder.radius; 2]),
             Shape::Cone(cone) => tube(&cone.axis, [cone.base_radius, cone.apex_radius]),

@@ -17,8 +17,6 @@ pub struct Plane {
     pub(super) normal: DVec3,
     pub(super) offset: f64,
     unit_normal: DVec3,
-    /// The sum of the normal's components' magnitudes.
-    size: f64,
     /// The least |V_o| that certainly keeps its digits. Of an axial plane it is a difference of two terms, and V_d is one product;
     /// of others nothing is known beforehand.
     certain_from: f64,
@@ -31,7 +29,7 @@ impl Plane {
         let size = normal.abs().element_sum();
         let is_axial = normal.abs().max_element() == size;
         let certain_from = if is_axial { 2.0 * d.abs() } else { f64::INFINITY };
-        Plane { normal, offset: d, unit_normal: normal / normal.length(), size, certain_from }
+        Plane { normal, offset: d, unit_normal: normal / normal.length(), certain_from }
     }
 
     /// Whether a segment of the shaft can cross it: not if all of them lie on one side, farther away than roundings can tell.
@@ -112,8 +110,9 @@ impl Plane {
         if v_o.abs() >= self.certain_from {
             return false;
         }
-        let of_offset = self.size * ray.origin.abs().max_element() + self.offset.abs();
-        let has_half = v_d.abs() >= HALF * self.size && v_o.abs() >= HALF * of_offset;
+        let size = self.normal.abs().element_sum();
+        let of_offset = size * ray.origin.abs().max_element() + self.offset.abs();
+        let has_half = v_d.abs() >= HALF * size && v_o.abs() >= HALF * of_offset;
         if has_half && ray.is_settled_by_half(v_o / v_d) {
             return false;
         }

@@ -22,14 +22,14 @@ use glam::{DVec2, DVec3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
     /// The first is the plane's point.
-    pub(super) corners: Vec<DVec3>,
+    pub(super) corners: Box<[DVec3]>,
     /// Of twice the polygon's area.
     normal: DVec3,
     unit_normal: DVec3,
     bounds: Bounds,
     is_convex: bool,
     /// Triangles with the normals at their corners, if shading is smooth.
-    fan: Option<Fan>,
+    fan: Option<Box<Fan>>,
 }
 
 /// The plane of two axes, so turned that a polygon runs counter-clockwise in it.
@@ -88,7 +88,12 @@ impl Polygon {
 
     /// The polygon with these corners, three or more; with a normal for each its shading is smooth.
     pub fn new(vertices: &[[f64; 3]], normals: Option<&[[f64; 3]]>) -> Polygon {
-        let corners: Vec<DVec3> = vertices.iter().copied().map(DVec3::from).collect();
+        Polygon::of(vertices.to_vec(), normals)
+    }
+
+    /// The same of a list that nobody needs any more: it becomes that of the polygon.
+    pub fn of(vertices: Vec<[f64; 3]>, normals: Option<&[[f64; 3]]>) -> Polygon {
+        let corners: Box<[DVec3]> = vertices.into_iter().map(DVec3::from).collect();
         let normal = newell_normal(&corners);
         let unit_normal = unit(normal);
         let point = corners.first().copied().unwrap_or_default();
@@ -100,7 +105,7 @@ impl Polygon {
             unit_normal,
             bounds: Bounds::around(corners.iter().copied().chain(on_plane)),
             is_convex: is_convex(&outline(&corners, normal)),
-            fan: normals.map(|normals| Fan::new(&corners, normals, &outline(&corners, normal))),
+            fan: normals.map(|normals| Box::new(Fan::new(&corners, normals, &outline(&corners, normal)))),
             corners,
         }
     }

@@ -88,7 +88,7 @@ impl Sphere {
         let oc = probe.note(Name::SphereOc, self.center - ray.origin);
         let l2_oc = probe.note(Name::SphereL2oc, probe.dot(oc, oc));
         let t_a = probe.note(Name::SphereTa, probe.dot(oc, ray.direction));
-        if self.doubt.has_side(l2_oc - self.radius_squared, l2_oc) && probe.certifies() {
+        if self.doubt.has_side(l2_oc, self.radius_squared) && probe.certifies() {
             return Line::InDoubt;
         }
         let is_origin_outside = l2_oc > self.radius_squared;
@@ -104,7 +104,7 @@ impl Sphere {
             }
             SphereMethod::Geometric => (Name::SphereT2a, self.radius_squared - l2_oc + t_a * t_a),
         };
-        if self.doubt.has_touch(t2_a, l2_oc) && probe.certifies() {
+        if self.doubt.has_touch(t2_a, l2_oc, self.radius_squared) && probe.certifies() {
             return Line::InDoubt;
         }
         probe.mark(if is_origin_outside { Decision::Outside } else { Decision::Inside });

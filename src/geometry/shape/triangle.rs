@@ -24,8 +24,8 @@ use glam::DVec3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
     pub(super) facet: Facet,
-    /// Normals at the corners, of any length.
-    normals: Option<[DVec3; 3]>,
+    /// Normals at the corners, of any length; elsewhere, since most triangles have none.
+    normals: Option<Box<[DVec3; 3]>>,
 }
 
 /// The kernel of a triangle: its three corners, and what is made of them once.
@@ -53,7 +53,7 @@ impl Triangle {
     /// The triangle with these corners; with normals there its shading is smooth.
     pub fn new(vertices: [[f64; 3]; 3], normals: Option<[[f64; 3]; 3]>) -> Triangle {
         let [a, b, c] = vertices.map(DVec3::from);
-        Triangle { facet: Facet::new(a, b, c), normals: normals.map(|normals| normals.map(DVec3::from)) }
+        Triangle { facet: Facet::new(a, b, c), normals: normals.map(|normals| Box::new(normals.map(DVec3::from))) }
     }
 
     /// Whether its normals are interpolated.
@@ -80,7 +80,7 @@ impl Kernel for Triangle {
 
     #[inline]
     fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        self.facet.surface(self.normals.as_ref(), ray, crossing, probe)
+        self.facet.surface(self.normals.as_deref(), ray, crossing, probe)
     }
 
     fn bounds(&self) -> Option<Bounds> {

@@ -4,7 +4,7 @@ use super::align::{Alignment, Spot, Thing, computed};
 use super::kinds::{Kinds, kind};
 use super::telling_apart;
 use super::tolerance::Tolerance;
-use crate::log::{Decision, Name, RayKind, Step, What};
+use crate::log::{Decision, Header, Name, RayKind, Step, What};
 use crate::report::side_by_side::Run;
 use crate::report::{number, words};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -46,20 +46,31 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
 const ABSENT: &str = "absent";
 const PRESENT: &str = "present";
 
+/// A list of the names that a scene has itself. There may be a million of them, so no copy is made.
+fn own_names<'r>(run: Run<'r>, list: List) -> impl Iterator<Item = &'r str> {
+    let header = &run.log.header;
+    let elsewhere: HashSet<&str> = header.only_elsewhere.iter().map(String::as_str).collect();
+    list(header).iter().map(String::as_str).filter(move |name| !elsewhere.contains(name))
+}
+
+/// A list of names in a header.
+type List = fn(&Header) -> &[String];
+
+/// The lists of names in a header.
+const LISTS: [(&str, List); 2] = [("objects", |header| &header.objects), ("lights", |header| &header.lights)];
+
 /// Objects and lights that only one of the scenes has.
 fn names(a: Run, b: Run) -> Vec<Changed> {
     let only = |run: Run, other: Run| -> Vec<(String, String)> {
-        let lists = |run: Run| {
-            let header = &run.log.header;
-            let elsewhere: HashSet<_> = header.only_elsewhere.iter().collect();
-            let own = |names: &[String]| names.iter().filter(|name| !elsewhere.contains(name)).cloned().collect();
-            [("objects", own(&header.objects)), ("lights", own(&header.lights))]
-        };
-        let named = |(list, names): (&'static str, Vec<String>)| {
-            names.into_iter().map(move |name| format!("{list}.{}", words::plain(&name)))
-        };
-        let theirs: HashSet<String> = lists(other).into_iter().flat_map(named).collect();
-        let missing: Vec<_> = lists(run).into_iter().flat_map(named).filter(|place| !theirs.contains(place)).collect();
+        let mut missing = Vec::new();
+        for (kind, list) in LISTS {
+            if own_names(run, list).eq(own_names(other, list)) {
+                continue;
+            }
+            let theirs: HashSet<&str> = own_names(other, list).collect();
+            let names = own_names(run, list).filter(|name| !theirs.contains(name));
+            missing.extend(names.map(|name| format!("{kind}.{}", words::plain(name))));
+        }
         if missing.is_empty() {
             return Vec::new();
         }

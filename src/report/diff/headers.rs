@@ -70,9 +70,9 @@ fn subject(header: &Header) -> String {
 }
 
 /// The names of one list that another one hasn't.
-fn only_in<'a>(names: &'a [String], others: &[String]) -> impl Iterator<Item = String> + use<'a> {
-    let others: HashSet<String> = others.iter().cloned().collect();
-    names.iter().filter(move |name| !others.contains(*name)).cloned()
+fn only_in<'a>(names: &'a [String], others: &'a [String]) -> impl Iterator<Item = String> + use<'a> {
+    let others: HashSet<&str> = others.iter().map(String::as_str).collect();
+    names.iter().filter(move |name| !others.contains(name.as_str())).cloned()
 }
 
 /// How the numbers of B's objects and lights become those of A, by their names; those that only B has follow A's.
@@ -143,13 +143,13 @@ impl Numbering {
 /// The numbers that these names get beside those that are there; the names become all of them.
 fn renumbered(there: &[String], names: &mut Vec<String>) -> Vec<u32> {
     let mut all = there.to_vec();
-    let mut numbers: HashMap<String, u32> = HashMap::new();
+    let mut numbers: HashMap<&str, u32> = HashMap::new();
     for (number, name) in (0..).zip(there) {
         // The first of equal names wins, as it does in a scene.
-        numbers.entry(name.clone()).or_insert(number);
+        numbers.entry(name).or_insert(number);
     }
     let numbered = names.iter().map(|name| {
-        *numbers.entry(name.clone()).or_insert_with(|| {
+        *numbers.entry(name).or_insert_with(|| {
             all.push(name.clone());
             all.len() as u32 - 1
         })

@@ -62,10 +62,10 @@ pub fn check_as(text: &[u8], file_name: &str, import: &Import) -> Result<Loaded,
     Ok(Loaded { scene, warnings, more_warnings })
 }
 
-/// How much larger a scene is, ready to be traced, than its text: measured on files of nothing but small spheres.
-const JSON_GROWTH: usize = 15;
+/// How much larger a scene is, ready to be traced, than its text: measured on files of nothing but the shapes that take most.
+const JSON_GROWTH: usize = 12;
 /// The same for NFF, where a sphere takes a few bytes.
-const NFF_GROWTH: usize = 75;
+const NFF_GROWTH: usize = 25;
 
 /// Makes sure, as far as that goes, that there is memory for a scene: in the middle of the work it could only abort.
 fn ask_for_memory(text: &[u8], growth: usize, file_name: &str) -> Result<(), SceneError> {

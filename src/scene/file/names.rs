@@ -6,6 +6,7 @@ use std::path::Path;
 use super::escape::visible;
 use super::packed::unpacked_name;
 use super::schema::SceneFile;
+use compact_str::{CompactString, format_compact};
 
 /// Fills in the scene's name (the file's stem, without `.gz` or `.zst`) and the names of objects and lights (`object-3`, `light-1`).
 pub fn fill_in_names(scene: &mut SceneFile, file_name: &str) {
@@ -15,17 +16,17 @@ pub fn fill_in_names(scene: &mut SceneFile, file_name: &str) {
         // A name in a file may not hold control characters; that of a file may.
         scene.name = visible(stem.trim_matches(['<', '>'])).into_owned();
     }
-    fill_in("object", scene.objects.iter_mut().map(|object| &mut object.name).collect());
-    fill_in("light", scene.lights.iter_mut().map(|light| &mut light.name).collect());
+    fill_in("object", &mut scene.objects, |object| &mut object.name);
+    fill_in("light", &mut scene.lights, |light| &mut light.name);
 }
 
-fn fill_in(kind: &str, names: Vec<&mut String>) {
-    if names.iter().all(|name| !name.is_empty()) {
-        return;
-    }
-    let taken: HashSet<String> = names.iter().map(|name| name.to_string()).filter(|name| !name.is_empty()).collect();
-    for (index, name) in names.into_iter().enumerate().filter(|(_, name)| name.is_empty()) {
-        *name = format!("{kind}-{}", index + 1);
+fn fill_in<T>(kind: &str, all: &mut [T], name_of: fn(&mut T) -> &mut CompactString) {
+    // Of a million names only those matter that one may come to be called by.
+    let is_like_ours = |name: &str| name.strip_prefix(kind).is_some_and(|rest| rest.starts_with('-'));
+    let names = all.iter_mut().map(|each| &*name_of(each));
+    let taken: HashSet<CompactString> = names.filter(|name| is_like_ours(name)).cloned().collect();
+    for (index, name) in all.iter_mut().map(name_of).enumerate().filter(|(_, name)| name.is_empty()) {
+        *name = format_compact!("{kind}-{}", index + 1);
         while taken.contains(name) {
             name.push('\'');
         }

@@ -2,17 +2,71 @@
 
 use super::escape::visible_json;
 use super::scan::Scanner;
-use super::schema::SceneFile;
+use super::schema::{Materials, SceneFile};
+use serde::Serialize;
+use std::io::{self, Write};
 
 /// The longest line that is not broken up.
 const WIDTH: usize = 100;
+
+/// Lists of so many things are printed thing by thing, so that the text of a million objects isn't there as a whole. They never fit on a line.
+const LONG: usize = 1 << 10;
 
 impl SceneFile {
     /// The scene as `raywalk-scene/1`, every default written out but those that hang on the arithmetic; ends with a newline. Reading it
     /// gives an equal scene.
     pub fn to_json(&self) -> String {
-        let mut compact =
-            serde_json::to_string(self).expect("a scene holds only strings, numbers, lists and string-keyed maps");
+        let mut printed = Vec::new();
+        self.write_json(&mut printed).expect("memory takes all that is written to it");
+        String::from_utf8(printed).expect("JSON is text")
+    }
+
+    /// Writes what [`SceneFile::to_json`] gives.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_json(&self, out: &mut impl Write) -> io::Result<()> {
+        let are_long = [self.materials.len(), self.objects.len()].map(|count| count >= LONG);
+        if are_long == [false; 2] {
+            return out.write_all(self.printed().as_bytes());
+        }
+        let text = SceneFile {
+            format: self.format.clone(),
+            name: self.name.clone(),
+            camera: self.camera.clone(),
+            lights: self.lights.clone(),
+            materials: if are_long[0] { Materials::default() } else { self.materials.clone() },
+            objects: if are_long[1] { Vec::new() } else { self.objects.clone() },
+            ..*self
+        }
+        .printed();
+        // At the beginning of a line of this depth stand keys of the scene alone: in strings there are no ends of lines.
+        let (materials, objects) = ("\n  \"materials\": {", "\n  \"objects\": [");
+        let mut rest = &text[..];
+        if let (true, Some(at)) = (are_long[0], rest.find(materials)) {
+            let (before, after) = rest.split_at(at + materials.len());
+            out.write_all(before.as_bytes())?;
+            for (number, (name, material)) in self.materials.iter().enumerate() {
+                write_item(out, number, Some(name), material)?;
+            }
+            out.write_all(b"\n  ")?;
+            rest = after;
+        }
+        if let (true, Some(at)) = (are_long[1], rest.find(objects)) {
+            let (before, after) = rest.split_at(at + objects.len());
+            out.write_all(before.as_bytes())?;
+            for (number, object) in self.objects.iter().enumerate() {
+                write_item(out, number, None, object)?;
+            }
+            out.write_all(b"\n  ")?;
+            rest = after;
+        }
+        out.write_all(rest.as_bytes())
+    }
+
+    /// The same, at once.
+    fn printed(&self) -> String {
+        let mut compact = compact(self);
         if self.tracing.sphere_method.is_none() {
             // Written out, it would no longer follow the formulas. Inside a string the quotes would be escaped, so this is the key.
             compact = compact.replacen("\"sphere_method\":\"robust\",", "", 1);
@@ -23,6 +77,22 @@ impl SceneFile {
         // The path of a mesh may hold what drives a terminal; the names of a scene may not.
         visible_json(&printer.printed).into_owned()
     }
+}
+
+fn compact(part: &impl Serialize) -> String {
+    serde_json::to_string(part).expect("a scene holds only strings, numbers, lists and string-keyed maps")
+}
+
+/// Writes one of a list of a scene, as [`Printer::container`] prints it there.
+fn write_item(out: &mut impl Write, number: usize, key: Option<&str>, item: &impl Serialize) -> io::Result<()> {
+    const INDENT: usize = 4;
+    let compact = compact(item);
+    let key = key.map(|key| format!("{}: ", self::compact(&key))).unwrap_or_default();
+    let mut printer = Printer { text: &compact, scanner: Scanner::new(&compact), printed: String::new() };
+    printer.value(INDENT, INDENT + 1 + key.len(), false);
+    let separator = if number == 0 { "\n" } else { ",\n" };
+    let (key, value) = (visible_json(&key), visible_json(&printer.printed));
+    write!(out, "{separator}{:INDENT$}{key}{value}", "")
 }
 
 struct Printer<'t> {
@@ -111,4 +181,26 @@ fn one_line(compact: &str) -> String {
         }
     }
     line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Thing by thing the same is written as at once.
+    #[test]
+    fn long_lists_are_written_as_short_ones_are() {
+        let text = r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 5], "direction": [0, 0, -1], "resolution": [4, 3]},
+            "name": "\"objects\": [", "objects": [{"name": "a", "shape": {"mesh": {"path": "\u202ea.obj"}}}], "materials": {"m\u202e\"": {}}}"#;
+        let mut scene = crate::scene::file::parse(text.as_bytes(), "a.json").expect("a scene");
+        let (object, material) = (scene.objects[0].clone(), scene.materials.get("m\u{202e}\"").expect("it").clone());
+        for [objects, materials] in [[1, LONG], [LONG, 1], [LONG, LONG + 3], [LONG, 0]] {
+            scene.objects = vec![object.clone(); objects];
+            scene.materials = Materials::default();
+            for number in 0..materials {
+                scene.materials.insert(&format!("\"\u{202e}{number}"), material.clone());
+            }
+            assert!(scene.to_json() == scene.printed(), "{objects} objects, {materials} materials");
+        }
+    }
 }

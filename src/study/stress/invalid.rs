@@ -184,7 +184,7 @@ fn light_at_point(case: &Map<String, Value>) -> Result<&'static str, String> {
     }
     let Segment { p, light } = input(case)?;
     let kind = LightKind::Point { position: light.into() };
-    let light = Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None };
+    let light = Light { name: "light".into(), kind, color: Color::ONE, attenuation: None };
     let arrival = light.seen_from(p.into(), &mut Silent);
     let is_finite = arrival.is_none_or(|arrival| arrival.direction.is_finite() && arrival.distance.is_finite());
     Ok(if is_finite { FINITE } else { NOT_FINITE })

@@ -180,7 +180,7 @@ pub(super) fn local(way: &Way, case: &Map<String, Value>) -> Result<Value, Strin
     let mut scene = stage::scene_of(way, vec![stage::sphere(way, [0.0; 3], 1.0)]);
     scene.materials = vec![stage::material(&parts)];
     let kind = LightKind::Directional { travel: -DVec3::from(light) };
-    scene.lights = vec![Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None }];
+    scene.lights = vec![Light { name: "light".into(), kind, color: Color::ONE, attenuation: None }];
     // The viewer's side has the index η, the light's side 1.
     let media = Media::around(vec![(u32::MAX, eta)]);
     let mut parts_with = |specular: Specular| {

@@ -111,7 +111,7 @@ pub(super) fn visible(way: &Way, case: &Map<String, Value>) -> Result<Value, Str
     let Segment { p, light } = input(case)?;
     let scene = objects(way, case)?;
     let kind = LightKind::Point { position: light.into() };
-    let light = Light { name: "light".to_owned(), kind, color: Color::ONE, attenuation: None };
+    let light = Light { name: "light".into(), kind, color: Color::ONE, attenuation: None };
     let point = DVec3::from(p);
     let is_visible = way.computed(|probe| {
         let arrival = light.seen_from(point, probe);

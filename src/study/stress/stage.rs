@@ -26,7 +26,7 @@ pub(super) fn scene_of(way: &Way, shapes: Vec<Shape>) -> Scene {
         .enumerate()
         .map(|(number, shape)| Object {
             slack: shape.slack(),
-            name: number.to_string(),
+            name: number.to_string().into(),
             shape,
             material: 0,
             one_sided: false,
@@ -138,7 +138,7 @@ pub(super) fn material(input: &MaterialInput) -> Material {
 fn light(input: &LightInput) -> Light {
     let attenuation = (input.att != [1.0, 0.0, 0.0]).then_some(input.att);
     let kind = LightKind::Point { position: input.p.into() };
-    Light { name: "light".to_owned(), kind, color: input.color.into(), attenuation }
+    Light { name: "light".into(), kind, color: input.color.into(), attenuation }
 }
 
 /// The ray that a query sends for this input.

@@ -6,6 +6,7 @@
 //! it meets the other triangle from there. If that wedge is the wider one, the ray begins on the far side of the other
 //! triangle's plane already, and so never meets it.
 
+use super::copies::Normals;
 use crate::geometry::bvh::Shaft;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Leaving, Ray, Side};
@@ -29,9 +30,12 @@ const NEARBY: f64 = 1.0 / (1 << 20) as f64;
 impl LeftTriangle {
     /// The triangle that the ray leaves, if there is one; `normals` are those of the mesh's triangles, as their
     /// kernels have them.
-    pub fn of(mesh: &Mesh, normals: &[DVec3], leaving: Leaving, ray: &Ray) -> Option<LeftTriangle> {
+    pub fn of(mesh: &Mesh, normals: &Normals, leaving: Leaving, ray: &Ray) -> Option<LeftTriangle> {
         let number = leaving.primitive;
-        let normal = *normals.get(number as usize)?;
+        if number as usize >= mesh.faces.len() {
+            return None;
+        }
+        let normal = *normals.of(number);
         let corners = mesh.corners(number);
         let [a, b, c] = corners;
         let size = (b - a).abs().max((c - a).abs()).max_element();
@@ -49,11 +53,11 @@ impl LeftTriangle {
     }
 
     /// The same for all rays along the segments of a shaft, which set off on the side that `leaving` tells.
-    pub fn in_shaft(mesh: &Mesh, normals: &[DVec3], leaving: Leaving, shaft: &Shaft) -> Option<LeftTriangle> {
+    pub fn in_shaft(mesh: &Mesh, normals: &Normals, leaving: Leaving, shaft: &Shaft) -> Option<LeftTriangle> {
         let along = shaft.light.center() - shaft.point;
         let left = LeftTriangle::of(mesh, normals, leaving, &Ray::new(shaft.point, along))?;
         // A ray with a slack sets off on the side that `leaving` tells, one without on that on which it runs.
-        let goes_to = match shaft.rise_along(normals[leaving.primitive as usize]) {
+        let goes_to = match shaft.rise_along(*normals.of(leaving.primitive)) {
             [least, _] if least > 0.0 => Some(Side::Front),
             [_, most] if most < 0.0 => Some(Side::Back),
             _ => None,
@@ -63,7 +67,7 @@ impl LeftTriangle {
     }
 
     /// Whether no ray along a segment of the shaft can meet a triangle: this one, or one at an edge of it.
-    pub fn bars_all(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, shaft: &Shaft) -> bool {
+    pub fn bars_all(&self, mesh: &Mesh, normals: &Normals, triangle: u32, shaft: &Shaft) -> bool {
         if triangle == self.number {
             return true;
         }
@@ -73,7 +77,7 @@ impl LeftTriangle {
     }
 
     /// Whether the ray can't meet a triangle: this one, or one at an edge of it.
-    pub fn bars(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, ray: &Ray) -> bool {
+    pub fn bars(&self, mesh: &Mesh, normals: &Normals, triangle: u32, ray: &Ray) -> bool {
         if triangle == self.number {
             return true;
         }
@@ -86,10 +90,10 @@ impl LeftTriangle {
     /// Along which way of another triangle's normal the wedge lies in which a ray runs that sets off on this side, and whether it is the narrow
     /// one. `None` if they have no edge in common.
     #[inline(always)]
-    fn wedge(&self, mesh: &Mesh, normals: &[DVec3], triangle: u32, sets_off: Side) -> Option<(DVec3, bool)> {
+    fn wedge(&self, mesh: &Mesh, normals: &Normals, triangle: u32, sets_off: Side) -> Option<(DVec3, bool)> {
         let corners = mesh.corners(triangle);
         let edge = shared_edge(self.corners, corners)?;
-        let normal = normals[triangle as usize];
+        let normal = *normals.of(triangle);
         let wedge = if edge.fronts_agree == (sets_off == Side::Front) { normal } else { -normal };
         Some((wedge, wedge.dot(edge.over_against - corners[0]) > 0.0))
     }
@@ -143,8 +147,8 @@ fn shared_edge(one: [DVec3; 3], other: [DVec3; 3]) -> Option<SharedEdge> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::area_normal::area_normal;
     use crate::geometry::bounds::Bounds;
+    use rayon::prelude::*;
 
     #[test]
     fn edges_in_common() {
@@ -157,12 +161,8 @@ mod tests {
         assert_eq!(shared_edge([a, b, c], [c, a, b]), None);
     }
 
-    fn normals(mesh: &Mesh) -> Vec<DVec3> {
-        let normal = |triangle| {
-            let [a, b, c] = mesh.corners(triangle);
-            area_normal(a, b, c)
-        };
-        (0..mesh.faces.len() as u32).map(normal).collect()
+    fn normals(mesh: &Mesh) -> Normals {
+        Normals::new(mesh, (0..mesh.faces.len() as u32).into_par_iter(), Vec::new())
     }
 
     fn leaving(primitive: u32) -> Leaving {

@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
+use crate::geometry::bvh::{PACKET, PerRay};
 use crate::geometry::ray::{Leaving, Side};
 use crate::geometry::shape::Shape;
 use crate::probe::Silent;
@@ -312,4 +313,54 @@ fn an_edge_is_crossed_once() {
             assert_eq!(found.len(), count, "{found:?}");
         }
     }
+}
+
+/// A mesh of few corners and many triangles, whose tree has each triangle once, beside the same with so many unused corners that nobody looks
+/// for copies.
+#[test]
+fn triangles_that_are_there_again_are_met_as_often() {
+    let random = &mut Random(7);
+    let corners: Vec<DVec3> = (0..6).map(|_| random.point()).collect();
+    let faces: Vec<[u32; 3]> = (0..5000).map(|_| [0; 3].map(|_| random.below(6) as u32)).collect();
+    let unused = vec![DVec3::ONE; 1000];
+    let positions = [corners.clone(), unused].concat();
+    let alone = tree(Mesh { positions, normals: None, faces: faces.clone() });
+    let mesh = Mesh { positions: corners, normals: None, faces };
+    let shared = tree(mesh.clone());
+    assert!(shared.copies != Copies::default() && alone.copies == Copies::default());
+    let mut met = 0;
+    for _ in 0..40 {
+        let rays: Vec<Ray> = (0..PACKET)
+            .map(|_| {
+                let leaving = Leaving { object: 0, primitive: random.below(5000) as u32, side: Side::Front };
+                let ray = any_ray(&mesh, random);
+                Ray { leaving: (random.bits() & 1 == 0).then_some(leaving), ..ray }
+            })
+            .collect();
+        let together = [&shared, &alone].map(|shape| {
+            let mut nearest: PerRay<Nearest> = std::array::from_fn(|at| Nearest::of(&rays[at]));
+            let mut limits: PerRay<f64> = std::array::from_fn(|at| rays[at].t_max);
+            let mut crossed = limits;
+            shape.nearest_together((0, false), &rays, 0xff, &mut nearest, &mut limits, &mut Silent);
+            shape.cross_together((0, false), &rays, 0xff, &mut crossed, &mut Silent);
+            let shape = Shape::Mesh(Arc::new(shape.clone()));
+            let first = |(nearest, ray): (Nearest, &Ray)| {
+                nearest.place(ray, |_| &shape, &Silent).first().map(|hit| hit.crossing)
+            };
+            let firsts: Vec<_> = nearest.into_iter().zip(&rays).map(first).collect();
+            (firsts, crossed.map(|limit| limit < 0.0))
+        });
+        assert_eq!(together[0], together[1]);
+        for (at, ray) in rays.iter().enumerate() {
+            let seen = [&shared, &alone].map(|shape| {
+                let mut all = Vec::new();
+                shape.all_crossings(0, false, ray, &mut all, &mut Silent);
+                (shape.first_crossing(0, false, ray, &mut Silent), shape.is_crossed(0, false, ray, &mut Silent), all)
+            });
+            assert_eq!(seen[0], seen[1]);
+            assert_eq!((together[0].0[at], together[0].1[at]), (seen[0].0, seen[0].1));
+            met += usize::from(seen[0].2.len() > 1);
+        }
+    }
+    assert!(met > 30, "{met} rays cross several triangles");
 }

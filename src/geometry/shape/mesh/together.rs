@@ -22,6 +22,13 @@ impl TriangleMesh {
         limits: &mut PerRay<f64>,
         probe: &mut P,
     ) {
+        if self.copies.are_there() {
+            for at in each(which) {
+                self.nearest(object, one_sided, &rays[at], &mut nearest[at], probe);
+                limits[at] = nearest[at].limit();
+            }
+            return;
+        }
         let left = self.left_by_each(object, rays, which);
         let lanes = RayLanes::of(rays, which);
         self.tree.visit_together::<P, Ray>(
@@ -70,6 +77,10 @@ impl TriangleMesh {
         limits: &mut PerRay<f64>,
         probe: &mut P,
     ) {
+        if self.copies.are_there() {
+            let crossed = each(which).filter(|at| self.is_crossed(object, one_sided, &sources[*at], probe));
+            return crossed.for_each(|at| limits[at] = -1.0);
+        }
         let left = self.left_by_each(object, sources, which);
         // A sure hit says nothing of the triangle that a ray leaves and its neighbours, nor of sides.
         let search = match left.iter().all(Option::is_none) && !one_sided {

@@ -197,14 +197,15 @@ fn cut_concave(fan: &Range<u32>, positions: &[DVec3], faces: &mut [[u32; 3]], no
     let of_fan = |triangles: &[[u32; 3]]| -> Vec<u32> {
         triangles.iter().take(1).flatten().copied().chain(triangles.iter().skip(1).map(|[_, _, c]| *c)).collect()
     };
-    let corners = of_fan(&faces[range.clone()]);
-    let places: Vec<DVec3> = corners.iter().map(|corner| positions[*corner as usize]).collect();
-    if is_fan(&places) {
+    // A face may have millions of corners, of which no list is made.
+    if is_fan(&faces[range.clone()], positions) {
         return true;
     }
-    if corners.len() > MAX_CORNERS_CUT {
+    if range.len() + 2 > MAX_CORNERS_CUT {
         return false;
     }
+    let corners = of_fan(&faces[range.clone()]);
+    let places: Vec<DVec3> = corners.iter().map(|corner| positions[*corner as usize]).collect();
     let cut = triangulate(&places);
     let renumber = |triangles: &mut [[u32; 3]], numbers: &[u32]| {
         for (triangle, corners) in triangles.iter_mut().zip(&cut) {
@@ -220,9 +221,11 @@ fn cut_concave(fan: &Range<u32>, positions: &[DVec3], faces: &mut [[u32; 3]], no
 }
 
 /// Whether all triangles of the fan from the first corner turn the same way.
-fn is_fan(corners: &[DVec3]) -> bool {
-    let Some((first, rest)) = corners.split_first() else { return true };
-    let mut areas = rest.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first));
+fn is_fan(triangles: &[[u32; 3]], positions: &[DVec3]) -> bool {
+    let mut areas = triangles.iter().map(|triangle| {
+        let [first, one, other] = triangle.map(|corner| positions[corner as usize]);
+        (one - first).cross(other - first)
+    });
     let sum: DVec3 = areas.clone().sum();
     areas.all(|area| area.dot(sum) >= 0.0)
 }

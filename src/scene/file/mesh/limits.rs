@@ -10,7 +10,7 @@ pub const MAX_TRIANGLES: usize = 1 << 24;
 pub const MAX_VERTICES: usize = 1 << 25;
 
 /// What tracing needs a triangle, beside the mesh itself: boxes, the tree over them, and room to sort.
-pub const TREE_BYTES_PER_TRIANGLE: usize = 256;
+pub const TREE_BYTES_PER_TRIANGLE: usize = 128;
 
 /// The most corners of a face with a notch that is cut into triangles inside its outline, which takes cubic time.
 pub const MAX_CORNERS_CUT: usize = 500;

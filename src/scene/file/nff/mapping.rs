@@ -3,21 +3,25 @@
 use super::places::Places;
 use super::records::{Fill, Light, Primitive, Records, View};
 use super::{Angle, Import};
+use crate::scene::converted::converted;
 use crate::scene::file::names::fill_in_names;
 use crate::scene::file::schema::{
     self, Aim, By, Camera, FORMAT, LightKind, Material, Materials, Object, Output, PointLight, Profile, Sampling,
     SceneFile, Shape, Tracing, Weight, Weights,
 };
+use compact_str::{CompactString, format_compact};
+use std::convert::Infallible;
 
 /// The scene: one material a fill, one object a primitive; and where all of them stand in the file.
 pub fn scene(records: Records, file_name: &str, import: &Import) -> (SceneFile, Places) {
     let places = Places::of(&records);
     let mut materials = Materials::default();
-    for (index, fill) in records.fills.iter().enumerate() {
-        materials.insert(&fill_name(index as u32), material(fill));
+    for (index, fill) in records.fills.into_iter().enumerate() {
+        materials.insert(&fill_name(index as u32), material(&fill));
     }
     let shared_light = 1.0 / (records.lights.len() as f64).sqrt();
     let mut numbers = Numbers::default();
+    let Ok(objects) = converted(records.primitives, |_, each| Ok::<_, Infallible>(object(each, &mut numbers)));
     let mut scene = SceneFile {
         format: FORMAT.to_string(),
         name: String::new(),
@@ -26,7 +30,7 @@ pub fn scene(records: Records, file_name: &str, import: &Import) -> (SceneFile, 
         background: records.background.map_or([0.0; 3], |(color, _)| color),
         lights: records.lights.iter().map(|each| light(each, shared_light)).collect(),
         materials,
-        objects: records.primitives.into_iter().map(|each| object(each, &mut numbers)).collect(),
+        objects,
         tracing: Tracing { two_sided: false, ..Tracing::default() },
         sampling: Sampling::default(),
         seed: 0,
@@ -65,7 +69,7 @@ fn vertical_fov(angle: f64, between: Angle, rows: u32) -> f64 {
 
 fn light(light: &Light, shared_light: f64) -> schema::Light {
     schema::Light {
-        name: String::new(),
+        name: CompactString::default(),
         kind: LightKind::Point(PointLight { position: light.position }),
         color: light.color.unwrap_or([shared_light; 3]),
         attenuation: [1.0, 0.0, 0.0],
@@ -99,8 +103,8 @@ fn object(primitive: Primitive, numbers: &mut Numbers) -> Object {
     }
 }
 
-fn fill_name(index: u32) -> String {
-    format!("fill-{}", index + 1)
+fn fill_name(index: u32) -> CompactString {
+    format_compact!("fill-{}", index + 1)
 }
 
 /// Numbers the objects of each shape from 1.
@@ -114,7 +118,7 @@ struct Numbers {
 }
 
 impl Numbers {
-    fn name(&mut self, shape: &Shape) -> String {
+    fn name(&mut self, shape: &Shape) -> CompactString {
         let number = match shape {
             Shape::Sphere(_) => &mut self.spheres,
             Shape::Cylinder(_) => &mut self.cylinders,
@@ -123,6 +127,6 @@ impl Numbers {
             _ => &mut self.polygons,
         };
         *number += 1;
-        format!("{}-{number}", shape.key())
+        format_compact!("{}-{number}", shape.key())
     }
 }

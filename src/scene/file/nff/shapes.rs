@@ -28,9 +28,9 @@ pub fn cone(base: Vec3, base_radius: f64, apex: Vec3, apex_radius: f64) -> Resul
     let inward = base_radius < 0.0 || apex_radius < 0.0;
     let (base_radius, apex_radius) = (base_radius.abs(), apex_radius.abs());
     Ok(if base_radius == apex_radius {
-        Shape::Cylinder(Cylinder { base, apex, radius: base_radius, caps: false, inward })
+        Shape::Cylinder(Box::new(Cylinder { base, apex, radius: base_radius, caps: false, inward }))
     } else {
-        Shape::Cone(Cone { base, base_radius, apex, apex_radius, caps: false, inward })
+        Shape::Cone(Box::new(Cone { base, base_radius, apex, apex_radius, caps: false, inward }))
     })
 }
 
@@ -40,8 +40,8 @@ pub fn polygon(vertices: Vec<Vec3>, normals: Option<Vec<Vec3>>) -> Option<Shape>
         return None;
     }
     if let [a, b, c] = vertices[..] {
-        let normals = normals.and_then(|normals| normals.try_into().ok());
-        return Some(Shape::Triangle(Triangle { vertices: [a, b, c], normals }));
+        let normals = normals.and_then(|normals| <[Vec3; 3]>::try_from(normals).ok()).map(Box::new);
+        return Some(Shape::Triangle(Box::new(Triangle { vertices: [a, b, c], normals })));
     }
-    Some(Shape::Polygon(Polygon { vertices, normals }))
+    Some(Shape::Polygon(Box::new(Polygon { vertices, normals })))
 }

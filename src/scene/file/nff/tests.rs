@@ -100,24 +100,27 @@ fn primitives() {
     assert_eq!(shape("s 1 2 3 4"), Shape::Sphere(Sphere { center, radius: 4.0, inward: false }));
     assert_eq!(shape("s 1 2 3 -4"), Shape::Sphere(Sphere { center, radius: 4.0, inward: true }));
     let (base, apex) = ([0.0; 3], [0.0, 0.0, 1.0]);
-    let cylinder = |inward| Shape::Cylinder(Cylinder { base, apex, radius: 2.0, caps: false, inward });
+    let cylinder = |inward| Shape::Cylinder(Box::new(Cylinder { base, apex, radius: 2.0, caps: false, inward }));
     assert_eq!(shape("c\n0 0 0 2\n0 0 1 2"), cylinder(false));
     assert_eq!(shape("c 0 0 0 -2 0 0 1 -2"), cylinder(true));
     let cone = |base_radius, apex_radius, inward| {
-        Shape::Cone(Cone { base, base_radius, apex, apex_radius, caps: false, inward })
+        Shape::Cone(Box::new(Cone { base, base_radius, apex, apex_radius, caps: false, inward }))
     };
     assert_eq!(shape("c 0 0 0 2 0 0 1 0"), cone(2.0, 0.0, false));
     assert_eq!(shape("c 0 0 0 -2 0 0 1 -1"), cone(2.0, 1.0, true));
     assert_eq!(shape("c 0 0 0 0 0 0 1 -1"), cone(0.0, 1.0, true));
     let (a, b, c, d) = ([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
-    assert_eq!(shape("p 3 0 0 0 1 0 0 1 1 0"), Shape::Triangle(Triangle { vertices: [a, b, c], normals: None }));
+    assert_eq!(
+        shape("p 3 0 0 0 1 0 0 1 1 0"),
+        Shape::Triangle(Box::new(Triangle { vertices: [a, b, c], normals: None }))
+    );
     let quad = Polygon { vertices: vec![a, b, c, d], normals: None };
-    assert_eq!(shape("p 4 0 0 0 1 0 0 1 1 0 0 1 0"), Shape::Polygon(quad.clone()));
+    assert_eq!(shape("p 4 0 0 0 1 0 0 1 1 0 0 1 0"), Shape::Polygon(Box::new(quad.clone())));
     let normal = [0.0, 0.0, 1.0];
-    let smooth = Triangle { vertices: [a, b, c], normals: Some([normal; 3]) };
-    assert_eq!(shape("pp 3 0 0 0 0 0 1 1 0 0 0 0 1 1 1 0 0 0 1"), Shape::Triangle(smooth));
+    let smooth = Triangle { vertices: [a, b, c], normals: Some(Box::new([normal; 3])) };
+    assert_eq!(shape("pp 3 0 0 0 0 0 1 1 0 0 0 0 1 1 1 0 0 0 1"), Shape::Triangle(Box::new(smooth)));
     let smooth = Polygon { normals: Some(vec![normal; 4]), ..quad };
-    assert_eq!(shape("pp 4 0 0 0 0 0 1 1 0 0 0 0 1 1 1 0 0 0 1 0 1 0 0 0 1"), Shape::Polygon(smooth));
+    assert_eq!(shape("pp 4 0 0 0 0 0 1 1 0 0 0 0 1 1 1 0 0 0 1 0 1 0 0 0 1"), Shape::Polygon(Box::new(smooth)));
 }
 
 #[test]

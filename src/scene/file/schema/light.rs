@@ -1,5 +1,6 @@
 //! The keys of one of the `lights`: the kind of light is itself a key, beside the others.
 
+use compact_str::CompactString;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +11,7 @@ use super::{LightSamples, Rgb, Vec3};
 #[serde(try_from = "LightKeys", into = "LightKeys")]
 pub struct Light {
     /// Its name; left out, it is filled in on loading (`light-1`).
-    pub name: String,
+    pub name: CompactString,
     /// Where it stands and what form it has.
     pub kind: LightKind,
     /// Its intensity, I_i.
@@ -159,7 +160,8 @@ pub enum By {
 struct LightKeys {
     /// Its name; left out, it is `light-1` and so on.
     #[serde(default)]
-    name: String,
+    #[schemars(with = "String")]
+    name: CompactString,
     /// Light from one point.
     #[serde(skip_serializing_if = "Option::is_none")]
     point: Option<PointLight>,

@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 use std::fmt;
+use std::sync::Arc;
 
+use compact_str::CompactString;
 use schemars::JsonSchema;
 use serde::de::{self, DeserializeSeed, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::ser::SerializeMap;
@@ -51,8 +53,10 @@ pub struct Material {
     pub samples: u64,
     /// A pattern that multiplies ambient and diffuse.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub pattern: Option<Pattern>,
+    pub pattern: Option<Box<Pattern>>,
 }
+
+const _: () = assert!(size_of::<Material>() <= 264);
 
 impl Default for Material {
     fn default() -> Self {
@@ -183,8 +187,10 @@ pub const MAX_MATERIALS: usize = 1 << 17;
 /// The materials by name, in the order of the file, which is also the order in which they are printed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Materials {
-    entries: Vec<(String, Material)>,
-    by_name: HashMap<String, usize>,
+    /// Those that are the same, one after the other, are one piece of memory: programs write what they have before each object.
+    materials: Vec<Arc<Material>>,
+    names: Vec<CompactString>,
+    by_name: HashMap<CompactString, u32>,
 }
 
 impl Materials {
@@ -193,34 +199,41 @@ impl Materials {
         if self.by_name.contains_key(name) {
             return false;
         }
-        self.by_name.insert(name.to_string(), self.entries.len());
-        self.entries.push((name.to_string(), material));
+        self.by_name.insert(name.into(), self.names.len() as u32);
+        self.names.push(name.into());
+        let same = self.materials.last().filter(|latest| ***latest == material).cloned();
+        self.materials.push(same.unwrap_or_else(|| Arc::new(material)));
         true
+    }
+
+    /// The places of names in the order of the file, and the materials there.
+    pub fn into_parts(self) -> (HashMap<CompactString, u32>, Vec<Arc<Material>>) {
+        (self.by_name, self.materials)
     }
 
     /// The place of a name in the order of the file.
     pub fn index_of(&self, name: &str) -> Option<usize> {
-        self.by_name.get(name).copied()
+        self.by_name.get(name).map(|place| *place as usize)
     }
 
     /// The material of a name.
     pub fn get(&self, name: &str) -> Option<&Material> {
-        self.index_of(name).map(|index| &self.entries[index].1)
+        self.index_of(name).map(|index| &*self.materials[index])
     }
 
     /// All names and materials, in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &Material)> {
-        self.entries.iter().map(|(name, material)| (name.as_str(), material))
+        self.names.iter().map(CompactString::as_str).zip(self.materials.iter().map(Arc::as_ref))
     }
 
     /// How many there are.
     pub fn len(&self) -> usize {
-        self.entries.len()
+        self.names.len()
     }
 
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
-        self.entries.is_empty()
+        self.names.is_empty()
     }
 }
 

@@ -17,6 +17,7 @@ pub use camera::{Aim, Camera, Lens};
 pub use json_schema::json_schema;
 pub use light::{By, DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
+pub(super) use objects::digest;
 pub use objects::{MAX_DUPLICATES, MAX_LIGHTS};
 pub use samples::{LightSamples, SampleRange};
 pub use settings::{

@@ -72,7 +72,7 @@ impl<'de> Visitor<'de> for Lights {
 }
 
 /// A number that stands for a name, which takes less room.
-fn digest(name: &str) -> u64 {
+pub fn digest(name: &str) -> u64 {
     let mut hasher = DefaultHasher::new();
     name.hash(&mut hasher);
     hasher.finish()

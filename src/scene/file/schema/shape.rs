@@ -1,5 +1,6 @@
 //! The keys of one of the `objects`: its shape, material and motion.
 
+use compact_str::CompactString;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,18 +12,23 @@ use super::Vec3;
 pub struct Object {
     /// Its name; left out, it is filled in on loading (`object-1`).
     #[serde(default)]
-    pub name: String,
+    #[schemars(with = "String")]
+    pub name: CompactString,
     /// Its form.
     pub shape: Shape,
     /// The name of its material; `None` is the default material.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub material: Option<String>,
+    #[schemars(with = "Option<String>")]
+    pub material: Option<CompactString>,
     /// How it moves between time 0 and time 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub motion: Option<Motion>,
+    pub motion: Option<Box<Motion>>,
 }
 
-/// The shapes, one key each.
+// A file of nothing but spheres says one in 51 bytes, and in NFF in 10: docs/robustness.md has what memory that takes.
+const _: () = assert!(size_of::<Object>() <= 96);
+
+/// The shapes, one key each. Those larger than a sphere lie elsewhere, so that a million spheres don't take the room of a million triangles.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Shape {
@@ -31,19 +37,19 @@ pub enum Shape {
     /// `sphere`.
     Sphere(Sphere),
     /// `ellipsoid`.
-    Ellipsoid(Ellipsoid),
+    Ellipsoid(Box<Ellipsoid>),
     /// `triangle`.
-    Triangle(Triangle),
+    Triangle(Box<Triangle>),
     /// `polygon`.
-    Polygon(Polygon),
+    Polygon(Box<Polygon>),
     /// `box`.
-    Box(AxisBox),
+    Box(Box<AxisBox>),
     /// `cylinder`.
-    Cylinder(Cylinder),
+    Cylinder(Box<Cylinder>),
     /// `cone`.
-    Cone(Cone),
+    Cone(Box<Cone>),
     /// `disk`.
-    Disk(Disk),
+    Disk(Box<Disk>),
     /// `mesh`.
     Mesh(Mesh),
 }
@@ -97,7 +103,7 @@ pub struct Sphere {
 }
 
 /// world = center + rotation·(radii ∘ unit point).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ellipsoid {
     /// Its centre.
@@ -107,18 +113,18 @@ pub struct Ellipsoid {
     pub radii: Vec3,
     /// The rows of a proper rotation; `None` is the identity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub rotation: Option<[Vec3; 3]>,
+    pub rotation: Option<Box<[Vec3; 3]>>,
 }
 
 /// A triangle, counter-clockwise seen from the front.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Triangle {
     /// Its corners.
     pub vertices: [Vec3; 3],
     /// Normals at the corners, for smooth shading.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub normals: Option<[Vec3; 3]>,
+    pub normals: Option<Box<[Vec3; 3]>>,
 }
 
 /// A flat polygon, counter-clockwise seen from the front.

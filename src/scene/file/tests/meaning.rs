@@ -27,7 +27,7 @@ fn numbers_that_no_file_can_hold() {
 #[test]
 fn names_are_needed_when_no_file_was_read() {
     let mut scene = loads(TEXTBOOK).scene;
-    scene.objects[0].name = String::new();
+    scene.objects[0].name = Default::default();
     scene.format = schema::FORMAT.to_string();
     assert_eq!(validate::validate(&scene).errors[0].message, "a name must not be empty");
 }

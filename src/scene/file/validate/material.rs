@@ -32,7 +32,7 @@ pub fn material(check: &mut Checker<'_>, material: &Material) {
         check.not_negative("translucency_exponent", exponent);
     }
     check.count("samples", material.samples, 1, MAX_SAMPLES);
-    if let Some(Pattern::Checker(checker)) = &material.pattern {
+    if let Some(Pattern::Checker(checker)) = material.pattern.as_deref() {
         let mut check = check.at("pattern");
         let mut check = check.at("checker");
         check.colour("a", checker.a);

@@ -19,7 +19,7 @@ use std::collections::{HashMap, HashSet};
 use super::escape::{hidden, look, shortened};
 use super::explain::unknown_format;
 use super::key_path::KeyPath;
-use super::schema::{FORMAT, Sampling, SceneFile};
+use super::schema::{FORMAT, Sampling, SceneFile, digest};
 use checker::Checker;
 
 /// Something about a value of the scene.
@@ -76,7 +76,7 @@ pub fn sampling(sampling: &Sampling) -> Vec<Finding> {
 }
 
 fn lights(mut check: Checker<'_>, scene: &SceneFile) {
-    let mut names = HashMap::new();
+    let mut names = Names::of(scene.lights.iter().map(|light| light.name.as_str()));
     for (index, each) in scene.lights.iter().enumerate() {
         let mut check = check.at(index);
         unique_name(check.at("name"), &each.name, &mut names);
@@ -85,14 +85,16 @@ fn lights(mut check: Checker<'_>, scene: &SceneFile) {
 }
 
 fn materials(mut check: Checker<'_>, scene: &SceneFile) {
-    let used: HashSet<&str> = scene.objects.iter().filter_map(|object| object.material.as_deref()).collect();
-    let mut names = HashMap::new();
-    for (key, each) in scene.materials.iter() {
+    let mut is_used = vec![false; scene.materials.len()];
+    let of_objects = scene.objects.iter().filter_map(|object| scene.materials.index_of(object.material.as_ref()?));
+    of_objects.for_each(|place| is_used[place] = true);
+    let mut names = Names::of(scene.materials.iter().map(|(name, _)| name));
+    for ((key, each), is_used) in scene.materials.iter().zip(is_used) {
         let mut check = check.at(key.to_string());
-        for problem in taken_name(key, &mut names).into_iter().chain(wrong_name(key)) {
+        for problem in names.take(key).into_iter().chain(wrong_name(key)) {
             check.error_in_key(problem);
         }
-        if !used.contains(key) {
+        if !is_used {
             check.warning_in_key("no object has this material".to_string());
         }
         material::material(&mut check, each);
@@ -105,7 +107,7 @@ fn objects(mut check: Checker<'_>, scene: &SceneFile) {
     }
     let last = scene.frames.map_or(0.0, |frames| frames.duration);
     let times: Vec<_> = scene.camera.shutter.into_iter().flat_map(|time| [time, time + last]).collect();
-    let mut names = HashMap::new();
+    let mut names = Names::of(scene.objects.iter().map(|object| object.name.as_str()));
     for (index, object) in scene.objects.iter().enumerate() {
         let mut check = check.at(index);
         unique_name(check.at("name"), &object.name, &mut names);
@@ -122,24 +124,41 @@ fn objects(mut check: Checker<'_>, scene: &SceneFile) {
 /// How many characters of a name are shown in a message.
 const SHOWN: usize = 40;
 
-/// Names by what people see of them.
-type Looks<'s> = HashMap<Cow<'s, str>, &'s str>;
+/// Names by what people see of them. Of a million names that all look different no more is kept than it takes to tell that.
+struct Names<'s> {
+    /// What stands for the looks that more than one name has, as far as digests tell.
+    shared: HashSet<u64>,
+    taken: HashMap<Cow<'s, str>, &'s str>,
+}
 
-fn unique_name<'s>(mut check: Checker<'_>, given: &'s str, taken: &mut Looks<'s>) {
-    if let Some(problem) = taken_name(given, taken) {
+impl<'s> Names<'s> {
+    fn of(names: impl Iterator<Item = &'s str>) -> Names<'s> {
+        let mut digests: Vec<u64> = names.map(|name| digest(&look(name))).collect();
+        digests.sort_unstable();
+        let shared = digests.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
+        Names { shared, taken: HashMap::new() }
+    }
+
+    /// Takes a name, which must look different from those that are taken.
+    fn take(&mut self, given: &'s str) -> Option<String> {
+        let look = look(given);
+        if !self.shared.contains(&digest(&look)) {
+            return None;
+        }
+        let other = self.taken.insert(look, given)?;
+        let shown = shortened(given, SHOWN);
+        Some(match other == given {
+            true => format!("names must be unique, found `{shown}` a second time"),
+            false => format!("names must not look alike, found `{shown}` beside `{}`", shortened(other, SHOWN)),
+        })
+    }
+}
+
+fn unique_name<'s>(mut check: Checker<'_>, given: &'s str, names: &mut Names<'s>) {
+    if let Some(problem) = names.take(given) {
         check.error(problem);
     }
     name(check, given);
-}
-
-/// Takes a name, which must look different from those that are taken.
-fn taken_name<'s>(given: &'s str, taken: &mut Looks<'s>) -> Option<String> {
-    let other = taken.insert(look(given), given)?;
-    let shown = shortened(given, SHOWN);
-    Some(match other == given {
-        true => format!("names must be unique, found `{shown}` a second time"),
-        false => format!("names must not look alike, found `{shown}` beside `{}`", shortened(other, SHOWN)),
-    })
 }
 
 fn name(mut check: Checker<'_>, given: &str) {

@@ -85,7 +85,7 @@ fn triangle(mut check: Checker<'_>, triangle: &Triangle) {
         check.at("vertices").error(message.to_string());
     }
     if let Some(normals) = &triangle.normals {
-        directions(check.at("normals"), normals);
+        directions(check.at("normals"), &normals[..]);
     }
 }
 
@@ -111,13 +111,13 @@ fn polygon(mut check: Checker<'_>, polygon: &Polygon) {
 /// A polygon needs an area, and should be flat.
 fn flatness(mut check: Checker<'_>, vertices: &[Vec3]) {
     let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
-    let corners: Vec<Vec3> = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent)).collect();
+    let corners = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent));
     if !has_area(vertices) {
         return check.error("must span an area, found a polygon without".to_string());
     }
-    let normal = twice_area(&corners);
+    let normal = twice_area(corners.clone());
     let area = length(normal);
-    let height = corners.iter().map(|corner| (dot(*corner, normal) / area).abs()).fold(0.0, f64::max);
+    let height = corners.map(|corner| (dot(corner, normal) / area).abs()).fold(0.0, f64::max);
     if height > FLATNESS {
         check.warning(format!("should lie in one plane, found one {} away from it", number(height * extent)));
     }

@@ -39,10 +39,10 @@ pub fn are_parallel(a: Vec3, b: Vec3) -> bool {
 }
 
 /// Twice the area vector of a polygon whose first corner is the origin.
-pub fn twice_area(corners: &[Vec3]) -> Vec3 {
+pub fn twice_area(corners: impl Iterator<Item = Vec3> + Clone) -> Vec3 {
     let mut sum = [0.0; 3];
-    for pair in corners.windows(2) {
-        let part = cross(pair[0], pair[1]);
+    for (corner, next) in corners.clone().zip(corners.skip(1)) {
+        let part = cross(corner, next);
         sum = std::array::from_fn(|axis| sum[axis] + part[axis]);
     }
     sum
@@ -55,9 +55,9 @@ pub fn has_area(vertices: &[Vec3]) -> bool {
         return size(first) > 0.0 && size(second) > 0.0 && !are_parallel(first, second);
     }
     let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
-    let corners: Vec<Vec3> = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent)).collect();
+    let corners = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent));
     // As sure as the rounding of so many sums.
-    length(twice_area(&corners)) > 4.0 * f64::EPSILON * vertices.len() as f64
+    length(twice_area(corners)) > 4.0 * f64::EPSILON * vertices.len() as f64
 }
 
 /// Whether the rows are those of a proper rotation: orthonormal, determinant +1, within the tolerance.

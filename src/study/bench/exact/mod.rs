@@ -110,7 +110,7 @@ impl Exact {
         let named = || figures.iter().zip(&scene.objects);
         for (k, (one, object)) in named().enumerate() {
             if let Some((_, other)) = named().skip(k + 1).find(|(other, _)| one.outline.overlaps(&other.outline)) {
-                return Err(NotExact::Overlap(object.name.clone(), other.name.clone()));
+                return Err(NotExact::Overlap(object.name.to_string(), other.name.to_string()));
             }
         }
         Ok(Exact { background: scene.background, resolution: scene.camera.resolution, figures })
@@ -138,8 +138,9 @@ impl Exact {
 }
 
 fn figure(scene: &Scene, object: &Object) -> Result<Figure, NotExact> {
-    let color = color(scene, &scene.materials[object.material]).ok_or_else(|| NotExact::Color(object.name.clone()))?;
-    let (shape, outline) = drawn(scene, object).ok_or_else(|| NotExact::Shape(object.name.clone()))?;
+    let color =
+        color(scene, &scene.materials[object.material]).ok_or_else(|| NotExact::Color(object.name.to_string()))?;
+    let (shape, outline) = drawn(scene, object).ok_or_else(|| NotExact::Shape(object.name.to_string()))?;
     Ok(Figure { shape, color, outline })
 }
 

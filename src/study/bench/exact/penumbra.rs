@@ -49,13 +49,13 @@ impl<'a> Penumbra<'a> {
         let axes = [u, v, u.cross(v)];
         for object in &scene.objects {
             if !is_diffuse(scene, scene.materials.get(object.material), object) {
-                return Err(NotExact::Diffuse(object.name.clone()));
+                return Err(NotExact::Diffuse(object.name.to_string()));
             }
             if !is_computed(&object.shape) {
-                return Err(NotExact::Occluder(object.name.clone()));
+                return Err(NotExact::Occluder(object.name.to_string()));
             }
             if crosses(&object.shape, center, axes[2]) {
-                return Err(NotExact::BesideLight(object.name.clone()));
+                return Err(NotExact::BesideLight(object.name.to_string()));
             }
         }
         let brightest = |object: &Object| {
