@@ -192,7 +192,7 @@ impl Decider<'_> {
 
     fn plain(&self, sides: [&Formula; 2]) -> Option<[f64; 2]> {
         let operand = |symbol: &'static str, _| self.operand(symbol);
-        let value = |side| match evaluate_with(&self.log.header, self.tree, self.event, side, &operand) {
+        let value = |side| match evaluate_with(self.log, self.tree, self.event, side, &operand) {
             Ok(Value::Number(x)) => Some(x),
             _ => None,
         };

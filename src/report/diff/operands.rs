@@ -90,7 +90,7 @@ impl<'a> Substitution<'a> {
             let pair = &self.pairs[number];
             if is_of_b(number) { pair.b } else { pair.a }.map(|operand| operand.value)
         };
-        evaluate_with(&self.a.log.header, self.a.tree, self.event, self.formula, &operands).ok()
+        evaluate_with(self.a.log, self.a.tree, self.event, self.formula, &operands).ok()
     }
 }
 
@@ -102,7 +102,7 @@ fn asked(a: Run, event: usize, formula: &Formula) -> Vec<(&'static str, Option<u
         operand(&a.log.events, a.tree, event, symbol, light).map(|operand| operand.value)
     };
     // What it comes to is found out later; where it can't be evaluated, there are the operands up to there.
-    let _ = evaluate_with(&a.log.header, a.tree, event, formula, &operands);
+    let _ = evaluate_with(a.log, a.tree, event, formula, &operands);
     let mut asked = asked.into_inner();
     let mut seen = HashSet::new();
     asked.retain(|known| seen.insert(*known));
