@@ -63,9 +63,9 @@ pub fn lights<'t>(events: &Events, tree: &'t Tree, event: usize) -> impl Iterato
     children.filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Light { .. })))
 }
 
-/// So many sums of a node are added up. Those of raywalk are one for each doubling of the samples; in a log from elsewhere each of a
-/// hundred thousand could go over as many lights.
-const MOST_SUMS: usize = 256;
+/// So many sums of a pixel are added up, and of another node: raywalk has three for each doubling of a pixel's samples, and elsewhere one. In
+/// a log from elsewhere each of a hundred thousand could go over as many lights.
+const MOST_SUMS: [usize; 2] = [64, 4];
 
 /// Whether the formula of a quantity goes over samples, cells, surfaces or lights.
 fn adds_up(name: Name) -> bool {
@@ -79,7 +79,13 @@ fn adds_up(name: Name) -> bool {
 
 /// Whether the sum that an event notes may be added up once more: it is among the first of its node.
 pub fn is_added_up(events: &Events, tree: &Tree, event: usize) -> bool {
-    tree.index(events).sums(tree.owner(event), event).is_none_or(|before| before < MOST_SUMS)
+    let is_of_pixel = matches!(tree.nodes()[tree.owner(event)].step, None | Some(Step::Pixel(_)));
+    sums_before(events, tree, event) < MOST_SUMS[usize::from(!is_of_pixel)]
+}
+
+/// How many sums the node of an event has noted before it, where they may be many.
+pub fn sums_before(events: &Events, tree: &Tree, event: usize) -> usize {
+    tree.index(events).sums(tree.owner(event), event).unwrap_or(0)
 }
 
 /// The last node of a kind directly inside a node that ends before an event.
@@ -166,6 +172,11 @@ pub fn latest_mark(events: &Events, tree: &Tree, node: usize, before: usize, lik
     let is_it = |at: &usize| matches!(&events[*at].what, What::Mark(decision) if discriminant(decision) == kind);
     let found = tree.index(events).marked(node, before, kind);
     found.unwrap_or_else(|| tree.own_events_before(node, before).rfind(is_it))
+}
+
+/// The latest event before one, wherever it stands, by which a test hits an object.
+pub fn latest_hit(events: &Events, tree: &Tree, before: usize, object: u32) -> Option<usize> {
+    tree.index(events).hit(before, object)
 }
 
 /// The largest number that a node noted or was given before an event.

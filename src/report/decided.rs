@@ -122,8 +122,7 @@ pub fn comparisons(log: &Log, tree: &Tree, event: usize, style: Style) -> Vec<Co
 /// The hit of the test that found what blocks a shadow ray.
 fn blocking(log: &Log, tree: &Tree, mark: usize, object: u32) -> Option<usize> {
     let start = tree.nodes()[tree.owner(mark)].events.start;
-    let is_test = |at: &usize| matches!(tree.nodes()[tree.owner(*at)].step, Some(Step::Test { object: tested, .. }) if tested == object);
-    (start..mark).rev().filter(is_test).find(|at| log.events[*at].what == What::Mark(Decision::Hit))
+    scope::latest_hit(&log.events, tree, mark, object).filter(|hit| *hit >= start)
 }
 
 #[derive(Clone, Copy)]

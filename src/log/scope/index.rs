@@ -26,6 +26,8 @@ pub(in crate::log) struct Index {
     nearest: HashMap<usize, Option<Nearest>>,
     /// The nodes inside, in order.
     children: HashMap<(usize, Child), Vec<u32>>,
+    /// By the numbers of objects, the events by which a test hits them.
+    hits: HashMap<u32, Vec<u32>>,
     /// What nodes deep in the tree see around them.
     pub(super) memo: Memo,
 }
@@ -47,6 +49,13 @@ impl Index {
     /// That of these events.
     pub(in crate::log) fn of(events: &Events, tree: &Tree) -> Index {
         let mut index = Index { memo: Memo::of(tree), ..Index::default() };
+        for (event, what) in events.iter().map(|event| &event.what).enumerate() {
+            if *what == What::Mark(Decision::Hit)
+                && let Some(Step::Test { object, .. }) = tree.nodes()[tree.owner(event)].step
+            {
+                index.hits.entry(object).or_default().push(event as u32);
+            }
+        }
         for (node, count) in children::counts(tree).into_iter().enumerate() {
             if count as usize > FEW {
                 let kinds = Child::inside(events, tree, node);
@@ -109,6 +118,11 @@ impl Index {
             list.get(list.partition_point(|event| (*event as usize) < from)).map(|event| *event as usize)
         });
         Some(first)
+    }
+
+    /// The latest event before one by which a test hits an object.
+    pub(super) fn hit(&self, before: usize, object: u32) -> Option<usize> {
+        last(&self.hits, before, &object)
     }
 
     /// The nodes of a kind directly inside a node that holds many.
