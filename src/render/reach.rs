@@ -1,15 +1,20 @@
 //! Which lights reach anything that the camera sees.
 
 use crate::log::{Decision, RayKind, SkipReason, Skippable, Step};
-use crate::probe::{Erased, Probe};
+use crate::probe::{CutOff, Erased, Probe, until_cut_off};
 use crate::sampling;
 use crate::scene::{Sampling, Scene};
+use std::panic::resume_unwind;
 
 /// The most pixels across and down that are asked.
 const MOST: [u32; 2] = [64, 48];
 
 /// How deep rays are followed here: what is seen in the mirror of a mirror of a mirror counts as unseen.
 const BOUNCES: u32 = 3;
+
+/// So many nodes of the computation are gone through: a light, a ray, an intersection test is one. Where thousands of surfaces lie in the way
+/// to thousands of lights, finding out what each light reaches would take as long as all of them multiplied.
+const MOST_NODES: u32 = 1 << 23;
 
 /// How the lights of a scene do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,6 +29,8 @@ pub struct Reach {
     pub is_unweighted: bool,
     /// How many pixels were traced to find out.
     pub pixels: u32,
+    /// Whether that was ended early, so that nothing is known of lights that reached nothing so far.
+    pub is_cut_off: bool,
 }
 
 /// Traces a coarse picture and sees which lights have a part in it. Ends as soon as all have.
@@ -38,7 +45,9 @@ pub fn reach(mut scene: Scene) -> Reach {
         has_local: false,
         has_unweighted: false,
         open: Vec::new(),
+        nodes: 0,
     };
+    let mut is_cut_off = false;
     let size = scene.camera.resolution;
     let [across, down] = [0, 1].map(|side| size[side].min(MOST[side]));
     let place = |k: u32, of: u32, side: u32| ((2 * u64::from(k) + 1) * u64::from(side) / (2 * u64::from(of))) as u32;
@@ -48,7 +57,11 @@ pub fn reach(mut scene: Scene) -> Reach {
             break;
         }
         let pixel = [place(column, across, size[0]), place(row, down, size[1])];
-        sampling::pixel(&scene, pixel, &mut Erased::of(&mut probe));
+        let traced = until_cut_off(|| sampling::pixel(&scene, pixel, &mut Erased::of(&mut probe)));
+        if traced.is_err() {
+            is_cut_off = true;
+            break;
+        }
         pixels += 1;
     }
     let Lit { lights, mut unusable, hidden, has_local, has_unweighted, .. } = probe;
@@ -56,7 +69,7 @@ pub fn reach(mut scene: Scene) -> Reach {
         // No surface without a local term asks for any light.
         unusable.fill(true);
     }
-    Reach { lights, unusable, hidden, is_unweighted: has_unweighted && !has_local, pixels }
+    Reach { lights, unusable, hidden, is_unweighted: has_unweighted && !has_local, pixels, is_cut_off }
 }
 
 /// The probe that sees shadow rays arrive.
@@ -70,6 +83,8 @@ struct Lit {
     has_unweighted: bool,
     /// The nodes that the computation is inside.
     open: Vec<Inside>,
+    /// How many there were.
+    nodes: u32,
 }
 
 /// What a node is of.
@@ -108,6 +123,10 @@ impl Probe for Lit {
     }
 
     fn enter(&mut self, step: Step) {
+        self.nodes += 1;
+        if self.nodes > MOST_NODES {
+            resume_unwind(Box::new(CutOff::TooLong { most: MOST_NODES as usize }));
+        }
         self.has_local |= matches!(step, Step::Shade { .. });
         self.open.push(match step {
             Step::Ray { kind: RayKind::Shadow { light }, .. } => Inside::Shadow(light),
