@@ -51,11 +51,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             let line = computation_in(language, log, tree, event, style)?.line();
             let body = format!("{line}{}   [{source}]", digits::marker_in(language, happening));
             let given = given(language, log.given(event), style);
-            if given.is_empty() {
-                body
-            } else {
-                format!("{} {given}\n{}{body}", language.texts().given, indent(level))
-            }
+            if given.is_empty() { body } else { format!("{} {given}\n{}{body}", language.texts().given, indent(level)) }
         }
         What::Mark(decision) => {
             let lost =

@@ -2,7 +2,6 @@
 
 use super::area_light::Spread;
 use super::file::mesh::Meshes;
-use crate::geometry::mesh::Mesh;
 use super::file::schema as file;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
@@ -12,6 +11,7 @@ use super::{
     Specular, Statistical, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
+use crate::geometry::mesh::Mesh;
 use crate::geometry::motion::{Motion, Turn};
 use crate::geometry::shape::{
     Cone, Cuboid, Cylinder, Disk, Ellipsoid, Moving, Plane, Polygon, Sphere, SphereMethod, Triangle, TriangleMesh,

@@ -35,7 +35,8 @@ impl Child {
             (Child::Bounce(of), Some(Step::Zone { what, .. })) => of == what,
             (Child::Local, _) => {
                 let symbol = Name::ShadeLocal.symbol();
-                let is_local = |at: usize| matches!(events[at].what, What::Note { name, .. } if name.symbol() == symbol);
+                let is_local =
+                    |at: usize| matches!(events[at].what, What::Note { name, .. } if name.symbol() == symbol);
                 tree.own_events(node).any(is_local)
             }
             _ => false,

@@ -61,8 +61,12 @@ mod tests {
 
     #[test]
     fn samples_and_splits_are_summed() {
-        let all =
-            [one(("1 C R.2 S1", 1), 0, 4.0), one(("1 C S2", 2), 1, 3.0), one(("12 C R.11 S1", 1), 0, 1.0), one(("2 C S2", 2), 1, 3.0)];
+        let all = [
+            one(("1 C R.2 S1", 1), 0, 4.0),
+            one(("1 C S2", 2), 1, 3.0),
+            one(("12 C R.11 S1", 1), 0, 1.0),
+            one(("2 C S2", 2), 1, 3.0),
+        ];
         let groups = groups(&all);
         let shown: Vec<_> =
             groups.iter().map(|group| (group.sum.path.as_str(), group.count, group.sum.color[0])).collect();

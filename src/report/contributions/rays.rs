@@ -1,7 +1,7 @@
 //! What the rays of a log bring, from the eye on.
 
-use super::{Color, Contribution, Ended, Origin, Source, Why, times};
 use super::Way;
+use super::{Color, Contribution, Ended, Origin, Source, Why, times};
 use crate::log::tree::path_of_child;
 use crate::log::{Decision, Log, Name, RayKind, SkipReason, Skippable, Step, Tree, Value, What, scope};
 use crate::report::terms;
@@ -194,7 +194,14 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn light(&mut self, node: usize, (light, object): (u32, u32), (path, mut way): (String, Way), weight: Color, local: Name) {
+    fn light(
+        &mut self,
+        node: usize,
+        (light, object): (u32, u32),
+        (path, mut way): (String, Way),
+        weight: Color,
+        local: Name,
+    ) {
         let tree = self.tree;
         let shadow = tree.children(node).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })));
         let marks = tree.own_events(node).chain(shadow.into_iter().flat_map(|ray| tree.own_events(ray)));
@@ -226,7 +233,14 @@ impl<'a> Walk<'a> {
         let source = Some(self.scattering(node, noted));
         let event = tree.nodes()[node].events.start;
         way.node = shadow.unwrap_or(way.node);
-        self.found.push(Contribution::new(Origin::Light { light, object }, (path, way), weight, own, source, Some(event)));
+        self.found.push(Contribution::new(
+            Origin::Light { light, object },
+            (path, way),
+            weight,
+            own,
+            source,
+            Some(event),
+        ));
     }
 
     /// Which terms of the local model the light at this node goes through.

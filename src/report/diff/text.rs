@@ -347,7 +347,8 @@ fn table(rows: Vec<Row>) -> String {
     let widths: [usize; 8] = std::array::from_fn(widest);
     let line = |row: &Row| {
         let cells = row.iter().zip(widths).filter(|(_, columns)| *columns > 0);
-        let padded: Vec<_> = cells.map(|(cell, columns)| cell.clone() + &" ".repeat(columns.saturating_sub(width(cell)))).collect();
+        let padded: Vec<_> =
+            cells.map(|(cell, columns)| cell.clone() + &" ".repeat(columns.saturating_sub(width(cell)))).collect();
         format!("  {}\n", padded.join("  ").trim_end())
     };
     rows.iter().map(line).collect()
