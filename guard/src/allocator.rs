@@ -91,6 +91,12 @@ pub fn attempt<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
+/// Whether there is memory for so many bytes at this moment: asked before the work that will take them, in whose middle an allocation that
+/// fails could only end the program.
+pub fn has_room_for(bytes: usize) -> bool {
+    attempt(|| Vec::<u8>::new().try_reserve_exact(bytes)).is_ok()
+}
+
 /// Input whose reader has to be given its memory, also where what is read is [attempted](attempt): what unpacks has no way to say that there
 /// is none.
 #[derive(Debug)]

@@ -2,18 +2,21 @@
 //! code.
 //!
 //! Two events can end it in the middle of the work: a signal, and an allocation that fails in code that has no way to say so. Neither
-//! may allocate, take a lock or run destructors, so both do the same few system calls: remove the files, write the message, end.
+//! may allocate, take a lock or run destructors, so both do the same few system calls: remove the files, give the terminal back, write
+//! the message, end.
 
 mod allocator;
 mod patient;
 mod pieces;
 mod streams;
+mod terminal;
 mod unfinished;
 
-pub use allocator::{Allocator, Demanding, attempt};
+pub use allocator::{Allocator, Demanding, attempt, has_room_for};
 pub use patient::{Patient, retried};
 pub use pieces::give_back_large_pieces;
 pub use streams::{stdin_was_closed, stdout_was_closed};
+pub use terminal::{hold_terminal, release_terminal};
 pub use unfinished::Unfinished;
 
 use signal_hook::SigId;
@@ -50,7 +53,7 @@ impl Endings {
                     exit(code.into());
                 }
             };
-            // SAFETY: the handler swaps atomic values and calls `unlink`, `write` and `_exit`, which POSIX lists among the functions that are
+            // SAFETY: the handler swaps atomic values and calls `unlink`, `tcsetattr`, `write` and `_exit`, which POSIX lists among the functions that are
             // safe in handlers of signals. It neither allocates nor locks nor panics.
             endings.0.push(unsafe { register(signal, handler) }?);
         }
@@ -96,6 +99,7 @@ fn wait_for_turn(code: u8) {
 /// Removes unfinished files, says why, and ends at once.
 fn end(code: u8, message: &[u8]) -> ! {
     unfinished::remove_all();
+    terminal::restore();
     REMOVED.store(true, Ordering::SeqCst);
     let mut left = message;
     while !left.is_empty() {

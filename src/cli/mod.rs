@@ -8,6 +8,7 @@ mod frames;
 mod inputs;
 mod layers;
 mod live;
+mod lock;
 mod log;
 mod merge;
 mod options;

@@ -5,6 +5,7 @@ mod parts;
 
 pub use parts::MAX_PART_BYTES;
 
+use self::checkpoint::Spent;
 use super::bench::peak_bytes;
 use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
@@ -104,13 +105,13 @@ impl Render {
         let mut finished = Vec::new();
         for frame in frames {
             let seconds = Seconds { load, ..Seconds::default() };
-            finished.extend(self.render_frame(loaded.clone(), &frame, seconds)?);
+            finished.extend(self.render_frame(loaded.clone(), &frame, seconds)?.map(Spent::let_go));
         }
         if let Some(last) = last {
             let seconds = Seconds { load, ..Seconds::default() };
             finished.extend(self.render_frame(loaded, &last, seconds)?);
         }
-        finished.iter().try_for_each(|path| checkpoint::remove(path))
+        finished.into_iter().try_for_each(Spent::remove)
     }
 
     /// Refuses what can't be done before anything is read.
@@ -132,8 +133,8 @@ impl Render {
         self.digits_seed().map(|_| ())
     }
 
-    /// Renders one frame into its file; gives the path of a finished picture's checkpoint.
-    fn render_frame(&self, loaded: Loaded, frame: &Frame, mut seconds: Seconds) -> Result<Option<PathBuf>, Failure> {
+    /// Renders one frame into its file; gives a finished picture's checkpoint.
+    fn render_frame(&self, loaded: Loaded, frame: &Frame, mut seconds: Seconds) -> Result<Option<Spent>, Failure> {
         let inputs = loaded.inputs.clone();
         let build = Instant::now();
         let scene = self.tracing.apply(frames::at(loaded, frame.number))?;

@@ -1,5 +1,6 @@
 //! A result while it is written: a file beside its place, which takes its place in one step, and which nothing leaves behind for long.
 
+use super::lock::{Lock, lock};
 use raywalk_guard::{Unfinished, retried};
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions, Permissions};
@@ -49,8 +50,7 @@ impl Beside {
             note = Some(Unfinished::new(path));
             let file = OpenOptions::new().write(true).create_new(true).mode(mode).open(path)?;
             // Somebody who sweeps may have been quicker: then another name is tried. Some file systems have no locks.
-            let is_taken = matches!(file.try_lock(), Err(fs::TryLockError::WouldBlock));
-            let is_lost = is_taken || file.metadata().is_ok_and(|metadata| metadata.nlink() == 0);
+            let is_lost = lock(&file) == Lock::Taken || file.metadata().is_ok_and(|metadata| metadata.nlink() == 0);
             if is_lost { Err(io::ErrorKind::AlreadyExists.into()) } else { Ok(file) }
         };
         let file = tempfile::Builder::new().prefix(&prefix).suffix(SUFFIX).rand_bytes(RANDOM).make_in(folder, begin)?;
@@ -115,7 +115,7 @@ pub fn sweep(folder: &Path) {
         // Some file systems lock only what is opened for writing; the part of a result that may not be written isn't. The lock is kept until the
         // file is gone.
         if let Ok(file) = OpenOptions::new().write(true).open(&path).or_else(|_| File::open(&path))
-            && file.try_lock().is_ok()
+            && lock(&file) == Lock::Ours
         {
             let _ = fs::remove_file(&path);
         }

@@ -3,18 +3,22 @@
 //! The symbols of a formula mean the latest quantity of that symbol that the computation could see: in the node itself,
 //! in the intersection test that found the nearest hit, then in the enclosing nodes.
 
+mod children;
 mod index;
+mod memo;
 
+pub use children::Child;
 pub(super) use index::Index;
 use index::Nearest;
 
-use super::event::{Decision, Event, RayKind, Step, What};
+use super::event::{Decision, Event, Step, What};
 use super::events::Events;
 use super::formula::Several;
 use super::name::Name;
 use super::tree::Tree;
 use super::value::Value;
 use std::mem::discriminant;
+use std::sync::LazyLock;
 
 /// A value that a formula puts in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,26 +56,107 @@ pub fn is_one_when_absent(symbol: &str) -> bool {
     symbol == Name::LightAttenuation.symbol() || symbol == Name::ShadowTransmittance.symbol()
 }
 
-/// The nodes of the lights over which the Σ in the formula of `event` adds.
-pub fn lights<'t>(tree: &'t Tree, event: usize) -> impl Iterator<Item = usize> + 't {
-    tree.children(tree.owner(event)).filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Light { .. })))
+/// The nodes of the lights over which the Σ in the formula of `event` adds; none if the sums of its node are too many.
+pub fn lights<'t>(events: &Events, tree: &'t Tree, event: usize) -> impl Iterator<Item = usize> + 't {
+    let node = Some(tree.owner(event)).filter(|_| is_added_up(events, tree, event));
+    let children = node.into_iter().flat_map(|node| tree.children(node));
+    children.filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Light { .. })))
+}
+
+/// So many sums of a pixel are added up, and of another node: raywalk has three for each doubling of a pixel's samples, and elsewhere one. In
+/// a log from elsewhere each of a hundred thousand could go over as many lights.
+const MOST_SUMS: [usize; 2] = [64, 4];
+
+/// Whether the formula of a quantity goes over samples, cells, surfaces or lights.
+fn adds_up(name: Name) -> bool {
+    static ADDING: LazyLock<Vec<bool>> = LazyLock::new(|| {
+        let signs = || Several::ALL.map(Several::sign).into_iter().chain(["Σ"]);
+        let adds_up = |name: Name| name.formula().is_some_and(|formula| signs().any(|sign| formula.contains(sign)));
+        Name::all().map(adds_up).collect()
+    });
+    ADDING[name as usize]
+}
+
+/// Whether the sum that an event notes may be added up once more: it is among the first of its node.
+pub fn is_added_up(events: &Events, tree: &Tree, event: usize) -> bool {
+    let is_of_pixel = matches!(tree.nodes()[tree.owner(event)].step, None | Some(Step::Pixel(_)));
+    sums_before(events, tree, event) < MOST_SUMS[usize::from(!is_of_pixel)]
+}
+
+/// How many sums the node of an event has noted before it, where they may be many.
+pub fn sums_before(events: &Events, tree: &Tree, event: usize) -> usize {
+    tree.index(events).sums(tree.owner(event), event).unwrap_or(0)
+}
+
+/// The last node of a kind directly inside a node that ends before an event.
+pub fn last_child(events: &Events, tree: &Tree, node: usize, before: usize, kind: Child) -> Option<usize> {
+    let ends_before = |child: usize| tree.nodes()[child].events.end <= before;
+    match tree.index(events).children(node, kind) {
+        Some(children) => {
+            let count = children.partition_point(|child| ends_before(*child as usize));
+            count.checked_sub(1).map(|at| children[at] as usize)
+        }
+        None => {
+            let before = tree.children(node).take_while(|child| ends_before(*child));
+            before.filter(|child| kind.is(events, tree, *child)).last()
+        }
+    }
 }
 
 /// The latest computed quantity of this symbol that can be seen from where an event stands, before it; inputs don't count.
 pub fn noted_before(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
-    let mut before = event;
-    let mut node = tree.owner(event);
-    loop {
-        let found = match tree.index(events).noted(node, before, symbol) {
-            Some(event) => event.and_then(|event| noted_as(events, event, symbol)),
-            None => tree.own_events_before(node, before).rev().find_map(|event| noted_as(events, event, symbol)),
-        };
+    let in_node = |node, before| noted_in(events, tree, node, before, symbol);
+    outward(events, tree, (tree.owner(event), event), (symbol, false), in_node)
+}
+
+/// The latest of a node's own quantities of this symbol before an event.
+pub fn noted_in(events: &Events, tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
+    match tree.index(events).noted(node, before, symbol) {
+        Some(event) => event.and_then(|event| noted_as(events, event, symbol)),
+        None => tree.own_events_before(node, before).rev().find_map(|event| noted_as(events, event, symbol)),
+    }
+}
+
+/// What is found in a node before an event, or else in the nodes around it before each begins. What a node sees around it doesn't depend on
+/// who asks, so that it is remembered there.
+fn outward(
+    events: &Events,
+    tree: &Tree,
+    (mut node, mut before): (usize, usize),
+    (symbol, with_inputs): (&str, bool),
+    in_node: impl Fn(usize, usize) -> Option<Operand>,
+) -> Option<Operand> {
+    let memo = &tree.index(events).memo;
+    let mut passed = Vec::new();
+    let found = loop {
+        let found = in_node(node, before);
         if found.is_some() || node == 0 {
-            return found;
+            break found;
         }
         before = tree.nodes()[node].events.start;
+        if memo.has(node) {
+            if let Some(known) = memo.known(node, symbol, with_inputs) {
+                break known.and_then(|event| operand_at(events, event, symbol, with_inputs));
+            }
+            passed.push(node);
+        }
         node = tree.nodes()[node].parent;
-    }
+    };
+    memo.remember(&passed, symbol, with_inputs, found.map(|found| found.event));
+    found
+}
+
+/// What an event has of a symbol: noted, or, if they count, among its inputs.
+fn operand_at(events: &Events, event: usize, symbol: &str, with_inputs: bool) -> Option<Operand> {
+    let given = || given_at(events, event, symbol).filter(|_| with_inputs);
+    Some(Operand { event, value: noted(&events[event], symbol).or_else(given)? })
+}
+
+/// The first of a node's own events from one on that notes this quantity.
+pub fn first_note(events: &Events, tree: &Tree, node: usize, from: usize, name: Name) -> Option<usize> {
+    let is_it = |at: &usize| matches!(events[*at].what, What::Note { name: noted, .. } if noted == name);
+    let found = tree.index(events).first_name(node, from, name);
+    found.unwrap_or_else(|| tree.own_events_from(node, from).find(is_it))
 }
 
 /// The latest of a node's own events before one that notes this quantity.
@@ -89,6 +174,11 @@ pub fn latest_mark(events: &Events, tree: &Tree, node: usize, before: usize, lik
     found.unwrap_or_else(|| tree.own_events_before(node, before).rfind(is_it))
 }
 
+/// The latest event before one, wherever it stands, by which a test hits an object.
+pub fn latest_hit(events: &Events, tree: &Tree, before: usize, object: u32) -> Option<usize> {
+    tree.index(events).hit(before, object)
+}
+
 /// The largest number that a node noted or was given before an event.
 pub fn size_before(events: &Events, tree: &Tree, node: usize, before: usize) -> f64 {
     let gone_through = || tree.own_events_before(node, before).fold(0.0, |size, at| size_of(events, at, size));
@@ -102,24 +192,16 @@ fn size_of(events: &Events, event: usize, size: f64) -> f64 {
     values.fold(size, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
 }
 
-fn seen_from(events: &Events, tree: &Tree, mut node: usize, mut before: usize, symbol: &str) -> Option<Operand> {
-    loop {
-        let found = in_node(events, tree, node, before, symbol).or_else(|| {
+fn seen_from(events: &Events, tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
+    outward(events, tree, (node, before), (symbol, true), |node, before| {
+        in_node(events, tree, node, before, symbol).or_else(|| {
             nearest_test(events, tree, node, before).and_then(|test| in_node(events, tree, test, before, symbol))
-        });
-        if found.is_some() || node == 0 {
-            return found;
-        }
-        before = tree.nodes()[node].events.start;
-        node = tree.nodes()[node].parent;
-    }
+        })
+    })
 }
 
 fn in_node(events: &Events, tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
-    let has = |event: usize| {
-        let value = noted(&events[event], symbol).or_else(|| given_at(events, event, symbol))?;
-        Some(Operand { event, value })
-    };
+    let has = |event: usize| operand_at(events, event, symbol, true);
     match tree.index(events).has(node, before, symbol) {
         Some(event) => event.and_then(has),
         None => tree.own_events_before(node, before).rev().find_map(has),
@@ -127,7 +209,7 @@ fn in_node(events: &Events, tree: &Tree, node: usize, before: usize, symbol: &st
 }
 
 fn noted_as(events: &Events, event: usize, symbol: &str) -> Option<Operand> {
-    Some(Operand { event, value: noted(&events[event], symbol)? })
+    operand_at(events, event, symbol, false)
 }
 
 /// The test, directly inside `node` or in a moving object's frame there, that found the nearest object. A mesh has a test for each triangle; the one at the
@@ -162,6 +244,9 @@ pub enum Element {
 /// What a sum in the formula of `event` adds over: the samples or the accepted cells of its pixel so far.
 pub fn elements(events: &Events, tree: &Tree, event: usize, several: Several) -> Vec<Element> {
     let pixel = tree.owner(event);
+    if !is_added_up(events, tree, event) {
+        return Vec::new();
+    }
     let is_sample = |child: &usize| matches!(tree.nodes()[*child].step, Some(Step::Sample { .. }));
     let is_cell = |at: &usize| matches!(events[*at].what, What::Mark(Decision::Accepted { cell: Some(_), .. }));
     match several {
@@ -194,8 +279,7 @@ fn brought(events: &Events, tree: &Tree, around: usize) -> Option<Value> {
 
 /// The colour that a ray brought: that of what it met, or the background.
 pub fn color_of_ray(events: &Events, tree: &Tree, ray: usize) -> Option<Value> {
-    let combine = tree.children(ray).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last();
-    match combine {
+    match last_child(events, tree, ray, usize::MAX, Child::Combine) {
         Some(combine) => in_node(events, tree, combine, usize::MAX, Name::CombineColor.symbol()),
         None => in_node(events, tree, ray, usize::MAX, Name::BackgroundColor.symbol()),
     }
@@ -233,11 +317,8 @@ pub fn transmittance(events: &Events, tree: &Tree, event: usize) -> [f64; 3] {
 
 /// The factors of that product, in the order of the ray; `None` for what lets nothing through.
 pub fn factors(events: &Events, tree: &Tree, event: usize) -> Vec<Option<[f64; 3]>> {
-    let shadow = tree.children(tree.owner(event)).filter(|child| {
-        let is_shadow = matches!(tree.nodes()[*child].step, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }));
-        is_shadow && tree.nodes()[*child].events.end <= event
-    });
-    let Some(ray) = shadow.last() else { return Vec::new() };
+    let shadow = last_child(events, tree, tree.owner(event), event, Child::Shadow);
+    let Some(ray) = shadow.filter(|_| is_added_up(events, tree, event)) else { return Vec::new() };
     let factor = |at: usize| match events[at].what {
         What::Mark(Decision::Attenuated { factor, .. }) => Some(Some(factor)),
         What::Mark(Decision::Occluded { .. }) => Some(None),

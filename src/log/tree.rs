@@ -1,6 +1,11 @@
 //! The events as a tree: nodes in pre-order in one flat array, so that a view needs to touch only what it shows.
 
-use super::event::{Event, RayKind, Step, What};
+mod path;
+
+pub(super) use path::add_step;
+pub use path::path_of_child;
+
+use super::event::{Event, Step, What};
 use super::events::Events;
 use super::scope::Index;
 use std::iter::Map;
@@ -20,6 +25,8 @@ pub struct Tree {
     own_start: Vec<u32>,
     /// What is in nodes that hold much, made when it is first asked for.
     index: OnceLock<Index>,
+    /// What is known of the paths of deep nodes, made likewise.
+    deep: OnceLock<Vec<path::Deep>>,
 }
 
 /// A node of the tree.
@@ -47,6 +54,7 @@ impl Tree {
             own: Vec::new(),
             own_start: Vec::new(),
             index: OnceLock::new(),
+            deep: OnceLock::new(),
         };
         let mut open = vec![0];
         for (index, event) in events.iter().enumerate() {
@@ -148,50 +156,7 @@ impl Tree {
     pub(super) fn index(&self, events: &Events) -> &Index {
         self.index.get_or_init(|| Index::of(events, self))
     }
-
-    /// The way of a node's ray from the eye, such as `C R S1`, or `3 C R S1` in the third sample; empty outside every ray.
-    pub fn path(&self, node: usize) -> String {
-        let mut steps = Vec::new();
-        let mut at = node;
-        while at != 0 {
-            steps.extend(self.nodes[at].step);
-            at = self.nodes[at].parent;
-        }
-        let mut path = String::new();
-        steps.iter().rev().for_each(|step| add_step(&mut path, *step));
-        path
-    }
 }
 
 /// The events of a node itself, in order.
 pub type OwnEvents<'t> = Map<slice::Iter<'t, u32>, fn(&u32) -> usize>;
-
-/// The path of a node inside a node with this path: samples add their number, rays their letter, a
-/// shadow ray also its light's number from 1: `3 C R S1`. Of several rays of a kind from one place each has its number after a
-/// dot: `C R.12 S1.4` is the fourth shadow ray to the first light from the twelfth zone of a blurred reflection. A pixel of one sample has no sample node and no number.
-pub fn path_of_child(path: &str, step: Step) -> String {
-    let mut path = path.to_owned();
-    add_step(&mut path, step);
-    path
-}
-
-/// Makes the path of a node that of a node inside it.
-fn add_step(path: &mut String, step: Step) {
-    let part = match step {
-        Step::Pixel(_) => {
-            path.clear();
-            return;
-        }
-        Step::Sample { number } => number.to_string(),
-        Step::Ray { kind, split, .. } => {
-            let light = if let RayKind::Shadow { light } = kind { (light + 1).to_string() } else { String::new() };
-            let split = if split == 0 { String::new() } else { format!(".{split}") };
-            format!("{}{light}{split}", kind.letter())
-        }
-        _ => return,
-    };
-    if !path.is_empty() {
-        path.push(' ');
-    }
-    path.push_str(&part);
-}

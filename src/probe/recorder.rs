@@ -2,6 +2,7 @@
 
 use super::{Probe, Quantity};
 use crate::log::{Decision, Event, Events, Name, Step, What};
+use raywalk_guard::{attempt, has_room_for};
 use std::any::Any;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -119,9 +120,8 @@ impl<'o> Recorder<'o> {
         let more = self.events.len().clamp(AT_FIRST, PIECE << 4);
         let is_asked = self.outlet.is_none() && self.events.len() >= MANY;
         let beside = if is_asked { (self.events.len() + more) * BYTES_BESIDE } else { 0 };
-        let is_room = || Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
-        let asked = raywalk_guard::attempt(is_room);
-        if asked.is_err() {
+        let is_room = has_room_for(beside) && attempt(|| self.events.try_reserve_exact(more)).is_ok();
+        if !is_room {
             resume_unwind(Box::new(CutOff::Memory));
         }
     }

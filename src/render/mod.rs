@@ -25,7 +25,7 @@ use crate::sampling::together;
 use crate::scene::{Color, Sampling, Scene};
 use crate::threads::Threads;
 use rayon::prelude::*;
-use raywalk_guard::attempt;
+use raywalk_guard::has_room_for;
 use std::io;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -94,7 +94,7 @@ pub const BYTES_PER_PIXEL: usize = 2 * size_of::<Color>() + 16;
 pub fn ask_for_memory([left, top, right, bottom]: [u32; 4]) -> Result<(), RenderError> {
     let (width, height) = (right - left, bottom - top);
     let bytes = (width as usize).checked_mul(height as usize).and_then(|pixels| pixels.checked_mul(BYTES_PER_PIXEL));
-    let is_there = bytes.is_some_and(|bytes| attempt(|| Vec::<u8>::new().try_reserve_exact(bytes)).is_ok());
+    let is_there = bytes.is_some_and(has_room_for);
     if is_there { Ok(()) } else { Err(RenderError::Memory(width, height)) }
 }
 

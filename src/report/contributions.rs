@@ -47,6 +47,8 @@ pub struct Contribution {
     pub origin: Origin,
     /// Its way from the eye, such as `C R S1`; without a shadow ray for what needs none.
     pub path: String,
+    /// The same without the numbers of samples and splits, for the program.
+    pub way: Way,
     /// The product of the weights on the way.
     pub weight: Color,
     /// What it brings to the way's end.
@@ -61,6 +63,17 @@ pub struct Contribution {
     pub cases: &'static str,
     /// The event that says so; none for roundings.
     pub event: Option<usize>,
+}
+
+/// A way from the eye.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Way {
+    /// The node of its last ray, of a light in full view that of the ray to the surface; the root for what comes along no ray.
+    pub node: usize,
+    /// The same for all ways of the same kinds of rays.
+    pub number: u32,
+    /// How often light bounces on it.
+    pub bounces: usize,
 }
 
 impl Contribution {
@@ -117,8 +130,8 @@ pub struct Account {
 pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
     let pixel = pixel_around(tree, node);
     let mut walk = rays::Walk::new(log, tree);
-    for (ray, path, weight) in samples::camera_rays(log, tree, pixel) {
-        walk.follow(ray, path, [weight; 3]);
+    for (ray, weight) in samples::camera_rays(log, tree, pixel) {
+        walk.follow(ray, [weight; 3]);
     }
     let result = tree.own_events(pixel).rev().find_map(|event| match log.events[event].what {
         What::Result { color } => Some(color),
@@ -131,7 +144,7 @@ pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
     let color = result.unwrap_or(brought);
     let rest = [0, 1, 2].map(|channel| color[channel] - brought[channel]);
     if let Some(origin) = origin_of_rest(log, tree, pixel, &rest, &color, &contributions) {
-        contributions.push(Contribution::new(origin, String::new(), [1.0; 3], rest, None, None));
+        contributions.push(Contribution::new(origin, Default::default(), [1.0; 3], rest, None, None));
     }
     let whole: f64 = color.iter().sum();
     for contribution in &mut contributions {
@@ -146,17 +159,17 @@ pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
 impl Contribution {
     fn new(
         origin: Origin,
-        path: String,
+        (path, way): (String, Way),
         weight: Color,
         own: Color,
         source: Option<Source>,
         event: Option<usize>,
     ) -> Contribution {
-        let bounces = path.split(' ').filter(|step| step.starts_with(['R', 'T'])).count();
+        let bounces = way.bounces;
         let color = times(&weight, &own);
         let class = source.map(|source| notation(source, bounces)).unwrap_or_default();
         let cases = source.map_or("", |source| cases(source, bounces));
-        Contribution { origin, path, weight, own, color, share: 0.0, class, cases, event }
+        Contribution { origin, path, way, weight, own, color, share: 0.0, class, cases, event }
     }
 }
 

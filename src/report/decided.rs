@@ -122,8 +122,7 @@ pub fn comparisons(log: &Log, tree: &Tree, event: usize, style: Style) -> Vec<Co
 /// The hit of the test that found what blocks a shadow ray.
 fn blocking(log: &Log, tree: &Tree, mark: usize, object: u32) -> Option<usize> {
     let start = tree.nodes()[tree.owner(mark)].events.start;
-    let is_test = |at: &usize| matches!(tree.nodes()[tree.owner(*at)].step, Some(Step::Test { object: tested, .. }) if tested == object);
-    (start..mark).rev().filter(is_test).find(|at| log.events[*at].what == What::Mark(Decision::Hit))
+    scope::latest_hit(&log.events, tree, mark, object).filter(|hit| *hit >= start)
 }
 
 #[derive(Clone, Copy)]
@@ -192,7 +191,7 @@ impl Decider<'_> {
 
     fn plain(&self, sides: [&Formula; 2]) -> Option<[f64; 2]> {
         let operand = |symbol: &'static str, _| self.operand(symbol);
-        let value = |side| match evaluate_with(&self.log.header, self.tree, self.event, side, &operand) {
+        let value = |side| match evaluate_with(self.log, self.tree, self.event, side, &operand) {
             Ok(Value::Number(x)) => Some(x),
             _ => None,
         };

@@ -11,7 +11,7 @@ mod wide;
 
 use crate::log::formula::{self, Extreme, Formula, Operator, Several};
 use crate::log::scope::{self, Operand};
-use crate::log::{Events, Header, Log, Name, Tree, Value, round_half_away};
+use crate::log::{Events, Log, Name, Tree, Value, round_half_away};
 
 /// The value of the formula of the quantity `name` that `event` notes, before any rounding; `None` for what has no
 /// formula.
@@ -51,14 +51,17 @@ pub fn evaluate_within(log: &Log, tree: &Tree, event: usize, name: Name) -> Opti
     if name.is_doubled() {
         return Some(doubled::evaluate(events, tree, event, formula));
     }
+    if matches!(formula, Formula::Over(..)) && !scope::is_added_up(events, tree, event) {
+        return Some(Err(too_many_sums()));
+    }
     let logged = |symbol, light| operand(events, tree, event, symbol, light).map(|operand| operand.value);
     let result = match formula {
         Formula::Over(several, _) if several.is_statistic() => statistics::of_samples(*several, events, tree, event),
         Formula::Over(Several::Surfaces, _) => Ok(Value::Triple(scope::transmittance(events, tree, event))),
-        _ => evaluate_with(&log.header, tree, event, formula, &logged),
+        _ => evaluate_with(log, tree, event, formula, &logged),
     };
     let bound = match formula {
-        Formula::Quantile(probability, _) => match evaluate_with(&log.header, tree, event, probability, &logged) {
+        Formula::Quantile(probability, _) => match evaluate_with(log, tree, event, probability, &logged) {
             Ok(Value::Number(probability)) => statistics::error_of_quantile(probability),
             _ => 0.0,
         },
@@ -97,19 +100,19 @@ pub fn operand(events: &Events, tree: &Tree, event: usize, symbol: &str, light: 
     }
 }
 
-/// The value of a formula at `event` of a log with this header, with the operands that `operands` has for a symbol and, under a Σ, the node of a light.
+/// The value of a formula at `event` of a log, with the operands that `operands` has for a symbol and, under a Σ, the node of a light.
 ///
 /// # Errors
 /// As those of [`evaluate`].
 pub fn evaluate_with(
-    header: &Header,
+    log: &Log,
     tree: &Tree,
     event: usize,
     formula: &Formula,
     operands: &Operands,
 ) -> Result<Value, String> {
-    let decimals_of_products = header.decimals_of_products();
-    match (Evaluator { tree, event, operands, light: None, decimals_of_products }).part(formula)? {
+    let (events, decimals_of_products) = (&log.events, log.header.decimals_of_products());
+    match (Evaluator { events, tree, event, operands, light: None, decimals_of_products }).part(formula)? {
         Part::Value(value) => Ok(value),
         absent => Err(format!("the formula comes to {absent:?}")),
     }
@@ -120,6 +123,7 @@ pub type Operands<'a> = dyn Fn(&'static str, Option<usize>) -> Option<Value> + '
 
 #[derive(Clone, Copy)]
 struct Evaluator<'a> {
+    events: &'a Events,
     tree: &'a Tree,
     event: usize,
     operands: &'a Operands<'a>,
@@ -228,11 +232,18 @@ impl Evaluator<'_> {
 
     /// Σ goes on with the sum before it, one light after the other.
     fn over_lights(&self, before: Part, term: &Formula) -> Result<Part, String> {
-        scope::lights(self.tree, self.event).try_fold(before, |sum, light| {
+        if !scope::is_added_up(self.events, self.tree, self.event) {
+            return Err(too_many_sums());
+        }
+        scope::lights(self.events, self.tree, self.event).try_fold(before, |sum, light| {
             let term = Evaluator { light: Some(light), ..*self }.part(term)?;
             binary(Operator::Plus, sum, term)
         })
     }
+}
+
+fn too_many_sums() -> String {
+    "its node has too many sums".to_owned()
 }
 
 fn map(part: Part, f: impl Fn(f64) -> f64) -> Result<Part, String> {

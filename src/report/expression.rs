@@ -296,7 +296,7 @@ impl Substitution<'_> {
             let operand = evaluate::operand(&self.log.events, self.tree, self.event, symbol, light.or(self.light));
             operand.map(|operand| operand.value)
         };
-        match evaluate::evaluate_with(&self.log.header, self.tree, self.event, formula, &operands) {
+        match evaluate::evaluate_with(self.log, self.tree, self.event, formula, &operands) {
             Ok(Value::Triple(triple)) => Some(triple),
             _ => None,
         }
@@ -310,7 +310,7 @@ impl Substitution<'_> {
     }
 
     fn over_lights(&self, inner: &Formula) -> Part {
-        let lights = scope::lights(self.tree, self.event).filter(|light| !self.is_dark(*light));
+        let lights = scope::lights(&self.log.events, self.tree, self.event).filter(|light| !self.is_dark(*light));
         let parts = lights.filter_map(|light| Substitution { light: Some(light), ..*self }.part(inner).operand());
         let sum = parts.reduce(|sum, part| Box::new(Expression::Binary(Operator::Plus, sum, part)));
         sum.map_or(Part::Zero, |sum| Part::There(*sum))

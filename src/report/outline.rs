@@ -1,6 +1,6 @@
 //! The ray tree in one line a ray: what it meets, whether light gets through, what colour it brings.
 
-use super::{Style, number, words};
+use super::{Style, number, text, words};
 use crate::log::{Decision, Log, Name, RayKind, Step, Tree, Value, What};
 use std::fmt::Write;
 
@@ -10,10 +10,10 @@ pub fn outline(log: &Log, style: Style) -> String {
     let mut out = String::new();
     for (index, node) in tree.nodes().iter().enumerate() {
         let Some(Step::Ray { kind, .. }) = node.step else { continue };
-        let path = tree.path(index);
-        let level = path.split(' ').count() - 1;
+        let path = tree.shown_path(index);
+        let level = tree.steps_to(index).saturating_sub(1);
         // Writing to a String can't fail.
-        let _ = writeln!(out, "{}{path}: {}", "  ".repeat(level), fate(log, &tree, index, kind, style));
+        let _ = writeln!(out, "{}{path}: {}", text::indent(level), fate(log, &tree, index, kind, style));
     }
     if let Some(What::Result { color }) = log.events.last().map(|event| &event.what) {
         let _ = writeln!(out, "result: {}", number::value(&Value::Triple(*color), style));

@@ -43,7 +43,8 @@ pub fn operands(log: &Log, tree: &Tree, event: usize) -> Vec<Operand> {
     let Some(formula) = formula else { return inputs(log, tree, event) };
     let mut found: Vec<Operand> = Vec::new();
     each_symbol(formula, false, &mut |symbol, is_under_sum| {
-        let lights: Vec<_> = if is_under_sum { scope::lights(tree, event).map(Some).collect() } else { vec![None] };
+        let lights: Vec<_> =
+            if is_under_sum { scope::lights(&log.events, tree, event).map(Some).collect() } else { vec![None] };
         for light in lights {
             let is_known = |known: &Operand| known.symbol == symbol && (known.light == light || known.light.is_none());
             if !found.iter().any(is_known) {

@@ -293,7 +293,7 @@ pub fn stack_in(language: Language, log: &Log, tree: &Tree, event: usize) -> Vec
             None => current_line(log, tree, event),
             Some(inner) => line_of(&log.header, place::of_call(inner)),
         };
-        let path = tree.path(node);
+        let path = tree.shown_path(node);
         let text = match kind {
             RayKind::Shadow { .. } => (language.texts().viewer.panes.shadow_ray)(&path),
             _ => call_in(language, &log.header, &path, depth),

@@ -1,5 +1,6 @@
 //! The rays of a log as lines in space.
 
+use crate::log::scope;
 use crate::log::{Decision, Log, Name, RayKind, Step, Tree, Value, What};
 
 /// A ray as a line.
@@ -90,10 +91,10 @@ fn blocked_at(log: &Log, tree: &Tree, node: usize) -> Option<f64> {
 
 /// The distance to the light, which the node around a shadow ray has; `None` for a light infinitely far away.
 fn to_light(log: &Log, tree: &Tree, node: usize) -> Option<f64> {
-    let parent = tree.nodes()[node].parent;
-    let distance = |event: usize| match log.events[event].what {
-        What::Note { name: Name::LightDistance, value: Value::Number(distance) } => Some(distance),
+    let (parent, before) = (tree.nodes()[node].parent, tree.nodes()[node].events.start);
+    let noted = scope::latest_note(&log.events, tree, parent, before, Name::LightDistance)?;
+    match log.events[noted].what {
+        What::Note { value: Value::Number(distance), .. } => Some(distance),
         _ => None,
-    };
-    tree.own_events_before(parent, tree.nodes()[node].events.start).filter_map(distance).next_back()
+    }
 }

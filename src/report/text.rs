@@ -43,7 +43,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             let given = given(language, log.given(event), style);
             let title = words::title_in(language, log, tree, node);
             let title = if given.is_empty() { title } else { format!("{title}: {given}") };
-            return Some(format!("{}{title}", "  ".repeat(level.saturating_sub(1))));
+            return Some(format!("{}{title}", indent(level.saturating_sub(1))));
         }
         What::Note { name, .. } => {
             let source = [Some(name.key().to_owned()), tag(log, tree, event)];
@@ -51,11 +51,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             let line = computation_in(language, log, tree, event, style)?.line();
             let body = format!("{line}{}   [{source}]", digits::marker_in(language, happening));
             let given = given(language, log.given(event), style);
-            if given.is_empty() {
-                body
-            } else {
-                format!("{} {given}\n{}{body}", language.texts().given, "  ".repeat(level))
-            }
+            if given.is_empty() { body } else { format!("{} {given}\n{}{body}", language.texts().given, indent(level)) }
         }
         What::Mark(decision) => {
             let lost =
@@ -74,7 +70,16 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
             return Some(format!("{}: {color}{}", language.texts().result, digits::marker_in(language, happening)));
         }
     };
-    Some(format!("{}{body}", "  ".repeat(level)))
+    Some(format!("{}{body}", indent(level)))
+}
+
+/// Lines are indented by so many levels at most; then a number says how deep they stand, lest a deep log is mostly space.
+const MOST_INDENT: usize = 32;
+
+/// What stands before a line of a level.
+pub(super) fn indent(level: usize) -> String {
+    let space = "  ".repeat(level.min(MOST_INDENT));
+    if level > MOST_INDENT { format!("{space}({level}) ") } else { space }
 }
 
 /// The inputs of an event: `r = 3, S_c = (17, 9, 8)`.

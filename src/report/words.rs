@@ -20,7 +20,7 @@ pub fn title_in(language: Language, log: &Log, tree: &Tree, node: usize) -> Stri
         None => subject_in(language, header),
         Some(Step::Pixel(pixel)) => (texts.pixel)(pixel),
         Some(Step::Sample { number }) => (texts.sample)(number),
-        Some(Step::Ray { kind, .. }) => (texts.ray)(&tree.path(node), &ray_kind_in(language, header, kind)),
+        Some(Step::Ray { kind, .. }) => (texts.ray)(&tree.shown_path(node), &ray_kind_in(language, header, kind)),
         Some(Step::Test { object: tested, triangle: None }) => (texts.test)(&object(tested)),
         Some(Step::Test { object: tested, triangle: Some(triangle) }) => {
             (texts.test_triangle)(&object(tested), triangle)

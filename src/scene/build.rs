@@ -12,6 +12,7 @@ use super::{
     Specular, Statistical, Tracing, Transfer, Weights,
 };
 use crate::geometry::Shape;
+use crate::geometry::mesh::Mesh;
 use crate::geometry::motion::{Motion, Turn};
 use crate::geometry::shape::{
     Cone, Cuboid, Cylinder, Disk, Ellipsoid, Moving, Plane, Polygon, Sphere, SphereMethod, Triangle, TriangleMesh,
@@ -109,17 +110,15 @@ fn digest(scene: &file::SceneFile, meshes: &Meshes) -> String {
 /// The meshes with trees over them, one for each file, however many objects have it.
 struct Trees<'m> {
     meshes: &'m Meshes,
-    built: HashMap<String, Arc<TriangleMesh>>,
+    /// By the place of the mesh in memory, which is the same under all names of its file.
+    built: HashMap<*const Mesh, Arc<TriangleMesh>>,
 }
 
 impl Trees<'_> {
     fn get(&mut self, path: &str) -> Option<Shape> {
-        if let Some(tree) = self.built.get(path) {
-            return Some(Shape::Mesh(tree.clone()));
-        }
-        let tree = Arc::new(TriangleMesh::new(self.meshes.get(path)?.clone()));
-        self.built.insert(path.to_owned(), tree.clone());
-        Some(Shape::Mesh(tree))
+        let mesh = self.meshes.get(path)?;
+        let tree = self.built.entry(Arc::as_ptr(mesh)).or_insert_with(|| Arc::new(TriangleMesh::new(mesh.clone())));
+        Some(Shape::Mesh(tree.clone()))
     }
 }
 

@@ -4,7 +4,7 @@
 //! computed depends on neither, so where the system lets no more threads start the work goes on with those that it has.
 
 use rayon::{ThreadBuilder, ThreadPool, ThreadPoolBuilder};
-use raywalk_guard::attempt;
+use raywalk_guard::has_room_for;
 use std::cell::Cell;
 use std::io;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -199,8 +199,7 @@ fn count_with_room(mut count: usize) -> usize {
     const STACK: usize = 2 << 20;
     /// How many times as much must be there.
     const ROOM: usize = 4;
-    let is_room =
-        |count: usize| attempt(|| Vec::<u8>::new().try_reserve_exact(count.saturating_mul(ROOM * STACK))).is_ok();
+    let is_room = |count: usize| has_room_for(count.saturating_mul(ROOM * STACK));
     while count > 0 && !is_room(count) {
         count /= 2;
     }

@@ -18,6 +18,7 @@ use crossterm::{execute, queue};
 use ratatui::backend::CrosstermBackend;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
+use raywalk_guard::{hold_terminal, release_terminal};
 use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
 use signal_hook::{flag, low_level};
@@ -217,6 +218,8 @@ fn take_over() -> io::Result<()> {
     IS_TAKEN.store(true, Ordering::SeqCst);
     // Without it a pasted text would be read as keys.
     let modes = || execute!(io::stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste);
+    // Where memory runs out nothing below is called any more. A terminal that doesn't tell its modes can't get them back.
+    let _ = hold_terminal();
     enable_raw_mode().and_then(|()| modes()).inspect_err(|_| restore())
 }
 
@@ -230,6 +233,7 @@ fn restore() {
         let _ = execute!(out, EndSynchronizedUpdate, DisableBracketedPaste, LeaveAlternateScreen, Show);
         let _ = out.flush();
         let _ = disable_raw_mode();
+        release_terminal();
     }
 }
 

@@ -18,6 +18,7 @@ mod scenes;
 mod catalogue;
 
 mod corpus;
+mod doubled;
 mod grown;
 mod inputs;
 mod little_memory;

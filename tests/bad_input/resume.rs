@@ -265,3 +265,17 @@ fn two_at_a_time_are_not_let() {
     first.wait().expect("it ends");
     assert!(second.code == Some(3) && second.message.contains("another raywalk is at work"), "{}", second.message);
 }
+
+#[test]
+fn an_empty_file_beside_a_picture_is_left_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (result, call) in [("a.ppm", &["-o", "a.ppm"][..]), ("a.part", &["--shard", "1/2", "-o", "a.part"])] {
+        let left = folder.path().join(format!("{result}.checkpoint"));
+        fs::write(&left, "").expect("a file");
+        for _ in 0..2 {
+            let call = [&["render", "textbook", "--size", "4x4", "-q"], call].concat();
+            answer(&mut raywalk(folder.path(), &call)).ends_with(0);
+            assert_eq!(fs::read(&left).expect("it is there"), b"", "{result}");
+        }
+    }
+}

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 /// The constants of the program whose names begin like limits, with their values as they are written.
 fn constants() -> BTreeMap<String, String> {
     let mut constants = BTreeMap::new();
-    for file in files_below("src") {
+    for file in files_below("src").into_iter().chain(files_below("guard/src")) {
         for line in file.with_strings.lines() {
-            let declared = line.trim().trim_start_matches("pub ").strip_prefix("const ");
+            let declared = declared(line);
             let Some((name, value)) = declared.and_then(|rest| rest.split_once(": ")) else { continue };
             let Some((_, value)) = value.split_once(" = ") else { continue };
             if name.starts_with("MAX_") || name.starts_with("MIN_") {
@@ -18,6 +18,25 @@ fn constants() -> BTreeMap<String, String> {
         }
     }
     constants
+}
+
+/// What stands behind `const`, whoever may see it: `pub`, `pub(super)`, `pub(in crate::log)`.
+fn declared(line: &str) -> Option<&str> {
+    let line = line.trim();
+    let line = match line.strip_prefix("pub") {
+        Some(seen) if seen.starts_with('(') => seen.split_once(')')?.1,
+        Some(seen) => seen,
+        None => line,
+    };
+    line.trim_start().strip_prefix("const ")
+}
+
+#[test]
+fn constants_are_seen_whoever_may_use_them() {
+    for seen in ["", "pub ", "pub(super) ", "pub(crate) ", "pub(in crate::log) "] {
+        assert_eq!(declared(&format!("    {seen}const MAX_X: usize = 1;")), Some("MAX_X: usize = 1;"), "{seen}");
+    }
+    assert_eq!(declared("let x = 1;"), None);
 }
 
 /// The number that stands for `1 << 28`, `65_535`, `64 * 1024` or `1e100`.

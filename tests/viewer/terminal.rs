@@ -369,3 +369,15 @@ fn a_panic_gives_the_terminal_back() {
     session.shows("the tracer gave up");
     session.ends_with(101);
 }
+
+#[test]
+fn an_early_end_gives_the_terminal_back() {
+    let mut session = Session::start(&["walk", "textbook"], 100, 30);
+    session.shows("step 1/98");
+    session.press("m");
+    session.is_taken(true);
+    // As an allocation that fails ends it: in the middle of the work, without destructors.
+    session.signal("ABRT");
+    session.ends_with(3);
+    session.has_mouse(false);
+}

@@ -2,6 +2,7 @@
 
 use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::{Claim, Inputs, place_of};
+use crate::cli::lock::{Lock, is_at, lock};
 use crate::cli::unfinished::sync_folder;
 use raywalk::render::part::{PartError, PartHeader, Reader, Record, Writer};
 use raywalk::render::pieces::Pixels;
@@ -9,7 +10,7 @@ use raywalk::scene::file::visible;
 use raywalk_guard::retried;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufReader, ErrorKind, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -38,24 +39,7 @@ impl Checkpoint {
     pub fn open(picture: &Path, header: &PartHeader, inputs: &Inputs) -> Result<(Checkpoint, Kept), Failure> {
         let path = path_of(picture);
         let cannot = |error: &io::Error| Failure::io(&path, "keep what is rendered", error);
-        match fs::metadata(&path) {
-            Ok(metadata) if !metadata.is_file() => {
-                return Err(Failure::caller(format!("{}: is no regular file", shown(&path))));
-            }
-            Ok(metadata) => inputs.refuse(&path, &metadata)?,
-            Err(error) if error.kind() == ErrorKind::NotFound => {}
-            Err(error) => return Err(cannot(&error)),
-        }
-        let claim = Claim::of(&path, &place_of(&path))?;
-        let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
-        let file = file.map_err(|error| cannot(&error))?;
-        match file.try_lock() {
-            Err(TryLockError::WouldBlock) => {
-                return Err(Failure::machine(format!("{}: another raywalk is at work on it", shown(&path))));
-            }
-            // Some file systems have no locks.
-            Err(TryLockError::Error(_)) | Ok(()) => {}
-        }
+        let (file, claim) = locked(&path, inputs, true)?;
         let found = read(&file, &path, header)?;
         // What was cut off behind what is good is written again.
         let good = found.as_ref().map_or(0, |found| found.good);
@@ -80,9 +64,9 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// Says that files with this digest were made of it; the pieces themselves are of no more use. Gives its path, to be removed when
-    /// it isn't asked for any more.
-    pub fn went_into(self, header: &PartHeader, files: &blake3::Hash) -> Result<PathBuf, Failure> {
+    /// Says that files with this digest were made of it; the pieces themselves are of no more use. Gives what is left of it, to be removed
+    /// when it isn't asked for any more.
+    pub fn went_into(self, header: &PartHeader, files: &blake3::Hash) -> Result<Spent, Failure> {
         let note = || -> io::Result<()> {
             self.file.set_len(0)?;
             let mut out = self.file.try_clone()?;
@@ -90,7 +74,7 @@ impl Checkpoint {
             Writer::new(out, header)?.went_into(files)
         };
         note().map_err(|error| self.failure(&error))?;
-        Ok(self.into_path())
+        Ok(self.spent())
     }
 
     /// Whether it went into files with this digest.
@@ -98,10 +82,10 @@ impl Checkpoint {
         self.went_into.is_some() && self.went_into == files
     }
 
-    /// Where it is.
-    pub fn into_path(self) -> PathBuf {
+    /// It is of no more use.
+    pub fn spent(self) -> Spent {
         self.claim.keep();
-        self.path
+        Spent { path: self.path, file: Some(self.file) }
     }
 
     /// Why nothing more can be kept.
@@ -110,16 +94,59 @@ impl Checkpoint {
     }
 }
 
-/// Removes a checkpoint, as the picture is there for good; somebody else may have done so.
-pub fn remove(path: &Path) -> Result<(), Failure> {
-    // The run that put the picture there may have been killed before it made sure of that.
-    let picture = path.with_extension("");
-    if let Some(folder) = fs::canonicalize(&picture).ok().as_deref().and_then(Path::parent) {
-        sync_folder(folder).map_err(|error| Failure::io(&picture, "write", &error))?;
+/// A checkpoint that is of no more use. It stays locked until it is gone, so that nobody goes on in a file that vanishes.
+pub struct Spent {
+    path: PathBuf,
+    /// Kept open for its lock.
+    file: Option<File>,
+}
+
+impl Spent {
+    /// Unlocks it: a process may have only so many files open, and an animation may have a million frames.
+    pub fn let_go(self) -> Spent {
+        Spent { file: None, ..self }
     }
-    match retried(|| fs::remove_file(path)) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::io(path, "remove", &error)),
-        _ => Ok(()),
+
+    /// Removes it, as the picture is there for good.
+    pub fn remove(self) -> Result<(), Failure> {
+        let path = &self.path;
+        let Some(_locked) = self.file.or_else(|| File::open(path).ok().filter(|file| lock(file) != Lock::Taken)) else {
+            // It is gone, or another run is at work on it.
+            return Ok(());
+        };
+        // The run that put the picture there may have been killed before it made sure of that.
+        let picture = path.with_extension("");
+        if let Some(folder) = fs::canonicalize(&picture).ok().as_deref().and_then(Path::parent) {
+            sync_folder(folder).map_err(|error| Failure::io(&picture, "write", &error))?;
+        }
+        match retried(|| fs::remove_file(path)) {
+            Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::io(path, "remove", &error)),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The file of a checkpoint, locked; begun if it isn't there and may be.
+fn locked(path: &Path, inputs: &Inputs, may_begin: bool) -> Result<(File, Claim), Failure> {
+    let cannot = |error: &io::Error| Failure::io(path, "keep what is rendered", error);
+    loop {
+        match fs::metadata(path) {
+            Ok(metadata) if !metadata.is_file() => {
+                return Err(Failure::caller(format!("{}: is no regular file", shown(path))));
+            }
+            Ok(metadata) => inputs.refuse(path, &metadata)?,
+            Err(error) if error.kind() == ErrorKind::NotFound && may_begin => {}
+            Err(error) => return Err(cannot(&error)),
+        }
+        let file = OpenOptions::new().read(true).write(true).create(may_begin).truncate(false).open(path);
+        let file = file.map_err(|error| cannot(&error))?;
+        if lock(&file) == Lock::Taken {
+            return Err(Failure::machine(format!("{}: another raywalk is at work on it", shown(path))));
+        }
+        // Whoever had it locked a moment ago may have removed it: then another one is begun.
+        if is_at(&file, path).map_err(|error| cannot(&error))? {
+            return Ok((file, Claim::of(path, &place_of(path))?));
+        }
     }
 }
 
@@ -130,12 +157,19 @@ pub fn remove_left_of(
     inputs: &Inputs,
     header: impl FnOnce() -> Result<PartHeader, Failure>,
 ) -> Result<(), Failure> {
-    if !path_of(picture).exists() {
+    let path = path_of(picture);
+    if !path.exists() {
         return Ok(());
     }
-    match Checkpoint::open(picture, &header()?, inputs) {
-        Ok((left, _)) => remove(&left.into_path()),
-        Err(_) => Ok(()),
+    let header = header()?;
+    let Ok((file, claim)) = locked(&path, inputs, false) else { return Ok(()) };
+    // A file without a header may be anybody's, an empty one above all.
+    match read(&file, &path, &header) {
+        Ok(Some(_)) => {
+            claim.keep();
+            Spent { path, file: Some(file) }.remove()
+        }
+        Ok(None) | Err(_) => Ok(()),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Pictures by pieces: shards, and what goes on where it was ended early.
 
-use super::checkpoint::{self, Checkpoint, Kept};
+use super::checkpoint::{self, Checkpoint, Kept, Spent};
 use super::{Render, Task, failed, names_of};
 use crate::cli::failure::{Failure, shown};
 use crate::cli::output::{self, Output};
@@ -15,7 +15,7 @@ use raywalk::render::{Counter, RenderError};
 use raywalk::scene::file::Wanted;
 use std::collections::BTreeSet;
 use std::io::{self, BufReader};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
@@ -25,7 +25,7 @@ pub const MAX_PART_BYTES: u64 = 1 << 35;
 impl Render {
     /// Renders a picture, from where the same call was ended early; gives its checkpoint, which is of no more use when all frames
     /// are there.
-    pub(super) fn resumed_picture(&self, task: &Task, format: Format) -> Result<PathBuf, Failure> {
+    pub(super) fn resumed_picture(&self, task: &Task, format: Format) -> Result<Spent, Failure> {
         // Made sure of before the work begins, and let go: nothing is left behind by whatever ends it.
         let place = self.place(task, format)?;
         if !place.is_file() {
@@ -37,7 +37,7 @@ impl Render {
         let files = || picture::digest(&task.path, format, self.layers.as_ref());
         if checkpoint.is_in(files().ok()) {
             self.tell(&task.path, "is there already");
-            return Ok(checkpoint.into_path());
+            return Ok(checkpoint.spent());
         }
         let mut kept = self.render_rest(task, &header, kept, Some(&mut checkpoint))?.0;
         let mut canvas =
@@ -81,7 +81,7 @@ impl Render {
             writer.finish().map(|_| ())
         })?;
         match checkpoint {
-            Some(checkpoint) => checkpoint::remove(&checkpoint.into_path())?,
+            Some(checkpoint) => checkpoint.spent().remove()?,
             None => checkpoint::remove_left_of(&task.path, &task.inputs, || Ok(header))?,
         }
         self.print_statistics(task, Some(counts), seconds, 0)

@@ -1,6 +1,7 @@
 //! What `scene check` says about lights.
 
 use crate::cli::options::ColorChoice;
+use crate::cli::output;
 use crate::cli::scene_argument::{self, Input};
 use raywalk::render::reach::{Reach, reach};
 use raywalk::scene::file::validate::limits::MAX_PROBLEMS;
@@ -21,7 +22,7 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
             .any(|coefficient| *coefficient != Color::ZERO)
     };
     let is_light_used = scene.objects.iter().any(|object| uses_light(&scene.materials[object.material]));
-    let Reach { lights: is_lit, unusable, hidden, is_unweighted, pixels } = reach(scene);
+    let Reach { lights: is_lit, unusable, hidden, is_unweighted, pixels, is_cut_off } = reach(scene);
     let finding = |light: usize| {
         let outside = if is_outside[light] { "; it stands outside the field of view" } else { "" };
         let message = match (is_lit[light], unusable[light], hidden[light]) {
@@ -33,6 +34,8 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
             _ if !is_light_used => {
                 "lights nothing in view: K_d, K_e and K_t of every surface are 0 in every channel".to_owned()
             }
+            // It might reach what wasn't looked at.
+            _ if is_cut_off => return None,
             _ if is_unweighted => format!(
                 "lights nothing in view: no surface seen through {pixels} pixels has a local term that weighs more than 0"
             ),
@@ -54,6 +57,13 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
     let mut findings = (0..is_outside.len()).filter_map(finding);
     let told: Vec<Finding> = findings.by_ref().take(MAX_PROBLEMS).collect();
     scene_argument::warn(&file::placed(&told, &input.bytes, &input.name), findings.count(), colors);
+    if is_cut_off {
+        let unknown = (0..is_lit.len()).filter(|light| !is_lit[*light] && !is_dark[*light]).count();
+        output::tell(&format!(
+            "warning: what {unknown} of the {} lights reach isn't known: too many surfaces lie on the ways to them to find out here",
+            is_lit.len()
+        ));
+    }
 }
 
 /// Whether a light has a place and the camera can't see it.

@@ -13,7 +13,7 @@ use arrayvec::ArrayVec;
 use rayon::prelude::*;
 
 /// The most levels of nodes. The last of them halve what they have, so that 2³⁰ things fit.
-pub(super) const MAX_LEVELS: usize = 40;
+pub(super) const MOST_LEVELS: usize = 40;
 
 /// From this level on nodes halve.
 const HALVING: usize = 28;

@@ -8,7 +8,7 @@ use crate::geometry::line::RaySource;
 use arrayvec::ArrayVec;
 
 /// The most nodes that wait: seven for each level of the deepest tree, and one.
-pub(super) const STACK: usize = 7 * super::build::MAX_LEVELS + 1;
+pub(super) const STACK: usize = 7 * super::build::MOST_LEVELS + 1;
 
 /// A walk, and what it is for.
 pub(super) struct Walk<'a, S, M> {

@@ -204,6 +204,8 @@ impl TriangleMesh {
     /// Drops crossings, sorted by their distance from number `from` on, with triangles next to one that is crossed in the same place and
     /// from the same side: a ray through an edge or a corner crosses the mesh once.
     fn keep_edges_once(&self, ray: &Ray, found: &mut Vec<Crossing>, from: usize) {
+        /// So many crossings in one place are looked at, the latest: a hundred thousand triangles may lie on each other.
+        const MOST: usize = 64;
         let mut kept = from;
         for at in from..found.len() {
             let crossing = found[at];
@@ -211,7 +213,7 @@ impl TriangleMesh {
                 (self.size(crossing.primitive), unit(*self.normals.of(crossing.primitive)).dot(ray.direction));
             let bound = ROUNDINGS * (2.0 * (ray.origin.abs().element_sum() + crossing.t.abs()) + 2.0 * size);
             let is_same = |before: &&Crossing| (crossing.t - before.t) * slope.abs() <= bound;
-            let is_again = found[from..kept].iter().rev().take_while(is_same).any(|before| {
+            let is_again = found[from..kept].iter().rev().take(MOST).take_while(is_same).any(|before| {
                 before.side == crossing.side && self.are_neighbours(before.primitive, crossing.primitive)
             });
             if !is_again {

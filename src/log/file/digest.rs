@@ -1,13 +1,13 @@
 //! The digest by which a log is known again that another program wrote anew.
 
-use super::write::{Lines, write_header};
+use super::write::{Lines, Paths, write_header};
 use crate::log::events::Events;
 use crate::log::header::Header;
 use std::mem;
 
 /// The digest of a log as raywalk writes its lines, however they were spelt where it was read.
 pub(super) struct Digest {
-    paths: Vec<String>,
+    paths: Paths,
     hasher: blake3::Hasher,
 }
 
@@ -17,7 +17,7 @@ impl Digest {
         let mut hasher = blake3::Hasher::new();
         let written = write_header(header, &mut hasher);
         debug_assert!(written.is_ok(), "a header that was read can be written");
-        Digest { paths: Vec::new(), hasher }
+        Digest { paths: Paths::default(), hasher }
     }
 
     /// Adds further events of a log with this header.

@@ -15,6 +15,7 @@ use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::value::Value;
 use crate::log::whole::Whole;
+use raywalk_guard::{attempt, has_room_for};
 use std::io::ErrorKind;
 use std::mem;
 
@@ -193,9 +194,8 @@ impl Reader {
         const MOST: usize = 1 << 20;
         let more = self.events.len().clamp(64, MOST);
         let beside = (self.events.len() + more) * BYTES_BESIDE;
-        let is_room = || Vec::<u8>::new().try_reserve_exact(beside).and_then(|()| self.events.try_reserve_exact(more));
-        let asked = raywalk_guard::attempt(is_room);
-        asked.map_err(|_| LogError::Io(ErrorKind::OutOfMemory.into()))
+        let is_room = has_room_for(beside) && attempt(|| self.events.try_reserve_exact(more)).is_ok();
+        if is_room { Ok(()) } else { Err(LogError::Io(ErrorKind::OutOfMemory.into())) }
     }
 
     fn step(&self, enter: Enter) -> Result<Step, String> {

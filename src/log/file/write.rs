@@ -7,7 +7,7 @@ use crate::log::events::{Events, Input};
 use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::value::Value;
-use crate::log::{Log, tree::path_of_child};
+use crate::log::{Log, tree::add_step};
 use mark::mark;
 use std::io::{self, BufWriter, Write};
 
@@ -15,7 +15,7 @@ use std::io::{self, BufWriter, Write};
 pub struct Lines<'h> {
     header: &'h Header,
     /// The paths of the open nodes.
-    pub(super) paths: Vec<String>,
+    pub(super) paths: Paths,
     bytes: Vec<u8>,
     events: u64,
 }
@@ -23,7 +23,7 @@ pub struct Lines<'h> {
 impl<'h> Lines<'h> {
     /// None yet, of a log with this header.
     pub fn new(header: &'h Header) -> Lines<'h> {
-        Lines { header, paths: Vec::new(), bytes: Vec::new(), events: 0 }
+        Lines { header, paths: Paths::default(), bytes: Vec::new(), events: 0 }
     }
 
     /// Adds further events.
@@ -56,6 +56,38 @@ impl<'h> Lines<'h> {
         &self.bytes
     }
 }
+
+/// The paths of the open nodes: each is a beginning of that of the innermost one.
+#[derive(Debug, Default)]
+pub(super) struct Paths {
+    innermost: String,
+    /// How long the path of the node around each is.
+    around: Vec<usize>,
+}
+
+impl Paths {
+    fn enter(&mut self, step: Step) {
+        self.around.push(self.innermost.len());
+        add_step(&mut self.innermost, step);
+    }
+
+    fn leave(&mut self) {
+        if let Some(length) = self.around.pop() {
+            self.innermost.truncate(length);
+        }
+    }
+
+    fn depth(&self) -> usize {
+        self.around.len()
+    }
+
+    fn clear(&mut self) {
+        *self = Paths::default();
+    }
+}
+
+/// Nodes of a document are indented by so many levels at most.
+const MOST_INDENT: usize = 64;
 
 /// Writes a log as NDJSON while it grows.
 pub struct Writer<'h, W: Write> {
@@ -147,19 +179,19 @@ pub fn to_json(log: &Log) -> io::Result<Vec<u8>> {
     let mut out = b"{\"header\":".to_vec();
     serde_json::to_writer(&mut out, &log.header)?;
     out.extend_from_slice(b",\n\"children\":[");
-    let mut paths = Vec::new();
+    let mut paths = Paths::default();
     let mut first_child = true;
     for event in &log.events {
         // Pixels of a region log are opened but never left: the next one ends it.
-        if matches!(event.what, What::Enter { step: Step::Pixel(_), .. }) && !paths.is_empty() {
+        if matches!(event.what, What::Enter { step: Step::Pixel(_), .. }) && paths.depth() > 0 {
             // In a log that was cut off nodes inside it may be open, too.
-            out.extend(b"]}".repeat(paths.len()));
+            out.extend(b"]}".repeat(paths.depth()));
             paths.clear();
             first_child = false;
         }
-        let is_inside = !paths.is_empty();
+        let is_inside = paths.depth() > 0;
         out.extend_from_slice(if first_child { b"\n" } else { b",\n" });
-        out.resize(out.len() + paths.len() + 1, b' ');
+        out.resize(out.len() + paths.depth().min(MOST_INDENT) + 1, b' ');
         event_fields(&mut out, &log.header, (event, log.events.given(event)), &mut paths);
         first_child = matches!(event.what, What::Enter { .. });
         match event.what {
@@ -170,9 +202,7 @@ pub fn to_json(log: &Log) -> io::Result<Vec<u8>> {
         }
     }
     // The last one.
-    for _ in &paths {
-        out.extend_from_slice(b"]}");
-    }
+    out.extend(b"]}".repeat(paths.depth()));
     out.extend_from_slice(b"\n],\n");
     out.extend_from_slice(last_line.strip_prefix(b"{").unwrap_or(last_line));
     out.push(b'\n');
@@ -184,7 +214,7 @@ fn end_object(events: u64, hasher: &blake3::Hasher) -> String {
 }
 
 /// The event as a JSON object without its closing brace.
-fn event_fields(out: &mut Vec<u8>, header: &Header, (event, given): (&Event, &[Input]), paths: &mut Vec<String>) {
+fn event_fields(out: &mut Vec<u8>, header: &Header, (event, given): (&Event, &[Input]), paths: &mut Paths) {
     text(out, &format!("{{\"at\":{},\"node\":{}", event.at, event.node));
     match &event.what {
         What::Enter { parent, step } => {
@@ -193,15 +223,14 @@ fn event_fields(out: &mut Vec<u8>, header: &Header, (event, given): (&Event, &[I
             if !matches!(step, Step::Pixel(_)) {
                 text(out, &format!(",\"parent\":{parent}"));
             }
-            let path = path_of_child(paths.last().map_or("", String::as_str), *step);
-            if matches!(step, Step::Ray { .. }) {
-                text(out, ",\"path\":");
-                string(out, &path);
-            }
             if matches!(step, Step::Pixel(_)) {
                 paths.clear();
             }
-            paths.push(path);
+            paths.enter(*step);
+            if matches!(step, Step::Ray { .. }) {
+                text(out, ",\"path\":");
+                string(out, &paths.innermost);
+            }
         }
         What::Note { name, value } => note(out, *name, *value),
         What::Mark(decision) => {
@@ -211,7 +240,7 @@ fn event_fields(out: &mut Vec<u8>, header: &Header, (event, given): (&Event, &[I
         }
         What::Leave => {
             text(out, ",\"leave\":{}");
-            paths.pop();
+            paths.leave();
         }
         What::Result { color } => {
             text(out, ",\"result\":{\"color\":");

@@ -1,6 +1,8 @@
 //! The contents of nodes that hold much: a search there takes as many steps as the number has digits, and not as many as there are events.
 
-use super::{given_at, noted, size_of};
+use super::children::{self, Child};
+use super::memo::Memo;
+use super::{adds_up, given_at, noted, size_of};
 use crate::log::event::{Decision, Step, What};
 use crate::log::events::Events;
 use crate::log::name::Name;
@@ -22,6 +24,12 @@ pub(in crate::log) struct Index {
     symbols: HashMap<usize, Symbols>,
     /// `None` where no object is the nearest.
     nearest: HashMap<usize, Option<Nearest>>,
+    /// The nodes inside, in order.
+    children: HashMap<(usize, Child), Vec<u32>>,
+    /// By the numbers of objects, the events by which a test hits them.
+    hits: HashMap<u32, Vec<u32>>,
+    /// What nodes deep in the tree see around them.
+    pub(super) memo: Memo,
 }
 
 /// The events of a node by symbol, in order.
@@ -31,6 +39,8 @@ struct Symbols {
     given: HashMap<&'static str, Vec<u32>>,
     names: HashMap<Name, Vec<u32>>,
     marks: HashMap<Discriminant<Decision>, Vec<u32>>,
+    /// The quantities that are a sum over samples, cells, surfaces or lights.
+    sums: Vec<u32>,
     /// Where the largest number so far grows, and to what.
     sizes: Vec<(u32, f64)>,
 }
@@ -38,7 +48,20 @@ struct Symbols {
 impl Index {
     /// That of these events.
     pub(in crate::log) fn of(events: &Events, tree: &Tree) -> Index {
-        let mut index = Index::default();
+        let mut index = Index { memo: Memo::of(tree), ..Index::default() };
+        for (event, what) in events.iter().map(|event| &event.what).enumerate() {
+            if *what == What::Mark(Decision::Hit)
+                && let Some(Step::Test { object, .. }) = tree.nodes()[tree.owner(event)].step
+            {
+                index.hits.entry(object).or_default().push(event as u32);
+            }
+        }
+        for (node, count) in children::counts(tree).into_iter().enumerate() {
+            if count as usize > FEW {
+                let kinds = Child::inside(events, tree, node);
+                index.children.extend(kinds.map(|(kind, children)| ((node, kind), children)));
+            }
+        }
         let mut of_tests = vec![0; tree.nodes().len()];
         for (child, node) in tree.nodes().iter().enumerate().skip(1) {
             let is_test = matches!(node.step, Some(Step::Test { .. }));
@@ -82,6 +105,31 @@ impl Index {
         self.symbols.get(&node).map(|symbols| last(&symbols.marks, before, &kind))
     }
 
+    /// How many sums a node has noted before an event; `None` where they can't be many.
+    pub(super) fn sums(&self, node: usize, before: usize) -> Option<usize> {
+        let sums = &self.symbols.get(&node)?.sums;
+        Some(sums.partition_point(|event| (*event as usize) < before))
+    }
+
+    /// The first of a node's own events from one on that notes a quantity; outside `None` where the node is to be gone through.
+    pub(super) fn first_name(&self, node: usize, from: usize, name: Name) -> Option<Option<usize>> {
+        let symbols = self.symbols.get(&node)?;
+        let first = symbols.names.get(&name).and_then(|list| {
+            list.get(list.partition_point(|event| (*event as usize) < from)).map(|event| *event as usize)
+        });
+        Some(first)
+    }
+
+    /// The latest event before one by which a test hits an object.
+    pub(super) fn hit(&self, before: usize, object: u32) -> Option<usize> {
+        last(&self.hits, before, &object)
+    }
+
+    /// The nodes of a kind directly inside a node that holds many.
+    pub(super) fn children(&self, node: usize, kind: Child) -> Option<&[u32]> {
+        self.children.get(&(node, kind)).map(Vec::as_slice)
+    }
+
     /// The largest number in a node before an event; outside `None` where the node is to be gone through.
     pub(super) fn size(&self, node: usize, before: usize) -> Option<f64> {
         let sizes = &self.symbols.get(&node)?.sizes;
@@ -103,6 +151,9 @@ impl Symbols {
                 What::Note { name, .. } => {
                     symbols.noted.entry(name.symbol()).or_default().push(event as u32);
                     symbols.names.entry(*name).or_default().push(event as u32);
+                    if adds_up(*name) {
+                        symbols.sums.push(event as u32);
+                    }
                 }
                 What::Mark(decision) => {
                     symbols.marks.entry(mem::discriminant(decision)).or_default().push(event as u32);

@@ -10,7 +10,7 @@ use super::{Arithmetic, Computation};
 use crate::log::{Digits, Events, Value, What};
 use crate::probe::{CutOff, Erased, Perturbed, Probe, RayTree};
 use align::{Alignment, Run, components};
-use raywalk_guard::attempt;
+use raywalk_guard::{attempt, has_room_for};
 
 /// The arithmetics of the runs, the first with `seed` itself.
 fn arithmetics(seed: u64) -> [Arithmetic; RUNS] {
@@ -45,8 +45,9 @@ pub(super) fn put_into(
     record: impl Fn(Arithmetic) -> Result<Events, CutOff>,
 ) -> Result<(), CutOff> {
     // The numbers of digits themselves: in the middle of the work an allocation that fails could only abort.
-    let asked = attempt(|| Vec::<Digits>::new().try_reserve_exact(2 * events.len()));
-    asked.map_err(|_| CutOff::Memory)?;
+    if !has_room_for(2 * events.len() * size_of::<Digits>()) {
+        return Err(CutOff::Memory);
+    }
     let mut differs = filled(events.len(), false)?;
     let mut values = Vec::with_capacity(RUNS);
     let ours = Run::of(events);

@@ -12,7 +12,7 @@ use crate::scene::{Color, Scene};
 use crate::threads::Threads;
 use observer::Observer;
 use rayon::prelude::*;
-use raywalk_guard::attempt;
+use raywalk_guard::has_room_for;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -127,8 +127,7 @@ pub fn render_layers(
     let [left, top, right, bottom] = settings.crop;
     ask_for_memory(settings.crop)?;
     let (width, height) = (right - left, bottom - top);
-    let is_room = attempt(|| Vec::<Seen>::new().try_reserve_exact(width as usize * height as usize)).is_ok();
-    if !is_room {
+    if !has_room_for(width as usize * height as usize * size_of::<Seen>()) {
         return Err(RenderError::Memory(width, height));
     }
     let threads = Threads::of(settings.threads, tiles(settings.crop).len());

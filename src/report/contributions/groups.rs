@@ -14,15 +14,14 @@ pub struct Group {
 
 /// The groups, the greatest first.
 pub fn groups(contributions: &[Contribution]) -> Vec<Group> {
-    let mut places: HashMap<(String, Origin, &str), usize> = HashMap::new();
+    let mut places: HashMap<(u32, Origin, &str), usize> = HashMap::new();
     let mut groups: Vec<Group> = Vec::new();
     for one in contributions {
-        let path = without_numbers(&one.path);
-        let place = *places.entry((path.clone(), one.origin, one.class.as_str())).or_insert(groups.len());
+        let place = *places.entry((one.way.number, one.origin, one.class.as_str())).or_insert(groups.len());
         match groups.get_mut(place) {
             None => groups.push(Group { sum: one.clone(), count: 1 }),
             Some(Group { sum, count }) => {
-                sum.path = path;
+                sum.path = without_numbers(&one.path);
                 sum.color = std::array::from_fn(|channel| sum.color[channel] + one.color[channel]);
                 sum.share += one.share;
                 *count += 1;
@@ -42,12 +41,14 @@ fn without_numbers(path: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Way;
     use super::*;
 
-    fn one(path: &str, light: u32, red: f64) -> Contribution {
+    fn one((path, number): (&str, u32), light: u32, red: f64) -> Contribution {
         Contribution {
             origin: Origin::Light { light, object: 0 },
             path: path.to_owned(),
+            way: Way { number, ..Way::default() },
             weight: [1.0; 3],
             own: [red, 0.0, 0.0],
             color: [red, 0.0, 0.0],
@@ -60,8 +61,12 @@ mod tests {
 
     #[test]
     fn samples_and_splits_are_summed() {
-        let all =
-            [one("1 C R.2 S1", 0, 4.0), one("1 C S2", 1, 3.0), one("12 C R.11 S1", 0, 1.0), one("2 C S2", 1, 3.0)];
+        let all = [
+            one(("1 C R.2 S1", 1), 0, 4.0),
+            one(("1 C S2", 2), 1, 3.0),
+            one(("12 C R.11 S1", 1), 0, 1.0),
+            one(("2 C S2", 2), 1, 3.0),
+        ];
         let groups = groups(&all);
         let shown: Vec<_> =
             groups.iter().map(|group| (group.sum.path.as_str(), group.count, group.sum.color[0])).collect();

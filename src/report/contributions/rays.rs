@@ -1,9 +1,11 @@
 //! What the rays of a log bring, from the eye on.
 
+use super::Way;
 use super::{Color, Contribution, Ended, Origin, Source, Why, times};
 use crate::log::tree::path_of_child;
 use crate::log::{Decision, Log, Name, RayKind, SkipReason, Skippable, Step, Tree, Value, What, scope};
 use crate::report::terms;
+use std::collections::HashMap;
 
 /// A walk over the rays of a pixel.
 pub(super) struct Walk<'a> {
@@ -11,8 +13,10 @@ pub(super) struct Walk<'a> {
     tree: &'a Tree,
     found: Vec<Contribution>,
     ended: Vec<Ended>,
-    /// Rays to be followed yet: the node, its path, and the product of the weights before it.
-    open: Vec<(usize, String, Color)>,
+    /// Rays to be followed yet: the node, its way, and the product of the weights before it.
+    open: Vec<(usize, Way, Color)>,
+    /// The numbers of the ways, by the way before and the last step.
+    ways: HashMap<(u32, RayKind), u32>,
     /// The background's colour, once some step puts it in.
     background: Option<Color>,
 }
@@ -28,15 +32,33 @@ struct Sum {
 
 impl<'a> Walk<'a> {
     pub(super) fn new(log: &'a Log, tree: &'a Tree) -> Walk<'a> {
-        Walk { log, tree, found: Vec::new(), ended: Vec::new(), open: Vec::new(), background: None }
+        let ways = HashMap::new();
+        Walk { log, tree, found: Vec::new(), ended: Vec::new(), open: Vec::new(), ways, background: None }
     }
 
     /// Follows a camera ray and all that it leads to.
-    pub(super) fn follow(&mut self, ray: usize, path: String, weight: Color) {
-        self.open.push((ray, path, weight));
-        while let Some((ray, path, weight)) = self.open.pop() {
-            self.ray(ray, &path, weight);
+    pub(super) fn follow(&mut self, ray: usize, weight: Color) {
+        let before = Way { node: ray, number: 0, bounces: 0 };
+        if let Some(Step::Ray { kind, .. }) = self.tree.nodes()[ray].step {
+            let way = self.further(before, ray, kind);
+            self.open.push((ray, way, weight));
         }
+        while let Some((ray, way, weight)) = self.open.pop() {
+            self.ray(ray, way, weight);
+        }
+    }
+
+    /// A way that goes on by a ray.
+    fn further(&mut self, before: Way, node: usize, kind: RayKind) -> Way {
+        let next = self.ways.len() as u32 + 1;
+        let number = *self.ways.entry((before.number, kind)).or_insert(next);
+        let is_bounce = matches!(kind, RayKind::Reflected | RayKind::Transmitted);
+        Way { node, number, bounces: before.bounces + usize::from(is_bounce) }
+    }
+
+    /// The path of a ray as people read it.
+    fn path(&self, ray: usize) -> String {
+        self.tree.shown_path(ray)
     }
 
     /// All that was found. A camera ray doesn't say what colour the background has: it is what the others leave of `result`.
@@ -63,7 +85,7 @@ impl<'a> Walk<'a> {
         (self.found, self.ended)
     }
 
-    fn ray(&mut self, ray: usize, path: &str, weight: Color) {
+    fn ray(&mut self, ray: usize, way: Way, weight: Color) {
         let tree = self.tree;
         let marks: Vec<_> = tree.own_events(ray).filter_map(|event| Some((event, self.decision(event)?))).collect();
         if self.background.is_none() {
@@ -74,92 +96,112 @@ impl<'a> Walk<'a> {
             match decision {
                 Decision::Background | Decision::Undefined { quantity: Name::RayDirection } => {
                     let (origin, source) = (Origin::Background, Some(Source::Background));
-                    self.found.push(Contribution::new(origin, path.to_owned(), weight, [0.0; 3], source, Some(*event)));
+                    let path = self.path(ray);
+                    self.found.push(Contribution::new(origin, (path, way), weight, [0.0; 3], source, Some(*event)));
                     return;
                 }
                 Decision::Nearest { .. }
                 | Decision::Coincident { .. }
                 | Decision::Immersed { .. }
                 | Decision::Bent { .. } => {}
-                _ => self.ended.push(Ended { path: path.to_owned(), why: Why::Decided, event: *event }),
+                _ => self.ended.push(Ended { path: self.path(ray), why: Why::Decided, event: *event }),
             }
         }
         let Some(sum) = self.sum(ray) else {
             let event = tree.nodes()[ray].events.start;
-            return self.ended.push(Ended { path: path.to_owned(), why: Why::LogEnds, event });
+            return self.ended.push(Ended { path: self.path(ray), why: Why::LogEnds, event });
         };
         let leaks = |what: Skippable| marks.iter().any(|(_, decision)| *decision == Decision::LeakGuard { what });
+        let [reflected_leaks, transmitted_leaks] = [Skippable::Reflected, Skippable::Transmitted].map(leaks);
+        let kept = self.kept(ray);
         for child in tree.children(ray) {
             match tree.nodes()[child].step {
-                Some(Step::Shade { object }) => self.surface(child, object, path, times(&weight, &sum.local)),
-                Some(step @ Step::Ray { kind, .. }) => {
-                    let (what, factor, incoming) = match kind {
-                        RayKind::Transmitted => (Skippable::Transmitted, sum.transmitted, sum.incoming_transmitted),
-                        _ => (Skippable::Reflected, sum.reflected, sum.incoming_reflected),
+                Some(Step::Shade { object }) => self.surface(child, object, way, times(&weight, &sum.local)),
+                Some(Step::Ray { kind, .. }) => {
+                    let (leaks, factor, incoming) = match kind {
+                        RayKind::Transmitted => (transmitted_leaks, sum.transmitted, sum.incoming_transmitted),
+                        _ => (reflected_leaks, sum.reflected, sum.incoming_reflected),
                     };
-                    if !leaks(what) {
+                    if !leaks {
                         self.learn_background(child, incoming);
-                        self.open.push((child, path_of_child(path, step), times(&weight, &factor)));
+                        let way = self.further(way, child, kind);
+                        self.open.push((child, way, times(&weight, &factor)));
                     }
                 }
                 Some(Step::Zone { what, .. }) => {
                     let factor = if what == Skippable::Transmitted { sum.transmitted } else { sum.reflected };
-                    self.zone(ray, child, path, times(&weight, &factor));
+                    self.zone((ray, &kept), child, way, times(&weight, &factor));
                 }
                 _ => {}
             }
         }
     }
 
-    /// A direction of a blurred bounce: of all that were kept, each has the same share.
-    fn zone(&mut self, ray: usize, zone: usize, path: &str, weight: Color) {
-        let tree = self.tree;
-        let end = tree.nodes()[zone].events.end;
-        let after = || tree.own_events(ray).filter(move |event| *event >= end);
-        let kept = after().find_map(|event| match self.given(event, Name::LobeKept)? {
-            Value::Number(kept) => Some(kept),
+    /// The events of a ray that say how many directions of a blurred bounce were kept, and how many.
+    fn kept(&self, ray: usize) -> Vec<(usize, f64)> {
+        let kept = self.tree.own_events(ray).filter_map(|event| match self.given(event, Name::LobeKept)? {
+            Value::Number(kept) => Some((event, kept)),
             Value::Triple(_) => None,
         });
-        let color = after().next().and_then(|event| triple(self.given(event, Name::LobeColor)));
+        kept.collect()
+    }
+
+    /// A direction of a blurred bounce: of all that were kept, each has the same share.
+    fn zone(&mut self, (ray, kept): (usize, &[(usize, f64)]), zone: usize, way: Way, weight: Color) {
+        let tree = self.tree;
+        let end = tree.nodes()[zone].events.end;
+        let kept = kept.get(kept.partition_point(|(event, _)| *event < end)).map(|(_, kept)| *kept);
+        let after = tree.own_events_from(ray, end).next();
+        let color = after.and_then(|event| triple(self.given(event, Name::LobeColor)));
         for event in tree.own_events(zone) {
             if matches!(self.decision(event), Some(Decision::Rejected { .. })) {
-                self.ended.push(Ended { path: path.to_owned(), why: Why::Decided, event });
+                self.ended.push(Ended { path: self.path(ray), why: Why::Decided, event });
             }
         }
         for child in tree.children(zone) {
-            if let (Some(step @ Step::Ray { .. }), Some(kept)) = (tree.nodes()[child].step, kept) {
+            if let (Some(Step::Ray { kind, .. }), Some(kept)) = (tree.nodes()[child].step, kept) {
                 self.learn_background(child, color);
-                self.open.push((child, path_of_child(path, step), weight.map(|weight| weight / kept)));
+                let way = self.further(way, child, kind);
+                self.open.push((child, way, weight.map(|weight| weight / kept)));
             }
         }
     }
 
     /// The local model of a surface: its ambient light, and each of its lights.
-    fn surface(&mut self, shade: usize, object: u32, path: &str, weight: Color) {
+    fn surface(&mut self, shade: usize, object: u32, way: Way, weight: Color) {
         let (log, tree) = (self.log, self.tree);
         let local = tree.own_events(shade).rev().find_map(|event| match log.events[event].what {
             What::Note { name, .. } if name.key() == Name::ShadeLocal.key() => Some((event, name)),
             _ => None,
         });
         let Some((event, name)) = local else { return };
+        let path = self.path(way.node);
         let of = |symbol| triple(scope::operand(&log.events, tree, event, symbol).map(|operand| operand.value));
         if let (Some(light), Some(part)) = (of(Name::AmbientLight.symbol()), of(Name::MaterialAmbient.symbol())) {
             let own = times(&light, &part);
             if own != [0.0; 3] {
                 let (origin, source) = (Origin::Ambient { object }, Some(Source::Ambient));
-                self.found.push(Contribution::new(origin, path.to_owned(), weight, own, source, Some(event)));
+                self.found.push(Contribution::new(origin, (path.clone(), way), weight, own, source, Some(event)));
             }
         }
         for child in tree.children(shade) {
             if let Some(Step::Light { light, split }) = tree.nodes()[child].step {
-                let shadow = Step::Ray { kind: RayKind::Shadow { light }, depth: 0, split };
-                let path = path_of_child(path, shadow);
-                self.light(child, (light, object), path, weight, name);
+                let kind = RayKind::Shadow { light };
+                let path = path_of_child(&path, Step::Ray { kind, depth: 0, split });
+                let way = self.further(way, way.node, kind);
+                self.light(child, (light, object), (path, way), weight, name);
             }
         }
     }
 
-    fn light(&mut self, node: usize, (light, object): (u32, u32), path: String, weight: Color, local: Name) {
+    fn light(
+        &mut self,
+        node: usize,
+        (light, object): (u32, u32),
+        (path, mut way): (String, Way),
+        weight: Color,
+        local: Name,
+    ) {
         let tree = self.tree;
         let shadow = tree.children(node).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })));
         let marks = tree.own_events(node).chain(shadow.into_iter().flat_map(|ray| tree.own_events(ray)));
@@ -190,7 +232,15 @@ impl<'a> Walk<'a> {
         let own = terms::of_light(self.log, tree, node, local);
         let source = Some(self.scattering(node, noted));
         let event = tree.nodes()[node].events.start;
-        self.found.push(Contribution::new(Origin::Light { light, object }, path, weight, own, source, Some(event)));
+        way.node = shadow.unwrap_or(way.node);
+        self.found.push(Contribution::new(
+            Origin::Light { light, object },
+            (path, way),
+            weight,
+            own,
+            source,
+            Some(event),
+        ));
     }
 
     /// Which terms of the local model the light at this node goes through.

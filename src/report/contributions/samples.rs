@@ -1,30 +1,21 @@
 //! What part of a pixel each of its samples is.
 
-use crate::log::tree::path_of_child;
 use crate::log::{Decision, Log, Name, Step, Tree, Value, What};
 use std::collections::HashMap;
 
-/// The camera rays of a pixel, each with its path and its part of the colour.
-pub(super) fn camera_rays(log: &Log, tree: &Tree, pixel: usize) -> Vec<(usize, String, f64)> {
+/// The camera rays of a pixel, each with its part of the colour.
+pub(super) fn camera_rays(log: &Log, tree: &Tree, pixel: usize) -> Vec<(usize, f64)> {
     let samples: Vec<_> =
         tree.children(pixel).filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Sample { .. }))).collect();
     if samples.is_empty() {
-        return rays(tree, pixel, "").map(|(ray, path)| (ray, path, 1.0)).collect();
+        return rays(tree, pixel).map(|ray| (ray, 1.0)).collect();
     }
     let weights = weights(log, tree, pixel, &samples);
-    let of_sample = |(sample, weight): (&usize, f64)| {
-        let path = tree.nodes()[*sample].step.map(|step| path_of_child("", step)).unwrap_or_default();
-        rays(tree, *sample, &path).map(move |(ray, path)| (ray, path, weight)).collect::<Vec<_>>()
-    };
-    samples.iter().zip(weights).flat_map(of_sample).collect()
+    samples.iter().zip(weights).flat_map(|(sample, weight)| rays(tree, *sample).map(move |ray| (ray, weight))).collect()
 }
 
-fn rays<'t>(tree: &'t Tree, node: usize, path: &str) -> impl Iterator<Item = (usize, String)> + 't {
-    let path = path.to_owned();
-    tree.children(node).filter_map(move |child| match tree.nodes()[child].step {
-        Some(step @ Step::Ray { .. }) => Some((child, path_of_child(&path, step))),
-        _ => None,
-    })
+fn rays(tree: &Tree, node: usize) -> impl Iterator<Item = usize> + '_ {
+    tree.children(node).filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })))
 }
 
 /// Samples count alike, but where they are corners of cells: there a corner has a quarter of each cell that it belongs to.

@@ -89,13 +89,15 @@ pub(super) struct Causes<'a> {
     before: Before<'a>,
     kinds: Rc<Kinds>,
     known: RefCell<HashMap<Spot, Rc<Attribution>>>,
+    /// Where ways back end.
+    origins: RefCell<HashMap<Spot, Spot>>,
 }
 
 impl<'a> Causes<'a> {
     pub fn of(a: Run<'a>, b: Run<'a>, alignment: Rc<Alignment>) -> Causes<'a> {
         let kinds = Rc::new(Kinds::of(a, b, &alignment));
         let before = Before::of(a, b, alignment.clone(), kinds.clone());
-        Causes { a, b, alignment, before, kinds, known: RefCell::default() }
+        Causes { a, b, alignment, before, kinds, known: RefCell::default(), origins: RefCell::default() }
     }
 
     /// Whether this is a test that only one log has.
@@ -129,6 +131,31 @@ impl<'a> Causes<'a> {
             way.push(next);
         }
         way
+    }
+
+    /// The last place of that way. Each part of a way is gone only once, however many lead into it.
+    pub fn origin(&self, spot: Spot) -> Spot {
+        let mut origins = self.origins.borrow_mut();
+        let (mut way, mut places, mut at) = (Vec::new(), HashMap::new(), spot);
+        let origin = loop {
+            if let Some(known) = origins.get(&at) {
+                break *known;
+            }
+            if let Some(entry) = places.insert(at, way.len()) {
+                // In a circle a way ends just before it would come to a place again.
+                let circle: Vec<Spot> = way.split_off(entry);
+                let before = circle.iter().cycle().skip(circle.len() - 1);
+                origins.extend(circle.iter().copied().zip(before.copied()));
+                break origins.get(&at).copied().unwrap_or(at);
+            }
+            way.push(at);
+            match self.attribution(at).from {
+                Some(next) => at = next,
+                None => break at,
+            }
+        };
+        origins.extend(way.into_iter().map(|place| (place, origin)));
+        origins.get(&spot).copied().unwrap_or(origin)
     }
 
     fn explain(&self, spot: Spot) -> Attribution {

@@ -25,6 +25,7 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
     let mut found = names(a, b);
     found.extend(parts(a, b));
     found.extend(Kinds::of(a, b, alignment).changed());
+    let mut met = Met::new();
     for spot in &alignment.spots {
         let Spot::Both(ours @ Thing::Input(at, number), theirs @ Thing::Input(there, other)) = *spot else { continue };
         let ((name, value_a), (_, value_b)) = (a.log.given(at)[number], b.log.given(there)[other]);
@@ -35,7 +36,7 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
         }
         let style = telling_apart(&value_a, &value_b, tolerance.digits);
         let [a_says, b_says] = [value_a, value_b].map(|value| number::value(&value, style));
-        found.push(Changed { input: input(a, at, name), a: a_says, b: b_says });
+        found.push(Changed { input: input(a, at, name, &mut met), a: a_says, b: b_says });
     }
     let mut seen = HashSet::new();
     found.retain(|changed| seen.insert(changed.input.clone()));
@@ -128,21 +129,38 @@ fn patterned(run: Run) -> BTreeMap<String, bool> {
     patterned
 }
 
+/// By the nodes that were asked for it, what the ray around each met.
+type Met = HashMap<usize, Option<u32>>;
+
+/// What a node, or the nearest one around it that says so, met.
+fn met_around(run: Run, node: usize, known: &mut Met) -> Option<u32> {
+    let (mut at, mut asked) = (node, Vec::new());
+    let met = loop {
+        if let Some(met) = known.get(&at) {
+            break *met;
+        }
+        asked.push(at);
+        let met = run.tree.own_events(at).find_map(|event| match run.log.events[event].what {
+            What::Mark(Decision::Nearest { object }) => Some(object),
+            _ => None,
+        });
+        if met.is_some() || at == 0 {
+            break met;
+        }
+        at = run.tree.nodes()[at].parent;
+    };
+    known.extend(asked.into_iter().map(|node| (node, met)));
+    met
+}
+
 /// What a scene calls the input that an event carries.
-fn input(run: Run, event: usize, name: Name) -> String {
+fn input(run: Run, event: usize, name: Name, met: &mut Met) -> String {
     let (nodes, header) = (run.tree.nodes(), &run.log.header);
     let node = run.tree.owner(event);
     let (kind, key) = name.key().split_once('.').unwrap_or(("", name.key()));
     let object = |object: u32| format!("objects.{}", words::plain(header.object(object)));
     // What a ray met, as its weighted sum and its bounces have the weights of it.
-    let nearest = || {
-        let around = std::iter::successors(Some(node), |node| (*node != 0).then(|| nodes[*node].parent));
-        let met = around.flat_map(|node| run.tree.own_events(node)).find_map(|at| match run.log.events[at].what {
-            What::Mark(Decision::Nearest { object }) => Some(object),
-            _ => None,
-        });
-        met.map_or_else(String::new, |met| format!("{}.", object(met)))
-    };
+    let mut nearest = || met_around(run, node, met).map_or_else(String::new, |met| format!("{}.", object(met)));
     match (nodes[node].step, kind) {
         (_, "weight") => format!("{}material.weights.{key}", nearest()),
         (_, "material" | "pattern") => format!("{}{}", nearest(), name.key()),

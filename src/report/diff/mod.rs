@@ -175,9 +175,9 @@ impl Comparing<'_> {
                 operands.iter().map(|Contribution { spot, effect }| (self.entry(*spot), *effect)).collect()
             }
         };
-        let way = self.causes.way_back(spot);
-        let origin = way.last().filter(|last| **last != spot).map(|last| self.entry(*last));
-        let kind = way.last().and_then(|last| self.causes.attribution(*last).kind.clone());
+        let last = self.causes.origin(spot);
+        let origin = Some(last).filter(|last| *last != spot).map(|last| self.entry(last));
+        let kind = self.causes.attribution(last).kind.clone();
         Difference { entry: self.entry(spot), why: attribution.why, from, own: attribution.own, origin, kind }
     }
 
@@ -261,7 +261,7 @@ fn entry_in(run: Run, thing: Thing, what: Told) -> Entry {
         None | Some(Step::Ray { .. } | Step::Sample { .. }) => String::new(),
         Some(_) => words::title(run.log, run.tree, node),
     };
-    Entry { path: run.tree.path(node), node: title, what }
+    Entry { path: run.tree.shown_path(node), node: title, what }
 }
 
 fn quantity(run: Run, thing: Thing) -> Option<Name> {

@@ -3,7 +3,7 @@
 use super::align::Alignment;
 use super::tolerance::{Tolerance, distance};
 use crate::log::formula::{self, Formula};
-use crate::log::scope::Operand;
+use crate::log::scope::{self, Operand};
 use crate::log::{Name, Value};
 use crate::report::evaluate::{evaluate_with, operand};
 use crate::report::side_by_side::Run;
@@ -75,10 +75,12 @@ impl<'a> Substitution<'a> {
     /// that the time doesn't grow with the square of their number.
     pub fn differing(&self) -> Vec<usize> {
         const MOST: usize = 200;
+        // Further sums of a node go over the same operands.
+        let most = MOST / (1 + scope::sums_before(&self.a.log.events, self.a.tree, self.event));
         let mut differing: Vec<usize> = (0..self.pairs.len()).filter(|number| self.pairs[*number].differs()).collect();
-        if differing.len() > MOST {
+        if differing.len() > most {
             differing.sort_by(|x, y| self.pairs[*y].apart().total_cmp(&self.pairs[*x].apart()));
-            differing.truncate(MOST);
+            differing.truncate(most);
         }
         differing
     }
@@ -90,7 +92,7 @@ impl<'a> Substitution<'a> {
             let pair = &self.pairs[number];
             if is_of_b(number) { pair.b } else { pair.a }.map(|operand| operand.value)
         };
-        evaluate_with(&self.a.log.header, self.a.tree, self.event, self.formula, &operands).ok()
+        evaluate_with(self.a.log, self.a.tree, self.event, self.formula, &operands).ok()
     }
 }
 
@@ -102,7 +104,7 @@ fn asked(a: Run, event: usize, formula: &Formula) -> Vec<(&'static str, Option<u
         operand(&a.log.events, a.tree, event, symbol, light).map(|operand| operand.value)
     };
     // What it comes to is found out later; where it can't be evaluated, there are the operands up to there.
-    let _ = evaluate_with(&a.log.header, a.tree, event, formula, &operands);
+    let _ = evaluate_with(a.log, a.tree, event, formula, &operands);
     let mut asked = asked.into_inner();
     let mut seen = HashSet::new();
     asked.retain(|known| seen.insert(*known));

@@ -229,7 +229,10 @@ impl Text {
                 // Those that come near the largest.
                 let largest = from.first().map_or(0.0, |(_, effect)| *effect);
                 let large = from.iter().filter(|(_, effect)| *effect * 2.0 >= largest);
-                large.map(|(operand, _)| symbol(operand)).collect()
+                let symbols: Vec<_> = large.map(|(operand, _)| symbol(operand)).collect();
+                let more = symbols.len().saturating_sub(MOST_OPERANDS);
+                let named = symbols.into_iter().take(MOST_OPERANDS);
+                named.chain((more > 0).then(|| format!("{more} more"))).collect()
             }
             // What the change of the scene did on the way says no more than the change.
             Why::Before | Why::OtherKind if kind.is_some() => Vec::new(),
@@ -333,12 +336,19 @@ fn without_middle(mut rows: Vec<Row>) -> Vec<Row> {
     rows
 }
 
+/// So many operands of a value are named.
+const MOST_OPERANDS: usize = 200;
+
+/// Columns are no wider than this for the sake of one cell: every other row would be filled up with spaces.
+const MOST_COLUMNS: usize = 120;
+
 fn table(rows: Vec<Row>) -> String {
-    let widest = |column: usize| rows.iter().map(|row| width(&row[column])).max().unwrap_or(0);
+    let widest = |column: usize| rows.iter().map(|row| width(&row[column]).min(MOST_COLUMNS)).max().unwrap_or(0);
     let widths: [usize; 8] = std::array::from_fn(widest);
     let line = |row: &Row| {
         let cells = row.iter().zip(widths).filter(|(_, columns)| *columns > 0);
-        let padded: Vec<_> = cells.map(|(cell, columns)| cell.clone() + &" ".repeat(columns - width(cell))).collect();
+        let padded: Vec<_> =
+            cells.map(|(cell, columns)| cell.clone() + &" ".repeat(columns.saturating_sub(width(cell)))).collect();
         format!("  {}\n", padded.join("  ").trim_end())
     };
     rows.iter().map(line).collect()

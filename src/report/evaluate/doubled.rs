@@ -94,6 +94,9 @@ impl Scope<'_> {
     }
 
     fn over(&self, several: Several, inner: &Formula) -> Result<Part, String> {
+        if !scope::is_added_up(self.events, self.tree, self.event) {
+            return Err(super::too_many_sums());
+        }
         let elements = scope::elements(self.events, self.tree, self.event, several);
         elements.into_iter().try_fold(Part::Triple([Wide::ZERO; 3]), |sum, element| {
             let term = Scope { element: Some(element), ..*self }.part(inner)?;

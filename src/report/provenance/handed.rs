@@ -1,8 +1,8 @@
 //! Inputs that are a computed value of another node, under another symbol or out of its scope.
 
 use super::noted;
-use crate::log::scope;
-use crate::log::{Log, Name, RayKind, Skippable, Step, Tree, Value};
+use crate::log::scope::{self, Child};
+use crate::log::{Log, Name, Skippable, Step, Tree, Value};
 
 /// The event that computed the input `name` of `event`; `None` for what the scene states. A value that was handed on has the same
 /// bits, and nothing else counts.
@@ -12,11 +12,11 @@ pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -
         Name::RayOrigin => latest(log, tree, event, &["P"], value),
         Name::RayDirection => latest(log, tree, event, &["D_z", "R", "T", "L"], value),
         Name::LobeMiddle => latest(log, tree, event, &["R", "T"], value),
-        Name::ShadeLocal => inside_of_parent(log, tree, node, event, "I_local"),
+        Name::ShadeLocal => local_beside(log, tree, node, event),
         Name::IncomingReflected => brought(log, tree, tree.nodes()[node].parent, event, Skippable::Reflected),
         Name::IncomingTransmitted => brought(log, tree, tree.nodes()[node].parent, event, Skippable::Transmitted),
         Name::LobeColor => {
-            let zone = tree.children(node).filter(|child| tree.nodes()[*child].events.end <= event).last()?;
+            let zone = scope::last_child(&log.events, tree, node, event, Child::Any)?;
             tree.children(zone).find_map(|ray| color_of(log, tree, ray))
         }
         _ => None,
@@ -43,34 +43,24 @@ fn latest(log: &Log, tree: &Tree, event: usize, symbols: &[&str], value: &Value)
     in_scope.filter(|operand| operand.value.same_bits(value)).map(|operand| operand.event).max()
 }
 
-/// What a node beside this one noted last.
-fn inside_of_parent(log: &Log, tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<usize> {
-    let siblings = tree.children(tree.nodes()[node].parent).filter(|child| tree.nodes()[*child].events.end <= before);
-    let noted =
-        siblings.filter_map(|sibling| tree.own_events(sibling).rfind(|at| super::notes(&log.events[*at], symbol)));
-    noted.last()
+/// The local intensity that a node beside this one noted last.
+fn local_beside(log: &Log, tree: &Tree, node: usize, before: usize) -> Option<usize> {
+    let sibling = scope::last_child(&log.events, tree, tree.nodes()[node].parent, before, Child::Local)?;
+    scope::noted_in(&log.events, tree, sibling, usize::MAX, Name::ShadeLocal.symbol()).map(|operand| operand.event)
 }
 
 /// The colour that a bounce brought to a ray: the mean of its lobe, or that of its one ray.
 fn brought(log: &Log, tree: &Tree, ray: usize, before: usize, what: Skippable) -> Option<usize> {
-    let is_of_bounce = |child: &usize| match tree.nodes()[*child].step {
-        Some(Step::Ray { kind: RayKind::Reflected, .. }) => what == Skippable::Reflected,
-        Some(Step::Ray { kind: RayKind::Transmitted, .. }) => what == Skippable::Transmitted,
-        Some(Step::Zone { what: zone, .. }) => zone == what,
-        _ => false,
-    };
-    let last =
-        tree.children(ray).filter(is_of_bounce).take_while(|child| tree.nodes()[*child].events.end <= before).last()?;
+    let last = scope::last_child(&log.events, tree, ray, before, Child::Bounce(what))?;
     if matches!(tree.nodes()[last].step, Some(Step::Zone { .. })) {
         let end = tree.nodes()[last].events.end;
-        let after = tree.own_events(ray).filter(|at| *at >= end && *at < before);
-        return after.into_iter().find(|at| matches!(noted(&log.events[*at]), Some((Name::LobeMean, _))));
+        return scope::first_note(&log.events, tree, ray, end, Name::LobeMean).filter(|at| *at < before);
     }
     color_of(log, tree, last)
 }
 
 /// The event with the colour of a ray that met something.
 pub(super) fn color_of(log: &Log, tree: &Tree, ray: usize) -> Option<usize> {
-    let combine = tree.children(ray).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last()?;
-    tree.own_events(combine).find(|at| matches!(noted(&log.events[*at]), Some((Name::CombineColor, _))))
+    let combine = scope::last_child(&log.events, tree, ray, usize::MAX, Child::Combine)?;
+    scope::first_note(&log.events, tree, combine, 0, Name::CombineColor)
 }

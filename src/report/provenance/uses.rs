@@ -136,7 +136,7 @@ impl<'a> Seeker<'a> {
 
     /// Whether the Σ in the formula of a local intensity takes the value, in the part of some light.
     fn sums_it(&self, sum: usize) -> bool {
-        scope::lights(self.tree, sum).any(|light| {
+        scope::lights(&self.log.events, self.tree, sum).any(|light| {
             let operand = scope::operand_of_light(&self.log.events, self.tree, light, self.symbol);
             operand.is_some_and(|operand| operand.event == self.event)
         })

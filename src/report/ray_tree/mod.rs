@@ -21,7 +21,7 @@ use super::contributions;
 use super::language::Language;
 use super::{Style, words};
 use crate::log::{Decision, Log, RayKind, Skippable, Step, Tree, Value, What};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// A ray with all that it leads to.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,17 +84,29 @@ impl Branch {
 pub fn branches(log: &Log, tree: &Tree, node: usize) -> Vec<Branch> {
     let pixel = contributions::pixel_around(tree, node);
     let account = contributions::account(log, tree, pixel);
-    let mut below: HashMap<String, ([f64; 3], f64)> = HashMap::new();
-    for contribution in &account.contributions {
-        // All beginnings of the path: the light comes along each of its rays.
-        let ends = contribution.path.match_indices(' ').map(|(end, _)| end).chain([contribution.path.len()]);
-        for end in ends {
-            let (color, share) = below.entry(contribution.path[..end].to_owned()).or_default();
-            *color = [0, 1, 2].map(|channel| color[channel] + contribution.color[channel]);
-            *share += contribution.share;
+    // What comes along each ray, from the last one on: all that comes along a ray comes along the one before it.
+    let mut below: BTreeMap<usize, Brought> = BTreeMap::new();
+    for contribution in account.contributions.iter().filter(|contribution| contribution.way.node != 0) {
+        add(&mut below, contribution.way.node, (contribution.color, contribution.share));
+    }
+    let mut all = HashMap::new();
+    while let Some((ray, brought)) = below.pop_last() {
+        all.insert(ray, brought);
+        if let Some(around) = tree.step_before(ray) {
+            add(&mut below, around, brought);
         }
     }
+    let below = all;
     rays_below(tree, pixel).into_iter().map(|ray| branch(log, tree, ray, &below)).collect()
+}
+
+/// A colour and its part of the pixel's.
+type Brought = ([f64; 3], f64);
+
+fn add(below: &mut BTreeMap<usize, Brought>, ray: usize, (more, part): Brought) {
+    let (color, share) = below.entry(ray).or_default();
+    *color = [0, 1, 2].map(|channel| color[channel] + more[channel]);
+    *share += part;
 }
 
 /// How many rays there are.
@@ -102,15 +114,15 @@ pub fn count(branches: &[Branch]) -> usize {
     branches.iter().map(|branch| 1 + count(&branch.children)).sum()
 }
 
-fn branch(log: &Log, tree: &Tree, node: usize, below: &HashMap<String, ([f64; 3], f64)>) -> Branch {
-    let path = tree.path(node);
+fn branch(log: &Log, tree: &Tree, node: usize, below: &HashMap<usize, Brought>) -> Branch {
+    let path = tree.shown_path(node);
     let kind = match tree.nodes()[node].step {
         Some(Step::Ray { kind, .. }) => kind,
         _ => RayKind::Camera,
     };
     // A sample's number belongs to its ray from the eye.
     let label = if kind == RayKind::Camera { path.clone() } else { path.rsplit(' ').next().unwrap_or("").to_owned() };
-    let (color, share) = below.get(&path).copied().unwrap_or_default();
+    let (color, share) = below.get(&node).copied().unwrap_or_default();
     let children = rays_below(tree, node).into_iter().map(|ray| branch(log, tree, ray, below)).collect();
     Branch { node, path, label, kind, end: end(log, tree, node, kind), call: None, share, color, children }
 }

@@ -93,7 +93,7 @@ impl Maker<'_> {
             }
             Some(Step::Motion { object: moving }) => (texts.intersection_moving)(&object(moving)),
             Some(Step::Shade { object: shaded }) => (texts.local)(&object(shaded)),
-            Some(Step::Combine) => (texts.combine)(&task.tree.path(node)),
+            Some(Step::Combine) => (texts.combine)(&task.tree.shown_path(node)),
             _ => return self.container(node),
         };
         self.number += 1;

@@ -69,8 +69,10 @@ const NFF_GROWTH: usize = 25;
 
 /// Makes sure, as far as that goes, that there is memory for a scene: in the middle of the work it could only abort.
 fn ask_for_memory(text: &[u8], growth: usize, file_name: &str) -> Result<(), SceneError> {
-    let asked = raywalk_guard::attempt(|| Vec::<u8>::new().try_reserve_exact(text.len().saturating_mul(growth)));
-    asked.map_err(|_| SceneError::Unreadable { file: file_name.to_owned(), source: ErrorKind::OutOfMemory.into() })
+    if raywalk_guard::has_room_for(text.len().saturating_mul(growth)) {
+        return Ok(());
+    }
+    Err(SceneError::Unreadable { file: file_name.to_owned(), source: ErrorKind::OutOfMemory.into() })
 }
 
 /// Validates a scene that did not come from JSON text as it is: from another format, or changed by options. Gives the

@@ -38,7 +38,7 @@ fn name(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
 /// The path of a ray. Of a long one only the end: the nodes around it have the rest.
 fn end_of_path(model: &Model, node: usize) -> String {
     const LONG: usize = 4;
-    let path = model.tree.path(node);
+    let path = model.tree.shown_path(node);
     match path.rmatch_indices(' ').nth(LONG - 1) {
         Some((end, _)) => format!("…{}", &path[end..]),
         None => path,

@@ -62,7 +62,7 @@ pub(super) fn draw_prompt(model: &Model, theme: &Theme, area: Rect, buffer: &mut
 /// The path of the ray, and which quantity of the source text the current step computes; from the longest way to say it
 /// to the shortest.
 fn places(model: &Model) -> [String; 3] {
-    let path = model.tree.path(model.cursor);
+    let path = model.tree.shown_path(model.cursor);
     let path = if path.is_empty() { path } else { format!("  {path}") };
     match model.log.events.get(model.event).map(|event| &event.what) {
         Some(What::Note { name, .. }) => {

@@ -1,6 +1,8 @@
 //! The meshes of a scene: found, read, and held by the paths by which the scene names them.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::fs;
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -65,14 +67,19 @@ pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(M
     let mut warnings = Warnings::default();
     let mut problems = Vec::new();
     let mut omitted = 0;
+    let mut by_file: HashMap<FileId, Held> = HashMap::new();
     for (index, object) in scene.objects.iter().enumerate() {
         let Shape::Mesh(named) = &object.shape else { continue };
         let is_held = meshes.get(&named.path).is_some();
         if is_held {
             continue;
         }
-        let read = match read_one(&named.path, folder) {
-            Ok(read) => read,
+        let (read, file) = match read_one(&named.path, folder, &by_file) {
+            Ok(Found::Known(held)) => {
+                meshes.by_path.insert(named.path.clone(), held);
+                continue;
+            }
+            Ok(Found::Read(read, digest, file)) => ((read, digest), file),
             Err(NotRead::Path(_)) if problems.len() == MAX_PROBLEMS => {
                 omitted += 1;
                 continue;
@@ -85,6 +92,9 @@ pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(M
             Err(NotRead::File(_)) => break,
         };
         meshes.insert(&named.path, read.0.mesh, read.1);
+        if let (Some(file), Some(held)) = (file, meshes.by_path.get(&named.path)) {
+            by_file.insert(file, held.clone());
+        }
         read.0.warnings.into_iter().for_each(|warning| warnings.add(|| warning));
     }
     if !problems.is_empty() {
@@ -148,7 +158,19 @@ enum NotRead {
     File(SceneError),
 }
 
-fn read_one(path: &str, folder: Folder) -> Result<(Read, blake3::Hash), NotRead> {
+/// A file of the machine under any of its names: its device and its number there.
+type FileId = (u64, u64);
+
+/// A mesh as it was found.
+enum Found {
+    /// In a file that was read already, under another name.
+    Known(Held),
+    /// In this file, if it is one.
+    Read(Read, blake3::Hash, Option<FileId>),
+}
+
+fn read_one(path: &str, folder: Folder, known: &HashMap<FileId, Held>) -> Result<Found, NotRead> {
+    let mut id = None;
     let (bytes, name) = match folder {
         Folder::BuiltIn(bytes_of) => match bytes_of(path) {
             Some(bytes) => (bytes.to_vec(), path.to_owned()),
@@ -156,6 +178,10 @@ fn read_one(path: &str, folder: Folder) -> Result<(Read, blake3::Hash), NotRead>
         },
         Folder::OfScene(scene) => {
             let file = find(scene, path)?;
+            id = fs::metadata(&file).ok().map(|metadata| (metadata.dev(), metadata.ino()));
+            if let Some(held) = id.and_then(|id| known.get(&id)) {
+                return Ok(Found::Known(held.clone()));
+            }
             let wanted = Wanted { what: "a mesh", max_bytes: MAX_MESH_BYTES };
             (wanted.read(&file).map_err(NotRead::File)?, display_name(&file))
         }
@@ -164,7 +190,7 @@ fn read_one(path: &str, folder: Folder) -> Result<(Read, blake3::Hash), NotRead>
         SceneError::Refused { reason, .. } => NotRead::Path(reason),
         other => NotRead::File(other),
     })?;
-    Ok((read, blake3::hash(&bytes)))
+    Ok(Found::Read(read, blake3::hash(&bytes), id))
 }
 
 fn find(scene: &Path, path: &str) -> Result<PathBuf, NotRead> {

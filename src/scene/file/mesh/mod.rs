@@ -56,11 +56,9 @@ pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, SceneError> {
             return Err(SceneError::Refused { file: file_name.to_owned(), reason });
         }
     };
-    ask_for_memory(&mesh).map_err(|_| out_of_memory(file_name))?;
+    // As far as that goes, there is memory for what tracing builds over the mesh: there it could only abort.
+    if !raywalk_guard::has_room_for(mesh.faces.len() * TREE_BYTES_PER_TRIANGLE) {
+        return Err(out_of_memory(file_name));
+    }
     Ok(Read { mesh, warnings })
-}
-
-/// Makes sure, as far as that goes, that there is memory for what tracing builds over the mesh: there it could only abort.
-fn ask_for_memory(mesh: &Mesh) -> Result<(), std::collections::TryReserveError> {
-    raywalk_guard::attempt(|| Vec::<u8>::new().try_reserve_exact(mesh.faces.len() * TREE_BYTES_PER_TRIANGLE))
 }
