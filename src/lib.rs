@@ -9,7 +9,7 @@
 //! use raywalk::record::{self, Arithmetic};
 //! use raywalk::report::{Style, text};
 //! use raywalk::scene::{OpenError, Scene};
-//! use raywalk::trace::Query;
+//! use raywalk::trace::query::Query;
 //!
 //! let scene: Scene = r#"{
 //!     "format": "raywalk-scene/1",

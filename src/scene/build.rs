@@ -1,7 +1,7 @@
 //! From a checked scene file to a scene that can be traced.
 
 use super::area_light::Spread;
-use super::converted::converted;
+use super::file::converted::converted;
 use super::file::mesh::Meshes;
 use super::file::schema as file;
 use super::profile::CosineProfile;

@@ -10,7 +10,6 @@ mod build;
 pub mod builtin;
 pub mod camera;
 pub mod ceiling;
-mod converted;
 mod effects;
 pub mod file;
 pub mod generate;

@@ -9,6 +9,7 @@ use nix::sys::ptrace::{self, Options};
 use nix::sys::signal::{Signal, kill, killpg};
 use nix::sys::wait::{WaitPidFlag, WaitStatus, waitpid};
 use nix::unistd::Pid;
+use std::collections::HashMap;
 use std::fs::{self, File};
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::path::Path;
@@ -140,15 +141,15 @@ struct Tracer {
     has_begun: bool,
     calls: Vec<Call>,
     fault: Option<(usize, Fault)>,
-    /// The thread in a call with other arguments, and its own. A command expects to find them again.
-    altered: Option<(Pid, [u64; 2])>,
+    /// The threads in a call with other arguments, and their own. A command expects to find them again.
+    altered: HashMap<Pid, [u64; 2]>,
 }
 
 impl Tracer {
     fn of(command: &mut Command) -> nix::Result<Tracer> {
         let child = command.spawn().expect("a shell");
         let group = Pid::from_raw(child.id().cast_signed());
-        let tracer = Tracer { child, group, has_begun: false, calls: Vec::new(), fault: None, altered: None };
+        let tracer = Tracer { child, group, has_begun: false, calls: Vec::new(), fault: None, altered: HashMap::new() };
         waitpid(group, Some(WaitPidFlag::WUNTRACED))?;
         let options = Options::PTRACE_O_TRACESYSGOOD
             | Options::PTRACE_O_TRACECLONE
@@ -217,7 +218,7 @@ impl Tracer {
         let mut registers = ptrace::getregs(thread)?;
         let about_to = registers.rax.cast_signed() == -i64::from(libc::ENOSYS);
         if !about_to {
-            if let Some((_, [first, third])) = self.altered.take_if(|(altered, _)| *altered == thread) {
+            if let Some([first, third]) = self.altered.remove(&thread) {
                 (registers.rdi, registers.rdx) = (first, third);
                 ptrace::setregs(thread, registers)?;
             }
@@ -240,7 +241,7 @@ impl Tracer {
         if !is_hit {
             return Ok(());
         }
-        self.altered = Some((thread, [registers.rdi, registers.rdx]));
+        self.altered.insert(thread, [registers.rdi, registers.rdx]);
         match fault {
             Fault::Error(error) | Fault::ErrorsFromNowOn(error) => fails_with(error, &mut registers),
             // It never fails, but gives the end that the memory has; asked for none it does so and does nothing.

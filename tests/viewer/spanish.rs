@@ -8,6 +8,7 @@ use raywalk::record::{self, Arithmetic, Part};
 use raywalk::report::language::Language;
 use raywalk::tui::{self, Dot, Image, Live, Options, Palette, Refusal, Theme, dump::dump};
 use std::collections::BTreeSet;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The numeric example with a picture, in Spanish.
@@ -265,6 +266,52 @@ fn other_logs_say_nothing_in_english_either() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// The English and the Spanish strings of the tables of texts. A row has first the English text and then the Spanish one; words that
+/// several texts share are pairs.
+fn strings_by_language() -> [Vec<String>; 2] {
+    let mut found = [Vec::new(), Vec::new()];
+    for file in files_below("src/report/language") {
+        if file.path == "words.rs" {
+            for (number, (_, text)) in file.strings().into_iter().enumerate() {
+                found[number % 2].push(text.to_owned());
+            }
+            continue;
+        }
+        let spanish = spanish_parts(&file);
+        for (at, text) in file.strings() {
+            found[usize::from(spanish.iter().any(|part| part.contains(&at)))].push(text.to_owned());
+        }
+    }
+    found
+}
+
+/// Where the Spanish texts of a file's tables are.
+fn spanish_parts(file: &SourceFile) -> Vec<Range<usize>> {
+    let mut parts = Vec::new();
+    for table in file.find("texts! {") {
+        let (mut depth, mut is_in_parameters) = (0, false);
+        // Where the row's Spanish text begins, and the last character but for spaces.
+        let (mut spanish, mut before) = (None, ' ');
+        for (at, character) in file.code[table..].char_indices() {
+            match character {
+                // Those of a closure, at the beginning of a text.
+                '|' if is_in_parameters || before == '=' || before == ',' => is_in_parameters = !is_in_parameters,
+                _ if is_in_parameters => {}
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth -= 1,
+                ',' if depth == 1 && spanish.is_none() => spanish = Some(table + at),
+                ';' if depth == 1 => parts.extend(spanish.take().map(|start| start..table + at)),
+                _ => {}
+            }
+            if depth == 0 && character == '}' {
+                break;
+            }
+            before = if character.is_whitespace() { before } else { character };
+        }
+    }
+    parts
+}
+
 /// What would be English.
 struct Foreign {
     /// The words of the English texts that no Spanish text has, nor a part of one at its beginning or end.
@@ -273,15 +320,8 @@ struct Foreign {
 
 impl Foreign {
     fn new() -> Foreign {
-        let is_of = |file: &SourceFile, code: &str| {
-            file.path == format!("{code}.rs") || file.path.starts_with(&format!("{code}/"))
-        };
-        let files = files_below("src/report/language");
-        let words = |code: &str| -> BTreeSet<String> {
-            let texts = files.iter().filter(|file| is_of(file, code)).flat_map(SourceFile::strings);
-            texts.flat_map(|(_, text)| words_of(&without_names(text))).collect()
-        };
-        let (english, spanish) = (words("en"), words("es"));
+        let [english, spanish] = strings_by_language()
+            .map(|texts| texts.iter().flat_map(|text| words_of(&without_names(text))).collect::<BTreeSet<_>>());
         assert!(english.len() > 300 && spanish.len() > 300, "{} and {}", english.len(), spanish.len());
         // Beside a list that lies over it a Spanish word may look like an English one: `model` of `modelo`.
         let is_cut = |word: &str| spanish.iter().any(|whole| whole.starts_with(word) || whole.ends_with(word));

@@ -22,7 +22,8 @@ use places::{Contents, Places};
 pub const MAX_NESTING: usize = 2048;
 
 /// How deep the brackets of a document may nest: two for each node and for the document itself, and a few inside an event.
-const MAX_BRACKETS: usize = 2 * (MAX_NESTING + 1) + 16;
+const MAX_BRACKETS: usize = 4114;
+const _: () = assert!(MAX_BRACKETS == 2 * (MAX_NESTING + 1) + 16);
 
 /// The keys around the events.
 #[derive(Deserialize)]

@@ -9,7 +9,7 @@ const FEW_LEVELS: usize = 64;
 
 /// The most steps of a path that is shown as a whole: those of a sample, of the deepest recursion that a scene may ask for (256), and of
 /// a shadow ray. Only logs from elsewhere have longer ones.
-const MAX_STEPS: u32 = 260;
+const LONGEST_SHOWN: u32 = 260;
 
 /// So many of the first steps and of the last ones of a longer path are shown.
 const SHOWN: u32 = 8;
@@ -35,7 +35,7 @@ impl Tree {
     /// The same for people: of a path that nobody would read to its end, the first and the last steps, and how many stand between them.
     pub fn shown_path(&self, node: usize) -> String {
         match self.deep(node) {
-            Some(Deep { step, length, head, .. }) if length > MAX_STEPS => {
+            Some(Deep { step, length, head, .. }) if length > LONGEST_SHOWN => {
                 let last = self.steps_up(step as usize).take(SHOWN as usize).collect();
                 format!("{} …{}… {}", self.path(head as usize), length - 2 * SHOWN, self.joined(last))
             }

@@ -16,6 +16,7 @@ pub mod raw;
 pub mod schema;
 pub mod validate;
 
+pub mod converted;
 mod error;
 mod escape;
 mod explain;

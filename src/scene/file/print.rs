@@ -18,7 +18,7 @@ impl SceneFile {
     pub fn to_json(&self) -> String {
         let mut printed = Vec::new();
         self.write_json(&mut printed).expect("memory takes all that is written to it");
-        String::from_utf8(printed).expect("JSON is text")
+        String::from_utf8(printed).expect("JSON is written as UTF-8")
     }
 
     /// Writes what [`SceneFile::to_json`] gives.

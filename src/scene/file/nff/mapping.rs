@@ -3,7 +3,7 @@
 use super::places::Places;
 use super::records::{Fill, Light, Primitive, Records, View};
 use super::{Angle, Import};
-use crate::scene::converted::converted;
+use crate::scene::file::converted::converted;
 use crate::scene::file::names::fill_in_names;
 use crate::scene::file::schema::{
     self, Aim, By, Camera, FORMAT, LightKind, Material, Materials, Object, Output, PointLight, Profile, Sampling,

@@ -9,10 +9,7 @@ const GIVEN_BACK: usize = 1 << 12;
 ///
 /// # Errors
 /// The first that `convert` gives.
-pub(super) fn converted<T, U, E>(
-    mut from: Vec<T>,
-    mut convert: impl FnMut(usize, T) -> Result<U, E>,
-) -> Result<Vec<U>, E> {
+pub fn converted<T, U, E>(mut from: Vec<T>, mut convert: impl FnMut(usize, T) -> Result<U, E>) -> Result<Vec<U>, E> {
     let mut made = Vec::with_capacity(from.len());
     // A list gives room back at its end.
     from.reverse();
