@@ -1,7 +1,10 @@
 //! What happens in a computation, as typed data. Objects and lights are numbers here; the header of the log names them.
 
+pub(in crate::log) mod decision;
+pub mod field;
 mod words;
 
+pub use decision::Decision;
 pub use words::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
 
 use super::name::Name;
@@ -176,121 +179,4 @@ impl RayKind {
             RayKind::Transmitted => 'T',
         }
     }
-}
-
-/// A decision of the computation.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Decision {
-    /// The tested object lies on the ray.
-    Hit,
-    /// It doesn't.
-    Miss {
-        /// Why not.
-        why: Miss,
-    },
-    /// The ray's origin lies outside the tested solid.
-    Outside,
-    /// The ray's origin lies inside the tested solid.
-    Inside,
-    /// This object is the nearest on the ray.
-    Nearest {
-        /// The object.
-        object: u32,
-    },
-    /// Another surface lies in the same place as the nearest one. It comes later in the scene, so it counts as lying just behind.
-    Coincident {
-        /// The object.
-        object: u32,
-        /// The triangle, for a mesh.
-        triangle: Option<u32>,
-    },
-    /// The ray begins inside this medium; of several the innermost comes last.
-    Immersed {
-        /// The object.
-        object: u32,
-    },
-    /// The ray leaves the scene and gets the background colour.
-    Background,
-    /// Nothing stands in the way of the shadow ray.
-    Free,
-    /// The shadow ray ends at an opaque object.
-    Occluded {
-        /// The object.
-        object: u32,
-    },
-    /// The shadow ray passes a surface that lets a part of the light through.
-    Attenuated {
-        /// The object.
-        object: u32,
-        /// The part let through, per channel.
-        factor: [f64; 3],
-    },
-    /// A quantity has no value in this arithmetic: what it is divided by came to zero. The computation goes on without.
-    Undefined {
-        /// The quantity.
-        quantity: Name,
-    },
-    /// No ray can be transmitted here.
-    TotalInternalReflection,
-    /// A bounce isn't traced because it would lie too deep in the ray tree.
-    DepthLimit {
-        /// Which bounce.
-        what: Skippable,
-    },
-    /// What was traced counts as black: the interpolated normal put it on a side of the surface where it isn't.
-    LeakGuard {
-        /// Which ray.
-        what: Skippable,
-    },
-    /// The direction by the interpolated normal ran below the surface, and was bent up to the nearest one above it.
-    Bent {
-        /// Which bounce.
-        what: Skippable,
-    },
-    /// A direction of a blurred bounce lies on the wrong side of the surface. No ray goes there, and the mean is over the others.
-    Rejected {
-        /// Which bounce.
-        what: Skippable,
-    },
-    /// Work isn't done because it can't change the colour.
-    Skipped {
-        /// What isn't done.
-        what: Skippable,
-        /// By which rule.
-        why: SkipReason,
-    },
-    /// A cell of the pixel is cut in four.
-    Subdivided {
-        /// Its left and upper side, in pixels from the pixel's own, and how long they are.
-        cell: [f64; 3],
-        /// Why.
-        why: Split,
-        /// The object that no corner met, if it was one.
-        object: Option<u32>,
-    },
-    /// What is known of a cell, or of the whole pixel, is enough.
-    Accepted {
-        /// The cell, as in [`Decision::Subdivided`]; `None` for the pixel.
-        cell: Option<[f64; 3]>,
-        /// Why.
-        why: Acceptance,
-    },
-    /// How many points of an area light are asked that takes as few as tell enough.
-    Asked {
-        /// The light's number.
-        light: u32,
-        /// Why so many.
-        why: Asking,
-        /// How many.
-        points: u32,
-        /// The object that hides all of the light, if one does.
-        object: Option<u32>,
-    },
-    /// The samples so far don't tell the pixel's colour well enough.
-    MoreSamples {
-        /// How many there are.
-        from: u32,
-        /// How many there will be.
-        to: u32,
-    },
 }

@@ -1,11 +1,18 @@
 //! What decisions and nodes say in words: enums whose variants stand as words in a log.
 
+use super::field::{FieldKind, Of};
+
 /// Declares an enum whose variants stand as words in a log.
 macro_rules! words {
     ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal,)* }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
         pub enum $name { $($(#[$variant_doc])* $variant,)* }
+
+        impl FieldKind for $name {
+            type Value = $name;
+            const OF: Of = Of::Words(|| $name::ALL.iter().map(|value| value.word()).collect());
+        }
 
         impl $name {
             /// Every value.

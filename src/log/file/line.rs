@@ -1,5 +1,6 @@
 //! The serde mirror of a line of a log, as it is read. Unknown fields are passed over: a later version may add some.
 
+use super::mark::Mark;
 use crate::log::name::Name;
 use crate::log::value::Value;
 use crate::log::whole::{Whole, whole};
@@ -107,94 +108,6 @@ pub(super) enum Enter<'t> {
         split: Whole<u32>,
     },
     Combine {},
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Mark<'t> {
-    Hit {},
-    Miss {
-        #[serde(borrow)]
-        why: Word<'t>,
-    },
-    Outside {},
-    Inside {},
-    Nearest {
-        #[serde(borrow)]
-        object: Word<'t>,
-    },
-    Coincident {
-        #[serde(borrow)]
-        object: Word<'t>,
-        triangle: Option<Whole<u32>>,
-    },
-    Immersed {
-        #[serde(borrow)]
-        object: Word<'t>,
-    },
-    Bent {
-        #[serde(borrow)]
-        what: Word<'t>,
-    },
-    Background {},
-    Free {},
-    Occluded {
-        #[serde(borrow)]
-        object: Word<'t>,
-    },
-    Attenuated {
-        #[serde(borrow)]
-        object: Word<'t>,
-        factor: [f64; 3],
-    },
-    Undefined {
-        #[serde(borrow)]
-        quantity: Word<'t>,
-    },
-    TotalInternalReflection {},
-    DepthLimit {
-        #[serde(borrow)]
-        what: Word<'t>,
-    },
-    LeakGuard {
-        #[serde(borrow)]
-        what: Word<'t>,
-    },
-    Rejected {
-        #[serde(borrow)]
-        what: Word<'t>,
-    },
-    Skipped {
-        #[serde(borrow)]
-        what: Word<'t>,
-        #[serde(borrow)]
-        why: Word<'t>,
-    },
-    Subdivided {
-        cell: [f64; 3],
-        #[serde(borrow)]
-        why: Word<'t>,
-        #[serde(borrow)]
-        object: Option<Word<'t>>,
-    },
-    Accepted {
-        cell: Option<[f64; 3]>,
-        #[serde(borrow)]
-        why: Word<'t>,
-    },
-    Asked {
-        #[serde(borrow)]
-        light: Word<'t>,
-        #[serde(borrow)]
-        why: Word<'t>,
-        points: Whole<u32>,
-        #[serde(borrow)]
-        object: Option<Word<'t>>,
-    },
-    MoreSamples {
-        from: Whole<u32>,
-        to: Whole<u32>,
-    },
 }
 
 /// The most inputs of an event: some thirty are the most that raywalk writes.

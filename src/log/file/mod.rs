@@ -5,6 +5,7 @@ mod document;
 mod error;
 mod line;
 mod lines;
+mod mark;
 mod numbers;
 mod pixels;
 mod read;

@@ -3,13 +3,12 @@
 use super::LogError;
 use super::digest::Digest;
 use super::document::MAX_NESTING;
-use super::line::{End, Enter, Line, Mark};
+use super::line::{End, Enter, Line};
+use super::mark::{Mark, unknown};
 use super::numbers::Numbers;
 use super::read::Ending;
 use crate::log::escape::shortened;
-use crate::log::event::{
-    Acceptance, Asking, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What,
-};
+use crate::log::event::{Digits, Event, RayKind, Skippable, Step, What};
 use crate::log::events::Events;
 use crate::log::header::Header;
 use crate::log::name::Name;
@@ -144,7 +143,7 @@ impl Reader {
             self.carried.extend(line.given.inputs);
             return self.pass_over(quantity, number);
         } else if let Some(mark) = line.mark {
-            What::Mark(self.decision(mark).map_err(damaged)?)
+            What::Mark(mark.decision(self).map_err(damaged)?)
         } else if line.leave.is_some() {
             What::Leave
         } else if let Some(result) = line.result {
@@ -218,70 +217,21 @@ impl Reader {
             Enter::Shade { object } => Step::Shade { object: self.object(&object)? },
             Enter::Light { light, split: Whole(split) } => Step::Light { light: self.light(&light)?, split },
             Enter::Motion { object } => Step::Motion { object: self.object(&object)? },
-            Enter::Zone { what, number: Whole(number) } => Step::Zone { what: skippable(&what)?, number },
+            Enter::Zone { what, number: Whole(number) } => {
+                let what = Skippable::find(&what).ok_or_else(|| unknown("work", &what))?;
+                Step::Zone { what, number }
+            }
             Enter::Combine {} => Step::Combine,
         })
     }
 
-    fn decision(&self, mark: Mark) -> Result<Decision, String> {
-        Ok(match mark {
-            Mark::Hit {} => Decision::Hit,
-            Mark::Miss { why } => Decision::Miss { why: Miss::find(&why).ok_or_else(|| unknown("reason", &why))? },
-            Mark::Outside {} => Decision::Outside,
-            Mark::Inside {} => Decision::Inside,
-            Mark::Nearest { object } => Decision::Nearest { object: self.object(&object)? },
-            Mark::Coincident { object, triangle } => {
-                Decision::Coincident { object: self.object(&object)?, triangle: triangle.map(|Whole(number)| number) }
-            }
-            Mark::Immersed { object } => Decision::Immersed { object: self.object(&object)? },
-            Mark::Bent { what } => Decision::Bent { what: skippable(&what)? },
-            Mark::Background {} => Decision::Background,
-            Mark::Free {} => Decision::Free,
-            Mark::Occluded { object } => Decision::Occluded { object: self.object(&object)? },
-            Mark::Attenuated { object, factor } => Decision::Attenuated { object: self.object(&object)?, factor },
-            Mark::Undefined { quantity } => {
-                let name = Name::all().find(|name| name.key() == &*quantity);
-                Decision::Undefined { quantity: name.ok_or_else(|| unknown("quantity", &quantity))? }
-            }
-            Mark::TotalInternalReflection {} => Decision::TotalInternalReflection,
-            Mark::DepthLimit { what } => Decision::DepthLimit { what: skippable(&what)? },
-            Mark::LeakGuard { what } => Decision::LeakGuard { what: skippable(&what)? },
-            Mark::Rejected { what } => Decision::Rejected { what: skippable(&what)? },
-            Mark::Skipped { what, why } => Decision::Skipped {
-                what: skippable(&what)?,
-                why: SkipReason::find(&why).ok_or_else(|| unknown("rule", &why))?,
-            },
-            Mark::Subdivided { cell, why, object } => Decision::Subdivided {
-                cell,
-                why: Split::find(&why).ok_or_else(|| unknown("reason", &why))?,
-                object: object.map(|object| self.object(&object)).transpose()?,
-            },
-            Mark::Accepted { cell, why } => {
-                Decision::Accepted { cell, why: Acceptance::find(&why).ok_or_else(|| unknown("reason", &why))? }
-            }
-            Mark::Asked { light, why, points: Whole(points), object } => Decision::Asked {
-                light: self.light(&light)?,
-                why: Asking::find(&why).ok_or_else(|| unknown("reason", &why))?,
-                points,
-                object: object.map(|object| self.object(&object)).transpose()?,
-            },
-            Mark::MoreSamples { from: Whole(from), to: Whole(to) } => Decision::MoreSamples { from, to },
-        })
-    }
-
-    fn object(&self, name: &str) -> Result<u32, String> {
+    /// The object of this name.
+    pub(super) fn object(&self, name: &str) -> Result<u32, String> {
         self.objects.find(&self.header.objects, name).ok_or_else(|| format!("object `{name}` isn't in the header"))
     }
 
-    fn light(&self, name: &str) -> Result<u32, String> {
+    /// The light of this name.
+    pub(super) fn light(&self, name: &str) -> Result<u32, String> {
         self.lights.find(&self.header.lights, name).ok_or_else(|| format!("light `{name}` isn't in the header"))
     }
-}
-
-fn skippable(word: &str) -> Result<Skippable, String> {
-    Skippable::find(word).ok_or_else(|| unknown("work", word))
-}
-
-fn unknown(what: &str, word: &str) -> String {
-    format!("unknown {what} `{word}`")
 }

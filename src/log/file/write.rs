@@ -1,14 +1,12 @@
 //! Writing logs. A log is written while it grows, and its last line counts and digests what stands before it.
 
-mod mark;
-
+use super::mark::write_mark;
 use crate::log::event::{Digits, Event, RayKind, Step, What};
 use crate::log::events::{Events, Input};
 use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::value::Value;
 use crate::log::{Log, tree::add_step};
-use mark::mark;
 use std::io::{self, BufWriter, Write};
 
 /// Events as lines of NDJSON: what several threads make of the pixels of a region, for one [`Writer`] to put together.
@@ -234,9 +232,8 @@ fn event_fields(out: &mut Vec<u8>, header: &Header, (event, given): (&Event, &[I
         }
         What::Note { name, value } => note(out, *name, *value),
         What::Mark(decision) => {
-            text(out, ",\"mark\":{\"");
-            mark(out, header, decision);
-            text(out, "}}");
+            text(out, ",\"mark\":");
+            write_mark(out, header, decision);
         }
         What::Leave => {
             text(out, ",\"leave\":{}");
@@ -351,7 +348,7 @@ fn value(out: &mut Vec<u8>, value: Value) {
     }
 }
 
-fn triple(out: &mut Vec<u8>, [x, y, z]: &[f64; 3]) {
+pub(super) fn triple(out: &mut Vec<u8>, [x, y, z]: &[f64; 3]) {
     text(out, "[");
     number(out, *x);
     text(out, ",");
@@ -372,11 +369,11 @@ fn number(out: &mut Vec<u8>, x: f64) {
     }
 }
 
-fn string(out: &mut Vec<u8>, content: &str) {
+pub(super) fn string(out: &mut Vec<u8>, content: &str) {
     // Control characters are escaped by serde_json; writing to memory can't fail.
     let _ = serde_json::to_writer(out, content);
 }
 
-fn text(out: &mut Vec<u8>, content: &str) {
+pub(super) fn text(out: &mut Vec<u8>, content: &str) {
     out.extend_from_slice(content.as_bytes());
 }

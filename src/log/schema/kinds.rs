@@ -1,5 +1,8 @@
 //! What a line can say: the nodes that begin, the decisions, and the fields of each.
 
+use crate::log::event::decision::decisions;
+pub use crate::log::event::field::Of;
+use crate::log::event::field::{FieldKind, Light, Object, Optional, Quantity, Triple, Whole};
 use crate::log::event::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
 
 /// A node or a decision, as the key in its line.
@@ -22,23 +25,6 @@ pub struct Field {
     pub is_optional: bool,
 }
 
-/// What the value of a field is.
-#[derive(Clone, Copy)]
-pub enum Of {
-    /// The name of an object, one of the header's.
-    Object,
-    /// The name of a light, one of the header's.
-    Light,
-    /// One of these words.
-    Words(fn() -> Vec<&'static str>),
-    /// A whole number, from this one on.
-    Whole(u32),
-    /// Three numbers.
-    Triple,
-    /// The key of a quantity.
-    Quantity,
-}
-
 /// A field that is always there.
 const fn field(key: &'static str, value: Of) -> Field {
     Field { key, value, is_optional: false }
@@ -49,6 +35,10 @@ const fn optional(key: &'static str, value: Of) -> Field {
     Field { key, value, is_optional: true }
 }
 
+const fn of<K: FieldKind>(key: &'static str) -> Field {
+    Field { key, value: K::OF, is_optional: K::IS_OPTIONAL }
+}
+
 const fn kind(word: &'static str, fields: &'static [Field], meaning: &'static str) -> Kind {
     Kind { word, meaning, fields }
 }
@@ -56,34 +46,10 @@ const fn kind(word: &'static str, fields: &'static [Field], meaning: &'static st
 const OBJECT: Field = field("object", Of::Object);
 const TRIANGLE: Field = optional("triangle", Of::Whole(0));
 const SPLIT: Field = optional("split", Of::Whole(1));
-const WHAT: Field = field("what", Of::Words(skippable));
-
-fn skippable() -> Vec<&'static str> {
-    Skippable::ALL.iter().map(|what| what.word()).collect()
-}
+const WHAT: Field = field("what", Skippable::OF);
 
 fn kinds_of_rays() -> Vec<&'static str> {
     vec!["camera", "shadow", "reflected", "transmitted"]
-}
-
-fn misses() -> Vec<&'static str> {
-    Miss::ALL.iter().map(|why| why.word()).collect()
-}
-
-fn rules() -> Vec<&'static str> {
-    SkipReason::ALL.iter().map(|why| why.word()).collect()
-}
-
-fn splits() -> Vec<&'static str> {
-    Split::ALL.iter().map(|why| why.word()).collect()
-}
-
-fn askings() -> Vec<&'static str> {
-    Asking::ALL.iter().map(|why| why.word()).collect()
-}
-
-fn acceptances() -> Vec<&'static str> {
-    Acceptance::ALL.iter().map(|why| why.word()).collect()
 }
 
 /// The nodes. That of a pixel isn't among them: it is `{"pixel":[x,y]}`.
@@ -106,61 +72,11 @@ pub const STEPS: &[Kind] = &[
     kind("combine", &[], "the weighted sum of the three contributions"),
 ];
 
-/// The decisions.
-pub const MARKS: &[Kind] = &[
-    kind("hit", &[], "the tested object lies on the ray"),
-    kind("miss", &[field("why", Of::Words(misses))], "it doesn't"),
-    kind("outside", &[], "the ray begins outside the tested solid"),
-    kind("inside", &[], "the ray begins inside it"),
-    kind("nearest", &[OBJECT], "this object is the nearest on the ray"),
-    kind("coincident", &[OBJECT, TRIANGLE], "another surface in the same place, which counts as lying just behind"),
-    kind("immersed", &[OBJECT], "the ray begins inside this medium; of several the innermost comes last"),
-    kind("background", &[], "the ray leaves the scene and gets the background's colour"),
-    kind("free", &[], "nothing weakens the light on the way of the shadow ray, or from a point in full view"),
-    kind("occluded", &[OBJECT], "the shadow ray ends at an opaque object"),
-    kind(
-        "attenuated",
-        &[OBJECT, field("factor", Of::Triple)],
-        "it passes a surface that lets this part of the light through, per channel",
-    ),
-    kind(
-        "undefined",
-        &[field("quantity", Of::Quantity)],
-        "the quantity has no value in this arithmetic, and the computation goes on without it",
-    ),
-    kind("total_internal_reflection", &[], "no ray can be transmitted here"),
-    kind("depth_limit", &[WHAT], "a bounce isn't traced because it would lie too deep in the ray tree"),
-    kind(
-        "leak_guard",
-        &[WHAT],
-        "what was traced counts as black: the interpolated normal put it on a side where it isn't",
-    ),
-    kind("bent", &[WHAT], "the direction ran below the surface, and was bent up to the nearest one above"),
-    kind("rejected", &[WHAT], "a direction of a blurred bounce lies on the wrong side; the mean is over the others"),
-    kind("skipped", &[WHAT, field("why", Of::Words(rules))], "work isn't done because it can't change the colour"),
-    kind(
-        "subdivided",
-        &[field("cell", Of::Triple), field("why", Of::Words(splits)), optional("object", Of::Object)],
-        "a cell of the pixel (left, top, side; in pixels) is cut in four; object is the one that no corner met",
-    ),
-    kind(
-        "accepted",
-        &[optional("cell", Of::Triple), field("why", Of::Words(acceptances))],
-        "what is known of a cell, or without one of the pixel, is enough",
-    ),
-    kind(
-        "asked",
-        &[
-            field("light", Of::Light),
-            field("why", Of::Words(askings)),
-            field("points", Of::Whole(1)),
-            optional("object", Of::Object),
-        ],
-        "so many points of an area light with `min` and `max` are asked",
-    ),
-    kind(
-        "more_samples",
-        &[field("from", Of::Whole(0)), field("to", Of::Whole(0))],
-        "the samples so far aren't enough: how many there are, and will be",
-    ),
-];
+macro_rules! define {
+    ($($variant:ident $word:literal $meaning:literal $({ $($field:ident: $type:ty as $kind:ty,)* })?;)*) => {
+        /// The decisions.
+        pub const MARKS: &[Kind] = &[$(kind($word, &[$($(of::<$kind>(stringify!($field)),)*)?], $meaning),)*];
+    };
+}
+
+decisions!(define);
