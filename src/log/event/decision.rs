@@ -1,6 +1,5 @@
 //! The decisions of a computation: the one table from which their type, their lines in a file, and the page and the schema of the format follow.
 
-use super::field::{Light, Object, Optional, Quantity, Triple, Whole};
 use super::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
 use crate::log::name::Name;
 
