@@ -19,6 +19,7 @@ mod flat_formulas;
 mod grazed_cone;
 mod grazed_cylinder;
 mod ladder;
+mod large;
 mod leaks;
 mod meshes;
 mod packets;

@@ -225,3 +225,27 @@ fn nodes_inside_are_passed_over() {
         }
     }
 }
+
+/// Other programs write an event over several lines. Brackets in names don't end it.
+#[test]
+fn events_over_several_lines_read_back() {
+    let mut log = textbook_log();
+    log.header.objects = ["a}]b", "{[\\\"}"].map(str::to_owned).into();
+    let pretty = |line: &[u8]| {
+        let value: serde_json::Value = serde_json::from_slice(line).expect("JSON");
+        serde_json::to_string_pretty(&value).expect("text") + "\n"
+    };
+    let lines = to_ndjson(&log).expect("memory");
+    let spread: String = lines.trim_ascii_end().split(|byte| *byte == b'\n').map(pretty).collect();
+    assert_eq!(read(spread.as_bytes()).expect("a log").log, log);
+}
+
+#[test]
+fn a_line_that_is_too_long_is_said_by_its_number() {
+    let mut lines = to_ndjson(&textbook_log()).expect("memory");
+    let second = 1 + lines.iter().position(|byte| *byte == b'\n').expect("a line");
+    let third = second + 1 + lines[second..].iter().position(|byte| *byte == b'\n').expect("a line");
+    lines.splice(third..third, vec![b' '; 3 << 20]);
+    let refused = read(&lines).expect_err("a line of three megabytes").to_string();
+    assert!(refused.contains("line 3 is too long"), "{refused}");
+}
