@@ -6,9 +6,10 @@
 mod table;
 
 use super::evaluate::{doubled_value, evaluate_with};
-use super::expression::{self, Expression};
+use super::expression::{self, Expression, Leaf};
 use super::language::Language;
-use super::{Style, computation, number};
+use super::notation::{self, Plain};
+use super::{Style, number};
 use crate::log::formula::Formula;
 use crate::log::{Decision, Log, Name, Step, Tree, Value, What, scope};
 use table::{PRINTED_REFLECTION, Parsed, Reasons, SETS_OFF_INWARD, groups, hits, misses, parsed};
@@ -52,8 +53,8 @@ impl Comparison {
         [0, 1].map(|side| {
             let put_in = &self.substituted[side];
             match (put_in.ungrouped(), self.relation) {
-                (Expression::Number(_) | Expression::Value(..), _) | (_, Relation::Equal) => text(put_in),
-                _ => format!("{} = {}", text(put_in), text(&Expression::Value(Value::Number(self.values[side]), None))),
+                (Formula::Number(_) | Formula::Leaf(Leaf::Value(..)), _) | (_, Relation::Equal) => text(put_in),
+                _ => format!("{} = {}", text(put_in), text(&Expression::value(Value::Number(self.values[side]), None))),
             }
         })
     }
@@ -163,7 +164,7 @@ impl Decider<'_> {
         }
         let substituted = sides.map(|side| {
             let put_in = expression::substituted(self.log, self.tree, self.event, side, self.style, &[]);
-            put_in.unwrap_or(Expression::Number(0.0))
+            put_in.unwrap_or(Formula::Number(0.0))
         });
         let (relation, symbolic) = (*relation, sides.map(Expression::symbolic));
         let style = telling(relation, values, self.style);
@@ -181,7 +182,7 @@ impl Decider<'_> {
         }
         let substituted = sides.map(|side| {
             let put_in = expression::substituted_doubled(self.log, self.tree, self.event, side, self.style);
-            put_in.unwrap_or(Expression::Number(0.0))
+            put_in.unwrap_or(Formula::Number(0.0))
         });
         let (relation, symbolic) = (*relation, sides.map(Expression::symbolic));
         let style = telling(relation, values, self.style);
@@ -260,26 +261,6 @@ fn telling(relation: Relation, values: [f64; 2], style: Style) -> Style {
 }
 
 /// The comparisons of a decision in one line of plain text; nothing where there are none.
-pub fn line_in(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
-    let line = |comparison: &Comparison| {
-        let text = |expression: &Expression| computation::text(language, expression, comparison.style);
-        written(language, comparison, &text, |relation| relation.sign().to_owned())
-    };
-    let lines: Vec<_> = comparisons(log, tree, event, style).iter().map(line).collect();
-    (!lines.is_empty()).then(|| lines.join("; "))
-}
-
-/// A comparison in the notation of a format.
-pub fn written(
-    language: Language,
-    comparison: &Comparison,
-    text: &dyn Fn(&Expression) -> String,
-    sign: impl Fn(Relation) -> String,
-) -> String {
-    let sign = sign(comparison.relation);
-    let sides = |[left, right]: [String; 2]| format!("{left} {sign} {right}");
-    let doubled =
-        if comparison.is_doubled { format!(" ({})", language.texts().twice_the_digits) } else { String::new() };
-    let numbers = sides(comparison.numbers(text));
-    format!("{}: {numbers}{doubled}", sides(comparison.symbolic.each_ref().map(text)))
+pub fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
+    notation::comparisons(log, tree, event, (language, style), |style| Plain { language, style })
 }

@@ -1,5 +1,6 @@
 //! The ray tree in one line a ray: what it meets, whether light gets through, what colour it brings.
 
+use super::language::Language;
 use super::{Style, number, text, words};
 use crate::log::{Decision, Log, Name, RayKind, Step, Tree, Value, What};
 use std::fmt::Write;
@@ -27,7 +28,7 @@ fn fate(log: &Log, tree: &Tree, node: usize, kind: RayKind, style: Style) -> Str
     for event in tree.own_events(node) {
         match &log.events[event].what {
             What::Mark(Decision::Nearest { object }) => words.push(words::plain(log.header.object(*object))),
-            What::Mark(decision) => words.push(words::decision(&log.header, decision, style)),
+            What::Mark(decision) => words.push(words::decision(Language::English, &log.header, decision, style)),
             _ => {}
         }
     }

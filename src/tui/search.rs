@@ -181,7 +181,7 @@ impl Matcher<'_> {
             }
             What::Mark(_) if self.is_hidden(event) => false,
             What::Mark(decision) => {
-                self.pattern.is_in(&words::decision_in(self.language, &self.log.header, decision, self.numbers))
+                self.pattern.is_in(&words::decision(self.language, &self.log.header, decision, self.numbers))
             }
             What::Enter { step, .. } => self.has_step(self.tree.owner(event), *step),
             What::Leave => false,
@@ -207,14 +207,14 @@ impl Matcher<'_> {
 
     fn has_step(&mut self, node: usize, step: Step) -> bool {
         let (log, tree, pattern, language) = (self.log, self.tree, self.pattern, self.language);
-        let title = || words::title_in(language, log, tree, node);
+        let title = || words::title(language, log, tree, node);
         match step {
             // The title of a ray has its path, which no other ray has.
             Step::Ray { .. } if self.could_be_path && pattern.is_in(&title()) => true,
             Step::Ray { kind, .. } => {
                 let alike = Step::Ray { kind, depth: 0, split: 0 };
                 let ray = language.texts().viewer.panes.ray;
-                let is_in = || pattern.is_in(&ray(&words::ray_kind_in(language, &log.header, kind)));
+                let is_in = || pattern.is_in(&ray(&words::ray_kind(language, &log.header, kind)));
                 *self.steps.entry(alike).or_insert_with(is_in)
             }
             step => *self.steps.entry(step).or_insert_with(|| pattern.is_in(&title())),

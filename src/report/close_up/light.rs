@@ -7,7 +7,8 @@ use super::hit::{lights, number, shade, unit, value, vector};
 use super::sheet::{Ink, Piece, Place, Plane, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
 use crate::log::{Asking, Decision, Log, Name, Step, Tree, Value, What};
-use crate::report::{terms, words};
+use crate::report::evaluate::term_of_light;
+use crate::report::words;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -68,7 +69,7 @@ pub fn light(subject: &Subject) -> Result<CloseUp, CloseUpError> {
             pieces.push(Piece::Dot { at, radius: radius.min(4.0 * DOT), ink, filled: is_lit && !is_far });
             pieces.push(Piece::Text { at: [at[0], at[1] - DOT - 8.0], text: point.split.max(1).to_string(), ink });
         }
-        let adds = local.map(|name| terms::of_light(log, tree, point.node, name)).filter(|_| is_lit);
+        let adds = local.map(|name| term_of_light(log, tree, point.node, name)).filter(|_| is_lit);
         let triple = |triple: Option<[f64; 3]>| {
             triple.map_or("–".to_owned(), |triple| language.value(&Value::Triple(triple), style))
         };

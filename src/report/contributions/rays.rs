@@ -4,7 +4,7 @@ use super::Way;
 use super::{Color, Contribution, Ended, Origin, Source, Why, times};
 use crate::log::tree::path_of_child;
 use crate::log::{Decision, Log, Name, RayKind, SkipReason, Skippable, Step, Tree, Value, What, scope};
-use crate::report::terms;
+use crate::report::evaluate;
 use std::collections::HashMap;
 
 /// A walk over the rays of a pixel.
@@ -229,7 +229,7 @@ impl<'a> Walk<'a> {
             let event = noted.unwrap_or(tree.nodes()[node].events.start);
             return self.ended.push(Ended { path, why: Why::LightBehind { light }, event });
         }
-        let own = terms::of_light(self.log, tree, node, local);
+        let own = evaluate::term_of_light(self.log, tree, node, local);
         let source = Some(self.scattering(node, noted));
         let event = tree.nodes()[node].events.start;
         way.node = shadow.unwrap_or(way.node);

@@ -4,6 +4,7 @@ use super::align::{self, Alignment, Spot, Thing};
 use super::cause::Causes;
 use super::{Comparing, Text, Tolerance, before, decision, only, quantity, telling_apart};
 use crate::log::{Decision, Step, Value, What};
+use crate::report::language::Language;
 use crate::report::side_by_side::Run;
 use crate::report::{Style, number, words};
 use std::rc::Rc;
@@ -61,8 +62,12 @@ impl<'a> Rows<'a> {
         let (a, b) = (self.comparing.causes.a, self.comparing.causes.b);
         match row.place {
             Place::Node(node) => {
-                let theirs = self.comparing.causes.partner(node).map(|node| words::title(b.log, b.tree, node));
-                [Some(words::title(a.log, a.tree, node)), theirs]
+                let theirs = self
+                    .comparing
+                    .causes
+                    .partner(node)
+                    .map(|node| words::title(Language::English, b.log, b.tree, node));
+                [Some(words::title(Language::English, a.log, a.tree, node)), theirs]
             }
             Place::Thing(spot @ Spot::Both(ours, theirs)) => match before::values_of(a, b, spot) {
                 Some((value_a, value_b)) => {

@@ -5,6 +5,7 @@ use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Sid
 use super::{header_differences, telling_apart};
 use crate::log::Header;
 use crate::log::escape::{shortened, width};
+use crate::report::language::Language;
 use crate::report::number::{self, size};
 use crate::report::words;
 use std::cmp::Ordering;
@@ -69,7 +70,10 @@ impl Text {
         *self = self.clone().between(a, b);
         let mut out = String::new();
         for (letter, header) in [("A", a), ("B", b)] {
-            let subject: Vec<_> = words::frame(header).into_iter().chain([words::subject(header)]).collect();
+            let subject: Vec<_> = words::frame(Language::English, header)
+                .into_iter()
+                .chain([words::subject(Language::English, header)])
+                .collect();
             let (scene, subject) = (words::plain(&header.scene.name), subject.join(", "));
             out += &format!("{letter}: {scene} · {subject} · {}\n", words::arithmetic(header));
         }

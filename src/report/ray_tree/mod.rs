@@ -199,7 +199,7 @@ impl<'a> Figure<'a> {
     /// What is to be said of a ray beside the figure: its path, what it is for, what it adds.
     fn description(&self, branch: &Branch) -> String {
         let texts = self.language.texts();
-        let kind = words::ray_kind_in(self.language, &self.log.header, branch.kind);
+        let kind = words::ray_kind(self.language, &self.log.header, branch.kind);
         let title = (texts.ray)(&branch.path, &kind);
         let more = match branch.end {
             End::Blocked { object, .. } => (texts.figure.blocked)(&words::plain(self.log.header.object(object))),
@@ -219,7 +219,7 @@ impl<'a> Figure<'a> {
     /// The figure's title: what it is, and of what.
     fn title(&self) -> String {
         let texts = self.language.texts();
-        let subject = words::subject_in(self.language, &self.log.header);
+        let subject = words::subject(self.language, &self.log.header);
         let is_of_calls = self.branches.iter().any(|branch| branch.call.is_some());
         let title = if is_of_calls { texts.figure.call_tree } else { texts.figure.ray_tree };
         format!("{title}: {}, {subject}", words::plain(&self.log.header.scene.name))

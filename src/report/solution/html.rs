@@ -38,7 +38,7 @@ pub fn html(task: &Task) -> String {
     line!(out, "</div>\n<h2>{}</h2>", escape::xml(texts.solution.result));
     match solution.result {
         Some((color, event)) => {
-            let marker = escape::xml(&digits::marker_in(task.language, &task.log.events[event]));
+            let marker = escape::xml(&digits::marker(task.language, &task.log.events[event]));
             let color = formula::linked(&formula::value(task, &Value::Triple(color)), last_color(task));
             let sentence = (texts.solution.conclusion)("\u{0}");
             line!(out, "<p class=\"result\">{}{marker}</p>", escape_around(&sentence, &color));

@@ -62,7 +62,7 @@ pub fn latex(task: &Task) -> String {
     line!(out, "\\subsection*{{{}}}", escape::latex(texts.solution.result));
     match solution.result {
         Some((color, event)) => {
-            let marker = digits::marker_in(task.language, &task.log.events[event]);
+            let marker = digits::marker(task.language, &task.log.events[event]);
             // The sentence is the language's own and has nothing that TeX reads.
             let color = format!("${}$", math::value(task, &Value::Triple(color)));
             line!(out, "{}{}\n", (texts.solution.conclusion)(&color), escape::latex(&marker));

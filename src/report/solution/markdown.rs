@@ -32,7 +32,7 @@ pub fn markdown(task: &Task) -> String {
     line!(out, "## {}\n", texts.solution.result);
     match solution.result {
         Some((color, event)) => {
-            let marker = digits::marker_in(task.language, &task.log.events[event]);
+            let marker = digits::marker(task.language, &task.log.events[event]);
             let color = format!("${}$", math::value(task, &Value::Triple(color)));
             line!(out, "{}{marker}\n", (texts.solution.conclusion)(&color));
         }
