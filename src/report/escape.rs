@@ -2,6 +2,7 @@
 //!
 //! Each function takes plain text and gives what stands for it in one format. What can't be seen is escaped first (`\u{1b}`).
 
+use super::number::unraised;
 use crate::log::escape::visible;
 
 /// In running text of Markdown (CommonMark: a backslash before any punctuation stands for it alone).
@@ -56,7 +57,7 @@ pub fn latex(text: &str) -> String {
         '′' => Some("$'$".to_owned()),
         '°' => Some(r"$^\circ$".to_owned()),
         'ⁿ' => Some("$^n$".to_owned()),
-        _ if raised(c).is_some() => raised(c).map(|c| format!("\\textsuperscript{{{c}}}")),
+        _ if unraised(c).is_some() => unraised(c).map(|c| format!("\\textsuperscript{{{c}}}")),
         _ if tex_letter(c).is_some() => tex_letter(c).map(|command| format!("$\\{command}$")),
         _ if c.is_ascii() || ACCENTED.contains(c) => None,
         _ => Some(format!("[U+{:04X}]", u32::from(c))),
@@ -84,12 +85,6 @@ pub(super) fn tex_letter(c: char) -> Option<&'static str> {
         ('ℓ', "ell"),
     ];
     LETTERS.iter().find(|(letter, _)| *letter == c).map(|(_, command)| *command)
-}
-
-/// The ordinary sign of a raised digit or minus.
-fn raised(c: char) -> Option<char> {
-    let digit = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻".chars().position(|raised| raised == c)?;
-    "0123456789-".chars().nth(digit)
 }
 
 fn with_backslashes(text: &str, special: &str) -> String {

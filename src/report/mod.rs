@@ -26,6 +26,7 @@ pub mod schematic;
 pub mod segments;
 pub mod side_by_side;
 pub mod solution;
+mod svg;
 pub mod tag;
 pub mod text;
 pub mod words;

@@ -97,17 +97,25 @@ pub fn size(x: f64) -> String {
     }
 }
 
+/// The raised digits and the raised minus.
+pub const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
+
+/// What they stand for, in the same order.
+const LOWERED: &str = "0123456789-";
+
 pub(super) fn superscript(exponent: i32) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
-    exponent.to_string().chars().map(raised).collect()
+    let raised = |c: char| RAISED.chars().zip(LOWERED.chars()).find(|(_, lowered)| *lowered == c);
+    exponent.to_string().chars().filter_map(raised).map(|(raised, _)| raised).collect()
+}
+
+/// The ordinary sign of a raised digit or minus.
+pub fn unraised(c: char) -> Option<char> {
+    RAISED.chars().zip(LOWERED.chars()).find(|(raised, _)| *raised == c).map(|(_, lowered)| lowered)
 }
 
 /// The ordinary digits of a raised number: `-12` of `⁻¹²`.
 pub(super) fn lowered(raised: &str) -> String {
-    let digit = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c);
-    let lowered = |c: char| digit(c).map_or('-', |digit| char::from(b"0123456789"[digit]));
-    raised.chars().map(lowered).collect()
+    raised.chars().filter_map(unraised).collect()
 }
 
 #[cfg(test)]

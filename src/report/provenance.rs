@@ -121,11 +121,3 @@ fn notes(event: &Event, symbol: &str) -> bool {
 fn gives(log: &Log, event: usize, symbol: &str) -> bool {
     log.given(event).iter().any(|(name, _)| name.symbol() == symbol)
 }
-
-/// The quantity that an event notes.
-fn noted(event: &Event) -> Option<(Name, Value)> {
-    match event.what {
-        What::Note { name, value } => Some((name, value)),
-        _ => None,
-    }
-}

@@ -228,9 +228,7 @@ pub fn calls_too_deep(header: &Header) -> bool {
 
 /// The calls around an event, the outermost first: the way through the tree of calls (figure 9). A shadow ray is the last.
 pub fn stack(language: Language, log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
-    let owner = tree.owner(event);
-    let around = std::iter::successors(Some(owner), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
-    let calls = around.filter_map(|node| match tree.nodes()[node].step {
+    let calls = tree.around(tree.owner(event)).filter_map(|node| match tree.nodes()[node].step {
         Some(Step::Ray { kind, depth, .. }) => Some((node, kind, depth)),
         _ => None,
     });

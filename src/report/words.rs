@@ -3,9 +3,7 @@
 use super::Style;
 use super::contributions::{Ended, Origin, Why};
 use super::language::Language;
-use crate::log::{
-    Decision, Header, Input, Log, Name, Parameter, RayKind, SkipReason, Step, Subject, Tree, Value, What,
-};
+use crate::log::{Decision, Header, Input, Log, Name, Parameter, RayKind, SkipReason, Step, Subject, Tree, Value};
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
 pub fn title(language: Language, log: &Log, tree: &Tree, node: usize) -> String {
@@ -135,11 +133,7 @@ pub fn origin(language: Language, header: &Header, origin: Origin) -> String {
 pub fn ended(language: Language, log: &Log, ended: &Ended, style: Style) -> String {
     let (header, texts) = (&log.header, language.texts());
     let light = |light: u32| plain(header.light(light));
-    let decision = match log.events[ended.event].what {
-        What::Mark(decision) => Some(decision),
-        _ => None,
-    };
-    match (ended.why, decision) {
+    match (ended.why, log.events[ended.event].decision()) {
         (Why::LightBehind { light: number }, _) => (texts.light_behind)(&light(number)),
         (Why::LogEnds, _) => texts.log_ends.to_owned(),
         (Why::Blocked { light: number }, Some(Decision::Occluded { object })) => {

@@ -10,6 +10,7 @@ use super::view::ascii;
 use crate::log::{Log, Name, Step, Tree, Value, What};
 use crate::report::language::Language;
 use crate::report::language::viewer::Status;
+use crate::report::number::RAISED;
 use crate::report::{Style, words};
 use std::collections::HashMap;
 
@@ -168,7 +169,7 @@ impl Matcher<'_> {
             names: HashMap::new(),
             steps: HashMap::new(),
             in_quiz: None,
-            could_be_number: pattern.is_made_of("0123456789.-·⁰¹²³⁴⁵⁶⁷⁸⁹⁻(),; naNif"),
+            could_be_number: pattern.is_made_of(&format!("0123456789.-·{RAISED}(),; naNif")),
             could_be_path: pattern.is_made_of("CRTScrts0123456789. ay"),
         }
     }

@@ -6,7 +6,7 @@
 use super::hit::{lights, number, shade, unit, value, vector};
 use super::sheet::{Ink, Piece, Place, Plane, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
-use crate::log::{Asking, Decision, Log, Name, Step, Tree, Value, What};
+use crate::log::{Asking, Decision, Log, Name, Tree, Value, What};
 use crate::report::evaluate::term_of_light;
 use crate::report::words;
 use glam::DVec3;
@@ -139,8 +139,8 @@ fn points_of(log: &Log, tree: &Tree, shade: usize, light: u32) -> Vec<Point> {
 
 /// What a light's shadow ray lets through; `None` where none was sent.
 fn passed(log: &Log, tree: &Tree, light: usize) -> Option<[f64; 3]> {
-    let ray = tree.children(light).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })));
-    let is_free = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Free));
+    let ray = tree.children(light).find(|child| tree.ray(*child).is_some());
+    let is_free = |event: usize| log.events[event].decision() == Some(Decision::Free);
     let Some(ray) = ray else { return tree.own_events(light).any(is_free).then_some([1.0; 3]) };
     let is_blocked = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Occluded { .. }));
     match vector(log, tree, light, Name::ShadowTransmittance) {

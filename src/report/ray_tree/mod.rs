@@ -20,7 +20,7 @@ pub use tikz::tikz;
 use super::contributions;
 use super::language::Language;
 use super::{Style, words};
-use crate::log::{Decision, Log, RayKind, Skippable, Step, Tree, Value, What};
+use crate::log::{Decision, Log, RayKind, Skippable, Tree, Value};
 use std::collections::{BTreeMap, HashMap};
 
 /// A ray with all that it leads to.
@@ -116,10 +116,7 @@ pub fn count(branches: &[Branch]) -> usize {
 
 fn branch(log: &Log, tree: &Tree, node: usize, below: &HashMap<usize, Brought>) -> Branch {
     let path = tree.shown_path(node);
-    let kind = match tree.nodes()[node].step {
-        Some(Step::Ray { kind, .. }) => kind,
-        _ => RayKind::Camera,
-    };
+    let kind = tree.ray(node).unwrap_or(RayKind::Camera);
     // A sample's number belongs to its ray from the eye.
     let label = if kind == RayKind::Camera { path.clone() } else { path.rsplit(' ').next().unwrap_or("").to_owned() };
     let (color, share) = below.get(&node).copied().unwrap_or_default();
@@ -133,7 +130,7 @@ fn rays_below(tree: &Tree, node: usize) -> Vec<usize> {
     let mut open: Vec<usize> = tree.children(node).collect();
     open.reverse();
     while let Some(at) = open.pop() {
-        if matches!(tree.nodes()[at].step, Some(Step::Ray { .. })) {
+        if tree.ray(at).is_some() {
             found.push(at);
             continue;
         }
@@ -145,10 +142,7 @@ fn rays_below(tree: &Tree, node: usize) -> Vec<usize> {
 }
 
 fn end(log: &Log, tree: &Tree, node: usize, kind: RayKind) -> End {
-    let decisions = tree.own_events(node).filter_map(|event| match log.events[event].what {
-        What::Mark(decision) => Some(decision),
-        _ => None,
-    });
+    let decisions = tree.own_events(node).filter_map(|event| log.events[event].decision());
     let met = decisions.filter_map(|decision| match (decision, kind) {
         (Decision::Nearest { object }, _) => Some(End::Object(object)),
         (Decision::Background, _) => Some(End::Background),

@@ -64,13 +64,18 @@ fn lines(task: &Task, equation: &Equation, fitted: fn(String) -> String) -> Vec<
     lines
 }
 
-/// `symbol = value`.
+/// `symbol = value` within a sentence.
 pub(super) fn assignment(task: &Task, symbol: &str, value: &Value) -> String {
-    format!("{} = {}", self::symbol(symbol), self::value(task, value))
+    format!("${} = {}$", self::symbol(symbol), self::value(task, value))
+}
+
+/// A value within a sentence.
+pub(super) fn within_text(task: &Task, value: &Value) -> String {
+    format!("${}$", self::value(task, value))
 }
 
 /// A number or triple.
-pub(super) fn value(task: &Task, value: &Value) -> String {
+fn value(task: &Task, value: &Value) -> String {
     Tex::of(task).value(value, task.style)
 }
 

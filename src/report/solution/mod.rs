@@ -6,6 +6,7 @@
 mod data;
 mod equation;
 mod figures;
+mod format;
 mod html;
 mod latex;
 mod markdown;
@@ -18,7 +19,7 @@ pub use latex::latex;
 pub use markdown::markdown;
 
 use super::Style;
-use super::contributions::pixel_around;
+use super::contributions::{self, pixel_around};
 use super::language::Language;
 use super::schematic::Stage;
 use super::{digits, words};
@@ -84,7 +85,6 @@ impl Solution {
     fn of(task: &Task) -> Solution {
         let (log, tree, texts) = (task.log, task.tree, task.language.texts());
         let header = &log.header;
-        let pixel = pixel_around(tree, 0);
         let subject = words::frame(task.language, header).into_iter();
         let subject = subject.chain([words::subject(task.language, header)]).collect::<Vec<_>>().join(", ");
         let tracing = &header.tracing;
@@ -92,16 +92,12 @@ impl Solution {
         let mut conditions = vec![(texts.solution.conditions)(&arithmetic, &algorithm, tracing.max_depth)];
         conditions.extend(words::sampling(task.language, header).map(|method| (texts.solution.sampled)(&method)));
         let data = Data::of(log, tree);
-        let result = tree.own_events(pixel).rev().find_map(|event| match log.events[event].what {
-            What::Result { color } => Some((color, event)),
-            _ => None,
-        });
         Solution {
             title: (texts.solution.title)(&subject, &words::plain(&header.scene.name)),
             conditions,
             steps: steps::steps(task, &data),
             data,
-            result,
+            result: contributions::result(log, tree, pixel_around(tree, 0)),
         }
     }
 }
