@@ -3,7 +3,7 @@
 use super::Style;
 use super::expression;
 use super::language::Language;
-use super::notation::{Plain, written};
+use super::notation::{Numbers, Plain, written};
 use crate::log::formula;
 use crate::log::{Log, Name, Tree, What};
 
@@ -35,8 +35,9 @@ pub fn computation(language: Language, log: &Log, tree: &Tree, event: usize, sty
     let formula = formula_of(name).map(str::to_owned);
     let substituted =
         formula::of(name).and_then(|formula| expression::substituted(log, tree, event, formula, style, &[]));
-    let substituted =
-        substituted.map(|expression| written(&Plain { language, style }, &expression)).filter(|text| *text != result);
+    let substituted = substituted
+        .map(|expression| written::<Plain>(Numbers { language, style }, &expression))
+        .filter(|text| *text != result);
     Some(Computation { symbol: name.symbol().to_owned(), formula, substituted, result })
 }
 

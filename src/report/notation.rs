@@ -8,6 +8,22 @@ use crate::log::{Log, Tree, Value};
 use decided::{Comparison, Relation};
 use std::f64::consts::TAU;
 
+/// How numbers are written.
+#[derive(Clone, Copy)]
+pub struct Numbers {
+    /// The language, with its decimal mark.
+    pub language: Language,
+    /// Their decimals.
+    pub style: Style,
+}
+
+impl Numbers {
+    /// A number or triple in plain text.
+    pub fn value(self, value: &Value) -> String {
+        self.language.value(value, self.style)
+    }
+}
+
 /// The signs of a format, and where it needs parentheses.
 pub trait Notation {
     /// Whether all stands in one line, so that parentheses say how far a root, a power and a fraction reach.
@@ -17,88 +33,88 @@ pub trait Notation {
     /// What stands for terms that are left out.
     const ELIDED: &str = "…";
 
-    /// How numbers are shown.
-    fn style(&self) -> Style;
-
     /// What stands between the numbers of a triple.
-    fn separator(&self) -> String;
+    fn separator(language: Language) -> String {
+        language.texts().separator.to_owned()
+    }
 
     /// A number or triple.
-    fn value(&self, value: &Value, style: Style) -> String;
+    fn value(numbers: Numbers, value: &Value) -> String;
 
     /// A symbol such as `T2_A`, `|D|`, `cosφ_1`, `−N·H′`.
-    fn symbol(&self, symbol: &str) -> String;
+    fn symbol(symbol: &str) -> String;
 
     /// The text of a value that this event computed.
-    fn linked(&self, text: String, _event: Option<usize>) -> String {
+    fn linked(text: String, _event: Option<usize>) -> String {
         text
     }
 
     /// Parentheses around a text.
-    fn grouped(&self, inner: &str) -> String {
+    fn grouped(inner: &str) -> String {
         format!("({inner})")
     }
 
     /// The text of what is squared, raised to a power or, in one line, stands under a root or a fraction bar.
-    fn base(&self, expression: &Expression, text: String) -> String;
+    fn base(style: Style, expression: &Expression, text: String) -> String;
 
     /// An operation on one operand that isn't a function's.
-    fn unary(&self, unary: Unary, inner: &str) -> String;
+    fn unary(unary: Unary, inner: &str) -> String;
 
     /// The name of a function, such as `cos`.
-    fn function(&self, name: &str) -> String {
+    fn function(name: &str) -> String {
         name.to_owned()
     }
 
     /// An operation on two operands that isn't a function's.
-    fn binary(&self, operator: Operator, left: &str, right: &str) -> String;
+    fn binary(operator: Operator, left: &str, right: &str) -> String;
 
     /// The sign of a relation.
-    fn relation(&self, relation: Relation) -> String {
+    fn relation(relation: Relation) -> String {
         relation.sign().to_owned()
     }
 
     /// A formula within a sentence.
-    fn within_text(&self, formula: String) -> String {
+    fn within_text(formula: String) -> String {
         formula
     }
 }
 
-/// An expression in a notation.
-pub fn written<N: Notation>(notation: &N, expression: &Expression) -> String {
-    let of = |inner: &Expression| written(notation, inner);
-    let base = |inner: &Expression| notation.base(inner, of(inner));
+/// An expression in a N::
+pub fn written<N: Notation>(numbers: Numbers, expression: &Expression) -> String {
+    let of = |inner: &Expression| written::<N>(numbers, inner);
+    let base = |inner: &Expression| N::base(numbers.style, inner, of(inner));
     // Behind an operator a minus sign needs parentheses.
     let operand = |inner: &Expression| match of(inner) {
-        text if inner.begins_negative() => notation.grouped(&text),
+        text if inner.begins_negative() => N::grouped(&text),
         text => text,
     };
     match expression {
         Formula::Number(TAU) => N::TWO_PI.to_owned(),
-        Formula::Number(x) => notation.value(&Value::Number(*x), notation.style()),
+        Formula::Number(x) => N::value(numbers, &Value::Number(*x)),
         Formula::Leaf(leaf) => match leaf {
-            Leaf::Symbol(symbol) => notation.symbol(symbol),
-            Leaf::Value(value, event) => notation.linked(notation.value(value, notation.style()), *event),
+            Leaf::Symbol(symbol) => N::symbol(symbol),
+            Leaf::Value(value, event) => N::linked(N::value(numbers, value), *event),
             Leaf::Precise(x, digits, event) => {
-                notation.linked(notation.value(&Value::Number(*x), notation.style().at_least(*digits)), *event)
+                let numbers = Numbers { style: numbers.style.at_least(*digits), ..numbers };
+                N::linked(N::value(numbers, &Value::Number(*x)), *event)
             }
             Leaf::Elided => N::ELIDED.to_owned(),
         },
-        Formula::Triple(parts) => notation.grouped(&parts.each_ref().map(of).join(&notation.separator())),
+        Formula::Triple(parts) => N::grouped(&parts.each_ref().map(of).join(&N::separator(numbers.language))),
         Formula::Unary(unary, inner) => match unary {
-            Unary::Grouped => notation.grouped(&of(inner)),
-            Unary::Negated => notation.unary(*unary, &operand(inner)),
-            Unary::Squared | Unary::Positive | Unary::Degrees => notation.unary(*unary, &base(inner)),
-            Unary::Root if N::IS_LINEAR => notation.unary(*unary, &base(inner)),
-            Unary::Root => notation.unary(*unary, &of(inner.ungrouped())),
-            Unary::Function(function) => notation.function(function.word()) + &notation.grouped(&of(inner)),
-            Unary::ExtremeComponent(extreme) => notation.function(extreme.word()) + &notation.grouped(&of(inner)),
-            _ => notation.unary(*unary, &of(inner)),
+            Unary::Grouped => N::grouped(&of(inner)),
+            Unary::Negated => N::unary(*unary, &operand(inner)),
+            Unary::Squared | Unary::Positive | Unary::Degrees => N::unary(*unary, &base(inner)),
+            Unary::Root if N::IS_LINEAR => N::unary(*unary, &base(inner)),
+            Unary::Root => N::unary(*unary, &of(inner.ungrouped())),
+            Unary::Function(function) => N::function(function.word()) + &N::grouped(&of(inner)),
+            Unary::ExtremeComponent(extreme) => N::function(extreme.word()) + &N::grouped(&of(inner)),
+            _ => N::unary(*unary, &of(inner)),
         },
         Formula::Binary(operator, left, right) => {
             let call = |name| {
-                let operands = [left, right].map(|inner| of(inner)).join(&notation.separator());
-                notation.function(name) + &notation.grouped(&operands)
+                let operands = [left, right].map(|inner| of(inner)).join(&N::separator(numbers.language));
+                N::function(name) + &N::grouped(&operands)
             };
             let [left, right] = match operator {
                 Operator::Extreme(extreme) => return call(extreme.word()),
@@ -109,67 +125,47 @@ pub fn written<N: Notation>(notation: &N, expression: &Expression) -> String {
                 Operator::Power => [base(left), of(right.ungrouped())],
                 _ => [of(left), operand(right)],
             };
-            notation.binary(*operator, &left, &right)
+            N::binary(*operator, &left, &right)
         }
     }
 }
 
-/// The comparisons by which the decision of an event was taken, in a notation for their styles; nothing where there are none.
-pub fn comparisons<N: Notation>(
-    log: &Log,
-    tree: &Tree,
-    event: usize,
-    (language, style): (Language, Style),
-    notation: impl Fn(Style) -> N,
-) -> Option<String> {
+/// The comparisons by which the decision of an event was taken; nothing where there are none.
+pub fn comparisons<N: Notation>(numbers: Numbers, log: &Log, tree: &Tree, event: usize) -> Option<String> {
     let line = |comparison: &Comparison| {
-        let notation = notation(comparison.style);
-        let text = |expression: &Expression| written(&notation, expression);
-        let relation = notation.relation(comparison.relation);
-        let sides = |[left, right]: [String; 2]| notation.within_text(format!("{left} {relation} {right}"));
-        let [symbols, numbers] = [comparison.symbolic.each_ref().map(text), comparison.numbers(&text)].map(sides);
-        let doubled =
-            if comparison.is_doubled { format!(" ({})", language.texts().twice_the_digits) } else { String::new() };
-        format!("{symbols}: {numbers}{doubled}")
+        let text = |expression: &Expression| written::<N>(Numbers { style: comparison.style, ..numbers }, expression);
+        let relation = N::relation(comparison.relation);
+        let sides = |[left, right]: [String; 2]| N::within_text(format!("{left} {relation} {right}"));
+        let [symbols, values] = [comparison.symbolic.each_ref().map(text), comparison.numbers(&text)].map(sides);
+        let digits = numbers.language.texts().twice_the_digits;
+        let doubled = if comparison.is_doubled { format!(" ({digits})") } else { String::new() };
+        format!("{symbols}: {values}{doubled}")
     };
-    let lines: Vec<_> = decided::comparisons(log, tree, event, style).iter().map(line).collect();
+    let lines: Vec<_> = decided::comparisons(log, tree, event, numbers.style).iter().map(line).collect();
     (!lines.is_empty()).then(|| lines.join("; "))
 }
 
 /// Plain text in one line.
-pub struct Plain {
-    /// The language of its numbers.
-    pub language: Language,
-    /// How numbers are shown.
-    pub style: Style,
-}
+pub struct Plain;
 
 impl Notation for Plain {
     const IS_LINEAR: bool = true;
 
-    fn style(&self) -> Style {
-        self.style
+    fn value(numbers: Numbers, value: &Value) -> String {
+        numbers.value(value)
     }
 
-    fn separator(&self) -> String {
-        self.language.texts().separator.to_owned()
-    }
-
-    fn value(&self, value: &Value, style: Style) -> String {
-        self.language.value(value, style)
-    }
-
-    fn symbol(&self, symbol: &str) -> String {
+    fn symbol(symbol: &str) -> String {
         symbol.to_owned()
     }
 
     /// A number with a power of ten is a product.
-    fn base(&self, expression: &Expression, text: String) -> String {
-        let is_one = !expression.begins_negative() && !expression.has_power_of_ten(self.style);
-        if is_one { text } else { self.grouped(&text) }
+    fn base(style: Style, expression: &Expression, text: String) -> String {
+        let is_one = !expression.begins_negative() && !expression.has_power_of_ten(style);
+        if is_one { text } else { Self::grouped(&text) }
     }
 
-    fn unary(&self, unary: Unary, inner: &str) -> String {
+    fn unary(unary: Unary, inner: &str) -> String {
         match unary {
             Unary::Negated => format!("−{inner}"),
             Unary::Root => format!("√{inner}"),
@@ -180,11 +176,11 @@ impl Notation for Plain {
             Unary::Floor => format!("⌊{inner}⌋"),
             Unary::OverLights => format!("Σ({inner})"),
             Unary::Over(several) => format!("{}({inner})", several.sign()),
-            Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => self.grouped(inner),
+            Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => Self::grouped(inner),
         }
     }
 
-    fn binary(&self, operator: Operator, left: &str, right: &str) -> String {
+    fn binary(operator: Operator, left: &str, right: &str) -> String {
         match operator {
             Operator::Plus | Operator::Minus => format!("{left} {} {right}", infix(operator)),
             _ => format!("{left}{}{right}", infix(operator)),

@@ -4,17 +4,6 @@ use super::Style;
 use crate::log::Value;
 use crate::probe::round_half_away;
 
-/// A number or triple: `6.380`, `(4, 5.996, 8.002)`.
-pub fn value(value: &Value, style: Style) -> String {
-    match value {
-        Value::Number(x) => number(*x, style),
-        Value::Triple(xyz) => {
-            let components: Vec<_> = xyz.iter().map(|x| number(*x, style)).collect();
-            format!("({})", components.join(", "))
-        }
-    }
-}
-
 /// A number. Whole ones have no decimals, which tells an exact 4 from a rounded 4.000; very small and very large ones
 /// are written with a power of ten.
 pub fn number(x: f64, style: Style) -> String {
@@ -121,6 +110,7 @@ pub(super) fn lowered(raised: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::language::Language;
 
     #[track_caller]
     fn shows(x: f64, expected: &str) {
@@ -149,7 +139,7 @@ mod tests {
             let sign = if is_negative { -1.0 } else { 1.0 };
             let [a, b] = [bits, bits + 1].map(|bits| Value::Number(sign * f64::from_bits(bits)));
             let style = telling(&a, &b, Style { digits });
-            proptest::prop_assert_ne!(value(&a, style), value(&b, style));
+            proptest::prop_assert_ne!(Language::English.value(&a, style), Language::English.value(&b, style));
             let [a, b] = [a, b].map(|x| read_back(x.components()[0], style));
             proptest::prop_assert_ne!(a, b);
         }
@@ -169,7 +159,7 @@ mod tests {
             let x = x * libm::exp10(f64::from(power));
             let [a, b] = [x, f64::from_bits(x.to_bits() + 1)].map(Value::Number);
             let style = telling(&a, &b, Style::default());
-            proptest::prop_assert_ne!(value(&a, style), value(&b, style));
+            proptest::prop_assert_ne!(Language::English.value(&a, style), Language::English.value(&b, style));
         }
     }
 

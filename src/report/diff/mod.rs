@@ -299,7 +299,7 @@ fn only(run: Run, thing: Thing) -> (String, usize) {
             (words::title(Language::English, run.log, run.tree, node), events.filter(is_value).count())
         }
         (_, Some(name), Some(value)) => {
-            (format!("{} = {}", name.key(), super::number::value(&value, Style::default())), 1)
+            (format!("{} = {}", name.key(), Language::English.value(&value, Style::default())), 1)
         }
         (Thing::Event(event), ..) if matches!(run.log.events[event].what, What::Result { .. }) => {
             ("result".to_owned(), 1)

@@ -6,7 +6,7 @@ use super::{Comparing, Text, Tolerance, before, decision, only, quantity, tellin
 use crate::log::{Decision, Step, Value, What};
 use crate::report::language::Language;
 use crate::report::side_by_side::Run;
-use crate::report::{Style, number, words};
+use crate::report::{Style, words};
 use std::rc::Rc;
 
 /// Two logs beside each other. A node that both have, and each thing in it, has a row.
@@ -120,7 +120,7 @@ fn rows(a: Run, alignment: &Alignment, differs: impl Fn(Spot) -> bool) -> Vec<Ro
 }
 
 fn named(run: Run, thing: Thing, value: &Value, style: Style) -> String {
-    let shown = number::value(value, style);
+    let shown = Language::English.value(value, style);
     match quantity(run, thing) {
         Some(name) => format!("{} = {shown}", name.symbol()),
         None => match thing {

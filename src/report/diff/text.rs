@@ -6,7 +6,7 @@ use super::{header_differences, telling_apart};
 use crate::log::Header;
 use crate::log::escape::{shortened, width};
 use crate::report::language::Language;
-use crate::report::number::{self, size};
+use crate::report::number::size;
 use crate::report::words;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -209,7 +209,7 @@ impl Text {
             Told::Value { name, a, b, distance, .. } => {
                 let style = telling_apart(a, b, self.digits);
                 let symbol = name.map_or("", |name| name.symbol()).to_owned();
-                let [a, b] = [a, b].map(|value| number::value(value, style));
+                let [a, b] = [a, b].map(|value| Language::English.value(value, style));
                 [label(entry), symbol, a, b, size(distance.absolute), size(distance.relative)]
             }
             Told::Decision { a, b } => ["decision", "", a, b, "", ""].map(str::to_owned),

@@ -142,14 +142,14 @@ fn has_floor(above: Decimal, below: Decimal, floor: f64) -> bool {
 mod tests {
     use super::*;
     use crate::report::language::Language;
-    use crate::report::notation::{Plain, written};
+    use crate::report::notation::{Numbers, Plain, written};
 
     fn line(above: [f64; 3], below: f64, digits: u32) -> String {
         let [above, below] =
             [Value::Triple(above), Value::Number(below)].map(|value| Box::new(Expression::value(value, None)));
         let style = Style { digits };
-        written(
-            &Plain { language: Language::English, style },
+        written::<Plain>(
+            Numbers { language: Language::English, style },
             &told(Formula::Binary(Operator::Over, above, below), style),
         )
     }

@@ -20,6 +20,7 @@ pub use tikz::tikz;
 use super::contributions;
 use super::language::Language;
 use super::{Style, words};
+use crate::log::escape::shortened;
 use crate::log::{Decision, Log, RayKind, Skippable, Tree, Value};
 use std::collections::{BTreeMap, HashMap};
 
@@ -172,13 +173,7 @@ impl<'a> Figure<'a> {
     /// What stands at the end of a ray.
     fn end(&self, branch: &Branch) -> String {
         let header = &self.log.header;
-        let name = |name: &str| {
-            let name = words::plain(name);
-            match name.char_indices().nth(Self::LONGEST) {
-                Some((cut, _)) => format!("{}…", &name[..cut]),
-                None => name,
-            }
-        };
+        let name = |name: &str| shortened(&words::plain(name), Self::LONGEST);
         if let Some(call) = &branch.call {
             return call.clone();
         }

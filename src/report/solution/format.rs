@@ -3,8 +3,9 @@
 use super::figures::Figures;
 use super::shares::Shares;
 use super::{Item, Kind, Section, Solution, Task, data, decision, lowered};
-use crate::log::{Name, Value};
+use crate::log::{Name, Step, Value, What};
 use crate::report::digits;
+use crate::report::notation::{self, Notation};
 use crate::report::ray_tree::Figure;
 use crate::report::schematic::Plan;
 
@@ -16,6 +17,8 @@ pub(super) type Around = [&'static str; 2];
 pub(super) trait Format {
     /// Whether a step stands visibly inside its ray, so that nobody has to be told that the steps after another ray's are this one's again.
     const IS_NESTED: bool = false;
+    /// How it writes formulas.
+    type Formulas: Notation;
     /// Around the heading of a part of the page.
     const HEADING: Around;
     /// Around a paragraph.
@@ -28,6 +31,8 @@ pub(super) trait Format {
     const GROUP: [&str; 3];
     /// Around the inputs of a step.
     const GIVEN: Around;
+    /// Around `symbol = value`.
+    const ASSIGNMENT: Around;
     /// Between values.
     const COMMA: &str = ", ";
     /// Around a decision.
@@ -68,17 +73,8 @@ pub(super) trait Format {
     /// The beginning of a section, with its title.
     fn open(task: &Task, section: &Section, title: &str) -> String;
 
-    /// `symbol = value`, linked with the event that computed the value.
-    fn assignment(task: &Task, name: Name, value: &Value, source: Option<usize>) -> String;
-
     /// The equations of some events.
     fn equations(task: &Task, events: &[usize]) -> String;
-
-    /// The comparisons behind a decision.
-    fn compared(task: &Task, event: usize) -> String;
-
-    /// The colour of the pixel within a sentence.
-    fn color(task: &Task, color: &Value) -> String;
 
     /// The table of what adds to the colour.
     fn table(columns: &[String; 7], rows: &[[String; 7]]) -> String;
@@ -93,7 +89,7 @@ pub(super) fn page<F: Format>(task: &Task) -> String {
     out += &around(F::PARAGRAPH, &F::escaped(&solution.conditions.join(" ")));
     if !solution.data.groups.is_empty() {
         let groups = solution.data.groups.iter().map(|(owner, values)| {
-            let values = values.iter().map(|(name, value)| F::assignment(task, *name, value, None));
+            let values = values.iter().map(|(name, value)| assignment::<F>(task, *name, value, None));
             let heading = F::escaped(&data::heading(task, *owner));
             between(F::GROUP, &heading, &values.collect::<Vec<_>>().join(F::COMMA))
         });
@@ -110,7 +106,8 @@ pub(super) fn page<F: Format>(task: &Task) -> String {
         Some((color, event)) => {
             let marker = F::escaped(&digits::marker(task.language, &task.log.events[event]));
             // The sentence is the language's own and has nothing that a format reads.
-            let sentence = (texts.conclusion)(&F::color(task, &Value::Triple(color)));
+            let color = value::<F>(task, &Value::Triple(color), last_color(task));
+            let sentence = (texts.conclusion)(&F::Formulas::within_text(color));
             around(F::RESULT, &(sentence + &marker))
         }
         None => around(F::PARAGRAPH, &F::escaped(texts.no_result)),
@@ -126,6 +123,27 @@ fn around([before, behind]: Around, text: &str) -> String {
 
 fn between([before, between, behind]: [&str; 3], first: &str, second: &str) -> String {
     format!("{before}{first}{between}{second}{behind}")
+}
+
+/// A value, linked with the event that computed it.
+fn value<F: Format>(task: &Task, value: &Value, source: Option<usize>) -> String {
+    F::Formulas::linked(F::Formulas::value(task.numbers(), value), source)
+}
+
+/// `symbol = value`
+fn assignment<F: Format>(task: &Task, name: Name, value: &Value, source: Option<usize>) -> String {
+    let value = self::value::<F>(task, value, source);
+    around(F::ASSIGNMENT, &format!("{} = {value}", F::Formulas::symbol(name.symbol())))
+}
+
+/// The event that computed the pixel's colour, where one sample is the pixel.
+fn last_color(task: &Task) -> Option<usize> {
+    let is_color = |event: &usize| match task.log.events[*event].what {
+        What::Note { name, .. } => name.key() == Name::CombineColor.key(),
+        _ => false,
+    };
+    let has_samples = task.tree.nodes().iter().any(|node| matches!(node.step, Some(Step::Sample { .. })));
+    (0..task.log.events.len()).rev().find(is_color).filter(|_| !has_samples)
 }
 
 fn figures<F: Format>(task: &Task) -> String {
@@ -155,14 +173,16 @@ fn section<F: Format>(out: &mut String, task: &Task, section: &Section) {
                 self::section::<F>(out, task, inside);
             }
             Item::Given(values) => {
-                let values = values.iter().map(|(name, value, source)| F::assignment(task, *name, value, *source));
+                let values = values.iter().map(|(name, value, source)| assignment::<F>(task, *name, value, *source));
                 let values = values.collect::<Vec<_>>().join(F::COMMA);
                 *out += &around(F::GIVEN, &format!("{} {values}", task.language.texts().solution.with));
             }
             Item::Equations(events) => *out += &F::equations(task, events),
             Item::Decision(event) => {
                 let words = F::escaped(&decision(task, *event).unwrap_or_default());
-                *out += &around(F::DECISION, &(words + &F::compared(task, *event)));
+                let numbers = notation::comparisons::<F::Formulas>(task.numbers(), task.log, task.tree, *event);
+                let numbers = numbers.map_or(String::new(), |numbers| format!(" ({numbers})"));
+                *out += &around(F::DECISION, &(words + &numbers));
             }
         }
     }

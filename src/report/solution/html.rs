@@ -6,10 +6,11 @@ mod formula;
 use super::figures::caption;
 use super::format::{self, Around, Format};
 use super::{Item, Kind, Section, Task, decision};
-use crate::log::{Decision, Name, Step, Value, What};
+use crate::log::Decision;
 use crate::report::escape;
 use crate::report::ray_tree::{self, Figure};
 use crate::report::schematic::{self, Plan};
+use formula::Formulas;
 
 const STYLE: &str = include_str!("html/style.css");
 
@@ -21,6 +22,7 @@ pub fn html(task: &Task) -> String {
 struct Html;
 
 impl Format for Html {
+    type Formulas = Formulas;
     const IS_NESTED: bool = true;
     const HEADING: Around = ["<h2>", "</h2>\n"];
     const PARAGRAPH: Around = ["<p>", "</p>\n"];
@@ -28,6 +30,7 @@ impl Format for Html {
     const DATA: Around = ["<dl>\n", "</dl>\n"];
     const GROUP: [&str; 3] = ["<dt>", "</dt>\n<dd>", "</dd>\n"];
     const GIVEN: Around = ["<p class=\"given\">", "</p>\n"];
+    const ASSIGNMENT: Around = ["<span class=\"eq\">", "</span>"];
     const COMMA: &str = " ";
     const DECISION: Around = ["<p class=\"decision\">→ ", "</p>\n"];
     const BACK: Around = ["", ""];
@@ -80,21 +83,9 @@ impl Format for Html {
         format!("<details class=\"{class}\"{open}><summary>{number}{title}{miss}</summary>\n")
     }
 
-    fn assignment(task: &Task, name: Name, value: &Value, source: Option<usize>) -> String {
-        formula::assignment(task, name.symbol(), value, source)
-    }
-
     fn equations(task: &Task, events: &[usize]) -> String {
         let equations = events.iter().filter_map(|event| formula::equation(task, *event));
         equations.map(|equation| equation + "\n").collect()
-    }
-
-    fn compared(task: &Task, event: usize) -> String {
-        formula::compared(task, event)
-    }
-
-    fn color(task: &Task, color: &Value) -> String {
-        formula::linked(&formula::value(task, color), last_color(task))
     }
 
     fn table(columns: &[String; 7], rows: &[[String; 7]]) -> String {
@@ -105,16 +96,6 @@ impl Format for Html {
         let rows: String = rows.iter().map(|cells| row(cells, "td")).collect();
         format!("<div class=\"wide\"><table>\n{}{rows}</table></div>\n", row(columns, "th"))
     }
-}
-
-/// The event that computed the pixel's colour, where one sample is the pixel.
-fn last_color(task: &Task) -> Option<usize> {
-    let is_color = |event: &usize| match task.log.events[*event].what {
-        What::Note { name, .. } => name.key() == Name::CombineColor.key(),
-        _ => false,
-    };
-    let has_samples = task.tree.nodes().iter().any(|node| matches!(node.step, Some(Step::Sample { .. })));
-    (0..task.log.events.len()).rev().find(is_color).filter(|_| !has_samples)
 }
 
 /// Why the ray misses the object that a section tests; nothing if it doesn't.

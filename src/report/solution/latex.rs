@@ -2,8 +2,8 @@
 
 use super::figures::caption;
 use super::format::{self, Around, Format};
-use super::{Kind, Section, Task, math};
-use crate::log::{Name, Value};
+use super::math::{self, Tex};
+use super::{Kind, Section, Task};
 use crate::report::escape;
 use crate::report::ray_tree::{self, Figure};
 use crate::report::schematic::{self, Plan};
@@ -53,11 +53,13 @@ pub fn latex(task: &Task) -> String {
 struct Latex;
 
 impl Format for Latex {
+    type Formulas = Tex;
     const HEADING: Around = [r"\subsection*{", "}\n"];
     const PARAGRAPH: Around = ["", "\n\n"];
     const GROUP: [&str; 3] = [r"\textbf{", ":} ", "\n\n"];
     // No empty line follows: a formula behind it would begin a paragraph of its own.
     const GIVEN: Around = [r"\par ", ":\n"];
+    const ASSIGNMENT: Around = ["$", "$"];
     const DECISION: Around = [r"\par $\rightarrow$ ", "\n"];
     const BACK: Around = [r"\subsubsection*{", "}\n"];
     const LIST: [&str; 3] = ["", ":\n\\begin{itemize}\\setlength{\\itemsep}{0pt}\n", "\\end{itemize}\n"];
@@ -89,21 +91,9 @@ impl Format for Latex {
         }
     }
 
-    fn assignment(task: &Task, name: Name, value: &Value, _source: Option<usize>) -> String {
-        math::assignment(task, name.symbol(), value)
-    }
-
     fn equations(task: &Task, events: &[usize]) -> String {
         let lines = math::aligned(task, events, |formula| format!("\\fitted{{{formula}}}"));
         format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", lines.join(" \\\\\n"))
-    }
-
-    fn compared(task: &Task, event: usize) -> String {
-        math::compared(task, event)
-    }
-
-    fn color(task: &Task, color: &Value) -> String {
-        math::within_text(task, color)
     }
 
     fn table(columns: &[String; 7], rows: &[[String; 7]]) -> String {

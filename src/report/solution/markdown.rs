@@ -2,8 +2,8 @@
 
 use super::figures::caption;
 use super::format::{self, Around, Format};
-use super::{Kind, Section, Task, math};
-use crate::log::{Name, Value};
+use super::math::{self, Tex};
+use super::{Kind, Section, Task};
 use crate::report::escape;
 use crate::report::ray_tree::{self, Figure};
 use crate::report::schematic::{self, Plan};
@@ -17,11 +17,13 @@ pub fn markdown(task: &Task) -> String {
 struct Markdown;
 
 impl Format for Markdown {
+    type Formulas = Tex;
     const HEADING: Around = ["## ", "\n\n"];
     const PARAGRAPH: Around = ["", "\n\n"];
     const DATA: Around = ["", "\n"];
     const GROUP: [&str; 3] = ["- **", ":** ", "\n"];
     const GIVEN: Around = ["", ":\n\n"];
+    const ASSIGNMENT: Around = ["$", "$"];
     const DECISION: Around = ["→ ", "\n\n"];
     const BACK: Around = ["### ", "\n\n"];
     const LIST: [&str; 3] = ["", ":\n\n", ""];
@@ -58,23 +60,11 @@ impl Format for Markdown {
         }
     }
 
-    fn assignment(task: &Task, name: Name, value: &Value, _source: Option<usize>) -> String {
-        math::assignment(task, name.symbol(), value)
-    }
-
     fn equations(task: &Task, events: &[usize]) -> String {
         match &math::aligned(task, events, identity)[..] {
             [line] => format!("$$\n{}\n$$\n\n", line.replacen(" &=", " =", 1)),
             lines => format!("$$\n\\begin{{aligned}}\n{}\n\\end{{aligned}}\n$$\n\n", lines.join(" \\\\\n")),
         }
-    }
-
-    fn compared(task: &Task, event: usize) -> String {
-        math::compared(task, event)
-    }
-
-    fn color(task: &Task, color: &Value) -> String {
-        math::within_text(task, color)
     }
 
     fn table(columns: &[String; 7], rows: &[[String; 7]]) -> String {

@@ -7,7 +7,7 @@ use crate::log::formula::{Formula, Operator, QUANTILE, Several, Unary};
 use crate::report::decided::Relation;
 use crate::report::expression::{Expression, Leaf};
 use crate::report::language::Language;
-use crate::report::notation::{self, Notation, written};
+use crate::report::notation::{Notation, Numbers, written};
 use crate::report::{Style, digits, escape, number};
 
 /// So many characters of a formula fit on a line.
@@ -31,26 +31,25 @@ pub(super) fn aligned(task: &Task, events: &[usize], fitted: fn(String) -> Strin
 
 /// The lines of an equation; from the second on they begin with what stands under the first equals sign.
 fn lines(task: &Task, equation: &Equation, fitted: fn(String) -> String) -> Vec<String> {
-    let notation = Tex::of(task);
     let symbol = symbol(equation.name.symbol());
-    let result = value(task, &equation.result);
+    let result = Tex::value(task.numbers(), &equation.result);
     let middle = [equation.formula.as_ref(), equation.substituted.as_ref()];
     let parts: Vec<&Expression> = middle.into_iter().flatten().collect();
     let width = |expression: &Expression| self::width(task, expression) + 3;
     let whole: usize = parts.iter().map(|part| width(part)).sum::<usize>() + 16;
     if whole <= LINE {
-        let parts = parts.iter().map(|part| written(&notation, part)).chain([result]);
+        let parts = parts.iter().map(|part| written::<Tex>(task.numbers(), part)).chain([result]);
         return vec![format!("{symbol} &= {}", parts.collect::<Vec<_>>().join(" = "))];
     }
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         if width(part) <= LINE {
-            lines.push(format!("&= {}", written(&notation, part)));
+            lines.push(format!("&= {}", written::<Tex>(task.numbers(), part)));
             continue;
         }
         for (sign, term) in terms(part) {
-            let text = written(&notation, term);
-            let text = if sign.is_some() && term.begins_negative() { notation.grouped(&text) } else { text };
+            let text = written::<Tex>(task.numbers(), term);
+            let text = if sign.is_some() && term.begins_negative() { Tex::grouped(&text) } else { text };
             let text = if width(term) > LINE { fitted(text) } else { text };
             lines.push(match sign {
                 None => format!("&= {text}"),
@@ -64,57 +63,21 @@ fn lines(task: &Task, equation: &Equation, fitted: fn(String) -> String) -> Vec<
     lines
 }
 
-/// `symbol = value` within a sentence.
-pub(super) fn assignment(task: &Task, symbol: &str, value: &Value) -> String {
-    format!("${} = {}$", self::symbol(symbol), self::value(task, value))
-}
-
-/// A value within a sentence.
-pub(super) fn within_text(task: &Task, value: &Value) -> String {
-    format!("${}$", self::value(task, value))
-}
-
-/// A number or triple.
-fn value(task: &Task, value: &Value) -> String {
-    Tex::of(task).value(value, task.style)
-}
-
-/// The comparisons of a decision, each between dollar signs; nothing where there are none.
-pub(super) fn compared(task: &Task, event: usize) -> String {
-    let language = task.language;
-    let notation = |style| Tex { language, style };
-    let lines = notation::comparisons(task.log, task.tree, event, (language, task.style), notation);
-    lines.map_or(String::new(), |lines| format!(" ({lines})"))
-}
-
 /// The notation of TeX.
-struct Tex {
-    language: Language,
-    style: Style,
-}
-
-impl Tex {
-    fn of(task: &Task) -> Tex {
-        Tex { language: task.language, style: task.style }
-    }
-}
+pub(super) struct Tex;
 
 impl Notation for Tex {
     const TWO_PI: &str = "2\\pi ";
     const ELIDED: &str = "\\dots";
 
-    fn style(&self) -> Style {
-        self.style
-    }
-
-    fn separator(&self) -> String {
-        format!("{}\\; ", self.language.texts().separator.trim_end())
+    fn separator(language: Language) -> String {
+        format!("{}\\; ", language.texts().separator.trim_end())
     }
 
     /// With the language's decimal mark; TeX would put a space behind a comma.
-    fn value(&self, value: &Value, style: Style) -> String {
+    fn value(numbers: Numbers, value: &Value) -> String {
         let number = |x: f64| {
-            let text = self.language.number(x, style).replace(',', "{,}");
+            let text = numbers.language.number(x, numbers.style).replace(',', "{,}");
             match text.split_once("·10") {
                 Some((mantissa, power)) => format!("{mantissa}\\cdot 10^{{{}}}", number::lowered(power)),
                 None => text,
@@ -122,19 +85,19 @@ impl Notation for Tex {
         };
         match value {
             Value::Number(x) => number(*x),
-            Value::Triple(xyz) => format!("({})", xyz.map(number).join(&self.separator())),
+            Value::Triple(xyz) => format!("({})", xyz.map(number).join(&Self::separator(numbers.language))),
         }
     }
 
-    fn symbol(&self, symbol: &str) -> String {
+    fn symbol(symbol: &str) -> String {
         self::symbol(symbol)
     }
 
-    fn grouped(&self, inner: &str) -> String {
+    fn grouped(inner: &str) -> String {
         format!("\\left({inner}\\right)")
     }
 
-    fn base(&self, expression: &Expression, text: String) -> String {
+    fn base(_style: Style, expression: &Expression, text: String) -> String {
         let is_one = match expression {
             Formula::Leaf(Leaf::Symbol(symbol)) => symbol.chars().all(|c| c.is_alphanumeric() || c == '_'),
             Formula::Leaf(Leaf::Value(Value::Number(x), _) | Leaf::Precise(x, ..)) => {
@@ -144,10 +107,10 @@ impl Notation for Tex {
             Formula::Unary(unary, _) => matches!(unary, Unary::Length | Unary::Grouped),
             _ => false,
         };
-        if is_one { format!("{{{text}}}") } else { self.grouped(&text) }
+        if is_one { format!("{{{text}}}") } else { Self::grouped(&text) }
     }
 
-    fn unary(&self, unary: Unary, inner: &str) -> String {
+    fn unary(unary: Unary, inner: &str) -> String {
         match unary {
             Unary::Negated => format!("-{inner}"),
             Unary::Root => format!("\\sqrt{{{inner}}}"),
@@ -157,12 +120,12 @@ impl Notation for Tex {
             Unary::Length => format!("\\left|{inner}\\right|"),
             Unary::Floor => format!("\\left\\lfloor {inner}\\right\\rfloor"),
             Unary::OverLights => format!("\\sum_i {inner}"),
-            Unary::Over(several) => format!("{} {}", sign(several), self.grouped(inner)),
-            Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => self.grouped(inner),
+            Unary::Over(several) => format!("{} {}", sign(several), Self::grouped(inner)),
+            Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => Self::grouped(inner),
         }
     }
 
-    fn function(&self, name: &str) -> String {
+    fn function(name: &str) -> String {
         match name {
             "cos" | "sin" | "tan" | "exp" | "min" | "max" => format!("\\{name}"),
             QUANTILE => format!("\\operatorname{{{name}}}"),
@@ -170,7 +133,7 @@ impl Notation for Tex {
         }
     }
 
-    fn binary(&self, operator: Operator, left: &str, right: &str) -> String {
+    fn binary(operator: Operator, left: &str, right: &str) -> String {
         let infix = match operator {
             Operator::Over => return format!("\\frac{{{left}}}{{{right}}}"),
             Operator::Power => return format!("{left}^{{{right}}}"),
@@ -185,7 +148,7 @@ impl Notation for Tex {
         format!("{left} {infix} {right}")
     }
 
-    fn relation(&self, relation: Relation) -> String {
+    fn relation(relation: Relation) -> String {
         match relation {
             Relation::AtMost => "\\le".to_owned(),
             Relation::AtLeast => "\\ge".to_owned(),
@@ -193,7 +156,7 @@ impl Notation for Tex {
         }
     }
 
-    fn within_text(&self, formula: String) -> String {
+    fn within_text(formula: String) -> String {
         format!("${formula}$")
     }
 }

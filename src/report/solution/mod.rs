@@ -21,6 +21,7 @@ pub use markdown::markdown;
 use super::Style;
 use super::contributions::{self, pixel_around};
 use super::language::Language;
+use super::notation::Numbers;
 use super::schematic::Stage;
 use super::{digits, words};
 use crate::log::{Log, Name, Tree, Value, What};
@@ -38,6 +39,12 @@ pub struct Task<'a> {
     pub language: Language,
     /// How numbers are shown.
     pub style: Style,
+}
+
+impl Task<'_> {
+    fn numbers(&self) -> Numbers {
+        Numbers { language: self.language, style: self.style }
+    }
 }
 
 /// The outline of a worked solution.

@@ -6,8 +6,7 @@ use crate::log::Value;
 use crate::log::formula::{Formula, Operator, Unary};
 use crate::report::decided::Relation;
 use crate::report::expression::{Expression, Leaf};
-use crate::report::language::Language;
-use crate::report::notation::{self, Notation, written};
+use crate::report::notation::{self, Notation, Numbers, written};
 use crate::report::tag::tag;
 use crate::report::{Style, digits, escape};
 
@@ -15,7 +14,7 @@ use crate::report::{Style, digits, escape};
 pub(super) fn equation(task: &Task, event: usize) -> Option<String> {
     let equation = Equation::of(task, event)?;
     let middle = [equation.formula.as_ref(), equation.substituted.as_ref()];
-    let middle = middle.into_iter().flatten().map(|part| format!("<span>= {}</span>", written(&Html::of(task), part)));
+    let part = |part: &Expression| format!("<span>= {}</span>", written::<Formulas>(task.numbers(), part));
     let tag = tag(task.log, task.tree, event).map(|tag| (task.language.texts().solution.section)(&tag));
     let tag = tag.map_or_else(String::new, |tag| format!(" ({tag})"));
     let title = escape::xml(&format!("{}{tag}", equation.name.key()));
@@ -23,79 +22,39 @@ pub(super) fn equation(task: &Task, event: usize) -> Option<String> {
     Some(format!(
         "<p class=\"eq\" id=\"e{event}\"><span title=\"{title}\">{}</span>{}<span>= <b>{}</b>{marker}</span></p>",
         symbol(equation.name.symbol()),
-        middle.collect::<String>(),
-        value(task, &equation.result)
+        middle.into_iter().flatten().map(part).collect::<String>(),
+        Formulas::value(task.numbers(), &equation.result)
     ))
 }
 
-/// `symbol = value`, linked with the event that computed the value.
-pub(super) fn assignment(task: &Task, name: &str, there: &Value, source: Option<usize>) -> String {
-    format!("<span class=\"eq\">{} = {}</span>", symbol(name), linked(&value(task, there), source))
-}
-
-/// A value's text, linked.
-pub(super) fn linked(text: &str, source: Option<usize>) -> String {
-    source.map_or(text.to_owned(), |event| format!("<a href=\"#e{event}\">{text}</a>"))
-}
-
-/// A number or triple.
-pub(super) fn value(task: &Task, value: &Value) -> String {
-    Html::of(task).value(value, task.style)
-}
-
-/// The comparisons of a decision; nothing where there are none.
-pub(super) fn compared(task: &Task, event: usize) -> String {
-    let language = task.language;
-    let notation = |style| Html { language, style };
-    let lines = notation::comparisons(task.log, task.tree, event, (language, task.style), notation);
-    lines.map_or(String::new(), |lines| format!(" ({lines})"))
-}
-
 /// Formulas as elements of a page.
-struct Html {
-    language: Language,
-    style: Style,
-}
+pub(super) struct Formulas;
 
-impl Html {
-    fn of(task: &Task) -> Html {
-        Html { language: task.language, style: task.style }
-    }
-}
-
-impl Notation for Html {
-    fn style(&self) -> Style {
-        self.style
-    }
-
-    fn separator(&self) -> String {
-        self.language.texts().separator.to_owned()
-    }
-
+impl Notation for Formulas {
     /// Lines don't break it, and its minus sign is that of formulas.
-    fn value(&self, value: &Value, style: Style) -> String {
-        let text = escape::xml(&self.language.value(value, style).replace('-', "−"));
+    fn value(numbers: Numbers, value: &Value) -> String {
+        let text = escape::xml(&numbers.value(value).replace('-', "−"));
         match value {
             Value::Number(_) => text,
             Value::Triple(_) => format!("<span class=\"n\">{text}</span>"),
         }
     }
 
-    fn symbol(&self, symbol: &str) -> String {
+    fn symbol(symbol: &str) -> String {
         self::symbol(symbol)
     }
 
-    fn linked(&self, text: String, event: Option<usize>) -> String {
-        linked(&text, event)
+    fn linked(text: String, event: Option<usize>) -> String {
+        event.map_or(text.clone(), |event| format!("<a href=\"#e{event}\">{text}</a>"))
     }
 
-    fn base(&self, expression: &Expression, text: String) -> String {
+    fn base(style: Style, expression: &Expression, text: String) -> String {
         let is_product = matches!(expression, Formula::Leaf(Leaf::Symbol(name)) if name.contains(['·', '−']));
-        let is_one = !is_product && !expression.has_power_of_ten(self.style) && !expression.begins_negative();
-        if is_one { text } else { self.grouped(&text) }
+        let is_one = !is_product && !expression.has_power_of_ten(style) && !expression.begins_negative();
+        if is_one { text } else { Self::grouped(&text) }
     }
 
-    fn unary(&self, unary: Unary, inner: &str) -> String {
+    fn unary(unary: Unary, inner: &str) -> String {
         match unary {
             Unary::Negated => format!("−{inner}"),
             Unary::Root => format!("√<span class=\"root\">{inner}</span>"),
@@ -106,11 +65,11 @@ impl Notation for Html {
             Unary::Floor => format!("⌊{inner}⌋"),
             Unary::OverLights => format!("Σ<sub>i</sub> ({inner})"),
             Unary::Over(several) => format!("{} ({inner})", symbol(several.sign())),
-            Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => self.grouped(inner),
+            Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => Self::grouped(inner),
         }
     }
 
-    fn binary(&self, operator: Operator, left: &str, right: &str) -> String {
+    fn binary(operator: Operator, left: &str, right: &str) -> String {
         match operator {
             Operator::Over => format!(
                 "<span class=\"frac\"><span>{left}</span><span class=\"over\">/</span><span>{right}</span></span>"
@@ -120,7 +79,7 @@ impl Notation for Html {
         }
     }
 
-    fn relation(&self, relation: Relation) -> String {
+    fn relation(relation: Relation) -> String {
         escape::xml(relation.sign())
     }
 }
