@@ -22,7 +22,12 @@ pub fn mermaid(text: &str) -> String {
 
 /// In text and attributes of XML and HTML.
 pub fn xml(text: &str) -> String {
-    replaced(text, |c| match c {
+    xml_of_visible(&visible(text))
+}
+
+/// The same of a text, or a piece of one, that has been made visible: what stands beside it decides whether a joiner is.
+pub fn xml_of_visible(text: &str) -> String {
+    each_replaced(text, |c| match c {
         '&' => Some("&amp;".to_owned()),
         '<' => Some("&lt;".to_owned()),
         '>' => Some("&gt;".to_owned()),
@@ -92,7 +97,10 @@ fn with_backslashes(text: &str, special: &str) -> String {
 }
 
 fn replaced(text: &str, replacement: impl Fn(char) -> Option<String>) -> String {
-    let text = visible(text);
+    each_replaced(&visible(text), replacement)
+}
+
+fn each_replaced(text: &str, replacement: impl Fn(char) -> Option<String>) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match replacement(c) {

@@ -45,7 +45,10 @@ impl Notation for Formulas {
     }
 
     fn linked(text: String, event: Option<usize>) -> String {
-        event.map_or(text.clone(), |event| format!("<a href=\"#e{event}\">{text}</a>"))
+        match event {
+            Some(event) => format!("<a href=\"#e{event}\">{text}</a>"),
+            None => text,
+        }
     }
 
     fn base(style: Style, expression: &Expression, text: String) -> String {
