@@ -6,7 +6,7 @@
 
 use raywalk::log::file::to_ndjson;
 use raywalk::record::{self, Arithmetic};
-use raywalk::report::{Style, text};
+use raywalk::report::{Language, Style, text};
 use raywalk::scene::Scene;
 use std::error::Error;
 
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let log = record::pixel(&scene, pixel, Arithmetic::F64);
     // For people: the steps with three decimals.
-    println!("{}", text::text(&log, Style { digits: 3 }));
+    println!("{}", text::text(Language::English, &log, Style { digits: 3 }));
     // For programs: the same events with few digits, which every machine and compiler gives.
     println!("{}", String::from_utf8(to_ndjson(&log.rounded(6))?)?);
     Ok(())

@@ -7,7 +7,7 @@
 //! ```
 //! use raywalk::glam::DVec3;
 //! use raywalk::record::{self, Arithmetic};
-//! use raywalk::report::{Style, text};
+//! use raywalk::report::{Language, Style, text};
 //! use raywalk::scene::{OpenError, Scene};
 //! use raywalk::trace::query::Query;
 //!
@@ -25,7 +25,7 @@
 //!
 //! // One pixel: every value of it. `insta::assert_snapshot!(steps)` pins it.
 //! let log = record::pixel(&scene, [1, 1], Arithmetic::F64);
-//! let steps = text::text(&log, Style { digits: 3 });
+//! let steps = text::text(Language::English, &log, Style { digits: 3 });
 //! assert!(steps.contains("nearest: ball"), "{steps}");
 //! # Ok::<(), OpenError>(())
 //! ```

@@ -58,7 +58,7 @@ impl View {
         let text = match self.format {
             TraceFormat::Ndjson => return log_file::to_ndjson(log),
             TraceFormat::Json => return log_file::to_json(log),
-            TraceFormat::Text => text::text_in(self.language, log, self.style),
+            TraceFormat::Text => text::text(self.language, log, self.style),
             TraceFormat::Obj => lines::obj(&log.header, &lines::rays(log)),
             TraceFormat::Ply => lines::ply(&log.header, &lines::rays(log)),
             TraceFormat::Markdown => self.of_solution(scene, log, solution::markdown),

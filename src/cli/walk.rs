@@ -116,9 +116,7 @@ impl Walk {
                 let before = Language::from(self.lang).texts().viewer.status.warning;
                 output::tell(&format!("{before}{name}: {warning}"));
             }
-            return output::print(
-                report::text::text_in(self.lang.into(), &log, Style { digits: self.digits }).as_bytes(),
-            );
+            return output::print(report::text::text(self.lang.into(), &log, Style { digits: self.digits }).as_bytes());
         }
         // From here on the viewer minds its signals itself: it has a terminal to give back.
         if let Some(signals) = signals {

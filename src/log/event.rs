@@ -32,6 +32,22 @@ impl Event {
         let what = What::Enter { parent: 0, step: Step::Pixel(pixel) };
         Event { at: 0, node: 0, what, given: Given::default(), digits: None }
     }
+
+    /// The decision that it marks.
+    pub fn decision(&self) -> Option<Decision> {
+        match self.what {
+            What::Mark(decision) => Some(decision),
+            _ => None,
+        }
+    }
+
+    /// The quantity that it notes, with its value.
+    pub fn noted(&self) -> Option<(Name, Value)> {
+        match self.what {
+            What::Note { name, value } => Some((name, value)),
+            _ => None,
+        }
+    }
 }
 
 /// Where the inputs of an event stand among those of its log.

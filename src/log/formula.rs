@@ -35,52 +35,57 @@
 //! goes on with, so `N·L` is the quantity and `N · L` its formula. Operations are done from left to right: evaluated so, a
 //! formula gives the logged value to the last bit, but for `student`; docs/log.md says what other programs may compute otherwise.
 
+mod parser;
 mod words;
 
 pub use words::{Function, QUANTILE, Several};
 
 use super::name::Name;
+use parser::Parser;
 use std::sync::LazyLock;
 
-/// A formula as a tree.
+/// A formula as a tree. Its leaves are symbols, unless something else was put in for them.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Formula {
+pub enum Formula<Leaf = &'static str> {
     /// A number.
     Number(f64),
-    /// The symbol of a quantity.
-    Symbol(&'static str),
-    /// `−a`
-    Negated(Box<Formula>),
-    /// `√a`
-    Root(Box<Formula>),
-    /// `a²`
-    Squared(Box<Formula>),
-    /// `a⁺`
-    Positive(Box<Formula>),
-    /// `|a|`
-    Length(Box<Formula>),
-    /// `⌊a⌋`
-    Floor(Box<Formula>),
-    /// `(a)`, kept because it is written.
-    Grouped(Box<Formula>),
-    /// `Σ(a)`
-    OverLights(Box<Formula>),
-    /// `Σ_s(a)`, `Σ_c(a)` or `Π(a)`
-    Over(Several, Box<Formula>),
-    /// `student(p, ν)`
-    Quantile(Box<Formula>, Box<Formula>),
-    /// `a°`
-    Degrees(Box<Formula>),
-    /// `cos(a)`
-    Function(Function, Box<Formula>),
+    /// The symbol of a quantity, or what stands for it.
+    Leaf(Leaf),
     /// `(a, b, c)`
-    Triple(Box<[Formula; 3]>),
-    /// `min(a, b)` or `max(a, b)`
-    Extreme(Extreme, Box<Formula>, Box<Formula>),
-    /// `min(a)` or `max(a)`: the extreme component of a triple.
-    ExtremeComponent(Extreme, Box<Formula>),
+    Triple(Box<[Formula<Leaf>; 3]>),
+    /// One operand.
+    Unary(Unary, Box<Formula<Leaf>>),
     /// Two operands.
-    Binary(Operator, Box<Formula>, Box<Formula>),
+    Binary(Operator, Box<Formula<Leaf>>, Box<Formula<Leaf>>),
+}
+
+/// What is done to one operand.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Unary {
+    /// `−a`
+    Negated,
+    /// `√a`
+    Root,
+    /// `a²`
+    Squared,
+    /// `a⁺`
+    Positive,
+    /// `|a|`
+    Length,
+    /// `⌊a⌋`
+    Floor,
+    /// `(a)`, kept because it is written.
+    Grouped,
+    /// `Σ(a)`
+    OverLights,
+    /// `Σ_s(a)`, `Σ_c(a)` or `Π(a)`
+    Over(Several),
+    /// `a°`
+    Degrees,
+    /// `cos(a)`
+    Function(Function),
+    /// `min(a)` or `max(a)`: the extreme component of a triple.
+    ExtremeComponent(Extreme),
 }
 
 /// Which of several numbers.
@@ -92,7 +97,17 @@ pub enum Extreme {
     Max,
 }
 
-/// An operator between two operands.
+impl Extreme {
+    /// What it is called in formulas.
+    pub fn word(self) -> &'static str {
+        match self {
+            Extreme::Min => "min",
+            Extreme::Max => "max",
+        }
+    }
+}
+
+/// What is done to two operands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Operator {
     /// `+`
@@ -111,6 +126,33 @@ pub enum Operator {
     ComponentsOver,
     /// `^`
     Power,
+    /// `min(a, b)` or `max(a, b)`
+    Extreme(Extreme),
+    /// `student(p, ν)`
+    Quantile,
+}
+
+impl<Leaf> Formula<Leaf> {
+    /// A formula of one operand.
+    pub fn unary(unary: Unary, inner: Formula<Leaf>) -> Formula<Leaf> {
+        Formula::Unary(unary, Box::new(inner))
+    }
+
+    /// A formula of two operands.
+    pub fn binary(operator: Operator, left: Formula<Leaf>, right: Formula<Leaf>) -> Formula<Leaf> {
+        Formula::Binary(operator, Box::new(left), Box::new(right))
+    }
+
+    /// The same with other leaves.
+    pub fn map<Other>(&self, leaf: &impl Fn(&Leaf) -> Other) -> Formula<Other> {
+        match self {
+            Formula::Number(x) => Formula::Number(*x),
+            Formula::Leaf(own) => Formula::Leaf(leaf(own)),
+            Formula::Triple(parts) => Formula::Triple(Box::new(parts.each_ref().map(|part| part.map(leaf)))),
+            Formula::Unary(unary, inner) => Formula::unary(*unary, inner.map(leaf)),
+            Formula::Binary(operator, left, right) => Formula::binary(*operator, left.map(leaf), right.map(leaf)),
+        }
+    }
 }
 
 /// The formula of a name, parsed; `None` for what is given.
@@ -124,209 +166,7 @@ pub fn of(name: Name) -> Option<&'static Formula> {
 
 /// Reads a formula text; the error says what was expected where.
 pub fn parse(text: &str) -> Result<Formula, String> {
-    let mut parser = Parser { rest: text };
-    let formula = parser.sum()?;
-    match parser.peek() {
-        "" => Ok(formula),
-        rest => Err(format!("expected the end of the formula, found `{rest}`")),
-    }
-}
-
-struct Parser<'t> {
-    rest: &'t str,
-}
-
-impl<'t> Parser<'t> {
-    fn sum(&mut self) -> Result<Formula, String> {
-        let mut left = self.product()?;
-        loop {
-            let operator = match () {
-                _ if self.eat("+") => Operator::Plus,
-                _ if self.eat("−") => Operator::Minus,
-                _ => return Ok(left),
-            };
-            left = binary(operator, left, self.product()?);
-        }
-    }
-
-    fn product(&mut self) -> Result<Formula, String> {
-        let mut left = self.power()?;
-        loop {
-            let operator = match () {
-                _ if self.eat("·") => Operator::Times,
-                _ if self.eat("∘") => Operator::Channelwise,
-                _ if self.eat("×") => Operator::Cross,
-                _ if self.eat("/") => Operator::Over,
-                _ if self.eat("⊘") => Operator::ComponentsOver,
-                _ => return Ok(left),
-            };
-            left = binary(operator, left, self.power()?);
-        }
-    }
-
-    fn power(&mut self) -> Result<Formula, String> {
-        let base = self.prefix()?;
-        if self.eat("^") { Ok(binary(Operator::Power, base, self.power()?)) } else { Ok(base) }
-    }
-
-    fn prefix(&mut self) -> Result<Formula, String> {
-        if self.symbol_ahead().is_some() {
-            // Symbols first: the quantity `−N·H′` begins with a sign.
-            self.postfix()
-        } else if self.eat("−") {
-            Ok(Formula::Negated(Box::new(self.power()?)))
-        } else if self.eat("√") {
-            Ok(Formula::Root(Box::new(self.postfix()?)))
-        } else {
-            self.postfix()
-        }
-    }
-
-    fn postfix(&mut self) -> Result<Formula, String> {
-        let mut inner = self.atom()?;
-        loop {
-            if self.eat("²") {
-                inner = Formula::Squared(Box::new(inner));
-            } else if self.eat("⁺") {
-                inner = Formula::Positive(Box::new(inner));
-            } else if self.eat("°") {
-                inner = Formula::Degrees(Box::new(inner));
-            } else {
-                return Ok(inner);
-            }
-        }
-    }
-
-    fn atom(&mut self) -> Result<Formula, String> {
-        // Before symbols, as a word may begin with the letter of one.
-        for several in Several::ALL {
-            if self.eat_call(several.sign()) {
-                return Ok(Formula::Over(several, Box::new(self.until_closed()?)));
-            }
-        }
-        for function in Function::ALL {
-            if self.eat_call(function.word()) {
-                return Ok(Formula::Function(function, Box::new(self.until_closed()?)));
-            }
-        }
-        if self.eat_call(QUANTILE) {
-            let probability = self.sum()?;
-            self.require(",")?;
-            return Ok(Formula::Quantile(Box::new(probability), Box::new(self.until_closed()?)));
-        }
-        if let Some(symbol) = self.symbol_ahead() {
-            self.rest = &self.rest[symbol.len()..];
-            return Ok(Formula::Symbol(symbol));
-        }
-        if self.eat("Σ(") {
-            let inner = self.sum()?;
-            self.require(")")?;
-            return Ok(Formula::OverLights(Box::new(inner)));
-        }
-        for (word, extreme) in [("min(", Extreme::Min), ("max(", Extreme::Max)] {
-            if self.eat(word) {
-                return self.extreme(extreme);
-            }
-        }
-        if self.eat("(") {
-            return self.group();
-        }
-        if self.eat("|") {
-            let inner = self.sum()?;
-            self.require("|")?;
-            return Ok(Formula::Length(Box::new(inner)));
-        }
-        if self.eat("⌊") {
-            let inner = self.sum()?;
-            self.require("⌋")?;
-            return Ok(Formula::Floor(Box::new(inner)));
-        }
-        self.number()
-    }
-
-    /// Eats a word with the parenthesis behind it.
-    fn eat_call(&mut self, word: &str) -> bool {
-        match self.peek().strip_prefix(word).and_then(|rest| rest.strip_prefix('(')) {
-            Some(rest) => {
-                self.rest = rest;
-                true
-            }
-            None => false,
-        }
-    }
-
-    fn until_closed(&mut self) -> Result<Formula, String> {
-        let inner = self.sum()?;
-        self.require(")")?;
-        Ok(inner)
-    }
-
-    /// What follows `(`: a part in parentheses, or a triple.
-    fn group(&mut self) -> Result<Formula, String> {
-        let first = self.sum()?;
-        if !self.eat(",") {
-            self.require(")")?;
-            return Ok(Formula::Grouped(Box::new(first)));
-        }
-        let second = self.sum()?;
-        self.require(",")?;
-        Ok(Formula::Triple(Box::new([first, second, self.until_closed()?])))
-    }
-
-    /// What follows `min(` or `max(`.
-    fn extreme(&mut self, extreme: Extreme) -> Result<Formula, String> {
-        let first = Box::new(self.sum()?);
-        if self.eat(",") {
-            let second = Box::new(self.sum()?);
-            self.require(")")?;
-            return Ok(Formula::Extreme(extreme, first, second));
-        }
-        self.require(")")?;
-        Ok(Formula::ExtremeComponent(extreme, first))
-    }
-
-    fn number(&mut self) -> Result<Formula, String> {
-        let digits = self.peek();
-        let end = digits.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(digits.len());
-        let number: f64 =
-            digits[..end].parse().map_err(|_| format!("expected a number or a symbol, found `{digits}`"))?;
-        self.rest = &digits[end..];
-        Ok(Formula::Number(if self.eat("π") { number * std::f64::consts::PI } else { number }))
-    }
-
-    /// The longest symbol that the text goes on with.
-    fn symbol_ahead(&mut self) -> Option<&'static str> {
-        static LONGEST_FIRST: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
-            let mut symbols: Vec<_> = Name::all().map(Name::symbol).collect();
-            symbols.sort_by_key(|symbol| std::cmp::Reverse(symbol.len()));
-            symbols
-        });
-        let rest = self.peek();
-        LONGEST_FIRST.iter().copied().find(|symbol| rest.starts_with(symbol))
-    }
-
-    fn peek(&mut self) -> &'t str {
-        self.rest = self.rest.trim_start();
-        self.rest
-    }
-
-    fn eat(&mut self, token: &str) -> bool {
-        match self.peek().strip_prefix(token) {
-            Some(rest) => {
-                self.rest = rest;
-                true
-            }
-            None => false,
-        }
-    }
-
-    fn require(&mut self, token: &str) -> Result<(), String> {
-        if self.eat(token) { Ok(()) } else { Err(format!("expected `{token}`, found `{}`", self.rest)) }
-    }
-}
-
-fn binary(operator: Operator, left: Formula, right: Formula) -> Formula {
-    Formula::Binary(operator, Box::new(left), Box::new(right))
+    Parser::new(text).whole()
 }
 
 #[cfg(test)]
@@ -335,7 +175,7 @@ mod tests {
     use super::*;
 
     fn symbol(text: &'static str) -> Formula {
-        Formula::Symbol(text)
+        Formula::Leaf(text)
     }
 
     #[test]
@@ -351,7 +191,7 @@ mod tests {
     #[test]
     fn the_longest_symbol_wins() {
         assert_eq!(parse("N·L").unwrap(), symbol("N·L"));
-        assert_eq!(parse("N · L").unwrap(), binary(Operator::Times, symbol("N"), symbol("L")));
+        assert_eq!(parse("N · L").unwrap(), Formula::binary(Operator::Times, symbol("N"), symbol("L")));
         assert_eq!(parse("−N·H′").unwrap(), symbol("−N·H′"));
     }
 

@@ -44,4 +44,9 @@ impl Log {
     pub fn given(&self, event: usize) -> &[Input] {
         self.events.given(&self.events[event])
     }
+
+    /// The value of an input of the event at this index.
+    pub fn input(&self, event: usize, name: Name) -> Option<Value> {
+        self.given(event).iter().find(|(given, _)| *given == name).map(|(_, value)| *value)
+    }
 }

@@ -5,7 +5,7 @@ mod path;
 pub(super) use path::add_step;
 pub use path::path_of_child;
 
-use super::event::{Event, Step, What};
+use super::event::{Event, RayKind, Step, What};
 use super::events::Events;
 use super::scope::Index;
 use std::iter::Map;
@@ -120,6 +120,19 @@ impl Tree {
     /// The node that an event belongs to.
     pub fn owner(&self, event: usize) -> usize {
         self.owner.get(event).map_or(0, |node| *node as usize)
+    }
+
+    /// A node and those around it, up to the root.
+    pub fn around(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
+        std::iter::successors(Some(node), |at| Some(self.nodes[*at].parent).filter(|parent| parent != at))
+    }
+
+    /// What the ray is for that a node is; `None` of another node.
+    pub fn ray(&self, node: usize) -> Option<RayKind> {
+        match self.nodes[node].step {
+            Some(Step::Ray { kind, .. }) => Some(kind),
+            _ => None,
+        }
     }
 
     /// The nodes directly inside a node.

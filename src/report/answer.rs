@@ -46,15 +46,13 @@ pub fn parse(line: &str, is_triple: bool) -> Result<Value, Unreadable> {
 }
 
 fn number_of(word: &str) -> Option<f64> {
-    let raised = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c);
     let mut text = String::new();
     let mut is_in_power = false;
     for c in word.replace("·10", "e").replace("*10", "e").replace(',', ".").chars() {
-        match (c, raised(c)) {
-            ('−' | '⁻', _) => text.push('-'),
-            ('^', _) => is_in_power = true,
-            (_, Some(digit)) => text.push(char::from(b"0123456789"[digit])),
-            _ => text.push(c),
+        match c {
+            '−' => text.push('-'),
+            '^' => is_in_power = true,
+            _ => text.push(number::unraised(c).unwrap_or(c)),
         }
     }
     let is_written_out = text.chars().all(|c| c.is_ascii_digit() || "+-.eE".contains(c));

@@ -133,10 +133,7 @@ pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
     for (ray, weight) in samples::camera_rays(log, tree, pixel) {
         walk.follow(ray, [weight; 3]);
     }
-    let result = tree.own_events(pixel).rev().find_map(|event| match log.events[event].what {
-        What::Result { color } => Some(color),
-        _ => None,
-    });
+    let result = result(log, tree, pixel).map(|(color, _)| color);
     let (mut contributions, mut ended) = walk.finish(result);
     contributions.sort_by_key(|contribution| contribution.event);
     ended.sort_by_key(|ended| ended.event);
@@ -215,6 +212,14 @@ fn origin_of_rest(
     let roundings = log.events[tree.nodes()[pixel].events.clone()].iter().filter(is_intensity).count() as f64;
     let weight = contributions.iter().fold(1.0, |weight: f64, part| weight.max(largest(&part.weight)));
     Some(if rest <= roundings * unit * weight { Origin::Rounding } else { Origin::Unexplained })
+}
+
+/// The colour of a pixel, and the event that says so.
+pub fn result(log: &Log, tree: &Tree, pixel: usize) -> Option<(Color, usize)> {
+    tree.own_events(pixel).rev().find_map(|event| match log.events[event].what {
+        What::Result { color } => Some((color, event)),
+        _ => None,
+    })
 }
 
 /// The pixel that a node lies in: the root, but in a region.

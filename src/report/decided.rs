@@ -6,9 +6,10 @@
 mod table;
 
 use super::evaluate::{doubled_value, evaluate_with};
-use super::expression::{self, Expression};
+use super::expression::{self, Expression, Leaf};
 use super::language::Language;
-use super::{Style, computation, number};
+use super::notation::{self, Numbers, Plain};
+use super::{Style, number};
 use crate::log::formula::Formula;
 use crate::log::{Decision, Log, Name, Step, Tree, Value, What, scope};
 use table::{PRINTED_REFLECTION, Parsed, Reasons, SETS_OFF_INWARD, groups, hits, misses, parsed};
@@ -52,8 +53,8 @@ impl Comparison {
         [0, 1].map(|side| {
             let put_in = &self.substituted[side];
             match (put_in.ungrouped(), self.relation) {
-                (Expression::Number(_) | Expression::Value(..), _) | (_, Relation::Equal) => text(put_in),
-                _ => format!("{} = {}", text(put_in), text(&Expression::Value(Value::Number(self.values[side]), None))),
+                (Formula::Number(_) | Formula::Leaf(Leaf::Value(..)), _) | (_, Relation::Equal) => text(put_in),
+                _ => format!("{} = {}", text(put_in), text(&Expression::value(Value::Number(self.values[side]), None))),
             }
         })
     }
@@ -155,59 +156,49 @@ impl Decider<'_> {
     }
 
     /// A comparison that holds for the logged numbers.
-    fn plain_comparison(&self, (left, relation, right): &Parsed) -> Option<Comparison> {
-        let sides = [left, right];
-        let values = self.plain(sides)?;
-        if !relation.holds(values) {
-            return None;
-        }
-        let substituted = sides.map(|side| {
-            let put_in = expression::substituted(self.log, self.tree, self.event, side, self.style, &[]);
-            put_in.unwrap_or(Expression::Number(0.0))
-        });
-        let (relation, symbolic) = (*relation, sides.map(Expression::symbolic));
-        let style = telling(relation, values, self.style);
-        Some(Comparison { relation, symbolic, substituted, values, is_doubled: false, style })
+    fn plain_comparison(&self, parsed: &Parsed) -> Option<Comparison> {
+        self.told(parsed, self.plain([&parsed.0, &parsed.2])?, false)
     }
 
     /// A comparison that holds with twice the digits.
-    fn doubled_comparison(&self, (left, relation, right): &Parsed) -> Option<Comparison> {
-        let sides = [left, right];
-        let plain = self.plain(sides)?;
-        let values = self.doubled(sides)?;
+    fn doubled_comparison(&self, parsed: &Parsed) -> Option<Comparison> {
+        let sides = [&parsed.0, &parsed.2];
+        let (plain, values) = (self.plain(sides)?, self.doubled(sides)?);
         // What another program logged may contradict its own operands: then nothing is known of what it compared.
         if (0..2).any(|side| (values[side] - plain[side]).abs() > LOST * self.size()) {
             return None;
         }
-        let substituted = sides.map(|side| {
-            let put_in = expression::substituted_doubled(self.log, self.tree, self.event, side, self.style);
-            put_in.unwrap_or(Expression::Number(0.0))
+        self.told(parsed, values, true)
+    }
+
+    /// A comparison of these values, if it holds.
+    fn told(&self, (left, relation, right): &Parsed, values: [f64; 2], is_doubled: bool) -> Option<Comparison> {
+        if !relation.holds(values) {
+            return None;
+        }
+        let substituted = [left, right].map(|side| {
+            let put_in = if is_doubled {
+                expression::substituted_doubled(self.log, self.tree, self.event, side, self.style)
+            } else {
+                expression::substituted(self.log, self.tree, self.event, side, self.style, &[])
+            };
+            put_in.unwrap_or(Formula::Number(0.0))
         });
-        let (relation, symbolic) = (*relation, sides.map(Expression::symbolic));
+        let (relation, symbolic) = (*relation, [left, right].map(Expression::symbolic));
         let style = telling(relation, values, self.style);
-        let is_doubled = true;
-        relation.holds(values).then_some(Comparison { relation, symbolic, substituted, values, is_doubled, style })
+        Some(Comparison { relation, symbolic, substituted, values, is_doubled, style })
     }
 
     fn plain(&self, sides: [&Formula; 2]) -> Option<[f64; 2]> {
         let operand = |symbol: &'static str, _| self.operand(symbol);
-        let value = |side| match evaluate_with(self.log, self.tree, self.event, side, &operand) {
-            Ok(Value::Number(x)) => Some(x),
-            _ => None,
-        };
-        Some([value(sides[0])?, value(sides[1])?])
+        numbers(sides.map(|side| evaluate_with(self.log, self.tree, self.event, side, &operand)))
     }
 
     /// What more digits say, where the tracer took more: in f64, and where it noted so or no more numbers.
     fn doubled(&self, sides: [&Formula; 2]) -> Option<[f64; 2]> {
-        if self.log.header.arithmetic != "f64" {
-            return None;
-        }
-        let value = |side| match doubled_value(&self.log.events, self.tree, self.event, side) {
-            Ok(Value::Number(x)) => Some(x),
-            _ => None,
-        };
-        Some([value(sides[0])?, value(sides[1])?])
+        let is_f64 = self.log.header.arithmetic == "f64";
+        let values = || sides.map(|side| doubled_value(&self.log.events, self.tree, self.event, side));
+        is_f64.then(values).and_then(numbers)
     }
 
     fn operand(&self, symbol: &str) -> Option<Value> {
@@ -252,6 +243,14 @@ impl Decider<'_> {
     }
 }
 
+/// Two values, if both are numbers.
+fn numbers(values: [Result<Value, String>; 2]) -> Option<[f64; 2]> {
+    match values {
+        [Ok(Value::Number(left)), Ok(Value::Number(right))] => Some([left, right]),
+        _ => None,
+    }
+}
+
 /// A style in which a side that is less than the other looks different.
 fn telling(relation: Relation, values: [f64; 2], style: Style) -> Style {
     let [left, right] = values.map(Value::Number);
@@ -260,26 +259,6 @@ fn telling(relation: Relation, values: [f64; 2], style: Style) -> Style {
 }
 
 /// The comparisons of a decision in one line of plain text; nothing where there are none.
-pub fn line_in(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
-    let line = |comparison: &Comparison| {
-        let text = |expression: &Expression| computation::text(language, expression, comparison.style);
-        written(language, comparison, &text, |relation| relation.sign().to_owned())
-    };
-    let lines: Vec<_> = comparisons(log, tree, event, style).iter().map(line).collect();
-    (!lines.is_empty()).then(|| lines.join("; "))
-}
-
-/// A comparison in the notation of a format.
-pub fn written(
-    language: Language,
-    comparison: &Comparison,
-    text: &dyn Fn(&Expression) -> String,
-    sign: impl Fn(Relation) -> String,
-) -> String {
-    let sign = sign(comparison.relation);
-    let sides = |[left, right]: [String; 2]| format!("{left} {sign} {right}");
-    let doubled =
-        if comparison.is_doubled { format!(" ({})", language.texts().twice_the_digits) } else { String::new() };
-    let numbers = sides(comparison.numbers(text));
-    format!("{}: {numbers}{doubled}", sides(comparison.symbolic.each_ref().map(text)))
+pub fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
+    notation::comparisons::<Plain>(Numbers { language, style }, log, tree, event)
 }

@@ -5,12 +5,7 @@ use crate::log::{Digits, Event, What};
 
 /// What follows a value with twice the digits, and a value or a decision of several perturbed runs, such as ` (14 digits)`;
 /// nothing otherwise.
-pub fn marker(event: &Event) -> String {
-    marker_in(Language::English, event)
-}
-
-/// The marker in a language.
-pub fn marker_in(language: Language, event: &Event) -> String {
+pub fn marker(language: Language, event: &Event) -> String {
     let texts = language.texts();
     let doubled = match event.what {
         What::Note { name, .. } if name.form().starts_with("doubled") => format!(" ({})", texts.twice_the_digits),

@@ -2,6 +2,7 @@
 //!
 //! Each function takes plain text and gives what stands for it in one format. What can't be seen is escaped first (`\u{1b}`).
 
+use super::number::unraised;
 use crate::log::escape::visible;
 
 /// In running text of Markdown (CommonMark: a backslash before any punctuation stands for it alone).
@@ -21,7 +22,12 @@ pub fn mermaid(text: &str) -> String {
 
 /// In text and attributes of XML and HTML.
 pub fn xml(text: &str) -> String {
-    replaced(text, |c| match c {
+    xml_of_visible(&visible(text))
+}
+
+/// The same of a text, or a piece of one, that has been made visible: what stands beside it decides whether a joiner is.
+pub fn xml_of_visible(text: &str) -> String {
+    each_replaced(text, |c| match c {
         '&' => Some("&amp;".to_owned()),
         '<' => Some("&lt;".to_owned()),
         '>' => Some("&gt;".to_owned()),
@@ -56,7 +62,7 @@ pub fn latex(text: &str) -> String {
         '′' => Some("$'$".to_owned()),
         '°' => Some(r"$^\circ$".to_owned()),
         'ⁿ' => Some("$^n$".to_owned()),
-        _ if raised(c).is_some() => raised(c).map(|c| format!("\\textsuperscript{{{c}}}")),
+        _ if unraised(c).is_some() => unraised(c).map(|c| format!("\\textsuperscript{{{c}}}")),
         _ if tex_letter(c).is_some() => tex_letter(c).map(|command| format!("$\\{command}$")),
         _ if c.is_ascii() || ACCENTED.contains(c) => None,
         _ => Some(format!("[U+{:04X}]", u32::from(c))),
@@ -86,18 +92,15 @@ pub(super) fn tex_letter(c: char) -> Option<&'static str> {
     LETTERS.iter().find(|(letter, _)| *letter == c).map(|(_, command)| *command)
 }
 
-/// The ordinary sign of a raised digit or minus.
-fn raised(c: char) -> Option<char> {
-    let digit = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻".chars().position(|raised| raised == c)?;
-    "0123456789-".chars().nth(digit)
-}
-
 fn with_backslashes(text: &str, special: &str) -> String {
     replaced(text, |c| special.contains(c).then(|| format!("\\{c}")))
 }
 
 fn replaced(text: &str, replacement: impl Fn(char) -> Option<String>) -> String {
-    let text = visible(text);
+    each_replaced(&visible(text), replacement)
+}
+
+fn each_replaced(text: &str, replacement: impl Fn(char) -> Option<String>) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match replacement(c) {

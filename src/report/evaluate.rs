@@ -9,7 +9,7 @@ mod functions;
 mod statistics;
 mod wide;
 
-use crate::log::formula::{self, Extreme, Formula, Operator, Several};
+use crate::log::formula::{self, Extreme, Formula, Operator, Several, Unary};
 use crate::log::scope::{self, Operand};
 use crate::log::{Events, Log, Name, Tree, Value, round_half_away};
 
@@ -51,20 +51,26 @@ pub fn evaluate_within(log: &Log, tree: &Tree, event: usize, name: Name) -> Opti
     if name.is_doubled() {
         return Some(doubled::evaluate(events, tree, event, formula));
     }
-    if matches!(formula, Formula::Over(..)) && !scope::is_added_up(events, tree, event) {
+    if matches!(formula, Formula::Unary(Unary::Over(_), _)) && !scope::is_added_up(events, tree, event) {
         return Some(Err(too_many_sums()));
     }
     let logged = |symbol, light| operand(events, tree, event, symbol, light).map(|operand| operand.value);
     let result = match formula {
-        Formula::Over(several, _) if several.is_statistic() => statistics::of_samples(*several, events, tree, event),
-        Formula::Over(Several::Surfaces, _) => Ok(Value::Triple(scope::transmittance(events, tree, event))),
+        Formula::Unary(Unary::Over(several), _) if several.is_statistic() => {
+            statistics::of_samples(*several, events, tree, event)
+        }
+        Formula::Unary(Unary::Over(Several::Surfaces), _) => {
+            Ok(Value::Triple(scope::transmittance(events, tree, event)))
+        }
         _ => evaluate_with(log, tree, event, formula, &logged),
     };
     let bound = match formula {
-        Formula::Quantile(probability, _) => match evaluate_with(log, tree, event, probability, &logged) {
-            Ok(Value::Number(probability)) => statistics::error_of_quantile(probability),
-            _ => 0.0,
-        },
+        Formula::Binary(Operator::Quantile, probability, _) => {
+            match evaluate_with(log, tree, event, probability, &logged) {
+                Ok(Value::Number(probability)) => statistics::error_of_quantile(probability),
+                _ => 0.0,
+            }
+        }
         _ => 0.0,
     };
     Some(result.map(|value| Within { value, bound: value.map(|x| x.abs() * bound) }))
@@ -83,7 +89,7 @@ pub fn doubled_value(events: &Events, tree: &Tree, event: usize, formula: &Formu
 /// # Errors
 /// As those of [`evaluate`].
 pub fn doubled_operand(events: &Events, tree: &Tree, event: usize, symbol: &'static str) -> Result<Value, String> {
-    doubled_value(events, tree, event, &Formula::Symbol(symbol))
+    doubled_value(events, tree, event, &Formula::Leaf(symbol))
 }
 
 /// The colour of the pixel of a log as the last of its computations has it: the mean of its samples, or what its one ray brought.
@@ -118,6 +124,29 @@ pub fn evaluate_with(
     }
 }
 
+/// What the light in the node `light` adds to the local intensity `name`: the term under the Σ of its formula. A log holds the sum over
+/// the lights and all that goes into it, but no light's own part. In f64 the parts add up to the sum but for roundings; in other
+/// arithmetics the logged sum is rounded once more.
+pub(super) fn term_of_light(log: &Log, tree: &Tree, light: usize, name: Name) -> [f64; 3] {
+    let Some(Formula::Binary(Operator::Plus, _, lights)) = formula::of(name) else { return [0.0; 3] };
+    let Formula::Unary(Unary::OverLights, term) = &**lights else { return [0.0; 3] };
+    let operands = |symbol, _| scope::operand_of_light(&log.events, tree, light, symbol).map(|operand| operand.value);
+    let decimals_of_products = log.header.decimals_of_products();
+    let evaluator = Evaluator {
+        events: &log.events,
+        tree,
+        event: light,
+        operands: &operands,
+        light: Some(light),
+        decimals_of_products,
+    };
+    match evaluator.part(term) {
+        Ok(Part::Value(Value::Triple(color))) => color,
+        Ok(Part::Value(Value::Number(x))) => [x; 3],
+        _ => [0.0; 3],
+    }
+}
+
 /// Where the operands of a formula come from: by their symbol and, under a Σ, the node of a light.
 pub type Operands<'a> = dyn Fn(&'static str, Option<usize>) -> Option<Value> + 'a;
 
@@ -147,57 +176,48 @@ impl Evaluator<'_> {
     fn part(&self, formula: &Formula) -> Result<Part, String> {
         match formula {
             Formula::Number(number) => Ok(Part::Value(Value::Number(*number))),
-            Formula::Symbol(symbol) => self.operand(symbol),
-            Formula::Grouped(inner) => self.part(inner),
-            Formula::Negated(inner) => map(self.part(inner)?, |x| -x),
-            Formula::Positive(inner) => map(self.part(inner)?, |x| x.clamp(0.0, 1.0)),
-            Formula::Floor(inner) => map(self.part(inner)?, f64::floor),
-            Formula::Root(inner) => map(self.part(inner)?, f64::sqrt),
-            // |v|² is v · v: on paper nobody takes a root to square it.
-            Formula::Squared(inner) => match (self.part(inner)?, &**inner) {
-                (Part::Value(_), Formula::Length(vector)) => {
-                    let vector = self.part(vector)?;
-                    binary(Operator::Times, vector, vector)
-                }
-                (number, _) => binary(Operator::Times, number, number),
-            },
-            Formula::Length(inner) => {
-                let vector = self.part(inner)?;
-                map(binary(Operator::Times, vector, vector)?, f64::sqrt)
-            }
-            Formula::Extreme(extreme, first, second) => match (self.part(first)?, self.part(second)?) {
-                (Part::Value(Value::Number(a)), Part::Value(Value::Number(b))) => {
-                    Ok(Part::Value(Value::Number(self::extreme(*extreme, a, b))))
-                }
-                (Part::Value(Value::Triple(a)), Part::Value(Value::Triple(b))) => {
-                    Ok(Part::Value(Value::Triple([0, 1, 2].map(|i| self::extreme(*extreme, a[i], b[i])))))
-                }
-                (a, b) => Err(format!("{extreme:?}({a:?}, {b:?})")),
-            },
-            Formula::ExtremeComponent(extreme, inner) => match self.part(inner)? {
-                Part::Value(Value::Triple([x, y, z])) => {
-                    Ok(Part::Value(Value::Number(self::extreme(*extreme, x, self::extreme(*extreme, y, z)))))
-                }
-                part => Err(format!("{extreme:?}({part:?})")),
-            },
-            Formula::Quantile(probability, freedom) => {
-                let probability = self.number(probability)?;
-                map(self.part(freedom)?, |freedom| statistics::quantile(probability, freedom).unwrap_or(f64::NAN))
-            }
-            Formula::OverLights(inner) => self.over_lights(Part::Zero, inner),
-            Formula::Over(several, _) => Err(format!("{} stands in another formula", several.sign())),
-            Formula::Degrees(inner) => map(self.part(inner)?, f64::to_radians),
-            Formula::Function(function, inner) => match &**inner {
-                Formula::Degrees(angle) => map(self.part(angle)?, |degrees| functions::of_degrees(*function, degrees)),
-                inner => map(self.part(inner)?, |x| functions::of(*function, x)),
-            },
+            Formula::Leaf(symbol) => self.operand(symbol),
             Formula::Triple(parts) => {
                 let [x, y, z] = [self.number(&parts[0])?, self.number(&parts[1])?, self.number(&parts[2])?];
                 Ok(Part::Value(Value::Triple([x, y, z])))
             }
-            Formula::Binary(operator, left, right) => match (operator, &**right) {
-                (Operator::Plus, Formula::OverLights(term)) => self.over_lights(self.part(left)?, term),
-                _ => self.binary(*operator, self.part(left)?, self.part(right)?),
+            Formula::Unary(unary, inner) => self.unary(*unary, inner),
+            Formula::Binary(Operator::Plus, left, right) => match &**right {
+                Formula::Unary(Unary::OverLights, term) => self.over_lights(self.part(left)?, term),
+                right => binary(Operator::Plus, self.part(left)?, self.part(right)?),
+            },
+            Formula::Binary(Operator::Quantile, probability, freedom) => {
+                let probability = self.number(probability)?;
+                map(self.part(freedom)?, |freedom| statistics::quantile(probability, freedom).unwrap_or(f64::NAN))
+            }
+            Formula::Binary(operator, left, right) => self.binary(*operator, self.part(left)?, self.part(right)?),
+        }
+    }
+
+    fn unary(&self, unary: Unary, inner: &Formula) -> Result<Part, String> {
+        let part = || self.part(inner);
+        match (unary, inner) {
+            // |v|² is v · v: on paper nobody takes a root to square it.
+            (Unary::Squared, Formula::Unary(Unary::Length, vector)) => squared(self.part(vector)?),
+            (Unary::Function(function), Formula::Unary(Unary::Degrees, angle)) => {
+                map(self.part(angle)?, |degrees| functions::of_degrees(function, degrees))
+            }
+            (Unary::OverLights, term) => self.over_lights(Part::Zero, term),
+            (Unary::Over(several), _) => Err(format!("{} stands in another formula", several.sign())),
+            (Unary::Grouped, _) => part(),
+            (Unary::Negated, _) => map(part()?, |x| -x),
+            (Unary::Positive, _) => map(part()?, |x| x.clamp(0.0, 1.0)),
+            (Unary::Floor, _) => map(part()?, f64::floor),
+            (Unary::Root, _) => map(part()?, f64::sqrt),
+            (Unary::Squared, _) => squared(part()?),
+            (Unary::Length, _) => map(squared(part()?)?, f64::sqrt),
+            (Unary::Degrees, _) => map(part()?, f64::to_radians),
+            (Unary::Function(function), _) => map(part()?, |x| functions::of(function, x)),
+            (Unary::ExtremeComponent(which), _) => match part()? {
+                Part::Value(Value::Triple([x, y, z])) => {
+                    Ok(Part::Value(Value::Number(extreme(which, x, extreme(which, y, z)))))
+                }
+                part => Err(format!("{which:?}({part:?})")),
             },
         }
     }
@@ -254,6 +274,10 @@ fn map(part: Part, f: impl Fn(f64) -> f64) -> Result<Part, String> {
     })
 }
 
+fn squared(part: Part) -> Result<Part, String> {
+    binary(Operator::Times, part, part)
+}
+
 fn binary(operator: Operator, left: Part, right: Part) -> Result<Part, String> {
     use Operator::{Channelwise, Minus, Over, Plus, Power, Times};
     let (left, right) = match (operator, left, right) {
@@ -296,6 +320,8 @@ fn operate(operator: Operator, left: Value, right: Value) -> Option<Value> {
             quotient => quotient,
         }),
         (Operator::Power, Number(a), Number(b)) => Number(libm::pow(a, b)),
+        (Operator::Extreme(which), Number(a), Number(b)) => Number(extreme(which, a, b)),
+        (Operator::Extreme(which), Triple(a), Triple(b)) => Triple([0, 1, 2].map(|i| extreme(which, a[i], b[i]))),
         _ => return None,
     })
 }

@@ -15,6 +15,7 @@ pub mod expression;
 pub mod forms;
 pub mod language;
 pub mod lines;
+pub mod notation;
 pub mod number;
 pub mod outline;
 pub mod path_class;
@@ -25,12 +26,13 @@ pub mod schematic;
 pub mod segments;
 pub mod side_by_side;
 pub mod solution;
+mod svg;
 pub mod tag;
-mod terms;
 pub mod text;
 pub mod words;
 
-pub use computation::{Computation, computation, computation_in};
+pub use computation::{Computation, computation};
+pub use language::Language;
 
 /// How numbers are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,17 +4,6 @@ use super::Style;
 use crate::log::Value;
 use crate::probe::round_half_away;
 
-/// A number or triple: `6.380`, `(4, 5.996, 8.002)`.
-pub fn value(value: &Value, style: Style) -> String {
-    match value {
-        Value::Number(x) => number(*x, style),
-        Value::Triple(xyz) => {
-            let components: Vec<_> = xyz.iter().map(|x| number(*x, style)).collect();
-            format!("({})", components.join(", "))
-        }
-    }
-}
-
 /// A number. Whole ones have no decimals, which tells an exact 4 from a rounded 4.000; very small and very large ones
 /// are written with a power of ten.
 pub fn number(x: f64, style: Style) -> String {
@@ -97,22 +86,31 @@ pub fn size(x: f64) -> String {
     }
 }
 
+/// The raised digits and the raised minus.
+pub const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
+
+/// What they stand for, in the same order.
+const LOWERED: &str = "0123456789-";
+
 pub(super) fn superscript(exponent: i32) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
-    exponent.to_string().chars().map(raised).collect()
+    let raised = |c: char| RAISED.chars().zip(LOWERED.chars()).find(|(_, lowered)| *lowered == c);
+    exponent.to_string().chars().filter_map(raised).map(|(raised, _)| raised).collect()
+}
+
+/// The ordinary sign of a raised digit or minus.
+pub fn unraised(c: char) -> Option<char> {
+    RAISED.chars().zip(LOWERED.chars()).find(|(raised, _)| *raised == c).map(|(_, lowered)| lowered)
 }
 
 /// The ordinary digits of a raised number: `-12` of `⁻¹²`.
 pub(super) fn lowered(raised: &str) -> String {
-    let digit = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c);
-    let lowered = |c: char| digit(c).map_or('-', |digit| char::from(b"0123456789"[digit]));
-    raised.chars().map(lowered).collect()
+    raised.chars().filter_map(unraised).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::language::Language;
 
     #[track_caller]
     fn shows(x: f64, expected: &str) {
@@ -141,7 +139,7 @@ mod tests {
             let sign = if is_negative { -1.0 } else { 1.0 };
             let [a, b] = [bits, bits + 1].map(|bits| Value::Number(sign * f64::from_bits(bits)));
             let style = telling(&a, &b, Style { digits });
-            proptest::prop_assert_ne!(value(&a, style), value(&b, style));
+            proptest::prop_assert_ne!(Language::English.value(&a, style), Language::English.value(&b, style));
             let [a, b] = [a, b].map(|x| read_back(x.components()[0], style));
             proptest::prop_assert_ne!(a, b);
         }
@@ -161,7 +159,7 @@ mod tests {
             let x = x * libm::exp10(f64::from(power));
             let [a, b] = [x, f64::from_bits(x.to_bits() + 1)].map(Value::Number);
             let style = telling(&a, &b, Style::default());
-            proptest::prop_assert_ne!(value(&a, style), value(&b, style));
+            proptest::prop_assert_ne!(Language::English.value(&a, style), Language::English.value(&b, style));
         }
     }
 

@@ -1,6 +1,7 @@
 //! The ray tree in one line a ray: what it meets, whether light gets through, what colour it brings.
 
-use super::{Style, number, text, words};
+use super::language::Language;
+use super::{Style, text, words};
 use crate::log::{Decision, Log, Name, RayKind, Step, Tree, Value, What};
 use std::fmt::Write;
 
@@ -16,7 +17,7 @@ pub fn outline(log: &Log, style: Style) -> String {
         let _ = writeln!(out, "{}{path}: {}", text::indent(level), fate(log, &tree, index, kind, style));
     }
     if let Some(What::Result { color }) = log.events.last().map(|event| &event.what) {
-        let _ = writeln!(out, "result: {}", number::value(&Value::Triple(*color), style));
+        let _ = writeln!(out, "result: {}", Language::English.value(&Value::Triple(*color), style));
     }
     out
 }
@@ -27,7 +28,7 @@ fn fate(log: &Log, tree: &Tree, node: usize, kind: RayKind, style: Style) -> Str
     for event in tree.own_events(node) {
         match &log.events[event].what {
             What::Mark(Decision::Nearest { object }) => words.push(words::plain(log.header.object(*object))),
-            What::Mark(decision) => words.push(words::decision(&log.header, decision, style)),
+            What::Mark(decision) => words.push(words::decision(Language::English, &log.header, decision, style)),
             _ => {}
         }
     }
@@ -37,7 +38,7 @@ fn fate(log: &Log, tree: &Tree, node: usize, kind: RayKind, style: Style) -> Str
     let combined = tree.children(node).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last();
     let color = combined.and_then(|combine| {
         tree.own_events(combine).find_map(|event| match log.events[event].what {
-            What::Note { name: Name::CombineColor, value } => Some(number::value(&value, style)),
+            What::Note { name: Name::CombineColor, value } => Some(Language::English.value(&value, style)),
             _ => None,
         })
     });

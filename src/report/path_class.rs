@@ -7,7 +7,7 @@
 //! ambient light, A. What leaves the scene gets the background, B.
 
 use super::number::superscript;
-use crate::log::{Decision, Log, RayKind, Step, Tree, What};
+use crate::log::{Decision, Log, RayKind, Tree, What};
 
 /// How the last surface before the bounces, the first after the light, scatters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,17 +54,13 @@ pub fn cases(source: Source, bounces: usize) -> &'static str {
 
 /// The class of the light that a ray brings from the lights to the eye, such as `L(D|S)SE`; `None` outside every ray.
 pub fn of_ray(log: &Log, tree: &Tree, node: usize) -> Option<String> {
-    let around = std::iter::successors(Some(node), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
-    let ray = around.clone().find(|at| matches!(tree.nodes()[*at].step, Some(Step::Ray { .. })))?;
+    let ray = tree.around(node).find(|at| tree.ray(*at).is_some())?;
     let meets_nothing = |event: usize| log.events[event].what == What::Mark(Decision::Background);
     let source = match tree.own_events(ray).any(meets_nothing) {
         true => Source::Background,
         false => Source::Light { diffuse: true, specular: true },
     };
-    let kinds = around.filter_map(|at| match tree.nodes()[at].step {
-        Some(Step::Ray { kind, .. }) => Some(kind),
-        _ => None,
-    });
+    let kinds = tree.around(node).filter_map(|at| tree.ray(at));
     let bounces = kinds.filter(|kind| matches!(kind, RayKind::Reflected | RayKind::Transmitted)).count();
     Some(notation(source, bounces))
 }

@@ -10,7 +10,7 @@ mod uses;
 pub use handed::origin;
 pub use uses::uses;
 
-use crate::log::formula::{self, Formula};
+use crate::log::formula::{self, Formula, Unary};
 use crate::log::scope;
 use crate::log::{Event, Log, Name, Tree, Value, What};
 
@@ -100,22 +100,12 @@ fn handed_on(log: &Log, tree: &Tree, event: usize, symbol: &str, value: Value) -
 fn each_symbol(formula: &Formula, is_under_sum: bool, f: &mut impl FnMut(&'static str, bool)) {
     match formula {
         Formula::Number(_) => {}
-        Formula::Symbol(symbol) => f(symbol, is_under_sum),
-        Formula::OverLights(inner) => each_symbol(inner, true, f),
-        Formula::Negated(inner)
-        | Formula::Root(inner)
-        | Formula::Squared(inner)
-        | Formula::Positive(inner)
-        | Formula::Length(inner)
-        | Formula::Floor(inner)
-        | Formula::Grouped(inner)
-        | Formula::Degrees(inner)
-        | Formula::Function(_, inner)
-        | Formula::ExtremeComponent(_, inner) => each_symbol(inner, is_under_sum, f),
-        // What samples, cells and surfaces bring isn't in the scope of the node itself.
-        Formula::Over(..) => {}
+        Formula::Leaf(symbol) => f(symbol, is_under_sum),
         Formula::Triple(parts) => parts.iter().for_each(|part| each_symbol(part, is_under_sum, f)),
-        Formula::Extreme(_, left, right) | Formula::Quantile(left, right) | Formula::Binary(_, left, right) => {
+        // What samples, cells and surfaces bring isn't in the scope of the node itself.
+        Formula::Unary(Unary::Over(_), _) => {}
+        Formula::Unary(unary, inner) => each_symbol(inner, is_under_sum || *unary == Unary::OverLights, f),
+        Formula::Binary(_, left, right) => {
             each_symbol(left, is_under_sum, f);
             each_symbol(right, is_under_sum, f);
         }
@@ -130,12 +120,4 @@ fn notes(event: &Event, symbol: &str) -> bool {
 /// Whether an event has an input of this symbol.
 fn gives(log: &Log, event: usize, symbol: &str) -> bool {
     log.given(event).iter().any(|(name, _)| name.symbol() == symbol)
-}
-
-/// The quantity that an event notes.
-fn noted(event: &Event) -> Option<(Name, Value)> {
-    match event.what {
-        What::Note { name, value } => Some((name, value)),
-        _ => None,
-    }
 }

@@ -11,32 +11,32 @@ pub use place::{Place, place};
 use super::language::Language;
 use crate::log::{Header, Log, RayKind, Step, Tree};
 use Place::*;
+use std::sync::LazyLock;
 
 /// A line of an algorithm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Line {
     /// How far it is indented.
     pub indent: u8,
-    /// What it says in English.
-    pub text: &'static str,
-    /// What it says in Spanish: as far as it is there, in the source text's own words.
-    spanish: &'static str,
+    /// What it says in English and in Spanish, there in the source text's own words as far as it has them.
+    texts: [&'static str; 2],
     /// The steps that belong to it.
     pub places: &'static [Place],
 }
 
 impl Line {
-    /// What it says in a language. Both languages stand in one row, so that each line of one has its like in the other.
-    pub fn text_in(&self, language: Language) -> &'static str {
+    /// What it says in a language.
+    pub fn text(&self, language: Language) -> &'static str {
+        let [english, spanish] = self.texts;
         match language {
-            Language::English => self.text,
-            Language::Spanish => self.spanish,
+            Language::English => english,
+            Language::Spanish => spanish,
         }
     }
 }
 
-const fn line(indent: u8, [text, spanish]: [&'static str; 2], places: &'static [Place]) -> Line {
-    Line { indent, text, spanish, places }
+const fn line(indent: u8, texts: [&'static str; 2], places: &'static [Place]) -> Line {
+    Line { indent, texts, places }
 }
 
 /// The first pseudocode.
@@ -98,8 +98,8 @@ const RECURSIVE: &[Line] = &[
     line(3, ["transmitted, W_t)", "color_transmision, W_t)"], &[CombineTransmitted, Return]),
 ];
 
-/// The second pseudocode as printed: at the limit a hit has its ambient colour only.
-const WHITTED: &[Line] = &[
+/// The second pseudocode up to its lights.
+const SECOND: &[Line] = &[
     line(0, ["procedure RT_picture", "procedure TR_recursivo"], &[]),
     line(
         1,
@@ -134,68 +134,13 @@ const WHITTED: &[Line] = &[
         &[],
     ),
     line(1, ["color := ambient colour", "color := COLOR_AMBIENTAL"], &[Ambient]),
-    line(1, ["if depth < depth limit", "if prof_actual < ProfundidadLimite then"], &[TooDeep]),
-    line(2, ["for each light", "for cada fuente de luz do"], &[Light]),
-    line(3, ["ray_s := from the point to the light", "RayoS := rayo desde el punto hacia la fuente de luz"], &[]),
-    line(
-        3,
-        ["if it stands in front of the surface", "if la dirección de la luz es positiva respecto a la normal then"],
-        &[],
-    ),
-    line(4, ["how much light is blocked", "cuánta luz es bloqueada"], &[Shadow]),
-    line(
-        4,
-        ["diffuse and specular terms, added to color", "términos de luz difusa y especular, añadidos a color"],
-        &[Terms, LocalSum],
-    ),
-    line(2, ["if the object reflects", "if el objeto es reflectante then"], &[]),
-    line(3, ["ray_r := direction of reflection", "RayoR := dirección del rayo reflejado"], &[Reflection]),
-    line(3, ["color_r := RT_trace(ray_r, depth + 1)", "ColorR := TR_trazado(RayoR, prof_actual + 1)"], &[Reflected]),
-    line(3, ["scale color_r, add it to color", "escalar ColorR y añadirlo a color"], &[CombineLocal, CombineReflected]),
-    line(2, ["if the object transmits", "if el objeto es transparente then"], &[]),
-    line(3, ["ray_t := direction of refraction", "RayoT := dirección del rayo transmitido"], &[Transmission]),
-    line(3, ["if there is no total reflection", "if no hay reflexión total then"], &[TotalReflection]),
-    line(4, ["color_t := RT_trace(ray_t, depth + 1)", "ColorT := TR_trazado(RayoT, prof_actual + 1)"], &[Transmitted]),
-    line(4, ["scale color_t, add it to color", "escalar ColorT y añadirlo a color"], &[CombineTransmitted]),
-    line(1, ["RT_shade := color", "TR_tonalidad := color"], &[]),
 ];
 
-/// The second as in its source: at the limit only the bounces stop.
-const FOLEY: &[Line] = &[
-    line(0, ["procedure RT_picture", "procedure TR_recursivo"], &[]),
-    line(
-        1,
-        ["for each line, for each pixel of it", "for cada línea horizontal, for cada píxel de la línea do"],
-        &[Pixel],
-    ),
-    line(
-        2,
-        ["the ray from the eye through the pixel", "el rayo desde el centro de proyección hacia el píxel"],
-        &[Sample, Aim],
-    ),
-    line(2, ["pixel := RT_trace(ray, 1)", "píxel := TR_trazado(rayo, 1)"], &[Mean]),
-    line(0, ["procedure RT_trace(ray, depth)", "procedure TR_trazado(rayo, prof_actual)"], &[Call]),
-    line(1, ["the nearest intersection with an object", "la intersección más cercana con un objeto"], &[Nearest]),
-    line(1, ["if there is one", "if interseca con un objeto then"], &[]),
-    line(2, ["the normal there", "el vector normal en el punto de intersección"], &[Surface]),
-    line(
-        2,
-        [
-            "RT_trace := RT_shade(object, ray, point, normal, depth)",
-            "TR_trazado := TR_tonalidad(objeto, rayo, punto, normal, prof_actual)",
-        ],
-        &[Return],
-    ),
-    line(1, ["else RT_trace := BACKGROUND", "else TR_trazado := COLOR_DE_FONDO"], &[Background]),
-    line(
-        0,
-        [
-            "procedure RT_shade(object, ray, point, normal, depth)",
-            "procedure TR_tonalidad(objeto, rayo, punto, normal, prof_actual)",
-        ],
-        &[],
-    ),
-    line(1, ["color := ambient colour", "color := COLOR_AMBIENTAL"], &[Ambient]),
+/// The depth limit of the second pseudocode.
+const LIMIT: Line = line(1, ["if depth < depth limit", "if prof_actual < ProfundidadLimite then"], &[TooDeep]);
+
+/// What it does with lights, where the depth limit doesn't stop that.
+const LIGHTS: &[Line] = &[
     line(1, ["for each light", "for cada fuente de luz do"], &[Light]),
     line(2, ["ray_s := from the point to the light", "RayoS := rayo desde el punto hacia la fuente de luz"], &[]),
     line(
@@ -209,7 +154,10 @@ const FOLEY: &[Line] = &[
         ["diffuse and specular terms, added to color", "términos de luz difusa y especular, añadidos a color"],
         &[Terms, LocalSum],
     ),
-    line(1, ["if depth < depth limit", "if prof_actual < ProfundidadLimite then"], &[TooDeep]),
+];
+
+/// What the depth limit stops in any case, and the end.
+const BOUNCES: &[Line] = &[
     line(2, ["if the object reflects", "if el objeto es reflectante then"], &[]),
     line(3, ["ray_r := direction of reflection", "RayoR := dirección del rayo reflejado"], &[Reflection]),
     line(3, ["color_r := RT_trace(ray_r, depth + 1)", "ColorR := TR_trazado(RayoR, prof_actual + 1)"], &[Reflected]),
@@ -222,11 +170,20 @@ const FOLEY: &[Line] = &[
     line(1, ["RT_shade := color", "TR_tonalidad := color"], &[]),
 ];
 
+/// The second pseudocode as printed: at the limit a hit has its ambient colour only.
+static WHITTED: LazyLock<Vec<Line>> = LazyLock::new(|| {
+    let lights = LIGHTS.iter().map(|line| Line { indent: line.indent + 1, ..*line });
+    SECOND.iter().copied().chain([LIMIT]).chain(lights).chain(BOUNCES.iter().copied()).collect()
+});
+
+/// The second as in its source: at the limit only the bounces stop.
+static FOLEY: LazyLock<Vec<Line>> = LazyLock::new(|| [SECOND, LIGHTS, &[LIMIT], BOUNCES].concat());
+
 /// The lines of the algorithm in use.
 pub fn lines(header: &Header) -> &'static [Line] {
     match header.tracing.algorithm.as_str() {
-        "whitted" => WHITTED,
-        "foley" => FOLEY,
+        "whitted" => &WHITTED,
+        "foley" => &FOLEY,
         _ => RECURSIVE,
     }
 }
@@ -253,13 +210,9 @@ pub struct Call {
     pub line: usize,
 }
 
-/// The call that traces the ray with this path, at this depth of the ray tree: `TR(C R, 1)`.
-pub fn call(header: &Header, path: &str, depth: u32) -> String {
-    call_in(Language::English, header, path, depth)
-}
-
-/// The call in a language, which names the procedures of the second pseudocode.
-fn call_in(language: Language, header: &Header, path: &str, depth: u32) -> String {
+/// The call that traces the ray with this path, at this depth of the ray tree: `TR(C R, 1)`. The language names the procedures of the
+/// second pseudocode.
+pub fn call(language: Language, header: &Header, path: &str, depth: u32) -> String {
     let (procedure, first) = match (calls_too_deep(header), language) {
         (true, _) => ("TR", 0),
         (false, Language::English) => ("RT_trace", 1),
@@ -274,15 +227,8 @@ pub fn calls_too_deep(header: &Header) -> bool {
 }
 
 /// The calls around an event, the outermost first: the way through the tree of calls (figure 9). A shadow ray is the last.
-pub fn stack(log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
-    stack_in(Language::English, log, tree, event)
-}
-
-/// The calls around an event in a language.
-pub fn stack_in(language: Language, log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
-    let owner = tree.owner(event);
-    let around = std::iter::successors(Some(owner), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
-    let calls = around.filter_map(|node| match tree.nodes()[node].step {
+pub fn stack(language: Language, log: &Log, tree: &Tree, event: usize) -> Vec<Call> {
+    let calls = tree.around(tree.owner(event)).filter_map(|node| match tree.nodes()[node].step {
         Some(Step::Ray { kind, depth, .. }) => Some((node, kind, depth)),
         _ => None,
     });
@@ -296,7 +242,7 @@ pub fn stack_in(language: Language, log: &Log, tree: &Tree, event: usize) -> Vec
         let path = tree.shown_path(node);
         let text = match kind {
             RayKind::Shadow { .. } => (language.texts().viewer.panes.shadow_ray)(&path),
-            _ => call_in(language, &log.header, &path, depth),
+            _ => call(language, &log.header, &path, depth),
         };
         stack.push(Call { node, text, line });
         inner = Some(kind);
@@ -311,10 +257,10 @@ mod tests {
 
     #[test]
     fn every_place_has_one_line_in_every_algorithm() {
-        for lines in [RECURSIVE, WHITTED, FOLEY] {
+        for lines in [RECURSIVE, &WHITTED, &FOLEY] {
             for place in Place::ALL {
                 let count = lines.iter().filter(|line| line.places.contains(place)).count();
-                assert_eq!(count, 1, "{place:?} in {}", lines[0].text);
+                assert_eq!(count, 1, "{place:?} in {}", lines[0].text(Language::English));
             }
         }
     }

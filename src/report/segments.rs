@@ -1,7 +1,7 @@
 //! The rays of a log as lines in space.
 
 use crate::log::scope;
-use crate::log::{Decision, Log, Name, RayKind, Step, Tree, Value, What};
+use crate::log::{Decision, Log, Name, RayKind, Tree, Value, What};
 
 /// A ray as a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,16 +39,12 @@ pub fn segments(log: &Log, tree: &Tree, node: usize, most: usize) -> Vec<Segment
 /// The ray of a node as far as the events up to the last of these tell it; `None` for another node, and for a ray whose origin or
 /// direction isn't in the log, or not yet.
 pub fn segment(log: &Log, tree: &Tree, node: usize, last: usize) -> Option<Segment> {
-    let Some(Step::Ray { kind, .. }) = tree.nodes()[node].step else { return None };
+    let kind = tree.ray(node)?;
     let mut ray =
         Segment { node, kind, from: [f64::NAN; 3], direction: [f64::NAN; 3], length: None, is_blocked: false };
     for event in tree.own_events(node).take_while(|event| *event <= last) {
         let what = &log.events[event].what;
-        let noted = match *what {
-            What::Note { name, value } => Some((name, value)),
-            _ => None,
-        };
-        for (name, value) in log.given(event).iter().copied().chain(noted) {
+        for (name, value) in log.given(event).iter().copied().chain(log.events[event].noted()) {
             match value {
                 Value::Triple(origin) if name.key() == Name::RayOrigin.key() => ray.from = origin,
                 Value::Triple(direction) if name.key() == Name::RayDirection.key() => ray.direction = direction,

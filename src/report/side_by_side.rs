@@ -73,8 +73,7 @@ pub fn table(runs: &[Run], node: usize) -> Table {
 
 /// The node of another tree that stands in the place of this one.
 pub fn in_place_of(tree: &Tree, node: usize, other: &Tree) -> Option<usize> {
-    let around = std::iter::successors(Some(node), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
-    let mut way: Vec<_> = around.filter(|at| *at != 0).collect();
+    let mut way: Vec<_> = tree.around(node).filter(|at| *at != 0).collect();
     way.reverse();
     way.into_iter().try_fold(0, |place, at| {
         let step = tree.nodes()[at].step;

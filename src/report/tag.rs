@@ -4,7 +4,7 @@
 //! example itself has steps, and there only what the book computes: it leaves out the camera ray's test of the sphere and all
 //! shadow rays.
 
-use crate::log::{Input, Log, Name, RayKind, Step, Tree, Value, What};
+use crate::log::{Input, Log, Name, RayKind, Tree, Value, What};
 use crate::probe::Printed;
 
 /// What the book computes without printing it: the ray's path, the quantity's key, the step. The normal of the plane is put into
@@ -57,10 +57,8 @@ fn step(log: &Log, tree: &Tree, event: usize, name: Name) -> Option<&'static str
 /// Whether the camera ray around this node sets out as in the numeric example, and meets nothing else in all its tree.
 fn is_of_the_example(log: &Log, tree: &Tree, node: usize) -> bool {
     let nodes = tree.nodes();
-    let is_camera = |node: usize| matches!(nodes[node].step, Some(Step::Ray { kind: RayKind::Camera, .. }));
-    let mut around =
-        std::iter::successors(Some(node), |node| Some(nodes[*node].parent).filter(|parent| parent != node));
-    let Some(camera) = around.find(|node| is_camera(*node)) else { return false };
+    let is_camera = |node: usize| tree.ray(node) == Some(RayKind::Camera);
+    let Some(camera) = tree.around(node).find(|node| is_camera(*node)) else { return false };
     // This is asked for every value that the book may have, and its walk is short.
     if nodes[camera].events.len() > MOST_EVENTS {
         return false;

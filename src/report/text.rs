@@ -1,6 +1,6 @@
 //! The walk as plain text: every node, every value with its formula and the numbers put in.
 
-use super::computation::computation_in;
+use super::computation;
 use super::language::Language;
 use super::tag::tag;
 use super::{Style, decided, digits, words};
@@ -8,19 +8,14 @@ use crate::log::{Input, Log, Tree, Value, What};
 use std::fmt::Write;
 
 /// The whole log as text.
-pub fn text(log: &Log, style: Style) -> String {
-    text_in(Language::English, log, style)
-}
-
-/// The whole log as text in a language.
-pub fn text_in(language: Language, log: &Log, style: Style) -> String {
+pub fn text(language: Language, log: &Log, style: Style) -> String {
     let header = &log.header;
     let mut out = String::new();
     let subject: Vec<_> =
-        words::frame_in(language, header).into_iter().chain([words::subject_in(language, header)]).collect();
+        words::frame(language, header).into_iter().chain([words::subject(language, header)]).collect();
     let subject = subject.join(", ");
     let algorithm = format!("{}, {} {}", header.tracing.algorithm, language.texts().depth, header.tracing.max_depth);
-    let sampling = words::sampling_in(language, header).map_or(String::new(), |sampling| format!(" · {sampling}"));
+    let sampling = words::sampling(language, header).map_or(String::new(), |sampling| format!(" · {sampling}"));
     let scene = words::plain(&header.scene.name);
     // Writing to a String can't fail.
     let _ = writeln!(out, "{scene} · {subject} · {} · {algorithm}{sampling}", words::arithmetic(header));
@@ -41,33 +36,32 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
     let body = match &happening.what {
         What::Enter { .. } => {
             let given = given(language, log.given(event), style);
-            let title = words::title_in(language, log, tree, node);
+            let title = words::title(language, log, tree, node);
             let title = if given.is_empty() { title } else { format!("{title}: {given}") };
             return Some(format!("{}{title}", indent(level.saturating_sub(1))));
         }
         What::Note { name, .. } => {
             let source = [Some(name.key().to_owned()), tag(log, tree, event)];
             let source = source.into_iter().flatten().collect::<Vec<_>>().join(" ");
-            let line = computation_in(language, log, tree, event, style)?.line();
-            let body = format!("{line}{}   [{source}]", digits::marker_in(language, happening));
+            let line = computation(language, log, tree, event, style)?.line();
+            let body = format!("{line}{}   [{source}]", digits::marker(language, happening));
             let given = given(language, log.given(event), style);
             if given.is_empty() { body } else { format!("{} {given}\n{}{body}", language.texts().given, indent(level)) }
         }
         What::Mark(decision) => {
-            let lost =
-                words::lost_in(language, log.given(event), style).map_or(String::new(), |lost| format!("; {lost}"));
-            let numbers = decided::line_in(language, log, tree, event, style);
+            let lost = words::lost(language, log.given(event), style);
+            let numbers = decided::line(language, log, tree, event, style);
             let numbers = numbers.map_or(String::new(), |numbers| format!(" ({numbers})"));
             format!(
                 "→ {}{numbers}{lost}{}",
-                words::decision_in(language, &log.header, decision, style),
-                digits::marker_in(language, happening)
+                words::decision(language, &log.header, decision, style),
+                digits::marker(language, happening)
             )
         }
         What::Leave => return None,
         What::Result { color } => {
             let color = language.value(&Value::Triple(*color), style);
-            return Some(format!("{}: {color}{}", language.texts().result, digits::marker_in(language, happening)));
+            return Some(format!("{}: {color}{}", language.texts().result, digits::marker(language, happening)));
         }
     };
     Some(format!("{}{body}", indent(level)))

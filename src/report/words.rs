@@ -1,26 +1,19 @@
-//! The words for nodes and decisions. The plain functions speak English; those that end in `_in`, any [`Language`].
+//! The words for nodes and decisions.
 
 use super::Style;
 use super::contributions::{Ended, Origin, Why};
 use super::language::Language;
-use crate::log::{
-    Decision, Header, Input, Log, Name, Parameter, RayKind, SkipReason, Step, Subject, Tree, Value, What,
-};
+use crate::log::{Decision, Header, Input, Log, Name, Parameter, RayKind, SkipReason, Step, Subject, Tree, Value};
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
-pub fn title(log: &Log, tree: &Tree, node: usize) -> String {
-    title_in(Language::English, log, tree, node)
-}
-
-/// What a node is, in a language.
-pub fn title_in(language: Language, log: &Log, tree: &Tree, node: usize) -> String {
+pub fn title(language: Language, log: &Log, tree: &Tree, node: usize) -> String {
     let (header, texts) = (&log.header, language.texts());
     let object = |object| plain(header.object(object));
     match tree.nodes()[node].step {
-        None => subject_in(language, header),
+        None => subject(language, header),
         Some(Step::Pixel(pixel)) => (texts.pixel)(pixel),
         Some(Step::Sample { number }) => (texts.sample)(number),
-        Some(Step::Ray { kind, .. }) => (texts.ray)(&tree.shown_path(node), &ray_kind_in(language, header, kind)),
+        Some(Step::Ray { kind, .. }) => (texts.ray)(&tree.shown_path(node), &ray_kind(language, header, kind)),
         Some(Step::Test { object: tested, triangle: None }) => (texts.test)(&object(tested)),
         Some(Step::Test { object: tested, triangle: Some(triangle) }) => {
             (texts.test_triangle)(&object(tested), triangle)
@@ -35,12 +28,7 @@ pub fn title_in(language: Language, log: &Log, tree: &Tree, node: usize) -> Stri
 }
 
 /// What a log is about, such as `pixel 160,120`.
-pub fn subject(header: &Header) -> String {
-    subject_in(Language::English, header)
-}
-
-/// What a log is about, in a language.
-pub fn subject_in(language: Language, header: &Header) -> String {
+pub fn subject(language: Language, header: &Header) -> String {
     let texts = language.texts();
     match header.subject {
         Subject::Pixel(pixel) => (texts.pixel)(pixel),
@@ -53,12 +41,7 @@ pub fn subject_in(language: Language, header: &Header) -> String {
 }
 
 /// How pixels were sampled, such as `shared: n = 1`; nothing for one ray through the centre.
-pub fn sampling(header: &Header) -> Option<String> {
-    sampling_in(Language::English, header)
-}
-
-/// How pixels were sampled, in a language.
-pub fn sampling_in(language: Language, header: &Header) -> Option<String> {
+pub fn sampling(language: Language, header: &Header) -> Option<String> {
     let texts = language.texts();
     let (method, parameters) = header.sampling.iter().find(|(method, _)| *method != "none")?;
     let parameter = |(name, value): (&String, &Parameter)| {
@@ -69,22 +52,12 @@ pub fn sampling_in(language: Language, header: &Header) -> Option<String> {
 }
 
 /// Which frame of an animation a log is about, such as `frame 7`; nothing where there is one only.
-pub fn frame(header: &Header) -> Option<String> {
-    frame_in(Language::English, header)
-}
-
-/// Which frame of an animation a log is about, in a language.
-pub fn frame_in(language: Language, header: &Header) -> Option<String> {
+pub fn frame(language: Language, header: &Header) -> Option<String> {
     header.frame.map(|frame| (language.texts().frame)(frame.number))
 }
 
 /// What a ray is for.
-pub fn ray_kind(header: &Header, kind: RayKind) -> String {
-    ray_kind_in(Language::English, header, kind)
-}
-
-/// What a ray is for, in a language.
-pub fn ray_kind_in(language: Language, header: &Header, kind: RayKind) -> String {
+pub fn ray_kind(language: Language, header: &Header, kind: RayKind) -> String {
     let texts = language.texts();
     match kind {
         RayKind::Camera => texts.from_the_eye.to_owned(),
@@ -95,12 +68,7 @@ pub fn ray_kind_in(language: Language, header: &Header, kind: RayKind) -> String
 }
 
 /// A decision as a sentence.
-pub fn decision(header: &Header, decision: &Decision, style: Style) -> String {
-    decision_in(Language::English, header, decision, style)
-}
-
-/// A decision as a sentence in a language.
-pub fn decision_in(language: Language, header: &Header, decision: &Decision, style: Style) -> String {
+pub fn decision(language: Language, header: &Header, decision: &Decision, style: Style) -> String {
     let texts = language.texts();
     let object = |object: &u32| plain(header.object(*object));
     let cell = |cell: &[f64; 3]| self::cell(language, cell, style);
@@ -143,19 +111,14 @@ pub fn decision_in(language: Language, header: &Header, decision: &Decision, sty
     }
 }
 
-/// What a decision with these inputs cost at most, where it cost anything: `at most (0.1, 0, 0) of the sample was lost`.
-pub fn lost(given: &[Input], style: Style) -> Option<String> {
-    lost_in(Language::English, given, style)
-}
-
-/// What a decision with these inputs cost at most, in a language.
-pub fn lost_in(language: Language, given: &[Input], style: Style) -> Option<String> {
-    let (_, bound) = given.iter().find(|(name, _)| *name == Name::CutoffLoss)?;
-    Some((language.texts().lost)(&language.value(bound, style)))
+/// What follows a decision with these inputs where it cost anything: `; at most (0.1, 0, 0) of the sample was lost`.
+pub fn lost(language: Language, given: &[Input], style: Style) -> String {
+    let bound = given.iter().find(|(name, _)| *name == Name::CutoffLoss);
+    bound.map_or(String::new(), |(_, bound)| format!("; {}", (language.texts().lost)(&language.value(bound, style))))
 }
 
 /// Where the light of a path comes from.
-pub fn origin_in(language: Language, header: &Header, origin: Origin) -> String {
+pub fn origin(language: Language, header: &Header, origin: Origin) -> String {
     let texts = language.texts();
     match origin {
         Origin::Light { light, object } => (texts.light_on)(&plain(header.light(light)), &plain(header.object(object))),
@@ -167,23 +130,18 @@ pub fn origin_in(language: Language, header: &Header, origin: Origin) -> String 
 }
 
 /// Why a path brings nothing.
-pub fn ended_in(language: Language, log: &Log, ended: &Ended, style: Style) -> String {
+pub fn ended(language: Language, log: &Log, ended: &Ended, style: Style) -> String {
     let (header, texts) = (&log.header, language.texts());
     let light = |light: u32| plain(header.light(light));
-    let decision = match log.events[ended.event].what {
-        What::Mark(decision) => Some(decision),
-        _ => None,
-    };
-    match (ended.why, decision) {
+    match (ended.why, log.events[ended.event].decision()) {
         (Why::LightBehind { light: number }, _) => (texts.light_behind)(&light(number)),
         (Why::LogEnds, _) => texts.log_ends.to_owned(),
         (Why::Blocked { light: number }, Some(Decision::Occluded { object })) => {
             (texts.light_blocked)(&light(number), &plain(header.object(object)))
         }
         (_, Some(decision)) => {
-            let lost =
-                lost_in(language, log.given(ended.event), style).map_or(String::new(), |lost| format!("; {lost}"));
-            format!("{}{lost}", decision_in(language, header, &decision, style))
+            let lost = lost(language, log.given(ended.event), style);
+            format!("{}{lost}", self::decision(language, header, &decision, style))
         }
         (_, None) => texts.nothing.to_owned(),
     }

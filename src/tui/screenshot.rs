@@ -1,6 +1,7 @@
 //! A frame as a picture: a self-contained SVG of monospace text on a dark background.
 
 use super::dump::rows;
+use crate::report::escape::xml_of_visible;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier, Style};
 use std::fmt::Write;
@@ -62,7 +63,7 @@ fn draw_run(svg: &mut String, run: &[Cell], column: usize, row: usize) {
     let Some(first) = run.iter().position(|cell| !is_blank(cell)) else { return };
     let last = run.iter().rposition(|cell| !is_blank(cell)).unwrap_or(first);
     let cells = &run[first..=last];
-    let text: String = cells.iter().map(Cell::symbol).map(escape).collect();
+    let text: String = cells.iter().map(Cell::symbol).map(xml_of_visible).collect();
     let (x, y) = (x + first as f64 * CELL.0, y + 0.76 * CELL.1);
     let length = cells.len() as f64 * CELL.0;
     let _ = writeln!(
@@ -154,22 +155,6 @@ fn indexed(index: u8) -> (u8, u8, u8) {
             (grey, grey, grey)
         }
     }
-}
-
-/// Text as XML has it. Characters that XML can't hold are left out.
-fn escape(text: &str) -> String {
-    let mut escaped = String::new();
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            control if control.is_control() || matches!(control, '\u{fffe}' | '\u{ffff}') => {}
-            other => escaped.push(other),
-        }
-    }
-    escaped
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use super::view::ascii;
 use crate::log::{Log, Name, Step, Tree, Value, What};
 use crate::report::language::Language;
 use crate::report::language::viewer::Status;
+use crate::report::number::RAISED;
 use crate::report::{Style, words};
 use std::collections::HashMap;
 
@@ -168,7 +169,7 @@ impl Matcher<'_> {
             names: HashMap::new(),
             steps: HashMap::new(),
             in_quiz: None,
-            could_be_number: pattern.is_made_of("0123456789.-·⁰¹²³⁴⁵⁶⁷⁸⁹⁻(),; naNif"),
+            could_be_number: pattern.is_made_of(&format!("0123456789.-·{RAISED}(),; naNif")),
             could_be_path: pattern.is_made_of("CRTScrts0123456789. ay"),
         }
     }
@@ -181,7 +182,7 @@ impl Matcher<'_> {
             }
             What::Mark(_) if self.is_hidden(event) => false,
             What::Mark(decision) => {
-                self.pattern.is_in(&words::decision_in(self.language, &self.log.header, decision, self.numbers))
+                self.pattern.is_in(&words::decision(self.language, &self.log.header, decision, self.numbers))
             }
             What::Enter { step, .. } => self.has_step(self.tree.owner(event), *step),
             What::Leave => false,
@@ -207,14 +208,14 @@ impl Matcher<'_> {
 
     fn has_step(&mut self, node: usize, step: Step) -> bool {
         let (log, tree, pattern, language) = (self.log, self.tree, self.pattern, self.language);
-        let title = || words::title_in(language, log, tree, node);
+        let title = || words::title(language, log, tree, node);
         match step {
             // The title of a ray has its path, which no other ray has.
             Step::Ray { .. } if self.could_be_path && pattern.is_in(&title()) => true,
             Step::Ray { kind, .. } => {
                 let alike = Step::Ray { kind, depth: 0, split: 0 };
                 let ray = language.texts().viewer.panes.ray;
-                let is_in = || pattern.is_in(&ray(&words::ray_kind_in(language, &log.header, kind)));
+                let is_in = || pattern.is_in(&ray(&words::ray_kind(language, &log.header, kind)));
                 *self.steps.entry(alike).or_insert_with(is_in)
             }
             step => *self.steps.entry(step).or_insert_with(|| pattern.is_in(&title())),

@@ -17,7 +17,7 @@ use crate::log::{Step, What};
 fn leads_to(keys: &str, title: &str) {
     let mut model = sized(textbook(), 100, 30);
     typed(&mut model, keys);
-    let found = crate::report::words::title(&model.log, &model.tree, model.cursor);
+    let found = crate::report::words::title(Language::English, &model.log, &model.tree, model.cursor);
     assert_eq!(found, title, "after {keys}");
 }
 

@@ -44,7 +44,7 @@ fn the_colour_is_accounted_for_and_leads_to_its_parts() {
     assert!(text.contains("60.6 %  C R S1  F on sphere  "), "{text}");
     assert!(text.contains("depth limit"), "{text}");
     typed(&mut model, "Enter");
-    let title = crate::report::words::title(&model.log, &model.tree, model.cursor);
+    let title = crate::report::words::title(Language::English, &model.log, &model.tree, model.cursor);
     assert_eq!((title.as_str(), model.tree.path(model.cursor).as_str()), ("light F", "C R"));
 }
 
@@ -212,7 +212,7 @@ fn a_quiz_tells_no_later_decision() {
     typed(&mut model, "s");
     let after = shown(&model);
     let crate::log::What::Mark(decision) = model.log.events[first].what else { panic!("a decision") };
-    let text = crate::report::words::decision(&model.log.header, &decision, model.numbers);
+    let text = crate::report::words::decision(Language::English, &model.log.header, &decision, model.numbers);
     assert!(!at_it.contains(&text) && after.contains(&text), "{text}\n{at_it}\n{after}");
 }
 

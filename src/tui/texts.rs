@@ -25,12 +25,12 @@ impl Model {
 
     /// What a node is.
     pub fn title(&self, node: usize) -> String {
-        words::title_in(self.language, &self.log, &self.tree, node)
+        words::title(self.language, &self.log, &self.tree, node)
     }
 
     /// A decision as a sentence.
     pub fn decision(&self, decision: &Decision) -> String {
-        words::decision_in(self.language, &self.log.header, decision, self.numbers)
+        words::decision(self.language, &self.log.header, decision, self.numbers)
     }
 
     /// Speaks another language. What is searched for is looked for in its words and numbers.

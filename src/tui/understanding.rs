@@ -168,7 +168,7 @@ fn account(model: &Model) -> Listing {
 /// So much of the colour, and of each of its channels, and where it comes from.
 fn contribution(model: &Model, account: &Account, Group { sum: part, count }: &Group) -> Entry {
     let header = &model.log.header;
-    let origin = words::origin_in(model.language, header, part.origin);
+    let origin = words::origin(model.language, header, part.origin);
     let color = model.color(part.color);
     let times = if *count == 1 { String::new() } else { format!("×{count}") };
     let weight = (part.weight != [1.0; 3] && *count == 1)
@@ -197,7 +197,7 @@ fn triple(model: &Model, weight: &[f64; 3]) -> String {
 }
 
 fn ended(model: &Model, ended: &Ended) -> Entry {
-    let why = words::ended_in(model.language, &model.log, ended, model.numbers);
+    let why = words::ended(model.language, &model.log, ended, model.numbers);
     Entry { role: Role::Blocked, ..Entry::to(ended.event, format!("  {}  {why}", ended.path)) }
 }
 

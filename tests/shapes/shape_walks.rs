@@ -6,6 +6,7 @@ use crate::support::{scene_of, snapshots};
 use glam::DVec3;
 use raywalk::log::{Log, Value, What};
 use raywalk::record::{self, Arithmetic};
+use raywalk::report::language::Language;
 use raywalk::report::{Style, text};
 use std::fmt::Write;
 
@@ -30,7 +31,7 @@ fn walks_on(name: &str, shape: &str, material: &str, origin: DVec3) {
     let is_hit =
         log.events.iter().any(|event| matches!(event.what, What::Note { name, .. } if name.key() == "hit.normal"));
     assert!(is_hit, "the ray misses the {name}");
-    let walk = format!("{}\n{}", text::text(&log, Style::default()), exact_values(&log));
+    let walk = format!("{}\n{}", text::text(Language::English, &log, Style::default()), exact_values(&log));
     snapshots().bind(|| insta::assert_snapshot!(format!("shape_{}", name.replace(' ', "_")), walk));
 }
 

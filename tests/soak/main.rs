@@ -92,7 +92,7 @@ fn replay(seed: u64, log: Log, random: &mut Random) {
     let read = file::read(&written).expect("a log");
     assert_eq!(read.ending, Ending::Complete, "seed {seed}");
     assert!(read.log == log, "seed {seed}: the log changed on its way");
-    assert!(text::text(&log, Style::default()).lines().count() > 1);
+    assert!(text::text(Language::English, &log, Style::default()).lines().count() > 1);
     let trees = [&log, &read.log].map(|log| raywalk::log::Tree::of(&log.events));
     let mut other = read.log.clone();
     Numbering::unify(&log.header, &mut other.header).apply(&mut other.events);

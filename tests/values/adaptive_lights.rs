@@ -298,7 +298,7 @@ fn the_log_has_the_rule() {
     let sum = DVec3::from(contributions::sum(&account.contributions));
     assert!((sum - DVec3::from(*color)).length() < 1e-14, "{sum} {color:?}");
     let asked = Decision::Asked { light: 0, why: Asking::Rule, points: 7, object: None };
-    let says = |language| words::decision_in(language, &log.header, &asked, Style::default());
+    let says = |language| words::decision(language, &log.header, &asked, Style::default());
     assert_eq!(says(Language::English), "lamp is in full view: a rule of 7 points gives its mean, without shadow rays");
     assert_eq!(
         says(Language::Spanish),

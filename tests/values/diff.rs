@@ -200,7 +200,7 @@ fn different_values_look_different() {
     for Difference { entry, .. } in &found.differences {
         let Told::Value { a, b, .. } = &entry.what else { continue };
         let style = telling_apart(a, b, None);
-        let [a, b] = [a, b].map(|value| raywalk::report::number::value(value, style));
+        let [a, b] = [a, b].map(|value| raywalk::report::Language::English.value(value, style));
         assert_ne!(a, b);
         assert!(shown.contains(&format!("{a}  ")) && shown.contains(&format!("{b}  ")), "{a}, {b}: {shown}");
         values += 1;

@@ -7,6 +7,7 @@ use raywalk::record::digits::{ALL_DIGITS, RUNS};
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::render::digits::{Summary, render_digits};
 use raywalk::render::{Settings, render};
+use raywalk::report::language::Language;
 use raywalk::report::{Style, text};
 use raywalk::scene::{Index, Sampling, Scene, Skip};
 use std::sync::atomic::AtomicBool;
@@ -119,7 +120,7 @@ fn runs_that_decide_differently_have_no_digits_in_common() {
 #[test]
 fn the_walk_says_how_many_digits_there_are() {
     let touched = scene_of(TOUCHED.as_bytes(), "touched");
-    let walk = text::text(&log(&touched, [0, 0], 1), Style::default());
+    let walk = text::text(Language::English, &log(&touched, [0, 0], 1), Style::default());
     snapshots().bind(|| insta::assert_snapshot!("digits_touched_sphere", walk));
 }
 

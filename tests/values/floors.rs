@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use raywalk::log::{Log, Tree};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::language::Language;
-use raywalk::report::{Style, computation_in};
+use raywalk::report::{Style, computation};
 use raywalk::scene::file::schema::Formulas;
 
 proptest! {
@@ -57,7 +57,7 @@ fn floors(log: &Log) -> usize {
     for (language, mark) in [(Language::English, '.'), (Language::Spanish, ',')] {
         for event in 0..log.events.len() {
             for digits in [3, 1, 12] {
-                let Some(computation) = computation_in(language, log, &tree, event, Style { digits }) else { continue };
+                let Some(computation) = computation(language, log, &tree, event, Style { digits }) else { continue };
                 let Some((before, inner)) = computation.substituted.as_ref().and_then(|line| line.split_once('⌊'))
                 else {
                     continue;

@@ -12,7 +12,7 @@ use raywalk::report::evaluate::evaluate;
 use raywalk::report::expression::substituted;
 use raywalk::report::language::Language;
 use raywalk::report::text::text;
-use raywalk::report::{Style, computation_in, forms};
+use raywalk::report::{Style, computation, forms};
 use serde_json::{Value as Json, json};
 
 /// What a program writes and what it doesn't.
@@ -142,10 +142,16 @@ fn a_whole_log_without_forms_and_digests_is_shown_as_the_original() {
         let scene = scene("textbook");
         let log = record::pixel(&scene, middle(&scene), arithmetic);
         let (written, _) = Foreign { omitted: 0, unknown: 0, seed: 3 }.write(&log);
-        assert_eq!(text(&read_again(&written, 0), Style::default()), text(&log, Style::default()));
+        assert_eq!(
+            text(Language::English, &read_again(&written, 0), Style::default()),
+            text(Language::English, &log, Style::default())
+        );
         let (written, own) = Foreign { omitted: 0, unknown: 4, seed: 3 }.write(&log);
         assert!(own > 10);
-        assert_eq!(text(&read_again(&written, own), Style::default()), text(&log, Style::default()));
+        assert_eq!(
+            text(Language::English, &read_again(&written, own), Style::default()),
+            text(Language::English, &log, Style::default())
+        );
     }
 }
 
@@ -171,7 +177,7 @@ fn no_shown_line_is_false() {
                     }
                     _ => 0.0,
                 };
-                let Some(computation) = computation_in(Language::English, &log, &tree, at, Style::default()) else {
+                let Some(computation) = computation(Language::English, &log, &tree, at, Style::default()) else {
                     continue;
                 };
                 match computation.substituted {
@@ -288,7 +294,7 @@ fn under_the_formulas_of_the_notes_forms_are_those_of_the_notes() {
 fn a_contradicted_value_has_no_comparison() {
     let scene = scene("textbook");
     let mut log = record::pixel(&scene, middle(&scene), Arithmetic::F64);
-    let shown = |log: &Log| text(log, Style::default()).matches("T2_A < 0").count();
+    let shown = |log: &Log| text(Language::English, log, Style::default()).matches("T2_A < 0").count();
     assert_eq!(shown(&log), 2);
     for event in &mut log.events {
         if let What::Note { name: Name::SphereT2a, value } = &mut event.what {
@@ -315,5 +321,8 @@ fn inputs_of_unknown_quantities_are_kept() {
     let renamed = String::from_utf8(off_middle).expect("UTF-8").replace("\"note\":\"pixel.x\"", "\"note\":\"my.own\"");
     let carried = read(renamed.as_bytes()).expect("a log").log;
     assert_eq!(read(&to_ndjson(&carried).expect("memory")).expect("a log").log, carried);
-    assert!(text(&again, Style::default()).contains("V_o = −(N_p · O + D_p) = −((1, 0, 0)·(16, 2, 7) + (-4)) = -12 "));
+    assert!(
+        text(Language::English, &again, Style::default())
+            .contains("V_o = −(N_p · O + D_p) = −((1, 0, 0)·(16, 2, 7) + (-4)) = -12 ")
+    );
 }

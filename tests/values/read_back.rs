@@ -13,7 +13,7 @@ use raywalk::record::{self, Arithmetic};
 use raywalk::report::language::Language;
 use raywalk::report::schematic::Stage;
 use raywalk::report::solution::{Task, html, latex, markdown};
-use raywalk::report::{Style, computation_in};
+use raywalk::report::{Style, computation};
 use raywalk::scene::builtin;
 
 #[test]
@@ -42,7 +42,7 @@ fn the_issue_s_lines_are_bracketed() {
     let log = record::pixel(&scene, [60, 40], Arithmetic::F64);
     let tree = Tree::of(&log.events);
     let lines: Vec<_> = (0..log.events.len())
-        .filter_map(|event| computation_in(Language::English, &log, &tree, event, Style::default()))
+        .filter_map(|event| computation(Language::English, &log, &tree, event, Style::default()))
         .filter_map(|computation| computation.substituted)
         .collect();
     assert!(!lines.iter().any(|line| line.contains("/1.000·10") || line.contains("⁻⁵²")), "{lines:#?}");
@@ -55,7 +55,7 @@ fn rounded_products_are_shown() {
     let log = record::pixel(&scene, [160, 120], Arithmetic::DecimalProducts(3));
     let tree = Tree::of(&log.events);
     let lines = (0..log.events.len())
-        .filter_map(|event| computation_in(Language::English, &log, &tree, event, Style::default()))
+        .filter_map(|event| computation(Language::English, &log, &tree, event, Style::default()))
         .filter(|computation| computation.symbol == "N·L")
         .map(|computation| computation.line());
     let lines: Vec<_> = lines.collect();
@@ -120,7 +120,7 @@ fn check(log: &Log, arithmetic: Arithmetic) -> usize {
     for (language, mark) in [(Language::English, '.'), (Language::Spanish, ',')] {
         for event in 0..log.events.len() {
             for digits in [3, 1] {
-                let Some(computation) = computation_in(language, log, &tree, event, Style { digits }) else { continue };
+                let Some(computation) = computation(language, log, &tree, event, Style { digits }) else { continue };
                 let Some(line) = computation.substituted else { continue };
                 // What is left out of a long sum can't be read, and quantiles have tests of their own.
                 if line.contains('…') || line.starts_with(QUANTILE) {

@@ -3,6 +3,7 @@
 use crate::support::{changed_scene, middle, scene, snapshots};
 use raywalk::log::{Tree, What};
 use raywalk::record::{self, Arithmetic};
+use raywalk::report::language::Language;
 use raywalk::report::{Style, text};
 use raywalk::scene::file::schema::Formulas;
 use raywalk::study::textbook::{self, Example, Table, Verdict};
@@ -222,7 +223,7 @@ fn snapshots_of_the_second_example() {
     snapshots().bind(|| {
         insta::assert_snapshot!("refraction_table", table.text());
         insta::assert_snapshot!("refraction_table_markdown", table.markdown());
-        insta::assert_snapshot!("refraction_walk_by_hand", text::text(&log, Style::default()));
+        insta::assert_snapshot!("refraction_walk_by_hand", text::text(Language::English, &log, Style::default()));
     });
 }
 

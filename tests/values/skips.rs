@@ -6,6 +6,7 @@ use proptest::strategy::ValueTree;
 use raywalk::log::{Decision, Log, Name, SkipReason, Skippable, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::{Counter, Settings, render};
+use raywalk::report::language::Language;
 use raywalk::scene::{Ceilings, Color, Sampling, Scene, Skip, builtin};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -305,7 +306,7 @@ fn a_log_says_what_a_cutoff_lost_at_the_most() {
             assert_eq!(is_cutoff, bound.is_some());
             cutoffs += usize::from(is_cutoff);
         }
-        let text = raywalk::report::text::text(&log, Default::default());
+        let text = raywalk::report::text::text(Language::English, &log, Default::default());
         let is_cut = text.contains("its weight is below the cutoff");
         assert_eq!(is_cut, text.contains("of the sample was lost"), "{text}");
     }

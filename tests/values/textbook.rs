@@ -3,6 +3,7 @@
 use crate::support::{changed_scene, scene, scene_in, snapshots};
 use raywalk::log::{Tree, Value, What, file};
 use raywalk::record::{self, Arithmetic};
+use raywalk::report::language::Language;
 use raywalk::report::{Style, text};
 use raywalk::scene::{Algorithm, Scene};
 use raywalk::study::textbook::{self, Verdict};
@@ -182,7 +183,7 @@ fn snapshots_of_the_logs() {
 #[test]
 fn snapshot_of_the_text_walk() {
     let log = record::pixel(&scene_in("textbook", Arithmetic::Decimal(3)), MIDDLE, Arithmetic::Decimal(3));
-    let walk = text::text(&log, Style::default());
+    let walk = text::text(Language::English, &log, Style::default());
     assert!(walk.contains("T2_A = r² − L2oc + T_A² = 9 − 178.024 + 13.244² = 6.380"), "{walk}");
     snapshots().bind(|| insta::assert_snapshot!("textbook_walk_by_hand", walk));
 }

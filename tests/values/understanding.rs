@@ -5,6 +5,7 @@ use raywalk::log::file::{read, to_ndjson};
 use raywalk::log::{Event, Events, Log, Name, Step, Subject, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::contributions::{self, Account, Origin, Why};
+use raywalk::report::language::Language;
 use raywalk::report::provenance::{operands, uses};
 use raywalk::scene::{Sampling, builtin};
 
@@ -314,13 +315,14 @@ fn every_event_of_every_built_in_scene_has_a_line_of_its_algorithm() {
 fn lines_and_calls_of_the_numeric_example() {
     use raywalk::report::pseudocode::{current_line, lines, stack};
     let (log, tree) = by_hand();
-    let text = |event| lines(&log.header)[current_line(&log, &tree, event)].text;
+    let text = |event| lines(&log.header)[current_line(&log, &tree, event)].text(Language::English);
     assert_eq!(text(at(&log, "plane.t", 1)), "point = nearest_intersection(origin, direction)");
     assert_eq!(text(at(&log, "reflect.direction", 1)), "dir_r = reflection_direction()");
     assert_eq!(text(at(&log, "shade.n_dot_h", 1)), "diffuse, specular and transmitted terms");
     assert_eq!(text(at(&log, "combine.reflected", 1)), "reflected, W_r,");
-    let calls = stack(&log, &tree, at(&log, "sphere.t2_a", 3));
-    let calls: Vec<_> = calls.iter().map(|call| (call.text.as_str(), lines(&log.header)[call.line].text)).collect();
+    let calls = stack(Language::English, &log, &tree, at(&log, "sphere.t2_a", 3));
+    let calls: Vec<_> =
+        calls.iter().map(|call| (call.text.as_str(), lines(&log.header)[call.line].text(Language::English))).collect();
     assert_eq!(
         calls,
         [

@@ -11,9 +11,9 @@ use raywalk::log::{Events, Header, Log, Subject, Tree};
 use raywalk::report::diff::{
     self, Comparison, HeaderDifference, Json, Numbering, Pixel, Rows, Side, Summary, Text, header_differences,
 };
-use raywalk::report::forms;
 use raywalk::report::side_by_side::Run;
 use raywalk::report::words;
+use raywalk::report::{Language, forms};
 use raywalk::scene::file::{Opened, visible};
 use raywalk::tui::Theme;
 use raywalk::tui::beside::{self, Beside};
@@ -121,7 +121,7 @@ impl Diff {
 }
 
 fn title(name: &str, pixel: Pixel, header: &Header) -> String {
-    let subject = pixel.map_or_else(|| words::subject(header), |[x, y]| format!("pixel {x},{y}"));
+    let subject = pixel.map_or_else(|| words::subject(Language::English, header), |[x, y]| format!("pixel {x},{y}"));
     format!("{name} - {subject} - {}", words::arithmetic(header))
 }
 

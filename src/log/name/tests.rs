@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use crate::log::formula::{self, Formula, Operator, Several};
+use crate::log::formula::{self, Formula, Operator, Several, Unary};
 use std::collections::HashSet;
 
 #[test]
@@ -61,35 +61,36 @@ fn dimension(of_name: Name, formula: &Formula) -> Result<Dimension, String> {
     match formula {
         Formula::Number(0.0) => Ok(None),
         Formula::Number(_) => Ok(Some([0; 4])),
-        Formula::Symbol(symbol) => unit_of(of_name, symbol).map(Some),
-        Formula::Negated(inner)
-        | Formula::Grouped(inner)
-        | Formula::Length(inner)
-        | Formula::OverLights(inner)
-        | Formula::Over(Several::Samples | Several::Cells | Several::Surfaces | Several::StandardError, inner)
-        | Formula::ExtremeComponent(_, inner) => of(inner),
-        Formula::Degrees(angle) => match of(angle)? {
-            Some([0, 0, 0, 1]) => Ok(Some([0; 4])),
-            other => Err(format!("{angle:?} is {other:?}, expected an angle")),
-        },
-        Formula::Over(Several::Freedom, _) => Ok(Some([0; 4])),
-        Formula::Quantile(probability, freedom) => number(probability).and(number(freedom)),
-        Formula::Function(_, inner) => number(inner),
+        Formula::Leaf(symbol) => unit_of(of_name, symbol).map(Some),
         Formula::Triple(components) => {
             components.iter().try_fold(None, |dimension, component| same(dimension, of(component)?))
         }
-        Formula::Squared(inner) => joined(inner, inner, 1),
-        Formula::Positive(inner) | Formula::Floor(inner) => number(inner),
-        Formula::Root(inner) => match of(inner)? {
-            Some(exponents) if exponents.iter().any(|exponent| exponent % 2 != 0) => Err(format!("√ of {exponents:?}")),
-            exponents => Ok(exponents.map(|exponents| exponents.map(|exponent| exponent / 2))),
+        Formula::Unary(unary, inner) => match unary {
+            Unary::Over(Several::Freedom) => Ok(Some([0; 4])),
+            Unary::Negated
+            | Unary::Grouped
+            | Unary::Length
+            | Unary::OverLights
+            | Unary::Over(_)
+            | Unary::ExtremeComponent(_) => of(inner),
+            Unary::Degrees => match of(inner)? {
+                Some([0, 0, 0, 1]) => Ok(Some([0; 4])),
+                other => Err(format!("{inner:?} is {other:?}, expected an angle")),
+            },
+            Unary::Function(_) | Unary::Positive | Unary::Floor => number(inner),
+            Unary::Squared => joined(inner, inner, 1),
+            Unary::Root => match of(inner)? {
+                Some(exponents) if exponents.iter().any(|exponent| exponent % 2 != 0) => {
+                    Err(format!("√ of {exponents:?}"))
+                }
+                exponents => Ok(exponents.map(|exponents| exponents.map(|exponent| exponent / 2))),
+            },
         },
-        Formula::Extreme(_, left, right) => same(of(left)?, of(right)?),
         Formula::Binary(operator, left, right) => match operator {
-            Operator::Plus | Operator::Minus => same(of(left)?, of(right)?),
+            Operator::Plus | Operator::Minus | Operator::Extreme(_) => same(of(left)?, of(right)?),
             Operator::Times | Operator::Channelwise | Operator::Cross => joined(left, right, 1),
             Operator::Over | Operator::ComponentsOver => joined(left, right, -1),
-            Operator::Power => number(left).and(number(right)),
+            Operator::Power | Operator::Quantile => number(left).and(number(right)),
         },
     }
 }

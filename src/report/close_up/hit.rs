@@ -1,14 +1,11 @@
 //! What the log holds of a ray's hit.
 
-use crate::log::{Log, Name, Step, Tree, Value, What};
+use crate::log::{Log, Name, RayKind, Step, Tree, Value};
 use glam::DVec3;
 
 /// The rays of a log that may hit something: all but the shadow rays.
 pub(super) fn rays(tree: &Tree) -> Vec<usize> {
-    let is_traced = |node: &usize| {
-        let step = tree.nodes()[*node].step;
-        matches!(step, Some(Step::Ray { kind, .. }) if !matches!(kind, crate::log::RayKind::Shadow { .. }))
-    };
+    let is_traced = |node: &usize| tree.ray(*node).is_some_and(|kind| !matches!(kind, RayKind::Shadow { .. }));
     (0..tree.nodes().len()).filter(is_traced).collect()
 }
 
@@ -16,11 +13,7 @@ pub(super) fn rays(tree: &Tree) -> Vec<usize> {
 pub(super) fn value(log: &Log, tree: &Tree, node: usize, name: Name) -> Option<Value> {
     let events: Vec<usize> = tree.own_events(node).collect();
     events.into_iter().rev().find_map(|event| {
-        let noted = match log.events[event].what {
-            What::Note { name, value } => Some((name, value)),
-            _ => None,
-        };
-        let mut values = noted.into_iter().chain(log.given(event).iter().rev().copied());
+        let mut values = log.events[event].noted().into_iter().chain(log.given(event).iter().rev().copied());
         values.find(|(found, _)| found.key() == name.key()).map(|(_, value)| value)
     })
 }

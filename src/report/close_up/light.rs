@@ -6,8 +6,9 @@
 use super::hit::{lights, number, shade, unit, value, vector};
 use super::sheet::{Ink, Piece, Place, Plane, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
-use crate::log::{Asking, Decision, Log, Name, Step, Tree, Value, What};
-use crate::report::{terms, words};
+use crate::log::{Asking, Decision, Log, Name, Tree, Value, What};
+use crate::report::evaluate::term_of_light;
+use crate::report::words;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -68,7 +69,7 @@ pub fn light(subject: &Subject) -> Result<CloseUp, CloseUpError> {
             pieces.push(Piece::Dot { at, radius: radius.min(4.0 * DOT), ink, filled: is_lit && !is_far });
             pieces.push(Piece::Text { at: [at[0], at[1] - DOT - 8.0], text: point.split.max(1).to_string(), ink });
         }
-        let adds = local.map(|name| terms::of_light(log, tree, point.node, name)).filter(|_| is_lit);
+        let adds = local.map(|name| term_of_light(log, tree, point.node, name)).filter(|_| is_lit);
         let triple = |triple: Option<[f64; 3]>| {
             triple.map_or("–".to_owned(), |triple| language.value(&Value::Triple(triple), style))
         };
@@ -138,8 +139,8 @@ fn points_of(log: &Log, tree: &Tree, shade: usize, light: u32) -> Vec<Point> {
 
 /// What a light's shadow ray lets through; `None` where none was sent.
 fn passed(log: &Log, tree: &Tree, light: usize) -> Option<[f64; 3]> {
-    let ray = tree.children(light).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })));
-    let is_free = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Free));
+    let ray = tree.children(light).find(|child| tree.ray(*child).is_some());
+    let is_free = |event: usize| log.events[event].decision() == Some(Decision::Free);
     let Some(ray) = ray else { return tree.own_events(light).any(is_free).then_some([1.0; 3]) };
     let is_blocked = |event: usize| matches!(log.events[event].what, What::Mark(Decision::Occluded { .. }));
     match vector(log, tree, light, Name::ShadowTransmittance) {

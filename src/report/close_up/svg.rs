@@ -1,7 +1,8 @@
 //! A close-up as SVG, its sheets beside each other.
 
 use super::{CloseUp, Ink, Piece, Place};
-use crate::report::escape::{self, line};
+use crate::report::escape::line;
+use crate::report::svg;
 use std::fmt::Write;
 
 /// The most sheets in a row, the room of the title and of a caption.
@@ -18,15 +19,7 @@ pub fn svg(close_up: &CloseUp) -> String {
     // The note is as wide as its letters.
     let width = (wide * across as f64).max(5.4 * close_up.note.chars().count() as f64 + 20.0);
     let height = HEAD + high * rows as f64 + CAPTION;
-    let mut out = String::new();
-    line!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
-    line!(
-        out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" \
-         height=\"{height:.0}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\" text-anchor=\"middle\" role=\"img\">"
-    );
-    line!(out, "<title>{}</title>", escape::xml(&close_up.title));
-    line!(out, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
+    let mut out = svg::file(&svg::begin([width, height], 0, &close_up.title));
     text(&mut out, [width / 2.0, 18.0], &close_up.title, Ink::Black, "font-size=\"14\" ");
     for (number, sheet) in close_up.sheets.iter().enumerate() {
         let (column, row) = ((number % ACROSS) as f64, (number / ACROSS) as f64);
@@ -46,23 +39,12 @@ fn draw(out: &mut String, piece: &Piece) {
         Piece::Line { from, to, ink, dashed } => stroke(out, *from, *to, *ink, if *dashed { "4 3" } else { "" }, 1.2),
         Piece::Arrow { from, to, ink } => {
             stroke(out, *from, *to, *ink, "", 2.0);
-            let [left, right] = tip(*from, *to);
-            line!(
-                out,
-                "<polygon points=\"{:.2},{:.2} {:.2},{:.2} {:.2},{:.2}\" fill=\"#{}\"/>",
-                to[0],
-                to[1],
-                left[0],
-                left[1],
-                right[0],
-                right[1],
-                ink.hex()
-            );
+            line!(out, "<polygon points=\"{}\" fill=\"#{}\"/>", svg::points(&tip(*from, *to), 2), ink.hex());
         }
         Piece::Path { points, ink, is_area } => {
-            let points: Vec<_> = points.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect();
+            let points = svg::points(points, 2);
             let (element, fill) = if *is_area { ("polygon", "#f6f8fb") } else { ("polyline", "none") };
-            line!(out, "<{element} points=\"{}\" fill=\"{fill}\" stroke=\"#{}\"/>", points.join(" "), ink.hex());
+            line!(out, "<{element} points=\"{points}\" fill=\"{fill}\" stroke=\"#{}\"/>", ink.hex());
         }
         Piece::Dot { at: [x, y], radius, ink, filled } => {
             let fill = if *filled { ink.hex() } else { "ffffff" };
@@ -85,20 +67,15 @@ fn stroke(out: &mut String, [x1, y1]: Place, [x2, y2]: Place, ink: Ink, dashes: 
     );
 }
 
-/// The two corners of an arrow's tip beside its line.
-fn tip(from: Place, to: Place) -> [Place; 2] {
+/// The corners of an arrow's tip: its point, and the two beside its line.
+fn tip(from: Place, to: Place) -> [Place; 3] {
     let along = [to[0] - from[0], to[1] - from[1]];
     let length = libm::hypot(along[0], along[1]).max(f64::MIN_POSITIVE);
     let [x, y] = along.map(|part| part / length);
-    [1.0, -1.0].map(|side| [to[0] - 9.0 * x - side * 3.5 * y, to[1] - 9.0 * y + side * 3.5 * x])
+    let beside = |side: f64| [to[0] - 9.0 * x - side * 3.5 * y, to[1] - 9.0 * y + side * 3.5 * x];
+    [to, beside(1.0), beside(-1.0)]
 }
 
-fn text(out: &mut String, [x, y]: Place, words: &str, ink: Ink, more: &str) {
-    line!(
-        out,
-        "<text x=\"{x:.1}\" y=\"{:.1}\" {more}fill=\"#{}\" paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"3\">{}</text>",
-        y + 4.0,
-        ink.hex(),
-        escape::xml(words)
-    );
+fn text(out: &mut String, at: Place, words: &str, ink: Ink, more: &str) {
+    *out += &svg::label(at, &format!("{more}fill=\"#{}\"", ink.hex()), 3, words);
 }

@@ -6,7 +6,7 @@
 use super::hit::number;
 use super::sheet::{Ink, Piece, Place, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
-use crate::log::{Decision, Log, Name, Skippable, Step, Tree, What};
+use crate::log::{Decision, Log, Name, Skippable, Step, Tree};
 use std::f64::consts::TAU;
 
 /// The size of the sheet, the middle and the radius of the whole lobe.
@@ -99,8 +99,8 @@ fn zone(log: &Log, tree: &Tree, node: usize, number_of_zone: u32) -> Option<Zone
         }
         _ => [[0.0, 1.0]; 2],
     };
-    let is_rejected =
-        tree.own_events(node).any(|event| matches!(log.events[event].what, What::Mark(Decision::Rejected { .. })));
+    let mut decisions = tree.own_events(node).filter_map(|event| log.events[event].decision());
+    let is_rejected = decisions.any(|decision| matches!(decision, Decision::Rejected { .. }));
     Some(Zone { number: number_of_zone, rings, sectors, direction, is_rejected })
 }
 

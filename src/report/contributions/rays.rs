@@ -4,7 +4,7 @@ use super::Way;
 use super::{Color, Contribution, Ended, Origin, Source, Why, times};
 use crate::log::tree::path_of_child;
 use crate::log::{Decision, Log, Name, RayKind, SkipReason, Skippable, Step, Tree, Value, What, scope};
-use crate::report::terms;
+use crate::report::evaluate;
 use std::collections::HashMap;
 
 /// A walk over the rays of a pixel.
@@ -39,7 +39,7 @@ impl<'a> Walk<'a> {
     /// Follows a camera ray and all that it leads to.
     pub(super) fn follow(&mut self, ray: usize, weight: Color) {
         let before = Way { node: ray, number: 0, bounces: 0 };
-        if let Some(Step::Ray { kind, .. }) = self.tree.nodes()[ray].step {
+        if let Some(kind) = self.tree.ray(ray) {
             let way = self.further(before, ray, kind);
             self.open.push((ray, way, weight));
         }
@@ -87,9 +87,10 @@ impl<'a> Walk<'a> {
 
     fn ray(&mut self, ray: usize, way: Way, weight: Color) {
         let tree = self.tree;
-        let marks: Vec<_> = tree.own_events(ray).filter_map(|event| Some((event, self.decision(event)?))).collect();
+        let marks: Vec<_> =
+            tree.own_events(ray).filter_map(|event| Some((event, self.log.events[event].decision()?))).collect();
         if self.background.is_none() {
-            let of_mark = |(event, _): &(usize, Decision)| triple(self.given(*event, Name::BackgroundColor));
+            let of_mark = |(event, _): &(usize, Decision)| triple(self.log.input(*event, Name::BackgroundColor));
             self.background = marks.iter().find_map(of_mark);
         }
         for (event, decision) in &marks {
@@ -139,7 +140,7 @@ impl<'a> Walk<'a> {
 
     /// The events of a ray that say how many directions of a blurred bounce were kept, and how many.
     fn kept(&self, ray: usize) -> Vec<(usize, f64)> {
-        let kept = self.tree.own_events(ray).filter_map(|event| match self.given(event, Name::LobeKept)? {
+        let kept = self.tree.own_events(ray).filter_map(|event| match self.log.input(event, Name::LobeKept)? {
             Value::Number(kept) => Some((event, kept)),
             Value::Triple(_) => None,
         });
@@ -152,14 +153,14 @@ impl<'a> Walk<'a> {
         let end = tree.nodes()[zone].events.end;
         let kept = kept.get(kept.partition_point(|(event, _)| *event < end)).map(|(_, kept)| *kept);
         let after = tree.own_events_from(ray, end).next();
-        let color = after.and_then(|event| triple(self.given(event, Name::LobeColor)));
+        let color = after.and_then(|event| triple(self.log.input(event, Name::LobeColor)));
         for event in tree.own_events(zone) {
-            if matches!(self.decision(event), Some(Decision::Rejected { .. })) {
+            if matches!(self.log.events[event].decision(), Some(Decision::Rejected { .. })) {
                 self.ended.push(Ended { path: self.path(ray), why: Why::Decided, event });
             }
         }
         for child in tree.children(zone) {
-            if let (Some(Step::Ray { kind, .. }), Some(kept)) = (tree.nodes()[child].step, kept) {
+            if let (Some(kind), Some(kept)) = (tree.ray(child), kept) {
                 self.learn_background(child, color);
                 let way = self.further(way, child, kind);
                 self.open.push((child, way, weight.map(|weight| weight / kept)));
@@ -203,10 +204,10 @@ impl<'a> Walk<'a> {
         local: Name,
     ) {
         let tree = self.tree;
-        let shadow = tree.children(node).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })));
+        let shadow = tree.children(node).find(|child| tree.ray(*child).is_some());
         let marks = tree.own_events(node).chain(shadow.into_iter().flat_map(|ray| tree.own_events(ray)));
         let decided = marks.filter_map(|event| {
-            let why = match self.decision(event)? {
+            let why = match self.log.events[event].decision()? {
                 Decision::Occluded { .. } => Why::Blocked { light },
                 Decision::Skipped { why: SkipReason::Behind, .. } => Why::LightBehind { light },
                 // The light brings its other terms.
@@ -224,12 +225,12 @@ impl<'a> Walk<'a> {
         let noted = tree
             .own_events(node)
             .find(|event| matches!(self.log.events[*event].what, What::Note { name: Name::ShadeNDotL, .. }));
-        let is_free = |event| self.decision(event) == Some(Decision::Free);
+        let is_free = |event: usize| self.log.events[event].decision() == Some(Decision::Free);
         if shadow.is_none() && !tree.own_events(node).any(is_free) {
             let event = noted.unwrap_or(tree.nodes()[node].events.start);
             return self.ended.push(Ended { path, why: Why::LightBehind { light }, event });
         }
-        let own = terms::of_light(self.log, tree, node, local);
+        let own = evaluate::term_of_light(self.log, tree, node, local);
         let source = Some(self.scattering(node, noted));
         let event = tree.nodes()[node].events.start;
         way.node = shadow.unwrap_or(way.node);
@@ -261,7 +262,7 @@ impl<'a> Walk<'a> {
     fn sum(&self, ray: usize) -> Option<Sum> {
         let tree = self.tree;
         let combine = tree.children(ray).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last()?;
-        let given = |name| triple(tree.own_events(combine).find_map(|event| self.given(event, name)));
+        let given = |name| triple(tree.own_events(combine).find_map(|event| self.log.input(event, name)));
         let reflected = given(Name::WeightReflected)?;
         // What scales the reflected light beside its weight, where the scene says so.
         let scale = given(Name::MaterialSpecular).unwrap_or([1.0; 3]);
@@ -276,20 +277,9 @@ impl<'a> Walk<'a> {
 
     /// A bounce that meets nothing brings the background, which the step after it puts in.
     fn learn_background(&mut self, ray: usize, incoming: Option<Color>) {
-        let is_background = |event| self.decision(event) == Some(Decision::Background);
+        let is_background = |event: usize| self.log.events[event].decision() == Some(Decision::Background);
         if self.background.is_none() && self.tree.own_events(ray).any(is_background) {
             self.background = incoming;
-        }
-    }
-
-    fn given(&self, event: usize, wanted: Name) -> Option<Value> {
-        self.log.given(event).iter().find(|(name, _)| *name == wanted).map(|(_, value)| *value)
-    }
-
-    fn decision(&self, event: usize) -> Option<Decision> {
-        match self.log.events[event].what {
-            What::Mark(decision) => Some(decision),
-            _ => None,
         }
     }
 }

@@ -15,7 +15,7 @@ pub(super) fn camera_rays(log: &Log, tree: &Tree, pixel: usize) -> Vec<(usize, f
 }
 
 fn rays(tree: &Tree, node: usize) -> impl Iterator<Item = usize> + '_ {
-    tree.children(node).filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })))
+    tree.children(node).filter(|child| tree.ray(*child).is_some())
 }
 
 /// Samples count alike, but where they are corners of cells: there a corner has a quarter of each cell that it belongs to.
@@ -45,12 +45,9 @@ fn of_corners(log: &Log, tree: &Tree, samples: &[usize], cells: Vec<[f64; 3]>) -
         }
     }
     let weight = |sample: &usize| {
-        let given = log.given(tree.nodes()[*sample].events.start);
-        let coordinate = |wanted: Name| {
-            given.iter().find_map(|(name, value)| match value {
-                Value::Number(x) if *name == wanted => Some(*x),
-                _ => None,
-            })
+        let coordinate = |name: Name| match log.input(tree.nodes()[*sample].events.start, name)? {
+            Value::Number(x) => Some(x),
+            Value::Triple(_) => None,
         };
         let place = [coordinate(Name::SampleX)?, coordinate(Name::SampleY)?];
         by_place.get(&key(place)).copied()

@@ -144,10 +144,7 @@ impl<'a> Before<'a> {
 
     /// The node in A of the ray in which a node stands; the root if it stands in none.
     fn ray_around(&self, node: usize) -> usize {
-        let nodes = self.a.tree.nodes();
-        let is_ray = |node: usize| matches!(nodes[node].step, Some(Step::Ray { .. }));
-        let mut around = std::iter::successors(Some(node), |node| Some(nodes[*node].parent));
-        around.find(|node| *node == 0 || is_ray(*node)).unwrap_or(0)
+        self.a.tree.around(node).find(|node| self.a.tree.ray(*node).is_some()).unwrap_or(0)
     }
 
     /// Whether a decision differs here, or is in one log only. Not every kind of shape asks on which side a ray begins: between two kinds

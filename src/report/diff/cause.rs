@@ -335,9 +335,7 @@ fn owner(run: Run, thing: Thing) -> usize {
 
 /// The outermost node around a thing that isn't shared, if there is one.
 fn outermost(run: Run, thing: Thing, is_shared: impl Fn(usize) -> bool) -> Option<usize> {
-    let nodes = run.tree.nodes();
-    let around = std::iter::successors(Some(owner(run, thing)), |node| Some(nodes[*node].parent));
-    around.take_while(|node| !is_shared(*node)).last()
+    run.tree.around(owner(run, thing)).take_while(|node| !is_shared(*node)).last()
 }
 
 fn is_camera_ray(step: Option<Step>) -> bool {

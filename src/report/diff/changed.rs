@@ -5,8 +5,9 @@ use super::kinds::{Kinds, kind};
 use super::telling_apart;
 use super::tolerance::Tolerance;
 use crate::log::{Decision, Header, Name, RayKind, Step, What};
+use crate::report::language::Language;
 use crate::report::side_by_side::Run;
-use crate::report::{number, words};
+use crate::report::words;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// An input of the scene that isn't the same in both logs.
@@ -35,7 +36,7 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
             continue;
         }
         let style = telling_apart(&value_a, &value_b, tolerance.digits);
-        let [a_says, b_says] = [value_a, value_b].map(|value| number::value(&value, style));
+        let [a_says, b_says] = [value_a, value_b].map(|value| Language::English.value(&value, style));
         found.push(Changed { input: input(a, at, name, &mut met), a: a_says, b: b_says });
     }
     let mut seen = HashSet::new();

@@ -1,6 +1,7 @@
 //! What two logs say about themselves, and how the same object gets the same number in both.
 
 use crate::log::{Decision, Event, Header, Step, Subject, What};
+use crate::report::language::Language;
 use crate::report::words;
 use std::collections::{HashMap, HashSet};
 
@@ -35,9 +36,9 @@ const FIELDS: [Field; 22] = [
     ("tracing.two_sided", |header| header.tracing.two_sided.to_string()),
     ("tracing.skip", |header| words::plain(header.tracing.skip.as_deref().unwrap_or("all"))),
     ("tracing.tests", |header| words::plain(header.tracing.tests.as_deref().unwrap_or("visited"))),
-    ("sampling", |header| words::sampling(header).unwrap_or_else(|| "none".to_owned())),
+    ("sampling", |header| words::sampling(Language::English, header).unwrap_or_else(|| "none".to_owned())),
     ("seed", |header| header.seed.to_string()),
-    ("frame", |header| words::frame(header).unwrap_or_else(|| "none".to_owned())),
+    ("frame", |header| words::frame(Language::English, header).unwrap_or_else(|| "none".to_owned())),
     ("shard", |header| header.shard.map_or("none".to_owned(), |shard| shard.to_string())),
     ("objects", |header| words::plain(&header.objects.join(", "))),
     ("lights", |header| words::plain(&header.lights.join(", "))),
@@ -65,7 +66,7 @@ fn subject(header: &Header) -> String {
     match header.subject {
         // As many digits as tell them apart.
         Subject::Ray(ray) => format!("ray {}", ray.map(|x| x.to_string()).join(",")),
-        _ => words::subject(header),
+        _ => words::subject(Language::English, header),
     }
 }
 

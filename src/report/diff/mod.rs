@@ -26,6 +26,7 @@ pub use summary::{Pixel, Summary};
 pub use text::Text;
 pub use tolerance::{Distance, Tolerance, distance};
 
+use super::language::Language;
 use super::side_by_side::Run;
 use super::{Style, computation, words};
 use crate::log::{Name, Step, Value, What};
@@ -215,7 +216,9 @@ impl Comparing<'_> {
         // The numbers put in must tell what the result is from.
         let digits = values.iter().map(|(a, b)| telling_apart(a, b, self.tolerance.digits).digits).max();
         let style = digits.map_or(Style::default(), |digits| Style { digits });
-        let line = |run: Run, event| computation(run.log, run.tree, event, style).map(|computation| computation.line());
+        let line = |run: Run, event| {
+            computation(Language::English, run.log, run.tree, event, style).map(|computation| computation.line())
+        };
         Some([line(self.causes.a, ours)?, line(self.causes.b, theirs)?])
     }
 
@@ -259,7 +262,7 @@ fn entry_in(run: Run, thing: Thing, what: Told) -> Entry {
     };
     let title = match nodes[node].step {
         None | Some(Step::Ray { .. } | Step::Sample { .. }) => String::new(),
-        Some(_) => words::title(run.log, run.tree, node),
+        Some(_) => words::title(Language::English, run.log, run.tree, node),
     };
     Entry { path: run.tree.shown_path(node), node: title, what }
 }
@@ -277,7 +280,7 @@ fn quantity(run: Run, thing: Thing) -> Option<Name> {
 
 fn decision(run: Run, event: usize) -> String {
     match &run.log.events[event].what {
-        What::Mark(decision) => words::decision(&run.log.header, decision, Style::default()),
+        What::Mark(decision) => words::decision(Language::English, &run.log.header, decision, Style::default()),
         _ => String::new(),
     }
 }
@@ -293,10 +296,10 @@ fn only(run: Run, thing: Thing) -> (String, usize) {
     match (thing, quantity(run, thing), before::value(run, thing)) {
         (Thing::Node(node), ..) => {
             let events = run.tree.nodes()[node].events.clone();
-            (words::title(run.log, run.tree, node), events.filter(is_value).count())
+            (words::title(Language::English, run.log, run.tree, node), events.filter(is_value).count())
         }
         (_, Some(name), Some(value)) => {
-            (format!("{} = {}", name.key(), super::number::value(&value, Style::default())), 1)
+            (format!("{} = {}", name.key(), Language::English.value(&value, Style::default())), 1)
         }
         (Thing::Event(event), ..) if matches!(run.log.events[event].what, What::Result { .. }) => {
             ("result".to_owned(), 1)

@@ -4,8 +4,9 @@ use super::align::{self, Alignment, Spot, Thing};
 use super::cause::Causes;
 use super::{Comparing, Text, Tolerance, before, decision, only, quantity, telling_apart};
 use crate::log::{Decision, Step, Value, What};
+use crate::report::language::Language;
 use crate::report::side_by_side::Run;
-use crate::report::{Style, number, words};
+use crate::report::{Style, words};
 use std::rc::Rc;
 
 /// Two logs beside each other. A node that both have, and each thing in it, has a row.
@@ -61,8 +62,12 @@ impl<'a> Rows<'a> {
         let (a, b) = (self.comparing.causes.a, self.comparing.causes.b);
         match row.place {
             Place::Node(node) => {
-                let theirs = self.comparing.causes.partner(node).map(|node| words::title(b.log, b.tree, node));
-                [Some(words::title(a.log, a.tree, node)), theirs]
+                let theirs = self
+                    .comparing
+                    .causes
+                    .partner(node)
+                    .map(|node| words::title(Language::English, b.log, b.tree, node));
+                [Some(words::title(Language::English, a.log, a.tree, node)), theirs]
             }
             Place::Thing(spot @ Spot::Both(ours, theirs)) => match before::values_of(a, b, spot) {
                 Some((value_a, value_b)) => {
@@ -115,7 +120,7 @@ fn rows(a: Run, alignment: &Alignment, differs: impl Fn(Spot) -> bool) -> Vec<Ro
 }
 
 fn named(run: Run, thing: Thing, value: &Value, style: Style) -> String {
-    let shown = number::value(value, style);
+    let shown = Language::English.value(value, style);
     match quantity(run, thing) {
         Some(name) => format!("{} = {shown}", name.symbol()),
         None => match thing {

@@ -5,7 +5,8 @@ use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Sid
 use super::{header_differences, telling_apart};
 use crate::log::Header;
 use crate::log::escape::{shortened, width};
-use crate::report::number::{self, size};
+use crate::report::language::Language;
+use crate::report::number::size;
 use crate::report::words;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -69,7 +70,10 @@ impl Text {
         *self = self.clone().between(a, b);
         let mut out = String::new();
         for (letter, header) in [("A", a), ("B", b)] {
-            let subject: Vec<_> = words::frame(header).into_iter().chain([words::subject(header)]).collect();
+            let subject: Vec<_> = words::frame(Language::English, header)
+                .into_iter()
+                .chain([words::subject(Language::English, header)])
+                .collect();
             let (scene, subject) = (words::plain(&header.scene.name), subject.join(", "));
             out += &format!("{letter}: {scene} · {subject} · {}\n", words::arithmetic(header));
         }
@@ -205,7 +209,7 @@ impl Text {
             Told::Value { name, a, b, distance, .. } => {
                 let style = telling_apart(a, b, self.digits);
                 let symbol = name.map_or("", |name| name.symbol()).to_owned();
-                let [a, b] = [a, b].map(|value| number::value(value, style));
+                let [a, b] = [a, b].map(|value| Language::English.value(value, style));
                 [label(entry), symbol, a, b, size(distance.absolute), size(distance.relative)]
             }
             Told::Decision { a, b } => ["decision", "", a, b, "", ""].map(str::to_owned),

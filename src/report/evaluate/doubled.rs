@@ -6,7 +6,7 @@
 
 use super::Within;
 use super::wide::Wide;
-use crate::log::formula::{self, Formula, Operator, Several};
+use crate::log::formula::{self, Formula, Operator, Several, Unary};
 use crate::log::scope::{self, Element};
 use crate::log::{Events, Name, Step, Tree, Value, What};
 
@@ -44,7 +44,7 @@ pub(super) fn evaluate(events: &Events, tree: &Tree, event: usize, formula: &For
 
 fn is_sum(formula: &Formula) -> bool {
     match formula {
-        Formula::Over(..) => true,
+        Formula::Unary(Unary::Over(_), _) => true,
         Formula::Binary(_, left, _) => is_sum(left),
         _ => false,
     }
@@ -72,24 +72,19 @@ impl Scope<'_> {
     fn part(&self, formula: &Formula) -> Result<Part, String> {
         match formula {
             Formula::Number(x) => Ok(Part::Number(Wide::exact(*x))),
-            Formula::Symbol(symbol) => self.operand(symbol),
-            Formula::Grouped(inner) => self.part(inner),
-            Formula::Negated(inner) => Ok(map(self.part(inner)?, |x| -x)),
-            Formula::Root(inner) => Ok(map(self.part(inner)?, Wide::sqrt)),
-            Formula::Squared(inner) => {
-                let inner = match &**inner {
-                    Formula::Length(vector) => self.part(vector)?,
-                    other => self.part(other)?,
-                };
-                binary(Operator::Times, inner, inner)
-            }
-            Formula::Length(inner) => {
-                let vector = self.part(inner)?;
-                Ok(map(binary(Operator::Times, vector, vector)?, Wide::sqrt))
-            }
-            Formula::Over(several, inner) => self.over(*several, inner),
+            Formula::Leaf(symbol) => self.operand(symbol),
+            Formula::Unary(Unary::Over(several), inner) => self.over(*several, inner),
+            Formula::Unary(unary, inner) => match (unary, &**inner) {
+                (Unary::Squared, Formula::Unary(Unary::Length, vector)) => squared(self.part(vector)?),
+                (Unary::Grouped, inner) => self.part(inner),
+                (Unary::Negated, inner) => Ok(map(self.part(inner)?, |x| -x)),
+                (Unary::Root, inner) => Ok(map(self.part(inner)?, Wide::sqrt)),
+                (Unary::Squared, inner) => squared(self.part(inner)?),
+                (Unary::Length, inner) => Ok(map(squared(self.part(inner)?)?, Wide::sqrt)),
+                _ => Err(format!("{formula:?} isn't evaluated with twice the digits")),
+            },
             Formula::Binary(operator, left, right) => binary(*operator, self.part(left)?, self.part(right)?),
-            other => Err(format!("{other:?} isn't evaluated with twice the digits")),
+            Formula::Triple(_) => Err(format!("{formula:?} isn't evaluated with twice the digits")),
         }
     }
 
@@ -137,8 +132,12 @@ impl Scope<'_> {
 
 /// A vector over its length.
 fn unit(vector: Part) -> Result<Part, String> {
-    let length = map(binary(Operator::Times, vector, vector)?, Wide::sqrt);
+    let length = map(squared(vector)?, Wide::sqrt);
     binary(Operator::Over, vector, length)
+}
+
+fn squared(part: Part) -> Result<Part, String> {
+    binary(Operator::Times, part, part)
 }
 
 fn exact(value: Value) -> Part {

@@ -1,9 +1,9 @@
 //! Floors with the numbers put in. A floor jumps: the numbers that are shown must have the one that was computed, which rounded ones
 //! needn't have.
 
-use super::{Expression, Part, Substitution};
+use super::{Expression, Leaf, Part, Substitution};
 use crate::log::Value;
-use crate::log::formula::{Formula, Operator};
+use crate::log::formula::{Formula, Operator, Unary};
 use crate::report::{Style, number};
 
 /// The most decimals that are tried: up to these, powers of ten are exact.
@@ -13,7 +13,7 @@ impl Substitution<'_> {
     /// `⌊a⌋` with as many decimals as make it right.
     pub(super) fn floor(&self, inner: &Formula) -> Part {
         let inner = self.part(inner).shown();
-        inner.map_or(Part::Zero, |inner| Part::There(Expression::Floor(Box::new(told(inner, self.style)))))
+        inner.map_or(Part::Zero, |inner| Part::There(Formula::unary(Unary::Floor, told(inner, self.style))))
     }
 }
 
@@ -21,15 +21,15 @@ impl Substitution<'_> {
 /// decided (the f64 of 0.3 over that of 0.1 is below 3) or the division rounded up to a whole number, it is the quotient itself.
 fn told(inner: Expression, style: Style) -> Expression {
     let (above, below) = match &inner {
-        Expression::Binary(Operator::Over, above, below) => (put_in(above), put_in(below)),
+        Formula::Binary(Operator::Over, above, below) => (put_in(above), put_in(below)),
         whole => (put_in(whole), Some((Value::Number(1.0), None))),
     };
     let (Some((above, link)), Some((Value::Number(below), link_below))) = (above, below) else { return inner };
     match (telling(above.components(), below, style), inner) {
-        (Some((of_above, of_below)), Expression::Binary(operator, first, second)) => {
+        (Some((of_above, of_below)), Formula::Binary(operator, first, second)) => {
             let above = shown(above, link, &of_above, style).map_or(first, Box::new);
             let below = shown(Value::Number(below), link_below, &[of_below], style).map_or(second, Box::new);
-            Expression::Binary(operator, above, below)
+            Formula::Binary(operator, above, below)
         }
         (Some((of_above, _)), whole) => shown(above, link, &of_above, style).unwrap_or(whole),
         (None, inner) => {
@@ -38,7 +38,7 @@ fn told(inner: Expression, style: Style) -> Expression {
                 Value::Triple(xyz) => Value::Triple(xyz.map(|x| x / below)),
             };
             let Some((digits, _)) = telling(quotient.components(), 1.0, style) else { return inner };
-            shown(quotient, None, &digits, style).unwrap_or(Expression::Value(quotient, None))
+            shown(quotient, None, &digits, style).unwrap_or(Expression::value(quotient, None))
         }
     }
 }
@@ -46,8 +46,8 @@ fn told(inner: Expression, style: Style) -> Expression {
 /// A value that was put in, and the event that computed it.
 fn put_in(expression: &Expression) -> Option<(Value, Option<usize>)> {
     match expression {
-        Expression::Value(value, link) => Some((*value, *link)),
-        Expression::Number(x) => Some((Value::Number(*x), None)),
+        Formula::Leaf(Leaf::Value(value, link)) => Some((*value, *link)),
+        Formula::Number(x) => Some((Value::Number(*x), None)),
         _ => None,
     }
 }
@@ -55,13 +55,13 @@ fn put_in(expression: &Expression) -> Option<(Value, Option<usize>)> {
 /// A value whose components have so many decimals; `None` where those are the decimals that all numbers have.
 fn shown(value: Value, link: Option<usize>, digits: &[u32], style: Style) -> Option<Expression> {
     let part = |x: f64, digits: u32| match digits {
-        _ if digits == style.digits => Expression::Value(Value::Number(x), link),
-        _ => Expression::Precise(x, digits, link),
+        _ if digits == style.digits => Expression::value(Value::Number(x), link),
+        _ => Formula::Leaf(Leaf::Precise(x, digits, link)),
     };
     match (value, digits) {
         (_, digits) if digits.iter().all(|digits| *digits == style.digits) => None,
         (Value::Triple([x, y, z]), [of_x, of_y, of_z]) => {
-            Some(Expression::Triple(Box::new([part(x, *of_x), part(y, *of_y), part(z, *of_z)])))
+            Some(Formula::Triple(Box::new([part(x, *of_x), part(y, *of_y), part(z, *of_z)])))
         }
         (Value::Number(x), [digits]) => Some(part(x, *digits)),
         _ => None,
@@ -141,14 +141,17 @@ fn has_floor(above: Decimal, below: Decimal, floor: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::computation::text;
     use crate::report::language::Language;
+    use crate::report::notation::{Numbers, Plain, written};
 
     fn line(above: [f64; 3], below: f64, digits: u32) -> String {
         let [above, below] =
-            [Value::Triple(above), Value::Number(below)].map(|value| Box::new(Expression::Value(value, None)));
+            [Value::Triple(above), Value::Number(below)].map(|value| Box::new(Expression::value(value, None)));
         let style = Style { digits };
-        text(Language::English, &told(Expression::Binary(Operator::Over, above, below), style), style)
+        written::<Plain>(
+            Numbers { language: Language::English, style },
+            &told(Formula::Binary(Operator::Over, above, below), style),
+        )
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Sums over samples and cells and products over surfaces, with the numbers put in.
 
-use super::{Expression, Part, Substitution};
+use super::{Expression, Leaf, Part, Substitution};
 use crate::log::Value;
-use crate::log::formula::{Formula, Operator, Several};
+use crate::log::formula::{Formula, Operator, Several, Unary};
 use crate::log::scope::{self, Element};
 
 /// So many terms of a sum are written out; of more, the first three and the last one are.
@@ -20,55 +20,31 @@ impl Substitution<'_> {
         }
         let events = &self.log.events;
         let elements = scope::elements(events, self.tree, self.event, several);
-        let term = |element: &Element| self.of_element(*element, inner).operand().map(|term| *term);
+        let term = |element: &Element| Substitution { element: Some(*element), ..*self }.part(inner).operand();
         let is_elided = elements.len() > MOST;
         let shown: Vec<_> = match elements.as_slice() {
             [first, second, third, .., last] if is_elided => {
                 let first = [first, second, third].map(term);
-                first.into_iter().chain([Some(Expression::Elided), term(last)]).collect()
+                first.into_iter().chain([Some(Formula::Leaf(Leaf::Elided)), term(last)]).collect()
             }
             all => all.iter().map(term).collect(),
         };
         // A term that the log doesn't hold can't be put in, and neither can the sum.
         let Some(shown) = shown.into_iter().collect::<Option<Vec<_>>>() else { return Part::Zero };
         let is_one = shown.len() == 1;
-        match shown.into_iter().reduce(|sum, term| joined(Operator::Plus, sum, term)) {
+        match shown.into_iter().reduce(|sum, term| Formula::binary(Operator::Plus, sum, term)) {
             None => Part::Zero,
             Some(sum) if is_one => Part::There(sum),
-            Some(sum) => Part::There(Expression::Grouped(Box::new(sum))),
-        }
-    }
-
-    fn of_element(&self, element: Element, formula: &Formula) -> Part {
-        match formula {
-            Formula::Symbol(symbol) => {
-                let value = scope::operand_of_element(&self.log.events, self.tree, element, symbol);
-                value.map_or(Part::Zero, |value| Part::There(Expression::Value(value, None)))
-            }
-            Formula::Grouped(inner) => match self.of_element(element, inner).operand() {
-                Some(inner) => Part::There(Expression::Grouped(inner)),
-                None => Part::Zero,
-            },
-            Formula::Binary(operator, left, right) => {
-                let (left, right) =
-                    (self.of_element(element, left).operand(), self.of_element(element, right).operand());
-                match (left, right) {
-                    (Some(left), Some(right)) => Part::There(Expression::Binary(*operator, left, right)),
-                    _ => Part::Zero,
-                }
-            }
-            other => self.part(other),
+            Some(sum) => Part::There(Formula::unary(Unary::Grouped, sum)),
         }
     }
 
     fn over_surfaces(&self) -> Part {
         let factors = scope::factors(&self.log.events, self.tree, self.event);
         let known: Option<Vec<_>> = factors.into_iter().collect();
-        let factors = known.into_iter().flatten().map(|factor| Expression::Value(Value::Triple(factor), None));
-        factors.reduce(|product, factor| joined(Operator::Channelwise, product, factor)).map_or(Part::One, Part::There)
+        let factors = known.into_iter().flatten().map(|factor| Expression::value(Value::Triple(factor), None));
+        factors
+            .reduce(|product, factor| Formula::binary(Operator::Channelwise, product, factor))
+            .map_or(Part::One, Part::There)
     }
-}
-
-fn joined(operator: Operator, left: Expression, right: Expression) -> Expression {
-    Expression::Binary(operator, Box::new(left), Box::new(right))
 }

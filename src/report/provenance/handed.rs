@@ -1,6 +1,5 @@
 //! Inputs that are a computed value of another node, under another symbol or out of its scope.
 
-use super::noted;
 use crate::log::scope::{self, Child};
 use crate::log::{Log, Name, Skippable, Step, Tree, Value};
 
@@ -21,7 +20,7 @@ pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -
         }
         _ => None,
     }?;
-    noted(&log.events[found]).filter(|(_, source)| source.same_bits(value)).map(|_| found)
+    log.events[found].noted().filter(|(_, source)| source.same_bits(value)).map(|_| found)
 }
 
 /// Whether a quantity of this symbol may be handed on as that input: asked before anything is looked for.

@@ -1,9 +1,9 @@
 //! The steps that take a value.
 
-use super::{each_symbol, gives, handed, noted, notes, operands};
+use super::{each_symbol, gives, handed, notes, operands};
 use crate::log::formula;
 use crate::log::scope;
-use crate::log::{Decision, Log, Name, Step, Tree, What};
+use crate::log::{Decision, Event, Log, Name, Step, Tree, What};
 use std::ops::Range;
 
 /// The later steps that take the value which `event` notes, in order, at most `most`.
@@ -13,7 +13,7 @@ use std::ops::Range;
 /// hands on, in the node around it. Each is gone through once, and a node whose inputs hide the value is passed over whole, so
 /// that a log of a million events takes milliseconds.
 pub fn uses(log: &Log, tree: &Tree, event: usize, most: usize) -> Vec<usize> {
-    let Some((name, _)) = log.events.get(event).and_then(noted) else { return Vec::new() };
+    let Some((name, _)) = log.events.get(event).and_then(Event::noted) else { return Vec::new() };
     let seeker = Seeker::new(log, tree, event, name);
     let mut found = seeker.in_own_node();
     found.extend(seeker.in_ray_around_test());
@@ -148,7 +148,7 @@ impl<'a> Seeker<'a> {
             return None;
         }
         let shade = self.tree.nodes()[light].parent;
-        let is_sum = |at: &usize| noted(&self.log.events[*at]).is_some_and(|(name, _)| self.summed[name as usize]);
+        let is_sum = |at: &usize| self.log.events[*at].noted().is_some_and(|(name, _)| self.summed[name as usize]);
         self.tree.own_events(shade).rfind(is_sum).filter(|sum| self.sums_it(*sum))
     }
 

@@ -189,12 +189,7 @@ fn is_hit_known(log: &Log, tree: &Tree, ray: usize, event: usize) -> bool {
 
 /// A test belongs to the search of the ray around it; a moving object carries the hit back later.
 fn in_test(log: &Log, tree: &Tree, node: usize, event: usize) -> Place {
-    let around = std::iter::successors(Some(node), |at| Some(tree.nodes()[*at].parent).filter(|parent| parent != at));
-    let found = around.into_iter().find_map(|at| match tree.nodes()[at].step {
-        Some(Step::Ray { kind, .. }) => Some((at, kind)),
-        _ => None,
-    });
-    match found {
+    match tree.around(node).find_map(|at| Some((at, tree.ray(at)?))) {
         Some((_, RayKind::Shadow { .. })) => Place::Shadow,
         Some((ray, _)) if is_moving(tree, node) && is_hit_known(log, tree, ray, event) => Place::Surface,
         _ => Place::Nearest,

@@ -3,6 +3,7 @@
 
 use super::{Branch, End};
 use crate::log::{Decision, Log, RayKind, Skippable, Step, Tree, What};
+use crate::report::language::Language;
 use crate::report::pseudocode;
 
 /// The calls that trace these rays.
@@ -16,7 +17,7 @@ fn call(log: &Log, tree: &Tree, branch: Branch) -> Branch {
         Some(Step::Ray { depth, .. }) => depth,
         _ => 0,
     };
-    let call = pseudocode::call(&log.header, &branch.path, depth);
+    let call = pseudocode::call(Language::English, &log.header, &branch.path, depth);
     let too_deep =
         if pseudocode::calls_too_deep(&log.header) { too_deep(log, tree, &branch, depth) } else { Vec::new() };
     let children = calls(log, tree, branch.children).into_iter().chain(too_deep).collect();
@@ -37,7 +38,7 @@ fn too_deep(log: &Log, tree: &Tree, branch: &Branch, depth: u32) -> Vec<Branch> 
             label: kind.letter().to_string(),
             kind,
             end: End::TooDeep,
-            call: Some(pseudocode::call(&log.header, &path, depth + 1)),
+            call: Some(pseudocode::call(Language::English, &log.header, &path, depth + 1)),
             path,
             share: 0.0,
             color: [0.0; 3],

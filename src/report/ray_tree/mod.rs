@@ -20,7 +20,8 @@ pub use tikz::tikz;
 use super::contributions;
 use super::language::Language;
 use super::{Style, words};
-use crate::log::{Decision, Log, RayKind, Skippable, Step, Tree, Value, What};
+use crate::log::escape::shortened;
+use crate::log::{Decision, Log, RayKind, Skippable, Tree, Value};
 use std::collections::{BTreeMap, HashMap};
 
 /// A ray with all that it leads to.
@@ -116,10 +117,7 @@ pub fn count(branches: &[Branch]) -> usize {
 
 fn branch(log: &Log, tree: &Tree, node: usize, below: &HashMap<usize, Brought>) -> Branch {
     let path = tree.shown_path(node);
-    let kind = match tree.nodes()[node].step {
-        Some(Step::Ray { kind, .. }) => kind,
-        _ => RayKind::Camera,
-    };
+    let kind = tree.ray(node).unwrap_or(RayKind::Camera);
     // A sample's number belongs to its ray from the eye.
     let label = if kind == RayKind::Camera { path.clone() } else { path.rsplit(' ').next().unwrap_or("").to_owned() };
     let (color, share) = below.get(&node).copied().unwrap_or_default();
@@ -133,7 +131,7 @@ fn rays_below(tree: &Tree, node: usize) -> Vec<usize> {
     let mut open: Vec<usize> = tree.children(node).collect();
     open.reverse();
     while let Some(at) = open.pop() {
-        if matches!(tree.nodes()[at].step, Some(Step::Ray { .. })) {
+        if tree.ray(at).is_some() {
             found.push(at);
             continue;
         }
@@ -145,10 +143,7 @@ fn rays_below(tree: &Tree, node: usize) -> Vec<usize> {
 }
 
 fn end(log: &Log, tree: &Tree, node: usize, kind: RayKind) -> End {
-    let decisions = tree.own_events(node).filter_map(|event| match log.events[event].what {
-        What::Mark(decision) => Some(decision),
-        _ => None,
-    });
+    let decisions = tree.own_events(node).filter_map(|event| log.events[event].decision());
     let met = decisions.filter_map(|decision| match (decision, kind) {
         (Decision::Nearest { object }, _) => Some(End::Object(object)),
         (Decision::Background, _) => Some(End::Background),
@@ -178,13 +173,7 @@ impl<'a> Figure<'a> {
     /// What stands at the end of a ray.
     fn end(&self, branch: &Branch) -> String {
         let header = &self.log.header;
-        let name = |name: &str| {
-            let name = words::plain(name);
-            match name.char_indices().nth(Self::LONGEST) {
-                Some((cut, _)) => format!("{}…", &name[..cut]),
-                None => name,
-            }
-        };
+        let name = |name: &str| shortened(&words::plain(name), Self::LONGEST);
         if let Some(call) = &branch.call {
             return call.clone();
         }
@@ -199,7 +188,7 @@ impl<'a> Figure<'a> {
     /// What is to be said of a ray beside the figure: its path, what it is for, what it adds.
     fn description(&self, branch: &Branch) -> String {
         let texts = self.language.texts();
-        let kind = words::ray_kind_in(self.language, &self.log.header, branch.kind);
+        let kind = words::ray_kind(self.language, &self.log.header, branch.kind);
         let title = (texts.ray)(&branch.path, &kind);
         let more = match branch.end {
             End::Blocked { object, .. } => (texts.figure.blocked)(&words::plain(self.log.header.object(object))),
@@ -219,7 +208,7 @@ impl<'a> Figure<'a> {
     /// The figure's title: what it is, and of what.
     fn title(&self) -> String {
         let texts = self.language.texts();
-        let subject = words::subject_in(self.language, &self.log.header);
+        let subject = words::subject(self.language, &self.log.header);
         let is_of_calls = self.branches.iter().any(|branch| branch.call.is_some());
         let title = if is_of_calls { texts.figure.call_tree } else { texts.figure.ray_tree };
         format!("{title}: {}, {subject}", words::plain(&self.log.header.scene.name))

@@ -4,6 +4,7 @@ use super::layout::{LETTER_AT, Spot, spots};
 use super::{COLORS, End, Figure, color};
 use crate::log::escape::width;
 use crate::report::escape::{self, line};
+use crate::report::svg::{begin, file, label};
 use std::fmt::Write;
 
 /// The width of a character, the distance of levels, the height of a node, in the units of the picture.
@@ -15,7 +16,7 @@ const LEGEND: f64 = 44.0;
 
 /// The figure as a file of its own.
 pub fn svg(figure: &Figure) -> String {
-    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}", svg_of(figure))
+    file(&svg_of(figure))
 }
 
 /// The figure as an element of a page.
@@ -29,14 +30,7 @@ pub fn svg_of(figure: &Figure) -> String {
     let level = LEVEL + (widest * CHARACTER * 0.1).min(LEVEL);
     let tree_height = levels as f64 * level + 2.0 * HALF_HEIGHT + 2.0 * MARGIN;
     let height = tree_height + LEGEND;
-    let mut out = String::new();
-    line!(
-        out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {wide:.1} {height:.1}\" width=\"{wide:.1}\" \
-         height=\"{height:.1}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\" text-anchor=\"middle\" role=\"img\">"
-    );
-    line!(out, "<title>{}</title>", escape::xml(&figure.title()));
-    line!(out, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
+    let mut out = begin([wide, height], 1, &figure.title());
     let place = |spot: &Spot| (spot.x * CHARACTER + shift, spot.level as f64 * level + HALF_HEIGHT + MARGIN);
     for spot in &spots {
         write_ray(&mut out, figure, spot, place(&spots[spot.parent]), place(spot));
@@ -81,13 +75,7 @@ fn write_label(out: &mut String, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f
         );
     }
     let (x, y) = at(LETTER_AT);
-    line!(
-        out,
-        "<text x=\"{x:.1}\" y=\"{:.1}\" fill=\"{color}\" font-weight=\"bold\" paint-order=\"stroke\" stroke=\"#ffffff\" \
-         stroke-width=\"4\">{}</text>",
-        y + 4.0,
-        escape::xml(&branch.label)
-    );
+    *out += &label([x, y], &format!("fill=\"{color}\" font-weight=\"bold\""), 4, &branch.label);
 }
 
 fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {

@@ -1,7 +1,7 @@
 //! Where the texts of the schematic stand: each where it covers no other, the first of some places that is free.
 
 use super::{Label, Place, Ray, clip};
-use crate::log::escape::width;
+use crate::log::escape::{shortened, width};
 use crate::report::ray_tree::short;
 use std::collections::HashSet;
 
@@ -31,10 +31,7 @@ impl<'p> Labels<'p> {
 
     /// A name beside a point: where it lies on the fewest rays.
     pub(super) fn name(&mut self, point: Place, name: &str) {
-        let text: String = match name.char_indices().nth(LONGEST) {
-            Some((cut, _)) => format!("{}…", &name[..cut]),
-            None => name.to_owned(),
-        };
+        let text = shortened(name, LONGEST);
         let half = half_size(&text);
         let mut best: Option<(usize, Place)> = None;
         for reach in [1.0, 2.2, 3.6] {

@@ -2,24 +2,16 @@
 
 use super::Plan;
 use crate::log::RayKind;
-use crate::report::escape::{self, line};
+use crate::report::escape::line;
 use crate::report::ray_tree::color_of;
+use crate::report::svg;
 use std::fmt::Write;
 
 /// The figure as an element of a page.
 pub fn svg_of(plan: &Plan, title: &str) -> String {
-    let [width, height] = plan.size;
-    let mut out = String::new();
-    line!(
-        out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" \
-         height=\"{height:.0}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\" text-anchor=\"middle\" role=\"img\">"
-    );
-    line!(out, "<title>{}</title>", escape::xml(title));
-    line!(out, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
+    let mut out = svg::begin(plan.size, 0, title);
     for outline in &plan.outlines {
-        let points: Vec<_> = outline.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
-        line!(out, "<polyline points=\"{}\" fill=\"none\" stroke=\"#c4cbd6\"/>", points.join(" "));
+        line!(out, "<polyline points=\"{}\" fill=\"none\" stroke=\"#c4cbd6\"/>", svg::points(outline, 1));
     }
     for ray in &plan.rays {
         let ([x1, y1], [x2, y2]) = (ray.from, ray.to);
@@ -45,18 +37,11 @@ pub fn svg_of(plan: &Plan, title: &str) -> String {
         line!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2\" fill=\"#3b4252\"/>");
     }
     for label in &plan.labels {
-        let [x, y] = label.at;
         let (color, weight) = match label.ray {
             Some((kind, is_blocked)) => (color_of(kind, is_blocked), " font-weight=\"bold\""),
             None => ("#1b1f27", ""),
         };
-        line!(
-            out,
-            "<text x=\"{x:.1}\" y=\"{:.1}\" fill=\"{color}\"{weight} paint-order=\"stroke\" stroke=\"#ffffff\" \
-             stroke-width=\"4\">{}</text>",
-            y + 4.0,
-            escape::xml(&label.text)
-        );
+        out += &svg::label(label.at, &format!("fill=\"{color}\"{weight}"), 4, &label.text);
     }
     line!(out, "</svg>");
     out

@@ -1,10 +1,9 @@
 //! A computed value as a chain of expressions, before any format.
 
 use super::Task;
-use crate::log::formula;
-use crate::log::formula::Operator;
+use crate::log::formula::{self, Formula, Operator};
 use crate::log::{Name, Value, What};
-use crate::report::expression::{self, Expression};
+use crate::report::expression::{self, Expression, Leaf};
 use crate::report::{computation, provenance};
 
 /// `symbol = formula = numbers put in = result`.
@@ -25,8 +24,8 @@ impl Equation {
         let substituted = parsed
             .and_then(|formula| expression::substituted(task.log, task.tree, event, formula, task.style, &links))
             // A value that is only handed on needs to be told once.
-            .filter(|put_in| !matches!(put_in, Expression::Value(same, _) if same.same_bits(&value)))
-            .filter(|put_in| !matches!(put_in, Expression::Number(x) if value == Value::Number(*x)));
+            .filter(|put_in| !matches!(put_in, Formula::Leaf(Leaf::Value(same, _)) if same.same_bits(&value)))
+            .filter(|put_in| !matches!(put_in, Formula::Number(x) if value == Value::Number(*x)));
         Some(Equation { name, formula, substituted, result: value })
     }
 }
@@ -34,7 +33,7 @@ impl Equation {
 /// The terms of a sum, with the sign before each but the first.
 pub(super) fn terms(expression: &Expression) -> Vec<(Option<Operator>, &Expression)> {
     match expression {
-        Expression::Binary(operator @ (Operator::Plus | Operator::Minus), left, right) => {
+        Formula::Binary(operator @ (Operator::Plus | Operator::Minus), left, right) => {
             let mut terms = terms(left);
             let mut last = if *operator == Operator::Plus { self::terms(right) } else { vec![(None, &**right)] };
             last[0].0 = Some(*operator);

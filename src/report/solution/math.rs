@@ -3,11 +3,12 @@
 use super::Task;
 use super::equation::{Equation, terms};
 use crate::log::Value;
-use crate::log::formula::{Function, Operator, QUANTILE, Several};
-use crate::report::decided::{self, Comparison, Relation};
-use crate::report::expression::Expression;
-use crate::report::{computation, digits, escape, number};
-use std::f64::consts::TAU;
+use crate::log::formula::{Formula, Operator, QUANTILE, Several, Unary};
+use crate::report::decided::Relation;
+use crate::report::expression::{Expression, Leaf};
+use crate::report::language::Language;
+use crate::report::notation::{Notation, Numbers, written};
+use crate::report::{Style, digits, escape, number};
 
 /// So many characters of a formula fit on a line.
 const LINE: usize = 80;
@@ -19,7 +20,7 @@ pub(super) fn aligned(task: &Task, events: &[usize], fitted: fn(String) -> Strin
     for event in events {
         let Some(equation) = Equation::of(task, *event) else { continue };
         let mut lines = lines(task, &equation, fitted);
-        let marker = digits::marker_in(task.language, &task.log.events[*event]);
+        let marker = digits::marker(task.language, &task.log.events[*event]);
         if let Some(last) = lines.last_mut().filter(|_| !marker.is_empty()) {
             last.push_str(&format!("\\quad\\text{{{}}}", escape::latex(&marker)));
         }
@@ -31,23 +32,24 @@ pub(super) fn aligned(task: &Task, events: &[usize], fitted: fn(String) -> Strin
 /// The lines of an equation; from the second on they begin with what stands under the first equals sign.
 fn lines(task: &Task, equation: &Equation, fitted: fn(String) -> String) -> Vec<String> {
     let symbol = symbol(equation.name.symbol());
-    let result = value(task, &equation.result);
+    let result = Tex::value(task.numbers(), &equation.result);
     let middle = [equation.formula.as_ref(), equation.substituted.as_ref()];
     let parts: Vec<&Expression> = middle.into_iter().flatten().collect();
     let width = |expression: &Expression| self::width(task, expression) + 3;
     let whole: usize = parts.iter().map(|part| width(part)).sum::<usize>() + 16;
     if whole <= LINE {
-        let parts = parts.iter().map(|part| tex(task, part)).chain([result]);
+        let parts = parts.iter().map(|part| written::<Tex>(task.numbers(), part)).chain([result]);
         return vec![format!("{symbol} &= {}", parts.collect::<Vec<_>>().join(" = "))];
     }
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         if width(part) <= LINE {
-            lines.push(format!("&= {}", tex(task, part)));
+            lines.push(format!("&= {}", written::<Tex>(task.numbers(), part)));
             continue;
         }
         for (sign, term) in terms(part) {
-            let text = if sign.is_some() { operand(task, term) } else { tex(task, term) };
+            let text = written::<Tex>(task.numbers(), term);
+            let text = if sign.is_some() && term.begins_negative() { Tex::grouped(&text) } else { text };
             let text = if width(term) > LINE { fitted(text) } else { text };
             lines.push(match sign {
                 None => format!("&= {text}"),
@@ -61,80 +63,102 @@ fn lines(task: &Task, equation: &Equation, fitted: fn(String) -> String) -> Vec<
     lines
 }
 
-/// `symbol = value`.
-pub(super) fn assignment(task: &Task, symbol: &str, value: &Value) -> String {
-    format!("{} = {}", self::symbol(symbol), self::value(task, value))
-}
+/// The notation of TeX.
+pub(super) struct Tex;
 
-/// An expression.
-pub(super) fn tex(task: &Task, expression: &Expression) -> String {
-    let of = |inner: &Expression| tex(task, inner);
-    match expression {
-        Expression::Number(TAU) => "2\\pi ".to_owned(),
-        Expression::Number(x) => value(task, &Value::Number(*x)),
-        Expression::Symbol(symbol) => self::symbol(symbol),
-        Expression::Value(there, _) => value(task, there),
-        Expression::Precise(x, digits, _) => value(&task.shown_in(task.style.at_least(*digits)), &Value::Number(*x)),
-        Expression::Negated(inner) => format!("-{}", operand(task, inner)),
-        Expression::Root(inner) => format!("\\sqrt{{{}}}", of(inner.ungrouped())),
-        Expression::Squared(inner) => format!("{}^2", base(task, inner)),
-        Expression::Positive(inner) => format!("{}^+", base(task, inner)),
-        Expression::Length(inner) => format!("\\left|{}\\right|", of(inner)),
-        Expression::Floor(inner) => format!("\\left\\lfloor {}\\right\\rfloor", of(inner)),
-        Expression::Grouped(inner) => format!("\\left({}\\right)", of(inner)),
-        Expression::OverLights(inner) => format!("\\sum_i {}", of(inner)),
-        Expression::Over(several, inner) => format!("{} \\left({}\\right)", sign(*several), of(inner)),
-        Expression::Degrees(inner) => format!("{}^{{\\circ}}", base(task, inner)),
-        Expression::Function(function, inner) => format!("{}\\left({}\\right)", command(*function), of(inner)),
-        Expression::Triple(parts) => {
-            let mark = task.language.texts().separator.trim_end();
-            format!("\\left({}\\right)", parts.each_ref().map(of).join(&format!("{mark}\\; ")))
-        }
-        Expression::Elided => "\\dots".to_owned(),
-        Expression::Extreme(extreme, first, second) => {
-            let mark = task.language.texts().separator.trim_end();
-            format!("\\{}\\left({}{mark}\\; {}\\right)", computation::word(*extreme), of(first), of(second))
-        }
-        Expression::Quantile(probability, freedom) => {
-            let mark = task.language.texts().separator.trim_end();
-            format!("\\operatorname{{{QUANTILE}}}\\left({}{mark}\\; {}\\right)", of(probability), of(freedom))
-        }
-        Expression::ExtremeComponent(extreme, inner) => {
-            format!("\\{}\\left({}\\right)", computation::word(*extreme), of(inner))
-        }
-        Expression::Binary(Operator::Over, left, right) => {
-            format!("\\frac{{{}}}{{{}}}", of(left.ungrouped()), of(right.ungrouped()))
-        }
-        Expression::Binary(Operator::Power, left, right) => {
-            format!("{}^{{{}}}", base(task, left), of(right.ungrouped()))
-        }
-        Expression::Binary(operator, left, right) => {
-            format!("{} {} {}", of(left), infix(*operator), operand(task, right))
+impl Notation for Tex {
+    const TWO_PI: &str = "2\\pi ";
+    const ELIDED: &str = "\\dots";
+
+    fn separator(language: Language) -> String {
+        format!("{}\\; ", language.texts().separator.trim_end())
+    }
+
+    /// With the language's decimal mark; TeX would put a space behind a comma.
+    fn value(numbers: Numbers, value: &Value) -> String {
+        let number = |x: f64| {
+            let text = numbers.language.number(x, numbers.style).replace(',', "{,}");
+            match text.split_once("·10") {
+                Some((mantissa, power)) => format!("{mantissa}\\cdot 10^{{{}}}", number::lowered(power)),
+                None => text,
+            }
+        };
+        match value {
+            Value::Number(x) => number(*x),
+            Value::Triple(xyz) => format!("({})", xyz.map(number).join(&Self::separator(numbers.language))),
         }
     }
-}
 
-/// The comparisons of a decision, each between dollar signs; nothing where there are none.
-pub(super) fn compared(task: &Task, event: usize) -> String {
-    let sign = |relation: Relation| match relation {
-        Relation::AtMost => "\\le".to_owned(),
-        Relation::AtLeast => "\\ge".to_owned(),
-        other => other.sign().to_owned(),
-    };
-    let line = |comparison: &Comparison| {
-        let task = &task.shown_in(comparison.style);
-        let text = |expression: &Expression| tex(task, expression);
-        let sides = |[left, right]: [String; 2]| format!("${left} {} {right}$", sign(comparison.relation));
-        let symbols = comparison.symbolic.each_ref().map(text);
-        format!("{}: {}", sides(symbols), sides(comparison.numbers(&text))) + &doubled(task, comparison)
-    };
-    let found = decided::comparisons(task.log, task.tree, event, task.style);
-    let lines: Vec<_> = found.iter().map(line).collect();
-    if lines.is_empty() { String::new() } else { format!(" ({})", lines.join("; ")) }
-}
+    fn symbol(symbol: &str) -> String {
+        self::symbol(symbol)
+    }
 
-fn doubled(task: &Task, comparison: &Comparison) -> String {
-    if comparison.is_doubled { format!(" ({})", task.language.texts().twice_the_digits) } else { String::new() }
+    fn grouped(inner: &str) -> String {
+        format!("\\left({inner}\\right)")
+    }
+
+    fn base(_style: Style, expression: &Expression, text: String) -> String {
+        let is_one = match expression {
+            Formula::Leaf(Leaf::Symbol(symbol)) => symbol.chars().all(|c| c.is_alphanumeric() || c == '_'),
+            Formula::Leaf(Leaf::Value(Value::Number(x), _) | Leaf::Precise(x, ..)) => {
+                *x >= 0.0 && !text.contains("10^")
+            }
+            Formula::Leaf(Leaf::Value(Value::Triple(_), _)) | Formula::Number(_) => true,
+            Formula::Unary(unary, _) => matches!(unary, Unary::Length | Unary::Grouped),
+            _ => false,
+        };
+        if is_one { format!("{{{text}}}") } else { Self::grouped(&text) }
+    }
+
+    fn unary(unary: Unary, inner: &str) -> String {
+        match unary {
+            Unary::Negated => format!("-{inner}"),
+            Unary::Root => format!("\\sqrt{{{inner}}}"),
+            Unary::Squared => format!("{inner}^2"),
+            Unary::Positive => format!("{inner}^+"),
+            Unary::Degrees => format!("{inner}^{{\\circ}}"),
+            Unary::Length => format!("\\left|{inner}\\right|"),
+            Unary::Floor => format!("\\left\\lfloor {inner}\\right\\rfloor"),
+            Unary::OverLights => format!("\\sum_i {inner}"),
+            Unary::Over(several) => format!("{} {}", sign(several), Self::grouped(inner)),
+            Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => Self::grouped(inner),
+        }
+    }
+
+    fn function(name: &str) -> String {
+        match name {
+            "cos" | "sin" | "tan" | "exp" | "min" | "max" => format!("\\{name}"),
+            QUANTILE => format!("\\operatorname{{{name}}}"),
+            _ => format!("\\mathrm{{{name}}}"),
+        }
+    }
+
+    fn binary(operator: Operator, left: &str, right: &str) -> String {
+        let infix = match operator {
+            Operator::Over => return format!("\\frac{{{left}}}{{{right}}}"),
+            Operator::Power => return format!("{left}^{{{right}}}"),
+            Operator::Plus => "+",
+            Operator::Minus => "-",
+            Operator::Times => "\\cdot",
+            Operator::Channelwise => "\\circ",
+            Operator::Cross => "\\times",
+            Operator::ComponentsOver => "\\oslash",
+            Operator::Extreme(_) | Operator::Quantile => ",",
+        };
+        format!("{left} {infix} {right}")
+    }
+
+    fn relation(relation: Relation) -> String {
+        match relation {
+            Relation::AtMost => "\\le".to_owned(),
+            Relation::AtLeast => "\\ge".to_owned(),
+            other => other.sign().to_owned(),
+        }
+    }
+
+    fn within_text(formula: String) -> String {
+        format!("${formula}$")
+    }
 }
 
 fn sign(several: Several) -> &'static str {
@@ -144,66 +168,6 @@ fn sign(several: Several) -> &'static str {
         Several::Surfaces => "\\prod",
         Several::StandardError => "\\operatorname{se}_s",
         Several::Freedom => "\\operatorname{df}_s",
-    }
-}
-
-fn command(function: Function) -> &'static str {
-    match function {
-        Function::Cos => "\\cos",
-        Function::Sin => "\\sin",
-        Function::Tan => "\\tan",
-        Function::Exp => "\\exp",
-        Function::ExpM1 => "\\mathrm{expm1}",
-        Function::Ln1p => "\\mathrm{ln1p}",
-        Function::Ceil => "\\mathrm{ceil}",
-    }
-}
-
-fn infix(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Plus => "+",
-        Operator::Minus => "-",
-        Operator::Channelwise => "\\circ",
-        Operator::Cross => "\\times",
-        Operator::ComponentsOver => "\\oslash",
-        Operator::Times | Operator::Over | Operator::Power => "\\cdot",
-    }
-}
-
-/// What stands behind an operator.
-fn operand(task: &Task, expression: &Expression) -> String {
-    let text = tex(task, expression);
-    if expression.begins_negative() { format!("\\left({text}\\right)") } else { text }
-}
-
-/// What a power is of.
-fn base(task: &Task, expression: &Expression) -> String {
-    let text = tex(task, expression);
-    let is_one = match expression {
-        Expression::Symbol(symbol) => symbol.chars().all(|c| c.is_alphanumeric() || c == '_'),
-        Expression::Value(Value::Number(x), _) | Expression::Precise(x, ..) => *x >= 0.0 && !text.contains("10^"),
-        Expression::Number(_) | Expression::Length(_) | Expression::Grouped(_) => true,
-        Expression::Value(Value::Triple(_), _) => true,
-        _ => false,
-    };
-    if is_one { format!("{{{text}}}") } else { format!("\\left({text}\\right)") }
-}
-
-/// A number or triple with the language's decimal mark; TeX would put a space behind a comma.
-pub(super) fn value(task: &Task, value: &Value) -> String {
-    let number = |x: f64| {
-        let text = task.language.number(x, task.style).replace(',', "{,}");
-        match text.split_once("·10") {
-            Some((mantissa, power)) => format!("{mantissa}\\cdot 10^{{{}}}", number::lowered(power)),
-            None => text,
-        }
-    };
-    match value {
-        Value::Number(x) => number(*x),
-        Value::Triple(xyz) => {
-            let mark = task.language.texts().separator.trim_end();
-            format!("({})", xyz.map(number).join(&format!("{mark}\\; ")))
-        }
     }
 }
 
@@ -258,27 +222,32 @@ fn letter(c: char) -> String {
 /// About how many characters wide an expression is.
 fn width(task: &Task, expression: &Expression) -> usize {
     let of = |inner: &Expression| width(task, inner);
+    let number = |x: f64, style| task.language.number(x, style).chars().count();
     match expression {
-        Expression::Number(x) => task.language.number(*x, task.style).chars().count(),
-        Expression::Symbol(symbol) => symbol.split(['_', '·']).map(|part| part.chars().count().min(4)).sum(),
-        Expression::Value(value, _) => task.language.value(value, task.style).chars().count(),
-        Expression::Precise(x, digits, _) => task.language.number(*x, task.style.at_least(*digits)).chars().count(),
-        Expression::Negated(inner)
-        | Expression::Root(inner)
-        | Expression::Squared(inner)
-        | Expression::Degrees(inner)
-        | Expression::Positive(inner) => of(inner) + 1,
-        Expression::Over(_, inner) | Expression::Function(_, inner) => of(inner) + 5,
-        Expression::Triple(parts) => parts.iter().map(of).sum::<usize>() + 6,
-        Expression::Elided => 1,
-        Expression::Length(inner) | Expression::Floor(inner) | Expression::Grouped(inner) => of(inner) + 2,
-        Expression::OverLights(inner) => of(inner) + 3,
-        Expression::Extreme(_, first, second) => of(first) + of(second) + 7,
-        Expression::Quantile(probability, freedom) => of(probability) + of(freedom) + 11,
-        Expression::ExtremeComponent(_, inner) => of(inner) + 5,
-        Expression::Binary(Operator::Over, left, right) => of(left).max(of(right)),
-        Expression::Binary(Operator::Power, left, right) => of(left) + of(right),
-        Expression::Binary(_, left, right) => of(left) + of(right) + 3,
+        Formula::Number(x) => number(*x, task.style),
+        Formula::Leaf(leaf) => match leaf {
+            Leaf::Symbol(symbol) => symbol.split(['_', '·']).map(|part| part.chars().count().min(4)).sum(),
+            Leaf::Value(value, _) => task.language.value(value, task.style).chars().count(),
+            Leaf::Precise(x, digits, _) => number(*x, task.style.at_least(*digits)),
+            Leaf::Elided => 1,
+        },
+        Formula::Triple(parts) => parts.iter().map(of).sum::<usize>() + 6,
+        Formula::Unary(unary, inner) => {
+            let signs = match unary {
+                Unary::Negated | Unary::Root | Unary::Squared | Unary::Degrees | Unary::Positive => 1,
+                Unary::Length | Unary::Floor | Unary::Grouped => 2,
+                Unary::OverLights => 3,
+                Unary::Over(_) | Unary::Function(_) | Unary::ExtremeComponent(_) => 5,
+            };
+            of(inner) + signs
+        }
+        Formula::Binary(operator, left, right) => match operator {
+            Operator::Over => of(left).max(of(right)),
+            Operator::Power => of(left) + of(right),
+            Operator::Extreme(_) => of(left) + of(right) + 7,
+            Operator::Quantile => of(left) + of(right) + 11,
+            _ => of(left) + of(right) + 3,
+        },
     }
 }
 

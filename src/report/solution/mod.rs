@@ -6,6 +6,7 @@
 mod data;
 mod equation;
 mod figures;
+mod format;
 mod html;
 mod latex;
 mod markdown;
@@ -18,8 +19,9 @@ pub use latex::latex;
 pub use markdown::markdown;
 
 use super::Style;
-use super::contributions::pixel_around;
+use super::contributions::{self, pixel_around};
 use super::language::Language;
+use super::notation::Numbers;
 use super::schematic::Stage;
 use super::{digits, words};
 use crate::log::{Log, Name, Tree, Value, What};
@@ -40,9 +42,8 @@ pub struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// The same with numbers shown in another way.
-    fn shown_in(&self, style: Style) -> Task<'_> {
-        Task { log: self.log, tree: self.tree, stage: self.stage, language: self.language, style }
+    fn numbers(&self) -> Numbers {
+        Numbers { language: self.language, style: self.style }
     }
 }
 
@@ -91,24 +92,19 @@ impl Solution {
     fn of(task: &Task) -> Solution {
         let (log, tree, texts) = (task.log, task.tree, task.language.texts());
         let header = &log.header;
-        let pixel = pixel_around(tree, 0);
-        let subject = words::frame_in(task.language, header).into_iter();
-        let subject = subject.chain([words::subject_in(task.language, header)]).collect::<Vec<_>>().join(", ");
+        let subject = words::frame(task.language, header).into_iter();
+        let subject = subject.chain([words::subject(task.language, header)]).collect::<Vec<_>>().join(", ");
         let tracing = &header.tracing;
         let (arithmetic, algorithm) = (words::arithmetic(header), words::plain(&tracing.algorithm));
         let mut conditions = vec![(texts.solution.conditions)(&arithmetic, &algorithm, tracing.max_depth)];
-        conditions.extend(words::sampling_in(task.language, header).map(|method| (texts.solution.sampled)(&method)));
+        conditions.extend(words::sampling(task.language, header).map(|method| (texts.solution.sampled)(&method)));
         let data = Data::of(log, tree);
-        let result = tree.own_events(pixel).rev().find_map(|event| match log.events[event].what {
-            What::Result { color } => Some((color, event)),
-            _ => None,
-        });
         Solution {
             title: (texts.solution.title)(&subject, &words::plain(&header.scene.name)),
             conditions,
             steps: steps::steps(task, &data),
             data,
-            result,
+            result: contributions::result(log, tree, pixel_around(tree, 0)),
         }
     }
 }
@@ -138,10 +134,9 @@ fn lowered(text: &str) -> String {
 fn decision(task: &Task, event: usize) -> Option<String> {
     let happening = &task.log.events[event];
     let What::Mark(decision) = &happening.what else { return None };
-    let lost = words::lost_in(task.language, task.log.given(event), task.style)
-        .map_or(String::new(), |lost| format!("; {lost}"));
-    let words = words::decision_in(task.language, &task.log.header, decision, task.style);
-    Some(format!("{words}{lost}{}", digits::marker_in(task.language, happening)))
+    let lost = words::lost(task.language, task.log.given(event), task.style);
+    let words = words::decision(task.language, &task.log.header, decision, task.style);
+    Some(format!("{words}{lost}{}", digits::marker(task.language, happening)))
 }
 
 /// A title as the beginning of a sentence.

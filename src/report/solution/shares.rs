@@ -39,7 +39,7 @@ impl Shares {
         sum[6] = language.percent(groups.iter().map(|group| group.sum.share).sum());
         rows.push(sum);
         let told = account.ended.iter().take(MOST);
-        let ended = told.map(|ended| (ended.path.clone(), words::ended_in(language, log, ended, task.style)));
+        let ended = told.map(|ended| (ended.path.clone(), words::ended(language, log, ended, task.style)));
         Shares { rows, ended: ended.collect(), more: account.ended.len().saturating_sub(MOST) }
     }
 }
@@ -52,7 +52,7 @@ fn row(task: &Task, Group { sum, count }: &Group) -> [String; 7] {
     let weight = if is_grey { task.language.number(sum.weight[0], task.style) } else { triple(&sum.weight) };
     [
         format!("{}{times}", sum.path),
-        words::origin_in(task.language, &task.log.header, sum.origin),
+        words::origin(task.language, &task.log.header, sum.origin),
         sum.class.clone(),
         if is_alone { triple(&sum.own) } else { String::new() },
         if is_alone { weight } else { String::new() },

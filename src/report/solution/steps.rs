@@ -24,7 +24,7 @@ enum Phase {
 
 /// The title of a node, with a capital; one that begins with the name of an object stays as it is.
 fn titled(task: &Task, node: usize) -> String {
-    let title = words::title_in(task.language, task.log, task.tree, node);
+    let title = words::title(task.language, task.log, task.tree, node);
     let begins_with_a_name = matches!(task.tree.nodes()[node].step, Some(Step::Motion { .. }));
     if begins_with_a_name { title } else { capitalized(&title) }
 }

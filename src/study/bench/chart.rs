@@ -1,6 +1,7 @@
 //! Error against time as a picture: both axes logarithmic, one colour and one sign a method, the Pareto front as a line.
 
 use super::samplers::{Comparison, Outcome};
+use crate::report::escape::xml;
 use std::fmt::Write;
 
 /// The size of a panel, and of the area of the points in it, in the units of the picture.
@@ -60,7 +61,7 @@ pub fn svg(panels: &[Panel], machine: &str) -> String {
         draw(&mut svg, panel);
         svg.push_str("</g>\n");
     }
-    let _ = writeln!(svg, "<text x=\"10\" y=\"{}\" fill=\"#555555\">{}</text>", height - 10.0, escaped(machine));
+    let _ = writeln!(svg, "<text x=\"10\" y=\"{}\" fill=\"#555555\">{}</text>", height - 10.0, xml(machine));
     svg.push_str("</svg>\n");
     svg
 }
@@ -73,7 +74,7 @@ fn draw(svg: &mut String, panel: &Panel) {
     let floor = panel.comparison.reference_error.into_iter();
     let errors = outcomes.iter().flat_map(|outcome| [outcome.rmse.lower, outcome.rmse.upper]).chain(floor);
     let errors = Axis::of(errors, [bottom, top]);
-    let _ = writeln!(svg, "<text x=\"{left}\" y=\"22\" font-size=\"14\">{}</text>", escaped(&panel.title));
+    let _ = writeln!(svg, "<text x=\"{left}\" y=\"22\" font-size=\"14\">{}</text>", xml(&panel.title));
     draw_grid(svg, &times, &errors);
     draw_reference(svg, panel.comparison, &errors);
     draw_front(svg, outcomes, &times, &errors);
@@ -88,7 +89,7 @@ fn draw(svg: &mut String, panel: &Panel) {
     for (number, method) in methods.iter().enumerate() {
         let y = top + 10.0 + 20.0 * number as f64;
         svg.push_str(&sign(number, [right + 20.0, y], 4.5));
-        let _ = writeln!(svg, "<text x=\"{}\" y=\"{}\">{}</text>", right + 32.0, y + 4.0, escaped(method));
+        let _ = writeln!(svg, "<text x=\"{}\" y=\"{}\">{}</text>", right + 32.0, y + 4.0, xml(method));
     }
 }
 
@@ -133,7 +134,7 @@ fn draw_reference(svg: &mut String, comparison: &Comparison, errors: &Axis) {
             "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\" fill=\"#666666\">error of the reference, {}</text>",
             right - 4.0,
             y - 5.0,
-            escaped(&comparison.reference)
+            xml(&comparison.reference)
         );
     }
 }
@@ -151,7 +152,7 @@ fn draw_front(svg: &mut String, outcomes: &[Outcome], times: &Axis, errors: &Axi
     for (number, outcome) in (1..).zip(front) {
         let [x, y] = [times.place(outcome.seconds.median) + 7.0, errors.place(outcome.rmse.median) - 5.0];
         let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"9\">{number}</text>");
-        let (below, name) = (top + 165.0 + 13.0 * f64::from(number), escaped(&outcome.sampling));
+        let (below, name) = (top + 165.0 + 13.0 * f64::from(number), xml(&outcome.sampling));
         let _ = writeln!(svg, "<text x=\"{}\" y=\"{below}\" font-size=\"9\">{number} {name}</text>", right + 14.0);
     }
 }
@@ -161,7 +162,7 @@ fn draw_point(svg: &mut String, method: usize, outcome: &Outcome, times: &Axis, 
     let (time, error) = (outcome.seconds, outcome.rmse);
     let (x, y) = (times.place(time.median), errors.place(error.median));
     let color = COLORS[method % COLORS.len()];
-    let name = escaped(&outcome.sampling);
+    let name = xml(&outcome.sampling);
     let _ = writeln!(svg, "<g><title>{name}: {:.4} s, error {:.2e}</title>", time.median, error.median);
     let _ = writeln!(
         svg,
@@ -189,10 +190,4 @@ fn sign(number: usize, [x, y]: [f64; 2], half: f64) -> String {
 
 fn power(decade: i32) -> String {
     format!("10<tspan dy=\"-5\" font-size=\"9\">{decade}</tspan>")
-}
-
-/// Text that XML takes for text.
-fn escaped(text: &str) -> String {
-    let visible = crate::log::escape::visible(text);
-    visible.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

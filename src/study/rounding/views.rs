@@ -20,7 +20,7 @@ impl Study {
             (texts.off, triple(off, "+")),
             (texts.expected, expected),
         ];
-        let subject = words::subject_in(language, header);
+        let subject = words::subject(language, header);
         let mut lines = vec![format!("{} · {subject} · {}", words::plain(&header.scene.name), header.arithmetic)];
         lines.extend(results.map(|(called, result)| format!("{called:<12} {result}")));
         if self.decides_otherwise {
@@ -61,9 +61,9 @@ impl Study {
         let number = if cause.number > 1 { format!(" ({})", cause.number) } else { String::new() };
         let place = match tree.nodes()[cause.node].step {
             Some(Step::Ray { kind, .. }) => {
-                format!("{}, {}", cause.path, words::ray_kind_in(language, &self.log.header, kind))
+                format!("{}, {}", cause.path, words::ray_kind(language, &self.log.header, kind))
             }
-            _ => format!("{}, {}", cause.path, words::title_in(language, &self.log, tree, cause.node)),
+            _ => format!("{}, {}", cause.path, words::title(language, &self.log, tree, cause.node)),
         };
         [changed(&cause.only), changed(&cause.all_but), format!("{}{number}", cause.name.key()), place]
     }
@@ -91,7 +91,7 @@ impl Study {
             |change: &Change| json!({ "change": change.color, "decides_otherwise": change.decides_otherwise });
         json!({
             "path": cause.path,
-            "node": words::title(&self.log, tree, cause.node),
+            "node": words::title(Language::English, &self.log, tree, cause.node),
             "quantity": cause.name.key(),
             "form": cause.name.form(),
             "number": cause.number,

@@ -2,7 +2,7 @@
 
 use super::text::{shown, wrap};
 use super::{put_all, title, title_rule};
-use crate::report::pseudocode::{current_line, lines, stack_in};
+use crate::report::pseudocode::{current_line, lines, stack};
 use crate::report::words;
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
@@ -20,7 +20,7 @@ pub(in crate::tui) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mu
         return;
     }
     let texts = &model.texts().panes;
-    let calls = stack_in(model.language, &model.log, &model.tree, model.event);
+    let calls = stack(model.language, &model.log, &model.tree, model.event);
     let rows = calls.len().min(MOST_CALLS).min(usize::from(area.height / 3)) as u16;
     let below = if rows == 0 { 0 } else { rows + 1 };
     let code = Rect { height: area.height - below, ..area };
@@ -41,7 +41,7 @@ pub(in crate::tui) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mu
         Line::from(vec![
             Span::styled(shown(&format!("{indent}{before}{}", call.text), theme), theme.style(Role::Text)),
             Span::styled(
-                shown(&format!("  {}", lines_of[call.line].text_in(model.language).trim()), theme),
+                shown(&format!("  {}", lines_of[call.line].text(model.language).trim()), theme),
                 theme.style(Role::Faint),
             ),
         ])
@@ -62,7 +62,7 @@ fn code_lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<
         if is_current {
             marked = drawn.len();
         }
-        let pieces = [(before, theme.style(role)), (shown(line.text_in(model.language), theme), theme.style(role))];
+        let pieces = [(before, theme.style(role)), (shown(line.text(model.language), theme), theme.style(role))];
         drawn.extend(wrap(&pieces, width, indent + 2));
     }
     let skipped = marked.saturating_sub(height / 2).min(drawn.len().saturating_sub(height));

@@ -83,7 +83,7 @@ fn block(model: &Model, item: Item, width: usize, theme: &Theme) -> (Vec<Line<'s
 /// An event without its inputs.
 fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
     let (end, result) = (model.texts().panes.end, model.language.texts().result);
-    let marker = report::digits::marker_in(model.language, &model.log.events[event]);
+    let marker = report::digits::marker(model.language, &model.log.events[event]);
     let pieces = match &model.log.events[event].what {
         What::Note { .. } => return note(model, event, theme, width),
         What::Enter { .. } => label(model, model.tree.owner(event), theme),
@@ -92,7 +92,7 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
         }
         What::Mark(decision) => {
             let mut pieces = decision_pieces(model, decision, theme);
-            let numbers = report::decided::line_in(model.language, &model.log, &model.tree, event, model.numbers);
+            let numbers = report::decided::line(model.language, &model.log, &model.tree, event, model.numbers);
             let faint = theme.style(Role::Faint);
             pieces.extend(numbers.map(|numbers| (format!("  {}", shown(&numbers, theme)), faint)));
             pieces.push((marker, theme.style(Role::Faint)));
@@ -111,8 +111,7 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
 
 /// `symbol = formula = numbers put in = result`: in one line, or one below the other when that is too long.
 fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'static>> {
-    let Some(computation) = report::computation_in(model.language, &model.log, &model.tree, event, model.numbers)
-    else {
+    let Some(computation) = report::computation(model.language, &model.log, &model.tree, event, model.numbers) else {
         return Vec::new();
     };
     let text = theme.style(Role::Text);
@@ -124,7 +123,7 @@ fn note(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<Line<'s
     let result = if model.hides(event) {
         "?".to_owned()
     } else {
-        shown(&computation.result, theme) + &report::digits::marker_in(model.language, &model.log.events[event])
+        shown(&computation.result, theme) + &report::digits::marker(model.language, &model.log.events[event])
     };
     let parts: Vec<Piece> = parts.chain([(result, theme.style(Role::Value))]).collect();
 

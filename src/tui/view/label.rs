@@ -27,7 +27,7 @@ fn name(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
     let (glyph, role) = theme.of_step(step);
     let title = match step {
         Some(Step::Ray { kind, .. }) => {
-            format!("{} {}", end_of_path(model, node), words::ray_kind_in(model.language, &model.log.header, kind))
+            format!("{} {}", end_of_path(model, node), words::ray_kind(model.language, &model.log.header, kind))
         }
         _ => model.title(node),
     };

@@ -3,6 +3,7 @@
 pub(super) use crate::log::escape::width as width_of;
 
 use crate::log::escape::cells;
+use crate::report::number::unraised;
 use crate::tui::theme::Theme;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
@@ -113,14 +114,14 @@ pub(in crate::tui) fn ascii(text: &str) -> String {
     let mut out = String::new();
     let mut is_raised = false;
     for character in text.chars() {
-        let raised = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻".chars().position(|digit| digit == character);
-        if let Some(digit) = raised {
+        let unraised = unraised(character);
+        if let Some(digit) = unraised {
             out.push_str(if is_raised { "" } else { "^" });
-            out.push(b"0123456789-"[digit].into());
+            out.push(digit);
         } else {
             out.push_str(plain(character).unwrap_or(character.encode_utf8(&mut [0; 4])));
         }
-        is_raised = raised.is_some();
+        is_raised = unraised.is_some();
     }
     out
 }

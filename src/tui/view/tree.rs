@@ -15,7 +15,7 @@ use ratatui::text::{Line, Span};
 
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let header = &model.log.header;
-    let frame = words::frame_in(model.language, header).map_or(String::new(), |frame| format!(" {frame}"));
+    let frame = words::frame(model.language, header).map_or(String::new(), |frame| format!(" {frame}"));
     let name = format!("{}{frame} - {}", words::plain(&header.scene.name), words::arithmetic(header));
     let remark = format!("{}/{}", model.cursor + 1, model.tree.nodes().len());
     title(model, Pane::Tree, shown(&name, theme), &remark, theme, area, buffer);

@@ -56,7 +56,7 @@ fn is_seen(log: &Log) {
     let tree = Tree::of(&log.events);
     let style = Style::default();
     for language in [Language::English, Language::Spanish] {
-        is_text(&text::text_in(language, log, style));
+        is_text(&text::text(language, log, style));
     }
     is_text(&outline::outline(log, style));
     let drawn = lines::rays(log);
