@@ -12,7 +12,7 @@ use raywalk::log::file::{is_log, is_utf16};
 use raywalk::render::export::{self, Beside, MAX_PICTURE_BYTES, PictureError, READABLE, is_picture};
 use raywalk::render::part::is_part;
 use raywalk::report::diff::Tolerance;
-use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, visible};
+use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, escape_hidden};
 use raywalk_guard::Endings;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -130,7 +130,7 @@ impl Diff {
             }
             (Compared::Log(log), Compared::Picture(picture, ..))
             | (Compared::Picture(picture, ..), Compared::Log(log)) => {
-                let log = visible(log.name());
+                let log = escape_hidden(log.name());
                 Err(Failure::caller(format!("{log} is a log and {picture} a picture; expected two of a kind")))
             }
         }
@@ -154,7 +154,7 @@ fn open(path: &Path, colors: ColorChoice) -> Result<Compared, Failure> {
     {
         return Err(refused(error));
     }
-    let name = visible(opened.name()).into_owned();
+    let name = escape_hidden(opened.name()).into_owned();
     if !is_picture(opened.beginning()) {
         return Err(Failure::caller(format!("{name}: expected a log or a picture, {}", found(opened.beginning()))));
     }

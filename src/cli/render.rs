@@ -25,7 +25,7 @@ use raywalk::render::layers::render_layers;
 use raywalk::render::statistics::{Seconds, Statistics};
 use raywalk::render::{Counter, RenderError, Settings, TileOrder, render};
 use raywalk::scene::Scene;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -140,7 +140,7 @@ impl Render {
         let scene = self.tracing.apply(frames::at(loaded, frame.number))?;
         seconds.build = build.elapsed().as_secs_f64();
         if let (true, false, Some(warning)) = (frame.is_first, self.progress.quiet, warning_of_sampling(&scene)) {
-            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+            output::tell(&format!("warning: {}: {warning}", escape_hidden(&self.scene.to_string_lossy())));
         }
         let settings = Settings {
             crop: self.crop_in(&scene)?,

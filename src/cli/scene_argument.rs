@@ -11,7 +11,7 @@ use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self, Problem, SceneError, Source, visible};
+use raywalk::scene::file::{self, Problem, SceneError, Source, escape_hidden};
 use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -107,7 +107,7 @@ fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, 
 fn whole(opened: file::Opened, argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
     let name = opened.name().to_owned();
     if let Some(what) = no_scene(opened.beginning()) {
-        return Err(Failure::caller(format!("{}: expected a scene, found {what}", visible(&name))));
+        return Err(Failure::caller(format!("{}: expected a scene, found {what}", escape_hidden(&name))));
     }
     let bytes = opened.bytes().map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     Ok(Input { bytes, name, path: Some(argument.to_owned()) })
@@ -167,5 +167,5 @@ fn nothing_of(name: &str) -> Failure {
         None if name.contains(['.', '/', '\\']) => String::new(),
         None => format!("; the built-in scenes are {}", builtin::names().collect::<Vec<_>>().join(", ")),
     };
-    Failure::caller(format!("{}: no such file or built-in scene{hint}", visible(name)))
+    Failure::caller(format!("{}: no such file or built-in scene{hint}", escape_hidden(name)))
 }

@@ -24,7 +24,7 @@ use raywalk::report::segments::Segment;
 use raywalk::report::{Style, lines};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
-use raywalk::scene::file::{unpacked_name, visible};
+use raywalk::scene::file::{escape_hidden, unpacked_name};
 use raywalk::study::rounding::Rounding;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -170,7 +170,7 @@ impl Trace {
         if names > MAX_NAMES && matches!(self.format, None | Some(TraceFormat::Ndjson | TraceFormat::Json)) {
             output::tell(&format!(
                 "warning: {}: the log names {names} objects and lights; raywalk reads logs with at most {MAX_NAMES}",
-                visible(&self.scene.to_string_lossy())
+                escape_hidden(&self.scene.to_string_lossy())
             ));
         }
         if let Some(region) = self.region {
@@ -178,7 +178,7 @@ impl Trace {
         }
         let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         if let (Part::Pixel(_), false, Some(warning)) = (part, self.progress.quiet, warning_of_sampling(&scene)) {
-            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+            output::tell(&format!("warning: {}: {warning}", escape_hidden(&self.scene.to_string_lossy())));
         }
         let arithmetic = self.tracing.arithmetic();
         if let Some(of) = self.view {

@@ -72,9 +72,9 @@ impl View {
     }
 
     fn of_solution(&self, scene: Option<&Scene>, log: &Log, write: impl FnOnce(&Task) -> String) -> String {
-        let (tree, things) = (Tree::of(&log.events), scene.map(drawing::objects).unwrap_or_default());
+        let (tree, wireframes) = (Tree::of(&log.events), scene.map(drawing::objects).unwrap_or_default());
         let is_z_up = scene.map(|scene| scene.camera.up().abs()).is_some_and(|up| up.z > up.y);
-        let stage = Stage { things: &things, upright: if is_z_up { 2 } else { 1 } };
+        let stage = Stage { wireframes: &wireframes, upright: if is_z_up { 2 } else { 1 } };
         write(&Task { log, tree: &tree, stage, language: self.language, style: self.style })
     }
 

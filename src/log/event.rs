@@ -2,7 +2,7 @@
 
 mod words;
 
-pub use words::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
+pub use words::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 
 use super::name::Name;
 use super::value::Value;
@@ -132,7 +132,7 @@ pub enum Step {
     /// A zone of the lobe about a blurred bounce: a direction in it, and what comes from there.
     Zone {
         /// Which bounce.
-        what: Skippable,
+        what: Term,
         /// Its number, from 1.
         number: u32,
     },
@@ -235,27 +235,27 @@ pub enum Decision {
     /// A bounce isn't traced because it would lie too deep in the ray tree.
     DepthLimit {
         /// Which bounce.
-        what: Skippable,
+        what: Term,
     },
     /// What was traced counts as black: the interpolated normal put it on a side of the surface where it isn't.
     LeakGuard {
         /// Which ray.
-        what: Skippable,
+        what: Term,
     },
     /// The direction by the interpolated normal ran below the surface, and was bent up to the nearest one above it.
     Bent {
         /// Which bounce.
-        what: Skippable,
+        what: Term,
     },
     /// A direction of a blurred bounce lies on the wrong side of the surface. No ray goes there, and the mean is over the others.
     Rejected {
         /// Which bounce.
-        what: Skippable,
+        what: Term,
     },
     /// Work isn't done because it can't change the colour.
     Skipped {
         /// What isn't done.
-        what: Skippable,
+        what: Term,
         /// By which rule.
         why: SkipReason,
     },

@@ -20,7 +20,7 @@ pub mod value;
 mod whole;
 
 pub use event::{
-    Acceptance, Asking, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Skippable, Split, Step, What,
+    Acceptance, Asking, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Split, Step, Term, What,
 };
 pub use events::{Events, Input};
 pub use header::{FrameId, Header, Parameter, Subject};

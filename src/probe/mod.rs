@@ -38,7 +38,7 @@ pub trait Probe: Sized {
     /// Whether trees are walked with the processor's best instructions, for which the walk is compiled a second time. Kernels meet the
     /// same primitives either way. Only silent probes get operations that not every processor has, so that what others count is the same on
     /// every machine.
-    const IS_HURRIED: bool = Self::IS_SILENT;
+    const USES_SIMD: bool = Self::IS_SILENT;
 
     /// An input that the problem states, for the next event. Inputs are never altered.
     #[inline(always)]

@@ -110,12 +110,12 @@ impl fmt::Display for Lost {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::log::{RayKind, Skippable};
+    use crate::log::{RayKind, Term};
 
     const SAMPLE: Step = Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 };
 
     fn zone(number: u32) -> Step {
-        Step::Zone { what: Skippable::Reflected, number }
+        Step::Zone { what: Term::Reflected, number }
     }
 
     fn lose(losses: &mut Losses, bound: f64) {

@@ -1,6 +1,6 @@
 //! Which lights reach anything that the camera sees.
 
-use crate::log::{Decision, RayKind, SkipReason, Skippable, Step};
+use crate::log::{Decision, RayKind, SkipReason, Step, Term};
 use crate::probe::{CutOff, Erased, Probe, until_cut_off};
 use crate::sampling;
 use crate::scene::{Sampling, Scene};
@@ -111,7 +111,7 @@ enum Inside {
 
 impl Probe for Lit {
     fn mark(&mut self, decision: Decision) {
-        if let Decision::Skipped { what: Skippable::Local, .. } = decision {
+        if let Decision::Skipped { what: Term::Local, .. } = decision {
             self.has_unweighted = true;
         }
         let Some(inside) = self.open.last_mut() else { return };

@@ -198,7 +198,7 @@ impl Counter {
 }
 
 impl Probe for Counter {
-    const IS_HURRIED: bool = true;
+    const USES_SIMD: bool = true;
 
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
         if name == Name::CutoffLoss

@@ -2,7 +2,7 @@
 //!
 //! Each function takes plain text and gives what stands for it in one format. What can't be seen is escaped first (`\u{1b}`).
 
-use crate::log::escape::visible;
+use crate::log::escape::escape_hidden;
 
 /// In running text of Markdown (CommonMark: a backslash before any punctuation stands for it alone).
 pub fn markdown(text: &str) -> String {
@@ -11,7 +11,7 @@ pub fn markdown(text: &str) -> String {
 
 /// In a quoted label of Graphviz, where backslashes and entities are read.
 pub fn dot(text: &str) -> String {
-    visible(text).replace('\\', r"\\").replace('"', "\\\"").replace('&', "&amp;")
+    escape_hidden(text).replace('\\', r"\\").replace('"', "\\\"").replace('&', "&amp;")
 }
 
 /// In a quoted label of Mermaid, which knows characters by their number.
@@ -97,7 +97,7 @@ fn with_backslashes(text: &str, special: &str) -> String {
 }
 
 fn replaced(text: &str, replacement: impl Fn(char) -> Option<String>) -> String {
-    let text = visible(text);
+    let text = escape_hidden(text);
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match replacement(c) {

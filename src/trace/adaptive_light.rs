@@ -5,7 +5,7 @@ use super::light_points::{OneSide, on_one_side};
 use super::shade::{Source, from_light, segment_to_light};
 use super::{Meeting, unseen};
 use crate::geometry::{Ray, Search};
-use crate::log::{Asking, Decision, Name, SkipReason, Skippable, Step};
+use crate::log::{Asking, Decision, Name, SkipReason, Step, Term};
 use crate::probe::{Probe, Silent, Spared};
 use crate::random::{Dimension, Splits};
 use crate::scene::adaptive_light::RulePoint;
@@ -50,7 +50,7 @@ pub(super) fn add<P: Probe>(
         light.give(probe);
         probe.within(Step::Light { light: number, split: 0 }, |probe| {
             probe.spared(Spared::Skipped(why), area.samples.into());
-            probe.mark(Decision::Skipped { what: Skippable::Shadow, why });
+            probe.mark(Decision::Skipped { what: Term::Shadow, why });
         });
         return sum;
     }

@@ -6,7 +6,7 @@ use super::zones::{self, Lobe};
 use super::{Media, Meeting, Path, Via, in_range, radiance};
 use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
-use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
+use crate::log::{Decision, Name, RayKind, SkipReason, Step, Term};
 use crate::probe::{Probe, Spared};
 use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Formulas, Scene};
@@ -23,18 +23,18 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
 fn mirrored<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
     let weight = scene.tracing.scale_of_reflected(meeting.weights.reflected, material);
-    if is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
+    if is_left_out(scene, meeting, Term::Reflected, weight, probe) {
         return Color::ZERO;
     }
     let Some(direction) = mirror(scene, meeting, probe) else { return Color::ZERO };
-    let direction = above(meeting, direction, Skippable::Reflected, probe);
+    let direction = above(meeting, direction, Term::Reflected, probe);
     // Made where it is used, so that a sharp bounce isn't put in memory.
     let place = meeting.place.and_then(Place::turned_back);
     let leaving = meeting.leaving_here();
     let bounce =
         || Bounce { kind: RayKind::Reflected, leaving, weight, media: meeting.path.media, place: place.as_deref() };
     if let Some(exponent) = material.gloss_exponent {
-        let lobe = Lobe { what: Skippable::Reflected, middle: direction, exponent };
+        let lobe = Lobe { what: Term::Reflected, middle: direction, exponent };
         return zones::mean(scene, meeting, &lobe, &bounce(), probe);
     }
     bounce().follow(scene, meeting, direction, 0, probe)
@@ -50,7 +50,7 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
 fn refracted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
     let weight = meeting.weights.transmitted;
-    if is_left_out(scene, meeting, Skippable::Transmitted, weight, probe) {
+    if is_left_out(scene, meeting, Term::Transmitted, weight, probe) {
         return Color::ZERO;
     }
     let inside = meeting.path.media;
@@ -60,13 +60,13 @@ fn refracted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color
     let Some(direction) = refract(meeting.ray, meeting.surface.normal, eta, formulas, probe) else {
         return Color::ZERO;
     };
-    let direction = above(meeting, direction, Skippable::Transmitted, probe);
+    let direction = above(meeting, direction, Term::Transmitted, probe);
     let beyond = inside.beyond(interface, scene);
     let place = meeting.place.and_then(|place| place.beyond_interface(scene));
     let leaving = meeting.leaving_beyond();
     let bounce = || Bounce { kind: RayKind::Transmitted, leaving, weight, media: &beyond, place: place.as_deref() };
     if let Some(exponent) = material.translucency_exponent {
-        let lobe = Lobe { what: Skippable::Transmitted, middle: direction, exponent };
+        let lobe = Lobe { what: Term::Transmitted, middle: direction, exponent };
         return zones::mean(scene, meeting, &lobe, &bounce(), probe);
     }
     bounce().follow(scene, meeting, direction, 0, probe)
@@ -76,21 +76,21 @@ fn refracted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color
 /// direction that doesn't is its projection onto the surface's own plane (Keller et al., "The Iray light transport simulation and rendering
 /// system", 2017, section A.3, bend reflections up in the same way).
 #[inline(always)]
-fn above<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: &mut P) -> DVec3 {
-    let is_meant_here = what == Skippable::Reflected;
+fn above<P: Probe>(meeting: &Meeting, direction: DVec3, what: Term, probe: &mut P) -> DVec3 {
+    let is_meant_here = what == Term::Reflected;
     if meeting.leaks(direction, is_meant_here) { bent(meeting, direction, what, probe) } else { direction }
 }
 
 #[cold]
 #[inline(never)]
-fn bent<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: &mut P) -> DVec3 {
+fn bent<P: Probe>(meeting: &Meeting, direction: DVec3, what: Term, probe: &mut P) -> DVec3 {
     let normal = meeting.surface.geometric_normal();
     let along = direction - normal * probe.dot(direction, normal);
     let length = along.dot(along).sqrt();
     // Straight down there is no nearest direction.
     let along = if length > 0.0 { along / length } else { normal.any_orthonormal_vector() };
     probe.mark(Decision::Bent { what });
-    let name = if what == Skippable::Reflected { Name::ReflectDirectionBent } else { Name::RefractDirectionBent };
+    let name = if what == Term::Reflected { Name::ReflectDirectionBent } else { Name::RefractDirectionBent };
     probe.note(name, along)
 }
 
@@ -222,10 +222,10 @@ fn doubled_cosine<P: Probe>(ray: &Ray, normal: DVec3, eta: f64, probe: &mut P) -
 }
 
 /// Whether a bounce isn't traced: because of the depth limit, or because it can't be seen.
-fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weight: Color, probe: &mut P) -> bool {
+fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Term, weight: Color, probe: &mut P) -> bool {
     let material = meeting.material;
     let tracing = &scene.tracing;
-    let lobe = if what == Skippable::Reflected { material.gloss_exponent } else { material.translucency_exponent };
+    let lobe = if what == Term::Reflected { material.gloss_exponent } else { material.translucency_exponent };
     let rays = if lobe.is_some() { u64::from(material.zones) } else { 1 };
     if !tracing.goes_deeper(meeting.path.level) {
         probe.spared(Spared::DepthLimit, rays);

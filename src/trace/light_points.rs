@@ -29,13 +29,10 @@ pub(super) fn add<P: Probe>(
     let splits = Splits::new(meeting.path.draws, dimension, area.samples);
     let color = light.share();
     // What can't shadow any point of the light isn't asked for each. Whoever counts is told which searches that saves.
-    let mut among = if P::IS_HURRIED {
-        scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object)
-    } else {
-        None
-    };
+    let mut among =
+        if P::USES_SIMD { scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object) } else { None };
     let mut is_asked =
-        !P::IS_HURRIED || scene.index.shows_all() || !pays(scene, meeting, area.samples, among.as_deref());
+        !P::USES_SIMD || scene.index.shows_all() || !pays(scene, meeting, area.samples, among.as_deref());
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
         light.give(probe);

@@ -3,7 +3,7 @@
 use super::visibility::{Obstacles, transmittance_among};
 use super::{Meeting, in_range, light_points, pattern, unseen};
 use crate::geometry::Ray;
-use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
+use crate::log::{Decision, Name, RayKind, SkipReason, Step, Term};
 use crate::probe::{Probe, Spared};
 use crate::scene::{Arrival, Color, Formulas, Light, LightKind, Material, Scene, Specular};
 use glam::DVec3;
@@ -13,7 +13,7 @@ use glam::DVec3;
 pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     if let Some(why) = unseen::local_model(scene, meeting) {
         probe.spared(Spared::Skipped(why), unseen::shadow_rays(scene, meeting));
-        probe.mark(Decision::Skipped { what: Skippable::Local, why });
+        probe.mark(Decision::Skipped { what: Term::Local, why });
         return Color::ZERO;
     }
     probe.within(Step::Shade { object: meeting.layer.object }, |probe| match &meeting.material.pattern {
@@ -116,7 +116,7 @@ pub(super) fn from_light<P: Probe>(
 /// What a light adds to which no shadow ray is sent, by this rule: nothing.
 fn without_shadow_ray<P: Probe>(why: SkipReason, probe: &mut P) -> Color {
     probe.spared(Spared::Skipped(why), 1);
-    probe.mark(Decision::Skipped { what: Skippable::Shadow, why });
+    probe.mark(Decision::Skipped { what: Term::Shadow, why });
     Color::ZERO
 }
 
@@ -146,7 +146,7 @@ fn shadow_ray<P: Probe>(
     let obstacles = Obstacles { among: source.among, touched };
     let passed = probe.within(step, |probe| transmittance_among(scene, &ray, &obstacles, probe));
     let passed = if meeting.leaks(arrival.direction, is_in_front) {
-        probe.mark(Decision::LeakGuard { what: Skippable::Shadow });
+        probe.mark(Decision::LeakGuard { what: Term::Shadow });
         Color::ZERO
     } else {
         passed
@@ -171,7 +171,7 @@ fn specular<P: Probe>(
 ) -> Color {
     // All that is added up here is at least +0, and so adding zero changes no bit.
     if material.specular == Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroTerm) {
-        probe.mark(Decision::Skipped { what: Skippable::Specular, why: SkipReason::ZeroTerm });
+        probe.mark(Decision::Skipped { what: Term::Specular, why: SkipReason::ZeroTerm });
         return Color::ZERO;
     }
     let lobe = match scene.tracing.specular {

@@ -2,7 +2,7 @@
 
 use super::{Layer, Place, in_range};
 use crate::geometry::{Crossing, Hit, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Search, Shape, each};
-use crate::log::{Decision, SkipReason, Skippable};
+use crate::log::{Decision, SkipReason, Term};
 use crate::probe::{Probe, Spared};
 use crate::scene::{Color, Scene, Shadows};
 use std::cmp::Ordering;
@@ -34,8 +34,8 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
     let mut hits = Vec::new();
     let mut crossings = Vec::new();
     scene.index.visit(ray, Search::in_any_order(probe), probe, |object, _, probe| {
-        let thing = &scene.objects[object as usize];
-        thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
+        let target = &scene.objects[object as usize];
+        target.shape.all_crossings(object, target.one_sided, ray, &mut crossings, probe);
         hits.extend(crossings.drain(..).map(|crossing| Hit { object, crossing }));
         ray.t_max
     });
@@ -66,8 +66,8 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
         probe,
         #[inline(always)]
         |object, _, probe| {
-            let thing = &scene.objects[object as usize];
-            thing.shape.nearest(object, thing.one_sided, ray, &mut nearest, probe);
+            let target = &scene.objects[object as usize];
+            target.shape.nearest(object, target.one_sided, ray, &mut nearest, probe);
             nearest.limit()
         },
     );
@@ -88,13 +88,13 @@ pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &m
         &mut limits,
         #[inline(always)]
         |which, object, _, limits| {
-            let thing = &scene.objects[object as usize];
-            if let Shape::Mesh(mesh) = &thing.shape {
-                mesh.nearest_together((object, thing.one_sided), rays, which, nearest, limits, probe);
+            let target = &scene.objects[object as usize];
+            if let Shape::Mesh(mesh) = &target.shape {
+                mesh.nearest_together((object, target.one_sided), rays, which, nearest, limits, probe);
                 return;
             }
             for at in each(which) {
-                thing.shape.nearest(object, thing.one_sided, &rays[at], &mut nearest[at], probe);
+                target.shape.nearest(object, target.one_sided, &rays[at], &mut nearest[at], probe);
                 limits[at] = nearest[at].limit();
             }
         },
@@ -148,9 +148,9 @@ pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: R
         &mut limits,
         #[inline(always)]
         |which, object, is_sure, limits| {
-            let thing = &scene.objects[object as usize];
-            if let Shape::Mesh(mesh) = &thing.shape {
-                mesh.cross_together((object, thing.one_sided), sources, which, limits, probe);
+            let target = &scene.objects[object as usize];
+            if let Shape::Mesh(mesh) = &target.shape {
+                mesh.cross_together((object, target.one_sided), sources, which, limits, probe);
                 return;
             }
             for at in each(which) {
@@ -166,9 +166,9 @@ pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: R
 /// Whether the ray crosses an object; `is_sure` where that is known but for the ray's own surface and the object's side.
 #[inline(always)]
 fn is_blocked_by<P: Probe>(scene: &Scene, source: &impl RaySource, object: u32, is_sure: bool, probe: &mut P) -> bool {
-    let thing = &scene.objects[object as usize];
+    let target = &scene.objects[object as usize];
     let is_left = || source.leaving().is_some_and(|leaving| leaving.object == object);
-    (is_sure && !thing.one_sided && !is_left()) || thing.shape.is_crossed(object, thing.one_sided, source, probe)
+    (is_sure && !target.one_sided && !is_left()) || target.shape.is_crossed(object, target.one_sided, source, probe)
 }
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
@@ -218,9 +218,9 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &m
         }
     }
     let mut meet = |object: u32, is_sure: bool, probe: &mut P| {
-        let thing = &scene.objects[object as usize];
-        if lets_light_pass && scene.materials[thing.material].transmits() {
-            thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
+        let target = &scene.objects[object as usize];
+        if lets_light_pass && scene.materials[target.material].transmits() {
+            target.shape.all_crossings(object, target.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
         } else if is_blocked_by(scene, ray, object, is_sure, probe) {
             if !is_blocked {
@@ -229,7 +229,7 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &m
             is_blocked = true;
         }
         if is_blocked && stops_when_blocked {
-            probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Blocked });
+            probe.mark(Decision::Skipped { what: Term::Shadow, why: SkipReason::Blocked });
             return -1.0;
         }
         ray.t_max

@@ -50,7 +50,7 @@ mod update;
 mod view;
 mod visible;
 
-pub use drawing::{Drawing, PlaceOf, Projection, Thing};
+pub use drawing::{Drawing, PlaceOf, Projection, Wireframe};
 pub use guide::{Guide, Walk};
 pub use jumps::Spot;
 pub use keys::Action;

@@ -3,7 +3,7 @@
 use super::model::{Message, Model};
 use super::update::Effect;
 use super::{breakpoints, command, quiz, search};
-use crate::log::escape::visible;
+use crate::log::escape::escape_hidden;
 use crate::report::language::viewer::Status;
 use crate::report::words::plain;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -76,7 +76,7 @@ pub(super) fn pasted(model: &mut Model, text: &str) {
     let text = text.replace("\r\n", " ").replace(['\r', '\n', '\t'], " ");
     let (line, cursor) = (prompt.line.value(), prompt.line.cursor());
     let at = line.char_indices().nth(cursor).map_or(line.len(), |(at, _)| at);
-    let before = format!("{}{}", &line[..at], visible(&text));
+    let before = format!("{}{}", &line[..at], escape_hidden(&text));
     let cursor = before.chars().count();
     prompt.line = Input::new(before + &line[at..]).with_cursor(cursor);
 }

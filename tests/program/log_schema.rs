@@ -5,7 +5,7 @@ use crate::support;
 use jsonschema::Validator;
 use raywalk::log::file::{to_json, to_ndjson};
 use raywalk::log::schema::{self, MARKS, Of, STEPS, json_schema};
-use raywalk::log::{Acceptance, Asking, Decision, Miss, Name, SkipReason, Skippable, Split};
+use raywalk::log::{Acceptance, Asking, Decision, Miss, Name, SkipReason, Split, Term};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::builtin;
 use serde_json::{Number, Value, json};
@@ -182,7 +182,7 @@ fn it_knows_every_decision() {
         Decision::Asked { .. } => "asked",
         Decision::MoreSamples { .. } => "more_samples",
     };
-    let (what, cell) = (Skippable::Shadow, [0.0, 0.5, 0.25]);
+    let (what, cell) = (Term::Shadow, [0.0, 0.5, 0.25]);
     let all = [
         Decision::Hit,
         Decision::Miss { why: Miss::Beyond },

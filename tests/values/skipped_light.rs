@@ -3,7 +3,7 @@
 use super::skips::{picture, skipped};
 use crate::support;
 use proptest::prelude::*;
-use raywalk::log::{Decision, SkipReason, Skippable, Step, What};
+use raywalk::log::{Decision, SkipReason, Step, Term, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::{Counter, Statistics};
 use raywalk::scene::{Color, Sampling, Scene, Skip};
@@ -140,7 +140,7 @@ fn a_local_model_of_which_the_path_leaves_nothing_is_left_out() {
     let mut scene = all_kinds();
     let log = record::pixel(&scene, [1, 1], Arithmetic::F64);
     let why = |rule| {
-        let decision = Decision::Skipped { what: Skippable::Local, why: rule };
+        let decision = Decision::Skipped { what: Term::Local, why: rule };
         log.events.iter().filter(|event| event.what == What::Mark(decision)).count()
     };
     // The front lets red through, which the one in the middle doesn't show of itself.

@@ -3,7 +3,7 @@
 use crate::support;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
-use raywalk::log::{Decision, Log, Name, SkipReason, Skippable, What};
+use raywalk::log::{Decision, Log, Name, SkipReason, Term, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::{Counter, Settings, render};
 use raywalk::scene::{Ceilings, Color, Sampling, Scene, Skip, builtin};
@@ -251,7 +251,7 @@ fn filters() -> Scene {
     support::scene_of(text.as_bytes(), "filters")
 }
 
-fn marks(log: &Log) -> Vec<(Skippable, SkipReason)> {
+fn marks(log: &Log) -> Vec<(Term, SkipReason)> {
     let mark = |event: &raywalk::log::Event| match event.what {
         What::Mark(Decision::Skipped { what, why }) => Some((what, why)),
         _ => None,
@@ -264,12 +264,12 @@ fn a_log_says_what_was_skipped_and_why() {
     let mut scene = filters();
     let found = marks(&record::pixel(&scene, [1, 1], Arithmetic::F64));
     let expected = [
-        (Skippable::Specular, SkipReason::ZeroTerm),
-        (Skippable::Shadow, SkipReason::Behind),
-        (Skippable::Reflected, SkipReason::ZeroWeight),
-        (Skippable::Local, SkipReason::ZeroLocal),
-        (Skippable::Reflected, SkipReason::ZeroWeight),
-        (Skippable::Transmitted, SkipReason::ZeroPath),
+        (Term::Specular, SkipReason::ZeroTerm),
+        (Term::Shadow, SkipReason::Behind),
+        (Term::Reflected, SkipReason::ZeroWeight),
+        (Term::Local, SkipReason::ZeroLocal),
+        (Term::Reflected, SkipReason::ZeroWeight),
+        (Term::Transmitted, SkipReason::ZeroPath),
     ];
     assert_eq!(found, expected);
     scene.tracing.skip = Skip::NONE;

@@ -1,6 +1,6 @@
 //! The machine that was measured on, without which times mean nothing.
 
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use serde::Serialize;
 use std::fmt;
 use std::fs;
@@ -40,7 +40,7 @@ impl fmt::Display for Machine {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Machine { version, processor, cores, system, unoptimized } = self;
         let processor = processor.as_deref().unwrap_or("unknown processor");
-        write!(f, "raywalk {version}, {}, cores: {cores}, {system}", visible(processor))?;
+        write!(f, "raywalk {version}, {}, cores: {cores}, {system}", escape_hidden(processor))?;
         if *unoptimized { write!(f, "; built without optimisation: times say nothing") } else { Ok(()) }
     }
 }

@@ -10,7 +10,7 @@ use crate::cli::output::{self, Output};
 use clap::Args;
 use raywalk::scene::Scene;
 use raywalk::scene::file::raw::{self, Primitives, RayFile};
-use raywalk::scene::file::{SceneError, is_callers_fault, visible, visible_json};
+use raywalk::scene::file::{SceneError, escape_hidden, escape_hidden_json, is_callers_fault};
 use raywalk::study::bench::throughput::{self, Hits, Mode, Passes, Throughput, measure};
 use serde::Serialize;
 use std::fs;
@@ -222,7 +222,7 @@ impl RaysBench {
             TableFormat::Json => print_json(built),
             TableFormat::Csv => Ok(()),
             TableFormat::Text => {
-                let scene = visible(scene);
+                let scene = escape_hidden(scene);
                 let text =
                     format!("{scene}: {primitives} primitives, built in {build_s:.4} s, threads: {build_threads}\n");
                 output::print(text.as_bytes())
@@ -267,7 +267,7 @@ impl<'a> Row<'a> {
     }
 
     fn text(&self) -> String {
-        let rays = visible(self.rays);
+        let rays = escape_hidden(self.rays);
         let Row { mode, threads, n, mrays_median, mrays_per_cpu_s, passes, hits, .. } = self;
         let quartiles = format!("({:.3} {:.3})", self.mrays_lower_quartile, self.mrays_upper_quartile);
         format!(
@@ -290,7 +290,7 @@ impl<'a> Row<'a> {
 
 fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     let line = serde_json::to_string(value).map_err(|error| Failure::machine(format!("cannot write: {error}")))?;
-    output::print(format!("{}\n", visible_json(&line)).as_bytes())
+    output::print(format!("{}\n", escape_hidden_json(&line)).as_bytes())
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

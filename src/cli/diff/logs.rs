@@ -14,7 +14,7 @@ use raywalk::report::diff::{
 use raywalk::report::forms;
 use raywalk::report::side_by_side::Run;
 use raywalk::report::words;
-use raywalk::scene::file::{Opened, visible};
+use raywalk::scene::file::{Opened, escape_hidden};
 use raywalk::tui::Theme;
 use raywalk::tui::beside::{self, Beside};
 use raywalk_guard::Endings;
@@ -209,7 +209,7 @@ struct Source {
 
 impl Source {
     fn open(opened: Opened) -> Result<Source, Failure> {
-        let name = visible(opened.name()).into_owned();
+        let name = escape_hidden(opened.name()).into_owned();
         let input = |opened: Opened| -> Box<dyn Read> { Box::new(opened.stream(MAX_LOG_BYTES)) };
         let again = opened.again();
         let mut reader = PixelReader::open(input(opened)).map_err(|error| saved_log::failure(&name, &error))?;

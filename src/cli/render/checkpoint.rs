@@ -6,7 +6,7 @@ use crate::cli::lock::{Lock, is_at, lock};
 use crate::cli::unfinished::sync_folder;
 use raywalk::render::part::{PartError, PartHeader, Reader, Record, Writer};
 use raywalk::render::pieces::Pixels;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use raywalk_guard::retried;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -198,7 +198,9 @@ fn read(file: &File, path: &Path, header: &PartHeader) -> Result<Option<Found>, 
     if reader.header() != header {
         let theirs = reader.header();
         let reason = match header.picture.difference(&theirs.picture) {
-            Some((what, [ours, found])) => format!("{what}: {} there, {} here", visible(&found), visible(&ours)),
+            Some((what, [ours, found])) => {
+                format!("{what}: {} there, {} here", escape_hidden(&found), escape_hidden(&ours))
+            }
             None => format!("shard {} there, {} here", theirs.shard, header.shard),
         };
         let expected = "expected the same call, or to remove the file and begin anew";

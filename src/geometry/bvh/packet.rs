@@ -36,7 +36,7 @@ pub(super) struct PacketWalk<'a, S, M> {
     /// At most [`PACKET`] of them.
     pub sources: &'a [S],
     pub search: Search,
-    /// Shows a thing that these rays may meet, and says whether they certainly cross it; sets the distances up to which things still matter, a
+    /// Shows a primitive that these rays may meet, and says whether they certainly cross it; sets the distances up to which primitives still matter, a
     /// negative one for a ray whose walk ends.
     pub meet: M,
 }
@@ -197,8 +197,8 @@ impl<S: RaySource, M: FnMut(RayMask, u32, bool, &mut PerRay<f64>)> PacketWalk<'_
                     self.meet_block(lanes, block, rays, local, limits);
                     farthest = local.farthest();
                 }
-                Content::Thing(thing) => {
-                    (self.meet)(rays, thing, false, limits);
+                Content::Primitive(primitive) => {
+                    (self.meet)(rays, primitive, false, limits);
                     for at in each(rays) {
                         local.t_max[at] = latest(&local.distance[at], limits[at]);
                     }
@@ -230,7 +230,7 @@ impl<S: RaySource, M: FnMut(RayMask, u32, bool, &mut PerRay<f64>)> PacketWalk<'_
         waiting[at] = child;
     }
 
-    /// Shows the things of a block, one ray after the other.
+    /// Shows the primitives of a block, one ray after the other.
     #[inline(always)]
     fn meet_block<L: Lanes>(
         &mut self,
@@ -257,14 +257,14 @@ impl<S: RaySource, M: FnMut(RayMask, u32, bool, &mut PerRay<f64>)> PacketWalk<'_
         for lane in each(any_sure) {
             let these = rest & of_lane(&sure, lane);
             if these != 0 {
-                (self.meet)(these, block.thing(lane), true, limits);
+                (self.meet)(these, block.primitive(lane), true, limits);
                 rest &= !ended(these, limits);
             }
         }
         for lane in each(any) {
             let these = rest & of_lane(&possible, lane) & !of_lane(&sure, lane);
             if these != 0 {
-                (self.meet)(these, block.thing(lane), false, limits);
+                (self.meet)(these, block.primitive(lane), false, limits);
                 rest &= !ended(these, limits);
             }
         }

@@ -60,12 +60,12 @@ impl Shaft {
 }
 
 impl Bvh {
-    /// Shows `found` every thing that may meet a segment of the shaft, those beside the tree first; `found` says whether to go on. Returns
+    /// Shows `found` every primitive that may meet a segment of the shaft, those beside the tree first; `found` says whether to go on. Returns
     /// whether all were shown.
     ///
     /// Pictures and counts hang on what is found, so no operation is fused, which not every machine can do.
     pub fn between(&self, shaft: &Shaft, mut found: impl FnMut(u32) -> bool) -> bool {
-        if !self.beside.iter().all(|thing| found(*thing)) {
+        if !self.beside.iter().all(|primitive| found(*primitive)) {
             return false;
         }
         let Some(root) = self.root else { return true };
@@ -94,7 +94,7 @@ impl Bvh {
         let mut nodes = 0;
         let mut child = root;
         loop {
-            let (bits, things) = match child.content() {
+            let (bits, primitives) = match child.content() {
                 Content::Node(number) => {
                     nodes += 1;
                     if nodes > MOST_NODES {
@@ -110,17 +110,17 @@ impl Bvh {
                 }
                 Content::Triangles(number) => {
                     let block = &self.triangles[number as usize];
-                    (shaft.triangles(block), block.things())
+                    (shaft.triangles(block), block.primitives())
                 }
                 Content::Spheres(number) => {
                     let block = &self.spheres[number as usize];
-                    (shaft.spheres(block), block.things())
+                    (shaft.spheres(block), block.primitives())
                 }
-                Content::Thing(thing) => (1, [thing; 8]),
+                Content::Primitive(primitive) => (1, [primitive; 8]),
             };
             let mut bits = bits;
             while bits != 0 {
-                if !found(things[bits.trailing_zeros() as usize & 7]) {
+                if !found(primitives[bits.trailing_zeros() as usize & 7]) {
                     return false;
                 }
                 bits &= bits - 1;

@@ -233,7 +233,7 @@ impl Kernel for Cone {
         self.axis.size(self.base_radius.max(self.apex_radius))
     }
 
-    fn can_be_met_again(&self, sets_off: Side) -> bool {
+    fn can_self_intersect(&self, sets_off: Side) -> bool {
         sets_off != self.outer
     }
 }

@@ -35,7 +35,7 @@ pub trait Kernel {
     fn bounds(&self) -> Option<Bounds>;
 
     /// Whether a ray that sets off on this side of the surface can meet the same surface again. Flat shapes can't be.
-    fn can_be_met_again(&self, _sets_off: Side) -> bool {
+    fn can_self_intersect(&self, _sets_off: Side) -> bool {
         false
     }
 
@@ -122,7 +122,7 @@ pub trait Kernel {
         body: impl FnOnce(Approach, &mut P) -> T,
     ) -> Option<T> {
         let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
-        if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
+        if leaving.is_some_and(|side| !self.can_self_intersect(side)) {
             return None;
         }
         self.give(probe);

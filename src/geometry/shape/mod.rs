@@ -165,7 +165,7 @@ impl Shape {
         match self {
             Shape::Mesh(mesh) => mesh.can_be_crossed_in(shaft, leaving),
             Shape::Moving(_) => true,
-            _ if leaving.is_some_and(|leaving| !self.can_be_met_again(leaving.side)) => false,
+            _ if leaving.is_some_and(|leaving| !self.can_self_intersect(leaving.side)) => false,
             Shape::Plane(plane) => plane.can_be_crossed_in(shaft),
             _ => true,
         }
@@ -185,8 +185,8 @@ impl Shape {
     }
 
     /// Whether a ray that sets off on this side of the surface can meet the same surface again.
-    fn can_be_met_again(&self, side: Side) -> bool {
-        kernel!(self.at_rest(), kernel => kernel.can_be_met_again(side), _mesh => true)
+    fn can_self_intersect(&self, side: Side) -> bool {
+        kernel!(self.at_rest(), kernel => kernel.can_self_intersect(side), _mesh => true)
     }
 
     /// Whether the ray crosses the object at all.
@@ -330,6 +330,6 @@ impl Shape {
     /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
     /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
     pub fn returning_side(&self) -> Side {
-        if !self.is_mesh() && self.can_be_met_again(Side::Front) { Side::Front } else { Side::Back }
+        if !self.is_mesh() && self.can_self_intersect(Side::Front) { Side::Front } else { Side::Back }
     }
 }

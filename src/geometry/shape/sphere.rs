@@ -385,7 +385,7 @@ impl Kernel for Sphere {
         Some(Bounds { min: self.center - self.radius, max: self.center + self.radius })
     }
 
-    fn can_be_met_again(&self, sets_off: Side) -> bool {
+    fn can_self_intersect(&self, sets_off: Side) -> bool {
         sets_off != self.outer
     }
 

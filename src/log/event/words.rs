@@ -44,7 +44,7 @@ words! {
 
 words! {
     /// What may be left out, or count as black.
-    Skippable {
+    Term {
         /// The reflected ray.
         Reflected = "reflected",
         /// The transmitted ray.

@@ -7,7 +7,7 @@ use super::lines::{Lines, TextLine};
 use super::reader::Reader;
 use super::sniff::{is_document, is_log};
 use crate::log::Log;
-use crate::log::escape::{hidden, shortened, visible};
+use crate::log::escape::{escape_hidden, hidden, shortened};
 use crate::log::header::{FORMAT, Header};
 use serde::Deserialize;
 use std::io::{ErrorKind, Read};
@@ -193,7 +193,7 @@ pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
         Some(name) => Err(LogError::damaged(
             1,
             1,
-            &format!("a name must not hold invisible characters, found `{}`", visible(name)),
+            &format!("a name must not hold invisible characters, found `{}`", escape_hidden(name)),
         )),
     }
 }

@@ -8,7 +8,7 @@ use super::numbers::Numbers;
 use super::read::Ending;
 use crate::log::escape::shortened;
 use crate::log::event::{
-    Acceptance, Asking, Decision, Digits, Event, Miss, RayKind, SkipReason, Skippable, Split, Step, What,
+    Acceptance, Asking, Decision, Digits, Event, Miss, RayKind, SkipReason, Split, Step, Term, What,
 };
 use crate::log::events::Events;
 use crate::log::header::Header;
@@ -218,7 +218,7 @@ impl Reader {
             Enter::Shade { object } => Step::Shade { object: self.object(&object)? },
             Enter::Light { light, split: Whole(split) } => Step::Light { light: self.light(&light)?, split },
             Enter::Motion { object } => Step::Motion { object: self.object(&object)? },
-            Enter::Zone { what, number: Whole(number) } => Step::Zone { what: skippable(&what)?, number },
+            Enter::Zone { what, number: Whole(number) } => Step::Zone { what: term(&what)?, number },
             Enter::Combine {} => Step::Combine,
         })
     }
@@ -234,7 +234,7 @@ impl Reader {
                 Decision::Coincident { object: self.object(&object)?, triangle: triangle.map(|Whole(number)| number) }
             }
             Mark::Immersed { object } => Decision::Immersed { object: self.object(&object)? },
-            Mark::Bent { what } => Decision::Bent { what: skippable(&what)? },
+            Mark::Bent { what } => Decision::Bent { what: term(&what)? },
             Mark::Background {} => Decision::Background,
             Mark::Free {} => Decision::Free,
             Mark::Occluded { object } => Decision::Occluded { object: self.object(&object)? },
@@ -244,11 +244,11 @@ impl Reader {
                 Decision::Undefined { quantity: name.ok_or_else(|| unknown("quantity", &quantity))? }
             }
             Mark::TotalInternalReflection {} => Decision::TotalInternalReflection,
-            Mark::DepthLimit { what } => Decision::DepthLimit { what: skippable(&what)? },
-            Mark::LeakGuard { what } => Decision::LeakGuard { what: skippable(&what)? },
-            Mark::Rejected { what } => Decision::Rejected { what: skippable(&what)? },
+            Mark::DepthLimit { what } => Decision::DepthLimit { what: term(&what)? },
+            Mark::LeakGuard { what } => Decision::LeakGuard { what: term(&what)? },
+            Mark::Rejected { what } => Decision::Rejected { what: term(&what)? },
             Mark::Skipped { what, why } => Decision::Skipped {
-                what: skippable(&what)?,
+                what: term(&what)?,
                 why: SkipReason::find(&why).ok_or_else(|| unknown("rule", &why))?,
             },
             Mark::Subdivided { cell, why, object } => Decision::Subdivided {
@@ -278,8 +278,8 @@ impl Reader {
     }
 }
 
-fn skippable(word: &str) -> Result<Skippable, String> {
-    Skippable::find(word).ok_or_else(|| unknown("work", word))
+fn term(word: &str) -> Result<Term, String> {
+    Term::find(word).ok_or_else(|| unknown("work", word))
 }
 
 fn unknown(what: &str, word: &str) -> String {

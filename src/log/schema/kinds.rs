@@ -1,6 +1,6 @@
 //! What a line can say: the nodes that begin, the decisions, and the fields of each.
 
-use crate::log::event::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
+use crate::log::event::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 
 /// A node or a decision, as the key in its line.
 pub struct Kind {
@@ -56,10 +56,10 @@ const fn kind(word: &'static str, fields: &'static [Field], meaning: &'static st
 const OBJECT: Field = field("object", Of::Object);
 const TRIANGLE: Field = optional("triangle", Of::Whole(0));
 const SPLIT: Field = optional("split", Of::Whole(1));
-const WHAT: Field = field("what", Of::Words(skippable));
+const WHAT: Field = field("what", Of::Words(term));
 
-fn skippable() -> Vec<&'static str> {
-    Skippable::ALL.iter().map(|what| what.word()).collect()
+fn term() -> Vec<&'static str> {
+    Term::ALL.iter().map(|what| what.word()).collect()
 }
 
 fn kinds_of_rays() -> Vec<&'static str> {

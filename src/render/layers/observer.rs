@@ -103,7 +103,7 @@ impl<'s> Observer<'s> {
 }
 
 impl Probe for Observer<'_> {
-    const IS_HURRIED: bool = true;
+    const USES_SIMD: bool = true;
 
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
         self.counter.given(name, value);

@@ -3,7 +3,7 @@
 use super::Way;
 use super::{Color, Contribution, Ended, Origin, Source, Why, times};
 use crate::log::tree::path_of_child;
-use crate::log::{Decision, Log, Name, RayKind, SkipReason, Skippable, Step, Tree, Value, What, scope};
+use crate::log::{Decision, Log, Name, RayKind, SkipReason, Step, Term, Tree, Value, What, scope};
 use crate::report::terms;
 use std::collections::HashMap;
 
@@ -111,8 +111,8 @@ impl<'a> Walk<'a> {
             let event = tree.nodes()[ray].events.start;
             return self.ended.push(Ended { path: self.path(ray), why: Why::LogEnds, event });
         };
-        let leaks = |what: Skippable| marks.iter().any(|(_, decision)| *decision == Decision::LeakGuard { what });
-        let [reflected_leaks, transmitted_leaks] = [Skippable::Reflected, Skippable::Transmitted].map(leaks);
+        let leaks = |what: Term| marks.iter().any(|(_, decision)| *decision == Decision::LeakGuard { what });
+        let [reflected_leaks, transmitted_leaks] = [Term::Reflected, Term::Transmitted].map(leaks);
         let kept = self.kept(ray);
         for child in tree.children(ray) {
             match tree.nodes()[child].step {
@@ -129,7 +129,7 @@ impl<'a> Walk<'a> {
                     }
                 }
                 Some(Step::Zone { what, .. }) => {
-                    let factor = if what == Skippable::Transmitted { sum.transmitted } else { sum.reflected };
+                    let factor = if what == Term::Transmitted { sum.transmitted } else { sum.reflected };
                     self.zone((ray, &kept), child, way, times(&weight, &factor));
                 }
                 _ => {}

@@ -2,7 +2,7 @@
 
 use super::{far, grouped, number};
 use crate::log::Header;
-use crate::log::escape::visible;
+use crate::log::escape::escape_hidden;
 use crate::report::escape::line;
 use crate::report::segments::Segment;
 use std::fmt::Write;
@@ -11,7 +11,7 @@ use std::fmt::Write;
 pub fn obj(header: &Header, rays: &[Segment]) -> String {
     let far = far(rays);
     let mut out = String::new();
-    line!(out, "# rays of {}, traced by raywalk {}", visible(&header.scene.name), visible(&header.version));
+    line!(out, "# rays of {}, traced by raywalk {}", escape_hidden(&header.scene.name), escape_hidden(&header.version));
     line!(out, "# rays that meet nothing are drawn {} long", number(far));
     let mut vertices = 0;
     for (group, rays) in grouped(rays) {

@@ -20,7 +20,7 @@ pub use tikz::tikz;
 use super::contributions;
 use super::language::Language;
 use super::{Style, words};
-use crate::log::{Decision, Log, RayKind, Skippable, Step, Tree, Value, What};
+use crate::log::{Decision, Log, RayKind, Step, Term, Tree, Value, What};
 use std::collections::{BTreeMap, HashMap};
 
 /// A ray with all that it leads to.
@@ -204,8 +204,7 @@ impl<'a> Figure<'a> {
         let more = match branch.end {
             End::Blocked { object, .. } => (texts.figure.blocked)(&words::plain(self.log.header.object(object))),
             End::TooDeep => {
-                let what =
-                    if branch.kind == RayKind::Transmitted { Skippable::Transmitted } else { Skippable::Reflected };
+                let what = if branch.kind == RayKind::Transmitted { Term::Transmitted } else { Term::Reflected };
                 (texts.depth_limit)(what)
             }
             _ => {

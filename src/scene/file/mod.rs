@@ -41,7 +41,7 @@ mod there;
 mod zstd;
 
 pub use error::{Problem, SceneError, Severity, more_warnings};
-pub use escape::{visible, visible_json, visible_lines};
+pub use escape::{escape_hidden, escape_hidden_json, escape_hidden_lines};
 pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
 pub use key_path::{KeyPath, Step};
 pub use load::{Loaded, check, check_as, check_scene, parse, placed, read};

@@ -1,6 +1,6 @@
 //! Prints a scene as people write it: what fits on a line stands on one line, and 1 is `1`, not `1.0`.
 
-use super::escape::visible_json;
+use super::escape::escape_hidden_json;
 use super::scan::Scanner;
 use super::schema::{Materials, SceneFile};
 use serde::Serialize;
@@ -75,7 +75,7 @@ impl SceneFile {
         printer.value(0, 0, true);
         printer.printed.push('\n');
         // The path of a mesh may hold what drives a terminal; the names of a scene may not.
-        visible_json(&printer.printed).into_owned()
+        escape_hidden_json(&printer.printed).into_owned()
     }
 }
 
@@ -91,7 +91,7 @@ fn write_item(out: &mut impl Write, number: usize, key: Option<&str>, item: &imp
     let mut printer = Printer { text: &compact, scanner: Scanner::new(&compact), printed: String::new() };
     printer.value(INDENT, INDENT + 1 + key.len(), false);
     let separator = if number == 0 { "\n" } else { ",\n" };
-    let (key, value) = (visible_json(&key), visible_json(&printer.printed));
+    let (key, value) = (escape_hidden_json(&key), escape_hidden_json(&printer.printed));
     write!(out, "{separator}{:INDENT$}{key}{value}", "")
 }
 

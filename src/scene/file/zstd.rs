@@ -99,8 +99,8 @@ mod tests {
     #[test]
     fn frames_follow_one_another_and_skippable_ones_are_passed_over() {
         let long = vec![b'a'; 300_000];
-        let skippable = [&0x184D_2A51_u32.to_le_bytes()[..], &3_u32.to_le_bytes(), b"xyz"].concat();
-        let file = [packed(b"one "), skippable.clone(), packed(b""), packed(&long), skippable].concat();
+        let term = [&0x184D_2A51_u32.to_le_bytes()[..], &3_u32.to_le_bytes(), b"xyz"].concat();
+        let file = [packed(b"one "), term.clone(), packed(b""), packed(&long), term].concat();
         let (bytes, result) = read(&file);
         assert!(result.is_ok());
         assert_eq!(bytes, [b"one ", &long[..]].concat());

@@ -193,6 +193,6 @@ fn power(decade: i32) -> String {
 
 /// Text that XML takes for text.
 fn escaped(text: &str) -> String {
-    let visible = crate::log::escape::visible(text);
+    let visible = crate::log::escape::escape_hidden(text);
     visible.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

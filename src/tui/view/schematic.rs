@@ -7,7 +7,7 @@ use super::{put, shown, title};
 use crate::log::{RayKind, Step};
 use crate::report::schematic::clip;
 use crate::report::segments::{Segment, segment, segments};
-use crate::tui::drawing::{Drawing, Projection, Thing};
+use crate::tui::drawing::{Drawing, Projection, Wireframe};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
 use crate::tui::theme::{Palette, Role, Theme};
@@ -58,9 +58,9 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         .y_bounds(stage.y)
         .paint(|canvas| {
             if let Some(drawing) = &model.drawing {
-                drawing.objects.iter().for_each(|thing| stage.draw_thing(canvas, thing, grey));
+                drawing.objects.iter().for_each(|wireframe| stage.draw_wireframe(canvas, wireframe, grey));
                 canvas.layer();
-                drawing.lights.iter().for_each(|thing| stage.draw_thing(canvas, thing, color(Role::Light)));
+                drawing.lights.iter().for_each(|wireframe| stage.draw_wireframe(canvas, wireframe, color(Role::Light)));
             }
             canvas.layer();
             let others = rays.iter().filter(|ray| current.is_none_or(|current| current.node != ray.node));
@@ -126,9 +126,9 @@ fn label(
         }
     };
     if let Some(drawing) = &model.drawing {
-        for thing in &drawing.lights {
-            let middle = thing.lines.first().and_then(|line| stage.project(*line.first()?));
-            write(middle, &format!("{}{}", theme.glyphs.light, thing.name), theme.style(Role::Light));
+        for wireframe in &drawing.lights {
+            let middle = wireframe.lines.first().and_then(|line| stage.project(*line.first()?));
+            write(middle, &format!("{}{}", theme.glyphs.light, wireframe.name), theme.style(Role::Light));
         }
         write(stage.project(drawing.eye), theme.glyphs.camera, theme.style(Role::Camera));
     }
@@ -177,8 +177,8 @@ impl<'m> Stage<'m> {
             points.extend(rays.iter().map(|ray| ray.end(far)));
         }
         // What isn't much larger than the rays' region is seen whole.
-        for thing in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
-            let lines = thing.lines.concat();
+        for wireframe in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
+            let lines = wireframe.lines.concat();
             if spread(&lines) <= far {
                 points.extend(lines);
             }
@@ -224,8 +224,8 @@ impl<'m> Stage<'m> {
         is_inside.then(|| (body.x + column as u16, body.y + row as u16))
     }
 
-    fn draw_thing(&self, canvas: &mut Context, thing: &Thing, color: Color) {
-        for line in &thing.lines {
+    fn draw_wireframe(&self, canvas: &mut Context, wireframe: &Wireframe, color: Color) {
+        for line in &wireframe.lines {
             line.windows(2).for_each(|ends| self.draw_line(canvas, ends[0], ends[1], color));
         }
     }

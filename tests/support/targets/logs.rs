@@ -70,7 +70,7 @@ fn is_seen(log: &Log) {
             is_text(&write(&figure));
         }
     }
-    let stage = Stage { things: &[], upright: 1 };
+    let stage = Stage { wireframes: &[], upright: 1 };
     for write in [solution::markdown, solution::latex, solution::html] {
         is_text(&write(&Task { log, tree: &tree, stage, language: Language::Spanish, style }));
     }

@@ -1,6 +1,6 @@
 //! The numbers of a raw file, one after the other.
 
-use crate::scene::file::{SceneError, visible};
+use crate::scene::file::{SceneError, escape_hidden};
 use std::io::{self, ErrorKind};
 
 /// A raw file that is being read, from its first byte on.
@@ -31,7 +31,9 @@ impl<'b> Fields<'b> {
         }
         if !bytes.starts_with(letters.as_bytes()) {
             let found = String::from_utf8_lossy(&bytes[..bytes.len().min(letters.len())]).into_owned();
-            return Err(fields.refused(format!("expected it to begin with `{letters}`, found `{}`", visible(&found))));
+            return Err(
+                fields.refused(format!("expected it to begin with `{letters}`, found `{}`", escape_hidden(&found)))
+            );
         }
         if bytes.len() < head {
             return Err(fields.refused(format!("ends within its head, expected {head} bytes, found {}", bytes.len())));
