@@ -140,10 +140,12 @@ impl<'t> Parser<'t> {
     fn sum(&mut self) -> Result<Formula, String> {
         let mut left = self.product()?;
         loop {
-            let operator = match () {
-                _ if self.eat("+") => Operator::Plus,
-                _ if self.eat("−") => Operator::Minus,
-                _ => return Ok(left),
+            let operator = if self.eat("+") {
+                Operator::Plus
+            } else if self.eat("−") {
+                Operator::Minus
+            } else {
+                return Ok(left);
             };
             left = binary(operator, left, self.product()?);
         }
@@ -152,13 +154,18 @@ impl<'t> Parser<'t> {
     fn product(&mut self) -> Result<Formula, String> {
         let mut left = self.power()?;
         loop {
-            let operator = match () {
-                _ if self.eat("·") => Operator::Times,
-                _ if self.eat("∘") => Operator::Channelwise,
-                _ if self.eat("×") => Operator::Cross,
-                _ if self.eat("/") => Operator::Over,
-                _ if self.eat("⊘") => Operator::ComponentsOver,
-                _ => return Ok(left),
+            let operator = if self.eat("·") {
+                Operator::Times
+            } else if self.eat("∘") {
+                Operator::Channelwise
+            } else if self.eat("×") {
+                Operator::Cross
+            } else if self.eat("/") {
+                Operator::Over
+            } else if self.eat("⊘") {
+                Operator::ComponentsOver
+            } else {
+                return Ok(left);
             };
             left = binary(operator, left, self.power()?);
         }

@@ -89,10 +89,12 @@ impl LightSurface {
 /// The axis along which a vector has its least component, of equals the first: the vector is far from parallel to it.
 pub fn least_axis(vector: DVec3) -> DVec3 {
     let size = vector.abs();
-    match () {
-        _ if size.x <= size.y && size.x <= size.z => DVec3::X,
-        _ if size.y <= size.z => DVec3::Y,
-        _ => DVec3::Z,
+    if size.x <= size.y && size.x <= size.z {
+        DVec3::X
+    } else if size.y <= size.z {
+        DVec3::Y
+    } else {
+        DVec3::Z
     }
 }
 

@@ -44,10 +44,12 @@ impl Effects {
     /// What is spread jointly with the places in a pixel: what decides of most of the picture.
     #[inline]
     pub fn partner(self) -> Partner {
-        match () {
-            () if self.lens => Partner::Lens,
-            () if self.motion => Partner::Time,
-            () => Partner::Surface,
+        if self.lens {
+            Partner::Lens
+        } else if self.motion {
+            Partner::Time
+        } else {
+            Partner::Surface
         }
     }
 

@@ -235,11 +235,14 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Term, weight: C
     // A cutoff of 0 is none.
     let product = meeting.path.weight * weight;
     let is_below_cutoff = tracing.cutoff > 0.0 && product.cmplt(Color::splat(tracing.cutoff)).all();
-    let why = match () {
-        _ if weight == Color::ZERO && tracing.skip.has(SkipReason::ZeroWeight) => SkipReason::ZeroWeight,
-        _ if product == Color::ZERO && is_zero_path(scene, meeting.path, weight) => SkipReason::ZeroPath,
-        _ if is_below_cutoff && tracing.skip.has(SkipReason::Cutoff) => SkipReason::Cutoff,
-        _ => return false,
+    let why = if weight == Color::ZERO && tracing.skip.has(SkipReason::ZeroWeight) {
+        SkipReason::ZeroWeight
+    } else if product == Color::ZERO && is_zero_path(scene, meeting.path, weight) {
+        SkipReason::ZeroPath
+    } else if is_below_cutoff && tracing.skip.has(SkipReason::Cutoff) {
+        SkipReason::Cutoff
+    } else {
+        return false;
     };
     if why == SkipReason::Cutoff {
         give_loss(scene, meeting.path, weight, probe);

@@ -100,14 +100,12 @@ pub(super) fn on_one_side(meeting: &Meeting, area: &AreaLight) -> Option<OneSide
     let normal = surface.geometric_normal();
     let [least, most] = shaft.rise_along(normal);
     let [shown_least, shown_most] = surface.beneath.map_or([least, most], |_| shaft.rise_along(surface.normal));
-    match () {
-        _ if least > 0.0 && shown_least > 0.0 => {
-            Some(OneSide { shaft: shaft.rising(normal, least), leaving: meeting.leaving_here(), is_in_front: true })
-        }
-        _ if most < 0.0 && shown_most < 0.0 => {
-            let shaft = shaft.rising(-normal, -most);
-            Some(OneSide { shaft, leaving: meeting.leaving_beyond(), is_in_front: false })
-        }
-        _ => None,
+    if least > 0.0 && shown_least > 0.0 {
+        Some(OneSide { shaft: shaft.rising(normal, least), leaving: meeting.leaving_here(), is_in_front: true })
+    } else if most < 0.0 && shown_most < 0.0 {
+        let shaft = shaft.rising(-normal, -most);
+        Some(OneSide { shaft, leaving: meeting.leaving_beyond(), is_in_front: false })
+    } else {
+        None
     }
 }

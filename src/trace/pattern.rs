@@ -79,9 +79,11 @@ fn axes(scene: &Scene, meeting: &Meeting) -> DVec3 {
     }
     let normal = meeting.surface.geometric_normal();
     let normal = pose(scene, meeting, &mut Silent).map_or(normal, |pose| pose.own_direction(normal)).abs();
-    match () {
-        _ if normal.x >= normal.y && normal.x >= normal.z => DVec3::new(0.0, 1.0, 1.0),
-        _ if normal.y >= normal.z => DVec3::new(1.0, 0.0, 1.0),
-        _ => DVec3::new(1.0, 1.0, 0.0),
+    if normal.x >= normal.y && normal.x >= normal.z {
+        DVec3::new(0.0, 1.0, 1.0)
+    } else if normal.y >= normal.z {
+        DVec3::new(1.0, 0.0, 1.0)
+    } else {
+        DVec3::new(1.0, 1.0, 0.0)
     }
 }

@@ -282,10 +282,12 @@ fn first_beyond(bound: f64, length: f64) -> f64 {
     let mut t = bound * length;
     for _ in 0..STEPS {
         let before = t.next_down();
-        match () {
-            _ if t / length < bound => t = t.next_up(),
-            _ if before / length >= bound => t = before,
-            _ => break,
+        if t / length < bound {
+            t = t.next_up();
+        } else if before / length >= bound {
+            t = before;
+        } else {
+            break;
         }
     }
     t

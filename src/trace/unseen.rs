@@ -21,10 +21,12 @@ pub(super) fn local_model(scene: &Scene, meeting: &Meeting) -> Option<SkipReason
 #[inline(never)]
 fn why_no_local_model(scene: &Scene, meeting: &Meeting) -> Option<SkipReason> {
     let local = meeting.weights.local;
-    let why = match () {
-        _ if local == Color::ZERO => SkipReason::ZeroLocal,
-        _ if dead_channels(meeting.path, local).all() => SkipReason::ZeroPathLocal,
-        _ => return None,
+    let why = if local == Color::ZERO {
+        SkipReason::ZeroLocal
+    } else if dead_channels(meeting.path, local).all() {
+        SkipReason::ZeroPathLocal
+    } else {
+        return None;
     };
     scene.tracing.skip.has(why).then_some(why)
 }
@@ -53,11 +55,14 @@ fn why_no_light(scene: &Scene, meeting: &Meeting, color: Color, is_in_front: boo
     // Neither is negative, so that their sum is zero where both are.
     let used = if is_in_front { material.diffuse + material.specular } else { material.transmission };
     let dead = color.cmpeq(Color::ZERO) | used.cmpeq(Color::ZERO);
-    let why = match () {
-        _ if used == Color::ZERO => SkipReason::NoLocalTerm,
-        _ if dead.all() => SkipReason::ZeroLight,
-        _ if (dead | dead_channels(meeting.path, meeting.weights.local)).all() => SkipReason::ZeroPathLight,
-        _ => return None,
+    let why = if used == Color::ZERO {
+        SkipReason::NoLocalTerm
+    } else if dead.all() {
+        SkipReason::ZeroLight
+    } else if (dead | dead_channels(meeting.path, meeting.weights.local)).all() {
+        SkipReason::ZeroPathLight
+    } else {
+        return None;
     };
     scene.tracing.skip.has(why).then_some(why)
 }

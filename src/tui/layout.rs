@@ -52,15 +52,18 @@ impl Layout {
         }
         let panes = Rect::new(0, 0, width, height - 1);
         let mut layout = Layout { status: Rect::new(0, height - 1, width, 1), ..Layout::default() };
-        match () {
-            _ if arrangement.is_alone => layout.put(arrangement.focus, panes),
-            _ if width >= LARGE.0 && height >= LARGE.1 => layout.all(arrangement, panes),
-            _ if width >= MIDDLING.0 && height >= MIDDLING.1 && arrangement.has_picture => {
-                layout.with_picture(arrangement, panes);
-            }
-            _ if width >= WIDE => layout.side_by_side(arrangement, panes),
-            _ if height >= TALL => layout.stacked(arrangement, panes),
-            _ => layout.put(arrangement.focus, panes),
+        if arrangement.is_alone {
+            layout.put(arrangement.focus, panes);
+        } else if width >= LARGE.0 && height >= LARGE.1 {
+            layout.all(arrangement, panes);
+        } else if width >= MIDDLING.0 && height >= MIDDLING.1 && arrangement.has_picture {
+            layout.with_picture(arrangement, panes);
+        } else if width >= WIDE {
+            layout.side_by_side(arrangement, panes);
+        } else if height >= TALL {
+            layout.stacked(arrangement, panes);
+        } else {
+            layout.put(arrangement.focus, panes);
         }
         layout
     }

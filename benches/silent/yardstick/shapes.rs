@@ -143,10 +143,12 @@ pub trait Meet {
     fn end_at(&self, ray: &Ray, leaves: bool, t: f64, behind: bool) -> Option<End> {
         let slope = self.surface(ray, Crossing { t, behind }).1.dot(ray.direction).abs();
         let is_at = |along: f64| ray.slack > 0.0 && (along * slope).abs() <= ray.slack + ROUNDINGS * self.size();
-        match () {
-            _ if !leaves && is_at(t) => self.may_begin(ray, behind).then_some(End::Start),
-            _ if is_at(ray.end - t) => Some(End::Light),
-            _ => None,
+        if !leaves && is_at(t) {
+            self.may_begin(ray, behind).then_some(End::Start)
+        } else if is_at(ray.end - t) {
+            Some(End::Light)
+        } else {
+            None
         }
     }
 

@@ -62,10 +62,12 @@ impl ErrorBench {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         raywalk::threads::want(self.threads.into());
-        let otherwise: &[&str] = match () {
-            _ if self.arithmetic => &scenes::FEW,
-            _ if self.depths || self.cutoffs => &scenes::BRANCHING,
-            _ => &scenes::SAMPLED,
+        let otherwise: &[&str] = if self.arithmetic {
+            &scenes::FEW
+        } else if self.depths || self.cutoffs {
+            &scenes::BRANCHING
+        } else {
+            &scenes::SAMPLED
         };
         let names = self.scenes.names(otherwise);
         let loaded = names.iter().map(|name| self.scenes.load(name, colors)).collect::<Result<Vec<_>, _>>()?;

@@ -132,17 +132,19 @@ impl Cone {
             return (c <= 0.0).then_some(line);
         };
         let Span { start, end } = Span::between(roots);
-        let (span, is_right_half) = match () {
-            _ if a > 0.0 => {
-                let radius = origin_radius + ray_radius * (start.t * 0.5 + end.t * 0.5);
-                (Span { start, end }, radius >= 0.0)
-            }
+        let (span, is_right_half) = if a > 0.0 {
+            let radius = origin_radius + ray_radius * (start.t * 0.5 + end.t * 0.5);
+            (Span { start, end }, radius >= 0.0)
+        } else if a == 0.0 && b < 0.0 {
             // Parallel to a line of the cone, which it crosses once; the other root is infinite.
-            _ if a == 0.0 && b < 0.0 => (Span { start: finite(start, end), ..line }, ray_radius >= 0.0),
-            _ if a == 0.0 => (Span { end: finite(start, end), ..line }, ray_radius <= 0.0),
+            (Span { start: finite(start, end), ..line }, ray_radius >= 0.0)
+        } else if a == 0.0 {
+            (Span { end: finite(start, end), ..line }, ray_radius <= 0.0)
+        } else if ray_radius > 0.0 {
             // The line crosses both halves.
-            _ if ray_radius > 0.0 => (Span { start: end, ..line }, true),
-            _ => (Span { end: start, ..line }, true),
+            (Span { start: end, ..line }, true)
+        } else {
+            (Span { end: start, ..line }, true)
         };
         is_right_half.then_some(span)
     }

@@ -152,10 +152,12 @@ impl Approach {
 
 /// Whether a crossing, through which the ray passes so fast along the normal, is an end of the ray.
 pub(super) fn at_an_end(ray: &Ray, may_begin: bool, t: f64, slope: f64, size: f64) -> Option<Miss> {
-    match () {
-        _ if may_begin && ray.holds(t * slope, size) => Some(Miss::BeginsThere),
-        _ if ray.holds((ray.t_max - t) * slope, size) => Some(Miss::Beyond),
-        _ => None,
+    if may_begin && ray.holds(t * slope, size) {
+        Some(Miss::BeginsThere)
+    } else if ray.holds((ray.t_max - t) * slope, size) {
+        Some(Miss::Beyond)
+    } else {
+        None
     }
 }
 

@@ -244,10 +244,12 @@ impl Facet {
         }
         let mean = probe.note(Name::TriangleMeanNormal, mean);
         let length = mean.dot(mean).sqrt();
-        match () {
-            _ if length == 0.0 || !length.is_finite() => probe.note(Name::HitNormalFlat, geometric_normal),
-            _ if mean.dot(geometric_normal) < 0.0 => probe.note(Name::HitNormalMeanTurned, -mean / length),
-            _ => probe.note(Name::HitNormalMean, mean / length),
+        if length == 0.0 || !length.is_finite() {
+            probe.note(Name::HitNormalFlat, geometric_normal)
+        } else if mean.dot(geometric_normal) < 0.0 {
+            probe.note(Name::HitNormalMeanTurned, -mean / length)
+        } else {
+            probe.note(Name::HitNormalMean, mean / length)
         }
     }
 

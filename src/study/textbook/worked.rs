@@ -204,10 +204,12 @@ impl Worked {
         let row = |(row, place): (&Stated, Place)| {
             let of = |values: &Values| values.components(&place, row.components.len());
             let recomputed = of(&recomputed);
-            let verdict = match () {
-                _ if recomputed.is_empty() => NOT_REACHED,
-                _ if row.components == recomputed => agreement(&row.text),
-                _ => DEPARTS,
+            let verdict = if recomputed.is_empty() {
+                NOT_REACHED
+            } else if row.components == recomputed {
+                agreement(&row.text)
+            } else {
+                DEPARTS
             };
             let (strict, exact) = (of(strict), of(exact));
             let (text, printed) = (row.text.clone(), row.components.clone());

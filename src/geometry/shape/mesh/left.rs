@@ -41,13 +41,17 @@ impl LeftTriangle {
         let size = (b - a).abs().max((c - a).abs()).max_element();
         let is_nearby = normal.dot(ray.origin - a).abs() <= normal.length() * size * NEARBY;
         let along_normal = normal.dot(ray.direction);
-        let sets_off = match () {
-            _ if !is_nearby => None,
+        let sets_off = if !is_nearby {
+            None
+        } else if ray.slack > 0.0 {
             // A ray along the surface knows by itself on which side of it it runs.
-            _ if ray.slack > 0.0 => Some(leaving.side),
-            _ if along_normal > 0.0 => Some(Side::Front),
-            _ if along_normal < 0.0 => Some(Side::Back),
-            _ => None,
+            Some(leaving.side)
+        } else if along_normal > 0.0 {
+            Some(Side::Front)
+        } else if along_normal < 0.0 {
+            Some(Side::Back)
+        } else {
+            None
         };
         Some(LeftTriangle { number, corners, sets_off })
     }
