@@ -1,4 +1,4 @@
-//! The rules of the house, read off the source text: which room may know which, who does input and output, and what no
+//! The rules of the architecture, read off the source text: which room may know which, who does input and output, and what no
 //! code of ours does. `docs/architecture.md` says why.
 
 mod support {
@@ -36,7 +36,7 @@ const DOORS: &[&str] = &["main.rs", "cli/", "scene/file/", "log/file/", "render/
 /// what `Debug` writes.
 const OWN_PROSE: &[&str] = &["tui/beside/view.rs", "tui/screenshot.rs", "tui/picture.rs", "tui/drawing.rs"];
 
-/// What input and output look like. Its error type may travel through the house.
+/// What input and output look like. Its error type may be used everywhere.
 const INPUT_AND_OUTPUT: &[&str] = &[
     "std::fs",
     "std::net",
@@ -267,7 +267,7 @@ fn room_of(file: &SourceFile) -> Option<String> {
     file.module().first().map(|room| (*room).to_owned())
 }
 
-/// Whether a path with slashes lies in a part of the house.
+/// Whether a path with slashes lies in a part of the crate.
 fn is_in(path: &str, part: &str) -> bool {
     path.strip_prefix(part).is_some_and(|rest| rest.is_empty() || rest.starts_with(['/', '.']))
 }

@@ -97,7 +97,7 @@ fn kind(path: &Path, opened: &Opened) -> Result<Kind, Failure> {
     }
 }
 
-/// Names of things that are missing: the first few.
+/// Names of what is missing: the first few.
 fn some_of(names: &[String]) -> String {
     const MOST: usize = 8;
     let more = names.len().saturating_sub(MOST);

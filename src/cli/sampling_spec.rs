@@ -22,7 +22,7 @@ pub fn sampling(text: &str) -> Result<Sampling, String> {
     sampling_or(&[], text)
 }
 
-/// The same where other words may stand instead, which the caller reads and the error names, too.
+/// The same where other words are allowed instead, which the caller reads and the error names, too.
 pub fn sampling_or(others: &[&str], text: &str) -> Result<Sampling, String> {
     let (method, parameters) = text.split_once(':').map_or((text, None), |(method, rest)| (method, Some(rest)));
     let Some((_, form)) = FORMS.iter().find(|(word, _)| *word == method) else {
@@ -65,7 +65,7 @@ pub fn sampling_or(others: &[&str], text: &str) -> Result<Sampling, String> {
     }
 }
 
-/// What stands behind the method.
+/// What follows the method.
 struct Parameters<'t> {
     form: &'static str,
     text: Option<&'t str>,

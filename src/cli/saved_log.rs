@@ -32,7 +32,7 @@ pub fn read(opened: Opened, progress: &ProgressOptions) -> Result<Saved, Failure
     Ok(Saved { name, log: read.log, ending: read.ending })
 }
 
-/// Whether the whole log with this header stands in a file.
+/// Whether the whole log with this header is in a file.
 pub fn is_whole(path: &Path, header: &Header) -> bool {
     if path == Path::new("-") || !path.is_file() {
         return false;

@@ -46,7 +46,7 @@ fn is_plain() -> bool {
 
 /// What is wrong with this call, without colours and with all that comes from the arguments made visible.
 ///
-/// The arguments stand in the message's parts, and in what the reader of a value said. With them escaped there no line of theirs can be taken
+/// The arguments occur in the message's parts, and in what the reader of a value said. With them escaped there no line of theirs can be taken
 /// for one of the message. `None` if nothing is found wrong.
 fn escaped() -> Option<String> {
     // The same mistake again, but without colours: what is escaped then is what comes from outside.

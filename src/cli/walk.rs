@@ -228,7 +228,7 @@ fn words_back(
     at: u32,
 ) -> Vec<String> {
     let mut options = words;
-    // What stands behind `--` is no option.
+    // What follows `--` is no option.
     let end = options.iter().position(|word| word == "--").unwrap_or(options.len());
     let rest = options.split_off(end);
     let mut forget = |option: &str| {

@@ -16,13 +16,13 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// What orders surfaces in the same place.
+    /// What orders coincident surfaces.
     pub fn rank(&self) -> (u32, u32) {
         (self.object, self.crossing.primitive)
     }
 }
 
-/// The nearest crossing of a ray so far, and the crossings that may be in the same place.
+/// The nearest crossing of a ray so far, and the crossings that may coincide.
 ///
 /// Crossings whose distances differ by less than rounding can tell are in the same place: there the first object in the scene
 /// is the nearer one, then the lowest primitive (see [`Nearest::place`]).
@@ -84,7 +84,7 @@ impl Nearest {
         self.others.is_none()
     }
 
-    /// How far a search must look: crossings a little beyond the nearest one count, too, as they may be in the same place.
+    /// How far a search must look: crossings a little beyond the nearest one count, too, as they may coincide.
     #[inline(always)]
     pub fn limit(&self) -> f64 {
         self.limit
@@ -99,7 +99,7 @@ impl Nearest {
         self.others.get_or_insert_default().extend(self.hit.into_iter().chain([hit]));
     }
 
-    /// The surfaces in the same place as the nearest of all crossings, in the order of the scene: the first is the one that the ray hits.
+    /// The surfaces coincident with the nearest of all crossings, in the order of the scene: the first is the one that the ray hits.
     /// `shape` gives the shape of an object.
     pub fn place<'s, P: Probe>(self, ray: &Ray, shape: impl Fn(u32) -> &'s Shape, probe: &P) -> Vec<Hit> {
         let Some(nearest) = self.hit else { return Vec::new() };
@@ -123,7 +123,7 @@ impl Nearest {
     }
 }
 
-/// Up to so many hits it is quicker to compare each with each.
+/// Up to this many hits it is quicker to compare each with each.
 const FEW: usize = 16;
 
 /// The hits without those of a surface that is hit already: an edge or a corner is crossed once, on the triangle that is met first.
@@ -208,10 +208,10 @@ impl Met {
     }
 }
 
-/// By how much the distances of crossings in the same place may differ.
+/// By how much the distances of coincident crossings may differ.
 #[inline(always)]
 fn closeness<P: Probe>(nearest: f64, ray: &Ray, probe: &P) -> f64 {
-    /// Far more than roundings, so that a ray that runs flat along two surfaces in the same place knows them for one: there
+    /// Far more than roundings, so that a ray that runs flat along two coincident surfaces knows them for one: there
     /// their distances differ by more than the surfaces do.
     const CLOSE: f64 = 1.0 / (1 << 20) as f64;
     /// The same for arithmetics of few digits, in bounds of their roundings.

@@ -75,7 +75,7 @@ pub struct Crossing {
 pub struct Surface {
     /// The point.
     pub point: DVec3,
-    /// The unit normal that light is reckoned with, on the side of the arriving ray.
+    /// The unit normal that light is computed with, on the side of the arriving ray.
     pub normal: DVec3,
     /// The unit normal of the surface itself, on the side of the arriving ray, where `normal` is another one,
     /// interpolated.

@@ -31,7 +31,7 @@ impl Event {
     }
 }
 
-/// Where the inputs of an event stand among those of its log.
+/// Where the inputs of an event are among those of its log.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Given {
     start: u32,
@@ -52,9 +52,9 @@ impl Given {
 /// How far several runs of a computation, each perturbed in its own way, agree on what an event says.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Digits {
-    /// So many significant decimal digits of each component are the same.
+    /// This many significant decimal digits of each component are the same.
     Significant(Value),
-    /// None: the decision isn't the same in all runs, or one that stands before this value.
+    /// None: the decision isn't the same in all runs, or one before this value.
     DecisionDiffers,
 }
 
@@ -197,7 +197,7 @@ pub enum Decision {
         /// The object.
         object: u32,
     },
-    /// Another surface lies in the same place as the nearest one. It comes later in the scene, so it counts as lying just behind.
+    /// Another surface coincides with the nearest one. It comes later in the scene, so it counts as lying just behind.
     Coincident {
         /// The object.
         object: u32,
@@ -279,7 +279,7 @@ pub enum Decision {
     Asked {
         /// The light's number.
         light: u32,
-        /// Why so many.
+        /// Why this many.
         why: Asking,
         /// How many.
         points: u32,

@@ -52,7 +52,7 @@ pub struct Header {
     pub objects: Vec<String>,
     /// The names of the lights, by number.
     pub lights: Vec<String>,
-    /// Of these names, those that stand there only so that the numbers agree with those of another log. Never written.
+    /// Of these names, those that are there only so that the numbers agree with those of another log. Never written.
     #[serde(skip)]
     pub only_elsewhere: Vec<String>,
 }

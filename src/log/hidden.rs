@@ -46,7 +46,7 @@ pub fn hidden(text: &str) -> impl Iterator<Item = (usize, char)> {
     })
 }
 
-/// Whether a hidden character does something where it stands that is seen.
+/// Whether a hidden character has a visible effect in its place.
 fn is_spelt(before: &str, character: char, after: &str) -> bool {
     let (last, next) = (before.chars().next_back(), after.chars().next());
     match character {

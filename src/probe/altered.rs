@@ -128,7 +128,7 @@ impl Alteration for Decimal {
         self.rounds_products.then_some(self.digits)
     }
 
-    /// Chosen, not derived: the bound for all 64 roundings would, with few digits, close gaps that a reader sees. So surfaces in the same place may
+    /// Chosen, not derived: the bound for all 64 roundings would, with few digits, close gaps that a reader sees. So coincident surfaces may
     /// still be told apart here.
     fn slack(&self, size: f64) -> f64 {
         let step = (0..self.digits).fold(1.0, |step, _| step / 10.0);

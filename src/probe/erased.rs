@@ -20,7 +20,7 @@ impl<'p> Erased<'p> {
     }
 }
 
-/// The methods of [`Probe`], with a quantity as what stands in a log.
+/// The methods of [`Probe`], with a quantity as a log holds it.
 trait Methods {
     fn given(&mut self, name: Name, value: Value);
     fn note(&mut self, name: Name, value: Value) -> Value;

@@ -27,7 +27,7 @@ use crate::log::{Decision, Name, SkipReason, Step, Value};
 use glam::DVec3;
 
 /// The bound of what rounding does to a computed point, and to a surface through its numbers, as a part of their sizes:
-/// 64 roundings of f64 (`docs/numerics.md`, "Surfaces in the same place").
+/// 64 roundings of f64 (`docs/numerics.md`, "Coincident surfaces").
 pub const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
 
 /// Sees a computation as it happens.
@@ -91,7 +91,7 @@ pub trait Probe: Sized {
     #[inline(always)]
     fn fallback(&mut self) {}
 
-    /// So many rays aren't traced, or not searched for what they meet. It is counted, not logged: the log has the decision.
+    /// This many rays aren't traced, or not searched for what they meet. It is counted, not logged: the log has the decision.
     #[inline(always)]
     fn spared(&mut self, _why: Spared, _rays: u64) {}
 
@@ -131,7 +131,7 @@ pub enum Spared {
     DepthLimit,
     /// Another pixel has traced them.
     Shared,
-    /// Nothing can stand in their way, so a rendering that counts nothing doesn't search for it.
+    /// Nothing can lie in their way, so a rendering that counts nothing doesn't search for it.
     Search,
 }
 
@@ -140,7 +140,7 @@ pub trait Quantity: Copy {
     /// The same quantity with each component put through `f`, which is told the component's index.
     fn map(self, f: impl FnMut(usize, f64) -> f64) -> Self;
 
-    /// The quantity as it stands in a log.
+    /// The quantity as it is in a log.
     fn value(self) -> Value;
 }
 

@@ -39,7 +39,7 @@ impl Position {
         self.enter_at(key);
     }
 
-    /// A node begins that has this key wherever it stands.
+    /// A node begins that has this key wherever it is.
     pub fn enter_at(&mut self, key: u64) {
         self.open.push(Frame::new(key));
     }

@@ -22,7 +22,7 @@ const AT_FIRST: usize = 1024;
 /// How many nodes are open at once in most pixels.
 const DEEP: usize = 16;
 
-/// From so many events on memory is asked for before it is used: less is always there.
+/// From this many events on memory is asked for before it is used: less is always there.
 const MANY: usize = 1 << 14;
 
 /// Keeps every event of the computation, or hands them on as they come.
@@ -63,7 +63,7 @@ impl Default for Recorder<'_> {
 }
 
 impl<'o> Recorder<'o> {
-    /// Keeps so many events; one more ends the computation, see [`until_cut_off`].
+    /// Keeps this many events; one more ends the computation, see [`until_cut_off`].
     pub fn of_at_most(room: usize) -> Recorder<'o> {
         let (events, open) = (Events::new(), Vec::with_capacity(DEEP));
         Recorder { events, nodes: 0, open, room, full: 0, gone: 0, outlet: None }

@@ -120,7 +120,7 @@ struct Known {
     between_pixels: ByPlace<Seen>,
     /// Those inside of the pixel at hand.
     inside: ByPlace<Seen>,
-    /// Where rays are counted, the corners that the pixel at hand has asked for: so many it would trace by itself.
+    /// Where rays are counted, the corners that the pixel at hand has asked for: as many as it would trace by itself.
     asked: ByPlace<()>,
 }
 
@@ -181,7 +181,7 @@ impl Computation for Pixel<'_> {
 /// What corners see, or will see when whoever traces them is done.
 type Kept = ByPlace<Arc<OnceLock<Seen>>>;
 
-/// Things by their place in the grid of corners.
+/// Values by their place in the grid of corners.
 type ByPlace<T> = HashMap<[u32; 2], T, BuildHasherDefault<PlaceHasher>>;
 
 /// The hash of a place. Nobody chooses places so that their hashes are the same, and so it needs no secret and little time.

@@ -64,7 +64,7 @@ pub struct Statistics {
     /// Rays that weren't traced, by rule and by `depth_limit` and `shared`: at the most where it wasn't asked whether there
     /// would have been one. What they would have spawned isn't counted.
     pub saved: BTreeMap<&'static str, u64>,
-    /// Shadow rays in whose way nothing can stand, which are counted here and searched only because they are counted.
+    /// Shadow rays that nothing can block, which are counted here and searched only because they are counted.
     pub free_shadow_rays: u64,
     /// What cutoffs lost at the most, if there were any.
     #[serde(skip_serializing_if = "Option::is_none")]

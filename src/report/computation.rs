@@ -114,7 +114,7 @@ pub fn word(extreme: Extreme) -> &'static str {
     }
 }
 
-/// What stands between two operands.
+/// What is between two operands.
 pub fn infix(operator: Operator) -> &'static str {
     match operator {
         Operator::Plus => " + ",

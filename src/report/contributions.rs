@@ -99,12 +99,12 @@ pub struct Ended {
 pub enum Why {
     /// A decision of the computation, in the event.
     Decided,
-    /// A light stands on the wrong side of the surface.
+    /// A light is on the wrong side of the surface.
     LightBehind {
         /// The light.
         light: u32,
     },
-    /// A thing stands before a light.
+    /// An object blocks a light.
     Blocked {
         /// The light.
         light: u32,

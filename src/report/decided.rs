@@ -1,6 +1,6 @@
 //! The comparison that a decision was taken by, with its numbers: `L2oc > r²: 178.024 > 9`.
 //!
-//! A log says what was decided, and has the numbers. Which of them were compared stands in one table here; what is shown holds for the
+//! A log says what was decided, and has the numbers. Which of them were compared is in one table here; what is shown holds for the
 //! logged numbers, and where the tracer took twice the digits, for those.
 
 mod table;

@@ -63,7 +63,7 @@ pub fn latex(text: &str) -> String {
     })
 }
 
-/// The command of TeX for a letter that stands in symbols.
+/// The command of TeX for a letter that occurs in symbols.
 pub(super) fn tex_letter(c: char) -> Option<&'static str> {
     const LETTERS: &[(char, &str)] = &[
         ('η', "eta"),

@@ -17,7 +17,7 @@ pub enum Expression {
     Symbol(&'static str),
     /// The value of a quantity, and the event that computed it, if one did and it is known.
     Value(Value, Option<usize>),
-    /// A number with so many decimals, which are more than others have, and the event that computed it.
+    /// A number with this many decimals, which are more than others have, and the event that computed it.
     Precise(f64, u32, Option<usize>),
     /// `−a`
     Negated(Box<Expression>),

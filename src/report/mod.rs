@@ -40,7 +40,7 @@ pub struct Style {
 }
 
 impl Style {
-    /// With so many decimals, or more where it has more.
+    /// With this many decimals, or more where it has more.
     fn at_least(self, digits: u32) -> Style {
         Style { digits: self.digits.max(digits) }
     }

@@ -31,7 +31,7 @@ pub fn number(x: f64, style: Style) -> String {
     fixed(x, style.digits)
 }
 
-/// Whether a number is written with a power of ten: a product, which stands in parentheses under a power, a root or a fraction bar.
+/// Whether a number is written with a power of ten: a product, which is in parentheses under a power, a root or a fraction bar.
 pub fn has_power_of_ten(x: f64, style: Style) -> bool {
     number(x, style).contains("·10")
 }

@@ -96,7 +96,7 @@ fn handed_on(log: &Log, tree: &Tree, event: usize, symbol: &str, value: Value) -
     handed::origin(log, tree, event, *name, &value)
 }
 
-/// Hands every symbol of a formula to `f`, with whether it stands under a Σ.
+/// Hands every symbol of a formula to `f`, with whether it is under a Σ.
 fn each_symbol(formula: &Formula, is_under_sum: bool, f: &mut impl FnMut(&'static str, bool)) {
     match formula {
         Formula::Number(_) => {}

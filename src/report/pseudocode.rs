@@ -26,7 +26,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// What it says in a language. Both languages stand in one row, so that each line of one has its like in the other.
+    /// What it says in a language. Both languages are in one row, so that each line of one has its like in the other.
     pub fn text_in(&self, language: Language) -> &'static str {
         match language {
             Language::English => self.text,

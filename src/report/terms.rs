@@ -1,4 +1,4 @@
-//! What one light adds to a local intensity: the term under the Σ of its formula, reckoned again from the logged values.
+//! What one light adds to a local intensity: the term under the Σ of its formula, computed again from the logged values.
 //!
 //! A log holds the sum over the lights and all that goes into it, but no light's own part. In f64 the parts add up to the sum but
 //! for roundings; in other arithmetics the logged sum is rounded once more.

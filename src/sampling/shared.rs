@@ -15,7 +15,7 @@ use crate::trace::Seen;
 /// The corners of a picture.
 #[derive(Clone, Copy, Debug)]
 pub enum Corners {
-    /// All of a grid of so many steps a pixel.
+    /// All of a grid of this many steps a pixel.
     All {
         /// Steps a pixel.
         n: u32,

@@ -35,22 +35,22 @@ enum Extent {
     Endless,
 }
 
-/// The objects that can stand between a point and a light.
+/// The objects that can lie between a point and a light.
 pub type Between = ArrayVec<u32, MOST_BETWEEN>;
 
-/// Up to so many bounded objects boxes cost more than they save.
+/// Up to this many bounded objects boxes cost more than they save.
 const WITHOUT_TREE: usize = 8;
 
-/// So many objects are looked at for a whole light.
+/// The most objects that are looked at for a whole light.
 const MOST_BETWEEN: usize = 16;
 
 /// In a tree over fewer primitives rays find what they meet as soon alone as together.
 const WORTH_PACKETS: usize = 64;
 
-/// So many objects are looked at by one core at a time.
+/// How many objects one core looks at at a time.
 const CHUNK: usize = 1 << 12;
 
-/// So many objects are tested in less time than the tree takes.
+/// Fewer objects are tested in less time than the tree takes.
 const WORTH_TESTING: usize = 8;
 
 /// Far more than all roundings, as a part of the squares of the lengths that are compared.
@@ -69,8 +69,8 @@ impl Extent {
         }
     }
 
-    /// Whether the object can stand between a point and a ball (C, R). What lies between them at the part s of the way is at most s·R
-    /// from P + s(C − P). So the object's ball (B, r) stands beside it if |B − P − s(C − P)| > r + s·R for all s from 0 to 1: a
+    /// Whether the object can lie between a point and a ball (C, R). What lies between them at the part s of the way is at most s·R
+    /// from P + s(C − P). So the object's ball (B, r) is beside it if |B − P − s(C − P)| > r + s·R for all s from 0 to 1: a
     /// quadratic in s, whose least value tells.
     fn reaches(&self, point: DVec3, (light, light_radius): (DVec3, f64), is_left: bool) -> bool {
         let (center, radius) = match *self {
@@ -135,7 +135,7 @@ impl Index {
         self.usual.as_deref().unwrap_or(self)
     }
 
-    /// The objects that can stand between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known
+    /// The objects that can lie between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known
     /// but by asking the tree for each ray.
     #[inline]
     pub fn between(&self, point: DVec3, ball: (DVec3, f64), leaving: u32) -> Option<Between> {
@@ -254,7 +254,7 @@ mod tests {
     use crate::random::{hash, unit, warp};
     use crate::scene::Scene;
 
-    /// Whatever a segment from the point to some point of the light meets can stand between them.
+    /// Whatever a segment from the point to some point of the light meets can lie between them.
     #[test]
     fn nothing_that_shadows_a_part_of_a_light_is_left_out() {
         let (mut shadows, mut left_out) = (0, 0);

@@ -91,7 +91,7 @@ pub struct Scene {
     pub output: Output,
 }
 
-/// A thing in the scene.
+/// An object of the scene.
 #[derive(Clone, Debug)]
 pub struct Object {
     /// Its name, unique in the scene.

@@ -23,7 +23,7 @@ thread_local! {
     static IS_ALONE: Cell<bool> = const { Cell::new(false) };
 }
 
-/// So many threads, or as many of them as could be started.
+/// This many threads, or as many of them as could be started.
 #[derive(Clone, Debug)]
 pub struct Threads(Workers);
 
@@ -61,7 +61,7 @@ pub fn work_alone() {
     }
 }
 
-/// Does work on so many items, each of them little, on the threads that were [wanted](want) if it is enough for several.
+/// Does work on this many items, each of them little, on the threads that were [wanted](want) if it is enough for several.
 pub fn share<T: Send>(items: usize, work: impl FnOnce() -> T + Send) -> T {
     /// Fewer are done before a thread has started.
     const FEW: usize = 1 << 14;
@@ -72,7 +72,7 @@ pub fn share<T: Send>(items: usize, work: impl FnOnce() -> T + Send) -> T {
 }
 
 impl Threads {
-    /// Threads for so many pieces of work: as many as are wanted (0 is one a core) but no more than there are pieces.
+    /// Threads for this many pieces of work: as many as are wanted (0 is one a core) but no more than there are pieces.
     pub fn of(wanted: usize, pieces: usize) -> Threads {
         let most = if wanted == 0 { cores() } else { wanted };
         let count = most.min(pieces);

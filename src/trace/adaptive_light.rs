@@ -1,4 +1,4 @@
-//! Area lights of which only as many points are asked as it takes: where nothing can stand between, a rule of quadrature without shadow rays;
+//! Area lights that get only as many shadow rays as they need: where nothing can lie between, a rule of quadrature without shadow rays;
 //! where one object hides all of the light, a single point; else all.
 
 use super::light_points::{OneSide, on_one_side};
@@ -14,7 +14,7 @@ use crate::scene::square::place_in_square;
 use crate::scene::{Adaptive, AreaLight, Arrival, Color, Light, LightSurface, Scene, Shadows, Sight, Specular};
 use glam::DVec3;
 
-/// What can stand between a surface point and a point of a light.
+/// What can lie between a surface point and a point of a light.
 #[derive(Clone, Copy)]
 enum Between<'a> {
     /// Nothing.
@@ -76,7 +76,7 @@ impl Way<'_> {
         unseen::light(self.scene, self.meeting, &self.light.color, is_in_front)
     }
 
-    /// The sum with what a light adds in whose way nothing can stand.
+    /// The sum with what a light adds that nothing can block.
     #[inline(always)]
     fn in_full_view<P: Probe>(&self, adaptive: &Adaptive, is_in_front: bool, mut sum: Color, probe: &mut P) -> Color {
         let Way { area, number: light, .. } = *self;

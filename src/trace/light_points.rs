@@ -11,7 +11,7 @@ use crate::scene::square::place_in_square;
 use crate::scene::{AreaLight, Arrival, Between, Color, Light, Scene};
 use glam::DVec3;
 
-/// The sum with what an area light adds: its points are so many lights, one in each stratum of its surface, that share its intensity.
+/// The sum with what an area light adds: its points are as many lights, one in each stratum of its surface, that share its intensity.
 // Kept out of the shading by point lights.
 #[inline(never)]
 pub(super) fn add<P: Probe>(
@@ -54,13 +54,13 @@ pub(super) fn add<P: Probe>(
     sum
 }
 
-/// In a scene with a tree over its objects a shaft pays for a light of so many points, or more.
+/// In a scene with a tree over its objects a shaft pays for a light of this many points, or more.
 const WITH_TREE: u32 = 8;
 
 /// The same for a scene of few objects.
 const WITHOUT_TREE: u32 = 4;
 
-/// Whether it pays to look closer at what can stand between the surface point and a light of so many points, of which `among` is known.
+/// Whether it pays to look closer at what can lie between the surface point and a light of this many points, of which `among` is known.
 #[inline(always)]
 fn pays(scene: &Scene, meeting: &Meeting, samples: u32, among: Option<&[u32]>) -> bool {
     match among {
@@ -74,7 +74,7 @@ fn pays(scene: &Scene, meeting: &Meeting, samples: u32, among: Option<&[u32]>) -
     }
 }
 
-/// The objects that can stand between the surface point and the light; `None` where these are many, or where the light isn't all on one side of
+/// The objects that can lie between the surface point and the light; `None` where these are many, or where the light isn't all on one side of
 /// the surface.
 #[inline(never)]
 fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[u32]>) -> Option<Between> {

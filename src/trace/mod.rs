@@ -84,7 +84,7 @@ impl<'a> Path<'a> {
 /// Where a ray hits a surface, and how it came there.
 pub(crate) struct Meeting<'a> {
     pub layer: Layer,
-    /// All surfaces in the same place, if there are several.
+    /// All coincident surfaces, if there are several.
     pub place: Option<&'a Place>,
     pub ray: &'a Ray,
     pub surface: Surface,
@@ -231,7 +231,7 @@ fn nothing_met<P: Probe>(scene: &Scene, probe: &mut P) -> Seen {
     Seen { color: scene.background, object: None }
 }
 
-/// What a ray sees that hits the first of several surfaces in the same place.
+/// What a ray sees that hits the first of several coincident surfaces.
 // Kept apart, so that a surface that is alone doesn't pay for it.
 #[cold]
 #[inline(never)]

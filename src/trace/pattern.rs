@@ -28,7 +28,7 @@ fn multiplied<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, pro
     Material { ambient, diffuse, ..plain.clone() }
 }
 
-/// From here on numbers stand more than one apart, so that none of them is odd.
+/// From here on adjacent numbers differ by more than one, so that none of them is odd.
 const LAST_CELL: f64 = 9_007_199_254_740_992.0;
 
 /// The colour of the checkerboard: that of the even cubes, also where the numbers can't tell one cube from the next.

@@ -53,7 +53,7 @@ pub struct RayHit {
     pub t: f64,
 }
 
-/// How many steps of an ulp the end of a ray may be from what it is reckoned to be at first.
+/// How many steps of an ulp the end of a ray may be from its first estimate.
 const STEPS: u32 = 8;
 
 impl Query {

@@ -67,13 +67,13 @@ pub(super) struct Source<'a> {
     pub split: u32,
     /// Its intensity, I_i.
     pub color: &'a Color,
-    /// The objects that can stand in its way, where that is known before the search for them.
+    /// The objects that can block it, where that is known before the search for them.
     pub among: Option<&'a [u32]>,
-    /// Whether it is known that nothing stands in its way: no shadow ray asks.
+    /// Whether it is known that nothing blocks it: no shadow ray asks.
     pub is_free: bool,
 }
 
-/// What a light adds that is seen so; nothing if it stands at the surface point.
+/// What a light adds that is seen like this; nothing if it is at the surface point.
 // Left to itself, the compiler keeps it apart or not by how often the rest of the program has it.
 #[inline(always)]
 pub(super) fn from_light<P: Probe>(
@@ -120,7 +120,7 @@ fn without_shadow_ray<P: Probe>(why: SkipReason, probe: &mut P) -> Color {
     Color::ZERO
 }
 
-/// The part of a light's intensity that reaches the surface point: nothing, if the light stands on that side of the surface
+/// The part of a light's intensity that reaches the surface point: nothing, if the light is on that side of the surface
 /// only by an interpolated normal.
 #[inline(always)]
 fn shadow_ray<P: Probe>(
@@ -154,7 +154,7 @@ fn shadow_ray<P: Probe>(
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
 }
 
-/// The ray from a point up to a light. How far the things are that stand in its way isn't asked, but for their order.
+/// The ray from a point up to a light. How far away its blockers are doesn't matter, only their order.
 pub(crate) fn segment_to_light(point: DVec3, arrival: &Arrival) -> Ray {
     Ray { t_max: arrival.distance, wants_distance: false, ..Ray::new(point, arrival.direction) }
 }
@@ -179,7 +179,7 @@ fn specular<P: Probe>(
             let sum = probe.note(Name::HalfSum, light + view);
             let length = probe.note(Name::HalfLength, probe.dot(sum, sum).sqrt());
             if length == 0.0 {
-                // The light stands exactly behind the viewer's back: along the surface there is no half vector.
+                // The light is exactly behind the viewer's back: along the surface there is no half vector.
                 return Color::ZERO;
             }
             let half = probe.note(Name::HalfDirection, sum / length);

@@ -7,7 +7,7 @@ use crate::probe::{Probe, Spared};
 use crate::scene::{Color, Scene, Shadows};
 use std::cmp::Ordering;
 
-/// Two distances nearer to each other than so many parts of them are compared with more digits.
+/// Two distances nearer to each other than this many parts of them are compared with more digits.
 const NEAR_TIE: f64 = 8.0 * f64::EPSILON;
 
 /// Two distances with twice the digits that differ by no more than this part of them are the same: that much is their own error where
@@ -43,7 +43,7 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
     hits
 }
 
-/// The nearest hit. Of surfaces in the same place the first in the scene is the nearest, then the lowest primitive.
+/// The nearest hit. Of coincident surfaces the first in the scene is the nearest, then the lowest primitive.
 #[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
     let nearest = search(scene, ray, probe);
@@ -55,7 +55,7 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
     Some(hit)
 }
 
-/// The nearest hit by its distance, and those that may be in the same place.
+/// The nearest hit by its distance, and those that may coincide.
 // A part of the recursion, which would have to take the hit out of memory.
 #[inline(always)]
 pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Nearest {
@@ -101,7 +101,7 @@ pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &m
     );
 }
 
-/// The surfaces in the same place as the nearest one, in the order of the scene; marks what was decided.
+/// The surfaces coincident with the nearest one, in the order of the scene; marks what was decided.
 #[cold]
 #[inline(never)]
 pub(super) fn settled<P: Probe>(scene: &Scene, ray: &Ray, nearest: Nearest, probe: &mut P) -> Vec<Hit> {

@@ -10,7 +10,7 @@ pub struct Arrangement {
     pub size: (u16, u16),
     /// The pane that the keys move in.
     pub focus: Pane,
-    /// The pane that stands beside the tree where there is room for two.
+    /// The pane that is beside the tree where there is room for two.
     pub side: Pane,
     /// Whether only the pane with the focus is shown.
     pub is_alone: bool,
@@ -24,7 +24,7 @@ pub struct Arrangement {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Layout {
     areas: [Rect; Pane::ALL.len()],
-    /// The columns between panes that stand side by side.
+    /// The columns between panes that are side by side.
     pub dividers: [Rect; 2],
     /// The bottom line.
     pub status: Rect,
@@ -37,9 +37,9 @@ const WIDE: u16 = 80;
 const TALL: u16 = 20;
 /// From this size on all panes are shown at once.
 const LARGE: (u16, u16) = (140, 34);
-/// From this size on the picture stands below the tree, if there is one.
+/// From this size on the picture is below the tree, if there is one.
 const MIDDLING: (u16, u16) = (100, 28);
-/// The fewest columns of a pane that stands beside another.
+/// The fewest columns of a pane that is beside another.
 const NARROWEST: u16 = 20;
 
 impl Layout {

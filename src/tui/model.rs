@@ -303,7 +303,7 @@ impl Model {
         }
     }
 
-    /// The events of the selected node itself, in order, and the nodes inside it, where they stand between them.
+    /// The events of the selected node itself, in order, and the nodes inside it, where they are between them.
     pub fn items(&self) -> Vec<Item> {
         let range = self.tree.nodes()[self.cursor].events.clone();
         let mut items = Vec::new();

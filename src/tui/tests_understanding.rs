@@ -101,7 +101,7 @@ fn a_quiz_is_answered() {
     assert_eq!(model.score(), None);
 }
 
-/// No frame of a quiz shows a result of a later step that stands nowhere before.
+/// No frame of a quiz shows a result of a later step that doesn't occur before.
 #[test]
 fn a_quiz_tells_no_later_result() {
     let theme = Theme::new(Palette::None, false);

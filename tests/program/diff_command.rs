@@ -222,7 +222,7 @@ fn pictures_are_compared_pixel_by_pixel() {
     // 8 and 16 bits differ by no more than half a level of 8 bits.
     assert_eq!(diff(&[&png, &png16, "--abs", "0.00197"]).1, 0);
     assert_eq!(diff(&[&png, &png16]).1, 1);
-    // White stands where the difference is largest, black where there is none.
+    // White is where the difference is largest, black where there is none.
     let [x, y] = [0, 1].map(|axis| largest["pixel"][axis].as_u64().expect("a number") as u32);
     let heat = raywalk::render::export::read(&std::fs::read(&heat).expect("the heat map")).expect("a picture");
     assert_eq!((heat.size(), heat.pixel([x, y])), ([40, 30], [1.0; 3]));

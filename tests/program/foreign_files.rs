@@ -181,7 +181,7 @@ fn what_is_wrong_with_a_position_is_refused_in_every_encoding() {
     let faces: [&[i32]; 2] = [&[0, 1, 2], &[0, 2, 3]];
     let mut bad = vertices(0.0, 1.0);
     bad[1][0] = f32::NAN;
-    // Where it stands is a line, or a byte.
+    // Its place is a line, or a byte.
     let at = |format: &str, line: &str| if format == "ascii" { format!("{line}:") } else { String::new() };
     for format in FORMATS {
         let expected = format!("{} vertex 1: expected a finite `x`, found NaN", at(format, "21:1"));

@@ -272,7 +272,7 @@ fn the_page_has_the_table_and_an_example_of_everything() {
     } else {
         assert_eq!(table, schema::quantities(), "UPDATE_DOCS=1 cargo test --test program log_schema");
     }
-    // The lines that stand as examples in the page are lines of a log.
+    // The example lines of the page are lines of a log.
     let validator = validator();
     let examples: Vec<Value> = before
         .lines()

@@ -107,7 +107,7 @@ fn every_arithmetic_is_its_own_result() {
     assert_eq!(by_hand, record::pixel_color(&scene, [160, 120], Arithmetic::F64));
 }
 
-/// Where a light does reach a surface and its colour leaves nothing there, that is the reason, wherever it stands.
+/// Where a light does reach a surface and its colour leaves nothing there, that is the reason, wherever it is.
 #[test]
 fn lights_whose_colour_leaves_nothing_are_told_so() {
     let check = |floor: &str, above: &str, expected: &str| {
@@ -125,7 +125,7 @@ fn lights_whose_colour_leaves_nothing_are_told_so() {
     let nothing = "lights nothing in view: its colour and the coefficients of the surfaces seen through 3072 pixels leave nothing";
     let said = check("[0, 1, 1]", "", nothing);
     assert!(!said.contains("field of view"), "{said}");
-    // The coefficients alone, wherever the light stands: a ball has a side that the light is behind.
+    // The coefficients alone, wherever the light is: a ball has a side that the light is behind.
     let ball = r#", {"shape": {"sphere": {"center": [0, 1, 0], "radius": 1}}, "material": "cyan"}"#;
     check(
         "[0, 1, 1]",

@@ -51,7 +51,7 @@ fn every_number_of_the_page_is_right() {
         }
     }
     assert_eq!(lines, 2);
-    // Every value of the sheet that isn't whole stands on the page, too.
+    // Every value of the sheet that isn't whole is on the page, too.
     let sheet = prints(&["textbook", "--example", "refraction", "--format", "json"]);
     let sheet: serde_json::Value = serde_json::from_str(&sheet).expect("JSON");
     for row in sheet["steps"].as_array().expect("rows") {

@@ -15,7 +15,7 @@ fn prints(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("UTF-8")
 }
 
-/// The notes' formulas and other arithmetics stand beside what is required, and nothing is required of them.
+/// The notes' formulas and other arithmetics are listed beside what is required, and nothing is required of them.
 #[test]
 fn stability_is_told_in_other_ways_of_computing() {
     let table = prints(&["stress", "--decimals", "3"]);

@@ -49,7 +49,7 @@ fn rows_may_follow_the_walk_instead_of_the_book() {
     assert_eq!(paths, ["C", "C R"]);
 }
 
-/// Listed values are the operands of those after them; what isn't listed is reckoned by hand.
+/// Listed values are the operands of those after them; what isn't listed is computed by hand.
 #[test]
 fn a_slip_is_told_once_and_what_follows_from_it_agrees() {
     // T_2A would be 6.380 by hand; from a radius that was slipped in T_A everything after it follows.

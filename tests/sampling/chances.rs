@@ -7,7 +7,7 @@ use raywalk::log::{Acceptance, Decision, Name, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::{Sampling, Scene, Statistical};
 
-/// White things before black, the plane z = 0 half a unit a pixel.
+/// White objects before black, the plane z = 0 half a unit a pixel.
 fn scene(camera: &str, object: &str, sampling: Sampling) -> Scene {
     let text = format!(
         r#"{{"format": "raywalk-scene/1", "ambient": [1, 1, 1], "materials": {{"white": {{"ambient": [1, 1, 1]}}}},

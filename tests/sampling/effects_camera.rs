@@ -11,7 +11,7 @@ use raywalk::scene::{Index, Object, Scene};
 use raywalk::trace::{Hit, camera_ray, closest_hit, is_any_hit};
 use serde_json::{Value, json};
 
-/// A picture of 33 × 33 pixels by a lens of radius r in focus at 4, of white things.
+/// A picture of 33 × 33 pixels by a lens of radius r in focus at 4, of white objects.
 fn through_lens(r: f64, objects: &str, shutter: [f64; 2], n: u32) -> Scene {
     let text = format!(
         r#"{{"format": "raywalk-scene/1",

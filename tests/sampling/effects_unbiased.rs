@@ -14,7 +14,7 @@ const METHODS: [Sampling; 6] = [
     Sampling::Guided(GUIDED),
 ];
 
-/// With so many samples at the most that some pixels take them all and others don't.
+/// With a maximum of samples such that some pixels take them all and others don't.
 const GUIDED: Guided = Guided { tolerance: 0.01, min: 4, max: 64 };
 
 const SEEDS: u64 = 100;

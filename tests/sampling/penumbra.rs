@@ -140,7 +140,7 @@ fn wall_and_ball() -> String {
         + &object("ball", r#"{"sphere": {"center": [0.8, 0.3, 0.6], "radius": 0.5}}"#)
 }
 
-/// A scene with the shadows of a wall and a ball on a floor, of so many pixels.
+/// A scene with the shadows of a wall and a ball on a floor, of this many pixels.
 fn shadows(resolution: [u32; 2]) -> Scene {
     scene(&LAMP.replace("[0, 0, 3]", "[0.4, -0.3, 3]"), &wall_and_ball(), resolution, 4)
 }

@@ -88,7 +88,7 @@ fn spawned(world: &World, from: &Ray, object: u32, crossing: Crossing, random: &
     Ray { leaving, slack: from.slack_at(surface.point, &Silent), ..Ray::along(surface.point, way) }
 }
 
-/// The first of the crossings with triangles that are in the same place as the nearest one: within 64 roundings of all coordinates. Of triangles
+/// The first of the crossings with triangles that coincide with the nearest one: within 64 roundings of all coordinates. Of triangles
 /// that share one or two corners only the one that is met first counts: the ray goes through the edge or the corner between them.
 fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Option<(u32, Crossing)> {
     let mut all = all.to_vec();

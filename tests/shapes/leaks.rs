@@ -56,7 +56,7 @@ fn rays(events: &[Event], is_meant: impl Fn(RayKind) -> bool) -> usize {
 
 #[test]
 fn a_light_behind_the_surface_brings_nothing() {
-    // The tilted normal sees the light, which stands below the plane.
+    // The tilted normal sees the light, which is below the plane.
     let (events, color) = events(&scene(TILTED, [0.0, 0.0, -1.0], [5.0, 0.0, -1.0], LOCAL));
     assert_eq!(leaks(&events), [Term::Shadow]);
     assert_eq!(rays(&events, |kind| matches!(kind, RayKind::Shadow { .. })), 1);

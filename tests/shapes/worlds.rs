@@ -109,7 +109,7 @@ fn ball_of_triangles(_: &mut Random) -> Vec<Shape> {
     (0..ball.faces.len() as u32).map(|face| triangle(ball.corners(face))).collect()
 }
 
-/// An octahedron, its faces cut into four and pushed out so many times.
+/// An octahedron, its faces cut into four and pushed out this many times.
 fn octahedron(times: u32) -> Mesh {
     let mut faces = Vec::new();
     for signs in 0..8 {

@@ -29,7 +29,7 @@ impl Probe for Reasons {
     }
 }
 
-/// The scene with so many points of each area light, always.
+/// The scene with this many points of each area light, always.
 fn with_all(scene: &Scene, samples: u32) -> Scene {
     let mut scene = scene.clone();
     for light in &mut scene.lights {
@@ -232,7 +232,7 @@ fn no_point_of_a_hidden_light_is_seen() {
         let plain = with_all(&scene, 64);
         for _ in 0..20 {
             let at = DVec3::new(3.0 * random.part() - 1.5, 0.0, 3.0 * random.part() - 1.5);
-            // From below, where nothing stands between.
+            // From below, where nothing is between.
             let eye = at + DVec3::new(0.0, 1e-3, 0.0);
             let mut reasons = Reasons::default();
             let found = seen(&scene, at, eye, &mut reasons);

@@ -1,5 +1,5 @@
-//! Logs as snapshots, one telling pixel of each built-in scene and rays onto what none of them shows: so many that everything that a log
-//! can say stands in one of them.
+//! Logs as snapshots, one telling pixel of each built-in scene and rays onto what none of them shows: enough that everything that a log
+//! can say is in one of them.
 
 mod rows;
 

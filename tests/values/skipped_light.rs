@@ -1,4 +1,4 @@
-//! Light of which zeros among the factors leave nothing: which rays that spares, and that small numbers aren't taken for zeros.
+//! Light of which zeros among the factors leave nothing: which rays that saves, and that small numbers aren't taken for zeros.
 
 use super::skips::{picture, skipped};
 use crate::support;
@@ -185,7 +185,7 @@ fn the_statistics_say_how_many_rays_were_spared() {
     let statistics = counted(&scene);
     assert_eq!((statistics.skipped["zero_weight"], statistics.saved["zero_weight"]), (9, 9 * 16));
     assert!(statistics.to_string().contains("skipped zero_weight: 9 (144 rays)\n"));
-    // What shortens no ray tree spares no ray.
+    // What shortens no ray tree saves no ray.
     assert_eq!((statistics.skipped["zero_term"], statistics.saved["zero_term"]), (9, 0));
 }
 

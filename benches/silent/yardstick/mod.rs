@@ -44,7 +44,7 @@ enum Light {
     Sun { toward: DVec3, color: DVec3 },
 }
 
-/// A thing in the scene.
+/// An object of the scene.
 pub struct Object {
     pub shape: Shape,
     material: usize,

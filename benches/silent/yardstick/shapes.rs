@@ -207,7 +207,7 @@ impl Meet for Sphere {
             let outward = if is_outside { along - self.center } else { self.center - along };
             return (along, outward / self.radius);
         }
-        // From the centre on, so that the digits of where the sphere stands don't get into its normal.
+        // From the centre on, so that the digits of the centre don't get into its normal.
         let from_center = ray.origin - self.center + ray.direction * crossing.t;
         let distance = from_center.length();
         if distance == 0.0 {

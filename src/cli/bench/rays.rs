@@ -163,7 +163,7 @@ impl RaysBench {
         Ok(Dumps { paths: self.stems.iter().zip(&rays).map(of_scene).collect(), inputs })
     }
 
-    /// What stands above all figures.
+    /// The heading above all figures.
     fn print_head(&self, machine: &Machine) -> Result<(), Failure> {
         match self.format {
             TableFormat::Text => output::print(format!("{machine}\n").as_bytes()),

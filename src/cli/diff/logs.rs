@@ -134,7 +134,7 @@ struct Pairs {
     is_region: bool,
 }
 
-/// Where a pixel stands among those of a region.
+/// Where a pixel is among those of a region.
 fn row_by_row([x, y]: [u32; 2]) -> [u32; 2] {
     [y, x]
 }
@@ -201,9 +201,9 @@ struct Source {
     /// Its header, and the events of the current pixel.
     log: Log,
     next: Option<PixelEvents>,
-    /// Where the pixel of `next` stands.
+    /// Where the pixel of `next` is.
     last: Option<[u32; 2]>,
-    /// Whether every pixel so far stood after the one before it, row by row.
+    /// Whether every pixel so far came after the one before it, row by row.
     is_in_order: bool,
 }
 

@@ -47,7 +47,7 @@ fn around(scene: &Scene, eye: DVec3) -> Bounds {
         LightKind::Directional { .. } => None,
     });
     let tight = shapes.fold(Bounds::around(lights.chain([eye])), Bounds::union);
-    // Planes pass beside what stands on them.
+    // Planes pass beside what is on them.
     let margin = (tight.max - tight.min) * 0.5;
     Bounds { min: tight.min - margin, max: tight.max + margin }
 }

@@ -102,7 +102,7 @@ pub struct Spent {
 }
 
 impl Spent {
-    /// Unlocks it: a process may have only so many files open, and an animation may have a million frames.
+    /// Unlocks it: a process may have only a limited number of files open, and an animation may have a million frames.
     pub fn let_go(self) -> Spent {
         Spent { file: None, ..self }
     }

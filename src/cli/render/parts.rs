@@ -70,7 +70,7 @@ impl Render {
                 .map(|(checkpoint, kept)| (Some(checkpoint), kept))?,
             false => (None, Kept::new()),
         };
-        // As above: what is kept stands in the checkpoint.
+        // As above: what is kept is in the checkpoint.
         let output = Some(output).filter(|_| !self.resume);
         let start = Instant::now();
         let (kept, counts) = self.render_rest(task, &header, kept, checkpoint.as_mut())?;
@@ -145,7 +145,7 @@ fn not_a_file(task: &Task) -> Failure {
     Failure::caller(format!("--resume: expected the name of a file, found {}", shown(&task.path)))
 }
 
-/// Whether the whole part of this shard stands in a file. Whatever else is there will be overwritten, as any result is.
+/// Whether the whole part of this shard is in a file. Whatever else is there will be overwritten, as any result is.
 fn is_whole(path: &Path, header: &PartHeader) -> bool {
     if path == Path::new("-") || !path.is_file() {
         return false;

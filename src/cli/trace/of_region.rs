@@ -18,7 +18,7 @@ use raywalk::threads::Threads;
 use std::io;
 
 impl Trace {
-    /// The log of a region: in NDJSON as it grows, otherwise of at most so many events as memory holds.
+    /// The log of a region: in NDJSON as it grows, otherwise of at most as many events as memory holds.
     pub(super) fn of_region(&self, scene: &Scene, region: [u32; 4], inputs: &Inputs) -> Result<(), Failure> {
         let arithmetic = self.tracing.arithmetic();
         let region = region_in(scene, "--region", region)?;

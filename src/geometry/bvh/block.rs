@@ -1,4 +1,4 @@
-//! Leaves: blocks of eight triangles or spheres in single precision, and the conservative tests that sort out which of them a ray can
+//! Leaves: blocks of eight triangles or spheres in single precision, and the conservative tests that find which of them a ray can
 //! meet. `docs/acceleration.md` derives the margins.
 
 use super::lanes::{Eight, Lanes};

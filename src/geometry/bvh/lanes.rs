@@ -323,7 +323,7 @@ mod tests {
         }
     }
 
-    /// A product whose rounding a fused operation would spare.
+    /// A product that a fused operation wouldn't round.
     #[test]
     fn unfused_lanes_round_a_product_everywhere() {
         let bits = |lanes: Eight| lanes.map(f32::to_bits);

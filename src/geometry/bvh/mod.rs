@@ -1,6 +1,6 @@
 //! A bounding volume hierarchy: which of many primitives a ray can meet at all.
 //!
-//! It only narrows down; what passes goes to the kernel, whose decision stands. Boxes and tests are in single precision, in a space of the
+//! It only narrows down; what passes goes to the kernel, whose decision counts. Boxes and tests are in single precision, in a space of the
 //! tree's own, and err on the side of meeting by margins that `docs/acceleration.md` derives, so that the answer is that of testing
 //! everything.
 
@@ -78,7 +78,7 @@ impl Form {
 pub struct Search {
     /// Whether near primitives are shown before far ones, roughly. Without an order the walk is quicker.
     pub nearest_first: bool,
-    /// Whether triangles and spheres are sorted out one by one. That is for kernels that certify their decisions: an arithmetic of its own
+    /// Whether triangles and spheres are culled one by one. That is for kernels that certify their decisions: an arithmetic of its own
     /// may meet what the ray passes by.
     pub one_by_one: bool,
     /// Whether it shall be told of triangles and spheres that the ray certainly crosses, so that no kernel need be asked. For rays of which only

@@ -4,10 +4,10 @@ use crate::geometry::bounds::Bounds;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// So many times farther out than all others is an outlier.
+/// A primitive that reaches this many times farther out than all others is an outlier.
 const FAR: f64 = 1024.0;
 
-/// So many outliers there can be.
+/// The most outliers there can be.
 const MOST: usize = 8;
 
 /// How many primitives are looked at by one core at a time.

@@ -25,7 +25,7 @@ pub struct Shaft {
     rise: Option<(DVec3, f64)>,
 }
 
-/// A walk looks at so many nodes before it gives up: what it would spare were it to find nothing is worth no more.
+/// A walk looks at this many nodes before it gives up: proving that nothing is in the way isn't worth more.
 const MOST_NODES: usize = 24;
 
 /// The children that wait, at the most.

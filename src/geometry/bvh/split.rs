@@ -184,7 +184,7 @@ impl Part {
         let own = &mut primitives[start..end];
         let [mut near, mut far] = [Extent::EMPTY; 2];
         let mut count = 0;
-        // Without a branch that depends on the primitive: half of them would be foretold wrongly.
+        // Without a branch that depends on the primitive: half of them would be mispredicted.
         for at in 0..own.len() {
             let primitive = own[at];
             let center = primitive.center();

@@ -3,7 +3,7 @@
 //!
 //! Its radius is ρ = r_b + k·z at the height z, so the surface is |p|² = ρ² with p across the axis, and a ray has ρ_o + ρ_d·t.
 //! The discriminant b² − a·c is taken as |o'·ρ_d − d'·ρ_o|² − |o' × d'|² (Lagrange's identity with a minus sign for the axis),
-//! which keeps its digits. b and c would cancel for a far origin, so a ray is reckoned from its point nearest to the base. The
+//! which keeps its digits. b and c would cancel for a far origin, so a ray is computed from its point nearest to the base. The
 //! equation knows both halves of the double cone; only the one with ρ ≥ 0 counts.
 
 use super::axis::{APEX_CAP, AxialRay, Axis, BASE_CAP, End, LATERAL, Span};

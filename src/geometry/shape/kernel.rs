@@ -71,7 +71,7 @@ pub trait Kernel {
         decide(ray, approach, candidate, at_an_end, probe)
     }
 
-    /// [`Kernel::at_an_end`], called with what fits into registers. A crossing that is handed to a call stands in memory, on the way without
+    /// [`Kernel::at_an_end`], called with what fits into registers. A crossing that is handed to a call is in memory, on the way without
     /// the call, too; there it is written piece by piece and read in one, which waits for the pieces, longer than a plane's test takes.
     #[cold]
     #[inline(never)]

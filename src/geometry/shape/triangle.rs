@@ -188,7 +188,7 @@ impl Facet {
         if is_there { distance } else { Doubled::from(crossing.t) }
     }
 
-    /// The surface at a crossing. Where there are normals at the corners, light is reckoned with their mean.
+    /// The surface at a crossing. Where there are normals at the corners, light is computed with their mean.
     pub fn surface<P: Probe>(
         &self,
         normals: Option<&[DVec3; 3]>,

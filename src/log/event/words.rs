@@ -1,6 +1,6 @@
-//! What decisions and nodes say in words: enums whose variants stand as words in a log.
+//! What decisions and nodes say in words: enums whose variants are written as words in a log.
 
-/// Declares an enum whose variants stand as words in a log.
+/// Declares an enum whose variants are as words in a log.
 macro_rules! words {
     ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal,)* }) => {
         $(#[$doc])*
@@ -101,11 +101,11 @@ words! {
 }
 
 words! {
-    /// Why so many points of an area light are asked.
+    /// Why this many points of an area light are asked.
     Asking {
-        /// Nothing can stand between, and the light is smooth: the points of a rule, without shadow rays.
+        /// Nothing can lie between, and the light is smooth: the points of a rule, without shadow rays.
         Rule = "rule",
-        /// Nothing can stand between: all random points, without shadow rays.
+        /// Nothing can lie between: all random points, without shadow rays.
         InView = "in_view",
         /// An object hides all of the light.
         Hidden = "hidden",

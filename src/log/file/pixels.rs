@@ -106,7 +106,7 @@ impl<R: Read> PixelReader<R> {
         while self.ending.is_none() {
             let next = self.read_to_pixel(&mut events)?;
             let pixel = mem::replace(&mut self.opened, next);
-            // Nothing stands before the first pixel of a region.
+            // Nothing is before the first pixel of a region.
             if pixel.is_some() || !events.is_empty() {
                 return Ok(Some(PixelEvents { pixel, events }));
             }

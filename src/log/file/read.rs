@@ -40,12 +40,12 @@ pub enum Ending {
         /// Its line.
         line: usize,
     },
-    /// With an end line that doesn't fit what stands before it.
+    /// With an end line that doesn't fit what precedes it.
     Mismatch {
         /// What doesn't fit.
         what: String,
     },
-    /// With a record that can't be read, or with packed data that can't be unpacked: what stands before it was read.
+    /// With a record that can't be read, or with packed data that can't be unpacked: what precedes it was read.
     Damaged {
         /// Where and what the damage is.
         what: String,

@@ -38,7 +38,7 @@ pub(super) struct Reader {
     depth: usize,
     /// What isn't in the table of names, and was passed over.
     unknown: Unknown,
-    /// Inputs that stood on events of unknown quantities: they count from the next event on.
+    /// Inputs on events of unknown quantities: they count from the next event on.
     carried: Vec<(Name, Value)>,
 }
 

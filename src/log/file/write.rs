@@ -1,4 +1,4 @@
-//! Writing logs. A log is written while it grows, and its last line counts and digests what stands before it.
+//! Writing logs. A log is written while it grows, and its last line counts and digests what precedes it.
 
 mod mark;
 
@@ -86,7 +86,7 @@ impl Paths {
     }
 }
 
-/// Nodes of a document are indented by so many levels at most.
+/// Nodes of a document are indented by this many levels at most.
 const MOST_INDENT: usize = 64;
 
 /// Writes a log as NDJSON while it grows.

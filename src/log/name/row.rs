@@ -1,4 +1,4 @@
-//! What a row of the table of names is: the macro that declares it, and how a name gives what stands in it.
+//! What a row of the table of names is: the macro that declares it, and how a name gives what is in it.
 
 use super::{Name, ROWS};
 use std::collections::HashMap;

@@ -94,7 +94,7 @@ fn dimension(of_name: Name, formula: &Formula) -> Result<Dimension, String> {
     }
 }
 
-/// The dimension of a symbol: that of the quantities of the same shape, if one of them has it, else that of all. The shape stands in
+/// The dimension of a symbol: that of the quantities of the same shape, if one of them has it, else that of all. The shape is in
 /// the key or, of a hit's point and normal, in the form.
 fn unit_of(of_name: Name, symbol: &str) -> Result<[i32; 4], String> {
     let kind = |name: &Name| name.key().split('.').next().unwrap_or("");

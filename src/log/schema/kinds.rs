@@ -8,7 +8,7 @@ pub struct Kind {
     pub word: &'static str,
     /// What it means.
     pub meaning: &'static str,
-    /// What stands in its object.
+    /// What is in its object.
     pub fields: &'static [Field],
 }
 

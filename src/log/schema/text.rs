@@ -84,7 +84,7 @@ impl Field {
     }
 }
 
-/// Rows whose columns stand below each other; a row whose first column is very wide pushes none of the others aside.
+/// Rows whose columns are below each other; a row whose first column is very wide pushes none of the others aside.
 fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
     const WIDEST: usize = 90;
     let widest = |column: usize| rows.iter().map(|row| width(&row[column])).filter(|width| *width <= WIDEST).max();

@@ -1,4 +1,4 @@
-//! What nodes deep in a tree see in the nodes around them: asked for once at every so many levels, and remembered there. So it doesn't take
+//! What nodes deep in a tree see in the nodes around them: asked for once every few levels, and remembered there. So it doesn't take
 //! the longer, the deeper a node lies.
 
 use crate::log::name::Name;

@@ -26,7 +26,7 @@ pub enum Layer {
     Tests,
     /// The distance from the eye to what the camera's rays meet, the mean of those that meet something.
     Depth,
-    /// The normal there that light is reckoned with, on the side of the eye; the mean of the same rays.
+    /// The normal there that light is computed with, on the side of the eye; the mean of the same rays.
     Normal,
     /// Which object most of the camera's rays meet: its number in the scene from 1; 0 for none.
     Object,

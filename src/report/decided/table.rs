@@ -28,7 +28,7 @@ const MEETS: &[&str] = &[
 /// A ray that leaves a sphere begins inside if it sets off toward the centre; the side is that on which the tracer sent it off.
 pub(super) const SETS_OFF_INWARD: &str = "T_A > 0";
 
-/// By what total reflection is told where the formulas are those of the source text.
+/// The comparison that decides total reflection where the formulas are those of the source text.
 pub(super) const PRINTED_REFLECTION: &str = "1 − (1 − cosφ_1²)/η² < 0";
 
 /// By which comparisons a decision is taken that is no miss.

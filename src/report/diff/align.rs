@@ -1,7 +1,7 @@
-//! Which step of one log is which of the other: by what a step is and where it stands, never by a counter.
+//! Which step of one log is which of the other: by the kind and the place of a step, never by a counter.
 //!
 //! Both trees are walked together. In a node a step is known by what it is (a quantity's key, an input's, the question that a
-//! decision answers, what a node inside is) and by how many of that kind stand before it in the node. So tests may come in another
+//! decision answers, what a node inside is) and by how many of that kind are before it in the node. So tests may come in another
 //! order, and a step that only one log has shifts no other.
 
 use crate::log::{Decision, Name, Step, Term, What};
@@ -34,10 +34,10 @@ pub enum Spot {
 /// The alignment of two logs.
 #[derive(Debug, Default)]
 pub(super) struct Alignment {
-    /// Every item of both logs in the order of A, those of B alone after what stands before them in B. A node stands here only if
+    /// Every item of both logs in the order of A, those of B alone after what precedes them in B. A node is here only if
     /// one log has it alone; what it holds doesn't. An input doesn't if what it hands on was computed before.
     pub spots: Vec<Spot>,
-    /// For each of them, the node of A in which it stands or would stand.
+    /// For each of them, the node of A in which it is or would be.
     pub homes: Vec<usize>,
     /// By the events of A, those of B in their places.
     pub partners: Vec<Option<usize>>,

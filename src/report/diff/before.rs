@@ -1,4 +1,4 @@
-//! What stands before a difference and may be why it is there, for what no formula explains: decisions, and steps that only one log
+//! What precedes a difference and may be why it is there, for what no formula explains: decisions, and steps that only one log
 //! has.
 
 use super::align::{Alignment, Item, Spot};
@@ -111,7 +111,7 @@ impl<'a> Before<'a> {
         own.or_else(|| self.last_of(&self.decisions, place))
     }
 
-    /// The node in A in which this stands, or would.
+    /// The node in A in which this is, or would be.
     pub fn home(&self, spot: Spot) -> Option<usize> {
         self.places.get(&spot).map(|place| self.alignment.homes[*place])
     }
@@ -132,17 +132,17 @@ impl<'a> Before<'a> {
         logs.filter(|(cause, _)| cause.is_there).any(is_before)
     }
 
-    /// The last of some places, which are in their order, that stands before a place in its ray and may be its cause.
+    /// The last of some places, which are in their order, that is before a place in its ray and may be its cause.
     fn last_of(&self, places: &[usize], place: usize) -> Option<usize> {
         let ray = self.ray_around(self.alignment.homes[place]);
         let within = ray..self.a.tree.nodes()[ray].subtree_end;
         let before = places[..places.partition_point(|other| *other < place)].iter().rev().copied();
-        // The order is that of A's tree: what belongs to a ray stands together.
+        // The order is that of A's tree: what belongs to a ray is contiguous.
         let mut of_ray = before.take_while(|other| within.contains(&self.alignment.homes[*other]));
         of_ray.find(|other| self.may_cause(*other, place))
     }
 
-    /// The node in A of the ray in which a node stands; the root if it stands in none.
+    /// The node in A of the ray that a node belongs to; the root if it belongs to none.
     fn ray_around(&self, node: usize) -> usize {
         let nodes = self.a.tree.nodes();
         let is_ray = |node: usize| matches!(nodes[node].step, Some(Step::Ray { .. }));

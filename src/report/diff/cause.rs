@@ -325,7 +325,7 @@ fn source(run: Run, event: usize, operand: &Operand, symbol: &str) -> Item {
     }
 }
 
-/// The node in which an item stands.
+/// The node in which an item is.
 fn owner(run: Run, item: Item) -> usize {
     match item {
         Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),

@@ -49,7 +49,7 @@ impl Kinds {
         self.nodes.contains_key(&node)
     }
 
-    /// The change by which this differs, which stands in a node of A: it is of the test, or says what the ray met there.
+    /// The change by which this differs, which is in a node of A: it is of the test, or says what the ray met there.
     pub fn cause_of(&self, a: Run, b: Run, home: usize, spot: Spot) -> Option<&Changed> {
         let differs = match spot {
             Spot::OnlyA(Item::Node(_)) | Spot::OnlyB(Item::Node(_)) => false,

@@ -53,7 +53,7 @@ pub struct Comparison {
 pub struct Entry {
     /// The path of its ray, such as `C R S1`.
     pub path: String,
-    /// The node in which it stands, such as `test sphere`; empty for the ray's own.
+    /// The node in which it is, such as `test sphere`; empty for the ray's own.
     pub node: String,
     /// What it is.
     pub what: Told,
@@ -253,7 +253,7 @@ fn entry_in(run: Run, item: Item, what: Told) -> Entry {
     let nodes = run.tree.nodes();
     let node = match item {
         Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),
-        // A node stands in the one around it; a ray says its own path.
+        // A node is in the one around it; a ray says its own path.
         Item::Node(node) if matches!(nodes[node].step, Some(Step::Ray { .. })) => node,
         Item::Node(node) => nodes[node].parent,
     };

@@ -19,7 +19,7 @@ pub struct Rows<'a> {
 pub struct Row {
     /// How many nodes are around it.
     pub level: usize,
-    /// What stands in it.
+    /// What is in it.
     place: Place,
     /// Whether the two logs differ in it.
     pub differs: bool,
@@ -76,7 +76,7 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// How both logs compute what stands in a row, and where a difference comes from; a line each.
+    /// How both logs compute what is in a row, and where a difference comes from; a line each.
     pub fn explanation(&self, row: &Row) -> Vec<String> {
         let Place::Item(spot) = row.place else { return Vec::new() };
         if row.differs {
@@ -105,7 +105,7 @@ fn rows(a: Run, alignment: &Alignment, differs: impl Fn(Spot) -> bool) -> Vec<Ro
     let shared = (0..nodes.len()).filter(|node| alignment.nodes[*node].is_some());
     let mut shared = shared.peekable();
     for (spot, home) in alignment.spots.iter().zip(&alignment.homes) {
-        // Nodes before the one in which the item stands, and that one, have begun.
+        // Nodes before the one in which the item is, and that one, have begun.
         while let Some(node) = shared.next_if(|node| node <= home) {
             rows.push(Row { level: nodes[node].level, place: Place::Node(node), differs: false });
         }

@@ -30,7 +30,7 @@ pub struct Text {
     alone: [u64; 2],
 }
 
-/// So many pixels that only one log has are named; the summary counts all of them.
+/// The most pixels of one log alone that are named; the summary counts all of them.
 const MOST_ALONE: u64 = 8;
 
 /// The columns of a table: where, which quantity, its symbol, A, B, the absolute and the relative difference, the cause.
@@ -336,7 +336,7 @@ fn without_middle(mut rows: Vec<Row>) -> Vec<Row> {
     rows
 }
 
-/// So many operands of a value are named.
+/// The most operands of a value that are named.
 const MOST_OPERANDS: usize = 200;
 
 /// Columns are no wider than this for the sake of one cell: every other row would be filled up with spaces.

@@ -9,7 +9,7 @@ use crate::probe::round_half_away;
 /// difference counts. 0 and −0 are the same, and so are two values that are no numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tolerance {
-    /// Values are rounded to so many decimals before they are compared, half away from zero, as the views for people round them.
+    /// Values are rounded to this many decimals before they are compared, half away from zero, as the views for people round them.
     pub digits: Option<u32>,
     /// The absolute tolerance, in the value's own unit.
     pub absolute: Option<f64>,

@@ -1,4 +1,4 @@
-//! Where in the algorithm a step stands, whatever the algorithm's lines are.
+//! Where in the algorithm a step is, whatever the algorithm's lines are.
 
 use crate::log::{Decision, Event, Log, Name, RayKind, Step, Term, Tree, What, scope};
 
@@ -64,7 +64,7 @@ places! {
     Return,
 }
 
-/// Where an event stands.
+/// Where an event is.
 pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
     let Some(happening) = log.events.get(event) else { return Place::Pixel };
     let node = tree.owner(event);
@@ -100,7 +100,7 @@ pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
     }
 }
 
-/// The place that a call inside a ray stands at.
+/// The place of a call inside a ray.
 pub(super) fn of_call(inner: RayKind) -> Place {
     match inner {
         RayKind::Camera => Place::Mean,

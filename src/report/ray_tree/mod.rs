@@ -30,7 +30,7 @@ pub struct Branch {
     pub node: usize,
     /// Its way from the eye, such as `C R`.
     pub path: String,
-    /// What stands beside its line: the end of the path, such as `R` or `S1`.
+    /// What is beside its line: the end of the path, such as `R` or `S1`.
     pub label: String,
     /// What it is for.
     pub kind: RayKind,
@@ -175,7 +175,7 @@ impl<'a> Figure<'a> {
     /// The most characters of a name in a figure.
     const LONGEST: usize = 20;
 
-    /// What stands at the end of a ray.
+    /// What is at the end of a ray.
     fn end(&self, branch: &Branch) -> String {
         let header = &self.log.header;
         let name = |name: &str| {

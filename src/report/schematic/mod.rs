@@ -58,7 +58,7 @@ pub struct Plan {
     pub lights: Vec<Place>,
     /// The eye.
     pub eye: Option<Place>,
-    /// What stands where: the middle of a text.
+    /// A text and where its middle is.
     pub labels: Vec<Label>,
 }
 

@@ -9,7 +9,7 @@ use crate::report::expression::Expression;
 use crate::report::{computation, digits, escape, number};
 use std::f64::consts::TAU;
 
-/// So many characters of a formula fit on a line.
+/// The most characters of a formula on a line.
 const LINE: usize = 80;
 
 /// The lines of the equations of some events, for an environment that aligns them.
@@ -28,7 +28,7 @@ pub(super) fn aligned(task: &Task, events: &[usize], fitted: fn(String) -> Strin
     all
 }
 
-/// The lines of an equation; from the second on they begin with what stands under the first equals sign.
+/// The lines of an equation; from the second on they begin with what is under the first equals sign.
 fn lines(task: &Task, equation: &Equation, fitted: fn(String) -> String) -> Vec<String> {
     let symbol = symbol(equation.name.symbol());
     let result = value(task, &equation.result);
@@ -170,7 +170,7 @@ fn infix(operator: Operator) -> &'static str {
     }
 }
 
-/// What stands behind an operator.
+/// What follows an operator.
 fn operand(task: &Task, expression: &Expression) -> String {
     let text = tex(task, expression);
     if expression.begins_negative() { format!("\\left({text}\\right)") } else { text }

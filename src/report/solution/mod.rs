@@ -49,7 +49,7 @@ impl Task<'_> {
 /// The outline of a worked solution.
 struct Solution {
     title: String,
-    /// How it was reckoned, in sentences.
+    /// How it was computed, in sentences.
     conditions: Vec<String>,
     data: Data,
     steps: Section,
@@ -67,7 +67,7 @@ struct Section {
 /// What a section is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// A pixel, a sample or a ray: steps stand in it.
+    /// A pixel, a sample or a ray; it contains steps.
     Ray,
     /// A step, by its number.
     Step(usize),
@@ -75,7 +75,7 @@ enum Kind {
     Part,
 }
 
-/// What stands in a section.
+/// What is in a section.
 enum Item {
     /// Inputs that the problem states, or that another step hands on.
     Given(Vec<(Name, Value, Option<usize>)>),
@@ -114,7 +114,7 @@ impl Solution {
 }
 
 impl Section {
-    /// Adds an item; equations that follow one another stand together.
+    /// Adds an item; consecutive equations form one group.
     fn push(&mut self, item: Item) {
         match (self.items.last_mut(), item) {
             (Some(Item::Equations(before)), Item::Equations(mut more)) => before.append(&mut more),

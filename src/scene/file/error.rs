@@ -117,7 +117,7 @@ impl Severity {
     }
 }
 
-/// One thing that is wrong. It displays as `FILE:LINE:COL: PATH: what is wrong, what was expected`.
+/// One error. It displays as `FILE:LINE:COL: PATH: what is wrong, what was expected`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     /// The file's name.

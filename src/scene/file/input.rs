@@ -231,7 +231,7 @@ pub fn display_name(path: &Path) -> String {
     if path == Path::new("-") { STANDARD_INPUT.to_string() } else { path.to_string_lossy().into_owned() }
 }
 
-/// What a thing that is no regular file is, in words.
+/// What a path that is no regular file is, in words.
 pub fn irregular(metadata: &Metadata) -> Option<&'static str> {
     let kind = metadata.file_type();
     if kind.is_file() {

@@ -76,7 +76,7 @@ impl FromIterator<Step> for KeyPath {
     }
 }
 
-/// Keys that could be misread as part of the path stand in brackets and quotes, `materials["a.b"]`.
+/// Keys that could be misread as part of the path are in brackets and quotes, `materials["a.b"]`.
 impl fmt::Display for KeyPath {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         for (depth, step) in self.0.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Prints a scene as people write it: what fits on a line stands on one line, and 1 is `1`, not `1.0`.
+//! Prints a scene as people write it: what fits on a line is on one line, and 1 is `1`, not `1.0`.
 
 use super::escape::escape_hidden_json;
 use super::scan::Scanner;
@@ -9,7 +9,7 @@ use std::io::{self, Write};
 /// The longest line that is not broken up.
 const WIDTH: usize = 100;
 
-/// Lists of so many things are printed thing by thing, so that the text of a million objects isn't there as a whole. They never fit on a line.
+/// Lists of this many items are printed item by item, so that the text of a million objects isn't in memory as a whole. They never fit on a line.
 const LONG: usize = 1 << 10;
 
 impl SceneFile {
@@ -40,7 +40,7 @@ impl SceneFile {
             ..*self
         }
         .printed();
-        // At the beginning of a line of this depth stand keys of the scene alone: in strings there are no ends of lines.
+        // At the beginning of a line of this depth are keys of the scene alone: in strings there are no ends of lines.
         let (materials, objects) = ("\n  \"materials\": {", "\n  \"objects\": [");
         let mut rest = &text[..];
         if let (true, Some(at)) = (are_long[0], rest.find(materials)) {
@@ -102,7 +102,7 @@ struct Printer<'t> {
 }
 
 impl Printer<'_> {
-    /// Prints the next value; `used` is what already stands on its line.
+    /// Prints the next value; `used` is what is already on its line.
     fn value(&mut self, indent: usize, used: usize, is_root: bool) {
         let start = self.scanner.at;
         match self.scanner.peek() {
@@ -187,7 +187,7 @@ fn one_line(compact: &str) -> String {
 mod tests {
     use super::*;
 
-    /// Thing by thing the same is written as at once.
+    /// Item by item the same is written as at once.
     #[test]
     fn long_lists_are_written_as_short_ones_are() {
         let text = r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 5], "direction": [0, 0, -1], "resolution": [4, 3]},

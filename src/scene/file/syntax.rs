@@ -1,4 +1,4 @@
-//! Why a text is not JSON, in words that help: the parser's message, improved by a look at what stands there.
+//! Why a text is not JSON, in words that help: the parser's message, improved by a look at the text in that place.
 
 use std::ops::Range;
 

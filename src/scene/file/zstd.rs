@@ -108,7 +108,7 @@ mod tests {
 
     #[test]
     fn what_the_system_says_is_not_taken_for_damage() {
-        /// A disk that fails after so many bytes.
+        /// A disk that fails after this many bytes.
         struct Failing<'b>(&'b [u8]);
 
         impl Read for Failing<'_> {

@@ -88,7 +88,7 @@ fn camera(case: &Map<String, Value>) -> &'static str {
     if is_accepted(&camera, json!([])) { FINITE } else { INVALID }
 }
 
-/// Whether a scene file with these parts is accepted. What JSON has no number for stands there as a text.
+/// Whether a scene file with these parts is accepted. What JSON has no number for is there as a text.
 fn is_accepted(camera: &Value, objects: Value) -> bool {
     let scene = json!({"format": "raywalk-scene/1", "camera": camera, "objects": objects});
     file::check(scene.to_string().as_bytes(), "case.json").is_ok()

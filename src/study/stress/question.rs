@@ -25,7 +25,7 @@ pub(super) struct RayInput {
     pub d: Triple,
 }
 
-/// Something that rays meet.
+/// A shape.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub(super) enum ShapeInput {
@@ -114,7 +114,7 @@ pub(super) enum SpecularInput {
     R,
 }
 
-/// What a transparent shape does to light.
+/// What a transparent object does to light.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum ShadowInput {

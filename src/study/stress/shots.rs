@@ -74,7 +74,7 @@ pub(super) fn spheres(way: &Way, case: &Map<String, Value>) -> Result<Value, Str
     Ok(json!({"order": order, "t": t}))
 }
 
-/// `nearest`: what a ray meets first among several things.
+/// `nearest`: what a ray hits first among several shapes.
 pub(super) fn nearest(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     let scene = objects(way, case)?;
     let ray = stage::ray(way, &scene, &input(case)?);

@@ -1,4 +1,4 @@
-//! Cases as scenes: the things of a case become shapes of the program's own scene, and rays go through its own tracing.
+//! Cases as scenes: the shapes of a case become shapes of the program's own scene, and rays go through its own tracing.
 
 use super::question::{
     LightInput, MaterialInput, ObjectInput, RayInput, SceneInput, ShadowInput, ShapeInput, SpecularInput,
@@ -87,7 +87,7 @@ pub(super) fn whole_scene(way: &Way, input: &SceneInput) -> Result<Scene, String
     Ok(scene)
 }
 
-/// The shapes of things.
+/// The shapes of objects.
 pub(super) fn shapes(way: &Way, objects: &[ObjectInput]) -> Result<Vec<Shape>, String> {
     objects.iter().map(|object| shape(way, &object.shape)).collect()
 }

@@ -24,7 +24,7 @@ fn every_key_of_the_table_does_what_its_row_says() {
                 "zz" => does("z", "z", row.action),
                 "zo" => does("z", "o", row.action),
                 "''" => does("'", "'", row.action),
-                // A letter of one's choice stands behind it.
+                // A letter of one's choice follows.
                 "m+letter" => does("m", "q", Walk(Walk::Mark('q'))),
                 "'+letter" => does("'", "q", Walk(Walk::GoTo('q'))),
                 key if row.group == Group::Breakpoints => assert_eq!(key, "d"),

@@ -34,7 +34,7 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
     let seen = |text: &str, fixed: usize| {
         let (stays, scrolls) = text.split_at(text.char_indices().nth(fixed).map_or(text.len(), |(at, _)| at));
         let room = place.room().saturating_sub(width_of(stays));
-        // What stands in no column goes no further than to its own end.
+        // What isn't in a column ends at its own end.
         let shift = if fixed == 0 { shift.min(width_of(text).saturating_sub(room)) } else { shift };
         format!("{stays}{}", cut(scrolls, shift, room, theme))
     };

@@ -29,7 +29,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
 }
 
-/// Where in the pane the picture itself lies: below the title, and above the row that says what the cursor stands on.
+/// Where in the pane the picture itself lies: below the title, and above the row that says what the cursor is on.
 pub(in crate::tui) fn dots_of_picture(area: Rect) -> Rect {
     let body = Layout::body(area);
     Rect { height: body.height.saturating_sub(u16::from(body.height > 3)), ..body }

@@ -50,7 +50,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         rays = rays.iter().filter_map(|ray| segment(&model.log, &model.tree, ray.node, last)).collect();
     }
     let color = |role: Role| theme.style(role).fg.unwrap_or(Color::Reset);
-    // Things stand back without being dim, which a canvas can't.
+    // Objects are grey: a canvas can't dim them.
     let grey = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };
     Canvas::default()
         .marker(if theme.is_ascii() { Marker::Dot } else { Marker::Braille })
@@ -250,7 +250,7 @@ impl<'m> Stage<'m> {
         (0..count).filter_map(move |part| Some([at(part)?, at(part + 1)?]))
     }
 
-    /// Where a ray's letter stands: three quarters of the way, where rays of one point have parted; where that is off the
+    /// Where a ray's letter is: three quarters of the way, where rays of one point have parted; where that is off the
     /// screen, in the middle of what is on it.
     fn place_of_letter(&self, ray: &Segment, body: Rect) -> Option<[f64; 2]> {
         let end = ray.end(self.far);

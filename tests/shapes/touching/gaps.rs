@@ -1,4 +1,4 @@
-//! What touches and what doesn't: solids in the same place, a slab on a floor, and gaps that stay gaps.
+//! What touches and what doesn't: coincident solids, a slab on a floor, and gaps that stay gaps.
 
 use super::stacks::meetings;
 use super::world::{Frame, World, wrong};

@@ -209,12 +209,12 @@ mod tests {
 
     #[test]
     fn a_neighbour_is_out_of_the_way_to_all_of_a_light_or_not() {
-        // A valley: the light has to stand wholly over the other slope.
+        // A valley: the light has to be wholly over the other slope.
         bars_all(1.0, [12.0, 30.0], Side::Front, true);
         bars_all(1.0, [9.0, 30.0], Side::Front, false);
         // A ridge: what leaves one slope upward never meets the other.
         bars_all(-1.0, [0.1, 30.0], Side::Front, true);
-        // The light stands on both sides, or on another one than the rays are said to leave.
+        // The light is on both sides, or on another one than the rays are said to leave.
         bars_all(-1.0, [-0.1, 30.0], Side::Front, false);
         bars_all(-1.0, [0.1, 30.0], Side::Back, false);
     }

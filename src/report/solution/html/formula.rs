@@ -108,7 +108,7 @@ fn separator(task: &Task) -> char {
     if task.language.texts().decimal_mark == ',' { ';' } else { ',' }
 }
 
-/// What stands behind an operator.
+/// What follows an operator.
 fn operand(task: &Task, expression: &Expression) -> String {
     let text = html(task, expression);
     if expression.begins_negative() { format!("({text})") } else { text }

@@ -89,7 +89,7 @@ pub struct Primitive {
     pub at: u32,
 }
 
-/// Things of one kind that have no effect.
+/// Records of one kind that have no effect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PassedOver {
     /// What they are, and that they are passed over.

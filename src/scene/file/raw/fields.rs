@@ -23,7 +23,7 @@ pub struct Claim {
 }
 
 impl<'b> Fields<'b> {
-    /// A file that begins with these eight letters and has a head of so many bytes, the letters included.
+    /// A file that begins with these eight letters and has a head of this many bytes, the letters included.
     pub fn of(bytes: &'b [u8], name: &'b str, letters: &str, head: usize) -> Result<Fields<'b>, SceneError> {
         let fields = Fields { name, bytes, at: letters.len() };
         if bytes.is_empty() {
@@ -57,7 +57,7 @@ impl<'b> Fields<'b> {
         Err(self.refused(format!("its head says {counts}, which are {expected} bytes in all, found {found} bytes")))
     }
 
-    /// Reads so many things, each by `read`.
+    /// Reads this many items, each by `read`.
     pub fn list<T>(
         &mut self,
         count: u64,
@@ -72,7 +72,7 @@ impl<'b> Fields<'b> {
         Ok(list)
     }
 
-    /// So many bytes, zeros beyond the end: the length was looked at before.
+    /// This many bytes, zeros beyond the end: the length was looked at before.
     fn next<const N: usize>(&mut self) -> [u8; N] {
         let found = self.bytes.get(self.at..self.at + N).and_then(|bytes| bytes.try_into().ok());
         self.at += N;

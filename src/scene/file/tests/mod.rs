@@ -51,7 +51,7 @@ fn loads(text: &str) -> Loaded {
 static SCHEMA: LazyLock<Validator> =
     LazyLock::new(|| jsonschema::draft202012::new(&json_schema()).expect("a good schema"));
 
-/// What the reader refuses for its form, the JSON Schema refuses. It can't see a key that stands twice.
+/// What the reader refuses for its form, the JSON Schema refuses. It can't see a duplicate key.
 #[track_caller]
 fn schema_refuses(bytes: &[u8]) {
     let Ok(value) = serde_json::from_slice::<Value>(bytes) else { return };

@@ -24,7 +24,7 @@ enum Value {
     F64(f64),
 }
 
-/// A mesh of a square and a triangle with normals, and things that are skipped.
+/// A mesh of a square and a triangle with normals, and elements that are skipped.
 fn records() -> Vec<Vec<Value>> {
     use Value::{F32, F64, I16, I32, U8, U16};
     let vertex = |x, y, z, flags| vec![F32(x), F64(y), F32(z), U8(flags), F32(0.0), F32(0.0), F32(1.0)];
@@ -315,7 +315,7 @@ fn strips() {
     gives(strip("5 0 1 3 2 -1"), &[[0, 1, 3], [3, 1, 2]], &[]);
     gives(strip("4 0 1 3 2"), &[[0, 1, 3], [3, 1, 2]], &[]);
     gives(strip("9 -1 0 1 3 -1 -1 1 2 3"), &[[0, 1, 3], [1, 2, 3]], &[]);
-    // Corners that stand twice lead on, and count for which way round the next triangle goes.
+    // Repeated corners lead on, and count for which way round the next triangle goes.
     gives(strip("6 0 1 2 2 3 0"), &[[0, 1, 2], [3, 2, 0]], &[]);
     let short = "warning: a.ply: 1 face has fewer than 3 corners, such are left out";
     gives(strip("5 0 1 2 -1 3"), &[[0, 1, 2]], &[short]);
