@@ -1,6 +1,6 @@
 //! The structured log of a computation: events as typed data, their files, and the tree that they make.
 //!
-//! This room knows no geometry: objects and lights are numbers that the header names, and what a quantity means is found
+//! This module knows no geometry: objects and lights are numbers that the header names, and what a quantity means is found
 //! in the table of [`Name`].
 
 pub mod escape;

@@ -1,6 +1,6 @@
 //! What is traced: a scene, validated, in numbers and ready.
 //!
-//! Behind the door of [`mod@file`] there are indices and no surprises: names are resolved, vectors have a length, and numbers
+//! After [`mod@file`] has read and checked a scene, there are indices and no surprises: names are resolved, vectors have a length, and numbers
 //! are finite.
 
 pub mod adaptive_light;

@@ -1,4 +1,4 @@
-//! What helps to find one's way in a log: stepping, breakpoints, playing, searching, bookmarks, copying, the mouse.
+//! Navigation in a log: stepping, breakpoints, playing, searching, bookmarks, copying, the mouse.
 //!
 //! Each has a file of its own; here they are held together, so that the model and its update know only this one type.
 

@@ -2,7 +2,7 @@
 //!
 //! A key becomes an [`Action`] (`keys`), an action changes the [`Model`] (`update`), and the model is drawn
 //! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
-//! tested without one. The room knows logs and reports; it computes no geometry and needs no scene.
+//! tested without one. The module knows logs and reports; it computes no geometry and needs no scene.
 
 mod address;
 pub mod beside;

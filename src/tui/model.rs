@@ -68,7 +68,7 @@ pub struct Model {
     pub language: Language,
     /// What is shown, in other arithmetics, once somebody asked for it.
     pub others: Vec<Log>,
-    /// Breakpoints, the search, bookmarks and what else helps to find one's way.
+    /// Breakpoints, the search, bookmarks and other navigation.
     pub guide: Guide,
     /// Lists that explain, and the quiz.
     pub understanding: Understanding,

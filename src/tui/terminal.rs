@@ -1,6 +1,6 @@
 //! The terminal: entered by a guard that always restores it, and read for keys, sizes and signals.
 //!
-//! Only this file of the room does input and output. Whatever ends the viewer (a key, an error, a panic, a signal, a
+//! Only this file of the module does input and output. Whatever ends the viewer (a key, an error, a panic, a signal, a
 //! terminal that is gone), the terminal gets back its screen, its cursor and its modes.
 
 use super::copy;

@@ -76,8 +76,8 @@ impl Wanted {
         }
         // Asked before opening, because opening a FIFO would wait for a writer.
         let metadata = fs::metadata(path).map_err(|error| self.failure(&name, error))?;
-        if let Some(thing) = irregular(&metadata) {
-            return Err(refused(&name, format!("expected a regular file, found {thing}")));
+        if let Some(kind) = irregular(&metadata) {
+            return Err(refused(&name, format!("expected a regular file, found {kind}")));
         }
         let file = File::open(path).map_err(|error| self.failure(&name, error))?;
         Ok(Opened { path: Some(path.to_owned()), ..self.begin(file, metadata.len(), name)? })

@@ -50,8 +50,8 @@ pub fn resolve_mesh_path(scene_path: &Path, mesh_path: &str) -> Result<PathBuf, 
         _ => MeshPathError::Unreadable { path: resolved.clone(), source },
     };
     let metadata = fs::metadata(&resolved).map_err(failure)?;
-    if let Some(thing) = irregular(&metadata) {
-        let message = format!("expected a regular file at `{shown}`, found {thing}");
+    if let Some(kind) = irregular(&metadata) {
+        let message = format!("expected a regular file at `{shown}`, found {kind}");
         return Err(MeshPathError::Refused(message));
     }
     let real = fs::canonicalize(&resolved).map_err(failure)?;

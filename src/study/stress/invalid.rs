@@ -1,4 +1,4 @@
-//! Cases of input that is no input: what the doors of the program say to it, and what comes out behind them.
+//! Cases of input that is no input: what the readers of the program say to it, and what comes out.
 
 use super::question::{ShapeInput, Triple, any, any_number, input};
 use super::stage::{self, Watch};
@@ -33,7 +33,7 @@ const INVALID: &str = "invalid";
 const FINITE: &str = "finite";
 const NOT_FINITE: &str = "not finite";
 
-/// A ray at a shape. Spheres and planes go through the door of scene files, rays through that of ray queries.
+/// A ray at a shape. Spheres and planes go through the reader of scene files, rays through that of ray queries.
 fn shape(case: &Map<String, Value>) -> &'static str {
     let Some(shape) = checked_shape(case) else { return INVALID };
     let [Some(origin), Some(direction)] = ["o", "d"].map(|key| triple(case, key)) else { return INVALID };
@@ -79,7 +79,7 @@ fn checked_shape(case: &Map<String, Value>) -> Option<Shape> {
     is_finite.then(|| stage::shape(&Way::OWN, &shape).ok()).flatten()
 }
 
-/// A camera, by the door of scene files.
+/// A camera, by the reader of scene files.
 fn camera(case: &Map<String, Value>) -> &'static str {
     let camera = json!({
         "position": case.get("eye"), "look_at": case.get("at"), "up": case.get("up"),

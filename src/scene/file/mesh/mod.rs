@@ -1,6 +1,6 @@
 //! Meshes: the files that a scene names, from bytes to [`Mesh`].
 //!
-//! This room owns the readers of OBJ and PLY and where a mesh may be read from ([`Folder`]). A face of more than three
+//! This module owns the readers of OBJ and PLY and where a mesh may be read from ([`Folder`]). A face of more than three
 //! corners becomes a fan of triangles about its first corner. Triangles count from 0 in the order of the file, those of a
 //! fan one by one; triangles without area are skipped when rays are traced, but keep their numbers.
 //!

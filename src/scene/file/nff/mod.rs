@@ -17,7 +17,7 @@
 //! bounds, and the texture coordinates of `tpp` n × (x y z, normal, u v) are understood and passed over; a warning says so
 //! of all but `tess`. A normal that is no number (`nan`, `1.#IND`) counts as none. There are at most [`MAX_PRIMITIVES`] primitives.
 //!
-//! This room turns bytes into a checked scene file. What the checks of [`validate`] find is placed in the NFF text.
+//! This module turns bytes into a checked scene file. What the checks of [`validate`] find is placed in the NFF text.
 
 mod entities;
 mod mapping;
