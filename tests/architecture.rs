@@ -32,7 +32,7 @@ const NARROW: &[(&str, &[&str])] = &[
 /// Where input and output happen.
 const DOORS: &[&str] = &["main.rs", "cli/", "scene/file/", "log/file/", "render/export/", "tui/terminal.rs"];
 
-/// Files of the viewer with texts of their own: the comparison of two logs, which is told in English all through, pictures in SVG, and
+/// Files of the viewer with texts of their own: the comparison of two logs, which is in English throughout, pictures in SVG, and
 /// what `Debug` writes.
 const OWN_PROSE: &[&str] = &["tui/beside/view.rs", "tui/screenshot.rs", "tui/picture.rs", "tui/drawing.rs"];
 

@@ -110,7 +110,7 @@ impl Diff {
                 if self.output.is_some() {
                     return Err(Failure::caller("--output: a heat map is made of two pictures, found two logs"));
                 }
-                // As `walk` does, it is told as text where nobody could press a key.
+                // As `walk` does, it is printed as text where there is no terminal.
                 if self.walk && has_terminal() { self.walk(a, b, colors, signals) } else { self.logs(a, b) }
             }
             (Compared::Picture(a_name, a, a_layers), Compared::Picture(b_name, b, b_layers)) => {

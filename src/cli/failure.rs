@@ -80,7 +80,7 @@ impl Failure {
     /// Prints the message to standard error.
     pub fn print(&self) {
         if !self.message.is_empty() {
-            // Where standard error is closed there is nobody to tell.
+            // Where standard error is closed nothing can be reported.
             let _ = writeln!(io::stderr(), "{}", self.message);
         }
     }

@@ -18,7 +18,7 @@ pub struct Saved {
     pub name: String,
     /// The log.
     pub log: Log,
-    /// Whether it is damaged or was cut off, which is told in any case.
+    /// Whether it is damaged or was cut off, which is always reported.
     pub ending: Ending,
 }
 

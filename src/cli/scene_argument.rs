@@ -65,7 +65,7 @@ pub fn built_in(name: &str) -> Result<Input, Failure> {
     Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json"), path: None })
 }
 
-/// What an argument names, as far as its beginning tells.
+/// What an argument names, judged by its beginning.
 pub enum Named {
     /// A scene, or what was meant to be one.
     Scene(Input),
@@ -95,7 +95,7 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 /// The file that the argument names; `None` if it names no file.
 fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, Failure> {
     let refused = |error: SceneError| Failure::scene(&error, is_colored(colors));
-    // What can't be told from a file is no built-in scene.
+    // What may be a file is no built-in scene.
     let is_path = argument == Path::new("-")
         || file::is_there(argument).map_err(|source| {
             let file = argument.to_string_lossy().into_owned();

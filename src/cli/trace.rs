@@ -50,7 +50,7 @@ pub struct Trace {
     /// one quantity rounded, and with all but it, for every quantity (as text or json)
     #[arg(long)]
     causes: bool,
-    /// What dot, svg and mermaid draw: rays with all that they meet, or the calls of the algorithm (figure 9)
+    /// What dot, svg and mermaid draw: rays with all that they hit, or the calls of the algorithm (figure 9)
     #[arg(long, value_enum, value_name = "OF", default_value = "rays")]
     tree: TreeOf,
     /// Draw a close-up of one hit instead, as svg, latex or text: its vectors in their planes, the zones of a blurred bounce, or the points

@@ -23,7 +23,7 @@ const MODE: u32 = 0o666;
 /// Folders in which files of dead processes were looked for already.
 static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// The letters by which files of this machine are told from those of others that share the folder: some network file systems keep the
+/// The letters that distinguish files of this machine from those of others that share the folder: some network file systems keep the
 /// locks of each machine apart.
 static HOST: LazyLock<String> = LazyLock::new(|| {
     let name = rustix::system::uname().nodename().to_bytes().to_vec();

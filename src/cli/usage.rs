@@ -19,7 +19,7 @@ pub fn parse() -> Result<Cli, ExitCode> {
 /// Gives the exit code.
 fn print(error: &Error) -> u8 {
     if error.use_stderr() {
-        // Where standard error is closed there is nobody to tell.
+        // Where standard error is closed nothing can be reported.
         let _ = match is_plain() {
             true => error.print(),
             false => {

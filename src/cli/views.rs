@@ -34,7 +34,7 @@ impl From<Lang> for Language {
 /// What a tree is of.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum TreeOf {
-    /// Rays, with what they meet.
+    /// Rays, with what they hit.
     Rays,
     /// Calls of the algorithm.
     Calls,

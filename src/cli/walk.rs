@@ -111,7 +111,7 @@ impl Walk {
             return Output::create(Some(path), &inputs)?.commit(picture.as_bytes());
         }
         if self.plain || !has_terminal() {
-            // That a log is damaged is no advice: it is told in any case.
+            // That a log is damaged is no advice: it is always reported.
             if let Some(warning) = warning.filter(|_| was_log || !self.progress.quiet) {
                 let before = Language::from(self.lang).texts().viewer.status.warning;
                 output::tell(&format!("{before}{name}: {warning}"));

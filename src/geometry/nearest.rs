@@ -126,7 +126,7 @@ impl Nearest {
 /// Up to this many hits it is quicker to compare each with each.
 const FEW: usize = 16;
 
-/// The hits without those of a surface that is hit already: an edge or a corner is crossed once, on the triangle that is met first.
+/// The hits without those of a surface that is hit already: an edge or a corner is crossed once, on the triangle that is hit first.
 fn once_each<'s>(hits: &[Hit], shape: impl Fn(u32) -> &'s Shape) -> Vec<Hit> {
     let mut kept: Vec<Hit> = Vec::new();
     for hit in hits {

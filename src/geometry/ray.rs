@@ -1,4 +1,4 @@
-//! A ray, and what it meets.
+//! A ray, and what it hits.
 
 use super::unit::unit;
 use crate::probe::{Probe, ROUNDINGS};
@@ -16,7 +16,7 @@ pub struct Ray {
     /// The same way without the rounding error of a unit length, where it is known: the vector that was normalised to
     /// `direction`, times a power of two that makes it of middling size. Decisions that f64 leaves in doubt are taken with it.
     pub vector: DVec3,
-    /// The surface that it leaves, which it can't meet again at its origin.
+    /// The surface that it leaves, which it can't hit again at its origin.
     pub leaving: Option<Leaving>,
     /// How far rounding may have moved the origin, in units of length: the ray begins on every surface so near, and doesn't
     /// cross it there. 0 for an origin that was given: it is exact.
@@ -124,7 +124,7 @@ impl Ray {
         Ray { vector, ..Ray::new(origin, direction) }
     }
 
-    /// The same ray, of which it is asked only whether it meets anything.
+    /// The same ray, of which it is asked only whether it hits anything.
     pub fn without_distance(&self) -> Ray {
         Ray { wants_distance: false, ..*self }
     }

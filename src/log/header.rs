@@ -98,7 +98,7 @@ pub struct FrameId {
     pub time: f64,
 }
 
-/// Which scene a log tells of.
+/// The scene of a log.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SceneId {

@@ -129,7 +129,7 @@ impl Alteration for Decimal {
     }
 
     /// Chosen, not derived: the bound for all 64 roundings would, with few digits, close gaps that a reader sees. So coincident surfaces may
-    /// still be told apart here.
+    /// still be distinguished here.
     fn slack(&self, size: f64) -> f64 {
         let step = (0..self.digits).fold(1.0, |step, _| step / 10.0);
         step * (1.0 + size) / 8.0

@@ -91,7 +91,7 @@ pub trait Probe: Sized {
     #[inline(always)]
     fn fallback(&mut self) {}
 
-    /// This many rays aren't traced, or not searched for what they meet. It is counted, not logged: the log has the decision.
+    /// This many rays aren't traced, or not searched for what they hit. It is counted, not logged: the log has the decision.
     #[inline(always)]
     fn spared(&mut self, _why: Spared, _rays: u64) {}
 
@@ -121,7 +121,7 @@ pub trait Probe: Sized {
     }
 }
 
-/// Why rays aren't traced, or not searched for what they meet.
+/// Why rays aren't traced, or not searched for what they hit.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Spared {
     /// A rule leaves them out. Of a blurred bounce all rays count, of a local model the shadow rays to all lights; not what they would
@@ -137,7 +137,7 @@ pub enum Spared {
 
 /// What can be noted: a number, or a triple.
 pub trait Quantity: Copy {
-    /// The same quantity with each component put through `f`, which is told the component's index.
+    /// The same quantity with each component put through `f`, which gets the component's index.
     fn map(self, f: impl FnMut(usize, f64) -> f64) -> Self;
 
     /// The quantity as it is in a log.

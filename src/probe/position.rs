@@ -24,7 +24,7 @@ struct Frame {
 }
 
 impl Position {
-    /// Outside every node; `root` tells computations apart.
+    /// Outside every node; `root` distinguishes computations.
     pub fn new(root: u64) -> Position {
         Position { open: vec![Frame::new(root)] }
     }

@@ -1,4 +1,4 @@
-//! The probe that tells ray trees apart.
+//! The probe that distinguishes ray trees.
 
 use super::position::{mixed_with, words};
 use super::{Probe, Quantity, Spared};
@@ -125,7 +125,7 @@ fn word_of(cell: [f64; 3]) -> u64 {
     left ^ top.rotate_left(21) ^ side.rotate_left(42)
 }
 
-/// Whether two decisions are the same. Which of several opaque objects blocks the light first hangs on the order of the
+/// Whether two decisions are the same. Which of several opaque objects blocks the light first depends on the order of the
 /// tests, and decides nothing; a factor is a value.
 pub fn is_same(one: Decision, other: Decision) -> bool {
     words_of(one) == words_of(other)

@@ -78,7 +78,7 @@ pub enum RenderError {
     Memory(u32, u32),
 }
 
-/// Is told how many pixels each finished tile had. Behind a pointer, so that the tracer isn't compiled again for each one.
+/// Called with the number of pixels of each finished tile. Behind a pointer, so that the tracer isn't compiled again for each one.
 pub(crate) type Progress<'p> = &'p (dyn Fn(u64) + Sync);
 
 /// The side of a tile. Tiles are what threads take turns on, and what progress counts.
@@ -98,7 +98,7 @@ pub fn ask_for_memory([left, top, right, bottom]: [u32; 4]) -> Result<(), Render
     if is_there { Ok(()) } else { Err(RenderError::Memory(width, height)) }
 }
 
-/// Renders a picture. `progress` is told how many pixels each finished tile had; `stop` ends the work early.
+/// Renders a picture. `progress` is called with the number of pixels of each finished tile; `stop` ends the work early.
 pub fn render(
     scene: &Scene,
     settings: &Settings,

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Dot {
     /// Its colour, bit for bit as [`render`](super::render) has it.
     pub color: Color,
-    /// The distance from the eye to the first point that a camera ray of the pixel meets.
+    /// The distance from the eye to the first point that a camera ray of the pixel hits.
     pub depth: Option<f64>,
     /// How many rays it took.
     pub rays: u32,

@@ -240,7 +240,7 @@ impl Decider<'_> {
         scope::size_before(&self.log.events, self.tree, self.tree.owner(self.event), self.event)
     }
 
-    /// Whether the ray leaves the sphere that is tested: its other end is then at 2·T_A, and nothing tells where it begins but the side on
+    /// Whether the ray leaves the sphere that is tested: its other end is then at 2·T_A, and only the side says where it begins on
     /// which it was sent off.
     fn leaves_sphere(&self) -> bool {
         let own = self.tree.owner(self.event);

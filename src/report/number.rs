@@ -135,7 +135,7 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// Neighbours among all numbers look different where they are to be told apart.
+        /// Neighbours among all numbers look different where they are to be distinguished.
         #[test]
         fn neighbours_are_told_apart(bits in 0_u64..0x7fef_ffff_ffff_ffff, digits in 0_u32..6, is_negative: bool) {
             let sign = if is_negative { -1.0 } else { 1.0 };

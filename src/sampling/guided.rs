@@ -85,7 +85,7 @@ pub fn pilot<P: Probe>(scene: &Scene, wanted: Guided, pixel: [u32; 2], probe: &m
     Pilot::of(&colors, scene.output.white)
 }
 
-/// The same before nobody for the pixels in these columns of a row, whose samples walk together where that saves time.
+/// The same without a recording, for the pixels in these columns of a row, whose samples are traced together where that saves time.
 pub fn pilots_of_row(scene: &Scene, wanted: Guided, row: u32, columns: Range<u32>, mut found: impl FnMut(Pilot)) {
     let count = wanted.pilot();
     if !together::pays(scene, count) {

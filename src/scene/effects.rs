@@ -36,7 +36,7 @@ impl Effects {
         self.lens || self.motion
     }
 
-    /// Whether a ray that meets an object may draw.
+    /// Whether a ray that hits an object may draw.
     pub fn of_surfaces(self) -> bool {
         self.area_lights || self.blurred_bounces
     }

@@ -1,4 +1,4 @@
-//! Which objects a ray can meet: those without end, and those whose box it passes.
+//! Which objects a ray can hit: those without end, and those whose box it passes.
 
 use super::Object;
 use crate::geometry::bvh::{Bvh, Form, PerRay, RayMask, Search};
@@ -29,7 +29,7 @@ pub struct Index {
 enum Extent {
     /// In this ball.
     Ball { center: DVec3, radius: f64 },
-    /// On a plane, which no ray meets that leaves it.
+    /// On a plane, which no ray hits that leaves it.
     Plane,
     /// Anywhere.
     Endless,
@@ -44,7 +44,7 @@ const WITHOUT_TREE: usize = 8;
 /// The most objects that are looked at for a whole light.
 const MOST_BETWEEN: usize = 16;
 
-/// In a tree over fewer primitives rays find what they meet as soon alone as together.
+/// In a tree over fewer primitives rays find what they hit as soon alone as together.
 const WORTH_PACKETS: usize = 64;
 
 /// How many objects one core looks at at a time.
@@ -71,7 +71,7 @@ impl Extent {
 
     /// Whether the object can lie between a point and a ball (C, R). What lies between them at the part s of the way is at most s·R
     /// from P + s(C − P). So the object's ball (B, r) is beside it if |B − P − s(C − P)| > r + s·R for all s from 0 to 1: a
-    /// quadratic in s, whose least value tells.
+    /// quadratic in s, whose least value decides.
     fn reaches(&self, point: DVec3, (light, light_radius): (DVec3, f64), is_left: bool) -> bool {
         let (center, radius) = match *self {
             Extent::Ball { center, radius } => (center, radius),
@@ -180,7 +180,7 @@ impl Index {
         self.bounds.is_some_and(|bounds| bounds.is_surely_missed(origin, direction))
     }
 
-    /// Shows `meet` every object that the ray can meet, in the order that is searched in, and says whether it certainly crosses it. `meet`
+    /// Shows `meet` every object that the ray can hit, in the order that is searched in, and says whether it certainly crosses it. `meet`
     /// gives the distance up to which objects still matter; a negative one ends the search.
     #[inline(always)]
     pub fn visit<P: Probe>(
@@ -201,7 +201,7 @@ impl Index {
 }
 
 impl Index {
-    /// The same for several rays (see [`Bvh::visit_together`]). Nobody is told how many boxes were tested.
+    /// The same for several rays (see [`Bvh::visit_together`]). The number of tested boxes isn't reported.
     #[inline(always)]
     pub fn visit_together<P: Probe, S: RaySource>(
         &self,

@@ -73,7 +73,7 @@ pub struct Scene {
     pub effects: Effects,
     /// The objects, in the order that decides ties.
     pub objects: Vec<Object>,
-    /// Which objects a ray can meet.
+    /// Which objects a ray can hit.
     pub index: Index,
     /// The media that hold the eye.
     pub around_eye: AroundEye,

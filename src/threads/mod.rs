@@ -37,18 +37,18 @@ enum Workers {
     Pool(Arc<ThreadPool>),
 }
 
-/// On how many threads work is shared from here on that isn't told otherwise; 0 is one a core.
+/// The default number of threads from here on; 0 is one per core.
 pub fn want(count: usize) {
     WANTED.store(count, Ordering::Relaxed);
 }
 
-/// What [`want`] was told.
+/// The argument of [`want`].
 pub fn wanted() -> usize {
     WANTED.load(Ordering::Relaxed)
 }
 
-/// Lets the current thread do by itself what isn't [shared](share): without this rayon would begin a pool of its own for whatever small
-/// thing is done in parallel.
+/// Lets the current thread do by itself what isn't [shared](share): without this rayon would begin a pool of its own for any small
+/// parallel work.
 pub fn work_alone() {
     if rayon::current_thread_index().is_some() {
         return;
@@ -172,7 +172,7 @@ fn pool(count: usize, most: usize) -> Option<Arc<ThreadPool>> {
 
 /// Begins as many of these threads as the system lets start. `None` where that is none.
 fn begin(count: usize) -> Option<ThreadPool> {
-    // Each waits until it is told which thread of a pool it is: how many a pool has must be known before.
+    // Each waits for its number in the pool: how many a pool has must be known before.
     let mut waiting: Vec<Sender<ThreadBuilder>> = Vec::new();
     for _ in 0..count_with_room(count) {
         let (sender, receiver) = channel::<ThreadBuilder>();

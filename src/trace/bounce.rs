@@ -258,7 +258,7 @@ fn is_zero_path(scene: &Scene, path: &Path, weight: Color) -> bool {
     weight != Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroPath) && dead_channels(path, weight).all()
 }
 
-/// The channels in which some weight on a path, or the next one, is zero. The product of the weights doesn't tell: it may have become
+/// The channels in which some weight on a path, or the next one, is zero. The product of the weights isn't enough: it may have become
 /// too small for a number, while a light is so bright that something would be left of it.
 pub(super) fn dead_channels(path: &Path, weight: Color) -> BVec3 {
     let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());

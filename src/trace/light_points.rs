@@ -28,7 +28,7 @@ pub(super) fn add<P: Probe>(
     let dimension = Dimension::Light { route: meeting.path.route(), light: number };
     let splits = Splits::new(meeting.path.draws, dimension, area.samples);
     let color = light.share();
-    // What can't shadow any point of the light isn't asked for each. Whoever counts is told which searches that saves.
+    // What can't shadow any point of the light isn't tested for each. A counting probe gets the searches that this saves.
     let mut among =
         if P::USES_SIMD { scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object) } else { None };
     let mut is_asked =

@@ -139,7 +139,7 @@ fn around_eye(scene: &Scene, ray: &Ray) -> Media {
 
 /// What camera rays of samples with these random numbers see, at most [`PACKET`] of them, in their order.
 ///
-/// What they meet first is searched for together; from there on each goes its own way, as it would alone.
+/// What they hit first is searched for together; from there on each goes its own way, as it would alone.
 pub fn see_together<P: Probe>(
     scene: &Scene,
     draws: &[Draws],
@@ -223,7 +223,7 @@ fn seen_at<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, nearest: Nearest, pr
     shaded(scene, ray, path, &hit, None, probe)
 }
 
-/// What a ray sees that meets nothing.
+/// What a ray sees that hits nothing.
 #[inline(always)]
 fn nothing_met<P: Probe>(scene: &Scene, probe: &mut P) -> Seen {
     probe.given(Name::BackgroundColor, scene.background);

@@ -1,4 +1,4 @@
-//! Single ray queries: what a ray meets, without any shading, at the time when the shutter opens.
+//! Single ray queries: what a ray hits, without any shading, at the time when the shutter opens.
 
 use super::visibility::{are_any_hit, closest_hit, is_any_hit, search_together};
 use crate::geometry::Hit;
@@ -25,7 +25,7 @@ pub struct Query {
     pub from: Option<(u32, u32)>,
 }
 
-/// What a ray meets first.
+/// What a ray hits first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// The object.
@@ -42,7 +42,7 @@ pub struct Answer {
     pub side: Side,
 }
 
-/// Where a ray meets something first.
+/// Where a ray hits something first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayHit {
     /// The object.
@@ -130,7 +130,7 @@ impl Query {
         }
     }
 
-    /// Where the nearest hits of several rays are, at most [`PACKET`]: shows `answer` what each meets, in their order. Rays that run together are
+    /// Where the nearest hits of several rays are, at most [`PACKET`]: shows `answer` what each hits, in their order. Rays that run together are
     /// answered faster so, each as it would be alone.
     pub fn hits(queries: &[Query], scene: &Scene, mut answer: impl FnMut(Option<RayHit>)) {
         let mut rays: ArrayVec<Ray, PACKET> = ArrayVec::new();
@@ -193,13 +193,13 @@ impl Query {
         if has_plain_ends { Line::along(self.origin, self.direction, [self.t_min, self.t_max]) } else { None }
     }
 
-    /// Whether a look at the box around everything shows that the ray meets nothing: its unit vector takes far longer than that.
+    /// Whether a look at the box around everything shows that the ray hits nothing: its unit vector takes far longer than that.
     #[inline(always)]
     fn surely_misses(&self, scene: &Scene) -> bool {
         scene.index.is_surely_missed(self.origin, self.direction)
     }
 
-    /// The ray, what it meets first, and the distance in units of the direction as given.
+    /// The ray, what it hits first, and the distance in units of the direction as given.
     #[inline(always)]
     fn first_hit(&self, mut ray: Ray, length: f64, scene: &Scene) -> Option<(Ray, Hit, f64)> {
         loop {
@@ -238,7 +238,7 @@ impl Query {
     }
 }
 
-/// A query whose ray is made when the first kernel asks for it: most rays that meet nothing never need it, and many that do, neither.
+/// A query whose ray is made when the first kernel asks for it: most rays that hit nothing never need it, and many that do, neither.
 struct Asked<'a> {
     query: &'a Query,
     scene: &'a Scene,

@@ -2,7 +2,7 @@
 //!
 //! What a light adds to a pixel is a product in each channel: the weights on the path, W_l, I_i, and K_d and K_e, or K_t for a light on the
 //! other side. The *factors* are asked, not their product, which may be too small for a number although a bright light would leave
-//! something of it. A product above zero is proof enough that no factor is zero, and in most scenes that of the first channel tells.
+//! something of it. A product above zero is proof enough that no factor is zero, and in most scenes that of the first channel is enough.
 
 use super::Meeting;
 use super::bounce::dead_channels;

@@ -74,7 +74,7 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
     nearest
 }
 
-/// The same for several rays, at most [`PACKET`], which walk together where they run together.
+/// The same for several rays, at most [`PACKET`], which are traced together where they run together.
 pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &mut PerRay<Nearest>, probe: &mut P) {
     let mut limits = [-1.0; PACKET];
     for (at, ray) in rays.iter().enumerate().take(PACKET) {
@@ -124,7 +124,7 @@ pub(super) fn touched<P: Probe>(scene: &Scene, ray: &Ray, place: &Place, probe: 
     layer.touched()
 }
 
-/// Whether a ray meets anything at all. Kernels save digits where it doesn't want distances.
+/// Whether a ray hits anything at all. Kernels save digits where it doesn't want distances.
 #[inline(always)]
 pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut P) -> bool {
     let mut is_hit = false;
@@ -135,7 +135,7 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut 
     is_hit
 }
 
-/// Which of several rays, at most [`PACKET`], of those in `rays` meet anything at all.
+/// Which of several rays, at most [`PACKET`], of those in `rays` hit anything at all.
 pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: RayMask, probe: &mut P) -> RayMask {
     let mut limits = [-1.0; PACKET];
     for at in each(rays) {

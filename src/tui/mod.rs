@@ -285,7 +285,7 @@ fn position(model: &Model) -> Position {
         _ => None,
     });
     let at = match model.log.header.subject {
-        // The numbers of events begin anew at each pixel; a link counts through.
+        // The numbers of events begin again at each pixel; a link counts through.
         Subject::Region(_) => model.step() as u32,
         _ => model.log.events.get(model.event).map_or(0, |event| event.at),
     };

@@ -43,7 +43,7 @@ impl Model {
         self.hides(event) && matches!(self.log.events[event].what, What::Mark(_))
     }
 
-    /// The last event that may be told, where there are some that may not.
+    /// The last event that may be shown, where some may not.
     pub fn told(&self) -> Option<usize> {
         let current = self.event.saturating_sub(usize::from(self.hides(self.event)));
         self.understanding.quiz.map(|_| current).or(self.guide.grown)

@@ -239,7 +239,7 @@ fn a_run_in_a_quiz_tells_nothing() {
     a_run_says("result", "r", "result ?");
     // The test of an object is seen, a decision that names it isn't before it is passed.
     a_run_says("object ball", "r", "stopped by object ball: test ball");
-    // What was passed is told, and so is everything after the quiz.
+    // What was passed is shown, and so is everything after the quiz.
     a_run_says("hit", "$ R", "stopped by hit");
     a_run_says("hit", "Q r", "stopped by hit: hit");
 }

@@ -151,7 +151,7 @@ fn eye_rays_lie_where_the_format_says() {
     assert!(hits.abs_diff(expected) <= 2, "{hits} eye rays hit, expected {expected}");
 }
 
-/// How many of the rays of the format's description meet one of the spheres: ray k of 0..X lies at
+/// How many of the rays of the format's description hit one of the spheres: ray k of 0..X lies at
 /// −t − t/(X − 1) + k·2t/(X − 1), t = tan(angle/2).
 fn spheres_met(file: &SceneFile, angle: f64) -> u64 {
     let spheres: Vec<_> = file.objects.iter().map(|object| sphere(&object.shape)).collect();

@@ -138,7 +138,7 @@ fn lights_whose_colour_leaves_nothing_are_told_so() {
     check("[1, 1, 1]", "", "stands outside the field of view, which it lights all the same");
 }
 
-/// A light that is off is told so, whether surfaces are turned to it or not.
+/// A light that is off is reported as such, whether surfaces are turned to it or not.
 #[test]
 fn lights_without_a_colour_are_told_so() {
     let scene = r#"{"format": "raywalk-scene/1", "name": "room", "camera": {"position": [0, 2, 6], "look_at": [0, 1, 0]},

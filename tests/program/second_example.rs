@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// The ray that meets the bubble and the normal there, by hand.
+/// The ray that hits the bubble and the normal there, by hand.
 const T_1: DVec3 = DVec3::new(0.793, -0.116, 0.598);
 const N_2: DVec3 = DVec3::new(0.075, 0.077, -0.995);
 
@@ -83,7 +83,7 @@ fn the_sheet_is_checked_as_anybody_elses() {
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stdout));
     // The numeric example has no refraction.
     says(2, &["textbook", "--with", file.to_str().expect("a plain name")], "the walk has 0 of `refract.cos_2`");
-    // A sheet of the other example is told to be one, either way round; a sheet of neither isn't.
+    // A sheet of the other example is recognised, either way round; a sheet of neither isn't.
     says(2, &["textbook", "--with", "scenes/refraction.csv"], "; the table fits another example: --example refraction");
     fs::write(&file, "quantity,printed,path\nsphere.t2_a,6.380,C R\n").expect("a file");
     let arguments = ["textbook", "--example", "refraction", "--with", file.to_str().expect("a plain name")];

@@ -302,7 +302,7 @@ fn logs_that_are_not_the_whole_of_one_region_are_refused() {
     assert!(text.starts_with("textbook · region 158,119 to 161,121 · f64"), "{text:.100}");
 }
 
-/// What another program wrote anew is joined as it was: its keys in order, blanks between them, another end of lines, one document.
+/// What another program has rewritten is joined as it was: its keys in order, blanks between them, another end of lines, one document.
 #[test]
 fn logs_in_other_spellings_are_joined_to_the_same_bytes() {
     let folder = Folder::new();

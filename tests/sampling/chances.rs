@@ -94,7 +94,7 @@ fn how_many_samples_must_agree_depends_on_what_they_draw() {
     assert_eq!(count("", wall, ""), 8);
     assert_eq!(count(lens, wall, ""), 64);
     assert_eq!(count("", wall, "area"), 64);
-    // Rays that meet nothing draw no light.
+    // Rays that hit nothing draw no light.
     assert_eq!(count("", away, "area"), 8);
 }
 

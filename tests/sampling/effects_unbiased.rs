@@ -104,7 +104,7 @@ fn half_plane(distance: f64, moved: f64) -> String {
     )
 }
 
-/// A ray from the point u·r of the lens meets the plane at the distance z in u·r·(1 − z/f) + x·z.
+/// A ray from the point u·r of the lens hits the plane at the distance z in u·r·(1 − z/f) + x·z.
 #[test]
 fn an_edge_out_of_focus() {
     let camera = format!(r#"{FORWARD}, "lens": {{"radius": 1.6, "focus_distance": 4}}"#);

@@ -89,7 +89,7 @@ fn spawned(world: &World, from: &Ray, object: u32, crossing: Crossing, random: &
 }
 
 /// The first of the crossings with triangles that coincide with the nearest one: within 64 roundings of all coordinates. Of triangles
-/// that share one or two corners only the one that is met first counts: the ray goes through the edge or the corner between them.
+/// that share one or two corners only the one that is hit first counts: the ray goes through the edge or the corner between them.
 fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Option<(u32, Crossing)> {
     let mut all = all.to_vec();
     all.sort_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)));
@@ -104,7 +104,7 @@ fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Optio
     let is_here = |other: &&(u32, Crossing)| {
         let points = 2.0 * (ray.origin.abs().element_sum() + other.1.t);
         let gap = (other.1.t - nearest.1.t) * slope(&nearest).max(slope(other));
-        // However flat the ray runs, what it meets so much later isn't in the same place.
+        // However flat the ray runs, what it hits so much later isn't in the same place.
         let is_close = other.1.t - nearest.1.t <= (nearest.1.t + ray.origin.abs().element_sum()) / f64::from(1 << 20);
         is_close && gap <= 32.0 * f64::EPSILON * (points + size(nearest.0) + size(other.0))
     };
@@ -151,7 +151,7 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     let mut is_occluded = false;
     world.tree.visit::<Silent>(&quick, Search::of_any(&Silent), |primitive, is_sure| {
         let is_met = meet(primitive, &quick).is_some();
-        // The object that a ray leaves is told apart by who asks.
+        // The caller excludes the object that a ray leaves.
         let is_left = ray.leaving.is_some_and(|leaving| leaving.object == primitive);
         assert!(
             is_met || is_left || !is_sure,

@@ -1,4 +1,4 @@
-//! Meshes as users of the command line meet them: where they are found, what is wrong with them, what rays meet.
+//! Meshes as users of the command line meet them: where they are found, what is wrong with them, what rays hit.
 
 use assert_cmd::Command;
 use std::fs;

@@ -36,7 +36,7 @@ struct Met {
     crossing: Crossing,
 }
 
-/// A ray into the world, and what it meets first of all shapes.
+/// A ray into the world, and what it hits first of all shapes.
 fn met(world: &World, random: &mut Random) -> Option<Met> {
     let World { middle, size, targets, .. } = world;
     let origin = *middle + random.unit() * *size * 3.0;

@@ -1,5 +1,5 @@
 //! Area lights with `{"min": …, "max": …}`: where a part of one may be hidden they have the bits of as many points as `max`; in full view their
-//! rule has the mean but for the error that `docs/sampling.md` tells; what is told hidden is.
+//! rule has the mean but for the error in `docs/sampling.md`; what is reported as hidden is.
 
 use super::shadow_shafts::{all_pixels, compare};
 use super::skips::picture;
@@ -65,7 +65,7 @@ fn whoever_looks_on_sees_the_same_colours() {
     }
 }
 
-/// Also where one object is told to hide the light: each of its points is hidden then.
+/// Also where one object is said to hide the light: each of its points is hidden then.
 #[test]
 fn where_no_rule_is_used_the_bits_are_those_of_all_points() {
     let mut counts = [0; 4];

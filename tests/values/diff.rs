@@ -85,7 +85,7 @@ fn steps_of_another_kind_of_shape_come_from_that_change() {
             assert_eq!(comparison.first.expect("a difference").why, Why::OtherKind);
         }
     }
-    // The point where the reflected ray meets the box is O + d·t in both logs: t alone moves it.
+    // The point where the reflected ray hits the box is O + d·t in both logs: t alone moves it.
     let other = changed("textbook", |scene| scene.objects[1].shape = shape(ball.clone()));
     let comparison = compared(&textbook, &other, &EXACT);
     let point = found(&comparison, "C R", "hit.point");

@@ -23,7 +23,7 @@ pub struct Yardstick {
     background: DVec3,
     lights: Vec<Light>,
     materials: Vec<Material>,
-    /// What rays meet.
+    /// What rays hit.
     pub objects: Vec<Object>,
     rules: Rules,
 }

@@ -121,7 +121,7 @@ impl Shape {
     }
 }
 
-/// How a ray meets a shape.
+/// How a ray hits a shape.
 pub trait Meet {
     /// The first crossing of a ray that may leave this shape.
     fn first_crossing(&self, leaves: bool, is_one_sided: bool, ray: &Ray) -> Option<Crossing>;

@@ -27,7 +27,7 @@ pub struct Request {
     pub runs: usize,
     /// On how many threads.
     pub threads: usize,
-    /// The error for which the best setting is told.
+    /// The error for which the best setting is reported.
     pub target: Option<f64>,
     /// Where error against time is drawn.
     pub chart: Option<PathBuf>,
@@ -159,7 +159,7 @@ pub fn settings() -> Vec<Sampling> {
     settings
 }
 
-/// Whether the reference is the exact areas, which are only rounded; exact penumbras have an error that is told.
+/// Whether the reference is the exact areas, which are only rounded; exact penumbras have an error that is reported.
 fn is_of_areas(comparison: &Comparison) -> bool {
     comparison.reference == Reference::Exact.to_string() && comparison.reference_error.is_none()
 }

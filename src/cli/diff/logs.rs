@@ -57,7 +57,7 @@ impl Diff {
         Ok(summary.is_same())
     }
 
-    /// Tells what is wrong with the logs. One that is damaged may hide differences, so nobody is told that they are the same.
+    /// Tells what is wrong with the logs. A damaged one may hide differences, so they aren't reported as equal.
     fn check_whole(&self, pairs: &Pairs) -> Result<(), Failure> {
         let damaged = [&pairs.a, &pairs.b].map(Source::warn).into_iter().flatten().collect::<Vec<_>>();
         if damaged.is_empty() || self.allow_damaged {
@@ -244,7 +244,7 @@ impl Source {
         Ok(())
     }
 
-    /// That a log is damaged or was cut off is told in any case, and why pixels may seem to be missing. Gives the name of a log
+    /// Always reports that a log is damaged or was cut off, and why pixels may seem to be missing. Gives the name of a log
     /// that isn't whole.
     fn warn(&self) -> Option<&str> {
         if !self.is_in_order {

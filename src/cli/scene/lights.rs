@@ -53,7 +53,7 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
         };
         Some(Finding { path: KeyPath::default().join("lights").join(light), message, is_about_key: false })
     };
-    // The place of each is looked for, so that only those that are told have one.
+    // The place of each is looked for, so that only those that are reported have one.
     let mut findings = (0..is_outside.len()).filter_map(finding);
     let told: Vec<Finding> = findings.by_ref().take(MAX_PROBLEMS).collect();
     scene_argument::warn(&file::placed(&told, &input.bytes, &input.name), findings.count(), colors);

@@ -59,7 +59,7 @@ pub(super) trait Block: Sized {
         self.primitives().into_iter().filter(|primitive| *primitive != NOTHING)
     }
 
-    /// The lanes that the ray may meet by `t_max`, and those that it certainly crosses between the two distances that `sure` gives, if it gives
+    /// The lanes that the ray may hit by `t_max`, and those that it certainly crosses between the two distances that `sure` gives, if it gives
     /// any.
     fn filtered<L: Lanes>(
         &self,
@@ -73,14 +73,14 @@ pub(super) trait Block: Sized {
 /// The lanes of a block that matter, a bit for each.
 #[derive(Clone, Copy)]
 pub(super) struct Sorted {
-    /// Those that the ray may meet.
+    /// Those that the ray may hit.
     pub possible: u32,
     /// Those of them that it certainly crosses.
     pub sure: u32,
 }
 
 impl Sorted {
-    /// Lanes that may be met, none certainly.
+    /// Lanes that may be hit, none certainly.
     pub const fn possible(bits: u32) -> Sorted {
         Sorted { possible: bits, sure: 0 }
     }

@@ -2,7 +2,7 @@
 //!
 //! Where the processor has AVX2 an operation on eight lanes is one instruction; that is found out when a tree is built. Elsewhere it is
 //! eight operations. Both give the same bits, but for the fused operations, which round once where the processor can and twice where it
-//! can't: margins are for two roundings. The lesser of two numbers is told by one comparison.
+//! can't: margins are for two roundings. The lesser of two numbers is found by one comparison.
 
 mod unfused;
 

@@ -81,7 +81,7 @@ pub struct Search {
     /// Whether triangles and spheres are culled one by one. That is for kernels that certify their decisions: an arithmetic of its own
     /// may meet what the ray passes by.
     pub one_by_one: bool,
-    /// Whether it shall be told of triangles and spheres that the ray certainly crosses, so that no kernel need be asked. For rays of which only
+    /// Whether it reports triangles and spheres that the ray certainly crosses, so that no kernel needs to test them. For rays of which only
     /// that is wanted, before kernels that certify.
     pub tells_sure_hits: bool,
 }
@@ -97,7 +97,7 @@ impl Search {
         Search { nearest_first: false, one_by_one: probe.certifies(), tells_sure_hits: false }
     }
 
-    /// Whether anything is met at all. Who watches tests sees them all, and is told of none that isn't needed.
+    /// Any hit at all. A probe that sees tests gets all of them, and no test is skipped as certain.
     pub fn of_any<P: Probe>(probe: &P) -> Search {
         Search { tells_sure_hits: P::IS_SILENT && probe.certifies(), ..Search::in_any_order(probe) }
     }
@@ -109,10 +109,10 @@ impl Bvh {
         self.bounds
     }
 
-    /// Shows `meet` every primitive that the ray can meet before its end, first those beside the tree, and says whether it certainly crosses it.
+    /// Shows `meet` every primitive that the ray can hit before its end, first those beside the tree, and says whether it certainly crosses it.
     /// `meet` gives the distance up to which primitives still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
-    /// For a hurried probe the walk is there twice, for the processor's best instructions and for any processor; kernels
+    /// For a probe that uses SIMD the walk is compiled twice, for the processor's best instructions and for any processor; kernels
     /// meet the same primitives in both, and what a probe counts is the same.
     #[inline(always)]
     pub fn visit<P: Probe>(
@@ -134,7 +134,7 @@ impl Bvh {
         }
     }
 
-    /// The same for several rays, at most [`PACKET`], of which those in `rays` ask. Shows `meet` sets of rays that may meet a primitive; it sets
+    /// The same for several rays, at most [`PACKET`], of which those in `rays` ask. Shows `meet` sets of rays that may hit a primitive; it sets
     /// the distances `limits`, up to which primitives still matter to a ray, a negative one to end its search.
     pub fn visit_together<P: Probe, S: RaySource>(
         &self,
@@ -193,7 +193,7 @@ impl Bvh {
         if P::USES_SIMD
             && let Instructions::Avx2(avx2) = self.instructions
         {
-            // Counts of tests are the same on every machine, so whoever may count takes no fused operations.
+            // Counts of tests are the same on every machine, so a probe that may count uses no fused operations.
             return avx2.run(
                 #[inline(always)]
                 || match P::IS_SILENT {

@@ -63,7 +63,7 @@ impl Bvh {
     /// Shows `found` every primitive that may meet a segment of the shaft, those beside the tree first; `found` says whether to go on. Returns
     /// whether all were shown.
     ///
-    /// Pictures and counts hang on what is found, so no operation is fused, which not every machine can do.
+    /// Pictures and counts depend on what is found, so no operation is fused, which not every machine can do.
     pub fn between(&self, shaft: &Shaft, mut found: impl FnMut(u32) -> bool) -> bool {
         if !self.beside.iter().all(|primitive| found(*primitive)) {
             return false;
@@ -139,7 +139,7 @@ const OF_PLACE: f64 = 32.0 * U as f64;
 /// Roundings in f64, as a part of all coordinates that they are made of together.
 const ROUNDINGS: f64 = 24.0 * f64::EPSILON;
 
-/// With a greater margin boxes tell nothing.
+/// With a greater margin boxes exclude nothing.
 const WIDEST: f64 = 1.0 / 64.0;
 
 /// The longest way of a light that is looked for.
@@ -170,7 +170,7 @@ struct Limits {
 struct LocalShaft {
     /// P
     from: [f32; 3],
-    /// How far something that is met may lie beside the shaft, with all roundings.
+    /// How far something that is hit may lie beside the shaft, with all roundings.
     margin: f32,
     /// Of the sides with lesser coordinates.
     lesser: Limits,
@@ -199,14 +199,14 @@ struct LocalShaft {
     size: f32,
 }
 
-/// How far rounding moves something that is met: in f64, and with single precision.
+/// How far rounding moves something that is hit: in f64, and with single precision.
 struct Errors {
     off: f64,
     margin: f64,
 }
 
 impl Errors {
-    /// `None` where the point or the light is so far away that all may meet anything.
+    /// `None` where the point or the light is so far away that all may hit anything.
     #[inline(always)]
     fn of(space: &Space, shaft: &Shaft) -> Option<Errors> {
         let scale = space.length(1.0);

@@ -289,7 +289,7 @@ impl Bins {
     }
 
     /// The cheapest cut between two slices of an axis: the least sum of the areas on both sides, each times the room that its primitives take in
-    /// blocks. Whole blocks instead of room would fill the blocks better, but rays would meet more of them.
+    /// blocks. Whole blocks instead of room would fill the blocks better, but rays would hit more of them.
     fn cheapest(&self, axis: usize) -> Option<Cut> {
         let (arounds, rooms) = (&self.around[axis], &self.room[axis]);
         let cost = |around: Extent, room: u32| around.half_area() * room as f32;

@@ -113,7 +113,7 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
     }
 }
 
-/// The primitives of a leaf that the ray may meet.
+/// The primitives of a leaf that the ray may hit.
 struct Leaf {
     sorted: Sorted,
     primitives: [u32; 8],

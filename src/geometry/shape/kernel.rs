@@ -15,7 +15,7 @@ pub struct Approach {
     pub one_sided: bool,
 }
 
-/// How a ray meets one kind of shape.
+/// How a ray hits one kind of shape.
 pub trait Kernel {
     /// The inputs, for the log.
     fn give<P: Probe>(&self, probe: &mut P);
@@ -34,7 +34,7 @@ pub trait Kernel {
     /// A box around the shape; `None` for one without end.
     fn bounds(&self) -> Option<Bounds>;
 
-    /// Whether a ray that sets off on this side of the surface can meet the same surface again. Flat shapes can't be.
+    /// Whether a ray that sets off on this side of the surface can hit the same surface again (self-intersection). Flat shapes can't be hit again.
     fn can_self_intersect(&self, _sets_off: Side) -> bool {
         false
     }
@@ -111,7 +111,7 @@ pub trait Kernel {
         self.surface(ray, crossing, probe)
     }
 
-    /// Runs `body` as the test of object `object`, unless the ray leaves it and can't meet it again.
+    /// Runs `body` as the test of object `object`, unless the ray leaves it and can't hit it again.
     #[inline]
     fn test<P: Probe, T>(
         &self,

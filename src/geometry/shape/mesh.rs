@@ -240,7 +240,7 @@ impl TriangleMesh {
         self.tree.bounds()
     }
 
-    /// Tests the triangles that the ray can meet, but for the one that it leaves, and shows `meet` every crossing. `meet`
+    /// Tests the triangles that the ray can hit, but for the one that it leaves, and shows `meet` every crossing. `meet`
     /// says how far further ones matter; a negative distance ends the search.
     #[inline(always)]
     fn visit<P: Probe>(

@@ -37,7 +37,7 @@ pub(in crate::geometry) struct Facet {
     pub b: DVec3,
     /// The third one.
     pub c: DVec3,
-    /// N_t = (B − A) × (C − A), with all its digits; zero for a triangle without area, which no ray meets.
+    /// N_t = (B − A) × (C − A), with all its digits; zero for a triangle without area, which no ray hits.
     pub normal: DVec3,
 }
 
@@ -154,7 +154,7 @@ impl Facet {
         decide(ray, approach, crossing, at_an_end, probe)
     }
 
-    /// Where the ray meets the triangle's plane, with twice the digits.
+    /// Where the ray hits the triangle's plane, with twice the digits.
     #[cold]
     #[inline(never)]
     fn meet_doubled<P: Probe>(self, ray: &Ray, probe: &mut P) -> Option<PlaneHit> {

@@ -74,7 +74,7 @@ impl<R: Read> PixelReader<R> {
         reader
     }
 
-    /// With what gives the input once more. Whether a log that another program wrote anew is whole takes long to find out: this way only
+    /// With what gives the input once more. Whether a log that another program has rewritten is whole takes long to find out: this way only
     /// such a log is asked, when it has been read.
     pub fn with_again(mut self, again: impl FnOnce() -> Option<R> + 'static) -> PixelReader<R> {
         if let Source::Lines { reader, .. } = &mut self.source {

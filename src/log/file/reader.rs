@@ -32,7 +32,7 @@ pub(super) struct Reader {
     pub(super) events: Events,
     /// How many were.
     handed_on: usize,
-    /// The digest of those, written anew, while it may be asked for.
+    /// The digest of those, rewritten, while it may be asked for.
     pub(super) digest: Option<Digest>,
     /// How many nodes are open.
     depth: usize,
@@ -93,7 +93,7 @@ impl Reader {
         mem::take(&mut self.events)
     }
 
-    /// How the log ends, by its end line and the digest of the bytes before it, if they may count. A log that another program wrote anew,
+    /// How the log ends, by its end line and the digest of the bytes before it, if they may count. A log that another program has rewritten,
     /// with other order of keys or spelling of numbers, is whole: its digest is that of the lines as they are written here.
     pub(super) fn check_end(&mut self, end: &End, of_bytes: Option<blake3::Hash>) -> Ending {
         let events = self.handed_on + self.events.len() + self.unknown.events;
@@ -101,7 +101,7 @@ impl Reader {
             return Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) };
         }
         // Nobody asks for it behind the end.
-        // Of what was passed over the lines can't be written anew.
+        // Of what was passed over the lines can't be rewritten.
         let written_anew = self.digest.take().filter(|_| self.unknown.count == 0);
         let fits_events = || {
             written_anew.is_some_and(|mut digest| {

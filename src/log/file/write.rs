@@ -40,7 +40,7 @@ impl<'h> Lines<'h> {
         self.events += events.len() as u64;
     }
 
-    /// Makes further events, and hands their text on in pieces, lest it take much room.
+    /// Makes further events, and passes their text on in pieces, so that it takes little memory.
     pub(super) fn hand_on(&mut self, events: &Events, mut take: impl FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
         const PIECE: usize = 4096;
         for piece in events.chunks(PIECE) {

@@ -1,4 +1,4 @@
-//! The table of names is in order, and its names can be told apart.
+//! The table of names is in order, and its names can be distinguished.
 
 #![allow(clippy::unwrap_used)]
 

@@ -184,7 +184,7 @@ fn last<K: Eq + Hash>(lists: &HashMap<K, Vec<u32>>, before: usize, key: &K) -> O
 pub(super) struct Nearest {
     /// The event that says which object it is.
     event: usize,
-    /// From the nearest on. With each is the event after which none of those up to it counts any more, because marks tell that their
+    /// From the nearest on. With each is the event after which none of those up to it counts any more, because marks say that their
     /// triangles only lie in the same place.
     tests: Vec<(usize, usize)>,
 }

@@ -12,7 +12,7 @@ const LEVELS: usize = 16;
 /// What was seen so far.
 #[derive(Debug, Default)]
 pub(super) struct Memo {
-    /// The nodes at which it is remembered: those at such a level that have nodes so far below them again, lest a wide tree has many.
+    /// The nodes at which it is remembered: those at such a level that have nodes so far below them again, so that a wide tree doesn't have many.
     stations: HashSet<usize>,
     /// By node, symbol and whether inputs count, the event that has the symbol in the nodes around.
     seen: Mutex<HashMap<(u32, u16, bool), Option<u32>>>,

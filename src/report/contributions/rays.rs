@@ -274,7 +274,7 @@ impl<'a> Walk<'a> {
         })
     }
 
-    /// A bounce that meets nothing brings the background, which the step after it puts in.
+    /// A bounce that hits nothing brings the background, which the step after it puts in.
     fn learn_background(&mut self, ray: usize, incoming: Option<Color>) {
         let is_background = |event| self.decision(event) == Some(Decision::Background);
         if self.background.is_none() && self.tree.own_events(ray).any(is_background) {

@@ -59,7 +59,7 @@ pub(super) fn groups(decision: &Decision) -> Groups {
     }
 }
 
-/// Which crossing a ray meets, where all were asked for and none was chosen: it lies on the surface, and between the ends of the ray. A
+/// Which crossing a ray hits, where all were asked for and none was chosen: it lies on the surface, and between the ends of the ray. A
 /// crossing of the wall must be between the ends of the solid; one of the solid may be of a cap.
 pub(super) fn hits(is_cone: bool) -> Reasons {
     if is_cone { HITS_CONE } else { HITS }

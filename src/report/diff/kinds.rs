@@ -17,7 +17,7 @@ pub(super) struct Kinds {
     met: [Met; 2],
 }
 
-/// By the nodes of rays, the events that say what a ray meets, and what that is.
+/// By the nodes of rays, the events that say what a ray hits, and what that is.
 type Met = HashMap<usize, Vec<(usize, u32)>>;
 
 impl Kinds {

@@ -138,7 +138,7 @@ pub fn compare(a: Run, b: Run, tolerance: &Tolerance) -> Comparison {
     let comparing = Comparing { causes: Causes::of(a, b, alignment.clone()), tolerance: *tolerance };
     let spots: Vec<Spot> = alignment.spots.iter().copied().filter(|spot| comparing.differs(*spot)).collect();
     let values = alignment.spots.iter().filter(|spot| before::values_of(a, b, **spot).is_some()).count();
-    // A test that the other tracer didn't need is the first to be told only where nothing else differs.
+    // A test that the other tracer didn't need is reported first only where nothing else differs.
     let first = spots.iter().find(|spot| !comparing.causes.is_test_alone(**spot)).or(spots.first());
     Comparison {
         values,

@@ -24,7 +24,7 @@ pub struct Text {
     is_rounded_otherwise: bool,
     /// What the headers say differently of the scene and its tracing: the fields, or only the digest.
     headers: Vec<&'static str>,
-    /// The inputs of the scene that were told already.
+    /// The inputs of the scene that were reported already.
     told: BTreeSet<String>,
     /// How many pixels only A had so far, and only B.
     alone: [u64; 2],

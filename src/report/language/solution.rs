@@ -160,7 +160,7 @@ texts! {
         |right, up| format!("{right} hacia la derecha, {up} hacia arriba");
     /// The root of the ray tree.
     eye: Text = "eye", "ojo";
-    /// Where a ray that meets nothing ends.
+    /// Where a ray that hits nothing ends.
     background: Text = "background", "fondo";
     /// A shadow ray that doesn't reach its light, by the object.
     blocked: OfName = |object| format!("blocked by {object}"), |object| format!("bloqueado por {object}");

@@ -251,7 +251,7 @@ texts! {
         |counts, is_one| format!("{counts} {}", if is_one { "cifra" } else { "cifras" });
     /// A decision that differs between runs.
     decision_differs: Text = "the decision differs between runs", "la decisión no es la misma en todas las ejecuciones";
-    /// A value that hangs on such a decision.
+    /// A value that depends on such a decision.
     no_digits: Text =
         "0 digits: a decision differs between runs",
         "0 cifras: una decisión no es la misma en todas las ejecuciones";

@@ -7,7 +7,7 @@ use crate::report::escape::line;
 use crate::report::segments::Segment;
 use std::fmt::Write;
 
-/// Rays, of one pixel or many, as `l` lines in groups by kind; those that meet nothing have a length that the file states.
+/// Rays, of one pixel or many, as `l` lines in groups by kind; those that hit nothing have a length that the file states.
 pub fn obj(header: &Header, rays: &[Segment]) -> String {
     let far = far(rays);
     let mut out = String::new();

@@ -7,7 +7,7 @@ use crate::report::escape::line;
 use crate::report::segments::Segment;
 use std::fmt::Write;
 
-/// Rays, of one pixel or many, as edges between vertices that have the colour of their kind; those that meet nothing have a length
+/// Rays, of one pixel or many, as edges between vertices that have the colour of their kind; those that hit nothing have a length
 /// that the file states.
 pub fn ply(header: &Header, rays: &[Segment]) -> String {
     let far = far(rays);

@@ -1,6 +1,6 @@
 //! The ray tree of a pixel as a graphic (Ramos, figures 3, 7, 8 and 9): one file a format.
 //!
-//! The root is the eye, a node is what a ray meets, and a line is the ray: C from the eye, R reflected, T transmitted, S to a light.
+//! The root is the eye, a node is what a ray hits, and a line is the ray: C from the eye, R reflected, T transmitted, S to a light.
 //! A shadow ray that doesn't reach its light is marked. The wider a line, the more of the pixel's intensity comes along it.
 
 mod calls;
@@ -34,7 +34,7 @@ pub struct Branch {
     pub label: String,
     /// What it is for.
     pub kind: RayKind,
-    /// What it meets.
+    /// What it hits.
     pub end: End,
     /// The call that traces it, in a tree of calls.
     pub call: Option<String>,
@@ -46,7 +46,7 @@ pub struct Branch {
     pub children: Vec<Branch>,
 }
 
-/// What a ray meets.
+/// What a ray hits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// An object.
@@ -64,7 +64,7 @@ pub enum End {
     },
     /// It isn't traced: it would lie too deep in the tree.
     TooDeep,
-    /// The log doesn't tell.
+    /// The log doesn't say.
     Unknown,
 }
 

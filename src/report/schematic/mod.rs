@@ -92,7 +92,7 @@ impl Plan {
     }
 }
 
-/// The most rays that are drawn: more nobody tells apart.
+/// The most rays that are drawn: more can't be distinguished.
 const MOST_RAYS: usize = 300;
 
 /// The room for drawing, and around it.

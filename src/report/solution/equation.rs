@@ -24,7 +24,7 @@ impl Equation {
         let links = provenance::operands(task.log, task.tree, event);
         let substituted = parsed
             .and_then(|formula| expression::substituted(task.log, task.tree, event, formula, task.style, &links))
-            // A value that is only handed on needs to be told once.
+            // A value that is only passed on is shown once.
             .filter(|put_in| !matches!(put_in, Expression::Value(same, _) if same.same_bits(&value)))
             .filter(|put_in| !matches!(put_in, Expression::Number(x) if value == Value::Number(*x)));
         Some(Equation { name, formula, substituted, result: value })

@@ -106,7 +106,7 @@ fn section(out: &mut String, task: &Task, section: &Section) {
         Kind::Step(number) => ("step", format!("{number}) ")),
         Kind::Part => ("part", String::new()),
     };
-    // What is missed is told in its title, and opened by who wants to know.
+    // What is missed is in its title, and opens on demand.
     let miss = miss(task, section).map(|miss| format!(" <span class=\"miss\">— {}</span>", escape::xml(&miss)));
     let (open, miss) = miss.map_or((" open", String::new()), |miss| ("", miss));
     line!(out, "<details class=\"{class}\"{open}><summary>{number}{}{miss}</summary>", escape::xml(&section.title));

@@ -100,7 +100,7 @@ fn section(out: &mut String, task: &Task, section: &Section) {
         Kind::Step(number) => line!(out, "\\step{{{number}}}{{{title}}}"),
         Kind::Part => line!(out, "\\parttitle{{{title}}}"),
     }
-    // Steps after another ray's are told to be this one's again.
+    // Steps after another ray's say that they are this ray's again.
     let mut is_away = false;
     for item in &section.items {
         match item {

@@ -1,7 +1,7 @@
 //! The scene file `raywalk-scene/1`: reading it, checking it and printing it; and scenes of another format, [`nff`].
 //!
 //! This module owns the JSON form of a scene ([`schema`]), the way from bytes to a checked [`SceneFile`] ([`read`]), and
-//! every sentence that tells a person what is wrong with a file and where ([`SceneError`]). It must not know how a scene
+//! every sentence that says what is wrong with a file and where ([`SceneError`]). It must not know how a scene
 //! is traced: no geometry, no cameras, only the numbers as they are written.
 //!
 //! ```

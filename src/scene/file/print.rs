@@ -13,7 +13,7 @@ const WIDTH: usize = 100;
 const LONG: usize = 1 << 10;
 
 impl SceneFile {
-    /// The scene as `raywalk-scene/1`, every default written out but those that hang on the arithmetic; ends with a newline. Reading it
+    /// The scene as `raywalk-scene/1`, every default written out but those that depend on the arithmetic; ends with a newline. Reading it
     /// gives an equal scene.
     pub fn to_json(&self) -> String {
         let mut printed = Vec::new();

@@ -17,7 +17,7 @@ use std::thread;
 /// How many rays a thread takes from the queue at a time.
 pub const QUEUE: usize = 4096;
 
-/// The primitive of a ray that meets none.
+/// The primitive of a ray that hits none.
 pub const NOTHING: u32 = u32::MAX;
 
 /// How often the rays are traced.

@@ -87,7 +87,7 @@ pub(super) fn nearest(way: &Way, case: &Map<String, Value>) -> Result<Value, Str
     })
 }
 
-/// `mesh`: which triangle a ray meets. The mesh belongs to the whole family.
+/// `mesh`: which triangle a ray hits. The mesh belongs to the whole family.
 pub(super) fn mesh(way: &Way, case: &Map<String, Value>, scene: &Scene) -> Result<Value, String> {
     let ray = stage::ray(way, scene, &input(case)?);
     Ok(match way.computed(|probe| closest_hit(scene, &ray, probe)) {

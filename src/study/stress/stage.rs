@@ -147,7 +147,7 @@ pub(super) fn ray(way: &Way, scene: &Scene, input: &RayInput) -> Ray {
     way.ray(Query::new(origin, direction).ray(scene).0)
 }
 
-/// What a ray meets first, and the surface there, with what was noted on the way.
+/// What a ray hits first, and the surface there, with what was noted on the way.
 pub(super) fn meet(way: &Way, scene: &Scene, ray: &Ray) -> (Option<(Hit, Surface)>, Watch) {
     way.watched(|probe| {
         let hit = closest_hit(scene, ray, probe)?;

@@ -146,7 +146,7 @@ impl Brush<'_> {
         Some(false_color(match self.view.layer {
             // Errors differ by powers of ten: eight of them are shown.
             Layer::Error => 1.0 + libm::log10(part) / 8.0,
-            // The root tells small values apart, as most pixels have.
+            // The root distinguishes small values, which most pixels have.
             _ => part.sqrt(),
         }))
     }

@@ -19,7 +19,7 @@ use ratatui::text::Span;
 use ratatui::widgets::Widget;
 use ratatui::widgets::canvas::{Canvas, Context, Line};
 
-/// The most rays that are drawn: more nobody tells apart.
+/// The most rays that are drawn: more can't be distinguished.
 const MOST_RAYS: usize = 400;
 
 /// The parts of a line that are projected by themselves, so that one which passes the eye is drawn as far as it is seen.
@@ -41,7 +41,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let current = around(model).find_map(|node| segment(&model.log, &model.tree, node, last));
     let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
-        // A ray that meets nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
+        // A ray that hits nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
         let why = if rays.is_empty() { texts.no_rays } else { texts.too_far };
         return put(buffer, body, Span::styled(shown(why, theme), theme.style(Role::Faint)).into());
     };
@@ -172,7 +172,7 @@ impl<'m> Stage<'m> {
         }
         let mut far = spread(&points);
         if far == 0.0 {
-            // Rays that meet nothing say nothing of a scale: any will do that numbers of this size can tell apart.
+            // Rays that hit nothing say nothing of a scale: any will do that numbers of this size can tell apart.
             far = points.iter().flatten().fold(1.0, |most: f64, number| most.max(number.abs()));
             points.extend(rays.iter().map(|ray| ray.end(far)));
         }

@@ -70,7 +70,7 @@ pub(super) fn cut(text: &str, shift: usize, room: usize, theme: &Theme) -> Strin
     format!("{before}{}{}", columns_of(text, begin, room.saturating_sub(1)), glyphs.cut_right)
 }
 
-/// The characters of a text that lie wholly within `count` columns from `begin` on.
+/// The characters of a text that lie completely within `count` columns from `begin` on.
 fn columns_of(text: &str, begin: usize, count: usize) -> String {
     let end = begin.saturating_add(count);
     let mut column = 0;

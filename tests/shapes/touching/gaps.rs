@@ -29,7 +29,7 @@ fn world(frame: &Frame) -> World {
         .material("water", glass(1.25))
 }
 
-/// The indices before and behind wherever a ray through the frame's middle meets glass.
+/// The indices before and behind wherever a ray through the frame's middle hits glass.
 fn iors(scene: &Scene, frame: &Frame, origin: [f64; 3]) -> Vec<[f64; 2]> {
     let origin = frame.point(origin);
     let log = record::ray(scene, origin, frame.point([0.05, 0.03, 0.0]) - origin, Arithmetic::F64);

@@ -1,7 +1,7 @@
 //! The triangle that a ray leaves, and what follows for its neighbours.
 //!
 //! The origin of a ray that leaves a triangle is rounded. Near an edge it may thus lie on the wrong side of the triangle
-//! beyond that edge, and the ray would meet that one just where it sets off. No epsilon is needed to tell that this can't be.
+//! beyond that edge, and the ray would hit that one just where it sets off. No epsilon is needed to tell that this can't be.
 //! Two triangles at an edge cut space into two wedges. A ray that sets off from one of them runs in one of the wedges, until
 //! it meets the other triangle from there. If that wedge is the wider one, the ray begins on the far side of the other
 //! triangle's plane already, and so never meets it.
@@ -70,7 +70,7 @@ impl LeftTriangle {
         Some(LeftTriangle { sets_off, ..left })
     }
 
-    /// Whether no ray along a segment of the shaft can meet a triangle: this one, or one at an edge of it.
+    /// Whether no ray along a segment of the shaft can hit a triangle: this one, or one at an edge of it.
     pub fn bars_all(&self, mesh: &Mesh, normals: &Normals, triangle: u32, shaft: &Shaft) -> bool {
         if triangle == self.number {
             return true;
@@ -80,7 +80,7 @@ impl LeftTriangle {
         !is_narrow || shaft.rise_along(wedge)[0] > 0.0
     }
 
-    /// Whether the ray can't meet a triangle: this one, or one at an edge of it.
+    /// Whether the ray can't hit a triangle: this one, or one at an edge of it.
     pub fn bars(&self, mesh: &Mesh, normals: &Normals, triangle: u32, ray: &Ray) -> bool {
         if triangle == self.number {
             return true;
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn a_neighbour_is_out_of_the_way_to_all_of_a_light_or_not() {
-        // A valley: the light has to be wholly over the other slope.
+        // A valley: all of the light has to be above the other slope.
         bars_all(1.0, [12.0, 30.0], Side::Front, true);
         bars_all(1.0, [9.0, 30.0], Side::Front, false);
         // A ridge: what leaves one slope upward never meets the other.
