@@ -42,7 +42,7 @@ pub struct Rays {
     tracing: TracingOptions,
 }
 
-/// The longest line that is read, in bytes. A longer one is answered with an error and passed over.
+/// The longest line that is read, in bytes. A longer one is answered with an error and skipped.
 const MAX_LINE_BYTES: u64 = 64 * 1024;
 
 #[derive(Deserialize)]

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 /// With `--with` a table of comma-separated values is checked: `quantity` is a name of the log such as sphere.t2_a, `printed` a number
 /// or a triple "(x, y, z)"; of colours red alone is enough. Each value is recomputed by hand, with three decimals, from the
 /// values that the table has before it. The first row of a name is its first occurrence, the second its second; where that
-/// leaves a choice, a column `path` names the ray (C, C R, C R S1). Rows without a printed value are passed over.
+/// leaves a choice, a column `path` names the ray (C, C R, C R S1). Rows without a printed value are skipped.
 #[derive(Args)]
 pub struct Textbook {
     /// Which example: that of the source text, or a second one with refraction, total reflection and an attenuated shadow

@@ -1,6 +1,6 @@
 //! Probes that alter what the computation goes on with: other arithmetics, with or without a recording.
 
-use super::{Probe, Quantity, ROUNDINGS, Spared};
+use super::{Probe, Quantity, ROUNDINGS, Saving};
 use crate::log::{Decision, Name, Step, round_half_away};
 
 /// Alters every named quantity, then shows it to `probe`.
@@ -58,8 +58,8 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
         self.probe.bounds_tested(count);
     }
 
-    fn spared(&mut self, why: Spared, rays: u64) {
-        self.probe.spared(why, rays);
+    fn rays_saved(&mut self, why: Saving, rays: u64) {
+        self.probe.rays_saved(why, rays);
     }
 
     fn certifies(&self) -> bool {

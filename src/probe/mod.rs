@@ -93,7 +93,7 @@ pub trait Probe: Sized {
 
     /// This many rays aren't traced, or not searched for what they hit. It is counted, not logged: the log has the decision.
     #[inline(always)]
-    fn spared(&mut self, _why: Spared, _rays: u64) {}
+    fn rays_saved(&mut self, _why: Saving, _rays: u64) {}
 
     /// The ray through this place of the picture begins, in pixels from its top left corner.
     #[inline(always)]
@@ -123,7 +123,7 @@ pub trait Probe: Sized {
 
 /// Why rays aren't traced, or not searched for what they hit.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Spared {
+pub enum Saving {
     /// A rule leaves them out. Of a blurred bounce all rays count, of a local model the shadow rays to all lights; not what they would
     /// have spawned.
     Skipped(SkipReason),

@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_names_and_equal_nodes_are_told_apart() {
+    fn equal_names_and_equal_nodes_are_distinguished() {
         let mut position = Position::new(7);
         let first = position.next(Name::PlaneT);
         assert_ne!(first, position.next(Name::PlaneT));

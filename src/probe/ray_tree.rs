@@ -1,7 +1,7 @@
 //! The probe that distinguishes ray trees.
 
 use super::position::{mixed_with, words};
-use super::{Probe, Quantity, Spared};
+use super::{Probe, Quantity, Saving};
 use crate::log::{Decision, Name, Step};
 
 /// A digest of what is traced, decided and computed in which order, whatever the values are; all goes on to `probe`.
@@ -54,8 +54,8 @@ impl<P: Probe> Probe for RayTree<P> {
         self.probe.bounds_tested(count);
     }
 
-    fn spared(&mut self, why: Spared, rays: u64) {
-        self.probe.spared(why, rays);
+    fn rays_saved(&mut self, why: Saving, rays: u64) {
+        self.probe.rays_saved(why, rays);
     }
 
     fn certifies(&self) -> bool {

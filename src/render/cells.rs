@@ -5,7 +5,7 @@
 //! doesn't matter who was first, and every corner is counted once.
 
 use super::{Counter, Film, Progress, Settings, TILE, color_of, tiles_of};
-use crate::probe::{Probe, Spared};
+use crate::probe::{Probe, Saving};
 use crate::random::hash;
 use crate::record::Computation;
 use crate::sampling::adaptive::{Cutting, rectangle};
@@ -93,7 +93,7 @@ impl Tile<'_> {
             }
         }
         if self.settings.counts_rays {
-            counter.spared(Spared::Shared, alone - counter.samples());
+            counter.rays_saved(Saving::Shared, alone - counter.samples());
         }
         progress(colors.len() as u64);
         Some((colors, counter))

@@ -74,7 +74,7 @@ impl Canvas {
         Ok(Canvas::Layers(Layered { width, height, pixels }))
     }
 
-    /// Puts the pixels of a piece of the picture in their place; what isn't of this kind is passed over.
+    /// Puts the pixels of a piece of the picture in their place; what isn't of this kind is ignored.
     pub fn put(&mut self, crop: [u32; 4], area: [u32; 4], pixels: &Pixels) {
         match (self, pixels) {
             (Canvas::Colors(film), Pixels::Colors(colors)) => film.put(area, colors),

@@ -24,7 +24,7 @@ pub struct Dot {
 
 /// The dot of a pixel.
 pub fn dot(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Dot {
-    let (color, gauge) = arithmetic.run(Gauge::default(), Pixel { scene, pixel });
+    let (color, gauge) = arithmetic.run(PreviewProbe::default(), Pixel { scene, pixel });
     let depth = gauge.first_hit.map(|point| (point - scene.camera.position()).length());
     Dot { color, depth, rays: gauge.rays, samples: gauge.samples.max(1) }
 }
@@ -71,14 +71,14 @@ const DOTS_AT_ONCE: u32 = 2048;
 
 /// Counts rays and samples, and keeps the first hit point of a camera ray.
 #[derive(Clone, Debug, Default)]
-struct Gauge {
+struct PreviewProbe {
     rays: u32,
     samples: u32,
     level: u32,
     first_hit: Option<DVec3>,
 }
 
-impl Probe for Gauge {
+impl Probe for PreviewProbe {
     fn enter(&mut self, step: Step) {
         match step {
             Step::Ray { kind, .. } => {

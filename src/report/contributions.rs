@@ -48,7 +48,7 @@ pub struct Contribution {
     /// Its way from the eye, such as `C R S1`; without a shadow ray for what needs none.
     pub path: String,
     /// The same without the numbers of samples and splits, for the program.
-    pub way: Way,
+    pub way: LightPath,
     /// The product of the weights on the way.
     pub weight: Color,
     /// What it brings to the way's end.
@@ -67,7 +67,7 @@ pub struct Contribution {
 
 /// A way from the eye.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Way {
+pub struct LightPath {
     /// The node of its last ray, of a light in full view that of the ray to the surface; the root for what comes along no ray.
     pub node: usize,
     /// The same for all ways of the same kinds of rays.
@@ -159,7 +159,7 @@ pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
 impl Contribution {
     fn new(
         origin: Origin,
-        (path, way): (String, Way),
+        (path, way): (String, LightPath),
         weight: Color,
         own: Color,
         source: Option<Source>,

@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_seen_is_told() {
+    fn what_cannot_be_seen_is_reported() {
         for escape in [markdown, dot, mermaid, xml, latex] {
             let escaped = escape(NASTY);
             assert_eq!(crate::log::escape::hidden(&escaped).next(), None, "{escaped}");

@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_told_without_the_quantile_is_what_it_says() {
+    fn what_is_reported_without_the_quantile_is_what_it_says() {
         let mut told = 0;
         for probability in [0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.999, 1.0 - 1e-9] {
             for freedom in (0..60).map(|k| 1.0 + f64::from(k * k) * 0.0618) {

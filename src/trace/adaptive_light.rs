@@ -6,7 +6,7 @@ use super::shade::{Source, from_light, segment_to_light};
 use super::{Meeting, unseen};
 use crate::geometry::{Ray, Search};
 use crate::log::{Asking, Decision, Name, SkipReason, Step, Term};
-use crate::probe::{Probe, Silent, Spared};
+use crate::probe::{Probe, Saving, Silent};
 use crate::random::{Dimension, Splits};
 use crate::scene::adaptive_light::RulePoint;
 use crate::scene::area_light::Spread;
@@ -49,7 +49,7 @@ pub(super) fn add<P: Probe>(
     if let Some(why) = side.as_ref().and_then(|side| way.why_left_out(side.is_in_front)) {
         light.give(probe);
         probe.within(Step::Light { light: number, split: 0 }, |probe| {
-            probe.spared(Spared::Skipped(why), area.samples.into());
+            probe.rays_saved(Saving::Skipped(why), area.samples.into());
             probe.mark(Decision::Skipped { what: Term::Shadow, why });
         });
         return sum;
@@ -88,7 +88,7 @@ impl Way<'_> {
             && !self.light.bends_between(self.distances());
         if let Some(rule) = is_smooth.then(|| adaptive.rule(&area.surface, self.sight())).flatten() {
             let points = rule.points.len() as u32;
-            probe.spared(Spared::Search, points.into());
+            probe.rays_saved(Saving::Search, points.into());
             probe.mark(Decision::Asked { light, why: Asking::Rule, points, object: None });
             for (split, point) in (1..).zip(&rule.points) {
                 sum += self.by_rule(split, point, probe);
@@ -96,7 +96,7 @@ impl Way<'_> {
             return sum;
         }
         let points = area.samples;
-        probe.spared(Spared::Search, points.into());
+        probe.rays_saved(Saving::Search, points.into());
         probe.mark(Decision::Asked { light, why: Asking::InView, points, object: None });
         let splits = self.splits();
         for part in 0..points {

@@ -7,7 +7,7 @@ use super::{Media, Meeting, Path, Via, in_range, radiance};
 use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{Decision, Name, RayKind, SkipReason, Step, Term};
-use crate::probe::{Probe, Spared};
+use crate::probe::{Probe, Saving};
 use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Formulas, Scene};
 use glam::{BVec3, DVec3};
@@ -228,7 +228,7 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Term, weight: C
     let lobe = if what == Term::Reflected { material.gloss_exponent } else { material.translucency_exponent };
     let rays = if lobe.is_some() { u64::from(material.zones) } else { 1 };
     if !tracing.goes_deeper(meeting.path.level) {
-        probe.spared(Spared::DepthLimit, rays);
+        probe.rays_saved(Saving::DepthLimit, rays);
         probe.mark(Decision::DepthLimit { what });
         return true;
     }
@@ -247,7 +247,7 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Term, weight: C
     if why == SkipReason::Cutoff {
         give_loss(scene, meeting.path, weight, probe);
     }
-    probe.spared(Spared::Skipped(why), rays);
+    probe.rays_saved(Saving::Skipped(why), rays);
     probe.mark(Decision::Skipped { what, why });
     true
 }

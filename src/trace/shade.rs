@@ -4,7 +4,7 @@ use super::visibility::{Obstacles, transmittance_among};
 use super::{Meeting, in_range, light_points, pattern, unseen};
 use crate::geometry::Ray;
 use crate::log::{Decision, Name, RayKind, SkipReason, Step, Term};
-use crate::probe::{Probe, Spared};
+use crate::probe::{Probe, Saving};
 use crate::scene::{Arrival, Color, Formulas, Light, LightKind, Material, Scene, Specular};
 use glam::DVec3;
 
@@ -12,7 +12,7 @@ use glam::DVec3;
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead. Nothing where its weight is zero.
 pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     if let Some(why) = unseen::local_model(scene, meeting) {
-        probe.spared(Spared::Skipped(why), unseen::shadow_rays(scene, meeting));
+        probe.rays_saved(Saving::Skipped(why), unseen::shadow_rays(scene, meeting));
         probe.mark(Decision::Skipped { what: Term::Local, why });
         return Color::ZERO;
     }
@@ -115,7 +115,7 @@ pub(super) fn from_light<P: Probe>(
 
 /// What a light adds to which no shadow ray is sent, by this rule: nothing.
 fn without_shadow_ray<P: Probe>(why: SkipReason, probe: &mut P) -> Color {
-    probe.spared(Spared::Skipped(why), 1);
+    probe.rays_saved(Saving::Skipped(why), 1);
     probe.mark(Decision::Skipped { what: Term::Shadow, why });
     Color::ZERO
 }

@@ -3,7 +3,7 @@
 use super::{Layer, Place, in_range};
 use crate::geometry::{Crossing, Hit, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Search, Shape, each};
 use crate::log::{Decision, SkipReason, Term};
-use crate::probe::{Probe, Spared};
+use crate::probe::{Probe, Saving};
 use crate::scene::{Color, Scene, Shadows};
 use std::cmp::Ordering;
 
@@ -191,7 +191,7 @@ pub(super) struct Obstacles<'a> {
 pub(super) fn transmittance_among<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &mut P) -> Color {
     let has_none = obstacles.among.is_some_and(<[u32]>::is_empty) && obstacles.touched.is_empty();
     if has_none {
-        probe.spared(Spared::Search, 1);
+        probe.rays_saved(Saving::Search, 1);
         if P::IS_SILENT {
             return Color::ONE;
         }

@@ -263,7 +263,7 @@ fn the_letter_of_a_ray_stays_on_the_screen() {
 }
 
 #[test]
-fn a_ray_that_meets_nothing_is_drawn_and_a_log_without_rays_says_so() {
+fn a_ray_that_hits_nothing_is_drawn_and_a_log_without_rays_says_so() {
     let shown = |log: Log, keys: &str| {
         let mut model = sized(log, 80, 24);
         model.focus_on(Pane::Schematic);

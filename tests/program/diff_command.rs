@@ -157,7 +157,7 @@ fn only_what_both_have_is_compared_on_demand() {
 }
 
 #[test]
-fn pixels_in_another_order_are_told() {
+fn pixels_in_another_order_are_reported() {
     let folder = Folder::new();
     let log = folder.made("a.ndjson", &["trace", "textbook", "--region", "158,119,160,120"]);
     let text = std::fs::read_to_string(&log).expect("the log");
@@ -367,7 +367,7 @@ fn the_log_of_a_region_with_other_numbers_is_whole() {
 }
 
 #[test]
-fn utf_16_is_told_as_walk_tells_it() {
+fn utf_16_is_reported_as_walk_tells_it() {
     let folder = Folder::new();
     let log = folder.textbook("a.ndjson", &[]);
     let text = std::fs::read_to_string(&log).expect("the log");

@@ -109,7 +109,7 @@ fn every_arithmetic_is_its_own_result() {
 
 /// Where a light does reach a surface and its colour leaves nothing there, that is the reason, wherever it is.
 #[test]
-fn lights_whose_colour_leaves_nothing_are_told_so() {
+fn lights_whose_colour_leaves_nothing_are_reported_so() {
     let check = |floor: &str, above: &str, expected: &str| {
         let scene = format!(
             r#"{{"format": "raywalk-scene/1", "name": "room", "camera": {{"position": [0, 2, 6], "look_at": [0, 1, 0]}},
@@ -140,7 +140,7 @@ fn lights_whose_colour_leaves_nothing_are_told_so() {
 
 /// A light that is off is reported as such, whether surfaces are turned to it or not.
 #[test]
-fn lights_without_a_colour_are_told_so() {
+fn lights_without_a_colour_are_reported_so() {
     let scene = r#"{"format": "raywalk-scene/1", "name": "room", "camera": {"position": [0, 2, 6], "look_at": [0, 1, 0]},
         "lights": [{"point": {"position": [1, 9, 1]}, "color": [0, 0, 0]}, {"point": {"position": [1, 9, 1]}}],
         "materials": {"clay": {"diffuse": [1, 1, 1]}},
@@ -158,7 +158,7 @@ fn lights_without_a_colour_are_told_so() {
 
 /// A surface whose local weight is 0 asks for no light: that is the reason, not that the light doesn't get there.
 #[test]
-fn lights_of_surfaces_without_a_local_term_are_told_so() {
+fn lights_of_surfaces_without_a_local_term_are_reported_so() {
     let check = |floor: [f64; 3], ball: &str| {
         let scene = format!(
             r#"{{"format": "raywalk-scene/1", "name": "room", "camera": {{"position": [0, 2, 6], "look_at": [0, 1, 0]}},

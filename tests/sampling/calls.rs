@@ -53,7 +53,7 @@ fn a_picture_of_16_pixels_shares_25_samples() {
 }
 
 #[test]
-fn a_seed_is_an_option_and_stands_in_the_scene_and_the_log() {
+fn a_seed_is_an_option_and_is_in_the_scene_and_the_log() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
     let picture = |arguments: &[&str]| {

@@ -172,7 +172,7 @@ fn a_damaged_record_is_named() {
 }
 
 #[test]
-fn an_unknown_quantity_is_passed_over() {
+fn an_unknown_quantity_is_skipped() {
     let bytes = to_ndjson(&textbook_log()).expect("memory");
     let text = String::from_utf8(bytes).expect("UTF-8");
     let changed = text.replacen("plane.v_d", "plane.v_x", 1);

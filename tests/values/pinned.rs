@@ -196,7 +196,7 @@ fn pinned_logs() {
 const MOST_LINES: usize = 360;
 
 #[test]
-fn everything_that_a_log_can_say_stands_in_a_snapshot() {
+fn everything_that_a_log_can_say_is_in_a_snapshot() {
     let mut missing = sayable();
     let mut needless = Vec::new();
     let pinned = said_in_snapshots();

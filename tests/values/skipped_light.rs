@@ -167,7 +167,7 @@ fn small_factors_are_no_zeros() {
 
 /// A rule's count in rays: of a blurred bounce all of them, of a bounce beyond the depth limit too.
 #[test]
-fn the_statistics_say_how_many_rays_were_spared() {
+fn the_statistics_say_how_many_rays_were_saved() {
     let blurred = r#""diffuse": [1, 1, 1], "gloss_exponent": 20, "samples": 16,
         "weights": {"local": 1, "reflected": [0.5, 0, 0]}"#;
     let mut scene = floor([1.0; 3], blurred);
@@ -190,7 +190,7 @@ fn the_statistics_say_how_many_rays_were_spared() {
 }
 
 #[test]
-fn corners_that_pixels_share_are_rays_that_were_spared() {
+fn corners_that_pixels_share_are_rays_that_were_saved() {
     let mut scene = floor([1.0; 3], r#""diffuse": [1, 1, 1]"#);
     for n in [1, 2] {
         scene.sampling = Sampling::Shared { n };
@@ -221,7 +221,7 @@ fn corners_that_pixels_share_are_rays_that_were_spared() {
 
 /// The floor is all there is: of the light's points none can be hidden from it.
 #[test]
-fn shadow_rays_that_nothing_can_block_are_told() {
+fn shadow_rays_that_nothing_can_block_are_reported() {
     let text = r#"{"format": "raywalk-scene/1",
         "camera": {"position": [0, 0, 5], "direction": [0, 0, -1], "resolution": [3, 3], "vertical_fov": 20},
         "lights": [{"name": "lamp", "sphere": {"center": [0, 1, 4], "radius": 0.5}, "samples": 4}],

@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn beside_and_behind_nothing_is_met() {
+    fn beside_and_behind_nothing_is_hit() {
         assert_eq!(meet(&cuboid(), [0.0, 5.0, 4.0], [1.0, 0.0, 0.0]), None);
         assert_eq!(meet(&cuboid(), [9.0, 3.0, 4.0], [1.0, 0.0, 0.0]), None);
         assert_eq!(meet(&cuboid(), [0.0, 0.0, 0.0], [0.6, 0.0, 0.8]), None);

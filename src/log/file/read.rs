@@ -28,10 +28,10 @@ pub enum Ending {
     Complete,
     /// Without an end line: the log was cut off, or is still being written.
     Missing {
-        /// Whether the last line is incomplete (it was passed over).
+        /// Whether the last line is incomplete (it was skipped).
         incomplete_record: bool,
     },
-    /// With an end line that fits, but the log has quantities that this program doesn't know. They were passed over.
+    /// With an end line that fits, but the log has quantities that this program doesn't know. They were skipped.
     Unknown {
         /// How many there are.
         count: usize,
@@ -64,12 +64,12 @@ impl Ending {
             Ending::Complete => None,
             Ending::Missing { incomplete_record: false } => Some("the log has no end line: it was cut off".into()),
             Ending::Missing { incomplete_record: true } => {
-                Some("the log was cut off: 1 incomplete record was passed over".into())
+                Some("the log was cut off: 1 incomplete record was skipped".into())
             }
             Ending::Unknown { count, key, line } => Some(match count {
-                1 => format!("1 value of an unknown quantity was passed over, in line {line}: `{key}`"),
+                1 => format!("1 value of an unknown quantity was skipped, in line {line}: `{key}`"),
                 _ => {
-                    format!("{count} values of unknown quantities were passed over, the first in line {line}: `{key}`")
+                    format!("{count} values of unknown quantities were skipped, the first in line {line}: `{key}`")
                 }
             }),
             Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn damage_is_told_with_its_place() {
+    fn damage_is_reported_with_its_place() {
         let lines = String::from_utf8(to_ndjson(&textbook()).unwrap()).unwrap();
         let line = "\n{\"at\":7,";
         assert!(lines.contains(line));
@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn a_header_that_was_cut_off_is_told_from_none() {
+    fn a_header_that_was_cut_off_is_distinguished_from_none() {
         let lines = to_ndjson(&textbook()).unwrap();
         for length in [20, 50, 200] {
             let said = read(&lines[..length]).unwrap_err().to_string();

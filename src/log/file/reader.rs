@@ -36,7 +36,7 @@ pub(super) struct Reader {
     pub(super) digest: Option<Digest>,
     /// How many nodes are open.
     depth: usize,
-    /// What isn't in the table of names, and was passed over.
+    /// What isn't in the table of names, and was skipped.
     unknown: Unknown,
     /// Inputs on events of unknown quantities: they count from the next event on.
     carried: Vec<(Name, Value)>,
@@ -45,7 +45,7 @@ pub(super) struct Reader {
 /// Quantities that this program doesn't know.
 #[derive(Default)]
 struct Unknown {
-    /// The events that were passed over.
+    /// The events that were skipped.
     events: usize,
     /// Those, and the inputs.
     count: usize,
@@ -101,7 +101,7 @@ impl Reader {
             return Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) };
         }
         // Nobody asks for it behind the end.
-        // Of what was passed over the lines can't be rewritten.
+        // Of what was skipped the lines can't be rewritten.
         let written_anew = self.digest.take().filter(|_| self.unknown.count == 0);
         let fits_events = || {
             written_anew.is_some_and(|mut digest| {

@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_log_is_told_from_one() {
+    fn what_is_no_log_is_distinguished_from_one() {
         is("", false);
         is("{}", false);
         is("{\"version\":1}", false);

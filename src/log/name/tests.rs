@@ -7,7 +7,7 @@ use crate::log::formula::{self, Formula, Operator, Several};
 use std::collections::HashSet;
 
 #[test]
-fn rows_stand_in_the_order_of_the_variants() {
+fn rows_are_in_the_order_of_the_variants() {
     for (index, (name, _)) in ROWS.iter().enumerate() {
         assert_eq!(*name as usize, index);
     }

@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_reads_back_and_damage_is_told() {
+    fn a_picture_reads_back_and_damage_is_reported() {
         let mut film = Film::new([0, 0, 40, 30]);
         let colors: Vec<Color> = (0..1200).map(|k| Color::new(f64::from(k % 7), f64::from(k) * 0.5, -1.0)).collect();
         film.put([0, 0, 40, 30], &colors);

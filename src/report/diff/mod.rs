@@ -56,12 +56,12 @@ pub struct Entry {
     /// The node in which it is, such as `test sphere`; empty for the ray's own.
     pub node: String,
     /// What it is.
-    pub what: Told,
+    pub what: Statement,
 }
 
 /// What two logs say in one place.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Told {
+pub enum Statement {
     /// A value.
     Value {
         /// The quantity; `None` for the result and for how much light a surface lets pass.
@@ -224,7 +224,7 @@ impl Comparing<'_> {
         match spot {
             Spot::Both(ours, theirs) => {
                 let what = match (before::values_of(a, b, spot), ours, theirs) {
-                    (Some((value_a, value_b)), ..) => Told::Value {
+                    (Some((value_a, value_b)), ..) => Statement::Value {
                         name: quantity(a, ours),
                         is_input: matches!((ours, theirs), (Item::Input(..), Item::Input(..))),
                         a: value_a,
@@ -232,9 +232,9 @@ impl Comparing<'_> {
                         distance: distance(&value_a, &value_b),
                     },
                     (None, Item::Event(ours), Item::Event(theirs)) => {
-                        Told::Decision { a: decision(a, ours), b: decision(b, theirs) }
+                        Statement::Decision { a: decision(a, ours), b: decision(b, theirs) }
                     }
-                    (None, ..) => Told::Decision { a: String::new(), b: String::new() },
+                    (None, ..) => Statement::Decision { a: String::new(), b: String::new() },
                 };
                 entry_in(a, ours, what)
             }
@@ -249,7 +249,7 @@ pub fn telling_apart(a: &Value, b: &Value, digits: Option<u32>) -> Style {
     super::number::telling(a, b, digits.map_or(Style::default(), |digits| Style { digits }))
 }
 
-fn entry_in(run: Run, item: Item, what: Told) -> Entry {
+fn entry_in(run: Run, item: Item, what: Statement) -> Entry {
     let nodes = run.tree.nodes();
     let node = match item {
         Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),
@@ -282,9 +282,9 @@ fn decision(run: Run, event: usize) -> String {
     }
 }
 
-fn alone(run: Run, side: Side, item: Item) -> Told {
+fn alone(run: Run, side: Side, item: Item) -> Statement {
     let (what, values) = only(run, item);
-    Told::Only { side, what, values }
+    Statement::Only { side, what, values }
 }
 
 /// What only one log has, in a few words, and how many values it holds.

@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mark_stands_under_letters_of_any_width() {
+    fn the_mark_is_under_letters_of_any_width() {
         let source = Source { name: "a.json", text: "{\"کره‌ی 球\": 漢字}".as_bytes() };
         let report = source.problem(20..26, KeyPath::default(), "no value".into()).report(Severity::Error, false);
         assert_eq!(report.lines().last(), Some("  |             ^^^^"), "{report}");

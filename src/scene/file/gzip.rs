@@ -53,7 +53,7 @@ mod tests {
     use std::io::Write;
 
     #[test]
-    fn what_stands_behind_a_packed_file_is_told() {
+    fn what_follows_a_packed_file_is_reported() {
         let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
         encoder.write_all(b"all of it").unwrap();
         let whole = encoder.finish().unwrap();

@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_cut_off_or_changed_is_told_apart() {
+    fn a_file_that_is_cut_off_or_changed_is_distinguished() {
         let whole = packed(b"all of it, and all of it again, and all of it once more");
         for length in 1..whole.len() {
             let (_, result) = read(&whole[..length]);

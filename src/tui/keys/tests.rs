@@ -35,7 +35,7 @@ fn every_key_of_the_table_does_what_its_row_says() {
 }
 
 #[test]
-fn no_key_stands_in_two_rows() {
+fn no_key_is_in_two_rows() {
     // In a list a key may mean something of its own.
     let mut keys: Vec<_> = rows().filter(|row| row.group != Group::Breakpoints).flat_map(|row| row.keys).collect();
     let count = keys.len();

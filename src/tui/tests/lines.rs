@@ -169,7 +169,7 @@ fn lines_are_completed() {
 }
 
 #[test]
-fn a_pasted_text_stands_where_the_cursor_is() {
+fn a_pasted_text_is_where_the_cursor_is() {
     let mut model = sized(textbook(), 100, 30);
     begin(&mut model, "/", "añb");
     typed(&mut model, "Left");

@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn columns_stand_under_their_titles_in_any_characters() {
+    fn columns_are_under_their_titles_in_any_characters() {
         let entries = vec![
             Entry::to(0, "9 %\t\t10⁻⁵".to_owned()),
             Entry::heading("Others, of which there are some:".to_owned()),

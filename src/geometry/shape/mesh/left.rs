@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn a_neighbour_is_met_in_a_valley_only() {
+    fn a_neighbour_is_hit_in_a_valley_only() {
         bars(1.0, [1.0, 0.0, 0.1], false);
         bars(1.0, [1.0, 0.0, -0.1], true);
         bars(1.0, [1.0, 0.0, 2.0], true);

@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn endless_brackets_are_told() {
+    fn endless_brackets_are_reported() {
         assert_eq!(Places::of(&vec![b'['; 2 * MAX_BRACKETS]).err(), Some(MAX_BRACKETS));
     }
 }

@@ -256,7 +256,7 @@ fn the_line_is_shown() {
 }
 
 #[test]
-fn a_byte_order_mark_is_passed_over() {
+fn a_byte_order_mark_is_skipped() {
     assert_eq!(reads(format!("\u{feff}{SQUARE}"), "a.obj").mesh.faces.len(), 2);
     refuses("\u{feff}v 1 2 x\n", "a.obj", "1:8: expected a finite number, found `x`");
 }
