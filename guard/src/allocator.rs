@@ -45,7 +45,7 @@ impl Allocator {
     }
 }
 
-// SAFETY: every call is handed on to the system's allocator as it is, and what that gives is handed back as it is.
+// SAFETY: every call is passed on to the system's allocator as it is, and what that gives is handed back as it is.
 unsafe impl GlobalAlloc for Allocator {
     #[inline]
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {

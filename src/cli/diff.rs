@@ -23,7 +23,7 @@ fn more() -> String {
 }
 
 const LOGS: &str = "\
-Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that \
+Logs are aligned by the paths of their rays. The first divergence is reported with its cause, then every value, decision and step that \
 differs with the operands that it comes from, and how the difference grows on its way to the colour.";
 
 const MORE: &str = ". The layers that an OpenEXR has beside its colours are compared, too.
@@ -46,17 +46,17 @@ Examples:
 #[derive(Args)]
 #[command(after_long_help = more())]
 pub struct Diff {
-    /// A log or a picture, also packed by gzip or zstd; `-` for standard input
+    /// A log or a picture, also compressed with gzip or zstd; `-` for standard input
     a: PathBuf,
     /// The one that it is compared with
     b: PathBuf,
     /// Compare the values of logs as rounded to N decimals, half away from zero, and show them so
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: Option<u32>,
-    /// The absolute difference that is let pass; in integer pictures white is 1
+    /// The absolute difference that is tolerated; in integer pictures white is 1
     #[arg(long, value_name = "E", value_parser = tolerance)]
     abs: Option<f64>,
-    /// The difference that is let pass, in proportion to the largest component of the two values
+    /// The difference that is tolerated, in proportion to the largest component of the two values
     #[arg(long, value_name = "E", value_parser = tolerance)]
     rel: Option<f64>,
     /// Of logs, compare only what both have: one of them may lack pixels, steps or quantities

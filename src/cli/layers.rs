@@ -25,7 +25,7 @@ impl std::str::FromStr for Layers {
         for word in text.split(',') {
             let layer = word.trim().parse()?;
             if layers.contains(&layer) {
-                return Err(format!("the layer `{}` stands there twice", word.trim()));
+                return Err(format!("the layer `{}` occurs twice", word.trim()));
             }
             layers.push(layer);
         }

@@ -40,7 +40,7 @@ pub enum Progress {
 /// Progress as lines of JSON.
 pub struct JsonLines {
     done: u64,
-    /// `None` where nobody knows.
+    /// `None` if unknown.
     total: Option<u64>,
     started: Instant,
     last: Option<Instant>,
@@ -58,9 +58,9 @@ impl ProgressOptions {
         self.of(Some(total), true, "{bar:40} {percent:>3} %  {spent} elapsed, {rest} left")
     }
 
-    /// Shows how much of a file has been read; `size` is `None` where nobody knows.
+    /// Shows how much of a file has been read; `size` is `None` if unknown.
     pub fn reading<R: Read>(&self, input: R, size: Option<u64>) -> Reading<R> {
-        /// Less is read before anybody could see the bar.
+        /// Less is read too fast for a bar.
         const MUCH: u64 = 8 << 20;
         let template = match size {
             Some(_) => "reading {bar:40} {percent:>3} %  {rest} left",
@@ -69,7 +69,7 @@ impl ProgressOptions {
         Reading { input, progress: self.of(size, size.is_none_or(|size| size >= MUCH), template) }
     }
 
-    /// Progress toward `total`; work that takes `long` is shown unless somebody asked for something else.
+    /// Progress toward `total`; work that takes `long` is shown unless the options say otherwise.
     fn of(&self, total: Option<u64>, is_long: bool, template: &str) -> Progress {
         let shows_bar = match self.progress {
             _ if self.quiet => false,
@@ -152,7 +152,7 @@ impl JsonLines {
             self.last = Some(Instant::now());
             let seconds = self.started.elapsed().as_secs_f64();
             let total = self.total.map_or("null".to_owned(), |total| total.to_string());
-            // Nobody reads a closed standard error.
+            // A closed standard error is no failure.
             let _ = writeln!(
                 stderr(),
                 "{{\"progress\":{{\"done\":{},\"total\":{total},\"seconds\":{seconds:.3}}}}}",

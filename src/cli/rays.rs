@@ -117,7 +117,7 @@ impl Rays {
             }
             let written = if kept { self.answer(&scene, &names, &line, &mut out) } else { too_long(&mut out) };
             written.map_err(|error| Failure::stdout(&error))?;
-            // Somebody may wait for each answer: nothing is kept back while nothing more has come in.
+            // A reader may wait for each answer: output is flushed while no more input has arrived.
             if input.buffer().is_empty() {
                 out.flush().map_err(|error| Failure::stdout(&error))?;
             }

@@ -92,7 +92,7 @@ impl<'t> Parameters<'t> {
                 return Err(unknown("parameter", name, &names));
             };
             if values[index].replace(value).is_some() {
-                return Err(format!("`{name}` stands there twice, expected {}", self.form));
+                return Err(format!("`{name}` occurs twice, expected {}", self.form));
             }
         }
         let mut found = [""; N];
@@ -159,10 +159,7 @@ mod tests {
             "adaptive:treshold=0.1,depth=3",
             "unknown parameter `treshold`, expected threshold, depth; did you mean `threshold`?",
         );
-        refuses(
-            "adaptive:depth=1,depth=2,threshold=0",
-            "`depth` stands there twice, expected adaptive:threshold=T,depth=D",
-        );
+        refuses("adaptive:depth=1,depth=2,threshold=0", "`depth` occurs twice, expected adaptive:threshold=T,depth=D");
         refuses("adaptive:threshold=nan,depth=3", "threshold: expected a number, found `nan`");
         refuses("adaptive:threshold=0.1,depth=1.5", "depth: expected a whole number, found `1.5`");
         refuses("adaptive:threshold=-1,depth=3", "adaptive.threshold: must be 0 or more, found -1");

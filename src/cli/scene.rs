@@ -60,7 +60,7 @@ pub enum Generated {
 /// The scene of a command.
 #[derive(Args)]
 pub struct Named {
-    /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also compressed with gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
     #[command(flatten)]
     nff: NffOptions,

@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 /// Write the log of a pixel, a ray or a region, or views of it.
 #[derive(Args)]
 pub struct Trace {
-    /// A scene file (JSON or NFF, also packed by gzip or zstd), a saved log, `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also compressed with gzip or zstd), a saved log, `-` for standard input, or a built-in scene
     #[arg(value_name = "SCENE or LOG")]
     scene: PathBuf,
     #[command(flatten)]
@@ -43,7 +43,7 @@ pub struct Trace {
     /// What to write; without it ndjson, and text with --causes
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<TraceFormat>,
-    /// The language of views for people (text, markdown, latex, html, dot, svg, mermaid)
+    /// The language of text views (text, markdown, latex, html, dot, svg, mermaid)
     #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
     lang: Lang,
     /// Instead of the log, show which roundings of decimal:N or f32 caused the error of the result: the result with only
@@ -61,13 +61,13 @@ pub struct Trace {
     /// that hit
     #[arg(long, value_name = "RAY", requires = "view")]
     path: Option<String>,
-    /// Decimals in views for people
+    /// Decimals in text views
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
     /// Which frame of an animation, from 1; without it the first
     #[arg(long, value_name = "K", value_parser = frames::number)]
     frames: Option<u32>,
-    /// Of a region, write only the I-th of N shards, which `raywalk merge` joins; one that is there already and whole isn't
+    /// Of a region, write only the I-th of N shards, which `raywalk merge` joins; one that exists already and is complete isn't
     /// written again
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
@@ -94,7 +94,7 @@ pub struct Subject {
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum TraceFormat {
-    /// One event a line.
+    /// One event per line.
     Ndjson,
     /// One document.
     Json,

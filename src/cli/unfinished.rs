@@ -49,7 +49,7 @@ impl Beside {
         let begin = |path: &Path| {
             note = Some(Unfinished::new(path));
             let file = OpenOptions::new().write(true).create_new(true).mode(mode).open(path)?;
-            // Somebody who sweeps may have been quicker: then another name is tried. Some file systems have no locks.
+            // A process that cleans up may have been faster: then another name is tried. Some file systems have no locks.
             let is_lost = lock(&file) == Lock::Taken || file.metadata().is_ok_and(|metadata| metadata.nlink() == 0);
             if is_lost { Err(io::ErrorKind::AlreadyExists.into()) } else { Ok(file) }
         };

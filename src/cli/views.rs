@@ -46,7 +46,7 @@ pub struct View {
     pub format: TraceFormat,
     /// What a tree is of.
     pub tree: TreeOf,
-    /// The language of views for people.
+    /// The language of text views.
     pub language: Language,
     /// How they show numbers.
     pub style: Style,

@@ -105,7 +105,7 @@ pub enum Step {
         /// Its number, from 1, among several of its kind from one place; 0 if it is alone.
         split: u32,
     },
-    /// How a moving object is met: the ray in the object's own frame, with the tests there, or the hit carried back from it.
+    /// How a moving object is tested: the ray in the object's own frame, with the tests there, or the hit carried back from it.
     Motion {
         /// The object.
         object: u32,

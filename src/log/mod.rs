@@ -30,10 +30,10 @@ pub use shard::Shard;
 pub use tree::{Node, Tree};
 pub use value::Value;
 
-/// A whole log: what it says about itself, and its events.
+/// A whole log: its header and its events.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Log {
-    /// What the log says about itself.
+    /// The header.
     pub header: Header,
     /// The events, in the order of the computation.
     pub events: Events,

@@ -358,7 +358,7 @@ with_effects! { names! {
     PatternColorOdd: "pattern.color", "odd", "c_p", "c_b", "1.2.1";
 
     // The sum of the three contributions.
-    // What the bounce at a cutoff could have added to the sample at the most: no arithmetic rounds it.
+    // What the bounce at a cutoff could have added to the sample at most: no arithmetic rounds it.
     CutoffLoss: "cutoff.loss", "", "ΔI", "", "";
     WeightReflected: "weight.reflected", "", "W_r", "", "1.2.3";
     WeightTransmitted: "weight.transmitted", "", "W_t", "", "1.2.3";

@@ -1,4 +1,4 @@
-//! The probe: what sees, and may alter, every named quantity of the one tracing path.
+//! The probe: it sees, and may alter, every named quantity of the one tracing path.
 //!
 //! There is one implementation of intersecting, shading and recursion, generic over [`Probe`]. Every quantity that the
 //! source text names goes through [`Probe::note`], and the computation goes on with what that returns. The default of
@@ -26,17 +26,17 @@ pub use silent::Silent;
 use crate::log::{Decision, Name, SkipReason, Step, Value};
 use glam::DVec3;
 
-/// The bound of what rounding does to a computed point, and to a surface through its numbers, as a part of their sizes:
+/// The bound of the rounding errors of a computed point, and of the numbers of a surface, relative to their sizes:
 /// 64 roundings of f64 (`docs/numerics.md`, "Coincident surfaces").
 pub const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
 
 /// Sees a computation as it happens.
 pub trait Probe: Sized {
-    /// Whether nothing is seen, so that what doesn't change a result needn't happen.
+    /// Whether the probe ignores everything, so that work without effect on the result can be skipped.
     const IS_SILENT: bool = false;
 
-    /// Whether trees are walked with the processor's best instructions, for which the walk is compiled a second time. Kernels meet the
-    /// same primitives either way. Only silent probes get operations that not every processor has, so that what others count is the same on
+    /// Whether trees are traversed with the processor's best instructions, for which the traversal is compiled a second time. Kernels get the
+    /// same primitives either way. Only silent probes use operations that not every processor has, so that the counts of others are the same on
     /// every machine.
     const USES_SIMD: bool = Self::IS_SILENT;
 
@@ -54,12 +54,12 @@ pub trait Probe: Sized {
     #[inline(always)]
     fn mark(&mut self, _decision: Decision) {}
 
-    /// Bounding volumes were tested. They narrow down and decide nothing, so they are counted, not logged.
+    /// Bounding volumes were tested. They only find candidates, so they are counted, not logged.
     #[inline(always)]
     fn bounds_tested(&mut self, _count: u64) {}
 
-    /// Whether decisions that f64 leaves in doubt are taken with more digits. An arithmetic of its own goes on with what it has
-    /// made of the numbers before.
+    /// Whether decisions that f64 leaves in doubt are taken with more digits. Other arithmetics go on with the numbers that they have
+    /// computed so far.
     #[inline(always)]
     fn certifies(&self) -> bool {
         true
@@ -80,14 +80,14 @@ pub trait Probe: Sized {
         }
     }
 
-    /// How far rounding may move a computed point whose coordinates, with all that it was computed from, are of this size. Surfaces so
-    /// near to each other are in the same place.
+    /// How far rounding may move a computed point whose coordinates and operands have this size. Surfaces that
+    /// near to each other coincide.
     #[inline(always)]
     fn slack(&self, size: f64) -> f64 {
         ROUNDINGS * size
     }
 
-    /// f64 left something in doubt, and more digits were taken. It is counted, not logged.
+    /// f64 left something in doubt, and more digits were used. It is counted, not logged.
     #[inline(always)]
     fn fallback(&mut self) {}
 
@@ -99,7 +99,7 @@ pub trait Probe: Sized {
     #[inline(always)]
     fn aim(&mut self, _place: [f64; 2]) {}
 
-    /// All that the ray through the latest place brings is there.
+    /// The ray through the latest place is complete.
     #[inline(always)]
     fn aimed(&mut self) {}
 
@@ -131,7 +131,7 @@ pub enum Saving {
     DepthLimit,
     /// Another pixel has traced them.
     Shared,
-    /// Nothing can lie in their way, so a rendering that counts nothing doesn't search for it.
+    /// Nothing can block them, so a rendering that counts nothing doesn't search.
     Search,
 }
 
@@ -156,7 +156,7 @@ impl Quantity for f64 {
 }
 
 impl Quantity for DVec3 {
-    // By hand every value goes through it.
+    // In arithmetic by hand every value goes through it.
     #[inline(always)]
     fn map(self, mut f: impl FnMut(usize, f64) -> f64) -> DVec3 {
         DVec3::new(f(0, self.x), f(1, self.y), f(2, self.z))

@@ -153,7 +153,7 @@ impl Draws {
         Draws { origin, number: down * n + across, arrangement }
     }
 
-    /// The same for a grid of 2^depth steps a pixel of which the coarse corners are used first: those of each coarser grid are
+    /// The same for a grid of 2^depth steps per pixel of which the coarse corners are used first: those of each coarser grid are
     /// a beginning of the pixel's Sobol points.
     #[inline]
     pub fn of_nested_corner(seed: u64, corner: [u32; 2], depth: u32) -> Draws {

@@ -184,7 +184,7 @@ type Kept = ByPlace<Arc<OnceLock<Seen>>>;
 /// Values by their place in the grid of corners.
 type ByPlace<T> = HashMap<[u32; 2], T, BuildHasherDefault<PlaceHasher>>;
 
-/// The hash of a place. Nobody chooses places so that their hashes are the same, and so it needs no secret and little time.
+/// The hash of a place. Places aren't chosen to collide, so a fast hash without a secret is enough.
 #[derive(Default)]
 struct PlaceHasher(u64);
 

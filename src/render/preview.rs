@@ -34,7 +34,7 @@ pub fn error_of_single(scene: &Scene, pixel: [u32; 2], color: Color) -> f64 {
     (Arithmetic::F32.color(Pixel { scene, pixel }) - color).abs().max_element()
 }
 
-/// Reckons something for the dots of a grid of pixels, every `step`-th of each row and column, in passes that halve their
+/// Computes something for the dots of a grid of pixels, every `step`-th of each row and column, in passes that halve their
 /// distance, the first with every 2^`coarsest`-th dot. `publish` is handed the dots of a few rows at a time, by column and row of
 /// the grid. Returns early when it is to stop.
 pub fn in_passes<T: Send>(

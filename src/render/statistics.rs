@@ -61,12 +61,12 @@ pub struct Statistics {
     pub by_depth: Vec<u64>,
     /// Work left out, by rule.
     pub skipped: BTreeMap<&'static str, u64>,
-    /// Rays that weren't traced, by rule and by `depth_limit` and `shared`: at the most where it wasn't asked whether there
+    /// Rays that weren't traced, by rule and by `depth_limit` and `shared`: at most where it wasn't asked whether there
     /// would have been one. What they would have spawned isn't counted.
     pub saved: BTreeMap<&'static str, u64>,
     /// Shadow rays that nothing can block, which are counted here and searched only because they are counted.
     pub free_shadow_rays: u64,
-    /// What cutoffs lost at the most, if there were any.
+    /// What cutoffs lost at most, if there were any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lost: Option<Lost>,
     /// Directions of blurred bounces on the wrong side of a surface.

@@ -198,7 +198,7 @@ fn origin_of_rest(
     if !rest.is_finite() || rest <= NOISE * whole {
         return None;
     }
-    // Each rounding of an intensity moves it by half a unit at the most, and the weights on its way carry that on.
+    // Each rounding of an intensity moves it by half a unit at most, and the weights on its way carry that on.
     let unit = match log.header.arithmetic.as_str() {
         // The book's own numbers follow from no rounding.
         "printed" => f64::INFINITY,

@@ -1,6 +1,6 @@
-//! A log as people read it: one file a format, on common words, numbers and computations.
+//! A log in readable forms: one file per format, on common words, numbers and computations.
 //!
-//! Nothing is computed here that a log doesn't hold; a report needs no scene.
+//! Reports use only what a log holds; they need no scene.
 
 pub mod answer;
 pub mod close_up;

@@ -8,7 +8,7 @@
 //! in a stratum differ though samples do, all are one stratum. Neighbouring points of a scrambled net repel each other, which makes
 //! all of these err on the side of too large a variance.
 //!
-//! Whoever stops when the samples look good is biased: a pixel whose first samples agree by chance keeps their value.
+//! Stopping when the samples look good is biased: a pixel whose first samples agree by chance keeps their value.
 //! `docs/sampling.md` has how often that happens. Where samples draw a lens, a time, lights or lobes, chance has many more ways that
 //! a few that agree aren't enough.
 
@@ -79,7 +79,7 @@ fn enough_alike<P: Probe>(wanted: Statistical, count: u32, probe: &mut P) -> Opt
 fn verdict<P: Probe>(scene: &Scene, wanted: Statistical, taken: &[Taken], probe: &mut P) -> Option<Acceptance> {
     // The last samples may be no power of two, and then have no pairs.
     let spread = if taken.len().is_power_of_two() { Spread::of_samples(taken) } else { Spread::of_one_stratum(taken) };
-    // Nobody sees the quantile, which takes longer than most samples.
+    // The quantile isn't recorded, and takes longer than most samples.
     if P::IS_SILENT
         && let Some(is_narrow) = spread.is_surely_narrow(wanted.confidence, wanted.tolerance * scene.output.white)
     {

@@ -34,7 +34,7 @@ pub fn quantile(probability: f64, degrees_of_freedom: f64) -> f64 {
 /// itself can tell. Says what [`quantile`] says, in a fraction of its time.
 pub fn is_at_most(t: f64, probability: f64, degrees_of_freedom: f64) -> Option<bool> {
     if probability < LEAST_PROBABILITY {
-        // Nobody trusts so little; closed forms lose digits there.
+        // Nobody asks for such a low confidence; closed forms lose digits there.
         return None;
     }
     // The quantile falls with the degrees of freedom, from Cauchy's at 1 to the normal distribution's. So those of few degrees bound

@@ -43,7 +43,7 @@ pub struct Sight {
 }
 
 /// The orders of the rules that there are. The first three are those that [`Adaptive::rule`] chooses; where these have fewer points than are asked
-/// for at the least, greater ones follow.
+/// for at least, greater ones follow.
 const ORDERS: std::ops::RangeInclusive<u32> = 2..=8;
 
 /// Up to which δ² rules of the orders 2, 3 and 4 are right to 4·10⁻⁴ of the mean, for rectangles and for round lights

@@ -18,7 +18,7 @@ pub struct AreaLight {
     pub surface: LightSurface,
     /// How its weight falls toward the rim; `None` where it doesn't.
     pub profile: Option<CosineProfile>,
-    /// How many points of it each surface point asks, at the most if it is adaptive.
+    /// How many points of it each surface point asks, at most if it is adaptive.
     pub samples: u32,
     /// What its mean is taken by.
     pub by: Spread,

@@ -1,4 +1,4 @@
-//! How much a ray of each level can bring at the most, whatever it hits: what a cutoff may lose.
+//! How much a ray of each level can bring at most, whatever it hits: what a cutoff may lose.
 //!
 //! Level by level from the deepest, in each channel: a ray brings the background, or from a surface W_l·I_local + W_r·(the ceiling of
 //! the next level) + W_t·(the same), of which the largest over all materials counts. I_local is at most I_a·K_a and, of every light,

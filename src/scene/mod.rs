@@ -1,6 +1,6 @@
-//! What is traced: a scene, validated, in numbers and ready.
+//! A scene, validated and ready to be traced.
 //!
-//! After [`mod@file`] has read and checked a scene, there are indices and no surprises: names are resolved, vectors have a length, and numbers
+//! After [`mod@file`] has read and checked a scene, names are indices, vectors have a length, and numbers
 //! are finite.
 
 pub mod adaptive_light;
@@ -63,13 +63,13 @@ pub struct Scene {
     pub camera: Camera,
     /// The ambient light, I_a.
     pub ambient: Color,
-    /// What a ray brings that leaves the scene.
+    /// The colour of a ray that leaves the scene.
     pub background: Color,
     /// The lights.
     pub lights: Vec<Light>,
     /// The materials.
     pub materials: Vec<Material>,
-    /// What samples decide at random beside their place in the pixel.
+    /// The random decisions of samples besides their place in the pixel.
     pub effects: Effects,
     /// The objects, in the order that decides ties.
     pub objects: Vec<Object>,
@@ -79,7 +79,7 @@ pub struct Scene {
     pub around_eye: AroundEye,
     /// How rays are traced.
     pub tracing: Tracing,
-    /// How much rays can bring at the most; empty where nobody asks.
+    /// Upper bounds of the colours of rays; empty where they aren't needed.
     pub ceilings: Ceilings,
     /// Which rays make a pixel.
     pub sampling: Sampling,
@@ -108,7 +108,7 @@ pub struct Object {
     pub inside: Option<Side>,
 }
 
-// Scenes have millions of them: docs/robustness.md has what memory a file takes by the byte.
+// Scenes have millions of them: docs/robustness.md has the memory per byte of a file.
 const _: () = assert!(size_of::<Object>() <= 120 && size_of::<Material>() <= 240);
 
 /// How traced values become the numbers of a picture file.

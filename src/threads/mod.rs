@@ -12,7 +12,7 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, available_parallelism};
 
-/// How many threads the command was asked to use; 0 is one a core.
+/// How many threads the command was asked to use; 0 is one per core.
 static WANTED: AtomicUsize = AtomicUsize::new(0);
 
 /// The pool that was begun last, and how many threads were asked for then.
@@ -72,7 +72,7 @@ pub fn share<T: Send>(items: usize, work: impl FnOnce() -> T + Send) -> T {
 }
 
 impl Threads {
-    /// Threads for this many pieces of work: as many as are wanted (0 is one a core) but no more than there are pieces.
+    /// Threads for this many pieces of work: as many as are wanted (0 is one per core) but no more than there are pieces.
     pub fn of(wanted: usize, pieces: usize) -> Threads {
         let most = if wanted == 0 { cores() } else { wanted };
         let count = most.min(pieces);

@@ -12,8 +12,8 @@ use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Formulas, Scene};
 use glam::{BVec3, DVec3};
 
-/// What the reflected ray brings; nothing where there is none.
-// A surface that has no such ray pays for no call.
+/// The colour of the reflected ray; nothing where there is none.
+// A surface without such a ray doesn't pay for a call.
 #[inline(always)]
 pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     if meeting.material.reflects() { mirrored(scene, meeting, probe) } else { Color::ZERO }
@@ -28,7 +28,7 @@ fn mirrored<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color 
     }
     let Some(direction) = mirror(scene, meeting, probe) else { return Color::ZERO };
     let direction = above(meeting, direction, Term::Reflected, probe);
-    // Made where it is used, so that a sharp bounce isn't put in memory.
+    // Made where it is used, so that a sharp bounce stays in registers.
     let place = meeting.place.and_then(Place::turned_back);
     let leaving = meeting.leaving_here();
     let bounce =
@@ -40,7 +40,7 @@ fn mirrored<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color 
     bounce().follow(scene, meeting, direction, 0, probe)
 }
 
-/// What the transmitted ray brings; nothing where there is none, as at a total internal reflection.
+/// The colour of the transmitted ray; nothing where there is none, as at a total internal reflection.
 #[inline(always)]
 pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     if meeting.material.transmits() { refracted(scene, meeting, probe) } else { Color::ZERO }
@@ -156,7 +156,7 @@ pub(crate) fn refract<P: Probe>(
     unless_lost(refracted, name, probe)
 }
 
-/// What Snell's law says of the transmitted ray's angle.
+/// The transmitted ray's angle by Snell's law.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TransmittedCosine {
     /// cos φ₂; `None` where there is no transmitted ray.
@@ -265,7 +265,7 @@ pub(super) fn dead_channels(path: &Path, weight: Color) -> BVec3 {
     bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight.cmpeq(Color::ZERO))
 }
 
-/// What a bounce with this weight could at the most add to the colour of its sample, for the log and the statistics; nothing where
+/// What a bounce with this weight could at most add to the colour of its sample, for the log and the statistics; nothing where
 /// there is no bound.
 #[cold]
 fn give_loss<P: Probe>(scene: &Scene, path: &Path, weight: Color, probe: &mut P) {
@@ -283,7 +283,7 @@ pub(super) struct Bounce<'a> {
     pub weight: Color,
     /// The media that the ray will be inside.
     pub media: &'a Media,
-    /// Where the ray begins, if there are surfaces in that place which it has still to cross.
+    /// The surfaces at the ray's origin, if it has still to cross some of them.
     pub place: Option<&'a Place>,
 }
 

@@ -10,7 +10,7 @@ use arrayvec::ArrayVec;
 use glam::DVec3;
 use std::cell::OnceCell;
 
-/// A question about one ray.
+/// A query about one ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Query {
     /// Where the ray begins.
@@ -57,7 +57,7 @@ pub struct RayHit {
 const STEPS: u32 = 8;
 
 impl Query {
-    /// What lies anywhere before a point that is on no surface; `direction` may have any length but zero.
+    /// A query for hits at any distance from a point on no surface; `direction` may have any length but zero.
     pub fn new(origin: DVec3, direction: DVec3) -> Query {
         Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None }
     }
@@ -98,7 +98,7 @@ impl Query {
         })
     }
 
-    /// Where the nearest hit is, for those who don't ask what the surface is like there.
+    /// The nearest hit, without the surface there.
     #[inline]
     pub fn hit(&self, scene: &Scene) -> Option<RayHit> {
         if self.surely_misses(scene) {
@@ -130,8 +130,8 @@ impl Query {
         }
     }
 
-    /// Where the nearest hits of several rays are, at most [`PACKET`]: shows `answer` what each hits, in their order. Rays that run together are
-    /// answered faster so, each as it would be alone.
+    /// Where the nearest hits of several rays are, at most [`PACKET`]: calls `answer` with the hit of each, in their order. Coherent rays are
+    /// faster like this; the answers are the same.
     pub fn hits(queries: &[Query], scene: &Scene, mut answer: impl FnMut(Option<RayHit>)) {
         let mut rays: ArrayVec<Ray, PACKET> = ArrayVec::new();
         let mut lengths = [0.0; PACKET];
@@ -156,7 +156,7 @@ impl Query {
             let (ray, length, nearest) = (&rays[made], lengths[made], &nearest[made]);
             made += 1;
             let t = nearest.hit().map_or(f64::NAN, |hit| hit.crossing.t / length);
-            // Where the order of surfaces or an end of the ray is in doubt, it is asked alone.
+            // Where the order of surfaces or an end of the ray is in doubt, the ray is traced alone.
             let hit = match nearest.hit() {
                 None => None,
                 Some(hit) if nearest.is_alone() && t > query.t_min && t < query.t_max => Some((hit, t)),
@@ -193,7 +193,7 @@ impl Query {
         if has_plain_ends { Line::along(self.origin, self.direction, [self.t_min, self.t_max]) } else { None }
     }
 
-    /// Whether a look at the box around everything shows that the ray hits nothing: its unit vector takes far longer than that.
+    /// Whether the ray misses the box around everything: that test is far cheaper than normalising its direction.
     #[inline(always)]
     fn surely_misses(&self, scene: &Scene) -> bool {
         scene.index.is_surely_missed(self.origin, self.direction)
@@ -220,7 +220,7 @@ impl Query {
         (self.ray_along(direction, vector, length, scene), length)
     }
 
-    /// The ray along the direction, of which the unit vector, the vector of middling size and the length are known.
+    /// The ray along the direction, of which the unit vector, the vector of moderate size and the length are known.
     #[inline(always)]
     fn ray_along(&self, direction: DVec3, vector: DVec3, length: f64, scene: &Scene) -> Ray {
         let t_min = if self.t_min == 0.0 { 0.0 } else { -first_beyond(-self.t_min, length) };

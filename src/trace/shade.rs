@@ -69,12 +69,12 @@ pub(super) struct Source<'a> {
     pub color: &'a Color,
     /// The objects that can block it, where that is known before the search for them.
     pub among: Option<&'a [u32]>,
-    /// Whether it is known that nothing blocks it: no shadow ray asks.
+    /// Whether it is known that nothing blocks it: no shadow ray is traced.
     pub is_free: bool,
 }
 
-/// What a light adds that is seen like this; nothing if it is at the surface point.
-// Left to itself, the compiler keeps it apart or not by how often the rest of the program has it.
+/// The contribution of a light; nothing if it is at the surface point.
+// Without the attribute, whether the compiler inlines it depends on the rest of the program.
 #[inline(always)]
 pub(super) fn from_light<P: Probe>(
     scene: &Scene,
@@ -113,7 +113,7 @@ pub(super) fn from_light<P: Probe>(
     arriving * reflectance
 }
 
-/// What a light adds to which no shadow ray is sent, by this rule: nothing.
+/// The contribution of a light without a shadow ray, by this rule: nothing.
 fn without_shadow_ray<P: Probe>(why: SkipReason, probe: &mut P) -> Color {
     probe.rays_saved(Saving::Skipped(why), 1);
     probe.mark(Decision::Skipped { what: Term::Shadow, why });
@@ -299,7 +299,7 @@ pub(crate) fn power_between(a: DVec3, b: DVec3, exponent: f64) -> f64 {
     libm::exp(exponent / 2.0 * libm::log1p(-sine_squared.min(1.0)))
 }
 
-/// x⁺: what a dot product of unit vectors is worth as a cosine. Rounding can take it past 1, and a large exponent from there
+/// x⁺: a dot product of unit vectors, clamped to a cosine. Rounding can take it past 1, and a large exponent from there
 /// to anywhere.
 fn cosine(x: f64) -> f64 {
     x.clamp(0.0, 1.0)

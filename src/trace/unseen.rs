@@ -67,7 +67,7 @@ fn why_no_light(scene: &Scene, meeting: &Meeting, color: Color, is_in_front: boo
     scene.tracing.skip.has(why).then_some(why)
 }
 
-/// How many shadow rays the local model has at the most: lights behind the surface get none.
+/// How many shadow rays the local model has at most: lights behind the surface get none.
 pub(super) fn shadow_rays(scene: &Scene, meeting: &Meeting) -> u64 {
     if scene.tracing.shades_ambient_only(meeting.path.level) {
         return 0;

@@ -1,4 +1,4 @@
-//! What a ray hits first, and how much light gets through.
+//! What a ray hits first, and how much light a shadow ray lets through.
 
 use super::{Layer, Place, in_range};
 use crate::geometry::{Crossing, Hit, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Search, Shape, each};
@@ -14,7 +14,7 @@ const NEAR_TIE: f64 = 8.0 * f64::EPSILON;
 /// half of their digits were lost.
 const SAME: f64 = f64::EPSILON * f64::EPSILON * (1 << 24) as f64;
 
-/// How two crossings with objects follow each other along the ray; at the same distance the object that comes first in the
+/// The order of two crossings along the ray; at the same distance the object that comes first in the
 /// scene is the first.
 fn order<P: Probe>(scene: &Scene, ray: &Ray, one: Hit, other: Hit, probe: &mut P) -> Ordering {
     let (t, other_t) = (one.crossing.t, other.crossing.t);
@@ -56,7 +56,7 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
 }
 
 /// The nearest hit by its distance, and those that may coincide.
-// A part of the recursion, which would have to take the hit out of memory.
+// Inlined into the recursion, which otherwise would read the hit from memory.
 #[inline(always)]
 pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Nearest {
     let mut nearest = Nearest::of(ray);
@@ -74,7 +74,7 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
     nearest
 }
 
-/// The same for several rays, at most [`PACKET`], which are traced together where they run together.
+/// The same for several rays, at most [`PACKET`], which traverse the tree as a packet where they are coherent.
 pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &mut PerRay<Nearest>, probe: &mut P) {
     let mut limits = [-1.0; PACKET];
     for (at, ray) in rays.iter().enumerate().take(PACKET) {
@@ -124,7 +124,7 @@ pub(super) fn touched<P: Probe>(scene: &Scene, ray: &Ray, place: &Place, probe: 
     layer.touched()
 }
 
-/// Whether a ray hits anything at all. Kernels save digits where it doesn't want distances.
+/// Whether a ray hits anything at all. Kernels compute fewer digits for rays that need no distance.
 #[inline(always)]
 pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut P) -> bool {
     let mut is_hit = false;
@@ -196,12 +196,12 @@ pub(super) fn transmittance_among<P: Probe>(scene: &Scene, ray: &Ray, obstacles:
             return Color::ONE;
         }
     }
-    // Whoever counts or logs tests sees them all.
+    // A probe that counts or logs tests sees all of them.
     let obstacles = if P::IS_SILENT { *obstacles } else { Obstacles { among: None, ..*obstacles } };
     searched(scene, ray, &obstacles, probe)
 }
 
-// Kept out of the shading around it, whose values would crowd this loop's out of the registers.
+// Outlined: the shading around it would spill this loop's registers.
 #[inline(never)]
 fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);

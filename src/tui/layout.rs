@@ -43,7 +43,7 @@ const MIDDLING: (u16, u16) = (100, 28);
 const NARROWEST: u16 = 20;
 
 impl Layout {
-    /// All panes when the terminal is large; the tree, the picture and another pane when it is of middling size; else the tree
+    /// All panes when the terminal is large; the tree, the picture and another pane when it is of moderate size; else the tree
     /// and another pane side by side when it is wide, one above the other when it is tall; else one at a time.
     pub fn of(arrangement: &Arrangement) -> Layout {
         let (width, height) = arrangement.size;

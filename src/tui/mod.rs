@@ -1,4 +1,4 @@
-//! The viewer: walks through a log in the terminal.
+//! The viewer: steps through a log in the terminal.
 //!
 //! A key becomes an [`Action`] (`keys`), an action changes the [`Model`] (`update`), and the model is drawn
 //! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
@@ -82,11 +82,11 @@ pub struct Options {
     pub start: Option<usize>,
     /// What to warn of until it is dismissed, such as a log that was cut off.
     pub warning: Option<String>,
-    /// What to say until the first key.
+    /// The message until the first key.
     pub note: Option<String>,
     /// How numbers are shown.
     pub numbers: Numbers,
-    /// What it speaks at first.
+    /// Its language at first.
     pub language: Language,
 }
 
@@ -97,7 +97,7 @@ pub struct Outcome {
     pub exit: Exit,
     /// Where it was left.
     pub position: Position,
-    /// What it spoke then.
+    /// Its language at the end.
     pub language: Language,
 }
 

@@ -54,9 +54,9 @@ pub(super) enum Input {
     Beat,
     /// Columns and rows.
     Size(u16, u16),
-    /// Somebody asks to leave.
+    /// A request to quit.
     Leave(Exit),
-    /// Somebody asks to stop for a while.
+    /// A request to suspend.
     Suspend,
     /// Nothing has come for a moment.
     Tick,

@@ -307,5 +307,5 @@ fn a_quiz_goes_on_in_another_pixel() {
     typed(&mut model, "=");
     assert!(model.prompt.is_none());
     typed(&mut model, "Q Q");
-    assert!(model.hides(asked), "another quiz begins anew");
+    assert!(model.hides(asked), "another quiz starts again");
 }

@@ -89,7 +89,7 @@ fn irregular_files_are_understood_or_refused_clearly() {
         ("cone-seven-numbers.nff", ":3:31: expected a number for the refractive index of `f`, found `cantfindme.png`"),
         ("cylinder.nff", ":10:14: the file has no view, expected `v`"),
         ("positionTest.nff", ":10:1: expected a number for Shine of `f`, found `s`"),
-        ("spheres.nff", ":5:1: `s` stands before the first fill, expected `f` before it"),
+        ("spheres.nff", ":5:1: `s` comes before the first fill, expected `f` before it"),
     ];
     for (name, expected) in refused {
         let error = load(&folder.join(name)).expect_err("a bad file");

@@ -135,7 +135,7 @@ fn lights_whose_colour_leaves_nothing_are_reported_so() {
     for above in ["", ball] {
         check("[0, 0, 0]", above, "lights nothing in view: K_d, K_e and K_t of every surface are 0 in every channel");
     }
-    check("[1, 1, 1]", "", "stands outside the field of view, which it lights all the same");
+    check("[1, 1, 1]", "", "is outside the field of view, which it lights all the same");
 }
 
 /// A light that is off is reported as such, whether surfaces are turned to it or not.

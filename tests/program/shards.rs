@@ -337,11 +337,11 @@ fn what_is_there_and_whole_is_not_made_again() {
             assert!(answer.status.success());
             String::from_utf8(answer.stderr).unwrap()
         };
-        assert!(again().contains("is there already and whole"));
+        assert!(again().contains("exists already and is complete"));
         // Of another call, cut off, or something else altogether: it is made.
         for other in [&good[..good.len() - 3], b"something else"] {
             fs::write(&path, other).unwrap();
-            assert!(!again().contains("is there already"));
+            assert!(!again().contains("exists already"));
             assert!(folder.bytes(name) == good);
         }
         let other: Vec<&str> = call.iter().map(|word| if *word == "2/3" { "3/3" } else { word }).collect();

@@ -144,7 +144,7 @@ fn generated_flakes_are_scenes() {
         ends(0, folder.path(), &["scene", "generate", "sphere-flake", "--level", level, "-o", "flake.json"]);
         let (out, warnings) = ends(0, folder.path(), &["scene", "check", "flake.json"]);
         // Its lights are beside the eye; nothing else is worth a warning.
-        let of_lights = |warning: &str| warning.contains("stands outside the field of view");
+        let of_lights = |warning: &str| warning.contains("is outside the field of view");
         assert!(warnings.lines().filter(|line| line.starts_with("warning:")).all(of_lights), "{warnings}");
         assert!(out.contains(objects), "{out}");
     }

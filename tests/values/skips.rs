@@ -188,7 +188,7 @@ fn no_set_of_rules_changes_a_bit() {
     }
 }
 
-/// Asserts that a cutoff loses no more than is said, and says how much of the bound it was at the most.
+/// Asserts that a cutoff loses no more than is said, and says how much of the bound it was at most.
 fn loses_no_more_than_is_said(scene: &mut Scene, cutoff: f64) -> f64 {
     scene.tracing.skip = Skip::ALL;
     scene.tracing.cutoff = 0.0;

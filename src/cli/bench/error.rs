@@ -48,7 +48,7 @@ pub struct ErrorBench {
     /// Draw error against time into this SVG file
     #[arg(long, alias = "svg", value_name = "FILE")]
     chart: Option<PathBuf>,
-    /// On how many threads; 0 is one a core
+    /// On how many threads; 0 is one per core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     threads: u16,
     #[command(flatten)]

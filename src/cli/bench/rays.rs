@@ -1,4 +1,4 @@
-//! `raywalk bench rays`: how many rays a second are answered.
+//! `raywalk bench rays`: how many rays per second are answered.
 
 use super::TableFormat;
 use super::machine::Machine;
@@ -16,7 +16,7 @@ use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// How many rays a second are answered, on files of rays
+/// How many rays per second are answered, on files of rays
 ///
 /// A scene is STEM.mesh (one mesh) or STEM.spheres; its rays are STEM.KIND.rays, such as STEM.primary.rays. docs/benchmarks.md has the
 /// layouts. Whole passes over a file are timed, after one that isn't; threads take rays from a queue. JSON has an object a line:

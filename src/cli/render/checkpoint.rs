@@ -143,7 +143,7 @@ fn locked(path: &Path, inputs: &Inputs, may_begin: bool) -> Result<(File, Claim)
         if lock(&file) == Lock::Taken {
             return Err(Failure::machine(format!("{}: another raywalk is at work on it", shown(path))));
         }
-        // Whoever had it locked a moment ago may have removed it: then another one is begun.
+        // The process that had it locked a moment ago may have removed it: then another one is begun.
         if is_at(&file, path).map_err(|error| cannot(&error))? {
             return Ok((file, Claim::of(path, &place_of(path))?));
         }
@@ -203,7 +203,7 @@ fn read(file: &File, path: &Path, header: &PartHeader) -> Result<Option<Found>, 
             }
             None => format!("shard {} there, {} here", theirs.shard, header.shard),
         };
-        let expected = "expected the same call, or to remove the file and begin anew";
+        let expected = "expected the same call, or to remove the file and start again";
         return Err(Failure::caller(format!("{}: is of another picture ({reason}); {expected}", shown(path))));
     }
     let mut found = Found::default();

@@ -36,7 +36,7 @@ impl Render {
         drop(place);
         let files = || picture::digest(&task.path, format, self.layers.as_ref());
         if checkpoint.is_in(files().ok()) {
-            self.tell(&task.path, "is there already");
+            self.tell(&task.path, "exists already");
             return Ok(checkpoint.spent());
         }
         let mut kept = self.render_rest(task, &header, kept, Some(&mut checkpoint))?.0;
@@ -57,7 +57,7 @@ impl Render {
     pub(super) fn part(&self, task: &Task, mut seconds: Seconds) -> Result<(), Failure> {
         let header = self.header(task, self.shard.unwrap_or(Shard::WHOLE))?;
         if is_whole(&task.path, &header) {
-            self.tell(&task.path, "is there already and whole");
+            self.tell(&task.path, "exists already and is complete");
             output::sweep_around(&task.path);
             // The run that made it may have been killed before it removed its checkpoint.
             return checkpoint::remove_left_of(&task.path, &task.inputs, || Ok(header));

@@ -24,11 +24,9 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
     let is_light_used = scene.objects.iter().any(|object| uses_light(&scene.materials[object.material]));
     let Reach { lights: is_lit, unusable, hidden, is_unweighted, pixels, is_cut_off } = reach(scene);
     let finding = |light: usize| {
-        let outside = if is_outside[light] { "; it stands outside the field of view" } else { "" };
+        let outside = if is_outside[light] { "; it is outside the field of view" } else { "" };
         let message = match (is_lit[light], unusable[light], hidden[light]) {
-            (true, ..) if is_outside[light] => {
-                "stands outside the field of view, which it lights all the same".to_owned()
-            }
+            (true, ..) if is_outside[light] => "is outside the field of view, which it lights all the same".to_owned(),
             (true, ..) => return None,
             _ if is_dark[light] => "lights nothing in view: its colour is 0 in every channel".to_owned(),
             _ if !is_light_used => {

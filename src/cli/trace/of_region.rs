@@ -33,7 +33,10 @@ impl Trace {
             && saved_log::is_whole(path, &traced.header())
         {
             if !self.progress.quiet {
-                output::tell(&format!("note: {}: is there already and whole", escape_hidden(&path.to_string_lossy())));
+                output::tell(&format!(
+                    "note: {}: exists already and is complete",
+                    escape_hidden(&path.to_string_lossy())
+                ));
             }
             output::sweep_around(path);
             return Ok(());

@@ -1,7 +1,7 @@
-//! A bounding volume hierarchy: which of many primitives a ray can meet at all.
+//! A bounding volume hierarchy (BVH): it finds the primitives that a ray may hit.
 //!
-//! It only narrows down; what passes goes to the kernel, whose decision counts. Boxes and tests are in single precision, in a space of the
-//! tree's own, and err on the side of meeting by margins that `docs/acceleration.md` derives, so that the answer is that of testing
+//! It only finds candidates; the kernels decide. Boxes and tests are in single precision, in a space of the
+//! tree's own, and are conservative by margins that `docs/acceleration.md` derives, so that the answer is that of testing
 //! everything.
 
 mod block;
@@ -57,7 +57,7 @@ pub enum Form {
         /// Its radius.
         radius: f64,
     },
-    /// Something in this box.
+    /// Any shape in this box.
     Within(Bounds),
 }
 
@@ -73,16 +73,16 @@ impl Form {
     }
 }
 
-/// What a ray asks of the tree.
+/// How a ray traverses the tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Search {
-    /// Whether near primitives are shown before far ones, roughly. Without an order the walk is quicker.
+    /// Whether near primitives come before far ones, roughly. Without an order the traversal is faster.
     pub nearest_first: bool,
-    /// Whether triangles and spheres are culled one by one. That is for kernels that certify their decisions: an arithmetic of its own
-    /// may meet what the ray passes by.
+    /// Whether triangles and spheres are culled one by one. That is for kernels that certify their decisions: in another arithmetic a ray
+    /// may hit what it misses in f64.
     pub one_by_one: bool,
-    /// Whether it reports triangles and spheres that the ray certainly crosses, so that no kernel needs to test them. For rays of which only
-    /// that is wanted, before kernels that certify.
+    /// Whether it reports triangles and spheres that the ray certainly crosses, so that no kernel needs to test them. For rays that need
+    /// only this answer, before kernels that certify.
     pub tells_sure_hits: bool,
 }
 
@@ -109,11 +109,11 @@ impl Bvh {
         self.bounds
     }
 
-    /// Shows `meet` every primitive that the ray can hit before its end, first those beside the tree, and says whether it certainly crosses it.
-    /// `meet` gives the distance up to which primitives still matter; a negative one ends the search. Returns how many boxes were tested.
+    /// Calls `meet` with every primitive that the ray may hit before its end, first those beside the tree, and with whether it certainly crosses it.
+    /// `meet` returns the distance up to which primitives still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
-    /// For a probe that uses SIMD the walk is compiled twice, for the processor's best instructions and for any processor; kernels
-    /// meet the same primitives in both, and what a probe counts is the same.
+    /// For a probe that uses SIMD the traversal is compiled twice, for the processor's best instructions and for any processor; kernels
+    /// get the same primitives in both, and a probe's counts are the same.
     #[inline(always)]
     pub fn visit<P: Probe>(
         &self,
@@ -134,7 +134,7 @@ impl Bvh {
         }
     }
 
-    /// The same for several rays, at most [`PACKET`], of which those in `rays` ask. Shows `meet` sets of rays that may hit a primitive; it sets
+    /// The same for several rays, at most [`PACKET`], of which those in `rays` take part. Calls `meet` with sets of rays that may hit a primitive; it sets
     /// the distances `limits`, up to which primitives still matter to a ray, a negative one to end its search.
     pub fn visit_together<P: Probe, S: RaySource>(
         &self,

@@ -28,7 +28,7 @@ pub struct Shaft {
 /// A walk looks at this many nodes before it gives up: proving that nothing is in the way isn't worth more.
 const MOST_NODES: usize = 24;
 
-/// The children that wait, at the most.
+/// The children that wait, at most.
 const STACK: usize = 7 * MOST_NODES + 1;
 
 /// The least rise along a normal that counts, as a part of all coordinates that it is made of: far more than all roundings.
@@ -187,7 +187,7 @@ struct LocalShaft {
     /// The middle of the light's box from P on, and half its sides.
     middle: [f32; 3],
     half: [f32; 3],
-    /// How long the way is, at the most.
+    /// How long the way is, at most.
     way: f32,
     /// Centre and radius of the light's ball from P on.
     ball: [f32; 3],

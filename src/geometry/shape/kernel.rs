@@ -1,4 +1,4 @@
-//! How a ray is tested against one kind of shape, and what the kernels of all shapes share.
+//! The trait of intersection tests, and what the kernels of all shapes share.
 
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::Doubled;
@@ -6,18 +6,18 @@ use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name, Step};
 use crate::probe::{Probe, Silent};
 
-/// What a kernel has to know beside the ray.
+/// What a kernel needs to know besides the ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Approach {
-    /// The side of this very surface on which the ray sets off, if it leaves it.
+    /// The side of this surface on which the ray starts, if it leaves it.
     pub leaving: Option<Side>,
     /// Whether the surface is absent for rays that arrive at its back.
     pub one_sided: bool,
 }
 
-/// How a ray hits one kind of shape.
+/// The intersection test of one kind of shape.
 pub trait Kernel {
-    /// The inputs, for the log.
+    /// Writes the inputs to the log.
     fn give<P: Probe>(&self, probe: &mut P);
 
     /// The first point where the ray crosses the surface.
@@ -39,7 +39,7 @@ pub trait Kernel {
         false
     }
 
-    /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
+    /// The distance of a crossing as exactly as the shape can compute it, to order crossings that f64 can't.
     fn refined(&self, _ray: &Ray, crossing: Crossing) -> Doubled {
         Doubled::from(crossing.t)
     }
@@ -93,7 +93,7 @@ pub trait Kernel {
     }
 
     /// The first point where the ray crosses object `object` of this shape.
-    // Each kernel is a function of its own: together in one they would crowd each other out of the registers.
+    // Each kernel is a function of its own: in one function they would spill each other's registers.
     #[inline(never)]
     fn first_of<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
         self.test(object, one_sided, ray, probe, |approach, probe| self.first_crossing(ray, approach, probe))?
@@ -129,14 +129,14 @@ pub trait Kernel {
         Some(probe.within(Step::Test { object, triangle: None }, |probe| body(Approach { leaving, one_sided }, probe)))
     }
 
-    /// Shows the log the crossing of a ray that begins on the surface and goes through it.
+    /// Logs the crossing of a ray that begins on the surface and goes through it.
     fn touch<P: Probe>(&self, object: u32, probe: &mut P) {
         self.give(probe);
         probe.within(Step::Test { object, triangle: None }, touched);
     }
 }
 
-/// A test whose answer is known before: the ray begins on the surface.
+/// A test with a known answer: the ray begins on the surface.
 pub(super) fn touched<P: Probe>(probe: &mut P) {
     probe.note(Name::TouchT, 0.0);
     probe.mark(Decision::Hit);

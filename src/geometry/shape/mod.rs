@@ -224,7 +224,7 @@ impl Shape {
         kernel!(self, kernel => kernel.surface_of(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
     }
 
-    /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
+    /// The distance of a crossing as exactly as the shape can compute it, to order crossings that f64 can't.
     pub(crate) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
         match self {
             Shape::Moving(moving) => moving.refined(ray, crossing),

@@ -96,7 +96,7 @@ impl Moving {
         pose.surface(own, probe)
     }
 
-    /// The distance of a crossing with as many digits as the shape can tell.
+    /// The distance of a crossing as exactly as the shape can compute it.
     pub(super) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
         let own = self.motion.at(ray.time, &mut Silent).own_ray(ray, &mut Silent);
         self.shape.refined(&own, crossing)

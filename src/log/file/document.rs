@@ -48,7 +48,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
     let mut reader = Reader::new(header);
     events(bytes, &places, &mut reader)?;
     let ending = match end {
-        _ if !is_alone => Ending::Mismatch { what: "other text stands after the document".into() },
+        _ if !is_alone => Ending::Mismatch { what: "other text follows the document".into() },
         None => Ending::Missing { incomplete_record: false },
         // The digest is that of the same log as lines.
         Some(end) => reader.check_end(&end, None),

@@ -16,7 +16,7 @@ use std::mem;
 /// A log that is read a pixel at a time.
 pub struct PixelReader<R> {
     source: Source<R>,
-    /// The pixel whose opening event was read, while its own events weren't handed on yet.
+    /// The pixel whose opening event was read, while its own events weren't passed on yet.
     opened: Option<[u32; 2]>,
     /// Known once all is read.
     ending: Option<Ending>,
@@ -35,7 +35,7 @@ enum Source<R> {
     Document {
         header: Box<Header>,
         rest: Events,
-        /// How many of them were handed on.
+        /// How many of them were passed on.
         taken: usize,
         ending: Ending,
     },

@@ -73,7 +73,7 @@ impl Ending {
                 }
             }),
             Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
-            Ending::Damaged { what } => Some(format!("the log is damaged, this is what stands before: {what}")),
+            Ending::Damaged { what } => Some(format!("the log is damaged, this is what precedes the damage: {what}")),
         }
     }
 }
@@ -126,7 +126,7 @@ pub(super) fn record(lines: &mut Lines<impl Read>, reader: &mut Reader) -> Resul
         let digest = lines.digest();
         return Ok(Some(match lines.count_rest()? {
             0 => reader.check_end(&end, Some(digest)),
-            after => Ending::Mismatch { what: format!("{after} bytes stand after its end line") },
+            after => Ending::Mismatch { what: format!("{after} bytes follow its end line") },
         }));
     }
     let before = reader.events.len();
@@ -181,7 +181,7 @@ fn header_in(&TextLine { text: line, number, is_terminated }: &TextLine) -> Resu
     Ok(header)
 }
 
-/// Whoever shows a log shows its names, so that none may hold what drives a terminal. No scene has such names.
+/// Views of a log show its names, so that none may hold control characters for a terminal. No scene has such names.
 pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
     let tracing = &header.tracing;
     let words = [&header.version, &header.arithmetic, &tracing.algorithm, &tracing.specular, &tracing.sphere_method];

@@ -28,7 +28,7 @@ pub(super) struct Reader {
     pub(super) header: Header,
     objects: Numbers,
     lights: Numbers,
-    /// Those that weren't handed on.
+    /// Those that weren't passed on.
     pub(super) events: Events,
     /// How many were.
     handed_on: usize,
@@ -84,7 +84,7 @@ impl Reader {
         }
     }
 
-    /// Hands the events on.
+    /// Passes the events on.
     pub(super) fn hand_on(&mut self) -> Events {
         if let Some(digest) = &mut self.digest {
             digest.add(&self.header, &self.events);
@@ -100,7 +100,7 @@ impl Reader {
         if end.events != events as u64 {
             return Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) };
         }
-        // Nobody asks for it behind the end.
+        // It isn't needed after the end.
         // Of what was skipped the lines can't be rewritten.
         let written_anew = self.digest.take().filter(|_| self.unknown.count == 0);
         let fits_events = || {

@@ -7,7 +7,7 @@ use std::fmt;
 /// How a log is written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Shape {
-    /// One event a line.
+    /// One event per line.
     Lines,
     /// One JSON document.
     Document,

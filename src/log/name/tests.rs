@@ -35,7 +35,7 @@ fn every_key_has_a_unit() {
     let keys: HashSet<_> = Name::all().map(Name::key).collect();
     let listed: Vec<_> = unit::pairs().map(|(key, _)| key).collect();
     let once: HashSet<_> = listed.iter().copied().collect();
-    assert_eq!(once.len(), listed.len(), "a key stands there twice");
+    assert_eq!(once.len(), listed.len(), "a key occurs twice");
     assert_eq!(keys.difference(&once).collect::<Vec<_>>(), [] as [&&str; 0], "without a unit: `name/unit.rs`");
     assert_eq!(once.difference(&keys).collect::<Vec<_>>(), [] as [&&str; 0], "no quantity has this key");
 }

@@ -94,7 +94,11 @@ pub const STEPS: &[Kind] = &[
         &[field("kind", Of::Words(kinds_of_rays)), field("depth", Of::Whole(0)), optional("light", Of::Light), SPLIT],
         "a ray and all that it brings; depth is its level in the ray tree, light that of a shadow ray, split its number among several of a kind from one place",
     ),
-    kind("motion", &[OBJECT], "a moving object is met: the ray in the object's frame, or the hit carried back from it"),
+    kind(
+        "motion",
+        &[OBJECT],
+        "a moving object is tested: the ray in the object's frame, or the hit carried back from it",
+    ),
     kind("test", &[OBJECT, TRIANGLE], "the ray is tested with an object; triangle is that of a mesh"),
     kind("shade", &[OBJECT], "the local model at the hit of the ray"),
     kind(
@@ -141,7 +145,7 @@ pub const MARKS: &[Kind] = &[
     kind(
         "subdivided",
         &[field("cell", Of::Triple), field("why", Of::Words(splits)), optional("object", Of::Object)],
-        "a cell of the pixel (left, top, side; in pixels) is cut in four; object is the one that no corner met",
+        "a cell of the pixel (left, top, side; in pixels) is cut in four; object is the one that no corner hit",
     ),
     kind(
         "accepted",

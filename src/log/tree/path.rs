@@ -107,7 +107,7 @@ impl Tree {
         found
     }
 
-    /// What a node that isn't deep hands on to those in it.
+    /// What a node that isn't deep passes on to those in it.
     fn beginning(&self, node: usize) -> Deep {
         let steps: Vec<usize> = self.steps_up(node).collect();
         let head = steps.len().checked_sub(SHOWN as usize).map_or(0, |at| steps[at]);

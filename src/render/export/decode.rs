@@ -31,7 +31,7 @@ const MOST: u64 = MAX_PICTURE_BYTES * 2;
 /// What may be unpacked beside the pixels: profiles of colours, tables.
 const MOST_BESIDE: u64 = 1 << 26;
 
-/// As many bytes come from one at the most: a match of 258 bytes takes 2 bits or more (RFC 1951).
+/// As many bytes come from one at most: a match of 258 bytes takes 2 bits or more (RFC 1951).
 const DEFLATE_RATIO: u64 = 1032;
 
 /// Where nothing bounds what a byte is unpacked to, a picture with more pixels than these has no more than this many a byte: WebP packs 4096

@@ -127,7 +127,7 @@ fn check_attributes(bytes: &[u8]) -> Result<(), PictureError> {
 fn check_packing(headers: &[Header], length: usize) -> Result<(), PictureError> {
     /// A block has its place in a table and begins with its own place and length, 16 bytes and more.
     const BYTES_PER_BLOCK: usize = 16;
-    /// As many bytes come from one at the most: a match of 258 bytes takes 2 bits or more (RFC 1951), and every other method that is read packs
+    /// As many bytes come from one at most: a match of 258 bytes takes 2 bits or more (RFC 1951), and every other method that is read packs
     /// less.
     const RATIO: usize = 1032;
     let blocks = headers.iter().fold(0, |sum: usize, header| sum.saturating_add(header.chunk_count));

@@ -35,7 +35,7 @@ pub enum Spot {
 #[derive(Debug, Default)]
 pub(super) struct Alignment {
     /// Every item of both logs in the order of A, those of B alone after what precedes them in B. A node is here only if
-    /// one log has it alone; what it holds doesn't. An input doesn't if what it hands on was computed before.
+    /// one log has it alone; what it holds doesn't. An input doesn't if what it passes on was computed before.
     pub spots: Vec<Spot>,
     /// For each of them, the node of A in which it is or would be.
     pub homes: Vec<usize>,
@@ -119,7 +119,7 @@ impl Alignment {
     }
 }
 
-/// The event that computed what an input hands on.
+/// The event that computed what an input passes on.
 pub(super) fn computed(run: Run, item: Item) -> Option<usize> {
     let Item::Input(event, number) = item else { return None };
     let (name, value) = run.log.given(event)[number];

@@ -18,7 +18,7 @@ pub struct Summary {
     pub pixels_only_in_b: usize,
     /// How many values both logs have, inputs among them.
     pub values: usize,
-    /// How many of them differ by more than is let pass.
+    /// How many of them differ by more than is tolerated.
     pub differing_values: usize,
     /// How many decisions differ.
     pub decisions: usize,

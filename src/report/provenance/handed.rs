@@ -4,7 +4,7 @@ use super::noted;
 use crate::log::scope::{self, Child};
 use crate::log::{Log, Name, Step, Term, Tree, Value};
 
-/// The event that computed the input `name` of `event`; `None` for what the scene states. A value that was handed on has the same
+/// The event that computed the input `name` of `event`; `None` for what the scene states. A value that was passed on has the same
 /// bits, and nothing else counts.
 pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -> Option<usize> {
     let node = tree.owner(event);
@@ -24,7 +24,7 @@ pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -
     noted(&log.events[found]).filter(|(_, source)| source.same_bits(value)).map(|_| found)
 }
 
-/// Whether a quantity of this symbol may be handed on as that input: asked before anything is looked for.
+/// Whether a quantity of this symbol may be passed on as that input: asked before anything is looked for.
 pub(super) fn may_come_from(input: Name, symbol: &str) -> bool {
     match input {
         Name::RayOrigin => symbol == "P",

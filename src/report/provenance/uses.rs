@@ -10,7 +10,7 @@ use std::ops::Range;
 ///
 /// Only some events can: a value is seen in the rest of its own node, where no later one of its symbol hides it; from an
 /// intersection test also in the rest of the ray that hits there; from a light also in the sum of its surface; and what a node
-/// hands on, in the node around it. Each is gone through once, and a node whose inputs hide the value is skipped whole, so
+/// passes on, in the node around it. Each is gone through once, and a node whose inputs hide the value is skipped whole, so
 /// that a log of a million events takes milliseconds.
 pub fn uses(log: &Log, tree: &Tree, event: usize, most: usize) -> Vec<usize> {
     let Some((name, _)) = log.events.get(event).and_then(noted) else { return Vec::new() };

@@ -77,7 +77,7 @@ enum Kind {
 
 /// What is in a section.
 enum Item {
-    /// Inputs that the problem states, or that another step hands on.
+    /// Inputs that the problem states, or that another step passes on.
     Given(Vec<(Name, Value, Option<usize>)>),
     /// Values computed one after the other, by their events.
     Equations(Vec<usize>),

@@ -136,7 +136,7 @@ fn wrong_data(text: &str, mistake: &Mistake) -> (Range<usize>, KeyPath, String) 
                 path.push(name.to_string());
             }
             let second = key_span(locate_repeated(text, &path, 1));
-            let message = format!("the key `{}` stands twice, expected it once", shortened(name, QUOTED));
+            let message = format!("the key `{}` occurs twice, expected it once", shortened(name, QUOTED));
             (second, path, message)
         }
         Complaint::Length { found, expected } => {

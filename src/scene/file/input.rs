@@ -19,7 +19,7 @@ const BEGINNING: u64 = 512;
 /// The name that standard input has in messages.
 pub const STANDARD_INPUT: &str = "<stdin>";
 
-/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is packed by gzip or zstd is
+/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is compressed with gzip or zstd is
 /// unpacked.
 ///
 /// # Errors
@@ -38,7 +38,7 @@ pub struct Wanted {
     pub max_bytes: u64,
 }
 
-/// An opened file, or standard input, unpacked if it is packed by gzip or zstd.
+/// An opened file, or standard input, unpacked if it is compressed with gzip or zstd.
 pub struct Opened {
     wanted: Wanted,
     name: String,
@@ -168,7 +168,7 @@ impl Opened {
         if bytes.len() as u64 <= most {
             return Ok(bytes);
         }
-        let found = if self.packing.is_some() { "found more when unpacked" } else { "found more" };
+        let found = if self.packing.is_some() { "found more when decompressed" } else { "found more" };
         Err(self.wanted.too_large(&self.name, found))
     }
 
@@ -354,7 +354,7 @@ mod tests {
     fn a_bomb_ends_at_the_limit() {
         let bomb = packed(&vec![b' '; 1 << 20]);
         assert!(bomb.len() < 2000);
-        let message = "too large, expected at most 1000 bytes, found more when unpacked";
+        let message = "too large, expected at most 1000 bytes, found more when decompressed";
         assert_eq!(read_packed(bomb.clone(), 1000), Err(message.to_string()));
         assert_eq!(read_packed(bomb, 1 << 20).map(|bytes| bytes.len()), Ok(1 << 20));
     }

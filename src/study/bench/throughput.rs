@@ -1,4 +1,4 @@
-//! How many rays a second are answered: whole passes over the rays of a file, which threads take from a queue.
+//! How many rays per second are answered: whole passes over the rays of a file, which threads take from a queue.
 
 use super::Spread;
 use super::clock::{Lap, timed};

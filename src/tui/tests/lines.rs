@@ -53,7 +53,7 @@ fn commands() {
         ("serach x", "did you mean :search?"),
         ("b", "may be :bookmark LETTER, :bookmarks, :break CONDITION"),
         ("xyzzy", "expected a step or a command: :bookmark LETTER"),
-        ("quit now", "nothing stands behind :quit"),
+        ("quit now", "nothing may follow :quit"),
         ("break object x", "no object"),
     ] {
         line(&mut model, ":", text);

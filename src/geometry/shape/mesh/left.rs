@@ -23,7 +23,7 @@ pub(super) struct LeftTriangle {
     sets_off: Option<Side>,
 }
 
-/// How far from a triangle, as a part of its size, an origin may lie that belongs to it. Whoever asks about a ray that is
+/// How far from a triangle, as a part of its size, an origin may lie that belongs to it. A caller with a ray that is
 /// said to leave a triangle and begins elsewhere gets the answer for where it begins.
 const NEARBY: f64 = 1.0 / (1 << 20) as f64;
 

@@ -12,7 +12,7 @@ texts! {
     last_step: fn(usize) -> String =
         |count| format!("there are {count} steps; this is the last"),
         |count| format!("hay {count} pasos; este es el último");
-    /// Nobody would let the viewer go on.
+    /// There is no job control to resume the viewer.
     no_shell: Text = "there is no shell to go to", "no hay intérprete de órdenes al que ir";
     /// A saved log can't be traced.
     no_scene: Text = "a saved log has no scene to trace", "un registro guardado no tiene escena que trazar";
@@ -44,7 +44,7 @@ texts! {
     tree_grows: Text =
         "the tree grows with the steps; t shows all of it",
         "el árbol crece con los pasos; t lo muestra entero";
-    /// It plays at this many steps a second, or would.
+    /// It plays at this many steps per second, or would.
     rate: fn(u32, bool) -> String =
         |rate, is_playing| {
             let steps = if rate == 1 { "step" } else { "steps" };
@@ -347,7 +347,7 @@ texts! {
     step: Text = ":42 (a step)", ":42 (un paso)";
     /// A command takes nothing.
     nothing_behind: OfName =
-        |command| format!("nothing stands behind :{command}"),
+        |command| format!("nothing may follow :{command}"),
         |command| format!("detrás de :{command} no va nada");
     /// No command is called so, but so.
     like: OfNames =

@@ -24,7 +24,7 @@ texts! {
     moves: [Text; 2] =
         ["j k move  Space fold", "j k move  Tab tree"],
         ["j k mueven  Space pliega", "j k mueven  Tab árbol"];
-    /// It plays, at this many steps a second.
+    /// It plays, at this many steps per second.
     playing: fn(u32) -> String = |rate| format!("playing {rate}/s"), |rate| format!("reproduce {rate}/s");
     /// The tree grows.
     growing: Text = "growing", "crece";

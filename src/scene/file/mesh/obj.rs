@@ -263,7 +263,7 @@ fn resolve(
     match (so_far as i64).checked_add(number) {
         // The limits keep the numbers far below 2³².
         Some(index) if index >= 0 => Ok(index as u32),
-        _ => wrong(format!("there is no vertex {number}, only {so_far} stand before it")),
+        _ => wrong(format!("there is no vertex {number}, only {so_far} precede it")),
     }
 }
 

@@ -223,7 +223,7 @@ impl File<'_> {
     fn primitive(&mut self, entity: Token, shape: Shape) -> Result<(), Mistake> {
         let fills = self.records.fills.len() as u32;
         if fills == 0 {
-            let message = format!("{} stands before the first fill, expected `f` before it", quoted(&entity));
+            let message = format!("{} comes before the first fill, expected `f` before it", quoted(&entity));
             return Err(Mistake::at(&entity, message));
         }
         if self.records.primitives.len() == MAX_PRIMITIVES {

@@ -199,7 +199,7 @@ fn values_that_make_no_sense_are_placed_too() {
         "3:18: the refractive index of a transmitting fill must be positive, found `0`",
     );
     refuses_after("b 0 0 0 b 0 0 0", "3:9: a second background `b`, expected one");
-    refuses("s 0 0 0 1", "1:1: `s` stands before the first fill, expected `f` before it");
+    refuses("s 0 0 0 1", "1:1: `s` comes before the first fill, expected `f` before it");
     refuses_after(
         "\ns 1 1 1 1 s 0 0 1e300 1",
         "4:11: objects[1].shape.sphere.center[2]: must be at most 1e100 in size, found 1e300",

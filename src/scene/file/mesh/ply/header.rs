@@ -125,7 +125,7 @@ impl Header {
                 b"element" if elements.len() < MAX_PLY_ENTRIES => {
                     let element = lines.element(keyword.start)?;
                     if elements.iter().any(|known| known.name == element.name) {
-                        let message = format!("the element `{}` stands twice, expected it once", shown(&element.name));
+                        let message = format!("the element `{}` occurs twice, expected it once", shown(&element.name));
                         return Err(Fault::wrong(element.span, message));
                     }
                     elements.push(element);

@@ -168,7 +168,7 @@ fn headers() {
     wrong_header("double x", "duoble x", "5:10: unknown type `duoble`, did you mean `double`?");
     wrong_header("double x", "double", "5:16: the line ends too early, expected the name of a property");
     wrong_header("double x", "double u", "4:1: expected the properties `x`, `y` and `z` of the element `vertex`");
-    wrong_header("double y", "double x", "6:1: the property `x` stands twice, expected it once");
+    wrong_header("double y", "double x", "6:1: the property `x` occurs twice, expected it once");
     wrong_header("double x", "list uchar double x", "5:1: expected `x` to be a number");
     wrong_header("uchar int", "uchar float", "9:1: expected `vertex_indices` to be a list of whole numbers");
     wrong_header("list uchar int", "list float int", "9:15: expected a count of whole numbers");
@@ -183,7 +183,7 @@ fn headers() {
         "element strip",
         "1:1: the file has no faces, expected an element `face` or `tristrips` in its header",
     );
-    wrong_header("element face", "element vertex", "8:1: the element `vertex` stands twice, expected it once");
+    wrong_header("element face", "element vertex", "8:1: the element `vertex` occurs twice, expected it once");
     wrong_header("element vertex 4\n", "", "4:1: expected an `element` before its properties");
     refuses(&HEADER[..37], "a.ply", "4:1: the header ends too early, expected `end_header`");
     refuses(HEADER.trim_end(), "a.ply", "10:11: the file ends with its header");
