@@ -71,7 +71,7 @@ pub struct Trace {
     /// written again
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
-    /// Where to write; standard output without it. What is named `.gz` or `.zst` is packed
+    /// Where to write; standard output without it. What is named `.gz` or `.zst` is compressed
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]

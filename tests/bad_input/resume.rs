@@ -204,7 +204,7 @@ fn frames_go_on_where_they_were_ended() {
     let told = unlimited_answer(&mut raywalk(folder.path(), &loud));
     assert_eq!(told.code, Some(0), "{}", told.message);
     // Unless it was too quick to be caught, the first frame is known.
-    assert!(is_done || told.message.contains("f1.png: is there already"), "{}", told.message);
+    assert!(is_done || told.message.contains("f1.png: exists already"), "{}", told.message);
     for name in ["f1.png", "f2.png", "f3.png"] {
         assert!(
             fs::read(folder.path().join(name)).expect("ours") == fs::read(whole.path().join(name)).expect("theirs")
