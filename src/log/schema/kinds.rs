@@ -160,7 +160,7 @@ pub const MARKS: &[Kind] = &[
             field("points", Of::Whole(1)),
             optional("object", Of::Object),
         ],
-        "so many points of an area light with `min` and `max` are asked",
+        "this many points of an area light with `min` and `max` are asked",
     ),
     kind(
         "more_samples",

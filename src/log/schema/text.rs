@@ -26,7 +26,7 @@ const LINES: &[[&str; 2]] = &[
 
 const FIELDS: &[[&str; 2]] = &[
     ["given", "inputs that the problem states, by their keys, used from this event on; no arithmetic rounds them"],
-    ["digits", "of several runs in perturbed arithmetic: so many significant digits of each component agree"],
+    ["digits", "of several runs in perturbed arithmetic: this many significant digits of each component agree"],
     ["decision_differs", "true where they don't take the same decision"],
 ];
 
