@@ -130,7 +130,7 @@ fn lights_whose_colour_leaves_nothing_are_reported_so() {
     check(
         "[0, 1, 1]",
         ball,
-        "it reaches none, or its colour and their coefficients leave nothing of any channel; it stands",
+        "it reaches none, or its colour and their coefficients leave nothing of any channel; it is outside",
     );
     for above in ["", ball] {
         check("[0, 0, 0]", above, "lights nothing in view: K_d, K_e and K_t of every surface are 0 in every channel");
