@@ -1,4 +1,4 @@
-//! How fast each method of sampling comes near the picture: the root of the mean square error against the rays a pixel.
+//! How fast each method of sampling comes near the picture: the root of the mean square error against the rays per pixel.
 //!
 //! ```text
 //! cargo bench --bench convergence

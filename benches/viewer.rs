@@ -118,7 +118,7 @@ fn timed(model: &mut Model, typed: &str) -> Duration {
     start.elapsed()
 }
 
-/// A log of at least so many events: samples of one pixel, cut off where it is long enough, as a log that breaks off is.
+/// A log of at least this many events: samples of one pixel, cut off where it is long enough, as a log that breaks off is.
 fn log_of(size: usize) -> Vec<u8> {
     let Some(mut scene) = scene("glass-and-mirror") else { return Vec::new() };
     let pixel = [200, 150];

@@ -1,8 +1,8 @@
-//! raywalk: a deterministic ray tracer whose every computed value can be walked through in the terminal.
+//! raywalk: a deterministic ray tracer. You can step through every value that it computes, in the terminal.
 //!
-//! Start reading at [`trace`], the recursion; [`probe`] is what sees its values, [`log`] is what they are recorded in.
+//! Start reading at [`trace`], the recursion. A [`probe`] sees its values; a [`log`] records them.
 //!
-//! # A pixel, traced and pinned
+//! # Tracing a pixel and pinning it in a test
 //!
 //! ```
 //! use raywalk::glam::DVec3;

@@ -11,6 +11,6 @@ static ALLOCATOR: Allocator = Allocator::new(cli::MACHINE);
 
 fn main() -> ExitCode {
     give_back_large_pieces();
-    // A panic is a bug of ours; its message is out, and scripts that tell exit codes apart needn't know another one.
+    // A panic is a bug of ours; its message is out, and scripts needn't know another exit code.
     catch_unwind(cli::run).unwrap_or(ExitCode::from(cli::MACHINE))
 }

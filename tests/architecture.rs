@@ -1,4 +1,4 @@
-//! The rules of the house, read off the source text: which room may know which, who does input and output, and what no
+//! The rules of the architecture, read off the source text: which module may know which, who does input and output, and what no
 //! code of ours does. `docs/architecture.md` says why.
 
 mod support {
@@ -8,13 +8,13 @@ mod support {
 use std::collections::BTreeSet;
 use support::source::{SourceFile, files_below, program};
 
-/// The rooms, from the ground up: each may import those before it.
-const ROOMS: &[&str] = &[
+/// The top-level modules, lowest first: each may import those before it.
+const MODULES: &[&str] = &[
     "threads", "log", "random", "probe", "geometry", "scene", "trace", "sampling", "record", "render", "report",
     "study", "tui", "cli",
 ];
 
-/// Rooms and parts of rooms that may import less than all that lies below them.
+/// Modules that may import less than all that lies below them.
 const NARROW: &[(&str, &[&str])] = &[
     // A log knows no geometry: it can be read by a program that has none.
     ("log", &["log"]),
@@ -32,11 +32,11 @@ const NARROW: &[(&str, &[&str])] = &[
 /// Where input and output happen.
 const DOORS: &[&str] = &["main.rs", "cli/", "scene/file/", "log/file/", "render/export/", "tui/terminal.rs"];
 
-/// Files of the viewer with texts of their own: the comparison of two logs, which is told in English all through, pictures in SVG, and
+/// Files of the viewer with texts of their own: the comparison of two logs, which is in English throughout, pictures in SVG, and
 /// what `Debug` writes.
 const OWN_PROSE: &[&str] = &["tui/beside/view.rs", "tui/screenshot.rs", "tui/picture.rs", "tui/drawing.rs"];
 
-/// What input and output look like. Its error type may travel through the house.
+/// What input and output look like. Its error type may be used everywhere.
 const INPUT_AND_OUTPUT: &[&str] = &[
     "std::fs",
     "std::net",
@@ -79,36 +79,36 @@ const HIDING: &[&str] = &[
 const OWN_EXPECT: &[&str] = &["log/formula.rs", "scene/file/strict.rs"];
 
 #[test]
-fn a_room_imports_only_rooms_below_it() {
-    let rank = |room: &str| ROOMS.iter().position(|known| *known == room);
+fn a_module_imports_only_modules_below_it() {
+    let rank = |module: &str| MODULES.iter().position(|known| *known == module);
     let mut wrong = Vec::new();
     let mut seen = BTreeSet::new();
     for file in program() {
-        let Some(room) = room_of(&file) else { continue };
-        let Some(own) = rank(&room) else {
-            wrong.push(format!("{}: the room `{room}` has no place in the order", file.path));
+        let Some(module) = module_of(&file) else { continue };
+        let Some(own) = rank(&module) else {
+            wrong.push(format!("{}: the module `{module}` has no place in the order", file.path));
             continue;
         };
         for (at, path) in file.imports() {
             let Some(other) = path.first() else { continue };
             if rank(other).is_none_or(|other| other > own) {
-                wrong.push(format!("{}: `{room}` imports `{}`", file.place(at), path.join("::")));
+                wrong.push(format!("{}: `{module}` imports `{}`", file.place(at), path.join("::")));
             }
-            seen.insert((room.clone(), other.clone()));
+            seen.insert((module.clone(), other.clone()));
         }
     }
-    assert_none("imports against the order of the rooms", &wrong);
+    assert_none("imports against the order of the modules", &wrong);
     // What the scanner must have seen, if it sees at all.
-    for (room, other) in [("trace", "geometry"), ("geometry", "log"), ("report", "log"), ("cli", "record")] {
+    for (module, other) in [("trace", "geometry"), ("geometry", "log"), ("report", "log"), ("cli", "record")] {
         assert!(
-            seen.contains(&(room.to_owned(), other.to_owned())),
-            "{room} imports {other}, and the scanner is blind"
+            seen.contains(&(module.to_owned(), other.to_owned())),
+            "{module} imports {other}, and the scanner is blind"
         );
     }
 }
 
 #[test]
-fn narrow_rooms_import_only_what_they_may_know() {
+fn narrow_modules_import_only_what_they_may_know() {
     let mut wrong = Vec::new();
     for file in program() {
         for (part, allowed) in NARROW.iter().filter(|(part, _)| is_in(&file.path, part)) {
@@ -120,14 +120,14 @@ fn narrow_rooms_import_only_what_they_may_know() {
             }
         }
     }
-    assert_none("imports that a room must not know", &wrong);
+    assert_none("imports that a module must not know", &wrong);
 }
 
 #[test]
-fn only_doors_do_input_and_output() {
+fn only_listed_modules_do_input_and_output() {
     let is_door = |file: &SourceFile| DOORS.iter().any(|door| file.path.starts_with(door));
     let (doors, inside): (Vec<_>, Vec<_>) = program().into_iter().partition(is_door);
-    assert_none("input and output inside the house", &occurrences(&inside, INPUT_AND_OUTPUT));
+    assert_none("input and output outside the listed modules", &occurrences(&inside, INPUT_AND_OUTPUT));
     assert!(!occurrences(&doors, INPUT_AND_OUTPUT).is_empty(), "files are read somewhere, and the scanner is blind");
 }
 
@@ -213,7 +213,7 @@ fn the_scanner_sees_code_only() {
         mod tests { use crate::tested; fn f() { { x.unwrap() } } }
         use crate::behind;
     "##;
-    let file = SourceFile::new("room/part.rs".to_owned(), text);
+    let file = SourceFile::new("module/part.rs".to_owned(), text);
     assert_eq!(paths(&file), ["seen::function", "behind"]);
     assert_none("strings and comments", &occurrences(&[file], &[".unwrap()"]));
 }
@@ -230,16 +230,16 @@ fn test_modules_with_files_of_their_own_are_no_part_of_the_program() {
 #[test]
 fn the_scanner_resolves_paths() {
     let text = "use crate::{self, a::{b, c::*,}, d as e,};\nuse super::{f, super::g};\npub(super) fn h() -> super::super::i {}";
-    let file = SourceFile::new("room/part/file.rs".to_owned(), text);
-    assert_eq!(paths(&file), ["", "a::b", "a::c", "d", "room::part::f", "room::g", "room::part", "room::i"]);
-    assert_eq!(SourceFile::new("room/part/mod.rs".to_owned(), "").module(), ["room", "part"]);
+    let file = SourceFile::new("module/part/file.rs".to_owned(), text);
+    assert_eq!(paths(&file), ["", "a::b", "a::c", "d", "module::part::f", "module::g", "module::part", "module::i"]);
+    assert_eq!(SourceFile::new("module/part/mod.rs".to_owned(), "").module(), ["module", "part"]);
     assert!(SourceFile::new("lib.rs".to_owned(), "").module().is_empty());
 }
 
 #[test]
 fn the_scanner_reads_strings() {
     let text = "f(\"one two\", '\"', r#\"a \"b\"#); // \"comment\"\nlet c = \"\\\"x\";";
-    let file = SourceFile::new("room/part.rs".to_owned(), text);
+    let file = SourceFile::new("module/part.rs".to_owned(), text);
     let strings: Vec<_> = file.strings().into_iter().map(|(_, text)| text).collect();
     assert_eq!(strings, ["one two", "a \"b", "\\\"x"]);
     assert!(is_prose("no such key") && is_prose("{x}: played to {y}"));
@@ -254,7 +254,8 @@ fn the_scanner_reads_strings() {
 
 #[test]
 fn the_scanner_finds_whole_words() {
-    let file = SourceFile::new("room/part.rs".to_owned(), "eprintln!(); MyFile::new(); File::open(); a.expect(\"b\")");
+    let file =
+        SourceFile::new("module/part.rs".to_owned(), "eprintln!(); MyFile::new(); File::open(); a.expect(\"b\")");
     assert_eq!(file.find("println!").count(), 0);
     assert_eq!(file.find("File::").count(), 1);
     assert!(states_an_invariant("\"a scene holds only numbers\")"));
@@ -262,12 +263,12 @@ fn the_scanner_finds_whole_words() {
     assert!(!states_an_invariant("MESSAGE)"));
 }
 
-/// The room of a file; `None` for the doors of library and binary.
-fn room_of(file: &SourceFile) -> Option<String> {
-    file.module().first().map(|room| (*room).to_owned())
+/// The module of a file; `None` for the roots of library and binary.
+fn module_of(file: &SourceFile) -> Option<String> {
+    file.module().first().map(|module| (*module).to_owned())
 }
 
-/// Whether a path with slashes lies in a part of the house.
+/// Whether a path with slashes lies in a part of the crate.
 fn is_in(path: &str, part: &str) -> bool {
     path.strip_prefix(part).is_some_and(|rest| rest.is_empty() || rest.starts_with(['/', '.']))
 }

@@ -110,7 +110,7 @@ pub struct Uncertified;
 
 impl Probe for Uncertified {
     const IS_SILENT: bool = Silent::IS_SILENT;
-    const IS_HURRIED: bool = Silent::IS_HURRIED;
+    const USES_SIMD: bool = Silent::USES_SIMD;
 
     #[inline(always)]
     fn certifies(&self) -> bool {

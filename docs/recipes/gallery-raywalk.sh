@@ -6,8 +6,9 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 raywalk render table-top --size 560x420 --sampling adaptive:threshold=0.02,depth=4 -q -o "$folder/table-top.png"
+raywalk render glass-and-mirror --size 480x360 --sampling adaptive:threshold=0.02,depth=3 -q -o "$folder/glass-and-mirror.png"
 raywalk render glass-and-mirror --digits --size 200x150 -q -o "$folder/digits.png"
-for name in table-top digits; do
+for name in table-top glass-and-mirror digits; do
     raywalk diff "$folder/$name.png" "$pictures/$name.png"
 done
 raywalk trace figure-6 --pixel 160,120 --format svg | cmp - "$pictures/ray-tree.svg"

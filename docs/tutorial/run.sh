@@ -63,7 +63,7 @@ says causes.txt '(+0.243, +0.152, +0.140)'
 # 5 A scene of one's own
 raywalk scene check ball.json > check.txt 2> warnings.txt
 says check.txt 'ball: ok, 2 objects, 1 light, 2 materials'
-says warnings.txt 'lights[0]: stands outside the field of view, which it lights all the same'
+says warnings.txt 'lights[0]: is outside the field of view, which it lights all the same'
 sed 's/"center"/"centre"/; s/"radius": 1}/"radius": -1}/' ball.json > typos.json
 ends_with 2 raywalk scene check typos.json 2> typos.txt
 says typos.txt 'objects[1].shape.sphere.centre: unknown key `centre`, did you mean `center`?'

@@ -45,7 +45,7 @@ impl Allocator {
     }
 }
 
-// SAFETY: every call is handed on to the system's allocator as it is, and what that gives is handed back as it is.
+// SAFETY: every call is passed on to the system's allocator as it is, and what that gives is handed back as it is.
 unsafe impl GlobalAlloc for Allocator {
     #[inline]
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
@@ -91,7 +91,7 @@ pub fn attempt<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// Whether there is memory for so many bytes at this moment: asked before the work that will take them, in whose middle an allocation that
+/// Whether there is memory for this many bytes at this moment: asked before the work that will take them, in whose middle an allocation that
 /// fails could only end the program.
 pub fn has_room_for(bytes: usize) -> bool {
     attempt(|| Vec::<u8>::new().try_reserve_exact(bytes)).is_ok()

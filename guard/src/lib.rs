@@ -29,7 +29,7 @@ use std::time::Duration;
 /// Whether a thread has begun to end the program.
 static ENDING: AtomicBool = AtomicBool::new(false);
 
-/// Whether it has removed what is unfinished: all that is left is to say why, which may wait for a reader for ever.
+/// Whether it has removed what is unfinished: all that is left is to say why, which may wait for a reader forever.
 static REMOVED: AtomicBool = AtomicBool::new(false);
 
 /// Signals that end the program, until this is [given up](Endings::give_up).

@@ -12,7 +12,7 @@ use raywalk::log::file::{is_log, is_utf16};
 use raywalk::render::export::{self, Beside, MAX_PICTURE_BYTES, PictureError, READABLE, is_picture};
 use raywalk::render::part::is_part;
 use raywalk::report::diff::Tolerance;
-use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, visible};
+use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, escape_hidden};
 use raywalk_guard::Endings;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ fn more() -> String {
 }
 
 const LOGS: &str = "\
-Logs are aligned by the paths of their rays. The first divergence is told with its cause, then every value, decision and step that \
+Logs are aligned by the paths of their rays. The first divergence is reported with its cause, then every value, decision and step that \
 differs with the operands that it comes from, and how the difference grows on its way to the colour.";
 
 const MORE: &str = ". The layers that an OpenEXR has beside its colours are compared, too.
@@ -46,17 +46,17 @@ Examples:
 #[derive(Args)]
 #[command(after_long_help = more())]
 pub struct Diff {
-    /// A log or a picture, also packed by gzip or zstd; `-` for standard input
+    /// A log or a picture, also compressed with gzip or zstd; `-` for standard input
     a: PathBuf,
     /// The one that it is compared with
     b: PathBuf,
     /// Compare the values of logs as rounded to N decimals, half away from zero, and show them so
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: Option<u32>,
-    /// The absolute difference that is let pass; in integer pictures white is 1
+    /// The absolute difference that is tolerated; in integer pictures white is 1
     #[arg(long, value_name = "E", value_parser = tolerance)]
     abs: Option<f64>,
-    /// The difference that is let pass, in proportion to the largest component of the two values
+    /// The difference that is tolerated, in proportion to the largest component of the two values
     #[arg(long, value_name = "E", value_parser = tolerance)]
     rel: Option<f64>,
     /// Of logs, compare only what both have: one of them may lack pixels, steps or quantities
@@ -110,7 +110,7 @@ impl Diff {
                 if self.output.is_some() {
                     return Err(Failure::caller("--output: a heat map is made of two pictures, found two logs"));
                 }
-                // As `walk` does, it is told as text where nobody could press a key.
+                // As `walk` does, it is printed as text where there is no terminal.
                 if self.walk && has_terminal() { self.walk(a, b, colors, signals) } else { self.logs(a, b) }
             }
             (Compared::Picture(a_name, a, a_layers), Compared::Picture(b_name, b, b_layers)) => {
@@ -130,7 +130,7 @@ impl Diff {
             }
             (Compared::Log(log), Compared::Picture(picture, ..))
             | (Compared::Picture(picture, ..), Compared::Log(log)) => {
-                let log = visible(log.name());
+                let log = escape_hidden(log.name());
                 Err(Failure::caller(format!("{log} is a log and {picture} a picture; expected two of a kind")))
             }
         }
@@ -154,7 +154,7 @@ fn open(path: &Path, colors: ColorChoice) -> Result<Compared, Failure> {
     {
         return Err(refused(error));
     }
-    let name = visible(opened.name()).into_owned();
+    let name = escape_hidden(opened.name()).into_owned();
     if !is_picture(opened.beginning()) {
         return Err(Failure::caller(format!("{name}: expected a log or a picture, {}", found(opened.beginning()))));
     }

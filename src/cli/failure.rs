@@ -1,6 +1,6 @@
 //! What goes wrong, as a message and an exit code.
 
-use raywalk::scene::file::{SceneError, visible, visible_lines};
+use raywalk::scene::file::{SceneError, escape_hidden, escape_hidden_lines};
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -20,7 +20,7 @@ pub const TERMINATED: u8 = 143;
 
 /// A path as messages show it: whatever its name has in it, it is text.
 pub fn shown(path: &Path) -> String {
-    visible(&path.to_string_lossy()).into_owned()
+    escape_hidden(&path.to_string_lossy()).into_owned()
 }
 
 /// Why a command ends early.
@@ -35,12 +35,12 @@ impl Failure {
     /// The caller must change something. What a message quotes is [`shown`] where it is put in, so that it stays in its line; whatever isn't is
     /// made visible here.
     pub fn caller(message: impl Into<String>) -> Failure {
-        Failure { code: CALLER, message: visible_lines(&format!("error: {}", message.into())) }
+        Failure { code: CALLER, message: escape_hidden_lines(&format!("error: {}", message.into())) }
     }
 
     /// The machine said no.
     pub fn machine(message: impl Into<String>) -> Failure {
-        Failure { code: MACHINE, message: visible_lines(&format!("error: {}", message.into())) }
+        Failure { code: MACHINE, message: escape_hidden_lines(&format!("error: {}", message.into())) }
     }
 
     /// An exit code without a message.
@@ -80,7 +80,7 @@ impl Failure {
     /// Prints the message to standard error.
     pub fn print(&self) {
         if !self.message.is_empty() {
-            // Where standard error is closed there is nobody to tell.
+            // Where standard error is closed nothing can be reported.
             let _ = writeln!(io::stderr(), "{}", self.message);
         }
     }

@@ -2,8 +2,8 @@
 
 use super::failure::Failure;
 use super::scene_argument::Loaded;
+use raywalk::scene::file::escape_hidden;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::visible;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -50,7 +50,7 @@ pub fn frames(scene: &SceneFile, wanted: Option<FrameRange>, path: &Path) -> Res
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if first < last && !name.contains('#') {
         let expected = "expected #### in the name of the picture for the frame's number";
-        return Err(Failure::caller(format!("{option}: {expected}, found {}", visible(&name))));
+        return Err(Failure::caller(format!("{option}: {expected}, found {}", escape_hidden(&name))));
     }
     let path = |number: u32| path.with_file_name(numbered(&name, number));
     let frame = |number: u32| Frame { number, is_first: number == first, path: path(number) };

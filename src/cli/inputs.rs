@@ -101,7 +101,7 @@ struct Results {
     files: BTreeSet<File>,
 }
 
-/// What tells a file from others, whatever its names are.
+/// The identity of a file, whatever its names are.
 type File = (u64, u64);
 
 /// A place that is one result's alone, from when it is begun on; dropped without [`Claim::keep`] it is free again.

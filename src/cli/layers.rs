@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layers(Vec<Layer>);
 
-/// The files of layers that stand beside a picture, made sure of before the work begins.
+/// The files of layers that are beside a picture, made sure of before the work begins.
 pub struct Files(Vec<(Layer, PathBuf, Output)>);
 
 impl std::str::FromStr for Layers {
@@ -25,7 +25,7 @@ impl std::str::FromStr for Layers {
         for word in text.split(',') {
             let layer = word.trim().parse()?;
             if layers.contains(&layer) {
-                return Err(format!("the layer `{}` stands there twice", word.trim()));
+                return Err(format!("the layer `{}` occurs twice", word.trim()));
             }
             layers.push(layer);
         }
@@ -61,7 +61,7 @@ impl Layers {
         self.0.iter().zip(self.paths(picture, format)).map(file).collect::<Result<_, Failure>>().map(Files)
     }
 
-    /// Where they stand beside a picture; nowhere if the picture's file holds them.
+    /// Where they are beside a picture; nowhere if the picture's file holds them.
     pub fn paths(&self, picture: &Path, format: Format) -> Vec<PathBuf> {
         let path = |layer: &Layer| picture.with_extension(format!("{}.png", layer.word()));
         if format == Format::Exr { Vec::new() } else { self.0.iter().map(path).collect() }

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 const MORE: &str = "\
 The parts may be named in any order. Together they must be the whole of one picture or region: what is missing, there twice, or of another \
 scene, call or version of the program is refused (exit code 2). The result has the bytes that one run without shards would have \
-written. Parts hold the traced values: --exposure, --white and --transfer say anew how they are shown, and nothing is rendered again.
+written. Parts hold the traced values: --exposure, --white and --transfer set how they are displayed, and nothing is rendered again.
 
 Examples:
   raywalk render scene.json -o 1.part --shard 1/2
@@ -97,7 +97,7 @@ fn kind(path: &Path, opened: &Opened) -> Result<Kind, Failure> {
     }
 }
 
-/// Names of things that are missing: the first few.
+/// Names of what is missing: the first few.
 fn some_of(names: &[String]) -> String {
     const MOST: usize = 8;
     let more = names.len().saturating_sub(MOST);

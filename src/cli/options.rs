@@ -62,7 +62,7 @@ pub struct TracingOptions {
     /// Which specular term: half_vector, reflection_vector or half_vector_compensated (with four times the exponent)
     #[arg(long, value_name = "NAME", value_parser = specular)]
     pub specular: Option<SpecularForm>,
-    /// How spheres are met: robust or geometric (as the notes do it); without it what the scene says, else as the formulas are
+    /// How spheres are intersected: robust or geometric (as the notes do it); without it what the scene says, else as the formulas are
     #[arg(long, value_name = "NAME", value_parser = sphere_method)]
     pub sphere_method: Option<SphereMethod>,
     /// Which pseudocode: recursive, whitted or foley
@@ -95,7 +95,7 @@ pub struct TracingOptions {
     /// Which intersection tests a log shows
     #[arg(long, value_enum, default_value = "visited")]
     pub tests: TestsChoice,
-    /// On how many threads; 0 is one a core
+    /// On how many threads; 0 is one per core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     pub threads: u16,
     #[command(flatten)]

@@ -155,7 +155,7 @@ fn folder_of(place: &Path) -> &Path {
     place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Tells people something on standard error; where that is closed or full there is nobody to tell.
+/// Prints a message on standard error; nothing where that is closed or full.
 pub fn tell(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");
 }

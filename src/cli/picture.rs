@@ -44,7 +44,7 @@ pub struct Place {
     path: PathBuf,
     format: Format,
     output: Output,
-    /// What stands beside it.
+    /// What is beside it.
     files: Files,
 }
 
@@ -144,7 +144,7 @@ impl Place {
     }
 }
 
-/// What is said of pixels that were clipped, of so many: a warning where they are more than a tenth of the picture.
+/// What is said of clipped pixels, out of this many: a warning where they are more than a tenth of the picture.
 fn of_clipped(clipped: &Clipped, all: u64) -> Option<String> {
     let Clipped { pixels, fitting_exposure } = *clipped;
     // Rounded down, so that only a picture of which nothing is left has 100 %.

@@ -1,7 +1,8 @@
 //! How far the work is, on standard error.
 
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::fmt;
 use std::io::{self, IsTerminal, Read, Write, stderr};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -39,7 +40,7 @@ pub enum Progress {
 /// Progress as lines of JSON.
 pub struct JsonLines {
     done: u64,
-    /// `None` where nobody knows.
+    /// `None` if unknown.
     total: Option<u64>,
     started: Instant,
     last: Option<Instant>,
@@ -54,21 +55,21 @@ pub struct Reading<R> {
 impl ProgressOptions {
     /// Starts to show progress toward `total` pixels.
     pub fn start(&self, total: u64) -> Progress {
-        self.of(Some(total), true, "{bar:40} {percent:>3} %  {elapsed} gone, {eta} left")
+        self.of(Some(total), true, "{bar:40} {percent:>3} %  {spent} elapsed, {rest} left")
     }
 
-    /// Shows how much of a file has been read; `size` is `None` where nobody knows.
+    /// Shows how much of a file has been read; `size` is `None` if unknown.
     pub fn reading<R: Read>(&self, input: R, size: Option<u64>) -> Reading<R> {
-        /// Less is read before anybody could see the bar.
+        /// Less is read too fast for a bar.
         const MUCH: u64 = 8 << 20;
         let template = match size {
-            Some(_) => "reading {bar:40} {percent:>3} %  {eta} left",
+            Some(_) => "reading {bar:40} {percent:>3} %  {rest} left",
             None => "reading {bytes}",
         };
         Reading { input, progress: self.of(size, size.is_none_or(|size| size >= MUCH), template) }
     }
 
-    /// Progress toward `total`; work that takes `long` is shown unless somebody asked for something else.
+    /// Progress toward `total`; work that takes `long` is shown unless the options say otherwise.
     fn of(&self, total: Option<u64>, is_long: bool, template: &str) -> Progress {
         let shows_bar = match self.progress {
             _ if self.quiet => false,
@@ -84,8 +85,23 @@ impl ProgressOptions {
             return Progress::Hidden;
         }
         let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::stderr());
-        bar.set_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        let style = style.with_key("spent", |state: &ProgressState, text: &mut dyn fmt::Write| {
+            let _ = text.write_str(&duration(state.elapsed()));
+        });
+        bar.set_style(style.with_key("rest", |state: &ProgressState, text: &mut dyn fmt::Write| {
+            let _ = text.write_str(&duration(state.eta()));
+        }));
         Progress::Bar(bar)
+    }
+}
+
+/// A duration in whole seconds, or from two minutes on in minutes, from two hours on in hours.
+fn duration(time: Duration) -> String {
+    match time.as_secs() {
+        seconds @ ..120 => format!("{seconds} s"),
+        seconds @ 120..7200 => format!("{} min", seconds / 60),
+        seconds => format!("{} h", seconds / 3600),
     }
 }
 
@@ -136,12 +152,24 @@ impl JsonLines {
             self.last = Some(Instant::now());
             let seconds = self.started.elapsed().as_secs_f64();
             let total = self.total.map_or("null".to_owned(), |total| total.to_string());
-            // Nobody reads a closed standard error.
+            // A closed standard error is no failure.
             let _ = writeln!(
                 stderr(),
                 "{{\"progress\":{{\"done\":{},\"total\":{total},\"seconds\":{seconds:.3}}}}}",
                 self.done
             );
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn durations_have_a_unit_of_their_size() {
+        let seconds = |count| duration(Duration::from_secs(count));
+        assert_eq!([0, 86, 119].map(seconds), ["0 s", "86 s", "119 s"]);
+        assert_eq!([120, 7199, 7200].map(seconds), ["2 min", "119 min", "2 h"]);
     }
 }

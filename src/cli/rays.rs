@@ -9,7 +9,7 @@ use glam::DVec3;
 use raywalk::geometry::{Leaving, Side};
 use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
-use raywalk::scene::file::{suggest, visible, visible_json};
+use raywalk::scene::file::{escape_hidden, escape_hidden_json, suggest};
 use raywalk::trace::query::{Answer, Query};
 use raywalk_guard::stdin_was_closed;
 use serde::{Deserialize, Serialize};
@@ -42,7 +42,7 @@ pub struct Rays {
     tracing: TracingOptions,
 }
 
-/// The longest line that is read, in bytes. A longer one is answered with an error and passed over.
+/// The longest line that is read, in bytes. A longer one is answered with an error and skipped.
 const MAX_LINE_BYTES: u64 = 64 * 1024;
 
 #[derive(Deserialize)]
@@ -117,7 +117,7 @@ impl Rays {
             }
             let written = if kept { self.answer(&scene, &names, &line, &mut out) } else { too_long(&mut out) };
             written.map_err(|error| Failure::stdout(&error))?;
-            // Somebody may wait for each answer: nothing is kept back while nothing more has come in.
+            // A reader may wait for each answer: output is flushed while no more input has arrived.
             if input.buffer().is_empty() {
                 out.flush().map_err(|error| Failure::stdout(&error))?;
             }
@@ -141,7 +141,7 @@ impl Rays {
             }
         };
         // The id is written as it came, and whatever was quoted of a line as well.
-        out.write_all(visible_json(&serde_json::to_string(&Reply { id, reply })?).as_bytes())?;
+        out.write_all(escape_hidden_json(&serde_json::to_string(&Reply { id, reply })?).as_bytes())?;
         out.write_all(b"\n")
     }
 }
@@ -165,10 +165,10 @@ impl Question<'_> {
                 Some(_) => Err("from_primitive: expected `from` too, the object that has it".to_owned()),
             };
         };
-        let shown = visible(name);
+        let shown = escape_hidden(name);
         let Some(object) = names.get(name.as_str()) else {
             let meant = suggest(name, names.keys().copied());
-            let hint = meant.map_or_else(String::new, |meant| format!(", did you mean `{}`?", visible(meant)));
+            let hint = meant.map_or_else(String::new, |meant| format!(", did you mean `{}`?", escape_hidden(meant)));
             return Err(format!("from: no object is called `{shown}`{hint}"));
         };
         let primitive = match (scene.objects[*object as usize].shape.triangle_count(), self.from_primitive) {
@@ -224,12 +224,12 @@ fn unusable(line: &[u8], error: &serde_json::Error) -> String {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("expected one of `{}`", KEYS.join("`, `")),
             };
-            format!("column {}: unknown key `{}`, {known}", error.column(), visible(name))
+            format!("column {}: unknown key `{}`, {known}", error.column(), escape_hidden(name))
         }
         None if said.contains("struct Question") => {
             let found = String::from_utf8_lossy(line.trim_ascii());
             let start: String = found.chars().take(20).collect();
-            format!("expected an object, {{\"o\": [x, y, z], \"d\": [x, y, z]}}, found `{}`", visible(&start))
+            format!("expected an object, {{\"o\": [x, y, z], \"d\": [x, y, z]}}, found `{}`", escape_hidden(&start))
         }
         None => said,
     }

@@ -46,7 +46,7 @@ impl Traced<'_> {
         region::pixels_of(self.region, self.shard.unwrap_or(Shard::WHOLE))
     }
 
-    /// Writes the log; `advance` is told of each pixel.
+    /// Writes the log; `advance` is called for each pixel.
     pub fn write(&self, threads: &Threads, out: &mut Sink, advance: impl Fn()) -> io::Result<()> {
         let header = self.header();
         let mut writer = Writer::new(out, &header)?;

@@ -25,7 +25,7 @@ use raywalk::render::layers::render_layers;
 use raywalk::render::statistics::{Seconds, Statistics};
 use raywalk::render::{Counter, RenderError, Settings, TileOrder, render};
 use raywalk::scene::Scene;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -33,7 +33,7 @@ use std::time::Instant;
 /// Render a picture.
 #[derive(Args)]
 pub struct Render {
-    /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also compressed with gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
     /// The picture: .png, .ppm, .bmp, .tga, .qoi, .tiff, .jpg, .webp, .pfm or .exr by its ending; with --shard a part for
     /// `raywalk merge`, whatever its ending
@@ -56,7 +56,7 @@ pub struct Render {
     #[arg(long, value_name = "A-B")]
     frames: Option<FrameRange>,
     /// Render only the I-th of N shards into a part, from which `raywalk merge` makes the picture together with the others; one that
-    /// is there already and whole isn't rendered again
+    /// exists already and is complete isn't rendered again
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
     /// Keep what is rendered in FILE.checkpoint until the picture is there, and go on from there if the same call was ended early
@@ -140,7 +140,7 @@ impl Render {
         let scene = self.tracing.apply(frames::at(loaded, frame.number))?;
         seconds.build = build.elapsed().as_secs_f64();
         if let (true, false, Some(warning)) = (frame.is_first, self.progress.quiet, warning_of_sampling(&scene)) {
-            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+            output::tell(&format!("warning: {}: {warning}", escape_hidden(&self.scene.to_string_lossy())));
         }
         let settings = Settings {
             crop: self.crop_in(&scene)?,

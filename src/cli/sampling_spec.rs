@@ -22,7 +22,7 @@ pub fn sampling(text: &str) -> Result<Sampling, String> {
     sampling_or(&[], text)
 }
 
-/// The same where other words may stand instead, which the caller reads and the error names, too.
+/// The same where other words are allowed instead, which the caller reads and the error names, too.
 pub fn sampling_or(others: &[&str], text: &str) -> Result<Sampling, String> {
     let (method, parameters) = text.split_once(':').map_or((text, None), |(method, rest)| (method, Some(rest)));
     let Some((_, form)) = FORMS.iter().find(|(word, _)| *word == method) else {
@@ -65,7 +65,7 @@ pub fn sampling_or(others: &[&str], text: &str) -> Result<Sampling, String> {
     }
 }
 
-/// What stands behind the method.
+/// What follows the method.
 struct Parameters<'t> {
     form: &'static str,
     text: Option<&'t str>,
@@ -92,7 +92,7 @@ impl<'t> Parameters<'t> {
                 return Err(unknown("parameter", name, &names));
             };
             if values[index].replace(value).is_some() {
-                return Err(format!("`{name}` stands there twice, expected {}", self.form));
+                return Err(format!("`{name}` occurs twice, expected {}", self.form));
             }
         }
         let mut found = [""; N];
@@ -159,10 +159,7 @@ mod tests {
             "adaptive:treshold=0.1,depth=3",
             "unknown parameter `treshold`, expected threshold, depth; did you mean `threshold`?",
         );
-        refuses(
-            "adaptive:depth=1,depth=2,threshold=0",
-            "`depth` stands there twice, expected adaptive:threshold=T,depth=D",
-        );
+        refuses("adaptive:depth=1,depth=2,threshold=0", "`depth` occurs twice, expected adaptive:threshold=T,depth=D");
         refuses("adaptive:threshold=nan,depth=3", "threshold: expected a number, found `nan`");
         refuses("adaptive:threshold=0.1,depth=1.5", "depth: expected a whole number, found `1.5`");
         refuses("adaptive:threshold=-1,depth=3", "adaptive.threshold: must be 0 or more, found -1");

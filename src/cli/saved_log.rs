@@ -5,7 +5,7 @@ use super::progress::ProgressOptions;
 use raywalk::log::file::{self, Ending, LogError, PixelReader};
 use raywalk::log::{Header, Log};
 use raywalk::report::forms;
-use raywalk::scene::file::{Opened, Wanted, visible};
+use raywalk::scene::file::{Opened, Wanted, escape_hidden};
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
@@ -18,13 +18,13 @@ pub struct Saved {
     pub name: String,
     /// The log.
     pub log: Log,
-    /// Whether it is damaged or was cut off, which is told in any case.
+    /// Whether it is damaged or was cut off, which is always reported.
     pub ending: Ending,
 }
 
 /// Reads a log.
 pub fn read(opened: Opened, progress: &ProgressOptions) -> Result<Saved, Failure> {
-    let name = visible(opened.name()).into_owned();
+    let name = escape_hidden(opened.name()).into_owned();
     let size = opened.size();
     let input = progress.reading(opened.stream(MAX_LOG_BYTES), size);
     let mut read = file::read_from(input).map_err(|error| failure(&name, &error))?;
@@ -32,7 +32,7 @@ pub fn read(opened: Opened, progress: &ProgressOptions) -> Result<Saved, Failure
     Ok(Saved { name, log: read.log, ending: read.ending })
 }
 
-/// Whether the whole log with this header stands in a file.
+/// Whether the whole log with this header is in a file.
 pub fn is_whole(path: &Path, header: &Header) -> bool {
     if path == Path::new("-") || !path.is_file() {
         return false;
@@ -48,7 +48,7 @@ pub fn is_whole(path: &Path, header: &Header) -> bool {
 
 /// A log was named with options that only a scene has a use for.
 pub fn is_traced_already(opened: &Opened) -> Failure {
-    let name = visible(opened.name());
+    let name = escape_hidden(opened.name());
     Failure::caller(format!("{name}: is a log, which is traced already; expected no options of tracing"))
 }
 

@@ -8,7 +8,7 @@ use super::options::{ColorChoice, NffOptions};
 use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
-use raywalk::scene::file::{SceneFile, schema, visible};
+use raywalk::scene::file::{SceneFile, escape_hidden, schema};
 use raywalk::scene::{Formulas, build_with, builtin, generate};
 use std::path::{Path, PathBuf};
 
@@ -60,7 +60,7 @@ pub enum Generated {
 /// The scene of a command.
 #[derive(Args)]
 pub struct Named {
-    /// A scene file (JSON or NFF, also packed by gzip or zstd), `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also compressed with gzip or zstd), `-` for standard input, or a built-in scene
     scene: PathBuf,
     #[command(flatten)]
     nff: NffOptions,
@@ -85,7 +85,7 @@ impl SceneCommand {
                 let import = scene.nff.import();
                 let loaded = scene_argument::scene(&input, &import, colors)?;
                 let Loaded { scene: file, meshes, .. } = loaded;
-                let name = visible(&file.name).into_owned();
+                let name = escape_hidden(&file.name).into_owned();
                 let counted = |count: usize, what| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
                 let counts = [
                     counted(file.objects.len(), "object"),
@@ -140,7 +140,7 @@ fn warn_of_meshes(file: &SceneFile, scene: &Path, output: Option<&Path>) {
     });
     let paths = scene_argument::mesh_paths(file);
     if !stays && !paths.is_empty() {
-        let list = paths.iter().map(|path| format!("`{}`", visible(path))).collect::<Vec<_>>().join(", ");
+        let list = paths.iter().map(|path| format!("`{}`", escape_hidden(path))).collect::<Vec<_>>().join(", ");
         output::tell(&format!(
             "warning: the meshes {list} are looked for beside the scene that is written: copy them there"
         ));

@@ -11,7 +11,7 @@ use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self, Problem, SceneError, Source, visible};
+use raywalk::scene::file::{self, Problem, SceneError, Source, escape_hidden};
 use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -65,7 +65,7 @@ pub fn built_in(name: &str) -> Result<Input, Failure> {
     Ok(Input { bytes: text.as_bytes().to_vec(), name: format!("{name}.json"), path: None })
 }
 
-/// What an argument names, as far as its beginning tells.
+/// What an argument names, judged by its beginning.
 pub enum Named {
     /// A scene, or what was meant to be one.
     Scene(Input),
@@ -95,7 +95,7 @@ pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
 /// The file that the argument names; `None` if it names no file.
 fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, Failure> {
     let refused = |error: SceneError| Failure::scene(&error, is_colored(colors));
-    // What can't be told from a file is no built-in scene.
+    // What may be a file is no built-in scene.
     let is_path = argument == Path::new("-")
         || file::is_there(argument).map_err(|source| {
             let file = argument.to_string_lossy().into_owned();
@@ -107,7 +107,7 @@ fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, 
 fn whole(opened: file::Opened, argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
     let name = opened.name().to_owned();
     if let Some(what) = no_scene(opened.beginning()) {
-        return Err(Failure::caller(format!("{}: expected a scene, found {what}", visible(&name))));
+        return Err(Failure::caller(format!("{}: expected a scene, found {what}", escape_hidden(&name))));
     }
     let bytes = opened.bytes().map_err(|error| Failure::scene(&error, is_colored(colors)))?;
     Ok(Input { bytes, name, path: Some(argument.to_owned()) })
@@ -167,5 +167,5 @@ fn nothing_of(name: &str) -> Failure {
         None if name.contains(['.', '/', '\\']) => String::new(),
         None => format!("; the built-in scenes are {}", builtin::names().collect::<Vec<_>>().join(", ")),
     };
-    Failure::caller(format!("{}: no such file or built-in scene{hint}", visible(name)))
+    Failure::caller(format!("{}: no such file or built-in scene{hint}", escape_hidden(name)))
 }

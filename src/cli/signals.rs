@@ -18,7 +18,7 @@ pub fn leave_on_signals() -> io::Result<Endings> {
     Endings::on(leaving.chain((!ignores_hang_up()).then_some((SIGHUP, HUNG_UP))))
 }
 
-/// Whether the program was started so as to outlive its terminal, by `nohup`. Unknown where the system doesn't tell.
+/// Whether the program was started so as to outlive its terminal, by `nohup`. Unknown where the system doesn't say.
 fn ignores_hang_up() -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

@@ -6,7 +6,7 @@ use super::options::ColorChoice;
 use super::output;
 use super::scene_argument::is_colored;
 use clap::{Args, ValueEnum};
-use raywalk::scene::file::{MAX_BYTES, Wanted, visible, visible_json};
+use raywalk::scene::file::{MAX_BYTES, Wanted, escape_hidden, escape_hidden_json};
 use raywalk::study::stress::{self, Family, Way};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -50,10 +50,10 @@ impl Stress {
             };
         }
         let table = stress::table(&families, &Way::others(self.decimals))
-            .map_err(|error| Failure::caller(visible(&error).into_owned()))?;
+            .map_err(|error| Failure::caller(escape_hidden(&error).into_owned()))?;
         let text = match self.format {
-            ReportFormat::Text => table.text(|name| visible(name).into_owned()),
-            ReportFormat::Json => visible_json(&table.json()).into_owned(),
+            ReportFormat::Text => table.text(|name| escape_hidden(name).into_owned()),
+            ReportFormat::Json => escape_hidden_json(&table.json()).into_owned(),
         };
         output::print(text.as_bytes())?;
         Ok(table.holds())
@@ -73,14 +73,14 @@ fn answers(families: &[Family]) -> Result<(String, usize), Failure> {
     let mut unanswered = 0;
     for family in families {
         let answers = stress::answers(family)
-            .map_err(|error| Failure::caller(visible(&format!("{}: {error}", family.family)).into_owned()))?;
+            .map_err(|error| Failure::caller(escape_hidden(&format!("{}: {error}", family.family)).into_owned()))?;
         for (case, out) in family.cases.iter().zip(answers) {
             let line = match out {
                 Ok(out) => json!({"id": case.id, "out": out}),
                 Err(error) => json!({"id": case.id, "error": error}),
             };
             unanswered += usize::from(line.get("error").is_some());
-            text.push_str(&visible_json(&line.to_string()));
+            text.push_str(&escape_hidden_json(&line.to_string()));
             text.push('\n');
         }
     }
@@ -90,5 +90,5 @@ fn answers(families: &[Family]) -> Result<(String, usize), Failure> {
 fn read(path: &Path, colors: ColorChoice) -> Result<Family, Failure> {
     let text = Wanted { what: "a file of cases", max_bytes: MAX_BYTES }.read(path);
     let text = text.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    stress::parse(&text).map_err(|error| Failure::caller(format!("{}: {}", shown(path), visible(&error))))
+    stress::parse(&text).map_err(|error| Failure::caller(format!("{}: {}", shown(path), escape_hidden(&error))))
 }

@@ -8,16 +8,16 @@ use clap::{Args, ValueEnum};
 use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
 use raywalk::scene::file::nff::Import;
-use raywalk::scene::file::{Wanted, visible, visible_json, visible_lines};
+use raywalk::scene::file::{Wanted, escape_hidden, escape_hidden_json, escape_hidden_lines};
 use raywalk::study::textbook::{self, Checked, Example, MAX_TABLE_BYTES, TableError, Worked};
 use std::path::{Path, PathBuf};
 
 /// Show a worked example, such as the numeric example of the source text, or check one of your own
 ///
 /// With `--with` a table of comma-separated values is checked: `quantity` is a name of the log such as sphere.t2_a, `printed` a number
-/// or a triple "(x, y, z)"; of colours red alone may stand there. Each value is recomputed by hand, with three decimals, from the
+/// or a triple "(x, y, z)"; of colours red alone is enough. Each value is recomputed by hand, with three decimals, from the
 /// values that the table has before it. The first row of a name is its first occurrence, the second its second; where that
-/// leaves a choice, a column `path` names the ray (C, C R, C R S1). Rows without a printed value are passed over.
+/// leaves a choice, a column `path` names the ray (C, C R, C R S1). Rows without a printed value are skipped.
 #[derive(Args)]
 pub struct Textbook {
     /// Which example: that of the source text, or a second one with refraction, total reflection and an attenuated shadow
@@ -61,9 +61,9 @@ impl Textbook {
             inputs::reads([path]);
             let checked = check(path, example, &scene, colors)?;
             let text = match self.format {
-                TableFormat::Text => visible_lines(&checked.text()),
-                TableFormat::Json => visible_json(&checked.json()).into_owned(),
-                TableFormat::Markdown => visible_lines(&checked.markdown()),
+                TableFormat::Text => escape_hidden_lines(&checked.text()),
+                TableFormat::Json => escape_hidden_json(&checked.json()).into_owned(),
+                TableFormat::Markdown => escape_hidden_lines(&checked.markdown()),
             };
             output::print(text.as_bytes())?;
             return Ok(checked.departures().next().is_none());
@@ -92,7 +92,7 @@ fn check(path: &Path, example: Example, scene: &Scene, colors: ColorChoice) -> R
     let text = wanted.read(path).map_err(|error| Failure::scene(&error, scene_argument::is_colored(colors)))?;
     let said = |error: &TableError, hint: &str| {
         let name = path.to_string_lossy();
-        Failure::caller(format!("{}: {}{hint}", visible(&name), visible(&error.to_string())))
+        Failure::caller(format!("{}: {}{hint}", escape_hidden(&name), escape_hidden(&error.to_string())))
     };
     let worked = Worked::parse(&text).map_err(|error| said(&error, ""))?;
     let error = match worked.check(scene) {

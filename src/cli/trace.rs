@@ -24,7 +24,7 @@ use raywalk::report::segments::Segment;
 use raywalk::report::{Style, lines};
 use raywalk::scene::Scene;
 use raywalk::scene::file::validate::limits::{MAX_COORDINATE, MIN_LENGTH};
-use raywalk::scene::file::{unpacked_name, visible};
+use raywalk::scene::file::{escape_hidden, unpacked_name};
 use raywalk::study::rounding::Rounding;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 /// Write the log of a pixel, a ray or a region, or views of it.
 #[derive(Args)]
 pub struct Trace {
-    /// A scene file (JSON or NFF, also packed by gzip or zstd), a saved log, `-` for standard input, or a built-in scene
+    /// A scene file (JSON or NFF, also compressed with gzip or zstd), a saved log, `-` for standard input, or a built-in scene
     #[arg(value_name = "SCENE or LOG")]
     scene: PathBuf,
     #[command(flatten)]
@@ -43,14 +43,14 @@ pub struct Trace {
     /// What to write; without it ndjson, and text with --causes
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<TraceFormat>,
-    /// The language of views for people (text, markdown, latex, html, dot, svg, mermaid)
+    /// The language of text views (text, markdown, latex, html, dot, svg, mermaid)
     #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
     lang: Lang,
     /// Instead of the log, show which roundings of decimal:N or f32 caused the error of the result: the result with only
     /// one quantity rounded, and with all but it, for every quantity (as text or json)
     #[arg(long)]
     causes: bool,
-    /// What dot, svg and mermaid draw: rays with all that they meet, or the calls of the algorithm (figure 9)
+    /// What dot, svg and mermaid draw: rays with all that they hit, or the calls of the algorithm (figure 9)
     #[arg(long, value_enum, value_name = "OF", default_value = "rays")]
     tree: TreeOf,
     /// Draw a close-up of one hit instead, as svg, latex or text: its vectors in their planes, the zones of a blurred bounce, or the points
@@ -61,17 +61,17 @@ pub struct Trace {
     /// that hit
     #[arg(long, value_name = "RAY", requires = "view")]
     path: Option<String>,
-    /// Decimals in views for people
+    /// Decimals in text views
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: u32,
     /// Which frame of an animation, from 1; without it the first
     #[arg(long, value_name = "K", value_parser = frames::number)]
     frames: Option<u32>,
-    /// Of a region, write only the I-th of N shards, which `raywalk merge` joins; one that is there already and whole isn't
+    /// Of a region, write only the I-th of N shards, which `raywalk merge` joins; one that exists already and is complete isn't
     /// written again
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
-    /// Where to write; standard output without it. What is named `.gz` or `.zst` is packed
+    /// Where to write; standard output without it. What is named `.gz` or `.zst` is compressed
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -94,7 +94,7 @@ pub struct Subject {
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum TraceFormat {
-    /// One event a line.
+    /// One event per line.
     Ndjson,
     /// One document.
     Json,
@@ -170,7 +170,7 @@ impl Trace {
         if names > MAX_NAMES && matches!(self.format, None | Some(TraceFormat::Ndjson | TraceFormat::Json)) {
             output::tell(&format!(
                 "warning: {}: the log names {names} objects and lights; raywalk reads logs with at most {MAX_NAMES}",
-                visible(&self.scene.to_string_lossy())
+                escape_hidden(&self.scene.to_string_lossy())
             ));
         }
         if let Some(region) = self.region {
@@ -178,7 +178,7 @@ impl Trace {
         }
         let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         if let (Part::Pixel(_), false, Some(warning)) = (part, self.progress.quiet, warning_of_sampling(&scene)) {
-            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+            output::tell(&format!("warning: {}: {warning}", escape_hidden(&self.scene.to_string_lossy())));
         }
         let arithmetic = self.tracing.arithmetic();
         if let Some(of) = self.view {

@@ -23,7 +23,7 @@ const MODE: u32 = 0o666;
 /// Folders in which files of dead processes were looked for already.
 static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// The letters by which files of this machine are told from those of others that share the folder: some network file systems keep the
+/// The letters that distinguish files of this machine from those of others that share the folder: some network file systems keep the
 /// locks of each machine apart.
 static HOST: LazyLock<String> = LazyLock::new(|| {
     let name = rustix::system::uname().nodename().to_bytes().to_vec();
@@ -49,7 +49,7 @@ impl Beside {
         let begin = |path: &Path| {
             note = Some(Unfinished::new(path));
             let file = OpenOptions::new().write(true).create_new(true).mode(mode).open(path)?;
-            // Somebody who sweeps may have been quicker: then another name is tried. Some file systems have no locks.
+            // A process that cleans up may have been faster: then another name is tried. Some file systems have no locks.
             let is_lost = lock(&file) == Lock::Taken || file.metadata().is_ok_and(|metadata| metadata.nlink() == 0);
             if is_lost { Err(io::ErrorKind::AlreadyExists.into()) } else { Ok(file) }
         };

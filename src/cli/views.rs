@@ -34,7 +34,7 @@ impl From<Lang> for Language {
 /// What a tree is of.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum TreeOf {
-    /// Rays, with what they meet.
+    /// Rays, with what they hit.
     Rays,
     /// Calls of the algorithm.
     Calls,
@@ -46,7 +46,7 @@ pub struct View {
     pub format: TraceFormat,
     /// What a tree is of.
     pub tree: TreeOf,
-    /// The language of views for people.
+    /// The language of text views.
     pub language: Language,
     /// How they show numbers.
     pub style: Style,
@@ -72,9 +72,9 @@ impl View {
     }
 
     fn of_solution(&self, scene: Option<&Scene>, log: &Log, write: impl FnOnce(&Task) -> String) -> String {
-        let (tree, things) = (Tree::of(&log.events), scene.map(drawing::objects).unwrap_or_default());
+        let (tree, wireframes) = (Tree::of(&log.events), scene.map(drawing::objects).unwrap_or_default());
         let is_z_up = scene.map(|scene| scene.camera.up().abs()).is_some_and(|up| up.z > up.y);
-        let stage = Stage { things: &things, upright: if is_z_up { 2 } else { 1 } };
+        let stage = Stage { wireframes: &wireframes, upright: if is_z_up { 2 } else { 1 } };
         write(&Task { log, tree: &tree, stage, language: self.language, style: self.style })
     }
 

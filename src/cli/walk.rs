@@ -16,7 +16,7 @@ use raywalk::log::Log;
 use raywalk::report::language::Language;
 use raywalk::report::language::viewer::Warnings;
 use raywalk::report::{self, Style};
-use raywalk::scene::file::{Opened, visible};
+use raywalk::scene::file::{Opened, escape_hidden};
 use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
 use raywalk_guard::Endings;
 use std::io::{self, IsTerminal};
@@ -111,7 +111,7 @@ impl Walk {
             return Output::create(Some(path), &inputs)?.commit(picture.as_bytes());
         }
         if self.plain || !has_terminal() {
-            // That a log is damaged is no advice: it is told in any case.
+            // That a log is damaged is no advice: it is always reported.
             if let Some(warning) = warning.filter(|_| was_log || !self.progress.quiet) {
                 let before = Language::from(self.lang).texts().viewer.status.warning;
                 output::tell(&format!("{before}{name}: {warning}"));
@@ -141,7 +141,7 @@ impl Walk {
     fn of_scene(&self, input: &Input, colors: ColorChoice) -> Result<Walked, Failure> {
         // Only here it may be a log, too.
         if input.bytes.trim_ascii().is_empty() {
-            let name = visible(&input.name);
+            let name = escape_hidden(&input.name);
             return Err(Failure::caller(format!("{name}: expected a scene or a log, found an empty file")));
         }
         let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
@@ -153,7 +153,7 @@ impl Walk {
         let log = short_log(&scene, part, self.tracing.arithmetic())?;
         // For a screenshot there is nothing to be shown before the whole of it.
         let session = Some(Session::new(scene, self.tracing.arithmetic(), self.screenshot.is_some()));
-        Ok(Walked { name: visible(&input.name).to_string(), log, warning, session, inputs })
+        Ok(Walked { name: escape_hidden(&input.name).to_string(), log, warning, session, inputs })
     }
 
     fn warnings(&self) -> &'static Warnings {
@@ -181,7 +181,7 @@ impl Walk {
             return Err(Failure::caller(format!("{}: expected a name that ends in .svg", shown(path))));
         }
         if let Some(name) = tui::keys::unknown_name(&self.keys) {
-            let message = format!("--keys: no key is called `<{}>`; `?` in the viewer lists them", visible(name));
+            let message = format!("--keys: no key is called `<{}>`; `?` in the viewer lists them", escape_hidden(name));
             return Err(Failure::caller(message));
         }
         match self.screen {
@@ -226,7 +226,7 @@ fn words_back(
     at: u32,
 ) -> Vec<String> {
     let mut options = words;
-    // What stands behind `--` is no option.
+    // What follows `--` is no option.
     let end = options.iter().position(|word| word == "--").unwrap_or(options.len());
     let rest = options.split_off(end);
     let mut forget = |option: &str| {
@@ -266,7 +266,7 @@ fn quoted(word: &str) -> String {
     if !word.is_empty() && word.chars().all(is_plain) {
         word.to_owned()
     } else {
-        format!("'{}'", visible(word).replace('\'', "'\\''"))
+        format!("'{}'", escape_hidden(word).replace('\'', "'\\''"))
     }
 }
 

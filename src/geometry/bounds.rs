@@ -96,7 +96,7 @@ impl Bounds {
         is_missed && along.max_element() * half.min_element() > LEAST
     }
 
-    /// Where the ray's line enters the box, if it can meet something in it before `t_max`. Errs on the side of meeting.
+    /// Where the ray's line enters the box, if it can hit something in it before `t_max`. Errs on the side of meeting.
     #[inline]
     pub fn entry(&self, ray: &Slabs, t_max: f64) -> Option<f64> {
         let [near, far] = self.interval(ray);

@@ -148,7 +148,7 @@ mod tests {
         degenerates([[0.0; 3], [1.0, 1.0, 1.0], [0.0; 3]], true);
     }
 
-    /// A tetrahedron with these triangles turned over, and without its last so many.
+    /// A tetrahedron with these triangles turned over, and without its last few.
     #[track_caller]
     fn is_wound(turned: &[usize], missing: usize, expected: Winding) {
         let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];

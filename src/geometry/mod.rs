@@ -1,4 +1,4 @@
-//! Rays, shapes and where they meet. This room knows numbers and their names, no materials, lights or scenes.
+//! Rays, shapes and where they meet. This module knows numbers and their names, no materials, lights or scenes.
 
 mod area_normal;
 pub mod bounds;

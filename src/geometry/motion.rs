@@ -28,7 +28,7 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// A turn about an axis, of any length but zero, through a point, by so many degrees in a unit of time.
+    /// A turn about an axis, of any length but zero, through a point, by this many degrees in a unit of time.
     pub fn new(axis: DVec3, point: DVec3, degrees: f64) -> Turn {
         Turn { axis: unit(axis).0, point, degrees }
     }

@@ -1,4 +1,4 @@
-//! Which of the crossings of a ray are in the same place.
+//! Which of the crossings of a ray coincide.
 
 use super::ray::{Crossing, Ray, Side};
 use super::shape::Shape;
@@ -16,17 +16,17 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// What orders surfaces in the same place.
+    /// What orders coincident surfaces.
     pub fn rank(&self) -> (u32, u32) {
         (self.object, self.crossing.primitive)
     }
 }
 
-/// The nearest crossing of a ray so far, and the crossings that may be in the same place.
+/// The nearest crossing of a ray so far, and the crossings that may coincide.
 ///
-/// Crossings whose distances differ by less than rounding can tell are in the same place: there the first object in the scene
+/// Crossings whose distances differ by less than rounding errors coincide: there the first object in the scene
 /// is the nearer one, then the lowest primitive (see [`Nearest::place`]).
-// The others are a word, as there are hardly ever any.
+// The others take one word, as there are hardly ever any.
 #[derive(Clone, Debug)]
 #[expect(clippy::box_collection, reason = "a word instead of three")]
 pub struct Nearest {
@@ -36,7 +36,7 @@ pub struct Nearest {
 }
 
 impl Nearest {
-    /// Nothing, and nowhere to look for it.
+    /// No crossing, and an empty range of distances.
     pub const NONE: Nearest = Nearest { hit: None, limit: f64::NEG_INFINITY, others: None };
 
     /// Nothing so far.
@@ -84,13 +84,13 @@ impl Nearest {
         self.others.is_none()
     }
 
-    /// How far a search must look: crossings a little beyond the nearest one count, too, as they may be in the same place.
+    /// How far a search must look: crossings a little beyond the nearest one count, too, as they may coincide.
     #[inline(always)]
     pub fn limit(&self) -> f64 {
         self.limit
     }
 
-    /// Keeps the nearest crossing so far and another one, which is close to it. Called with what fits into registers: a crossing that was put in
+    /// Keeps the nearest crossing so far and another one, which is close to it. Its arguments fit into registers: a crossing that was put in
     /// memory for this call would be taken from there on the way without it, too.
     #[cold]
     #[inline(never)]
@@ -99,12 +99,12 @@ impl Nearest {
         self.others.get_or_insert_default().extend(self.hit.into_iter().chain([hit]));
     }
 
-    /// The surfaces in the same place as the nearest of all crossings, in the order of the scene: the first is the one that the ray hits.
+    /// The surfaces coincident with the nearest of all crossings, in the order of the scene: the first is the one that the ray hits.
     /// `shape` gives the shape of an object.
     pub fn place<'s, P: Probe>(self, ray: &Ray, shape: impl Fn(u32) -> &'s Shape, probe: &P) -> Vec<Hit> {
         let Some(nearest) = self.hit else { return Vec::new() };
         let Some(mut hits) = self.others.map(|hits| *hits) else { return vec![nearest] };
-        // Of several at the same distance it is the one that was found first.
+        // Of several at the same distance this is the one that was found first.
         hits.sort_by(|one, other| one.crossing.t.total_cmp(&other.crossing.t).then(one.rank().cmp(&other.rank())));
         let nearest = hits.first().copied().filter(|hit| hit.crossing.t <= nearest.crossing.t).unwrap_or(nearest);
         let slope = |hit: &Hit| shape(hit.object).slope(ray, hit.crossing);
@@ -123,10 +123,10 @@ impl Nearest {
     }
 }
 
-/// Up to so many hits it is quicker to compare each with each.
+/// Up to this many hits it is quicker to compare each with each.
 const FEW: usize = 16;
 
-/// The hits without those of a surface that is hit already: an edge or a corner is crossed once, on the triangle that is met first.
+/// The hits without those of a surface that is already hit: an edge or a corner is crossed once, on the triangle that is hit first.
 fn once_each<'s>(hits: &[Hit], shape: impl Fn(u32) -> &'s Shape) -> Vec<Hit> {
     let mut kept: Vec<Hit> = Vec::new();
     for hit in hits {
@@ -208,10 +208,10 @@ impl Met {
     }
 }
 
-/// By how much the distances of crossings in the same place may differ.
+/// By how much the distances of coincident crossings may differ.
 #[inline(always)]
 fn closeness<P: Probe>(nearest: f64, ray: &Ray, probe: &P) -> f64 {
-    /// Far more than roundings, so that a ray that runs flat along two surfaces in the same place knows them for one: there
+    /// Far more than roundings, so that a ray at a grazing angle to two coincident surfaces sees them as one: there
     /// their distances differ by more than the surfaces do.
     const CLOSE: f64 = 1.0 / (1 << 20) as f64;
     /// The same for arithmetics of few digits, in bounds of their roundings.

@@ -1,10 +1,10 @@
-//! A ray, and what it meets.
+//! A ray, and what it hits.
 
 use super::unit::unit;
 use crate::probe::{Probe, ROUNDINGS};
 use glam::DVec3;
 
-/// A half line from `origin` along `direction`, of which `t_min < t < t_max` counts.
+/// A half line from `origin` along `direction`; hits with `t_min < t < t_max` count.
 ///
 /// Distances `t` are in units of the direction, which the tracer keeps at unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,10 +13,10 @@ pub struct Ray {
     pub origin: DVec3,
     /// Where it goes.
     pub direction: DVec3,
-    /// The same way without the rounding error of a unit length, where it is known: the vector that was normalised to
-    /// `direction`, times a power of two that makes it of middling size. Decisions that f64 leaves in doubt are taken with it.
+    /// The direction without the rounding error of a unit length, where it is known: the vector that was normalised to
+    /// `direction`, scaled by a power of two to a moderate size. Decisions that f64 leaves in doubt are taken with it.
     pub vector: DVec3,
-    /// The surface that it leaves, which it can't meet again at its origin.
+    /// The surface that it leaves, which it can't hit again at its origin.
     pub leaving: Option<Leaving>,
     /// How far rounding may have moved the origin, in units of length: the ray begins on every surface so near, and doesn't
     /// cross it there. 0 for an origin that was given: it is exact.
@@ -27,11 +27,11 @@ pub struct Ray {
     pub t_max: f64,
     /// Whether the distance of a hit is asked for, or only whether there is one.
     pub wants_distance: bool,
-    /// When: where moving objects are.
+    /// The time, which moving objects depend on.
     pub time: f64,
 }
 
-/// The surface that a ray leaves. There is no epsilon anywhere: a ray knows its own primitive instead.
+/// The surface that a ray leaves. There is no epsilon: a ray knows its own primitive instead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Leaving {
     /// The object, by its number in the scene.
@@ -43,12 +43,12 @@ pub struct Leaving {
 }
 
 impl Leaving {
-    /// The primitive of a ray of which nobody knows what part of a closed shape it leaves: that is where the ray begins.
+    /// The primitive of a ray that leaves an unknown part of a closed shape: the part where the ray begins.
     pub const ANY_PRIMITIVE: u32 = u32::MAX;
 }
 
 /// A side of a surface: the front is where its outward normal points.
-// As wide as what lies beside it in crossings and hits: these are copied whole then, and not in pieces that overlap, which make the processor
+// As wide as its neighbours in crossings and hits: then these are copied as a whole, and not in overlapping pieces, which make the processor
 // wait for the stores before them.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +75,7 @@ pub struct Crossing {
 pub struct Surface {
     /// The point.
     pub point: DVec3,
-    /// The unit normal that light is reckoned with, on the side of the arriving ray.
+    /// The unit normal that light is computed with, on the side of the arriving ray.
     pub normal: DVec3,
     /// The unit normal of the surface itself, on the side of the arriving ray, where `normal` is another one,
     /// interpolated.
@@ -124,7 +124,7 @@ impl Ray {
         Ray { vector, ..Ray::new(origin, direction) }
     }
 
-    /// The same ray, of which it is asked only whether it meets anything.
+    /// The same ray as an occlusion query: any hit will do.
     pub fn without_distance(&self) -> Ray {
         Ray { wants_distance: false, ..*self }
     }
@@ -157,7 +157,7 @@ impl Ray {
         self.reaches(t) && (t <= near || self.t_max - t <= near)
     }
 
-    /// Whether an end of the ray may lie on a surface that it is so far away from. `size` is that of the numbers that define the surface.
+    /// Whether an end of the ray may lie on a surface at this distance from it. `size` is that of the numbers that define the surface.
     pub(crate) fn holds(&self, distance: f64, size: f64) -> bool {
         self.slack > 0.0 && distance.abs() <= self.slack + ROUNDINGS * size
     }

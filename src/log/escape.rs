@@ -7,7 +7,7 @@ use unicode_width::UnicodeWidthStr;
 
 /// The text with what would not be seen as itself escaped (`\u{1b}`): control characters, invisible ones, characters that change the
 /// direction of writing, and joiners where no script is spelt with them.
-pub fn visible(text: &str) -> Cow<'_, str> {
+pub fn escape_hidden(text: &str) -> Cow<'_, str> {
     let mut escaped = String::new();
     let mut copied = 0;
     for (at, character) in hidden(text) {
@@ -22,13 +22,13 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(escaped)
 }
 
-/// The text with each of its lines made [`visible`]: for messages of several lines.
-pub fn visible_lines(text: &str) -> String {
-    text.split('\n').map(visible).collect::<Vec<_>>().join("\n")
+/// The text with each of its lines made [`escape_hidden`]: for messages of several lines.
+pub fn escape_hidden_lines(text: &str) -> String {
+    text.split('\n').map(escape_hidden).collect::<Vec<_>>().join("\n")
 }
 
 /// A text of JSON with what would not be seen as itself escaped in its strings (`\u009b`), which means the same to whoever reads it.
-pub fn visible_json(text: &str) -> Cow<'_, str> {
+pub fn escape_hidden_json(text: &str) -> Cow<'_, str> {
     if text.is_ascii() && !text.contains('\u{7f}') {
         return Cow::Borrowed(text);
     }
@@ -62,8 +62,8 @@ pub fn width(text: &str) -> usize {
 /// At most `limit` characters of the text, made visible, with `…` for what was cut.
 pub fn shortened(text: &str, limit: usize) -> String {
     match text.char_indices().nth(limit) {
-        None => visible(text).into_owned(),
-        Some((end, _)) => format!("{}…", visible(&text[..end])),
+        None => escape_hidden(text).into_owned(),
+        Some((end, _)) => format!("{}…", escape_hidden(&text[..end])),
     }
 }
 
@@ -73,46 +73,46 @@ mod tests {
 
     #[test]
     fn escape_sequences_are_shown_not_sent() {
-        assert_eq!(visible("a\u{1b}[2Jb\0"), "a\\u{1b}[2Jb\\u{0}");
+        assert_eq!(escape_hidden("a\u{1b}[2Jb\0"), "a\\u{1b}[2Jb\\u{0}");
     }
 
     #[test]
     fn other_scripts_stay_as_they_are() {
-        assert_eq!(visible("esfera ñ 球"), "esfera ñ 球");
+        assert_eq!(escape_hidden("esfera ñ 球"), "esfera ñ 球");
     }
 
     #[test]
     fn joiners_stay_where_a_script_is_spelt_with_them() {
         for text in ["کره‌ی قرمز", "क्‍ष गोला", "अवन्‌", "അവന്‍", "ක්‍ෂ", "👩‍🔬", "👩🏽‍🔬", "❤️‍🔥"]
         {
-            assert_eq!(visible(text), text);
+            assert_eq!(escape_hidden(text), text);
         }
         for text in
             ["a\u{200d}b", "\u{200c}ی", "ی\u{200c}\u{200c}ی", "é\u{200d}ب", "👩\u{200d}", "a\u{200c}ی", "ی \u{200d}ی"]
         {
-            assert!(visible(text).contains("\\u{200"), "{text:?}");
+            assert!(escape_hidden(text).contains("\\u{200"), "{text:?}");
         }
     }
 
     #[test]
     fn escaped_json_means_the_same() {
         let text = "{\n\t\"a\u{9b}\u{202e}\": \"\u{e0041}ball\u{7f}\"}";
-        assert_eq!(visible_json(text), "{\n\t\"a\\u009b\\u202e\": \"\\udb40\\udc41ball\\u007f\"}");
+        assert_eq!(escape_hidden_json(text), "{\n\t\"a\\u009b\\u202e\": \"\\udb40\\udc41ball\\u007f\"}");
         let read = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
-        assert_eq!(read(&visible_json(text)), read(text));
-        assert!(matches!(visible_json("{\"name\": \"کره‌ی\"}"), Cow::Borrowed(_)));
+        assert_eq!(read(&escape_hidden_json(text)), read(text));
+        assert!(matches!(escape_hidden_json("{\"name\": \"کره‌ی\"}"), Cow::Borrowed(_)));
     }
 
     #[test]
     fn lines_of_a_message_stay_lines() {
-        assert_eq!(visible_lines("a\u{1b}[2J\nb\r\n"), "a\\u{1b}[2J\nb\\u{d}\n");
+        assert_eq!(escape_hidden_lines("a\u{1b}[2J\nb\r\n"), "a\\u{1b}[2J\nb\\u{d}\n");
     }
 
     #[test]
     fn what_turns_the_writing_is_escaped_beside_letters_too() {
         for mark in "\u{61c}\u{200e}\u{200f}\u{202e}\u{2066}\u{2060}\u{200b}\u{feff}".chars() {
             let text = format!("کره{mark}ی");
-            assert_eq!(visible(&text), format!("کره{}ی", mark.escape_unicode()));
+            assert_eq!(escape_hidden(&text), format!("کره{}ی", mark.escape_unicode()));
         }
     }
 

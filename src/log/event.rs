@@ -5,7 +5,7 @@ pub mod field;
 mod words;
 
 pub use decision::Decision;
-pub use words::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
+pub use words::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 
 use super::name::Name;
 use super::value::Value;
@@ -50,7 +50,7 @@ impl Event {
     }
 }
 
-/// Where the inputs of an event stand among those of its log.
+/// Where the inputs of an event are among those of its log.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Given {
     start: u32,
@@ -71,9 +71,9 @@ impl Given {
 /// How far several runs of a computation, each perturbed in its own way, agree on what an event says.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Digits {
-    /// So many significant decimal digits of each component are the same.
+    /// This many significant decimal digits of each component are the same.
     Significant(Value),
-    /// None: the decision isn't the same in all runs, or one that stands before this value.
+    /// None: the decision isn't the same in all runs, or one before this value.
     DecisionDiffers,
 }
 
@@ -124,7 +124,7 @@ pub enum Step {
         /// Its number, from 1, among several of its kind from one place; 0 if it is alone.
         split: u32,
     },
-    /// How a moving object is met: the ray in the object's own frame, with the tests there, or the hit carried back from it.
+    /// How a moving object is tested: the ray in the object's own frame, with the tests there, or the hit carried back from it.
     Motion {
         /// The object.
         object: u32,
@@ -151,7 +151,7 @@ pub enum Step {
     /// A zone of the lobe about a blurred bounce: a direction in it, and what comes from there.
     Zone {
         /// Which bounce.
-        what: Skippable,
+        what: Term,
         /// Its number, from 1.
         number: u32,
     },

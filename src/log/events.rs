@@ -12,7 +12,7 @@ pub type Input = (Name, Value);
 
 /// Events in order, with their inputs.
 ///
-/// An event knows where its inputs stand here, so that a log takes one piece of memory for them and not one an event: that was half of the
+/// An event knows where its inputs are here, so that a log takes one piece of memory for them and not one an event: that was half of the
 /// time of recording. The inputs of events that are taken out stay until all are cleared.
 #[derive(Clone, Debug, Default)]
 pub struct Events {
@@ -63,7 +63,7 @@ impl Events {
         self.is_disordered = false;
     }
 
-    /// Adds an event, which is told where its inputs stand.
+    /// Adds an event and sets where its inputs are.
     #[inline(always)]
     pub fn add(&mut self, event: impl FnOnce(Given) -> Event) {
         if self.is_disordered {
@@ -169,7 +169,7 @@ impl<'e> IntoIterator for &'e mut Events {
     }
 }
 
-/// Equal if the events say the same with the same inputs, wherever these stand.
+/// Equal if the events say the same with the same inputs, wherever these are.
 impl PartialEq for Events {
     fn eq(&self, other: &Events) -> bool {
         self.len() == other.len() && self.iter().zip(other).all(|(ours, theirs)| self.says_as(ours, other, theirs))

@@ -52,7 +52,7 @@ pub struct Header {
     pub objects: Vec<String>,
     /// The names of the lights, by number.
     pub lights: Vec<String>,
-    /// Of these names, those that stand there only so that the numbers agree with those of another log. Never written.
+    /// Of these names, those that are there only so that the numbers agree with those of another log. Never written.
     #[serde(skip)]
     pub only_elsewhere: Vec<String>,
 }
@@ -98,7 +98,7 @@ pub struct FrameId {
     pub time: f64,
 }
 
-/// Which scene a log tells of.
+/// The scene of a log.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct SceneId {

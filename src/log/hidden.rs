@@ -46,7 +46,7 @@ pub fn hidden(text: &str) -> impl Iterator<Item = (usize, char)> {
     })
 }
 
-/// Whether a hidden character does something where it stands that is seen.
+/// Whether a hidden character has a visible effect in its place.
 fn is_spelt(before: &str, character: char, after: &str) -> bool {
     let (last, next) = (before.chars().next_back(), after.chars().next());
     match character {
@@ -115,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_invisible_is_hidden_wherever_it_stands() {
+    fn what_is_invisible_is_hidden_wherever_it_is() {
         let marks = "\u{1b}\u{7f}\u{9b}\u{ad}\u{34f}\u{61c}\u{115f}\u{1160}\u{17b4}\u{180b}\u{180e}\u{200b}\u{200e}\u{200f}\u{2028}\u{202e}\u{2060}\
                      \u{2064}\u{2065}\u{2066}\u{206f}\u{3164}\u{fe00}\u{feff}\u{ffa0}\u{fff0}\u{fff9}\u{fffb}\u{13430}\u{1bca0}\u{1d173}\u{e0001}\
                      \u{e0020}\u{e007f}\u{e0100}\u{e01ef}\u{e0fff}";

@@ -1,6 +1,6 @@
 //! The structured log of a computation: events as typed data, their files, and the tree that they make.
 //!
-//! This room knows no geometry: objects and lights are numbers that the header names, and what a quantity means stands
+//! This module knows no geometry: objects and lights are numbers that the header names, and what a quantity means is found
 //! in the table of [`Name`].
 
 pub mod escape;
@@ -20,7 +20,7 @@ pub mod value;
 mod whole;
 
 pub use event::{
-    Acceptance, Asking, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Skippable, Split, Step, What,
+    Acceptance, Asking, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Split, Step, Term, What,
 };
 pub use events::{Events, Input};
 pub use header::{FrameId, Header, Parameter, Subject};
@@ -30,10 +30,10 @@ pub use shard::Shard;
 pub use tree::{Node, Tree};
 pub use value::Value;
 
-/// A whole log: what it says about itself, and its events.
+/// A whole log: its header and its events.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Log {
-    /// What the log says about itself.
+    /// The header.
     pub header: Header,
     /// The events, in the order of the computation.
     pub events: Events,

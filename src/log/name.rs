@@ -3,7 +3,7 @@
 //! One row a quantity. Adding a logged quantity is one row here and one `note` in the kernel that computes it. A formula
 //! is written with the symbols of this same table (see [`super::formula`] for its grammar), and a test evaluates every
 //! formula on the logged operands and must get the logged value. An event has its inputs in the order of this table, so that
-//! their order in a file doesn't matter: a row stands behind those of the inputs that are given before it.
+//! their order in a file doesn't matter: a row is behind those of the inputs that are given before it.
 
 #[macro_use]
 mod row;
@@ -178,7 +178,7 @@ with_effects! { names! {
     CylinderTBase: "cylinder.t", "base", "t", "t_b", "";
     CylinderTApex: "cylinder.t", "apex", "t", "t_a", "";
 
-    // Cone. Its radius is r_b at the base and grows by k along the axis. A ray is reckoned from its point nearest to the
+    // Cone. Its radius is r_b at the base and grows by k along the axis. A ray is computed from its point nearest to the
     // base, at t_0: there the radius is ρ_o, and it grows by ρ_d along the ray.
     ConeBaseRadius: "cone.base_radius", "", "r_b", "", "";
     ConeSlope: "cone.slope", "", "k", "", "";
@@ -358,7 +358,7 @@ with_effects! { names! {
     PatternColorOdd: "pattern.color", "odd", "c_p", "c_b", "1.2.1";
 
     // The sum of the three contributions.
-    // What the bounce at a cutoff could have added to the sample at the most: no arithmetic rounds it.
+    // What the bounce at a cutoff could have added to the sample at most: no arithmetic rounds it.
     CutoffLoss: "cutoff.loss", "", "ΔI", "", "";
     WeightReflected: "weight.reflected", "", "W_r", "", "1.2.3";
     WeightTransmitted: "weight.transmitted", "", "W_t", "", "1.2.3";

@@ -1,4 +1,4 @@
-//! Numbers with few decimals: as they are reckoned with by hand, and as snapshots hold them.
+//! Numbers with few decimals: as in calculations by hand, and as snapshots hold them.
 
 #[cfg(test)]
 use super::Name;
@@ -28,7 +28,7 @@ pub fn round_half_away(x: f64, digits: u32) -> f64 {
 const NOISE: f64 = 16.0 * f64::EPSILON;
 
 impl Log {
-    /// The same log with every number rounded half away from zero to so many decimals, at most 22: for snapshots, which other compilers
+    /// The same log with every number rounded half away from zero to this many decimals, at most 22: for snapshots, which other compilers
     /// and machines are to reproduce, and in which people see what changed. What the header says stays as it is.
     #[must_use]
     pub fn rounded(&self, digits: u32) -> Log {

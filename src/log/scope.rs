@@ -63,7 +63,7 @@ pub fn lights<'t>(events: &Events, tree: &'t Tree, event: usize) -> impl Iterato
     children.filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Light { .. })))
 }
 
-/// So many sums of a pixel are added up, and of another node: raywalk has three for each doubling of a pixel's samples, and elsewhere one. In
+/// The most sums that are added up, of a pixel and of another node: raywalk has three for each doubling of a pixel's samples, and elsewhere one. In
 /// a log from elsewhere each of a hundred thousand could go over as many lights.
 const MOST_SUMS: [usize; 2] = [64, 4];
 
@@ -103,7 +103,7 @@ pub fn last_child(events: &Events, tree: &Tree, node: usize, before: usize, kind
     }
 }
 
-/// The latest computed quantity of this symbol that can be seen from where an event stands, before it; inputs don't count.
+/// The latest computed quantity of this symbol that can be seen from where an event is, before it; inputs don't count.
 pub fn noted_before(events: &Events, tree: &Tree, event: usize, symbol: &str) -> Option<Operand> {
     let in_node = |node, before| noted_in(events, tree, node, before, symbol);
     outward(events, tree, (tree.owner(event), event), (symbol, false), in_node)
@@ -174,7 +174,7 @@ pub fn latest_mark(events: &Events, tree: &Tree, node: usize, before: usize, lik
     found.unwrap_or_else(|| tree.own_events_before(node, before).rfind(is_it))
 }
 
-/// The latest event before one, wherever it stands, by which a test hits an object.
+/// The latest event before one, wherever it is, by which a test hits an object.
 pub fn latest_hit(events: &Events, tree: &Tree, before: usize, object: u32) -> Option<usize> {
     tree.index(events).hit(before, object)
 }

@@ -8,7 +8,7 @@ use std::str::FromStr;
 /// The most shards.
 pub const MAX_SHARDS: u32 = 1 << 20;
 
-/// One of so many shards.
+/// One of several shards.
 ///
 /// What each has depends on the two numbers and on the work alone. Pieces of a picture are dealt out in turn, since neighbours take
 /// about as long as each other; what must stay in one order is cut into stretches.
@@ -23,7 +23,7 @@ impl Shard {
     /// The only one.
     pub const WHOLE: Shard = Shard { number: 1, of: 1 };
 
-    /// The shard with this number, from 1, of so many; `None` where there is none.
+    /// The shard with this number, from 1, of `of` shards; `None` where there is none.
     pub fn new(number: u32, of: u32) -> Option<Shard> {
         ((1..=of).contains(&number) && of <= MAX_SHARDS).then_some(Shard { number, of })
     }
@@ -43,9 +43,9 @@ impl Shard {
         piece % self.of == self.number - 1
     }
 
-    /// Its stretch of so many things.
+    /// Its stretch of `count` items.
     pub fn stretch(self, count: u64) -> Range<u64> {
-        // No product overflows: more than 2^64 things would be needed.
+        // No product overflows: more than 2^64 items would be needed.
         let end = |number: u32| (u128::from(count) * u128::from(number) / u128::from(self.of)) as u64;
         end(self.number - 1)..end(self.number)
     }

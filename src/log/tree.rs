@@ -19,7 +19,7 @@ pub struct Tree {
     nodes: Vec<Node>,
     /// The node of each event.
     owner: Vec<u32>,
-    /// The events of each node itself, node after node. A ray may stand around a hundred thousand tests, which a search passes over at once.
+    /// The events of each node itself, node after node. A ray may contain a hundred thousand tests, which a search passes over at once.
     own: Vec<u32>,
     /// Where those of each node begin, and at the end where they all end.
     own_start: Vec<u32>,
@@ -87,7 +87,7 @@ impl Tree {
 
     /// Sorts the events by their nodes.
     fn list_own_events(&mut self) {
-        // First the number of each node's events stands one place further on, then where they begin.
+        // First the number of each node's events is one place further on, then where they begin.
         let mut starts = vec![0_u32; self.nodes.len() + 2];
         self.owner.iter().for_each(|node| starts[*node as usize + 2] += 1);
         for node in 2..starts.len() {

@@ -1,6 +1,6 @@
 //! Probes that alter what the computation goes on with: other arithmetics, with or without a recording.
 
-use super::{Probe, Quantity, ROUNDINGS, Spared};
+use super::{Probe, Quantity, ROUNDINGS, Saving};
 use crate::log::{Decision, Name, Step, round_half_away};
 
 /// Alters every named quantity, then shows it to `probe`.
@@ -58,8 +58,8 @@ impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
         self.probe.bounds_tested(count);
     }
 
-    fn spared(&mut self, why: Spared, rays: u64) {
-        self.probe.spared(why, rays);
+    fn rays_saved(&mut self, why: Saving, rays: u64) {
+        self.probe.rays_saved(why, rays);
     }
 
     fn certifies(&self) -> bool {
@@ -128,8 +128,8 @@ impl Alteration for Decimal {
         self.rounds_products.then_some(self.digits)
     }
 
-    /// Chosen, not derived: the bound for all 64 roundings would, with few digits, close gaps that a reader sees. So surfaces in the same place may
-    /// still be told apart here.
+    /// Chosen, not derived: the bound for all 64 roundings would, with few digits, close gaps that a reader sees. So coincident surfaces may
+    /// still be distinguished here.
     fn slack(&self, size: f64) -> f64 {
         let step = (0..self.digits).fold(1.0, |step, _| step / 10.0);
         step * (1.0 + size) / 8.0

@@ -1,6 +1,6 @@
 //! Any probe behind a pointer: one compiled tracer for all the probes that needn't hurry.
 
-use super::{Probe, Quantity, Spared};
+use super::{Probe, Quantity, Saving};
 use crate::log::{Decision, Name, Step, Value};
 
 /// Hands all on to a probe whose type is erased, and goes on with what that returns.
@@ -20,7 +20,7 @@ impl<'p> Erased<'p> {
     }
 }
 
-/// The methods of [`Probe`], with a quantity as what stands in a log.
+/// The methods of [`Probe`], with a quantity as a log holds it.
 trait Methods {
     fn given(&mut self, name: Name, value: Value);
     fn note(&mut self, name: Name, value: Value) -> Value;
@@ -29,7 +29,7 @@ trait Methods {
     fn certifies(&self) -> bool;
     fn slack(&self, size: f64) -> f64;
     fn fallback(&mut self);
-    fn spared(&mut self, why: Spared, rays: u64);
+    fn rays_saved(&mut self, why: Saving, rays: u64);
     fn aim(&mut self, place: [f64; 2]);
     fn aimed(&mut self);
     fn enter(&mut self, step: Step);
@@ -71,8 +71,8 @@ impl<P: Probe> Methods for P {
         Probe::fallback(self);
     }
 
-    fn spared(&mut self, why: Spared, rays: u64) {
-        Probe::spared(self, why, rays);
+    fn rays_saved(&mut self, why: Saving, rays: u64) {
+        Probe::rays_saved(self, why, rays);
     }
 
     fn aim(&mut self, place: [f64; 2]) {
@@ -127,8 +127,8 @@ impl Probe for Erased<'_> {
         self.probe.fallback();
     }
 
-    fn spared(&mut self, why: Spared, rays: u64) {
-        self.probe.spared(why, rays);
+    fn rays_saved(&mut self, why: Saving, rays: u64) {
+        self.probe.rays_saved(why, rays);
     }
 
     fn aim(&mut self, place: [f64; 2]) {

@@ -1,4 +1,4 @@
-//! The probe: what sees, and may alter, every named quantity of the one tracing path.
+//! The probe: it sees, and may alter, every named quantity of the one tracing path.
 //!
 //! There is one implementation of intersecting, shading and recursion, generic over [`Probe`]. Every quantity that the
 //! source text names goes through [`Probe::note`], and the computation goes on with what that returns. The default of
@@ -26,19 +26,19 @@ pub use silent::Silent;
 use crate::log::{Decision, Name, SkipReason, Step, Value};
 use glam::DVec3;
 
-/// The bound of what rounding does to a computed point, and to a surface through its numbers, as a part of their sizes:
-/// 64 roundings of f64 (`docs/numerics.md`, "Surfaces in the same place").
+/// The bound of the rounding errors of a computed point, and of the numbers of a surface, relative to their sizes:
+/// 64 roundings of f64 (`docs/numerics.md`, "Coincident surfaces").
 pub const ROUNDINGS: f64 = 32.0 * f64::EPSILON;
 
 /// Sees a computation as it happens.
 pub trait Probe: Sized {
-    /// Whether nothing is seen, so that what doesn't change a result needn't happen.
+    /// Whether the probe ignores everything, so that work without effect on the result can be skipped.
     const IS_SILENT: bool = false;
 
-    /// Whether trees are walked with the processor's best instructions, for which the walk is compiled a second time. Kernels meet the
-    /// same primitives either way. Only silent probes get operations that not every processor has, so that what others count is the same on
+    /// Whether trees are traversed with the processor's best instructions, for which the traversal is compiled a second time. Kernels get the
+    /// same primitives either way. Only silent probes use operations that not every processor has, so that the counts of others are the same on
     /// every machine.
-    const IS_HURRIED: bool = Self::IS_SILENT;
+    const USES_SIMD: bool = Self::IS_SILENT;
 
     /// An input that the problem states, for the next event. Inputs are never altered.
     #[inline(always)]
@@ -54,12 +54,12 @@ pub trait Probe: Sized {
     #[inline(always)]
     fn mark(&mut self, _decision: Decision) {}
 
-    /// Bounding volumes were tested. They narrow down and decide nothing, so they are counted, not logged.
+    /// Bounding volumes were tested. They only find candidates, so they are counted, not logged.
     #[inline(always)]
     fn bounds_tested(&mut self, _count: u64) {}
 
-    /// Whether decisions that f64 leaves in doubt are taken with more digits. An arithmetic of its own goes on with what it has
-    /// made of the numbers before.
+    /// Whether decisions that f64 leaves in doubt are taken with more digits. Other arithmetics go on with the numbers that they have
+    /// computed so far.
     #[inline(always)]
     fn certifies(&self) -> bool {
         true
@@ -80,26 +80,26 @@ pub trait Probe: Sized {
         }
     }
 
-    /// How far rounding may move a computed point whose coordinates, with all that it was computed from, are of this size. Surfaces so
-    /// near to each other are in the same place.
+    /// How far rounding may move a computed point whose coordinates and operands have this size. Surfaces that
+    /// near to each other coincide.
     #[inline(always)]
     fn slack(&self, size: f64) -> f64 {
         ROUNDINGS * size
     }
 
-    /// f64 left something in doubt, and more digits were taken. It is counted, not logged.
+    /// f64 left something in doubt, and more digits were used. It is counted, not logged.
     #[inline(always)]
     fn fallback(&mut self) {}
 
-    /// So many rays aren't traced, or not searched for what they meet. It is counted, not logged: the log has the decision.
+    /// This many rays aren't traced, or not searched for what they hit. It is counted, not logged: the log has the decision.
     #[inline(always)]
-    fn spared(&mut self, _why: Spared, _rays: u64) {}
+    fn rays_saved(&mut self, _why: Saving, _rays: u64) {}
 
     /// The ray through this place of the picture begins, in pixels from its top left corner.
     #[inline(always)]
     fn aim(&mut self, _place: [f64; 2]) {}
 
-    /// All that the ray through the latest place brings is there.
+    /// The ray through the latest place is complete.
     #[inline(always)]
     fn aimed(&mut self) {}
 
@@ -121,9 +121,9 @@ pub trait Probe: Sized {
     }
 }
 
-/// Why rays aren't traced, or not searched for what they meet.
+/// Why rays aren't traced, or not searched for what they hit.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Spared {
+pub enum Saving {
     /// A rule leaves them out. Of a blurred bounce all rays count, of a local model the shadow rays to all lights; not what they would
     /// have spawned.
     Skipped(SkipReason),
@@ -131,16 +131,16 @@ pub enum Spared {
     DepthLimit,
     /// Another pixel has traced them.
     Shared,
-    /// Nothing can stand in their way, so a rendering that counts nothing doesn't search for it.
+    /// Nothing can block them, so a rendering that counts nothing doesn't search.
     Search,
 }
 
 /// What can be noted: a number, or a triple.
 pub trait Quantity: Copy {
-    /// The same quantity with each component put through `f`, which is told the component's index.
+    /// The same quantity with each component put through `f`, which gets the component's index.
     fn map(self, f: impl FnMut(usize, f64) -> f64) -> Self;
 
-    /// The quantity as it stands in a log.
+    /// The quantity as it is in a log.
     fn value(self) -> Value;
 }
 
@@ -156,7 +156,7 @@ impl Quantity for f64 {
 }
 
 impl Quantity for DVec3 {
-    // By hand every value goes through it.
+    // In arithmetic by hand every value goes through it.
     #[inline(always)]
     fn map(self, mut f: impl FnMut(usize, f64) -> f64) -> DVec3 {
         DVec3::new(f(0, self.x), f(1, self.y), f(2, self.z))

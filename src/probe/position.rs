@@ -24,7 +24,7 @@ struct Frame {
 }
 
 impl Position {
-    /// Outside every node; `root` tells computations apart.
+    /// Outside every node; `root` distinguishes computations.
     pub fn new(root: u64) -> Position {
         Position { open: vec![Frame::new(root)] }
     }
@@ -39,7 +39,7 @@ impl Position {
         self.enter_at(key);
     }
 
-    /// A node begins that has this key wherever it stands.
+    /// A node begins that has this key wherever it is.
     pub fn enter_at(&mut self, key: u64) {
         self.open.push(Frame::new(key));
     }
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_names_and_equal_nodes_are_told_apart() {
+    fn equal_names_and_equal_nodes_are_distinguished() {
         let mut position = Position::new(7);
         let first = position.next(Name::PlaneT);
         assert_ne!(first, position.next(Name::PlaneT));

@@ -1,7 +1,7 @@
-//! The probe that tells ray trees apart.
+//! The probe that distinguishes ray trees.
 
 use super::position::{mixed_with, words};
-use super::{Probe, Quantity, Spared};
+use super::{Probe, Quantity, Saving};
 use crate::log::{Decision, Name, Step};
 
 /// A digest of what is traced, decided and computed in which order, whatever the values are; all goes on to `probe`.
@@ -54,8 +54,8 @@ impl<P: Probe> Probe for RayTree<P> {
         self.probe.bounds_tested(count);
     }
 
-    fn spared(&mut self, why: Spared, rays: u64) {
-        self.probe.spared(why, rays);
+    fn rays_saved(&mut self, why: Saving, rays: u64) {
+        self.probe.rays_saved(why, rays);
     }
 
     fn certifies(&self) -> bool {
@@ -125,7 +125,7 @@ fn word_of(cell: [f64; 3]) -> u64 {
     left ^ top.rotate_left(21) ^ side.rotate_left(42)
 }
 
-/// Whether two decisions are the same. Which of several opaque objects blocks the light first hangs on the order of the
+/// Whether two decisions are the same. Which of several opaque objects blocks the light first depends on the order of the
 /// tests, and decides nothing; a factor is a value.
 pub fn is_same(one: Decision, other: Decision) -> bool {
     words_of(one) == words_of(other)

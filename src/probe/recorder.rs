@@ -7,39 +7,39 @@ use std::any::Any;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-/// Where events go that are not kept.
+/// Where events go that aren't kept.
 pub type Outlet<'o> = dyn FnMut(&Events) -> io::Result<()> + 'o;
 
-/// How many events are handed on at a time.
+/// How many events are passed on at a time.
 const PIECE: usize = 4096;
 
-/// What an event needs beside itself: its inputs, and its lines in a document or a text, which is all in memory too.
+/// The memory that an event needs besides itself: its inputs, and its lines in a document or a text.
 const BYTES_BESIDE: usize = 250;
 
-/// How many events there is room for at first, so that the log of a simple pixel is never moved.
+/// The initial capacity for events, so that the log of a simple pixel is never moved.
 const AT_FIRST: usize = 1024;
 
 /// How many nodes are open at once in most pixels.
 const DEEP: usize = 16;
 
-/// From so many events on memory is asked for before it is used: less is always there.
+/// From this many events on, memory is reserved before it is used.
 const MANY: usize = 1 << 14;
 
-/// Keeps every event of the computation, or hands them on as they come.
+/// Keeps every event of the computation, or passes them on as they come.
 pub struct Recorder<'o> {
     events: Events,
     nodes: u32,
     open: Vec<u32>,
-    /// How many events are kept before something must be done about it.
+    /// How many events are kept before the recorder grows, passes them on or stops.
     room: usize,
     /// How many events there are when [`Recorder::go_on`] is asked: there is no more room, or no more memory.
     full: usize,
-    /// How many events were handed on.
+    /// How many events were passed on.
     gone: u32,
     outlet: Option<&'o mut Outlet<'o>>,
 }
 
-/// Why a computation was left before its end: there was no place for its log.
+/// Why a computation was stopped: there was no place for its log.
 #[derive(Debug, thiserror::Error)]
 pub enum CutOff {
     /// The log would be too long.
@@ -63,18 +63,18 @@ impl Default for Recorder<'_> {
 }
 
 impl<'o> Recorder<'o> {
-    /// Keeps so many events; one more ends the computation, see [`until_cut_off`].
+    /// Keeps this many events; one more ends the computation, see [`until_cut_off`].
     pub fn of_at_most(room: usize) -> Recorder<'o> {
         let (events, open) = (Events::new(), Vec::with_capacity(DEEP));
         Recorder { events, nodes: 0, open, room, full: 0, gone: 0, outlet: None }
     }
 
-    /// Hands events on as they come; an error ends the computation, see [`until_cut_off`].
+    /// Passes events on as they come; an error ends the computation, see [`until_cut_off`].
     pub fn to_outlet(outlet: &'o mut Outlet<'o>) -> Recorder<'o> {
         Recorder { outlet: Some(outlet), ..Recorder::of_at_most(PIECE) }
     }
 
-    /// The events so far, less those that were handed on.
+    /// The events so far, less those that were passed on.
     pub fn events(&self) -> &Events {
         &self.events
     }
@@ -101,7 +101,7 @@ impl<'o> Recorder<'o> {
         self.events.add(|given| Event { at, node, what, given, digits: None });
     }
 
-    /// Sees to it that one more event can be kept.
+    /// Makes room for one more event.
     #[cold]
     #[inline(never)]
     fn go_on(&mut self) {
@@ -114,7 +114,7 @@ impl<'o> Recorder<'o> {
         self.full = self.events.capacity().min(self.room);
     }
 
-    /// Gets room for as many events again, or ends the computation.
+    /// Doubles the capacity, or ends the computation.
     #[cold]
     fn ask_for_memory(&mut self) {
         let more = self.events.len().clamp(AT_FIRST, PIECE << 4);
@@ -126,7 +126,7 @@ impl<'o> Recorder<'o> {
         }
     }
 
-    /// Hands the events on, or ends the computation.
+    /// Passes the events on, or ends the computation.
     #[cold]
     fn make_room(&mut self) {
         let made = match &mut self.outlet {
@@ -149,7 +149,7 @@ impl<'o> Recorder<'o> {
 
 /// Runs what records, and says whether a recorder cut it off.
 pub fn until_cut_off<T>(run: impl FnOnce() -> T) -> Result<T, CutOff> {
-    // Nothing that the computation had changed is looked at after it was cut off.
+    // After a cut-off nothing that the computation had changed is used.
     catch_unwind(AssertUnwindSafe(run)).map_err(|payload: Box<dyn Any + Send>| match payload.downcast() {
         Ok(cut_off) => *cut_off,
         Err(panic) => resume_unwind(panic),

@@ -10,7 +10,7 @@ pub struct Silent;
 impl Probe for Silent {
     const IS_SILENT: bool = true;
 
-    /// There is nothing to do at a node's end, so its result needn't be held until then.
+    /// A node's end needs no work, so its result needn't be kept until then.
     #[inline(always)]
     fn within<T>(&mut self, _step: Step, body: impl FnOnce(&mut Silent) -> T) -> T {
         body(self)

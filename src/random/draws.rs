@@ -9,7 +9,7 @@ use super::{Dimension, Partner, Splits, Stratum, hash, unit};
 pub enum Arrangement {
     /// Each by itself.
     Independent,
-    /// One in each of so many strata as there are samples.
+    /// One in each of as many strata as there are samples.
     Stratified {
         /// The samples of the pixel.
         count: u32,
@@ -112,7 +112,7 @@ impl OfPixel {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Grid {
     Pixels,
-    /// Pixels with so many corners to a side.
+    /// Pixels with this many corners to a side.
     Corners(u32),
     /// The same, where coarse corners come first.
     NestedCorners(u32),
@@ -153,7 +153,7 @@ impl Draws {
         Draws { origin, number: down * n + across, arrangement }
     }
 
-    /// The same for a grid of 2^depth steps a pixel of which the coarse corners are used first: those of each coarser grid are
+    /// The same for a grid of 2^depth steps per pixel of which the coarse corners are used first: those of each coarser grid are
     /// a beginning of the pixel's Sobol points.
     #[inline]
     pub fn of_nested_corner(seed: u64, corner: [u32; 2], depth: u32) -> Draws {

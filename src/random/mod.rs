@@ -2,7 +2,7 @@
 //!
 //! There is no running state: whoever asks for the number of a dimension of a sample gets the same bits, whatever was asked
 //! before, in whatever crop, order or thread. [`Draws`] are the numbers of one sample; a [`Dimension`] says what a number decides. This
-//! room knows nothing of scenes and rays.
+//! module knows nothing of scenes and rays.
 
 mod dimension;
 mod draws;

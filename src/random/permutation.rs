@@ -5,7 +5,7 @@ use super::{GOLDEN, hash, mix};
 /// How often a number is scrambled. With six rounds some pairs of places of sixteen are preferred, with eight none of 3 to 16.
 const ROUNDS: u64 = 8;
 
-/// The word of the last turn, beyond those of the rounds and of the jitter that stands under the same key.
+/// The word of the last turn, beyond those of the rounds and of the jitter, which has the same key.
 const TURN: u64 = u64::MAX;
 
 /// Where the permutation that `key` chooses puts `index` among `count` places.

@@ -17,7 +17,7 @@ pub struct Splits<'d> {
 }
 
 impl<'d> Splits<'d> {
-    /// So many points of a sample in a dimension.
+    /// The points of a sample in a dimension, this many.
     pub fn new(draws: &'d Draws, dimension: Dimension, parts: u32) -> Splits<'d> {
         let (key, order) = (draws.key_of(dimension), draws.order_of(dimension));
         let shared = (draws.is_sobol() && parts > 1).then(|| draws.sobol_digits(key, order));

@@ -20,7 +20,7 @@ impl Stratum {
     /// The whole square.
     pub const WHOLE: Stratum = Stratum { column: 0, across: 1, above: 0, count: 1 };
 
-    /// The part with this number of so many, from 0, row by row.
+    /// The n-th of `count` parts, from 0, row by row.
     pub fn of(number: u32, count: u32) -> Stratum {
         let rows = rows(count);
         // The rows share the parts as evenly as can be: row r ends where ⌊(r + 1)·count/rows⌋ parts do.

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 /// A point of the unit disc: the concentric map (Shirley and Chiu, "A low distortion map between disk and square", 1997).
 pub fn disc([x, y]: [f64; 2]) -> [f64; 2] {
     let (a, b) = (2.0 * x - 1.0, 2.0 * y - 1.0);
-    // In each of the four wedges about the axes the angle from its axis is an eighth of the circle at the most. Which axis it is no
+    // In each of the four wedges about the axes the angle from its axis is an eighth of the circle at most. Which axis it is no
     // processor can guess: it picks a place, not a branch.
     let along = usize::from(a.abs() <= b.abs());
     let radius = [a, b][along];

@@ -28,7 +28,7 @@ pub trait Computation {
     /// Runs it; gives the colour.
     fn run<P: Probe>(self, probe: &mut P) -> Color;
 
-    /// The pixel that it is about, or any. What is random in it hangs on that.
+    /// The pixel that it is about, or any. What is random in it depends on that.
     fn pixel(&self) -> [u32; 2] {
         [0, 0]
     }

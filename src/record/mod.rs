@@ -16,7 +16,7 @@ use crate::trace::camera_ray;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// The most events of a log that is held in memory (2²⁰): more than anybody walks through, in about 120 MiB. A log that is
+/// The most events of a log in memory (2²⁰): more than anybody steps through, in about 120 MiB. A log that is
 /// written as it grows may be longer.
 pub const MAX_EVENTS: usize = 1 << 20;
 
@@ -86,7 +86,7 @@ impl Part {
     }
 }
 
-/// What a log of this part of the scene says about itself.
+/// The header of a log of this part of the scene.
 pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header {
     let tracing = &scene.tracing;
     Header {

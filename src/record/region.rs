@@ -34,7 +34,7 @@ pub fn bounded(scene: &Scene, region: Region, arithmetic: Arithmetic) -> Result<
         events.push(Event::opening(pixel));
         let room = MAX_EVENTS.checked_sub(events.len()).filter(|room| *room > 0).ok_or_else(too_long)?;
         events.add_all(&of_pixel(scene, pixel, arithmetic, room).map_err(|cut_off| match cut_off {
-            // Told of the whole log, not of what was left for this pixel.
+            // The limit of the whole log, not what was left for this pixel.
             CutOff::TooLong { .. } => too_long(),
             other => other,
         })?);

@@ -5,7 +5,7 @@
 //! doesn't matter who was first, and every corner is counted once.
 
 use super::{Counter, Film, Progress, Settings, TILE, color_of, tiles_of};
-use crate::probe::{Probe, Spared};
+use crate::probe::{Probe, Saving};
 use crate::random::hash;
 use crate::record::Computation;
 use crate::sampling::adaptive::{Cutting, rectangle};
@@ -93,7 +93,7 @@ impl Tile<'_> {
             }
         }
         if self.settings.counts_rays {
-            counter.spared(Spared::Shared, alone - counter.samples());
+            counter.rays_saved(Saving::Shared, alone - counter.samples());
         }
         progress(colors.len() as u64);
         Some((colors, counter))
@@ -120,7 +120,7 @@ struct Known {
     between_pixels: ByPlace<Seen>,
     /// Those inside of the pixel at hand.
     inside: ByPlace<Seen>,
-    /// Where rays are counted, the corners that the pixel at hand has asked for: so many it would trace by itself.
+    /// Where rays are counted, the corners that the pixel at hand has asked for: as many as it would trace by itself.
     asked: ByPlace<()>,
 }
 
@@ -181,10 +181,10 @@ impl Computation for Pixel<'_> {
 /// What corners see, or will see when whoever traces them is done.
 type Kept = ByPlace<Arc<OnceLock<Seen>>>;
 
-/// Things by their place in the grid of corners.
+/// Values by their place in the grid of corners.
 type ByPlace<T> = HashMap<[u32; 2], T, BuildHasherDefault<PlaceHasher>>;
 
-/// The hash of a place. Nobody chooses places so that their hashes are the same, and so it needs no secret and little time.
+/// The hash of a place. Places aren't chosen to collide, so a fast hash without a secret is enough.
 #[derive(Default)]
 struct PlaceHasher(u64);
 

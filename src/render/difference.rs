@@ -10,7 +10,7 @@ pub struct Difference {
     pub rmse: f64,
     /// The largest difference of a channel; `None` if all are 0.
     pub largest: Option<Largest>,
-    /// How many pixels differ by more than is let pass.
+    /// How many pixels differ by more than is tolerated.
     pub differing: u64,
 }
 
@@ -103,7 +103,7 @@ pub struct LayerDifference {
     pub name: String,
     /// How many pixels it has.
     pub pixels: u64,
-    /// How many of them differ in some channel by more than is let pass.
+    /// How many of them differ in some channel by more than is tolerated.
     pub differing: u64,
     /// The largest difference of a channel; `None` if all are 0.
     pub largest: Option<LargestOfLayer>,

@@ -9,7 +9,7 @@ use crate::scene::{Color, Scene};
 use std::sync::atomic::AtomicBool;
 
 /// Renders the number of significant digits of each pixel's final colour, in all three channels, as
-/// [`of_color`] has it from runs perturbed by `seed` and its successors. The arithmetic of the settings is passed over.
+/// [`of_color`] has it from runs perturbed by `seed` and its successors. The arithmetic of the settings is ignored.
 ///
 /// Where pixels share samples, each pixel traces its own, as its log does. Rays of all runs are counted.
 ///

@@ -1,7 +1,7 @@
 //! Pixels from corners that they share: each corner of the grid is traced once.
 
 use super::{Progress, Settings, TILE, color_of, tiles_of};
-use crate::probe::{Probe, Spared};
+use crate::probe::{Probe, Saving};
 use crate::record::{Computation, Corner};
 use crate::render::{Counter, Film};
 use crate::sampling::mean::Sum;
@@ -50,7 +50,7 @@ pub(super) fn by_corners(
     if settings.counts_rays {
         let of_a_pixel = u64::from(n + 1) * u64::from(n + 1);
         let alone = u64::from(right - left) * u64::from(bottom - top) * of_a_pixel;
-        counter.spared(Spared::Shared, alone - counter.samples());
+        counter.rays_saved(Saving::Shared, alone - counter.samples());
     }
     Some((pixels.film, counter))
 }

@@ -1,4 +1,4 @@
-//! What cutoffs lost at the most: an upper bound of what the bounces that they left out could have added.
+//! What cutoffs lost at most: an upper bound of what the bounces that they left out could have added.
 
 use crate::log::Step;
 use crate::scene::Color;
@@ -86,7 +86,7 @@ impl Losses {
     }
 
     /// The bounds, if there was a cutoff. A pixel is a mean of samples, so that the largest of a sample holds for pixels too; over all
-    /// pixels a sample counts for `share` at the most.
+    /// pixels a sample counts for `share` at most.
     pub fn lost(&self, share: f64) -> Option<Lost> {
         let bound = |bound: Color| (!self.unbounded).then(|| rounded_up(bound).to_array());
         self.any.then(|| Lost { largest: bound(self.largest), sum: bound(self.sum * share) })
@@ -110,12 +110,12 @@ impl fmt::Display for Lost {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::log::{RayKind, Skippable};
+    use crate::log::{RayKind, Term};
 
     const SAMPLE: Step = Step::Ray { kind: RayKind::Camera, depth: 0, split: 0 };
 
     fn zone(number: u32) -> Step {
-        Step::Zone { what: Skippable::Reflected, number }
+        Step::Zone { what: Term::Reflected, number }
     }
 
     fn lose(losses: &mut Losses, bound: f64) {

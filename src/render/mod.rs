@@ -47,7 +47,7 @@ pub struct Settings {
     pub crop: [u32; 4],
     /// In which arithmetic.
     pub arithmetic: Arithmetic,
-    /// On how many threads; 0 is one a core. Where the system lets fewer start, on those.
+    /// On how many threads; 0 is one per core. Where the system lets fewer start, on those.
     pub threads: usize,
     /// Whether rays are counted.
     pub counts_rays: bool,
@@ -70,15 +70,15 @@ pub enum RenderError {
     /// It was asked to stop.
     #[error("interrupted")]
     Interrupted,
-    /// What was rendered can't be kept.
+    /// The rendered pieces can't be saved.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// There is no memory to be had.
+    /// Out of memory.
     #[error("not enough memory for a picture of {0} x {1} pixels")]
     Memory(u32, u32),
 }
 
-/// Is told how many pixels each finished tile had. Behind a pointer, so that the tracer isn't compiled again for each one.
+/// Called with the number of pixels of each finished tile. Behind a pointer, so that the tracer isn't compiled again for each one.
 pub(crate) type Progress<'p> = &'p (dyn Fn(u64) + Sync);
 
 /// The side of a tile. Tiles are what threads take turns on, and what progress counts.
@@ -87,7 +87,7 @@ const TILE: u32 = 16;
 /// What a pixel needs until it is in a file: twice its colour (in its tile and in the film), its levels, their bytes.
 pub const BYTES_PER_PIXEL: usize = 2 * size_of::<Color>() + 16;
 
-/// Makes sure, as far as that goes, that there is memory for a picture: in the middle of the work it could only abort.
+/// Makes sure, as far as possible, that there is memory for a picture: in the middle of the work a failure could only abort.
 ///
 /// # Errors
 /// [`RenderError::Memory`] when there is none.
@@ -98,7 +98,7 @@ pub fn ask_for_memory([left, top, right, bottom]: [u32; 4]) -> Result<(), Render
     if is_there { Ok(()) } else { Err(RenderError::Memory(width, height)) }
 }
 
-/// Renders a picture. `progress` is told how many pixels each finished tile had; `stop` ends the work early.
+/// Renders a picture. `progress` is called with the number of pixels of each finished tile; `stop` ends the work early.
 pub fn render(
     scene: &Scene,
     settings: &Settings,
@@ -147,7 +147,7 @@ fn on_threads(
     work: impl FnOnce() -> Option<(Film, Counter)> + Send,
 ) -> Result<Rendered, RenderError> {
     ask_for_memory(settings.crop)?;
-    // More threads than tiles would only be in each other's way.
+    // More threads than tiles would only compete.
     let threads = Threads::of(settings.threads, tiles(settings.crop).len());
     let (film, counter) = threads.run(work).ok_or(RenderError::Interrupted)?;
     Ok(Rendered { film, counts: settings.counts_rays.then_some(counter) })

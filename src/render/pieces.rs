@@ -74,7 +74,7 @@ impl Canvas {
         Ok(Canvas::Layers(Layered { width, height, pixels }))
     }
 
-    /// Puts the pixels of a piece of the picture in their place; what isn't of this kind is passed over.
+    /// Puts the pixels of a piece of the picture in their place; what isn't of this kind is ignored.
     pub fn put(&mut self, crop: [u32; 4], area: [u32; 4], pixels: &Pixels) {
         match (self, pixels) {
             (Canvas::Colors(film), Pixels::Colors(colors)) => film.put(area, colors),
@@ -105,7 +105,7 @@ pub fn pieces_of(crop: [u32; 4], shard: Shard) -> impl Iterator<Item = (u32, [u3
     (0..).zip(pieces(crop)).filter(move |(number, _)| shard.has(*number))
 }
 
-/// Renders pieces; `done` is told of each by its number, from one thread at a time, in no order. A pixel has the same bits as in the
+/// Renders pieces; `done` is called with the number of each, from one thread at a time, in no order. A pixel has the same bits as in the
 /// whole picture. Corners between pieces that the pixels of several share are traced once for each piece, and counted so.
 ///
 /// # Errors

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Dot {
     /// Its colour, bit for bit as [`render`](super::render) has it.
     pub color: Color,
-    /// The distance from the eye to the first point that a camera ray of the pixel meets.
+    /// The distance from the eye to the first point that a camera ray of the pixel hits.
     pub depth: Option<f64>,
     /// How many rays it took.
     pub rays: u32,
@@ -24,7 +24,7 @@ pub struct Dot {
 
 /// The dot of a pixel.
 pub fn dot(scene: &Scene, pixel: [u32; 2], arithmetic: Arithmetic) -> Dot {
-    let (color, gauge) = arithmetic.run(Gauge::default(), Pixel { scene, pixel });
+    let (color, gauge) = arithmetic.run(PreviewProbe::default(), Pixel { scene, pixel });
     let depth = gauge.first_hit.map(|point| (point - scene.camera.position()).length());
     Dot { color, depth, rays: gauge.rays, samples: gauge.samples.max(1) }
 }
@@ -34,7 +34,7 @@ pub fn error_of_single(scene: &Scene, pixel: [u32; 2], color: Color) -> f64 {
     (Arithmetic::F32.color(Pixel { scene, pixel }) - color).abs().max_element()
 }
 
-/// Reckons something for the dots of a grid of pixels, every `step`-th of each row and column, in passes that halve their
+/// Computes something for the dots of a grid of pixels, every `step`-th of each row and column, in passes that halve their
 /// distance, the first with every 2^`coarsest`-th dot. `publish` is handed the dots of a few rows at a time, by column and row of
 /// the grid. Returns early when it is to stop.
 pub fn in_passes<T: Send>(
@@ -71,14 +71,14 @@ const DOTS_AT_ONCE: u32 = 2048;
 
 /// Counts rays and samples, and keeps the first hit point of a camera ray.
 #[derive(Clone, Debug, Default)]
-struct Gauge {
+struct PreviewProbe {
     rays: u32,
     samples: u32,
     level: u32,
     first_hit: Option<DVec3>,
 }
 
-impl Probe for Gauge {
+impl Probe for PreviewProbe {
     fn enter(&mut self, step: Step) {
         match step {
             Step::Ray { kind, .. } => {

@@ -1,6 +1,6 @@
 //! Which lights reach anything that the camera sees.
 
-use crate::log::{Decision, RayKind, SkipReason, Skippable, Step};
+use crate::log::{Decision, RayKind, SkipReason, Step, Term};
 use crate::probe::{CutOff, Erased, Probe, until_cut_off};
 use crate::sampling;
 use crate::scene::{Sampling, Scene};
@@ -12,11 +12,11 @@ const MOST: [u32; 2] = [64, 48];
 /// How deep rays are followed here: what is seen in the mirror of a mirror of a mirror counts as unseen.
 const BOUNCES: u32 = 3;
 
-/// So many nodes of the computation are gone through: a light, a ray, an intersection test is one. Where thousands of surfaces lie in the way
+/// The most nodes of the computation that are visited: a light, a ray, an intersection test is one. Where thousands of surfaces lie in the way
 /// to thousands of lights, finding out what each light reaches would take as long as all of them multiplied.
 const MOST_NODES: u32 = 1 << 22;
 
-/// Where these end it, so many pixels say what lights reach; of fewer nothing is told.
+/// Where these end it, this many pixels say what lights reach; of fewer nothing is said.
 const ENOUGH: u32 = 64;
 
 /// How the lights of a scene do.
@@ -26,7 +26,7 @@ pub struct Reach {
     pub lights: Vec<bool>,
     /// For each light, whether there are surfaces in view of which zeros in its colour and in their coefficients leave nothing.
     pub unusable: Vec<bool>,
-    /// For each light, whether a shadow ray to it was blocked or it stands behind a surface in view.
+    /// For each light, whether a shadow ray to it was blocked or it is behind a surface in view.
     pub hidden: Vec<bool>,
     /// Whether surfaces are in view and none of them has a local term: the weight of each is zero.
     pub is_unweighted: bool,
@@ -111,7 +111,7 @@ enum Inside {
 
 impl Probe for Lit {
     fn mark(&mut self, decision: Decision) {
-        if let Decision::Skipped { what: Skippable::Local, .. } = decision {
+        if let Decision::Skipped { what: Term::Local, .. } = decision {
             self.has_unweighted = true;
         }
         let Some(inside) = self.open.last_mut() else { return };

@@ -2,7 +2,7 @@
 
 use super::losses::{Losses, Lost};
 use crate::log::{Decision, Name, RayKind, SkipReason, Step, Value};
-use crate::probe::{Probe, Quantity, Spared};
+use crate::probe::{Probe, Quantity, Saving};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -15,7 +15,7 @@ pub struct Counter {
     by_depth: Vec<u64>,
     skipped: [u64; SkipReason::ALL.len()],
     /// Rays that weren't traced, by rule.
-    spared: [u64; SkipReason::ALL.len()],
+    skipped_rays: [u64; SkipReason::ALL.len()],
     beyond_limit: u64,
     shared: u64,
     unsearched: u64,
@@ -61,12 +61,12 @@ pub struct Statistics {
     pub by_depth: Vec<u64>,
     /// Work left out, by rule.
     pub skipped: BTreeMap<&'static str, u64>,
-    /// Rays that weren't traced, by rule and by `depth_limit` and `shared`: at the most where it wasn't asked whether there
+    /// Rays that weren't traced, by rule and by `depth_limit` and `shared`: at most where it wasn't asked whether there
     /// would have been one. What they would have spawned isn't counted.
     pub saved: BTreeMap<&'static str, u64>,
-    /// Shadow rays in whose way nothing can stand, which are counted here and searched only because they are counted.
+    /// Shadow rays that nothing can block, which are counted here and searched only because they are counted.
     pub free_shadow_rays: u64,
-    /// What cutoffs lost at the most, if there were any.
+    /// What cutoffs lost at most, if there were any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lost: Option<Lost>,
     /// Directions of blurred bounces on the wrong side of a surface.
@@ -127,7 +127,7 @@ impl Counter {
         for (ours, theirs) in self.skipped.iter_mut().zip(&other.skipped) {
             *ours += theirs;
         }
-        for (ours, theirs) in self.spared.iter_mut().zip(&other.spared) {
+        for (ours, theirs) in self.skipped_rays.iter_mut().zip(&other.skipped_rays) {
             *ours += theirs;
         }
         self.beyond_limit += other.beyond_limit;
@@ -150,7 +150,7 @@ impl Counter {
     /// The statistics of a picture of one ray a pixel.
     pub fn statistics(&self, clipped_pixels: u64, seconds: Seconds, peak_bytes: u64) -> Statistics {
         let skipped = SkipReason::ALL.iter().map(|why| (why.word(), self.skipped[*why as usize]));
-        let saved = SkipReason::ALL.iter().map(|why| (why.word(), self.spared[*why as usize]));
+        let saved = SkipReason::ALL.iter().map(|why| (why.word(), self.skipped_rays[*why as usize]));
         Statistics {
             rays: Rays { by_kind: self.rays, total: self.rays.total() },
             hits: self.hits,
@@ -198,7 +198,7 @@ impl Counter {
 }
 
 impl Probe for Counter {
-    const IS_HURRIED: bool = true;
+    const USES_SIMD: bool = true;
 
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
         if name == Name::CutoffLoss
@@ -216,12 +216,12 @@ impl Probe for Counter {
         self.fallbacks += 1;
     }
 
-    fn spared(&mut self, why: Spared, rays: u64) {
+    fn rays_saved(&mut self, why: Saving, rays: u64) {
         *match why {
-            Spared::Skipped(rule) => &mut self.spared[rule as usize],
-            Spared::DepthLimit => &mut self.beyond_limit,
-            Spared::Shared => &mut self.shared,
-            Spared::Search => &mut self.unsearched,
+            Saving::Skipped(rule) => &mut self.skipped_rays[rule as usize],
+            Saving::DepthLimit => &mut self.beyond_limit,
+            Saving::Shared => &mut self.shared,
+            Saving::Search => &mut self.unsearched,
         } += rays;
     }
 

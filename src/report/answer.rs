@@ -1,4 +1,4 @@
-//! Answers that somebody reckoned: read from a line, and judged as exactly as values are shown.
+//! The user's answers: read from a line, and judged as exactly as values are shown.
 
 use super::{Style, number};
 use crate::log::Value;

@@ -48,7 +48,7 @@ pub struct Contribution {
     /// Its way from the eye, such as `C R S1`; without a shadow ray for what needs none.
     pub path: String,
     /// The same without the numbers of samples and splits, for the program.
-    pub way: Way,
+    pub way: LightPath,
     /// The product of the weights on the way.
     pub weight: Color,
     /// What it brings to the way's end.
@@ -67,7 +67,7 @@ pub struct Contribution {
 
 /// A way from the eye.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Way {
+pub struct LightPath {
     /// The node of its last ray, of a light in full view that of the ray to the surface; the root for what comes along no ray.
     pub node: usize,
     /// The same for all ways of the same kinds of rays.
@@ -99,12 +99,12 @@ pub struct Ended {
 pub enum Why {
     /// A decision of the computation, in the event.
     Decided,
-    /// A light stands on the wrong side of the surface.
+    /// A light is on the wrong side of the surface.
     LightBehind {
         /// The light.
         light: u32,
     },
-    /// A thing stands before a light.
+    /// An object blocks a light.
     Blocked {
         /// The light.
         light: u32,
@@ -156,7 +156,7 @@ pub fn account(log: &Log, tree: &Tree, node: usize) -> Account {
 impl Contribution {
     fn new(
         origin: Origin,
-        (path, way): (String, Way),
+        (path, way): (String, LightPath),
         weight: Color,
         own: Color,
         source: Option<Source>,
@@ -195,7 +195,7 @@ fn origin_of_rest(
     if !rest.is_finite() || rest <= NOISE * whole {
         return None;
     }
-    // Each rounding of an intensity moves it by half a unit at the most, and the weights on its way carry that on.
+    // Each rounding of an intensity moves it by half a unit at most, and the weights on its way carry that on.
     let unit = match log.header.arithmetic.as_str() {
         // The book's own numbers follow from no rounding.
         "printed" => f64::INFINITY,

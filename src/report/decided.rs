@@ -1,6 +1,6 @@
 //! The comparison that a decision was taken by, with its numbers: `L2oc > r²: 178.024 > 9`.
 //!
-//! A log says what was decided, and has the numbers. Which of them were compared stands in one table here; what is shown holds for the
+//! A log says what was decided, and has the numbers. Which of them were compared is in one table here; what is shown holds for the
 //! logged numbers, and where the tracer took twice the digits, for those.
 
 mod table;
@@ -231,7 +231,7 @@ impl Decider<'_> {
         scope::size_before(&self.log.events, self.tree, self.tree.owner(self.event), self.event)
     }
 
-    /// Whether the ray leaves the sphere that is tested: its other end is then at 2·T_A, and nothing tells where it begins but the side on
+    /// Whether the ray leaves the sphere that is tested: its other end is then at 2·T_A, and only the side says where it begins on
     /// which it was sent off.
     fn leaves_sphere(&self) -> bool {
         let own = self.tree.owner(self.event);

@@ -3,7 +3,7 @@
 //! Each function takes plain text and gives what stands for it in one format. What can't be seen is escaped first (`\u{1b}`).
 
 use super::number::unraised;
-use crate::log::escape::visible;
+use crate::log::escape::escape_hidden;
 
 /// In running text of Markdown (CommonMark: a backslash before any punctuation stands for it alone).
 pub fn markdown(text: &str) -> String {
@@ -12,7 +12,7 @@ pub fn markdown(text: &str) -> String {
 
 /// In a quoted label of Graphviz, where backslashes and entities are read.
 pub fn dot(text: &str) -> String {
-    visible(text).replace('\\', r"\\").replace('"', "\\\"").replace('&', "&amp;")
+    escape_hidden(text).replace('\\', r"\\").replace('"', "\\\"").replace('&', "&amp;")
 }
 
 /// In a quoted label of Mermaid, which knows characters by their number.
@@ -22,7 +22,7 @@ pub fn mermaid(text: &str) -> String {
 
 /// In text and attributes of XML and HTML.
 pub fn xml(text: &str) -> String {
-    xml_of_visible(&visible(text))
+    xml_of_visible(&escape_hidden(text))
 }
 
 /// The same of a text, or a piece of one, that has been made visible: what stands beside it decides whether a joiner is.
@@ -69,7 +69,7 @@ pub fn latex(text: &str) -> String {
     })
 }
 
-/// The command of TeX for a letter that stands in symbols.
+/// The command of TeX for a letter that occurs in symbols.
 pub(super) fn tex_letter(c: char) -> Option<&'static str> {
     const LETTERS: &[(char, &str)] = &[
         ('η', "eta"),
@@ -97,7 +97,7 @@ fn with_backslashes(text: &str, special: &str) -> String {
 }
 
 fn replaced(text: &str, replacement: impl Fn(char) -> Option<String>) -> String {
-    each_replaced(&visible(text), replacement)
+    each_replaced(&escape_hidden(text), replacement)
 }
 
 fn each_replaced(text: &str, replacement: impl Fn(char) -> Option<String>) -> String {
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_seen_is_told() {
+    fn what_cannot_be_seen_is_reported() {
         for escape in [markdown, dot, mermaid, xml, latex] {
             let escaped = escape(NASTY);
             assert_eq!(crate::log::escape::hidden(&escaped).next(), None, "{escaped}");

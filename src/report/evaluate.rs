@@ -1,6 +1,6 @@
 //! A second opinion on every formula: evaluates the formula texts on the values that a log holds.
 //!
-//! It shares the grammar and the scope rules with the program, and no arithmetic: the operations stand here once more, in the
+//! It shares the grammar and the scope rules with the program, and no arithmetic: the operations are here once more, in the
 //! order in which a reader takes them, from left to right. So a log can be checked against its formulas (the tests do that for
 //! every name, bit for bit), and it can be asked what a quantity would be if one of its operands were another (`diff`).
 

@@ -19,7 +19,7 @@ pub enum Leaf {
     Symbol(&'static str),
     /// Its value, and the event that computed it, if one did and it is known.
     Value(Value, Option<usize>),
-    /// A number with so many decimals, which are more than others have, and the event that computed it.
+    /// A number with this many decimals, which are more than others have, and the event that computed it.
     Precise(f64, u32, Option<usize>),
     /// Terms that are left out of a long sum.
     Elided,

@@ -8,7 +8,7 @@ use super::evaluate::evaluate;
 use crate::log::{Event, Log, Name, Tree, Value, What, round_half_away};
 use std::sync::LazyLock;
 
-/// So many values are asked first whether the log lacks its forms at all: those that raywalk writes never do.
+/// The values that are asked first whether the log lacks its forms at all: those that raywalk writes never do.
 const ASKED: usize = 64;
 
 /// Finds the forms that a log lacks. What no form explains stays as it is.
@@ -49,7 +49,7 @@ pub fn find(log: &mut Log) {
 /// The quantity that an event notes, if it has several formulas.
 fn has_rivals(event: &Event) -> Option<Name> {
     let What::Note { name, .. } = event.what else { return None };
-    // The forms of a key stand anywhere in the table.
+    // The forms of a key may be anywhere in the table.
     Some(name).filter(|name| RIVALS[*name as usize])
 }
 
@@ -88,7 +88,7 @@ fn by_hand(log: &Log) -> Option<u32> {
 }
 
 /// Whether a value that a formula gives is the logged one, but for the log's own rounding and half a unit of the last
-/// of so many digits, of decimals or, below 1, of those that count.
+/// of this many digits, of decimals or, below 1, of those that count.
 pub(super) fn is_near(log: &Log, computed: &Value, logged: &Value, digits: u32) -> bool {
     /// What other orders of the operations change, in proportion to the largest component.
     const NOISE: f64 = 1e-12;
@@ -112,7 +112,7 @@ pub(super) fn is_near(log: &Log, computed: &Value, logged: &Value, digits: u32) 
     computed.len() == logged.len() && computed.iter().zip(logged).all(|(a, b)| a == b || near(*a, *b))
 }
 
-/// One in the last of so many decimals.
+/// One unit in the last of this many decimals.
 fn unit(digits: u32) -> f64 {
     libm::pow(10.0, -f64::from(digits))
 }

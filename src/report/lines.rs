@@ -9,7 +9,7 @@ pub use ply::ply;
 use super::segments::{Segment, segment};
 use crate::log::{Log, RayKind, Tree};
 
-/// What rays are told apart by: where they come from, and whether they reach their light.
+/// What rays are distinguished by: where they come from, and whether they reach their light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Group {
     Camera,

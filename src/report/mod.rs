@@ -1,6 +1,6 @@
-//! A log as people read it: one file a format, on common words, numbers and computations.
+//! A log in readable forms: one file per format, on common words, numbers and computations.
 //!
-//! Nothing is computed here that a log doesn't hold; a report needs no scene.
+//! Reports use only what a log holds; they need no scene.
 
 pub mod answer;
 pub mod close_up;
@@ -42,7 +42,7 @@ pub struct Style {
 }
 
 impl Style {
-    /// With so many decimals, or more where it has more.
+    /// With this many decimals, or more where it has more.
     fn at_least(self, digits: u32) -> Style {
         Style { digits: self.digits.max(digits) }
     }

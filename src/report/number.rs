@@ -20,7 +20,7 @@ pub fn number(x: f64, style: Style) -> String {
     fixed(x, style.digits)
 }
 
-/// Whether a number is written with a power of ten: a product, which stands in parentheses under a power, a root or a fraction bar.
+/// Whether a number is written with a power of ten: a product, which is in parentheses under a power, a root or a fraction bar.
 pub fn has_power_of_ten(x: f64, style: Style) -> bool {
     number(x, style).contains("·10")
 }
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_numbers_stand_bare() {
+    fn whole_numbers_are_bare() {
         shows(-12.0, "-12");
         shows(0.0, "0");
         shows(-0.0, "0");
@@ -133,9 +133,9 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// Neighbours among all numbers look different where they are to be told apart.
+        /// Neighbours among all numbers look different where they are to be distinguished.
         #[test]
-        fn neighbours_are_told_apart(bits in 0_u64..0x7fef_ffff_ffff_ffff, digits in 0_u32..6, is_negative: bool) {
+        fn neighbours_are_distinguished(bits in 0_u64..0x7fef_ffff_ffff_ffff, digits in 0_u32..6, is_negative: bool) {
             let sign = if is_negative { -1.0 } else { 1.0 };
             let [a, b] = [bits, bits + 1].map(|bits| Value::Number(sign * f64::from_bits(bits)));
             let style = telling(&a, &b, Style { digits });
@@ -146,7 +146,7 @@ mod tests {
 
         /// A whole number and what is near it, too.
         #[test]
-        fn whole_numbers_are_told_from_their_neighbours(whole in 1_u32..1_000_000, ulps in 1_u64..1_000_000_000) {
+        fn whole_numbers_are_distinguished_from_their_neighbours(whole in 1_u32..1_000_000, ulps in 1_u64..1_000_000_000) {
             let whole = f64::from(whole);
             let near = f64::from_bits(whole.to_bits() + ulps);
             let style = telling(&Value::Number(whole), &Value::Number(near), Style::default());
@@ -155,7 +155,7 @@ mod tests {
         }
 
         #[test]
-        fn neighbours_of_a_usual_size_are_told_apart(x in 1e-30_f64..1e12, power in -30_i32..1) {
+        fn neighbours_of_a_usual_size_are_distinguished(x in 1e-30_f64..1e12, power in -30_i32..1) {
             let x = x * libm::exp10(f64::from(power));
             let [a, b] = [x, f64::from_bits(x.to_bits() + 1)].map(Value::Number);
             let style = telling(&a, &b, Style::default());

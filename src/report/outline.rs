@@ -1,4 +1,4 @@
-//! The ray tree in one line a ray: what it meets, whether light gets through, what colour it brings.
+//! The ray tree in one line a ray: what it hits, whether light gets through, what colour it brings.
 
 use super::language::Language;
 use super::{Style, text, words};

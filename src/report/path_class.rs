@@ -3,7 +3,7 @@
 //!
 //! From the light L to the eye E every surface scatters diffusely, D, or like a mirror or a lens, S. Figure 14 has the four ways
 //! in which light goes from one surface to the next: a D→D, b S→D, c D→S, d S→S. Ray tracing has c and d, and d only along sharp
-//! directions; direct light, which comes from no surface, is scattered as in b. For all of a and the rest of b stands the
+//! directions; direct light, which comes from no surface, is scattered as in b. For all of a and the rest of b is the
 //! ambient light, A. What leaves the scene gets the background, B.
 
 use super::number::superscript;

@@ -1,7 +1,7 @@
 //! Where a value comes from, and where it goes.
 //!
 //! What a symbol of a formula means is settled in `log/scope.rs`. Here that rule is read in both directions, and goes on through
-//! what a node hands on to another under a new symbol: the hit point becomes the origin of the next ray, the colour that a ray
+//! what a node passes on to another under a new symbol: the hit point becomes the origin of the next ray, the colour that a ray
 //! brings becomes the I_reflected of the ray before it.
 
 mod handed;
@@ -25,7 +25,7 @@ pub struct Operand {
     pub event: usize,
     /// Whether it is an input there.
     pub is_given: bool,
-    /// The event that computed it, if that is known: `event` itself, or the one whose value was handed on as an input.
+    /// The event that computed it, if that is known: `event` itself, or the one whose value was passed on as an input.
     pub computed: Option<usize>,
     /// Under a Σ: the node of the light to which it belongs.
     pub light: Option<usize>,
@@ -96,7 +96,7 @@ fn handed_on(log: &Log, tree: &Tree, event: usize, symbol: &str, value: Value) -
     handed::origin(log, tree, event, *name, &value)
 }
 
-/// Hands every symbol of a formula to `f`, with whether it stands under a Σ.
+/// Hands every symbol of a formula to `f`, with whether it is under a Σ.
 fn each_symbol(formula: &Formula, is_under_sum: bool, f: &mut impl FnMut(&'static str, bool)) {
     match formula {
         Formula::Number(_) => {}

@@ -28,7 +28,7 @@ impl Segment {
     }
 }
 
-/// The rays of a node and of all nodes inside it, at most so many. Rays without a direction or an origin in the log are left out,
+/// The rays of a node and of all nodes inside it, at most this many. Rays without a direction or an origin in the log are left out,
 /// and what lies beyond the first 2^16 nodes, so that it is quick for any log.
 pub fn segments(log: &Log, tree: &Tree, node: usize, most: usize) -> Vec<Segment> {
     const MOST_NODES: usize = 1 << 16;

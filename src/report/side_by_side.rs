@@ -71,7 +71,7 @@ pub fn table(runs: &[Run], node: usize) -> Table {
     Table { rows, agrees: agrees.collect(), reaches: places.iter().map(Option::is_some).collect() }
 }
 
-/// The node of another tree that stands in the place of this one.
+/// The node of another tree that is in the place of this one.
 pub fn in_place_of(tree: &Tree, node: usize, other: &Tree) -> Option<usize> {
     let mut way: Vec<_> = tree.around(node).filter(|at| *at != 0).collect();
     way.reverse();
@@ -84,7 +84,7 @@ pub fn in_place_of(tree: &Tree, node: usize, other: &Tree) -> Option<usize> {
     })
 }
 
-/// What a node decides, and which nodes stand in it besides intersection tests, which may come in another order.
+/// What a node decides, and which nodes are in it besides intersection tests, which may come in another order.
 fn decisions(run: &Run, node: usize) -> (Vec<Decision>, Vec<Step>) {
     let marks = run.tree.own_events(node).filter_map(|event| match run.log.events[event].what {
         // The factor of a filter is a number, and its object says enough.

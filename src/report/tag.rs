@@ -25,10 +25,10 @@ const EXAMPLE: &[(Name, Value)] = &[
 const EYE: &[(Name, Value)] =
     &[(Name::RayOrigin, Value::Triple([16.0, 2.0, 7.0])), (Name::RayVector, Value::Triple([-12.0, 4.0, 1.0]))];
 
-/// So many events the walk of the numeric example doesn't have in any arithmetic, also where all tests are shown.
+/// More events than the walk of the numeric example has in any arithmetic, also where all tests are shown.
 const MOST_EVENTS: usize = 1 << 10;
 
-/// So many nodes are around no value that the book computes.
+/// More nodes than are around any value that the book computes.
 const DEEPEST: usize = 16;
 
 /// Where the source text (Ramos, "Trazado de rayos") explains the value that `event` notes, such as `1.2.1`, or `1.3 (5d)` in the

@@ -67,10 +67,10 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
     Some(format!("{}{body}", indent(level)))
 }
 
-/// Lines are indented by so many levels at most; then a number says how deep they stand, lest a deep log is mostly space.
+/// Lines are indented by this many levels at most. Deeper lines begin with the number of their level, so that a deep log isn't mostly spaces.
 const MOST_INDENT: usize = 32;
 
-/// What stands before a line of a level.
+/// What precedes a line of a level.
 pub(super) fn indent(level: usize) -> String {
     let space = "  ".repeat(level.min(MOST_INDENT));
     if level > MOST_INDENT { format!("{space}({level}) ") } else { space }

@@ -123,7 +123,7 @@ mod tests {
         Camera::new(eye, view, DVec3::new(0.1, 1.0, 0.0), 50.0, [60, 40])
     }
 
-    /// The ray through a place meets the shape where the place lies in the ellipse.
+    /// The ray through a place hits the shape where the place lies in the ellipse.
     #[test]
     fn rays_through_the_ellipse_meet_the_shape() {
         let camera = camera();

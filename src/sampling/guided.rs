@@ -85,7 +85,7 @@ pub fn pilot<P: Probe>(scene: &Scene, wanted: Guided, pixel: [u32; 2], probe: &m
     Pilot::of(&colors, scene.output.white)
 }
 
-/// The same before nobody for the pixels in these columns of a row, whose samples walk together where that saves time.
+/// The same without a recording, for the pixels in these columns of a row, whose samples are traced together where that saves time.
 pub fn pilots_of_row(scene: &Scene, wanted: Guided, row: u32, columns: Range<u32>, mut found: impl FnMut(Pilot)) {
     let count = wanted.pilot();
     if !together::pays(scene, count) {
@@ -193,7 +193,7 @@ mod tests {
     #[test]
     fn a_guide_is_the_mean_variance_and_the_greatest_contrast() {
         let pilots = [pilot([0.5, 0.25, 0.0], 0.5), pilot([0.25, 1.0, 0.5], 0.25), pilot([0.75, 0.5, 0.25], 0.0)];
-        // Red differs by 0.5 at the most, green by 0.75, blue by 0.5.
+        // Red differs by 0.5 at most, green by 0.75, blue by 0.5.
         assert_eq!(Guide::of(&pilots), Guide { variance: 0.25, contrast: 0.75 });
         assert_eq!(Guide::of(&pilots[..1]), Guide { variance: 0.5, contrast: 0.0 });
     }

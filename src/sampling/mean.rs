@@ -38,7 +38,7 @@ impl Sum {
     }
 }
 
-/// The mean of so many samples, the colour of a pixel, as the quantity that it is.
+/// The mean of this many samples, the colour of a pixel, as the quantity that it is.
 #[inline]
 pub fn of_pixel<P: Probe>(name: Name, sum: Sum, count: f64, probe: &mut P) -> Color {
     probe.given(Name::PixelSamples, count);

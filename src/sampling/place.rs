@@ -65,7 +65,7 @@ pub(super) fn place_of_sample<P: Probe>([column, row]: [u32; 2], pick: Pick, pro
 /// The samples of a pixel with these numbers, from 0: `place` gives the random numbers of each and its point, `seen` is shown what each sees,
 /// in their order.
 ///
-/// Where nobody looks on, their rays walk together: they are neighbours, and what they meet is found faster so.
+/// Where nothing is recorded, their rays are traced together: they are neighbours, and what they hit is found faster so.
 #[inline(always)]
 pub fn samples<P: Probe>(
     scene: &Scene,

@@ -1,5 +1,5 @@
 //! Samples anywhere in the pixel, each by itself (Ramos, section 1.4.2; Dippé and Wold, "Antialiasing through stochastic
-//! sampling", 1985). The plain Monte Carlo method, by which the others are measured. The numbers themselves stand in
+//! sampling", 1985). The plain Monte Carlo method, by which the others are measured. The numbers themselves are in
 //! [`crate::random`].
 
 use super::stochastic::mean_of;

@@ -1,6 +1,6 @@
 //! Samples that pixels share (Ramos, section 1.4.2, figure 21): rays through the corners of n × n cells of each pixel.
 //!
-//! A corner is numbered by its column and row in the grid of the whole picture, n steps a pixel. A picture traces each
+//! A corner is numbered by its column and row in the grid of the whole picture, n steps per pixel. A picture traces each
 //! corner once (`render`); a single pixel traces its own, and gets the same bits, because both add in the same order and the
 //! corner's random numbers belong to its place. What else a corner decides is spread over the corners of a pixel.
 
@@ -15,7 +15,7 @@ use crate::trace::Seen;
 /// The corners of a picture.
 #[derive(Clone, Copy, Debug)]
 pub enum Corners {
-    /// All of a grid of so many steps a pixel.
+    /// All of a grid of this many steps per pixel.
     All {
         /// Steps a pixel.
         n: u32,

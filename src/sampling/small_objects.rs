@@ -26,7 +26,7 @@ const CELLS_IN_A_FOUND_OBJECT: f64 = 2.154_700_538_379_252;
 pub const MOST_TRIANGLES: usize = 100_000;
 
 /// The objects of a scene that a cell as large as a pixel may miss, and of an object that isn't convex the parts. Those without end and
-/// those that the eye stands beside are none.
+/// those that the eye is beside are none.
 pub fn of(scene: &Scene) -> Vec<SmallObject> {
     near(scene, None)
 }

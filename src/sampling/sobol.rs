@@ -1,5 +1,5 @@
 //! Samples at the points of Sobol's sequence, scrambled by Owen's method (Sobol, 1967; Owen, "Monte Carlo variance of
-//! scrambled net quadrature", 1997). The points stand in [`crate::random::sobol`].
+//! scrambled net quadrature", 1997). The points are in [`crate::random::sobol`].
 
 use super::stochastic::mean_of;
 use crate::probe::Probe;

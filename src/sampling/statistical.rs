@@ -4,12 +4,12 @@
 //! Samples are points of a scrambled Sobol sequence, doubled until Student's interval of the mean is narrow enough. Of 2^k
 //! points every one of 2^(k−1) near-square strata has two, from whose difference the variance of the mean is estimated; the
 //! degrees of freedom are Satterthwaite's ("An approximate distribution of estimates of variance components", 1946), so that
-//! few strata that an edge crosses count as few. What strata that lie and strata that stand say, the greater variance holds; where no two
+//! few strata that an edge crosses count as few. Of the variances from horizontal and from vertical strata the greater one counts; where no two
 //! in a stratum differ though samples do, all are one stratum. Neighbouring points of a scrambled net repel each other, which makes
 //! all of these err on the side of too large a variance.
 //!
-//! Whoever stops when the samples look good is biased: a pixel whose first samples agree by chance keeps their value.
-//! `docs/sampling.md` has how often that happens. Where samples draw a lens, a time, lights or lobes, chance has so many more ways that
+//! Stopping when the samples look good is biased: a pixel whose first samples agree by chance keeps their value.
+//! `docs/sampling.md` has how often that happens. Where samples draw a lens, a time, lights or lobes, chance has many more ways that
 //! a few that agree aren't enough.
 
 use super::mean::{self, Sum};
@@ -64,7 +64,7 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], prob
     }
 }
 
-/// Whether so many samples that are alike are enough where they draw more than their place: what a lens, a shutter, a light or a lobe
+/// Whether this many samples that are alike are enough where they draw more than their place: what a lens, a shutter, a light or a lobe
 /// shows with a probability of the tolerance or more is then seen by one of them with the confidence, as (1 − ε_m)ⁿ ≤ 1 − γ_m.
 fn enough_alike<P: Probe>(wanted: Statistical, count: u32, probe: &mut P) -> Option<Acceptance> {
     probe.given(Name::StatisticalConfidence, wanted.confidence);
@@ -79,7 +79,7 @@ fn enough_alike<P: Probe>(wanted: Statistical, count: u32, probe: &mut P) -> Opt
 fn verdict<P: Probe>(scene: &Scene, wanted: Statistical, taken: &[Taken], probe: &mut P) -> Option<Acceptance> {
     // The last samples may be no power of two, and then have no pairs.
     let spread = if taken.len().is_power_of_two() { Spread::of_samples(taken) } else { Spread::of_one_stratum(taken) };
-    // Nobody sees the quantile, which takes longer than most samples.
+    // The quantile isn't recorded, and takes longer than most samples.
     if P::IS_SILENT
         && let Some(is_narrow) = spread.is_surely_narrow(wanted.confidence, wanted.tolerance * scene.output.white)
     {
@@ -97,7 +97,7 @@ fn verdict<P: Probe>(scene: &Scene, wanted: Statistical, taken: &[Taken], probe:
     (widest <= limit).then_some(Acceptance::Interval)
 }
 
-/// The differences between the two samples of each of so many strata across and down.
+/// The differences between the two samples of each of this many strata across and down.
 fn differences(taken: &[Taken], [across, down]: [u32; 2]) -> Vec<Color> {
     let mut first: Vec<Option<Color>> = vec![None; taken.len() / 2];
     let mut differences = Vec::with_capacity(taken.len() / 2);

@@ -34,7 +34,7 @@ pub fn quantile(probability: f64, degrees_of_freedom: f64) -> f64 {
 /// itself can tell. Says what [`quantile`] says, in a fraction of its time.
 pub fn is_at_most(t: f64, probability: f64, degrees_of_freedom: f64) -> Option<bool> {
     if probability < LEAST_PROBABILITY {
-        // Nobody trusts so little; closed forms lose digits there.
+        // Nobody asks for such a low confidence; closed forms lose digits there.
         return None;
     }
     // The quantile falls with the degrees of freedom, from Cauchy's at 1 to the normal distribution's. So those of few degrees bound
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_told_without_the_quantile_is_what_it_says() {
+    fn what_is_reported_without_the_quantile_is_what_it_says() {
         let mut told = 0;
         for probability in [0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.999, 1.0 - 1e-9] {
             for freedom in (0..60).map(|k| 1.0 + f64::from(k * k) * 0.0618) {

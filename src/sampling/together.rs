@@ -1,4 +1,4 @@
-//! Pixels of a row whose few samples walk together: what the rays of neighbours meet is found faster so. Each pixel gets the bits that it gets
+//! Pixels of a row whose few samples are traced together: what the rays of neighbours hit is found faster so. Each pixel gets the bits that it gets
 //! alone.
 
 use super::mean::{self, Sum};
@@ -13,7 +13,7 @@ use crate::trace::{Seen, see_together};
 use arrayvec::ArrayVec;
 use std::ops::Range;
 
-/// How many samples each pixel has, where they are so few that those of several walk together, and that saves time.
+/// How many samples each pixel has, where they are so few that those of several are traced together, and that saves time.
 pub fn few_samples(scene: &Scene) -> Option<u32> {
     let count = match scene.sampling {
         Sampling::Center => 1,
@@ -26,12 +26,12 @@ pub fn few_samples(scene: &Scene) -> Option<u32> {
     pays(scene, count).then_some(count)
 }
 
-/// Whether it saves time that so many samples of a pixel walk together with those of its neighbours.
+/// Whether it saves time that this many samples of a pixel are traced together with those of its neighbours.
 pub(super) fn pays(scene: &Scene, count: u32) -> bool {
     2 * u64::from(count) <= PACKET as u64 && scene.index.has_large_trees()
 }
 
-/// The colours of the pixels in these columns of a row, which have so many samples each, as [`few_samples`] says.
+/// The colours of the pixels in these columns of a row, which have this many samples each, as [`few_samples`] says.
 pub fn row(scene: &Scene, row: u32, columns: Range<u32>, count: u32, colors: &mut Vec<Color>) {
     let (mut sum, mut seen_so_far) = (Sum::ZERO, 0);
     let take = |seen: Seen| {
@@ -48,7 +48,7 @@ pub fn row(scene: &Scene, row: u32, columns: Range<u32>, count: u32, colors: &mu
     samples_of_row(scene, row, columns, count, |pixel, number| sample(scene, pixel, number), take);
 }
 
-/// Shows `take` what the samples of the pixels in these columns of a row see, in their order. Each pixel has so many, of which `sample` gives the
+/// Shows `take` what the samples of the pixels in these columns of a row see, in their order. Each pixel has this many, of which `sample` gives the
 /// random numbers and the place in the pixel by its number; it has none where the ray goes through the centre.
 pub(super) fn samples_of_row(
     scene: &Scene,

@@ -43,21 +43,21 @@ pub struct Sight {
 }
 
 /// The orders of the rules that there are. The first three are those that [`Adaptive::rule`] chooses; where these have fewer points than are asked
-/// for at the least, greater ones follow.
+/// for at least, greater ones follow.
 const ORDERS: std::ops::RangeInclusive<u32> = 2..=8;
 
 /// Up to which δ² rules of the orders 2, 3 and 4 are right to 4·10⁻⁴ of the mean, for rectangles and for round lights
 /// (`docs/sampling.md` has the measurements).
 const WIDEST: [[f64; 3]; 2] = [[1.0 / 16.0, 1.0 / 4.0, 1.0 / 2.0], [1.0 / 32.0, 1.0 / 8.0, 1.0 / 4.0]];
 
-/// Light that fades with the distance is taken for that of a light so many times as wide, squared.
+/// Light that fades with the distance is taken for that of a light this many times as wide, squared.
 const OF_FADING: f64 = 4.0;
 
 /// Up to which sharpness of a highlight rules of the orders 3 and 4 are right to 10⁻³ of the mean.
 const SHARPEST: [[f64; 2]; 2] = [[0.25, 1.0], [0.0625, 0.25]];
 
 impl Adaptive {
-    /// For a light of which so many points are asked at least.
+    /// For a light of which this many points are asked at least.
     pub fn new(surface: &LightSurface, by: Spread, least: u32) -> Adaptive {
         Adaptive { least, rules: ORDERS.map(|order| Rule::new(surface, by, order)).collect() }
     }
@@ -131,7 +131,7 @@ fn parallels(order: u32) -> Vec<[f64; 3]> {
     }
 }
 
-/// Points on circles, each of which has a place, a weight and so many points; a point as its circle's place, its part of the turn and its weight. Every other circle
+/// Points on circles, each of which has a place, a weight and this many points; a point as its circle's place, its part of the turn and its weight. Every other circle
 /// is turned by half a step.
 fn circles(circles: impl IntoIterator<Item = [f64; 3]>) -> Vec<[f64; 3]> {
     let circle = |(number, [x, weight, count]): (usize, [f64; 3])| {

@@ -18,7 +18,7 @@ pub struct AreaLight {
     pub surface: LightSurface,
     /// How its weight falls toward the rim; `None` where it doesn't.
     pub profile: Option<CosineProfile>,
-    /// How many points of it each surface point asks, at the most if it is adaptive.
+    /// How many points of it each surface point asks, at most if it is adaptive.
     pub samples: u32,
     /// What its mean is taken by.
     pub by: Spread,
@@ -89,10 +89,12 @@ impl LightSurface {
 /// The axis along which a vector has its least component, of equals the first: the vector is far from parallel to it.
 pub fn least_axis(vector: DVec3) -> DVec3 {
     let size = vector.abs();
-    match () {
-        _ if size.x <= size.y && size.x <= size.z => DVec3::X,
-        _ if size.y <= size.z => DVec3::Y,
-        _ => DVec3::Z,
+    if size.x <= size.y && size.x <= size.z {
+        DVec3::X
+    } else if size.y <= size.z {
+        DVec3::Y
+    } else {
+        DVec3::Z
     }
 }
 

@@ -70,7 +70,7 @@ impl Camera {
         (depth > 0.0 && place.iter().all(|side| side.is_finite())).then_some(place)
     }
 
-    /// Whether a point lies in the field of view, whatever stands before it.
+    /// Whether a point lies in the field of view, whatever is before it.
     pub fn sees(&self, point: DVec3) -> bool {
         let away = point - self.position;
         let depth = away.dot(self.direction) / self.length;

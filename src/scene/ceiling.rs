@@ -1,8 +1,8 @@
-//! How much a ray of each level can bring at the most, whatever it meets: what a cutoff may lose.
+//! How much a ray of each level can bring at most, whatever it hits: what a cutoff may lose.
 //!
 //! Level by level from the deepest, in each channel: a ray brings the background, or from a surface W_l·I_local + W_r·(the ceiling of
 //! the next level) + W_t·(the same), of which the largest over all materials counts. I_local is at most I_a·K_a and, of every light,
-//! I_i·max(K_d + K_e, K_t): cosines and lobes are at most 1, light doesn't grow with distance, and a light stands on one side of a
+//! I_i·max(K_d + K_e, K_t): cosines and lobes are at most 1, light doesn't grow with distance, and a light is on one side of a
 //! surface. What shadow rays keep is at most 1 unless a surface makes more of the light; then there are no ceilings. The
 //! mean over a blurred bounce or an area light is at most its largest part. `docs/skipping.md` says what this is used for.
 

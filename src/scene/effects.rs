@@ -36,7 +36,7 @@ impl Effects {
         self.lens || self.motion
     }
 
-    /// Whether a ray that meets an object may draw.
+    /// Whether a ray that hits an object may draw.
     pub fn of_surfaces(self) -> bool {
         self.area_lights || self.blurred_bounces
     }
@@ -44,10 +44,12 @@ impl Effects {
     /// What is spread jointly with the places in a pixel: what decides of most of the picture.
     #[inline]
     pub fn partner(self) -> Partner {
-        match () {
-            () if self.lens => Partner::Lens,
-            () if self.motion => Partner::Time,
-            () => Partner::Surface,
+        if self.lens {
+            Partner::Lens
+        } else if self.motion {
+            Partner::Time
+        } else {
+            Partner::Surface
         }
     }
 

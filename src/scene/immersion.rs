@@ -46,7 +46,7 @@ fn holding(objects: &[Object], ray: &Ray) -> Vec<u32> {
     let exit = |(number, object): (u32, &Object)| Some((exit(object, number, ray)?, number));
     let mut held: Vec<(f64, u32)> = (0..).zip(objects).filter_map(exit).collect();
     held.sort_by(|(one, _), (other, _)| other.total_cmp(one));
-    // Exits in the same place are told by the scene's order, which the roundings of their distances may have changed.
+    // Coincident exits are ordered as in the scene, which the roundings of their distances may have changed.
     let is_close = |(far, _): &(f64, u32), (near, _): &(f64, u32)| {
         let size = 2.0 * (ray.origin.abs().element_sum() + near);
         far == near || far - near <= Silent.slack(size)

@@ -1,4 +1,4 @@
-//! Which objects a ray can meet: those without end, and those whose box it passes.
+//! Which objects a ray can hit: those without end, and those whose box it passes.
 
 use super::Object;
 use crate::geometry::bvh::{Bvh, Form, PerRay, RayMask, Search};
@@ -29,28 +29,28 @@ pub struct Index {
 enum Extent {
     /// In this ball.
     Ball { center: DVec3, radius: f64 },
-    /// On a plane, which no ray meets that leaves it.
+    /// On a plane, which no ray hits that leaves it.
     Plane,
     /// Anywhere.
     Endless,
 }
 
-/// The objects that can stand between a point and a light.
+/// The objects that can lie between a point and a light.
 pub type Between = ArrayVec<u32, MOST_BETWEEN>;
 
-/// Up to so many bounded objects boxes cost more than they save.
+/// Up to this many bounded objects boxes cost more than they save.
 const WITHOUT_TREE: usize = 8;
 
-/// So many objects are looked at for a whole light.
+/// The most objects that are looked at for a whole light.
 const MOST_BETWEEN: usize = 16;
 
-/// In a tree over fewer primitives rays find what they meet as soon alone as together.
+/// In a tree over fewer primitives rays find what they hit as soon alone as together.
 const WORTH_PACKETS: usize = 64;
 
-/// So many objects are looked at by one core at a time.
+/// How many objects one core looks at at a time.
 const CHUNK: usize = 1 << 12;
 
-/// So many objects are tested in less time than the tree takes.
+/// Fewer objects are tested in less time than the tree takes.
 const WORTH_TESTING: usize = 8;
 
 /// Far more than all roundings, as a part of the squares of the lengths that are compared.
@@ -69,9 +69,9 @@ impl Extent {
         }
     }
 
-    /// Whether the object can stand between a point and a ball (C, R). What lies between them at the part s of the way is at most s·R
-    /// from P + s(C − P). So the object's ball (B, r) stands beside it if |B − P − s(C − P)| > r + s·R for all s from 0 to 1: a
-    /// quadratic in s, whose least value tells.
+    /// Whether the object can lie between a point and a ball (C, R). What lies between them at the part s of the way is at most s·R
+    /// from P + s(C − P). So the object's ball (B, r) is beside it if |B − P − s(C − P)| > r + s·R for all s from 0 to 1: a
+    /// quadratic in s, whose least value decides.
     fn reaches(&self, point: DVec3, (light, light_radius): (DVec3, f64), is_left: bool) -> bool {
         let (center, radius) = match *self {
             Extent::Ball { center, radius } => (center, radius),
@@ -135,7 +135,7 @@ impl Index {
         self.usual.as_deref().unwrap_or(self)
     }
 
-    /// The objects that can stand between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known
+    /// The objects that can lie between a point on the surface of `leaving` and any point of a ball; `None` where nothing is known
     /// but by asking the tree for each ray.
     #[inline]
     pub fn between(&self, point: DVec3, ball: (DVec3, f64), leaving: u32) -> Option<Between> {
@@ -180,7 +180,7 @@ impl Index {
         self.bounds.is_some_and(|bounds| bounds.is_surely_missed(origin, direction))
     }
 
-    /// Shows `meet` every object that the ray can meet, in the order that is searched in, and says whether it certainly crosses it. `meet`
+    /// Shows `meet` every object that the ray can hit, in the order that is searched in, and says whether it certainly crosses it. `meet`
     /// gives the distance up to which objects still matter; a negative one ends the search.
     #[inline(always)]
     pub fn visit<P: Probe>(
@@ -201,7 +201,7 @@ impl Index {
 }
 
 impl Index {
-    /// The same for several rays (see [`Bvh::visit_together`]). Nobody is told how many boxes were tested.
+    /// The same for several rays (see [`Bvh::visit_together`]). The number of tested boxes isn't reported.
     #[inline(always)]
     pub fn visit_together<P: Probe, S: RaySource>(
         &self,
@@ -254,7 +254,7 @@ mod tests {
     use crate::random::{hash, unit, warp};
     use crate::scene::Scene;
 
-    /// Whatever a segment from the point to some point of the light meets can stand between them.
+    /// Whatever a segment from the point to some point of the light meets can lie between them.
     #[test]
     fn nothing_that_shadows_a_part_of_a_light_is_left_out() {
         let (mut shadows, mut left_out) = (0, 0);

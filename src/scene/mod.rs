@@ -1,6 +1,6 @@
-//! What is traced: a scene, validated, in numbers and ready.
+//! A scene, validated and ready to be traced.
 //!
-//! Behind the door of [`mod@file`] there are indices and no surprises: names are resolved, vectors have a length, and numbers
+//! After [`mod@file`] has read and checked a scene, names are indices, vectors have a length, and numbers
 //! are finite.
 
 pub mod adaptive_light;
@@ -62,23 +62,23 @@ pub struct Scene {
     pub camera: Camera,
     /// The ambient light, I_a.
     pub ambient: Color,
-    /// What a ray brings that leaves the scene.
+    /// The colour of a ray that leaves the scene.
     pub background: Color,
     /// The lights.
     pub lights: Vec<Light>,
     /// The materials.
     pub materials: Vec<Material>,
-    /// What samples decide at random beside their place in the pixel.
+    /// The random decisions of samples besides their place in the pixel.
     pub effects: Effects,
     /// The objects, in the order that decides ties.
     pub objects: Vec<Object>,
-    /// Which objects a ray can meet.
+    /// Which objects a ray can hit.
     pub index: Index,
     /// The media that hold the eye.
     pub around_eye: AroundEye,
     /// How rays are traced.
     pub tracing: Tracing,
-    /// How much rays can bring at the most; empty where nobody asks.
+    /// Upper bounds of the colours of rays; empty where they aren't needed.
     pub ceilings: Ceilings,
     /// Which rays make a pixel.
     pub sampling: Sampling,
@@ -90,7 +90,7 @@ pub struct Scene {
     pub output: Output,
 }
 
-/// A thing in the scene.
+/// An object of the scene.
 #[derive(Clone, Debug)]
 pub struct Object {
     /// Its name, unique in the scene.
@@ -107,7 +107,7 @@ pub struct Object {
     pub inside: Option<Side>,
 }
 
-// Scenes have millions of them: docs/robustness.md has what memory a file takes by the byte.
+// Scenes have millions of them: docs/robustness.md has the memory per byte of a file.
 const _: () = assert!(size_of::<Object>() <= 120 && size_of::<Material>() <= 240);
 
 /// How traced values become the numbers of a picture file.

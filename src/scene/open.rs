@@ -21,7 +21,7 @@ pub enum OpenError {
 }
 
 impl Scene {
-    /// The scene in a file, JSON or NFF, with its meshes beside it. Warnings are passed over; [`file::read`] has them.
+    /// The scene in a file, JSON or NFF, with its meshes beside it. Warnings are ignored; [`file::read`] has them.
     ///
     /// # Errors
     /// [`OpenError::File`] and [`OpenError::Unsupported`].
@@ -78,6 +78,7 @@ fn with_meshes(scene: &SceneFile, text: &[u8], name: &str, folder: Folder) -> Re
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
@@ -108,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_there_is_told() {
+    fn what_is_not_there_is_reported() {
         let missing = Scene::open("/there/is/no.json").map(|_| ()).map_err(|error| error.to_string());
         assert!(missing.as_ref().is_err_and(|error| error.contains("no such file")), "{missing:?}");
         assert!(matches!(Scene::built_in("nothing"), Err(OpenError::Name(name)) if name == "nothing"));

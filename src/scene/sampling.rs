@@ -1,4 +1,4 @@
-//! Which rays make a pixel: the choice. What each method does stands in `sampling`.
+//! Which rays make a pixel: the choice. What each method does is in `sampling`.
 
 use crate::log::Parameter;
 use crate::scene::file::validate::limits::MIN_GUIDED;
@@ -59,12 +59,12 @@ pub struct Guided {
 }
 
 impl Guided {
-    /// How many samples the pilot has: a power of two where there may be so many, and so many that they have a variance.
+    /// How many samples the pilot has: a power of two where there may be this many, and so many that they have a variance.
     pub fn pilot(self) -> u32 {
         self.min.max(MIN_GUIDED as u32).next_power_of_two().min(self.max)
     }
 
-    /// How many samples a pixel takes for which `asked` are asked for: a power of two where there may be so many.
+    /// How many samples a pixel takes when `asked` are requested: a power of two where there may be this many.
     pub fn samples(self, asked: f64) -> u32 {
         // What is no number, or more than there may be, is as much as there may be.
         let asked = if asked <= f64::from(self.max) { asked.ceil() as u32 } else { self.max };
@@ -77,7 +77,7 @@ impl Guided {
 pub struct Statistical {
     /// The probability with which the mean's interval is to hold the pixel's colour.
     pub confidence: f64,
-    /// Half the interval's width in each channel at the most, as a part of white.
+    /// Half the interval's width in each channel at most, as a part of white.
     pub tolerance: f64,
     /// The fewest samples.
     pub min: u32,

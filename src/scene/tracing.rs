@@ -23,7 +23,7 @@ pub struct Tracing {
     pub cutoff: f64,
     /// Whether faces are seen from behind.
     pub two_sided: bool,
-    /// What a semitransparent thing does to the light behind it.
+    /// What a semitransparent object does to the light behind it.
     pub shadows: Shadows,
     /// What is left out because it can't change the colour.
     pub skip: Skip,
@@ -100,7 +100,7 @@ pub enum ReflectedScale {
     Specular,
 }
 
-/// What a semitransparent thing between a light and a surface does.
+/// What a semitransparent object between a light and a surface does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shadows {
     /// Each of its surfaces keeps a part of the light, as its material says.

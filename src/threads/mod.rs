@@ -12,7 +12,7 @@ use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, available_parallelism};
 
-/// How many threads the command was asked to use; 0 is one a core.
+/// How many threads the command was asked to use; 0 is one per core.
 static WANTED: AtomicUsize = AtomicUsize::new(0);
 
 /// The pool that was begun last, and how many threads were asked for then.
@@ -23,7 +23,7 @@ thread_local! {
     static IS_ALONE: Cell<bool> = const { Cell::new(false) };
 }
 
-/// So many threads, or as many of them as could be started.
+/// This many threads, or as many of them as could be started.
 #[derive(Clone, Debug)]
 pub struct Threads(Workers);
 
@@ -37,18 +37,18 @@ enum Workers {
     Pool(Arc<ThreadPool>),
 }
 
-/// On how many threads work is shared from here on that isn't told otherwise; 0 is one a core.
+/// The default number of threads from here on; 0 is one per core.
 pub fn want(count: usize) {
     WANTED.store(count, Ordering::Relaxed);
 }
 
-/// What [`want`] was told.
+/// The argument of [`want`].
 pub fn wanted() -> usize {
     WANTED.load(Ordering::Relaxed)
 }
 
-/// Lets the current thread do by itself what isn't [shared](share): without this rayon would begin a pool of its own for whatever small
-/// thing is done in parallel.
+/// Lets the current thread do by itself what isn't [shared](share): without this rayon would begin a pool of its own for any small
+/// parallel work.
 pub fn work_alone() {
     if rayon::current_thread_index().is_some() {
         return;
@@ -61,7 +61,7 @@ pub fn work_alone() {
     }
 }
 
-/// Does work on so many items, each of them little, on the threads that were [wanted](want) if it is enough for several.
+/// Does work on this many items, each of them little, on the threads that were [wanted](want) if it is enough for several.
 pub fn share<T: Send>(items: usize, work: impl FnOnce() -> T + Send) -> T {
     /// Fewer are done before a thread has started.
     const FEW: usize = 1 << 14;
@@ -72,7 +72,7 @@ pub fn share<T: Send>(items: usize, work: impl FnOnce() -> T + Send) -> T {
 }
 
 impl Threads {
-    /// Threads for so many pieces of work: as many as are wanted (0 is one a core) but no more than there are pieces.
+    /// Threads for this many pieces of work: as many as are wanted (0 is one per core) but no more than there are pieces.
     pub fn of(wanted: usize, pieces: usize) -> Threads {
         let most = if wanted == 0 { cores() } else { wanted };
         let count = most.min(pieces);
@@ -172,7 +172,7 @@ fn pool(count: usize, most: usize) -> Option<Arc<ThreadPool>> {
 
 /// Begins as many of these threads as the system lets start. `None` where that is none.
 fn begin(count: usize) -> Option<ThreadPool> {
-    // Each waits until it is told which thread of a pool it is: how many a pool has must be known before.
+    // Each waits for its number in the pool: how many a pool has must be known before.
     let mut waiting: Vec<Sender<ThreadBuilder>> = Vec::new();
     for _ in 0..count_with_room(count) {
         let (sender, receiver) = channel::<ThreadBuilder>();

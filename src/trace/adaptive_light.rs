@@ -1,12 +1,12 @@
-//! Area lights of which only as many points are asked as it takes: where nothing can stand between, a rule of quadrature without shadow rays;
+//! Area lights that get only as many shadow rays as they need: where nothing can lie between, a rule of quadrature without shadow rays;
 //! where one object hides all of the light, a single point; else all.
 
 use super::light_points::{OneSide, on_one_side};
 use super::shade::{Source, from_light, segment_to_light};
 use super::{Meeting, unseen};
 use crate::geometry::{Ray, Search};
-use crate::log::{Asking, Decision, Name, SkipReason, Skippable, Step};
-use crate::probe::{Probe, Silent, Spared};
+use crate::log::{Asking, Decision, Name, SkipReason, Step, Term};
+use crate::probe::{Probe, Saving, Silent};
 use crate::random::{Dimension, Splits};
 use crate::scene::adaptive_light::RulePoint;
 use crate::scene::area_light::Spread;
@@ -14,7 +14,7 @@ use crate::scene::square::place_in_square;
 use crate::scene::{Adaptive, AreaLight, Arrival, Color, Light, LightSurface, Scene, Shadows, Sight, Specular};
 use glam::DVec3;
 
-/// What can stand between a surface point and a point of a light.
+/// What can lie between a surface point and a point of a light.
 #[derive(Clone, Copy)]
 enum Between<'a> {
     /// Nothing.
@@ -49,8 +49,8 @@ pub(super) fn add<P: Probe>(
     if let Some(why) = side.as_ref().and_then(|side| way.why_left_out(side.is_in_front)) {
         light.give(probe);
         probe.within(Step::Light { light: number, split: 0 }, |probe| {
-            probe.spared(Spared::Skipped(why), area.samples.into());
-            probe.mark(Decision::Skipped { what: Skippable::Shadow, why });
+            probe.rays_saved(Saving::Skipped(why), area.samples.into());
+            probe.mark(Decision::Skipped { what: Term::Shadow, why });
         });
         return sum;
     }
@@ -76,7 +76,7 @@ impl Way<'_> {
         unseen::light(self.scene, self.meeting, &self.light.color, is_in_front)
     }
 
-    /// The sum with what a light adds in whose way nothing can stand.
+    /// The sum with what a light adds that nothing can block.
     #[inline(always)]
     fn in_full_view<P: Probe>(&self, adaptive: &Adaptive, is_in_front: bool, mut sum: Color, probe: &mut P) -> Color {
         let Way { area, number: light, .. } = *self;
@@ -88,7 +88,7 @@ impl Way<'_> {
             && !self.light.bends_between(self.distances());
         if let Some(rule) = is_smooth.then(|| adaptive.rule(&area.surface, self.sight())).flatten() {
             let points = rule.points.len() as u32;
-            probe.spared(Spared::Search, points.into());
+            probe.rays_saved(Saving::Search, points.into());
             probe.mark(Decision::Asked { light, why: Asking::Rule, points, object: None });
             for (split, point) in (1..).zip(&rule.points) {
                 sum += self.by_rule(split, point, probe);
@@ -96,7 +96,7 @@ impl Way<'_> {
             return sum;
         }
         let points = area.samples;
-        probe.spared(Spared::Search, points.into());
+        probe.rays_saved(Saving::Search, points.into());
         probe.mark(Decision::Asked { light, why: Asking::InView, points, object: None });
         let splits = self.splits();
         for part in 0..points {

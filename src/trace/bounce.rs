@@ -6,14 +6,14 @@ use super::zones::{self, Lobe};
 use super::{Media, Meeting, Path, Via, in_range, radiance};
 use crate::geometry::doubled::{Doubled, Doubled3};
 use crate::geometry::{Leaving, Ray};
-use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
-use crate::probe::{Probe, Spared};
+use crate::log::{Decision, Name, RayKind, SkipReason, Step, Term};
+use crate::probe::{Probe, Saving};
 use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Formulas, Scene};
 use glam::{BVec3, DVec3};
 
-/// What the reflected ray brings; nothing where there is none.
-// A surface that has no such ray pays for no call.
+/// The colour of the reflected ray; nothing where there is none.
+// A surface without such a ray doesn't pay for a call.
 #[inline(always)]
 pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     if meeting.material.reflects() { mirrored(scene, meeting, probe) } else { Color::ZERO }
@@ -23,24 +23,24 @@ pub(super) fn reflected<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut 
 fn mirrored<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
     let weight = scene.tracing.scale_of_reflected(meeting.weights.reflected, material);
-    if is_left_out(scene, meeting, Skippable::Reflected, weight, probe) {
+    if is_left_out(scene, meeting, Term::Reflected, weight, probe) {
         return Color::ZERO;
     }
     let Some(direction) = mirror(scene, meeting, probe) else { return Color::ZERO };
-    let direction = above(meeting, direction, Skippable::Reflected, probe);
-    // Made where it is used, so that a sharp bounce isn't put in memory.
+    let direction = above(meeting, direction, Term::Reflected, probe);
+    // Made where it is used, so that a sharp bounce stays in registers.
     let place = meeting.place.and_then(Place::turned_back);
     let leaving = meeting.leaving_here();
     let bounce =
         || Bounce { kind: RayKind::Reflected, leaving, weight, media: meeting.path.media, place: place.as_deref() };
     if let Some(exponent) = material.gloss_exponent {
-        let lobe = Lobe { what: Skippable::Reflected, middle: direction, exponent };
+        let lobe = Lobe { what: Term::Reflected, middle: direction, exponent };
         return zones::mean(scene, meeting, &lobe, &bounce(), probe);
     }
     bounce().follow(scene, meeting, direction, 0, probe)
 }
 
-/// What the transmitted ray brings; nothing where there is none, as at a total internal reflection.
+/// The colour of the transmitted ray; nothing where there is none, as at a total internal reflection.
 #[inline(always)]
 pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     if meeting.material.transmits() { refracted(scene, meeting, probe) } else { Color::ZERO }
@@ -50,7 +50,7 @@ pub(super) fn transmitted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mu
 fn refracted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     let material = meeting.material;
     let weight = meeting.weights.transmitted;
-    if is_left_out(scene, meeting, Skippable::Transmitted, weight, probe) {
+    if is_left_out(scene, meeting, Term::Transmitted, weight, probe) {
         return Color::ZERO;
     }
     let inside = meeting.path.media;
@@ -60,13 +60,13 @@ fn refracted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color
     let Some(direction) = refract(meeting.ray, meeting.surface.normal, eta, formulas, probe) else {
         return Color::ZERO;
     };
-    let direction = above(meeting, direction, Skippable::Transmitted, probe);
+    let direction = above(meeting, direction, Term::Transmitted, probe);
     let beyond = inside.beyond(interface, scene);
     let place = meeting.place.and_then(|place| place.beyond_interface(scene));
     let leaving = meeting.leaving_beyond();
     let bounce = || Bounce { kind: RayKind::Transmitted, leaving, weight, media: &beyond, place: place.as_deref() };
     if let Some(exponent) = material.translucency_exponent {
-        let lobe = Lobe { what: Skippable::Transmitted, middle: direction, exponent };
+        let lobe = Lobe { what: Term::Transmitted, middle: direction, exponent };
         return zones::mean(scene, meeting, &lobe, &bounce(), probe);
     }
     bounce().follow(scene, meeting, direction, 0, probe)
@@ -76,21 +76,21 @@ fn refracted<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color
 /// direction that doesn't is its projection onto the surface's own plane (Keller et al., "The Iray light transport simulation and rendering
 /// system", 2017, section A.3, bend reflections up in the same way).
 #[inline(always)]
-fn above<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: &mut P) -> DVec3 {
-    let is_meant_here = what == Skippable::Reflected;
+fn above<P: Probe>(meeting: &Meeting, direction: DVec3, what: Term, probe: &mut P) -> DVec3 {
+    let is_meant_here = what == Term::Reflected;
     if meeting.leaks(direction, is_meant_here) { bent(meeting, direction, what, probe) } else { direction }
 }
 
 #[cold]
 #[inline(never)]
-fn bent<P: Probe>(meeting: &Meeting, direction: DVec3, what: Skippable, probe: &mut P) -> DVec3 {
+fn bent<P: Probe>(meeting: &Meeting, direction: DVec3, what: Term, probe: &mut P) -> DVec3 {
     let normal = meeting.surface.geometric_normal();
     let along = direction - normal * probe.dot(direction, normal);
     let length = along.dot(along).sqrt();
     // Straight down there is no nearest direction.
     let along = if length > 0.0 { along / length } else { normal.any_orthonormal_vector() };
     probe.mark(Decision::Bent { what });
-    let name = if what == Skippable::Reflected { Name::ReflectDirectionBent } else { Name::RefractDirectionBent };
+    let name = if what == Term::Reflected { Name::ReflectDirectionBent } else { Name::RefractDirectionBent };
     probe.note(name, along)
 }
 
@@ -156,7 +156,7 @@ pub(crate) fn refract<P: Probe>(
     unless_lost(refracted, name, probe)
 }
 
-/// What Snell's law says of the transmitted ray's angle.
+/// The transmitted ray's angle by Snell's law.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TransmittedCosine {
     /// cos φ₂; `None` where there is no transmitted ray.
@@ -222,29 +222,32 @@ fn doubled_cosine<P: Probe>(ray: &Ray, normal: DVec3, eta: f64, probe: &mut P) -
 }
 
 /// Whether a bounce isn't traced: because of the depth limit, or because it can't be seen.
-fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Skippable, weight: Color, probe: &mut P) -> bool {
+fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Term, weight: Color, probe: &mut P) -> bool {
     let material = meeting.material;
     let tracing = &scene.tracing;
-    let lobe = if what == Skippable::Reflected { material.gloss_exponent } else { material.translucency_exponent };
+    let lobe = if what == Term::Reflected { material.gloss_exponent } else { material.translucency_exponent };
     let rays = if lobe.is_some() { u64::from(material.zones) } else { 1 };
     if !tracing.goes_deeper(meeting.path.level) {
-        probe.spared(Spared::DepthLimit, rays);
+        probe.rays_saved(Saving::DepthLimit, rays);
         probe.mark(Decision::DepthLimit { what });
         return true;
     }
     // A cutoff of 0 is none.
     let product = meeting.path.weight * weight;
     let is_below_cutoff = tracing.cutoff > 0.0 && product.cmplt(Color::splat(tracing.cutoff)).all();
-    let why = match () {
-        _ if weight == Color::ZERO && tracing.skip.has(SkipReason::ZeroWeight) => SkipReason::ZeroWeight,
-        _ if product == Color::ZERO && is_zero_path(scene, meeting.path, weight) => SkipReason::ZeroPath,
-        _ if is_below_cutoff && tracing.skip.has(SkipReason::Cutoff) => SkipReason::Cutoff,
-        _ => return false,
+    let why = if weight == Color::ZERO && tracing.skip.has(SkipReason::ZeroWeight) {
+        SkipReason::ZeroWeight
+    } else if product == Color::ZERO && is_zero_path(scene, meeting.path, weight) {
+        SkipReason::ZeroPath
+    } else if is_below_cutoff && tracing.skip.has(SkipReason::Cutoff) {
+        SkipReason::Cutoff
+    } else {
+        return false;
     };
     if why == SkipReason::Cutoff {
         give_loss(scene, meeting.path, weight, probe);
     }
-    probe.spared(Spared::Skipped(why), rays);
+    probe.rays_saved(Saving::Skipped(why), rays);
     probe.mark(Decision::Skipped { what, why });
     true
 }
@@ -255,14 +258,14 @@ fn is_zero_path(scene: &Scene, path: &Path, weight: Color) -> bool {
     weight != Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroPath) && dead_channels(path, weight).all()
 }
 
-/// The channels in which some weight on a path, or the next one, is zero. The product of the weights doesn't tell: it may have become
+/// The channels in which some weight on a path, or the next one, is zero. The product of the weights isn't enough: it may have become
 /// too small for a number, while a light is so bright that something would be left of it.
 pub(super) fn dead_channels(path: &Path, weight: Color) -> BVec3 {
     let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());
     bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight.cmpeq(Color::ZERO))
 }
 
-/// What a bounce with this weight could at the most add to the colour of its sample, for the log and the statistics; nothing where
+/// What a bounce with this weight could at most add to the colour of its sample, for the log and the statistics; nothing where
 /// there is no bound.
 #[cold]
 fn give_loss<P: Probe>(scene: &Scene, path: &Path, weight: Color, probe: &mut P) {
@@ -280,7 +283,7 @@ pub(super) struct Bounce<'a> {
     pub weight: Color,
     /// The media that the ray will be inside.
     pub media: &'a Media,
-    /// Where the ray begins, if there are surfaces in that place which it has still to cross.
+    /// The surfaces at the ray's origin, if it has still to cross some of them.
     pub place: Option<&'a Place>,
 }
 

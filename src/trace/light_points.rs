@@ -11,7 +11,7 @@ use crate::scene::square::place_in_square;
 use crate::scene::{AreaLight, Arrival, Between, Color, Light, Scene};
 use glam::DVec3;
 
-/// The sum with what an area light adds: its points are so many lights, one in each stratum of its surface, that share its intensity.
+/// The sum with what an area light adds: its points are as many lights, one in each stratum of its surface, that share its intensity.
 // Kept out of the shading by point lights.
 #[inline(never)]
 pub(super) fn add<P: Probe>(
@@ -28,14 +28,11 @@ pub(super) fn add<P: Probe>(
     let dimension = Dimension::Light { route: meeting.path.route(), light: number };
     let splits = Splits::new(meeting.path.draws, dimension, area.samples);
     let color = light.share();
-    // What can't shadow any point of the light isn't asked for each. Whoever counts is told which searches that saves.
-    let mut among = if P::IS_HURRIED {
-        scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object)
-    } else {
-        None
-    };
+    // What can't shadow any point of the light isn't tested for each. A counting probe gets the searches that this saves.
+    let mut among =
+        if P::USES_SIMD { scene.index.between(meeting.surface.point, area.ball(), meeting.layer.object) } else { None };
     let mut is_asked =
-        !P::IS_HURRIED || scene.index.shows_all() || !pays(scene, meeting, area.samples, among.as_deref());
+        !P::USES_SIMD || scene.index.shows_all() || !pays(scene, meeting, area.samples, among.as_deref());
     for part in 0..area.samples {
         let split = if area.samples == 1 { 0 } else { part + 1 };
         light.give(probe);
@@ -57,13 +54,13 @@ pub(super) fn add<P: Probe>(
     sum
 }
 
-/// In a scene with a tree over its objects a shaft pays for a light of so many points, or more.
+/// In a scene with a tree over its objects a shaft pays for a light of this many points, or more.
 const WITH_TREE: u32 = 8;
 
 /// The same for a scene of few objects.
 const WITHOUT_TREE: u32 = 4;
 
-/// Whether it pays to look closer at what can stand between the surface point and a light of so many points, of which `among` is known.
+/// Whether it pays to look closer at what can lie between the surface point and a light of this many points, of which `among` is known.
 #[inline(always)]
 fn pays(scene: &Scene, meeting: &Meeting, samples: u32, among: Option<&[u32]>) -> bool {
     match among {
@@ -77,7 +74,7 @@ fn pays(scene: &Scene, meeting: &Meeting, samples: u32, among: Option<&[u32]>) -
     }
 }
 
-/// The objects that can stand between the surface point and the light; `None` where these are many, or where the light isn't all on one side of
+/// The objects that can lie between the surface point and the light; `None` where these are many, or where the light isn't all on one side of
 /// the surface.
 #[inline(never)]
 fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[u32]>) -> Option<Between> {
@@ -103,14 +100,12 @@ pub(super) fn on_one_side(meeting: &Meeting, area: &AreaLight) -> Option<OneSide
     let normal = surface.geometric_normal();
     let [least, most] = shaft.rise_along(normal);
     let [shown_least, shown_most] = surface.beneath.map_or([least, most], |_| shaft.rise_along(surface.normal));
-    match () {
-        _ if least > 0.0 && shown_least > 0.0 => {
-            Some(OneSide { shaft: shaft.rising(normal, least), leaving: meeting.leaving_here(), is_in_front: true })
-        }
-        _ if most < 0.0 && shown_most < 0.0 => {
-            let shaft = shaft.rising(-normal, -most);
-            Some(OneSide { shaft, leaving: meeting.leaving_beyond(), is_in_front: false })
-        }
-        _ => None,
+    if least > 0.0 && shown_least > 0.0 {
+        Some(OneSide { shaft: shaft.rising(normal, least), leaving: meeting.leaving_here(), is_in_front: true })
+    } else if most < 0.0 && shown_most < 0.0 {
+        let shaft = shaft.rising(-normal, -most);
+        Some(OneSide { shaft, leaving: meeting.leaving_beyond(), is_in_front: false })
+    } else {
+        None
     }
 }

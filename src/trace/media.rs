@@ -5,7 +5,7 @@ use crate::scene::Scene;
 
 /// The stack of media around a ray: the objects it has entered and not left, each with its refractive index.
 ///
-/// Leaving an object takes out its own latest entry, wherever it stands, so that overlapping objects refract rightly; an
+/// Leaving an object takes out its own latest entry, wherever it is, so that overlapping objects refract rightly; an
 /// object that was never entered leaves the stack as it is.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Media {

@@ -1,6 +1,6 @@
 //! The recursion: the colour that a ray brings (Ramos, sections 1.1 and 1.2).
 //!
-//! This is the only tracer there is. What sees its values, and in which arithmetic they go on, is the probe's business.
+//! This is the only tracer. A probe sees its values, and may change their arithmetic.
 
 mod adaptive_light;
 mod bounce;
@@ -30,7 +30,7 @@ use crate::scene::{AroundEye, Color, Material, ReflectedScale, Scene, Weights};
 use arrayvec::ArrayVec;
 use glam::DVec3;
 
-/// The largest channel of a colour that a surface sends out, by itself or with all that its rays bring: what is larger counts as this. Weights
+/// The largest channel of a colour that a surface sends out, by itself or with all that its rays bring: larger values are clamped to it. Weights
 /// and coefficients are at most 1e100, so no product of one with such a colour overflows, however often weights above 1 have multiplied it.
 pub const MAX_INTENSITY: f64 = 1e150;
 
@@ -47,7 +47,7 @@ pub struct Path<'a> {
     pub draws: &'a Draws,
     /// The bounce that the ray came by; `None` for the camera's.
     pub via: Option<Via<'a>>,
-    /// Where the ray begins, if there are surfaces in that place which it has still to cross.
+    /// The surfaces at the ray's origin, if it has still to cross some of them.
     pub place: Option<&'a Place>,
 }
 
@@ -70,7 +70,7 @@ impl<'a> Path<'a> {
         Path { level: 0, media, weight: Color::ONE, draws, via: None, place: None }
     }
 
-    /// The way from the eye, which names the random decisions at the ray's end. Reckoned where it is asked for, so that rays which
+    /// The route from the eye, which names the random decisions at the ray's end. Computed lazily, so that rays that
     /// decide nothing at random don't pay for it.
     pub fn route(&self) -> Route {
         match &self.via {
@@ -84,12 +84,12 @@ impl<'a> Path<'a> {
 /// Where a ray hits a surface, and how it came there.
 pub(crate) struct Meeting<'a> {
     pub layer: Layer,
-    /// All surfaces in the same place, if there are several.
+    /// All coincident surfaces, if there are several.
     pub place: Option<&'a Place>,
     pub ray: &'a Ray,
     pub surface: Surface,
     pub material: &'a Material,
-    /// The material's weights; that of the transmitted ray counts for all that it crosses in this place.
+    /// The material's weights; that of the transmitted ray is for all surfaces that it crosses here.
     pub weights: &'a Weights,
     pub path: &'a Path<'a>,
     /// How far the point may lie from where exact arithmetic would put it.
@@ -101,7 +101,7 @@ pub(crate) struct Meeting<'a> {
 pub struct Seen {
     /// The colour that it brings.
     pub color: Color,
-    /// The object that it meets first, if it meets any.
+    /// The object that it hits first, if it hits any.
     pub object: Option<u32>,
 }
 
@@ -139,7 +139,7 @@ fn around_eye(scene: &Scene, ray: &Ray) -> Media {
 
 /// What camera rays of samples with these random numbers see, at most [`PACKET`] of them, in their order.
 ///
-/// What they meet first is searched for together; from there on each goes its own way, as it would alone.
+/// Their first hits are searched for together; from there on each is traced by itself.
 pub fn see_together<P: Probe>(
     scene: &Scene,
     draws: &[Draws],
@@ -159,7 +159,7 @@ pub fn see_together<P: Probe>(
     }
 }
 
-/// What a camera ray sees of which the nearest hit is known.
+/// What a camera ray with a known nearest hit sees.
 #[inline(never)]
 fn met<P: Probe>(scene: &Scene, draws: &Draws, ray: &Ray, nearest: Nearest, probe: &mut P) -> Seen {
     let media = match scene.around_eye {
@@ -204,7 +204,7 @@ fn radiance<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, probe: &mut P) -> S
     seen_at(scene, ray, path, nearest, probe)
 }
 
-/// What a ray sees of which the nearest hit is known.
+/// What a ray with a known nearest hit sees.
 #[inline(always)]
 fn seen_at<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, nearest: Nearest, probe: &mut P) -> Seen {
     let Some(mut hit) = nearest.hit() else {
@@ -223,7 +223,7 @@ fn seen_at<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, nearest: Nearest, pr
     shaded(scene, ray, path, &hit, None, probe)
 }
 
-/// What a ray sees that meets nothing.
+/// What a ray that hits nothing sees.
 #[inline(always)]
 fn nothing_met<P: Probe>(scene: &Scene, probe: &mut P) -> Seen {
     probe.given(Name::BackgroundColor, scene.background);
@@ -231,15 +231,15 @@ fn nothing_met<P: Probe>(scene: &Scene, probe: &mut P) -> Seen {
     Seen { color: scene.background, object: None }
 }
 
-/// What a ray sees that hits the first of several surfaces in the same place.
-// Kept apart, so that a surface that is alone doesn't pay for it.
+/// What a ray that hits the first of several coincident surfaces sees.
+// Outlined, so that a single surface doesn't pay for it.
 #[cold]
 #[inline(never)]
 fn in_place<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: &Place, probe: &mut P) -> Seen {
     shaded(scene, ray, path, hit, Some(place), probe)
 }
 
-/// What a ray sees that hits a surface, which may be one of several in the same place.
+/// What a ray that hits a surface sees; the surface may be one of several coincident ones.
 #[inline(always)]
 fn shaded<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: Option<&Place>, probe: &mut P) -> Seen {
     let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);

@@ -28,7 +28,7 @@ fn multiplied<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, pro
     Material { ambient, diffuse, ..plain.clone() }
 }
 
-/// From here on numbers stand more than one apart, so that none of them is odd.
+/// From here on adjacent numbers differ by more than one, so that none of them is odd.
 const LAST_CELL: f64 = 9_007_199_254_740_992.0;
 
 /// The colour of the checkerboard: that of the even cubes, also where the numbers can't tell one cube from the next.
@@ -79,9 +79,11 @@ fn axes(scene: &Scene, meeting: &Meeting) -> DVec3 {
     }
     let normal = meeting.surface.geometric_normal();
     let normal = pose(scene, meeting, &mut Silent).map_or(normal, |pose| pose.own_direction(normal)).abs();
-    match () {
-        _ if normal.x >= normal.y && normal.x >= normal.z => DVec3::new(0.0, 1.0, 1.0),
-        _ if normal.y >= normal.z => DVec3::new(1.0, 0.0, 1.0),
-        _ => DVec3::new(1.0, 1.0, 0.0),
+    if normal.x >= normal.y && normal.x >= normal.z {
+        DVec3::new(0.0, 1.0, 1.0)
+    } else if normal.y >= normal.z {
+        DVec3::new(1.0, 0.0, 1.0)
+    } else {
+        DVec3::new(1.0, 1.0, 0.0)
     }
 }

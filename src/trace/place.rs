@@ -1,4 +1,4 @@
-//! Surfaces in the same place, and how rays pass between them.
+//! Coincident surfaces, and how rays pass through them.
 //!
 //! There the order of the scene decides, for every kind of ray and from either side: the first surface is the nearer one, and the
 //! others lie just behind it, as the arriving ray sees it. Transmitting surfaces that follow each other are one interface.

@@ -1,4 +1,4 @@
-//! Single ray queries: what a ray meets, without any shading, at the time when the shutter opens.
+//! Single ray queries: what a ray hits, without any shading, at the time when the shutter opens.
 
 use super::visibility::{are_any_hit, closest_hit, is_any_hit, search_together};
 use crate::geometry::Hit;
@@ -10,7 +10,7 @@ use arrayvec::ArrayVec;
 use glam::DVec3;
 use std::cell::OnceCell;
 
-/// A question about one ray.
+/// A query about one ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Query {
     /// Where the ray begins.
@@ -25,7 +25,7 @@ pub struct Query {
     pub from: Option<(u32, u32)>,
 }
 
-/// What a ray meets first.
+/// What a ray hits first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// The object.
@@ -42,7 +42,7 @@ pub struct Answer {
     pub side: Side,
 }
 
-/// Where a ray meets something first.
+/// Where a ray hits something first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayHit {
     /// The object.
@@ -53,11 +53,11 @@ pub struct RayHit {
     pub t: f64,
 }
 
-/// How many steps of an ulp the end of a ray may be from what it is reckoned to be at first.
+/// How many steps of an ulp the end of a ray may be from its first estimate.
 const STEPS: u32 = 8;
 
 impl Query {
-    /// What lies anywhere before a point that is on no surface; `direction` may have any length but zero.
+    /// A query for hits at any distance from a point on no surface; `direction` may have any length but zero.
     pub fn new(origin: DVec3, direction: DVec3) -> Query {
         Query { origin, direction, t_min: 0.0, t_max: f64::INFINITY, from: None }
     }
@@ -98,7 +98,7 @@ impl Query {
         })
     }
 
-    /// Where the nearest hit is, for those who don't ask what the surface is like there.
+    /// The nearest hit, without the surface there.
     #[inline]
     pub fn hit(&self, scene: &Scene) -> Option<RayHit> {
         if self.surely_misses(scene) {
@@ -130,8 +130,8 @@ impl Query {
         }
     }
 
-    /// Where the nearest hits of several rays are, at most [`PACKET`]: shows `answer` what each meets, in their order. Rays that run together are
-    /// answered faster so, each as it would be alone.
+    /// Where the nearest hits of several rays are, at most [`PACKET`]: calls `answer` with the hit of each, in their order. Coherent rays are
+    /// faster like this; the answers are the same.
     pub fn hits(queries: &[Query], scene: &Scene, mut answer: impl FnMut(Option<RayHit>)) {
         let mut rays: ArrayVec<Ray, PACKET> = ArrayVec::new();
         let mut lengths = [0.0; PACKET];
@@ -156,7 +156,7 @@ impl Query {
             let (ray, length, nearest) = (&rays[made], lengths[made], &nearest[made]);
             made += 1;
             let t = nearest.hit().map_or(f64::NAN, |hit| hit.crossing.t / length);
-            // Where the order of surfaces or an end of the ray is in doubt, it is asked alone.
+            // Where the order of surfaces or an end of the ray is in doubt, the ray is traced alone.
             let hit = match nearest.hit() {
                 None => None,
                 Some(hit) if nearest.is_alone() && t > query.t_min && t < query.t_max => Some((hit, t)),
@@ -193,13 +193,13 @@ impl Query {
         if has_plain_ends { Line::along(self.origin, self.direction, [self.t_min, self.t_max]) } else { None }
     }
 
-    /// Whether a look at the box around everything shows that the ray meets nothing: its unit vector takes far longer than that.
+    /// Whether the ray misses the box around everything: that test is far cheaper than normalising its direction.
     #[inline(always)]
     fn surely_misses(&self, scene: &Scene) -> bool {
         scene.index.is_surely_missed(self.origin, self.direction)
     }
 
-    /// The ray, what it meets first, and the distance in units of the direction as given.
+    /// The ray, what it hits first, and the distance in units of the direction as given.
     #[inline(always)]
     fn first_hit(&self, mut ray: Ray, length: f64, scene: &Scene) -> Option<(Ray, Hit, f64)> {
         loop {
@@ -220,7 +220,7 @@ impl Query {
         (self.ray_along(direction, vector, length, scene), length)
     }
 
-    /// The ray along the direction, of which the unit vector, the vector of middling size and the length are known.
+    /// The ray along the direction, of which the unit vector, the vector of moderate size and the length are known.
     #[inline(always)]
     fn ray_along(&self, direction: DVec3, vector: DVec3, length: f64, scene: &Scene) -> Ray {
         let t_min = if self.t_min == 0.0 { 0.0 } else { -first_beyond(-self.t_min, length) };
@@ -238,7 +238,7 @@ impl Query {
     }
 }
 
-/// A query whose ray is made when the first kernel asks for it: most rays that meet nothing never need it, and many that do, neither.
+/// A query whose ray is made when the first kernel asks for it: most rays that hit nothing never need it, and many that do, neither.
 struct Asked<'a> {
     query: &'a Query,
     scene: &'a Scene,
@@ -282,10 +282,12 @@ fn first_beyond(bound: f64, length: f64) -> f64 {
     let mut t = bound * length;
     for _ in 0..STEPS {
         let before = t.next_down();
-        match () {
-            _ if t / length < bound => t = t.next_up(),
-            _ if before / length >= bound => t = before,
-            _ => break,
+        if t / length < bound {
+            t = t.next_up();
+        } else if before / length >= bound {
+            t = before;
+        } else {
+            break;
         }
     }
     t

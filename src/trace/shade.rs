@@ -3,8 +3,8 @@
 use super::visibility::{Obstacles, transmittance_among};
 use super::{Meeting, in_range, light_points, pattern, unseen};
 use crate::geometry::Ray;
-use crate::log::{Decision, Name, RayKind, SkipReason, Skippable, Step};
-use crate::probe::{Probe, Spared};
+use crate::log::{Decision, Name, RayKind, SkipReason, Step, Term};
+use crate::probe::{Probe, Saving};
 use crate::scene::{Arrival, Color, Formulas, Light, LightKind, Material, Scene, Specular};
 use glam::DVec3;
 
@@ -12,8 +12,8 @@ use glam::DVec3;
 /// side of a transmitting surface att·I_i·K_t ((−N·H′)⁺)^n_t instead. Nothing where its weight is zero.
 pub(crate) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color {
     if let Some(why) = unseen::local_model(scene, meeting) {
-        probe.spared(Spared::Skipped(why), unseen::shadow_rays(scene, meeting));
-        probe.mark(Decision::Skipped { what: Skippable::Local, why });
+        probe.rays_saved(Saving::Skipped(why), unseen::shadow_rays(scene, meeting));
+        probe.mark(Decision::Skipped { what: Term::Local, why });
         return Color::ZERO;
     }
     probe.within(Step::Shade { object: meeting.layer.object }, |probe| match &meeting.material.pattern {
@@ -67,14 +67,14 @@ pub(super) struct Source<'a> {
     pub split: u32,
     /// Its intensity, I_i.
     pub color: &'a Color,
-    /// The objects that can stand in its way, where that is known before the search for them.
+    /// The objects that can block it, where that is known before the search for them.
     pub among: Option<&'a [u32]>,
-    /// Whether it is known that nothing stands in its way: no shadow ray asks.
+    /// Whether it is known that nothing blocks it: no shadow ray is traced.
     pub is_free: bool,
 }
 
-/// What a light adds that is seen so; nothing if it stands at the surface point.
-// Left to itself, the compiler keeps it apart or not by how often the rest of the program has it.
+/// The contribution of a light; nothing if it is at the surface point.
+// Without the attribute, whether the compiler inlines it depends on the rest of the program.
 #[inline(always)]
 pub(super) fn from_light<P: Probe>(
     scene: &Scene,
@@ -113,14 +113,14 @@ pub(super) fn from_light<P: Probe>(
     arriving * reflectance
 }
 
-/// What a light adds to which no shadow ray is sent, by this rule: nothing.
+/// The contribution of a light without a shadow ray, by this rule: nothing.
 fn without_shadow_ray<P: Probe>(why: SkipReason, probe: &mut P) -> Color {
-    probe.spared(Spared::Skipped(why), 1);
-    probe.mark(Decision::Skipped { what: Skippable::Shadow, why });
+    probe.rays_saved(Saving::Skipped(why), 1);
+    probe.mark(Decision::Skipped { what: Term::Shadow, why });
     Color::ZERO
 }
 
-/// The part of a light's intensity that reaches the surface point: nothing, if the light stands on that side of the surface
+/// The part of a light's intensity that reaches the surface point: nothing, if the light is on that side of the surface
 /// only by an interpolated normal.
 #[inline(always)]
 fn shadow_ray<P: Probe>(
@@ -146,7 +146,7 @@ fn shadow_ray<P: Probe>(
     let obstacles = Obstacles { among: source.among, touched };
     let passed = probe.within(step, |probe| transmittance_among(scene, &ray, &obstacles, probe));
     let passed = if meeting.leaks(arrival.direction, is_in_front) {
-        probe.mark(Decision::LeakGuard { what: Skippable::Shadow });
+        probe.mark(Decision::LeakGuard { what: Term::Shadow });
         Color::ZERO
     } else {
         passed
@@ -154,7 +154,7 @@ fn shadow_ray<P: Probe>(
     if passed == Color::ONE { passed } else { probe.note(Name::ShadowTransmittance, passed) }
 }
 
-/// The ray from a point up to a light. How far the things are that stand in its way isn't asked, but for their order.
+/// The ray from a point up to a light. How far away its blockers are doesn't matter, only their order.
 pub(crate) fn segment_to_light(point: DVec3, arrival: &Arrival) -> Ray {
     Ray { t_max: arrival.distance, wants_distance: false, ..Ray::new(point, arrival.direction) }
 }
@@ -171,7 +171,7 @@ fn specular<P: Probe>(
 ) -> Color {
     // All that is added up here is at least +0, and so adding zero changes no bit.
     if material.specular == Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroTerm) {
-        probe.mark(Decision::Skipped { what: Skippable::Specular, why: SkipReason::ZeroTerm });
+        probe.mark(Decision::Skipped { what: Term::Specular, why: SkipReason::ZeroTerm });
         return Color::ZERO;
     }
     let lobe = match scene.tracing.specular {
@@ -179,7 +179,7 @@ fn specular<P: Probe>(
             let sum = probe.note(Name::HalfSum, light + view);
             let length = probe.note(Name::HalfLength, probe.dot(sum, sum).sqrt());
             if length == 0.0 {
-                // The light stands exactly behind the viewer's back: along the surface there is no half vector.
+                // The light is exactly behind the viewer's back: along the surface there is no half vector.
                 return Color::ZERO;
             }
             let half = probe.note(Name::HalfDirection, sum / length);
@@ -299,7 +299,7 @@ pub(crate) fn power_between(a: DVec3, b: DVec3, exponent: f64) -> f64 {
     libm::exp(exponent / 2.0 * libm::log1p(-sine_squared.min(1.0)))
 }
 
-/// x⁺: what a dot product of unit vectors is worth as a cosine. Rounding can take it past 1, and a large exponent from there
+/// x⁺: a dot product of unit vectors, clamped to a cosine. Rounding can take it past 1, and a large exponent from there
 /// to anywhere.
 fn cosine(x: f64) -> f64 {
     x.clamp(0.0, 1.0)

@@ -2,7 +2,7 @@
 //!
 //! What a light adds to a pixel is a product in each channel: the weights on the path, W_l, I_i, and K_d and K_e, or K_t for a light on the
 //! other side. The *factors* are asked, not their product, which may be too small for a number although a bright light would leave
-//! something of it. A product above zero is proof enough that no factor is zero, and in most scenes that of the first channel tells.
+//! something of it. A product above zero is proof enough that no factor is zero, and in most scenes that of the first channel is enough.
 
 use super::Meeting;
 use super::bounce::dead_channels;
@@ -21,10 +21,12 @@ pub(super) fn local_model(scene: &Scene, meeting: &Meeting) -> Option<SkipReason
 #[inline(never)]
 fn why_no_local_model(scene: &Scene, meeting: &Meeting) -> Option<SkipReason> {
     let local = meeting.weights.local;
-    let why = match () {
-        _ if local == Color::ZERO => SkipReason::ZeroLocal,
-        _ if dead_channels(meeting.path, local).all() => SkipReason::ZeroPathLocal,
-        _ => return None,
+    let why = if local == Color::ZERO {
+        SkipReason::ZeroLocal
+    } else if dead_channels(meeting.path, local).all() {
+        SkipReason::ZeroPathLocal
+    } else {
+        return None;
     };
     scene.tracing.skip.has(why).then_some(why)
 }
@@ -53,16 +55,19 @@ fn why_no_light(scene: &Scene, meeting: &Meeting, color: Color, is_in_front: boo
     // Neither is negative, so that their sum is zero where both are.
     let used = if is_in_front { material.diffuse + material.specular } else { material.transmission };
     let dead = color.cmpeq(Color::ZERO) | used.cmpeq(Color::ZERO);
-    let why = match () {
-        _ if used == Color::ZERO => SkipReason::NoLocalTerm,
-        _ if dead.all() => SkipReason::ZeroLight,
-        _ if (dead | dead_channels(meeting.path, meeting.weights.local)).all() => SkipReason::ZeroPathLight,
-        _ => return None,
+    let why = if used == Color::ZERO {
+        SkipReason::NoLocalTerm
+    } else if dead.all() {
+        SkipReason::ZeroLight
+    } else if (dead | dead_channels(meeting.path, meeting.weights.local)).all() {
+        SkipReason::ZeroPathLight
+    } else {
+        return None;
     };
     scene.tracing.skip.has(why).then_some(why)
 }
 
-/// How many shadow rays the local model has at the most: lights behind the surface get none.
+/// How many shadow rays the local model has at most: lights behind the surface get none.
 pub(super) fn shadow_rays(scene: &Scene, meeting: &Meeting) -> u64 {
     if scene.tracing.shades_ambient_only(meeting.path.level) {
         return 0;

@@ -1,20 +1,20 @@
-//! What a ray hits first, and how much light gets through.
+//! What a ray hits first, and how much light a shadow ray lets through.
 
 use super::{Layer, Place, in_range};
 use crate::geometry::{Crossing, Hit, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Search, Shape, each};
-use crate::log::{Decision, SkipReason, Skippable};
-use crate::probe::{Probe, Spared};
+use crate::log::{Decision, SkipReason, Term};
+use crate::probe::{Probe, Saving};
 use crate::scene::{Color, Scene, Shadows};
 use std::cmp::Ordering;
 
-/// Two distances nearer to each other than so many parts of them are compared with more digits.
+/// Two distances nearer to each other than this many parts of them are compared with more digits.
 const NEAR_TIE: f64 = 8.0 * f64::EPSILON;
 
 /// Two distances with twice the digits that differ by no more than this part of them are the same: that much is their own error where
 /// half of their digits were lost.
 const SAME: f64 = f64::EPSILON * f64::EPSILON * (1 << 24) as f64;
 
-/// How two crossings with objects follow each other along the ray; at the same distance the object that comes first in the
+/// The order of two crossings along the ray; at the same distance the object that comes first in the
 /// scene is the first.
 fn order<P: Probe>(scene: &Scene, ray: &Ray, one: Hit, other: Hit, probe: &mut P) -> Ordering {
     let (t, other_t) = (one.crossing.t, other.crossing.t);
@@ -34,8 +34,8 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
     let mut hits = Vec::new();
     let mut crossings = Vec::new();
     scene.index.visit(ray, Search::in_any_order(probe), probe, |object, _, probe| {
-        let thing = &scene.objects[object as usize];
-        thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
+        let target = &scene.objects[object as usize];
+        target.shape.all_crossings(object, target.one_sided, ray, &mut crossings, probe);
         hits.extend(crossings.drain(..).map(|crossing| Hit { object, crossing }));
         ray.t_max
     });
@@ -43,7 +43,7 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
     hits
 }
 
-/// The nearest hit. Of surfaces in the same place the first in the scene is the nearest, then the lowest primitive.
+/// The nearest hit. Of coincident surfaces the first in the scene is the nearest, then the lowest primitive.
 #[inline(always)]
 pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<Hit> {
     let nearest = search(scene, ray, probe);
@@ -55,8 +55,8 @@ pub fn closest_hit<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Option<
     Some(hit)
 }
 
-/// The nearest hit by its distance, and those that may be in the same place.
-// A part of the recursion, which would have to take the hit out of memory.
+/// The nearest hit by its distance, and those that may coincide.
+// Inlined into the recursion, which otherwise would read the hit from memory.
 #[inline(always)]
 pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Nearest {
     let mut nearest = Nearest::of(ray);
@@ -66,15 +66,15 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
         probe,
         #[inline(always)]
         |object, _, probe| {
-            let thing = &scene.objects[object as usize];
-            thing.shape.nearest(object, thing.one_sided, ray, &mut nearest, probe);
+            let target = &scene.objects[object as usize];
+            target.shape.nearest(object, target.one_sided, ray, &mut nearest, probe);
             nearest.limit()
         },
     );
     nearest
 }
 
-/// The same for several rays, at most [`PACKET`], which walk together where they run together.
+/// The same for several rays, at most [`PACKET`], which traverse the tree as a packet where they are coherent.
 pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &mut PerRay<Nearest>, probe: &mut P) {
     let mut limits = [-1.0; PACKET];
     for (at, ray) in rays.iter().enumerate().take(PACKET) {
@@ -88,20 +88,20 @@ pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &m
         &mut limits,
         #[inline(always)]
         |which, object, _, limits| {
-            let thing = &scene.objects[object as usize];
-            if let Shape::Mesh(mesh) = &thing.shape {
-                mesh.nearest_together((object, thing.one_sided), rays, which, nearest, limits, probe);
+            let target = &scene.objects[object as usize];
+            if let Shape::Mesh(mesh) = &target.shape {
+                mesh.nearest_together((object, target.one_sided), rays, which, nearest, limits, probe);
                 return;
             }
             for at in each(which) {
-                thing.shape.nearest(object, thing.one_sided, &rays[at], &mut nearest[at], probe);
+                target.shape.nearest(object, target.one_sided, &rays[at], &mut nearest[at], probe);
                 limits[at] = nearest[at].limit();
             }
         },
     );
 }
 
-/// The surfaces in the same place as the nearest one, in the order of the scene; marks what was decided.
+/// The surfaces coincident with the nearest one, in the order of the scene; marks what was decided.
 #[cold]
 #[inline(never)]
 pub(super) fn settled<P: Probe>(scene: &Scene, ray: &Ray, nearest: Nearest, probe: &mut P) -> Vec<Hit> {
@@ -124,7 +124,7 @@ pub(super) fn touched<P: Probe>(scene: &Scene, ray: &Ray, place: &Place, probe: 
     layer.touched()
 }
 
-/// Whether a ray meets anything at all. Kernels save digits where it doesn't want distances.
+/// Whether a ray hits anything at all. Kernels compute fewer digits for rays that need no distance.
 #[inline(always)]
 pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut P) -> bool {
     let mut is_hit = false;
@@ -135,7 +135,7 @@ pub fn is_any_hit<P: Probe>(scene: &Scene, source: &impl RaySource, probe: &mut 
     is_hit
 }
 
-/// Which of several rays, at most [`PACKET`], of those in `rays` meet anything at all.
+/// Which of several rays, at most [`PACKET`], of those in `rays` hit anything at all.
 pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: RayMask, probe: &mut P) -> RayMask {
     let mut limits = [-1.0; PACKET];
     for at in each(rays) {
@@ -148,9 +148,9 @@ pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: R
         &mut limits,
         #[inline(always)]
         |which, object, is_sure, limits| {
-            let thing = &scene.objects[object as usize];
-            if let Shape::Mesh(mesh) = &thing.shape {
-                mesh.cross_together((object, thing.one_sided), sources, which, limits, probe);
+            let target = &scene.objects[object as usize];
+            if let Shape::Mesh(mesh) = &target.shape {
+                mesh.cross_together((object, target.one_sided), sources, which, limits, probe);
                 return;
             }
             for at in each(which) {
@@ -166,9 +166,9 @@ pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: R
 /// Whether the ray crosses an object; `is_sure` where that is known but for the ray's own surface and the object's side.
 #[inline(always)]
 fn is_blocked_by<P: Probe>(scene: &Scene, source: &impl RaySource, object: u32, is_sure: bool, probe: &mut P) -> bool {
-    let thing = &scene.objects[object as usize];
+    let target = &scene.objects[object as usize];
     let is_left = || source.leaving().is_some_and(|leaving| leaving.object == object);
-    (is_sure && !thing.one_sided && !is_left()) || thing.shape.is_crossed(object, thing.one_sided, source, probe)
+    (is_sure && !target.one_sided && !is_left()) || target.shape.is_crossed(object, target.one_sided, source, probe)
 }
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
@@ -191,17 +191,17 @@ pub(super) struct Obstacles<'a> {
 pub(super) fn transmittance_among<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &mut P) -> Color {
     let has_none = obstacles.among.is_some_and(<[u32]>::is_empty) && obstacles.touched.is_empty();
     if has_none {
-        probe.spared(Spared::Search, 1);
+        probe.rays_saved(Saving::Search, 1);
         if P::IS_SILENT {
             return Color::ONE;
         }
     }
-    // Whoever counts or logs tests sees them all.
+    // A probe that counts or logs tests sees all of them.
     let obstacles = if P::IS_SILENT { *obstacles } else { Obstacles { among: None, ..*obstacles } };
     searched(scene, ray, &obstacles, probe)
 }
 
-// Kept out of the shading around it, whose values would crowd this loop's out of the registers.
+// Outlined: the shading around it would spill this loop's registers.
 #[inline(never)]
 fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &mut P) -> Color {
     let stops_when_blocked = scene.tracing.skip.has(SkipReason::Blocked);
@@ -218,9 +218,9 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &m
         }
     }
     let mut meet = |object: u32, is_sure: bool, probe: &mut P| {
-        let thing = &scene.objects[object as usize];
-        if lets_light_pass && scene.materials[thing.material].transmits() {
-            thing.shape.all_crossings(object, thing.one_sided, ray, &mut crossings, probe);
+        let target = &scene.objects[object as usize];
+        if lets_light_pass && scene.materials[target.material].transmits() {
+            target.shape.all_crossings(object, target.one_sided, ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
         } else if is_blocked_by(scene, ray, object, is_sure, probe) {
             if !is_blocked {
@@ -229,7 +229,7 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &m
             is_blocked = true;
         }
         if is_blocked && stops_when_blocked {
-            probe.mark(Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Blocked });
+            probe.mark(Decision::Skipped { what: Term::Shadow, why: SkipReason::Blocked });
             return -1.0;
         }
         ray.t_max

@@ -3,7 +3,7 @@
 
 use super::Meeting;
 use super::bounce::Bounce;
-use crate::log::{Decision, Name, Skippable, Step};
+use crate::log::{Decision, Name, Step, Term};
 use crate::probe::Probe;
 use crate::random::{Dimension, Splits, warp};
 use crate::scene::area_light::least_axis;
@@ -14,7 +14,7 @@ use glam::DVec3;
 /// The lobe cosⁿ about a direction.
 pub(super) struct Lobe {
     /// Which bounce is blurred.
-    pub what: Skippable,
+    pub what: Term,
     /// The sharp direction.
     pub middle: DVec3,
     /// The exponent n.
@@ -29,7 +29,7 @@ pub(super) fn mean<P: Probe>(scene: &Scene, meeting: &Meeting, lobe: &Lobe, boun
     let zones = meeting.material.zones;
     let route = meeting.path.route();
     let dimension = match lobe.what {
-        Skippable::Transmitted => Dimension::Transmission { route },
+        Term::Transmitted => Dimension::Transmission { route },
         _ => Dimension::Reflection { route },
     };
     let splits = Splits::new(meeting.path.draws, dimension, zones);
@@ -82,7 +82,7 @@ fn direction<P: Probe>(
     let direction = probe.note(Name::LobeDirection, axes[0] * x + axes[1] * y + lobe.middle * z);
     let name = if meeting.surface.beneath.is_some() { Name::LobeHeightGeometric } else { Name::LobeHeight };
     let height = probe.note(name, probe.dot(meeting.surface.geometric_normal(), direction));
-    let is_wrong = if lobe.what == Skippable::Transmitted { height > 0.0 } else { height < 0.0 };
+    let is_wrong = if lobe.what == Term::Transmitted { height > 0.0 } else { height < 0.0 };
     if is_wrong {
         probe.mark(Decision::Rejected { what: lobe.what });
         return None;

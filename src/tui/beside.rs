@@ -48,7 +48,7 @@ impl<'a> Beside<'a> {
         Beside { rows, titles, differing, cursor, height: 1, message: None }
     }
 
-    /// The terminal has so many rows now.
+    /// The terminal has this many rows now.
     pub fn resize(&mut self, height: u16) {
         self.height = view::rows_of_table(height);
     }

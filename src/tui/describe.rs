@@ -3,7 +3,7 @@
 use super::model::Model;
 use crate::log::What;
 
-/// What an event says, such as `N·L = 0.300`, as far as it may be told.
+/// What an event says, such as `N·L = 0.300`, as far as it may be shown.
 pub(super) fn event(model: &Model, event: usize) -> String {
     let panes = &model.texts().panes;
     if model.hides(event) {

@@ -4,7 +4,7 @@ use super::keys::Action;
 use super::model::{Model, Pane};
 use super::update::Effect;
 use crate::report::language::Language;
-pub use crate::report::schematic::Thing;
+pub use crate::report::schematic::Wireframe;
 use std::fmt;
 use std::sync::Arc;
 
@@ -12,9 +12,9 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct Drawing {
     /// The objects.
-    pub objects: Vec<Thing>,
+    pub objects: Vec<Wireframe>,
     /// The lights; one at a place is a line of one point.
-    pub lights: Vec<Thing>,
+    pub lights: Vec<Wireframe>,
     /// The eye.
     pub eye: [f64; 3],
     /// The place of a point in the picture, in pixels from the top left corner; `None` behind the eye.

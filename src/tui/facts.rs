@@ -64,7 +64,7 @@ impl Facts {
             What::Mark(decision) => match decision {
                 Decision::Outside | Decision::Inside | Decision::Skipped { .. } | Decision::LeakGuard { .. } => {}
                 Decision::Coincident { .. } | Decision::Immersed { .. } | Decision::Bent { .. } => {}
-                // That nothing is in the way is told by the end of the ray.
+                // The end of the ray says that nothing is in the way.
                 Decision::Free => {}
                 Decision::Asked { .. } => {}
                 Decision::Subdivided { .. } | Decision::Accepted { .. } | Decision::MoreSamples { .. } => {}

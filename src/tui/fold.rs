@@ -1,6 +1,6 @@
 //! Which nodes of the tree are open, and the rows that this leaves visible.
 //!
-//! Rows are never listed: the nodes stand in pre-order in one flat array, and from any visible row the next and the
+//! Rows are never listed: the nodes are in pre-order in one flat array, and from any visible row the next and the
 //! previous one are found in a few steps. So a frame touches only what it shows, however large the log.
 
 use super::visible::Visible;

@@ -1,6 +1,6 @@
-//! What helps to find one's way in a log: stepping, breakpoints, playing, searching, bookmarks, copying, the mouse.
+//! Navigation in a log: stepping, breakpoints, playing, searching, bookmarks, copying, the mouse.
 //!
-//! Each has a file of its own; here they are held together, so that the model and its update know one thing of them all.
+//! Each has a file of its own; here they are held together, so that the model and its update know only this one type.
 
 use super::address::{self, Bookmark};
 use super::breakpoints::Breakpoint;
@@ -79,7 +79,7 @@ pub enum Walk {
     Mouse,
     /// A click into this column and row.
     Click(u16, u16),
-    /// The wheel was turned by so many rows, at this column and row.
+    /// The wheel was turned by this many rows, at this column and row.
     Wheel(i16, u16, u16),
     /// Delete the selected entry of a list.
     Delete,
@@ -136,7 +136,7 @@ pub(super) fn tick(model: &mut Model) {
     play::tick(model);
 }
 
-/// Ends the latest thing that can be ended: the message, playing, the search, the filter.
+/// Ends the latest of what can be ended: the message, playing, the search, the filter.
 pub(super) fn close(model: &mut Model) {
     if model.message.take().is_some() {
     } else if model.guide.pace.is_playing {
@@ -169,7 +169,7 @@ pub(super) fn grow(model: &mut Model) {
     let event = model.event;
     if let Some(grown) = &mut model.guide.grown {
         *grown = event;
-        // Nodes stand in the order in which they begin.
+        // Nodes are in the order in which they begin.
         model.fold.visible.end_before(model.tree.nodes().partition_point(|node| node.events.start <= event));
     }
 }

@@ -25,7 +25,7 @@ impl History {
         lines.push_back(line.to_owned());
     }
 
-    /// The line so many before, 1 for the latest; or the earliest. With it, how many before it is.
+    /// The n-th most recent line (1 is the latest), or the earliest; with it, which one it is.
     pub fn before(&self, purpose: Purpose, back: usize) -> Option<(usize, &str)> {
         let lines = self.lines.get(&purpose)?;
         let back = back.min(lines.len());

@@ -10,7 +10,7 @@ pub struct Arrangement {
     pub size: (u16, u16),
     /// The pane that the keys move in.
     pub focus: Pane,
-    /// The pane that stands beside the tree where there is room for two.
+    /// The pane that is beside the tree where there is room for two.
     pub side: Pane,
     /// Whether only the pane with the focus is shown.
     pub is_alone: bool,
@@ -24,7 +24,7 @@ pub struct Arrangement {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Layout {
     areas: [Rect; Pane::ALL.len()],
-    /// The columns between panes that stand side by side.
+    /// The columns between panes that are side by side.
     pub dividers: [Rect; 2],
     /// The bottom line.
     pub status: Rect,
@@ -37,13 +37,13 @@ const WIDE: u16 = 80;
 const TALL: u16 = 20;
 /// From this size on all panes are shown at once.
 const LARGE: (u16, u16) = (140, 34);
-/// From this size on the picture stands below the tree, if there is one.
+/// From this size on the picture is below the tree, if there is one.
 const MIDDLING: (u16, u16) = (100, 28);
-/// The fewest columns of a pane that stands beside another.
+/// The fewest columns of a pane that is beside another.
 const NARROWEST: u16 = 20;
 
 impl Layout {
-    /// All panes when the terminal is large; the tree, the picture and another pane when it is of middling size; else the tree
+    /// All panes when the terminal is large; the tree, the picture and another pane when it is of moderate size; else the tree
     /// and another pane side by side when it is wide, one above the other when it is tall; else one at a time.
     pub fn of(arrangement: &Arrangement) -> Layout {
         let (width, height) = arrangement.size;
@@ -52,15 +52,18 @@ impl Layout {
         }
         let panes = Rect::new(0, 0, width, height - 1);
         let mut layout = Layout { status: Rect::new(0, height - 1, width, 1), ..Layout::default() };
-        match () {
-            _ if arrangement.is_alone => layout.put(arrangement.focus, panes),
-            _ if width >= LARGE.0 && height >= LARGE.1 => layout.all(arrangement, panes),
-            _ if width >= MIDDLING.0 && height >= MIDDLING.1 && arrangement.has_picture => {
-                layout.with_picture(arrangement, panes);
-            }
-            _ if width >= WIDE => layout.side_by_side(arrangement, panes),
-            _ if height >= TALL => layout.stacked(arrangement, panes),
-            _ => layout.put(arrangement.focus, panes),
+        if arrangement.is_alone {
+            layout.put(arrangement.focus, panes);
+        } else if width >= LARGE.0 && height >= LARGE.1 {
+            layout.all(arrangement, panes);
+        } else if width >= MIDDLING.0 && height >= MIDDLING.1 && arrangement.has_picture {
+            layout.with_picture(arrangement, panes);
+        } else if width >= WIDE {
+            layout.side_by_side(arrangement, panes);
+        } else if height >= TALL {
+            layout.stacked(arrangement, panes);
+        } else {
+            layout.put(arrangement.focus, panes);
         }
         layout
     }

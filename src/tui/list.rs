@@ -47,7 +47,7 @@ impl Kind {
 pub struct Listing {
     /// What it is of.
     pub title: String,
-    /// What stands in the cells of its entries, if they have any.
+    /// What is in the cells of its entries, if they have any.
     pub columns: Vec<Column>,
     /// Its entries.
     pub entries: Vec<Entry>,
@@ -58,7 +58,7 @@ pub struct Listing {
 /// A column of a list.
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
-    /// What stands in it.
+    /// What is in it.
     pub title: &'static str,
     /// Whether that is numbers, which end below each other.
     pub is_number: bool,
@@ -72,7 +72,7 @@ impl Column {
     }
 }
 
-/// What stands between two cells in the text of an entry.
+/// What is between two cells in the text of an entry.
 pub const CELL_END: char = '\t';
 
 /// An entry of a list.
@@ -104,7 +104,7 @@ impl Entry {
         Entry { is_heading: true, ..Entry::plain(text, Role::Title) }
     }
 
-    /// Whether it stands in the columns of its list, not across them.
+    /// Whether it is laid out in the columns of its list, not across them.
     pub fn has_cells(&self) -> bool {
         self.text.contains(CELL_END)
     }

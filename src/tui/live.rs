@@ -6,7 +6,7 @@ use crate::log::{Log, Subject};
 use crate::report::language::Language;
 use std::sync::Arc;
 
-/// Somebody who traces the scene that the viewer shows.
+/// Traces the scene that the viewer shows.
 pub trait Live {
     /// The log of another pixel, in the viewer's arithmetic.
     fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, Refusal>;
@@ -29,7 +29,7 @@ pub trait Live {
 /// Why there is no log.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// Nobody can trace a saved log.
+    /// A saved log can't be traced.
     NoScene,
     /// The book prints numbers for one pixel only.
     OnePixelPrinted,

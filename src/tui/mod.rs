@@ -1,8 +1,8 @@
-//! The viewer: walks through a log in the terminal.
+//! The viewer: steps through a log in the terminal.
 //!
 //! A key becomes an [`Action`] (`keys`), an action changes the [`Model`] (`update`), and the model is drawn
 //! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
-//! tested without one. The room knows logs and reports; it computes no geometry and needs no scene.
+//! tested without one. The module knows logs and reports; it computes no geometry and needs no scene.
 
 mod address;
 pub mod beside;
@@ -50,7 +50,7 @@ mod update;
 mod view;
 mod visible;
 
-pub use drawing::{Drawing, PlaceOf, Projection, Thing};
+pub use drawing::{Drawing, PlaceOf, Projection, Wireframe};
 pub use guide::{Guide, Walk};
 pub use jumps::Spot;
 pub use keys::Action;
@@ -82,11 +82,11 @@ pub struct Options {
     pub start: Option<usize>,
     /// What to warn of until it is dismissed, such as a log that was cut off.
     pub warning: Option<String>,
-    /// What to say until the first key.
+    /// The message until the first key.
     pub note: Option<String>,
     /// How numbers are shown.
     pub numbers: Numbers,
-    /// What it speaks at first.
+    /// Its language at first.
     pub language: Language,
 }
 
@@ -97,7 +97,7 @@ pub struct Outcome {
     pub exit: Exit,
     /// Where it was left.
     pub position: Position,
-    /// What it spoke then.
+    /// Its language at the end.
     pub language: Language,
 }
 
@@ -285,7 +285,7 @@ fn position(model: &Model) -> Position {
         _ => None,
     });
     let at = match model.log.header.subject {
-        // The numbers of events begin anew at each pixel; a link counts through.
+        // The numbers of events begin again at each pixel; a link counts through.
         Subject::Region(_) => model.step() as u32,
         _ => model.log.events.get(model.event).map_or(0, |event| event.at),
     };

@@ -68,7 +68,7 @@ pub struct Model {
     pub language: Language,
     /// What is shown, in other arithmetics, once somebody asked for it.
     pub others: Vec<Log>,
-    /// Breakpoints, the search, bookmarks and what else helps to find one's way.
+    /// Breakpoints, the search, bookmarks and other navigation.
     pub guide: Guide,
     /// Lists that explain, and the quiz.
     pub understanding: Understanding,
@@ -303,7 +303,7 @@ impl Model {
         }
     }
 
-    /// The events of the selected node itself, in order, and the nodes inside it, where they stand between them.
+    /// The events of the selected node itself, in order, and the nodes inside it, where they are between them.
     pub fn items(&self) -> Vec<Item> {
         let range = self.tree.nodes()[self.cursor].events.clone();
         let mut items = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::model::{Model, Pane};
 
-/// Goes to the pane so many places after the one with the focus, of those there are.
+/// Moves the focus to the n-th pane after the one that has it, of those on the screen.
 pub(super) fn switch(model: &mut Model, by: isize) {
     let panes: Vec<Pane> =
         Pane::ALL.into_iter().filter(|pane| *pane != Pane::Picture || model.picture.is_some()).collect();

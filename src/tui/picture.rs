@@ -16,7 +16,7 @@ pub struct Image {
     pub step: u32,
     /// The dots row by row.
     pub dots: Vec<Option<Dot>>,
-    /// What a file would hold of a colour that is brighter by so many stops.
+    /// What a file would hold of a colour that is brighter by this many stops.
     pub levels: Levels,
 }
 

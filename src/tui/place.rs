@@ -6,7 +6,7 @@ use std::mem::{Discriminant, discriminant};
 /// A place, by what it is and not by its number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// Each node on the way down from the root: what it is, and the how-manieth of these among its parent's.
+    /// Each node on the way down from the root: what it is, and its index among the nodes of that kind of its parent.
     way: Vec<(Step, usize)>,
     /// The event in the node.
     event: Option<Mark>,

@@ -3,7 +3,7 @@
 use super::model::{Message, Model};
 use super::update::Effect;
 use super::{breakpoints, command, quiz, search};
-use crate::log::escape::visible;
+use crate::log::escape::escape_hidden;
 use crate::report::language::viewer::Status;
 use crate::report::words::plain;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -19,11 +19,11 @@ pub struct Prompt {
     pub line: Input,
     /// How many lines before this one it was brought back from; 0 where it wasn't.
     recalled: usize,
-    /// What stood at each of these places when another line was brought back; at 0 what was being typed.
+    /// What was at each of these places when another line was brought back; at 0 what was being typed.
     left: HashMap<usize, String>,
     /// How many of the latest lines before are this one, which was wrong and is being mended.
     tried: usize,
-    /// The warning in whose place stands what is wrong with the line.
+    /// The warning that is hidden by what is wrong with the line.
     warning: Option<Message>,
 }
 
@@ -48,7 +48,7 @@ pub enum Purpose {
 }
 
 impl Purpose {
-    /// What stands before the line.
+    /// What precedes the line.
     pub fn sign(self, status: &Status) -> &'static str {
         match self {
             Purpose::Search => "/",
@@ -76,12 +76,12 @@ pub(super) fn pasted(model: &mut Model, text: &str) {
     let text = text.replace("\r\n", " ").replace(['\r', '\n', '\t'], " ");
     let (line, cursor) = (prompt.line.value(), prompt.line.cursor());
     let at = line.char_indices().nth(cursor).map_or(line.len(), |(at, _)| at);
-    let before = format!("{}{}", &line[..at], visible(&text));
+    let before = format!("{}{}", &line[..at], escape_hidden(&text));
     let cursor = before.chars().count();
     prompt.line = Input::new(before + &line[at..]).with_cursor(cursor);
 }
 
-/// The message goes with the next key; a warning that stood in its place comes back.
+/// The message goes with the next key; the warning that it hid comes back.
 fn dismiss_message(model: &mut Model) {
     model.message.take_if(|message| !message.is_warning);
     let warning = model.prompt.as_mut().and_then(|prompt| prompt.warning.take());

@@ -1,4 +1,4 @@
-//! The quiz: results and decisions from the current step on are hidden, and what somebody reckons instead is judged.
+//! The quiz: results and decisions from the current step on are hidden, and the user's answers are judged.
 
 use super::breakpoints::kind;
 use super::model::Model;
@@ -24,7 +24,7 @@ pub struct Quiz {
 const MOST_MISSES: u32 = 2;
 
 impl Model {
-    /// Whether the quiz hides the result or the decision of an event: it stands at the current step or after it and wasn't
+    /// Whether the quiz hides the result or the decision of an event: it is at the current step or after it and wasn't
     /// answered yet.
     pub fn hides(&self, event: usize) -> bool {
         let is_asked = || {
@@ -43,13 +43,13 @@ impl Model {
         self.hides(event) && matches!(self.log.events[event].what, What::Mark(_))
     }
 
-    /// The last event that may be told, where there are some that may not.
+    /// The last event that may be shown, where some may not.
     pub fn told(&self) -> Option<usize> {
         let current = self.event.saturating_sub(usize::from(self.hides(self.event)));
         self.understanding.quiz.map(|_| current).or(self.guide.grown)
     }
 
-    /// Whether the quiz hides what goes into an event: it stands after the current step, and its operands would tell results.
+    /// Whether the quiz hides what goes into an event: it is after the current step, and its operands would tell results.
     pub fn hides_operands(&self, event: usize) -> bool {
         self.understanding.quiz.is_some() && event > self.event
     }

@@ -20,10 +20,10 @@ pub struct Stopped {
     pub breakpoint: String,
 }
 
-/// So many stops are remembered.
+/// The most stops that are remembered.
 const MOST: usize = 1000;
 
-/// Runs on, or back, to the next event that a breakpoint stops at, so many times.
+/// Runs on, or back, to the next event that a breakpoint stops at, this many times.
 pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
     if model.guide.breakpoints.iter().all(|breakpoint| !breakpoint.is_on) {
         let has_some = !model.guide.breakpoints.is_empty();
@@ -43,7 +43,7 @@ pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
     }
 }
 
-/// Says that no breakpoint stops any more, after so many stops of so many.
+/// Says that no breakpoint stops any more, after `done` of `times` stops.
 fn say_no_more(model: &mut Model, is_forward: bool, (done, times): (usize, usize)) {
     let texts = &model.texts().breakpoints;
     let hides = |one: &Breakpoint| one.is_on && one.is_hidden_in(model);

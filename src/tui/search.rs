@@ -86,7 +86,7 @@ impl Search {
         search
     }
 
-    /// Looks at so many more events.
+    /// Searches this many more events.
     fn look(&mut self, model: &Model, most: usize) {
         let mut matcher = Matcher::new(model, &self.pattern);
         // A search for values or decisions would find out what a quiz hides.
@@ -124,7 +124,7 @@ impl Search {
         Some(*found as usize)
     }
 
-    /// The match so many after an event, or before it, of a complete search; and whether that went around the end.
+    /// The n-th match after an event, or before it, of a complete search; and whether that went around the end.
     pub fn next(&self, event: usize, is_forward: bool, times: usize) -> Option<(usize, bool)> {
         let count = self.found.len();
         let event = event as u32;
@@ -251,7 +251,7 @@ fn not_found(model: &Model, text: &str) -> String {
     (model.texts().messages.not_found)(&words::plain(text))
 }
 
-/// So many events are looked at while one waits: some hundredths of a second where values are looked for.
+/// The events that are searched while one waits: some hundredths of a second where values are looked for.
 const SLICE: usize = 1 << 17;
 
 /// Looks at the next slice of the log, if the search isn't complete.
@@ -276,7 +276,7 @@ pub(super) fn is_looking(model: &Model) -> bool {
     model.guide.search.as_ref().is_some_and(|search| !search.is_complete())
 }
 
-/// The match so many from here on, and whether that is around the end.
+/// The n-th match from here on, and whether that is around the end.
 fn next(model: &mut Model, is_forward: bool, times: usize) -> Option<(usize, bool)> {
     let here = model.event;
     if is_forward && times == 1 && is_looking(model) {

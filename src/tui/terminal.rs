@@ -1,6 +1,6 @@
 //! The terminal: entered by a guard that always restores it, and read for keys, sizes and signals.
 //!
-//! Only this file of the room does input and output. Whatever ends the viewer (a key, an error, a panic, a signal, a
+//! Only this file of the module does input and output. Whatever ends the viewer (a key, an error, a panic, a signal, a
 //! terminal that is gone), the terminal gets back its screen, its cursor and its modes.
 
 use super::copy;
@@ -54,9 +54,9 @@ pub(super) enum Input {
     Beat,
     /// Columns and rows.
     Size(u16, u16),
-    /// Somebody asks to leave.
+    /// A request to quit.
     Leave(Exit),
-    /// Somebody asks to stop for a while.
+    /// A request to suspend.
     Suspend,
     /// Nothing has come for a moment.
     Tick,
@@ -163,7 +163,7 @@ impl Terminal {
         Ok(has_shell)
     }
 
-    /// Takes the terminal over again, and draws everything anew.
+    /// Takes the terminal over again, and redraws everything.
     pub(super) fn resume(&mut self) -> io::Result<()> {
         self.signals.forget_suspension();
         // The shell has changed the modes behind our back, so that they must really be set again.
@@ -211,14 +211,14 @@ fn read(timeout: Duration) -> io::Result<Option<Input>> {
 /// Whether the terminal is in the viewer's modes.
 static IS_TAKEN: AtomicBool = AtomicBool::new(false);
 
-/// Whether it tells of the mouse.
+/// Whether it reports the mouse.
 static HAS_MOUSE: AtomicBool = AtomicBool::new(false);
 
 fn take_over() -> io::Result<()> {
     IS_TAKEN.store(true, Ordering::SeqCst);
     // Without it a pasted text would be read as keys.
     let modes = || execute!(io::stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste);
-    // Where memory runs out nothing below is called any more. A terminal that doesn't tell its modes can't get them back.
+    // Where memory runs out nothing below is called any more. A terminal that doesn't report its modes can't get them back.
     let _ = hold_terminal();
     enable_raw_mode().and_then(|()| modes()).inspect_err(|_| restore())
 }

@@ -40,7 +40,7 @@ pub(super) fn flat() -> Log {
     record::pixel(&scene(text), [160, 120], Arithmetic::F64)
 }
 
-/// A ray that meets nothing, in a scene without objects.
+/// A ray that hits nothing, in a scene without objects.
 pub(super) fn empty() -> Log {
     let text = r#"{"format": "raywalk-scene/1", "name": "empty", "objects": [],
       "camera": {"position": [0, 0, 5], "direction": [0, 0, -1]}}"#;

@@ -36,8 +36,8 @@ impl Live for Fake {
     }
 
     fn drawing(&mut self) -> Option<Arc<Drawing>> {
-        let ball = Thing { name: "ball".to_owned(), lines: vec![vec![[-2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]] };
-        let lamp = Thing { name: "lamp".to_owned(), lines: vec![vec![[5.0, 5.0, 10.0]]] };
+        let ball = Wireframe { name: "ball".to_owned(), lines: vec![vec![[-2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]] };
+        let lamp = Wireframe { name: "lamp".to_owned(), lines: vec![vec![[5.0, 5.0, 10.0]]] };
         let place_of = |[x, y, z]: [f64; 3]| (z < 10.0).then(|| [4.0 + x / (10.0 - z), 3.0 - y / (10.0 - z)]);
         Some(Arc::new(Drawing {
             objects: vec![ball],
@@ -263,7 +263,7 @@ fn the_letter_of_a_ray_stays_on_the_screen() {
 }
 
 #[test]
-fn a_ray_that_meets_nothing_is_drawn_and_a_log_without_rays_says_so() {
+fn a_ray_that_hits_nothing_is_drawn_and_a_log_without_rays_says_so() {
     let shown = |log: Log, keys: &str| {
         let mut model = sized(log, 80, 24);
         model.focus_on(Pane::Schematic);

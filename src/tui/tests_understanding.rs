@@ -101,7 +101,7 @@ fn a_quiz_is_answered() {
     assert_eq!(model.score(), None);
 }
 
-/// No frame of a quiz shows a result of a later step that stands nowhere before.
+/// No frame of a quiz shows a result of a later step that doesn't occur before.
 #[test]
 fn a_quiz_tells_no_later_result() {
     let theme = Theme::new(Palette::None, false);
@@ -239,7 +239,7 @@ fn a_run_in_a_quiz_tells_nothing() {
     a_run_says("result", "r", "result ?");
     // The test of an object is seen, a decision that names it isn't before it is passed.
     a_run_says("object ball", "r", "stopped by object ball: test ball");
-    // What was passed is told, and so is everything after the quiz.
+    // What was passed is shown, and so is everything after the quiz.
     a_run_says("hit", "$ R", "stopped by hit");
     a_run_says("hit", "Q r", "stopped by hit: hit");
 }
@@ -307,5 +307,5 @@ fn a_quiz_goes_on_in_another_pixel() {
     typed(&mut model, "=");
     assert!(model.prompt.is_none());
     typed(&mut model, "Q Q");
-    assert!(model.hides(asked), "another quiz begins anew");
+    assert!(model.hides(asked), "another quiz starts again");
 }

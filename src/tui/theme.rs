@@ -1,4 +1,4 @@
-//! How the viewer looks: colours and glyphs. Whoever calls decides; nothing here asks the terminal or the environment.
+//! How the viewer looks: colours and glyphs. The caller decides; nothing here reads the terminal or the environment.
 //!
 //! Colours are those of Okabe and Ito, which colour-blind people tell apart, on the terminal's own background. No state
 //! is shown by a colour alone: each also has a glyph or a word.

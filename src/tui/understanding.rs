@@ -86,7 +86,7 @@ fn subject(model: &Model) -> String {
     }
 }
 
-/// Where an event stands: `step 12, C R, sphere.t2_a`.
+/// Where an event is: `step 12, C R, sphere.t2_a`.
 fn whereabouts(model: &Model, event: usize) -> String {
     let path = model.tree.path(model.tree.owner(event));
     let path = if path.is_empty() { path } else { format!(", {path}") };
@@ -207,7 +207,7 @@ fn arithmetics(model: &Model) -> Listing {
     let others = model.others.iter().zip(&trees).map(|(log, tree)| Run { log, tree });
     let runs: Vec<_> = std::iter::once(own).chain(others).collect();
     let table = side_by_side::table(&runs, model.cursor);
-    // The log that is shown stands in its own column, too; the others are taken where it isn't that.
+    // The log that is shown is in its own column, too; the others are taken where it isn't that.
     let is_of = |log: &Log, start: &str| log.header.arithmetic.starts_with(start);
     let column = |start: &str| runs.iter().position(|run| is_of(run.log, start));
     let [hand, single, double] = ["decimal", "f32", "f64"].map(column);

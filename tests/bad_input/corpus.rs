@@ -43,7 +43,7 @@ fn target(name: &str) -> Target {
     *TARGETS.iter().find(|(known, _)| *known == name).expect("a target of this name")
 }
 
-/// Does with every file what its fuzz target does. One that takes for ever fails: nobody waits for it.
+/// Does with every file what its fuzz target does. One that takes forever fails: nobody waits for it.
 #[track_caller]
 fn replays(name: &str) {
     const FOREVER: Duration = Duration::from_secs(240);
@@ -52,7 +52,7 @@ fn replays(name: &str) {
         let (done, waits) = channel();
         let replay = thread::spawn(move || {
             answer(&bytes);
-            // Nobody waits any more if it took for ever.
+            // Nobody waits any more if it took forever.
             let _ = done.send(());
         });
         match waits.recv_timeout(FOREVER) {

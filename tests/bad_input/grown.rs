@@ -16,7 +16,7 @@ const GROWN: usize = 2 << 20;
 /// What the program has without any input, in bytes.
 const PROGRAM: u64 = 32 << 20;
 
-/// The most memory for so many bytes of input, as docs/robustness.md has it, and a third more. Files of this size are within 64 MiB and 8 bytes a byte,
+/// The most memory for this many bytes of input, as docs/robustness.md has it, and a third more. Files of this size are within 64 MiB and 8 bytes per byte,
 /// whatever is in them; what is asked here is less.
 fn most_memory(target: &str, bytes: usize) -> u64 {
     let (fixed, by_the_byte) = match target {

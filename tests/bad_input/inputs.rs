@@ -208,7 +208,7 @@ fn no_two_results_are_one_file() {
     assert_eq!(names_in(&folder.path().join("dump")), [""; 0]);
 }
 
-/// What is only printed goes nowhere that it is read from, either: `rays` would read its own answers for ever.
+/// What is only printed goes nowhere that it is read from, either: `rays` would read its own answers forever.
 #[test]
 fn nothing_is_printed_into_what_is_read() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -57,7 +57,7 @@ fn e17_log_corrupt_middle() {
         let answer = walk(folder.path(), &damaged);
         let line = log[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
         match answer.code {
-            // The record can't be read: it is named, and what stands before it is shown. A line that lost its end is named with
+            // The record can't be read: it is named, and what precedes it is shown. A line that lost its end is named with
             // the next one.
             Some(0) if answer.message.contains("damaged") => {
                 let is_named = [line, line + 1].iter().any(|l| answer.message.contains(&format!(" {l}:")));

@@ -24,7 +24,7 @@ fn e20_memory_limit() {
     let render = ["render", "t.json", "--size", "9x9", "-q", "-o", "a.png"];
     with_little_memory(folder.path(), &render).fails(3, "error: m.obj: ");
     assert_eq!(names_in(folder.path()), ["m.obj", "t.json"]);
-    // What is large in other ways is told before the work begins, too.
+    // What is large in other ways is reported before the work begins, too.
     let large = ["render", "textbook", "--size", "16000x16000", "-q", "-o", "a.png"];
     with_little_memory(folder.path(), &large)
         .fails(3, "error: not enough memory for a picture of 16000 x 16000 pixels");

@@ -74,7 +74,7 @@ fn header(objects: &str, further: &str) -> String {
     )
 }
 
-/// The header with a list of so many bytes in the place of `@`.
+/// The header with a list of this many bytes in the place of `@`.
 fn header_with(objects: &str, further: &str, unit: impl Fn(usize) -> String) -> Vec<u8> {
     let header = header(objects, further);
     let (before, after) = header.split_once('@').expect("a place");

@@ -113,7 +113,7 @@ fn b41_huge_sample_count() {
     );
 }
 
-/// The scene with so many copies of its first object.
+/// The scene with this many copies of its first object.
 fn copies(count: usize) -> String {
     let object = TEXTBOOK.lines().find(|line| line.contains("\"plane\"")).expect("an object");
     textbook_with(object, &vec![object; count].join("\n"))

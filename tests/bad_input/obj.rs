@@ -47,7 +47,7 @@ fn o02_index_high() {
 
 #[test]
 fn o03_index_negative() {
-    refuses(format!("{VERTICES}f 1 2 -9\n"), "5:7: there is no vertex -9, only 4 stand before it");
+    refuses(format!("{VERTICES}f 1 2 -9\n"), "5:7: there is no vertex -9, only 4 precede it");
 }
 
 #[test]

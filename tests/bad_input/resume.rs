@@ -26,7 +26,7 @@ fn size_of(folder: &Path, name: &str) -> u64 {
     fs::metadata(folder.join(name)).map_or(0, |metadata| metadata.len())
 }
 
-/// Ends a call again and again until so many times were in the middle of the work, each time in a new folder when the result is there;
+/// Ends a call again and again until it was in the middle this many times of the work, each time in a new folder when the result is there;
 /// every result has these bytes.
 fn is_killed(times: u32, call: &[&str], name: &str, expected: &[u8]) {
     let checkpoint = format!("{name}.checkpoint");
@@ -92,7 +92,7 @@ fn a_checkpoint_left_beside_a_whole_shard_goes() {
         assert!(start(folder.path(), call).wait().expect("it ends").success());
         assert!(!left.exists(), "{call:?}");
     }
-    // One of something else isn't ours to remove, and in nobody's way.
+    // One of something else isn't ours to remove, and does no harm.
     let other = checkpoint().windows(2).position(|pair| pair == b"70").expect("the height");
     let mut other = {
         let mut text = checkpoint();
@@ -204,7 +204,7 @@ fn frames_go_on_where_they_were_ended() {
     let told = unlimited_answer(&mut raywalk(folder.path(), &loud));
     assert_eq!(told.code, Some(0), "{}", told.message);
     // Unless it was too quick to be caught, the first frame is known.
-    assert!(is_done || told.message.contains("f1.png: is there already"), "{}", told.message);
+    assert!(is_done || told.message.contains("f1.png: exists already"), "{}", told.message);
     for name in ["f1.png", "f2.png", "f3.png"] {
         assert!(
             fs::read(folder.path().join(name)).expect("ours") == fs::read(whole.path().join(name)).expect("theirs")

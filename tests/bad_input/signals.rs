@@ -143,7 +143,7 @@ fn s03_sigkill() {
         old += u32::from(is_old);
     }
     assert!(old > 0, "no render was caught in the middle");
-    // What was left behind stands in nobody's way.
+    // What was left behind does no harm.
     assert!(render().wait().expect("it ends").success());
     assert_eq!(fs::read(folder.path().join("a.pfm")).expect("a picture"), picture);
     assert_eq!(names_in(folder.path()), ["a.pfm"]);

@@ -33,7 +33,7 @@ const CALLS: &[&str] = &[
 ];
 
 #[test]
-fn e09_stdout_closed_is_told() {
+fn e09_stdout_closed_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("a.pfm"), b"Pf 1 1 -1.0\n\0\0\0\0").expect("written");
     for call in CALLS {
@@ -64,7 +64,7 @@ fn e09_stdout_closed_is_told() {
 }
 
 #[test]
-fn e09_stdin_closed_is_told() {
+fn e09_stdin_closed_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
     let expected = "cannot read: it is closed";
     for call in [

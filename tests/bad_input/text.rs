@@ -46,19 +46,19 @@ fn b07_comment() {
 #[test]
 fn b08_duplicate_key() {
     let text = textbook_with("\"name\": \"textbook\"", "\"format\": \"raywalk-scene/1\"");
-    refuses(text, "3:3: format: the key `format` stands twice, expected it once");
+    refuses(text, "3:3: format: the key `format` occurs twice, expected it once");
 }
 
 #[test]
 fn b08_duplicate_deep_key() {
     let text = textbook_with("\"radius\": 3", "\"radius\": 3, \"radius\": 4");
-    refuses(text, "34:80: objects[1].shape.sphere.radius: the key `radius` stands twice, expected it once");
+    refuses(text, "34:80: objects[1].shape.sphere.radius: the key `radius` occurs twice, expected it once");
 }
 
 #[test]
 fn b08_duplicate_material() {
     let text = textbook_with("\"ball\": {", "\"wall\": {");
-    refuses(text, "24:5: materials.wall: the key `wall` stands twice, expected it once");
+    refuses(text, "24:5: materials.wall: the key `wall` occurs twice, expected it once");
 }
 
 #[test]

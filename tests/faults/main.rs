@@ -1,7 +1,7 @@
 //! Every fault of the system is noticed: each system call that reads, writes or orders files fails once, in each of many commands.
 //!
 //! Whatever fails, and whenever the program is killed, a result is the old one or the new one, and whole; inputs stay as they are; nothing
-//! else is left in the folder but by a kill, and the next run sweeps that. What fails is told, with exit code 3, unless the result doesn't
+//! else is left in the folder but by a kill, and the next run sweeps that. What fails is reported, with exit code 3, unless the result doesn't
 //! need it.
 
 #![cfg(all(target_os = "linux", target_arch = "x86_64"))]

@@ -176,7 +176,7 @@ impl Tracer {
             hangs
         });
         let status = self.follow();
-        // Its end has been seen; the standard library is told.
+        // Its end has been seen; the standard library sees it.
         let _ = self.child.try_wait();
         drop(ended);
         assert!(!watchdog.join().expect("a watchdog"), "hangs, with the fault {fault:?}");

@@ -347,7 +347,7 @@ fn penumbras_are_an_exact_reference() {
     let own = found["reference_error"].as_f64().expect("an error of the reference");
     assert!(own > 0.0 && own < 1e-6, "{own:e}");
     assert_eq!(found["reference"], "exact");
-    // What a sample sees lies between 0 and 1. Its variance is 1/4 at the most (Popoviciu), so that n independent ones err by 1/(2√n) at
+    // What a sample sees lies between 0 and 1. Its variance is 1/4 at most (Popoviciu), so that n independent ones err by 1/(2√n) at
     // the most, and Sobol's points err less. A reference that is off by more than twice that, 0.4 %, can't pass.
     for (k, bound) in [(0, 1.0 / 16.0), (1, 1.0 / 512.0)] {
         let error = found["outcomes"][k]["rmse"]["median"].as_f64().expect("a number");

@@ -362,7 +362,7 @@ fn lights_that_light_nothing_in_view_are_warned_of() {
     checks_lights(&at("[1, 2, 1]"), &[]);
     checks_lights(
         &at("[1, 9, 1]"),
-        &["warning: <stdin>:2:14: lights[0]: stands outside the field of view, which it lights all the same"],
+        &["warning: <stdin>:2:14: lights[0]: is outside the field of view, which it lights all the same"],
     );
     checks_lights(r#"{"directional": {"direction": [0, -1, 0]}}"#, &[]);
 }

@@ -157,7 +157,7 @@ fn only_what_both_have_is_compared_on_demand() {
 }
 
 #[test]
-fn pixels_in_another_order_are_told() {
+fn pixels_in_another_order_are_reported() {
     let folder = Folder::new();
     let log = folder.made("a.ndjson", &["trace", "textbook", "--region", "158,119,160,120"]);
     let text = std::fs::read_to_string(&log).expect("the log");
@@ -222,7 +222,7 @@ fn pictures_are_compared_pixel_by_pixel() {
     // 8 and 16 bits differ by no more than half a level of 8 bits.
     assert_eq!(diff(&[&png, &png16, "--abs", "0.00197"]).1, 0);
     assert_eq!(diff(&[&png, &png16]).1, 1);
-    // White stands where the difference is largest, black where there is none.
+    // White is where the difference is largest, black where there is none.
     let [x, y] = [0, 1].map(|axis| largest["pixel"][axis].as_u64().expect("a number") as u32);
     let heat = raywalk::render::export::read(&std::fs::read(&heat).expect("the heat map")).expect("a picture");
     assert_eq!((heat.size(), heat.pixel([x, y])), ([40, 30], [1.0; 3]));
@@ -367,7 +367,7 @@ fn the_log_of_a_region_with_other_numbers_is_whole() {
 }
 
 #[test]
-fn utf_16_is_told_as_walk_tells_it() {
+fn utf_16_is_reported_as_walk_tells_it() {
     let folder = Folder::new();
     let log = folder.textbook("a.ndjson", &[]);
     let text = std::fs::read_to_string(&log).expect("the log");

@@ -62,7 +62,7 @@ fn rewritten(lines: &[String], change: impl Fn(&mut Value)) -> Vec<String> {
 }
 
 #[test]
-fn a_log_that_is_not_whole_ends_with_2_and_its_differences_are_told() {
+fn a_log_that_is_not_whole_ends_with_2_and_its_differences_are_reported() {
     let folder = Folder::new();
     let lines = folder.lines();
     let unknown = |value: &mut Value| {
@@ -92,9 +92,9 @@ fn a_log_that_is_not_whole_ends_with_2_and_its_differences_are_told() {
                 unknown(line);
                 line["end"].as_object_mut().map(|end| end.remove("digest"));
             }),
-            "values of unknown quantities were passed over, the first in line 8: `plane.time`",
+            "values of unknown quantities were skipped, the first in line 8: `plane.time`",
         ),
-        ("one unknown", one_unknown, "1 value of an unknown quantity was passed over, in line 8: `plane.time`"),
+        ("one unknown", one_unknown, "1 value of an unknown quantity was skipped, in line 8: `plane.time`"),
     ];
     for (name, lines, warning) in cases {
         let log = folder.written(name, &lines);
@@ -147,7 +147,7 @@ fn logs_of_other_programs_are_whole() {
         let answer = raywalk(call).output().expect("it runs");
         let message = String::from_utf8_lossy(&answer.stderr);
         assert!(
-            answer.status.success() && message.contains("1 value of an unknown quantity was passed over"),
+            answer.status.success() && message.contains("1 value of an unknown quantity was skipped"),
             "{call:?}: {message}"
         );
         assert!(String::from_utf8_lossy(&answer.stdout).ends_with("result: (393.054, 311.666, 370.310)\n"), "{call:?}");

@@ -181,7 +181,7 @@ fn what_is_wrong_with_a_position_is_refused_in_every_encoding() {
     let faces: [&[i32]; 2] = [&[0, 1, 2], &[0, 2, 3]];
     let mut bad = vertices(0.0, 1.0);
     bad[1][0] = f32::NAN;
-    // Where it stands is a line, or a byte.
+    // Its place is a line, or a byte.
     let at = |format: &str, line: &str| if format == "ascii" { format!("{line}:") } else { String::new() };
     for format in FORMATS {
         let expected = format!("{} vertex 1: expected a finite `x`, found NaN", at(format, "21:1"));
@@ -221,7 +221,8 @@ fn words_of_a_dialect_of_nff_are_passed_over_with_one_warning() {
         converted(&format!("{VIEW}number 2\ng -1 1 -1 1 0 1\ns 0 0 0 1\ng 0 1 0 1 0 1.#INF\ns 1 0 0 1\n\u{1a}"));
     assert_eq!(json, converted(&format!("{VIEW}s 0 0 0 1\ns 1 0 0 1\n")).0);
     let warnings: Vec<_> = said.lines().filter(|line| line.contains("warning")).collect();
-    let expected = "warning: a.nff:10:1: `number` and `g` count and bound what follows, and are passed over (3 times in this file)";
+    let expected =
+        "warning: a.nff:10:1: `number` and `g` count and bound what follows, and are ignored (3 times in this file)";
     assert_eq!(warnings, [expected], "{said}");
     let Some(folder) = shared("cases/files") else { return };
     let (_, said) = run(&folder, &["scene", "convert", "dialect.nff"]);

@@ -1,5 +1,5 @@
 //! The plates of the gallery in `docs/pictures/` show what the program renders. `UPDATE_GALLERY=1 cargo test --test program gallery` makes
-//! them anew.
+//! them again.
 
 use crate::bitmap::Bitmap;
 use std::path::{Path, PathBuf};

@@ -40,7 +40,7 @@ fn every_command_says_what_it_does() {
 #[test]
 fn help_is_of_its_own_command() {
     let help = |command: &str| prints(&[command, "--help"]).split_whitespace().collect::<Vec<_>>().join(" ");
-    // The formats that are read stand where they are read.
+    // The formats that are read are listed where they are read.
     assert!(help("diff").contains(&format!("Pictures are {}. The layers that", raywalk::render::export::READABLE)));
     // Nothing is sampled where parts are put together.
     assert!(help("merge").contains("--white <VALUE>") && !help("merge").contains("tolerances of adaptive"));

@@ -144,7 +144,7 @@ fn png_files_of_layers_stand_beside_the_picture() {
     assert!(width >= 20 && height > 18, "a legend stands below");
     says(2, &["render", "textbook", "-o", "x.pfm", "--layers", "depth"], "expected a picture in .exr");
     says(2, &["render", "textbook", "-o", "x.png", "--layers", "deep"], "unknown layer `deep`");
-    says(2, &["render", "textbook", "-o", "x.png", "--layers", "depth,depth"], "stands there twice");
+    says(2, &["render", "textbook", "-o", "x.png", "--layers", "depth,depth"], "occurs twice");
 }
 
 /// A log in a `.zst` file is the log, byte for byte, and every command reads it.
@@ -246,7 +246,7 @@ fn layers_that_differ_are_named() {
     assert_eq!(diff(&[&a, pfm.to_str().unwrap()]), ("the same: 2 pixels, none differs\n".to_owned(), 0));
     let alpha = file("alpha.exr", &[("A", floats(1.0, 0.5))]);
     assert_eq!(diff(&[&alpha, &none]).1, 0);
-    // What is let pass in colours is let pass in layers, but not that one is missing.
+    // What is tolerated in colours is tolerated in layers, but not that one is missing.
     let c = file("c.exr", &[("depth.Z", floats(1.0, 2.25))]);
     let d = file("d.exr", &[("depth.Z", floats(1.0, 2.0))]);
     assert_eq!((diff(&[&c, &d]).1, diff(&[&c, &d, "--abs", "0.25"]).1, diff(&[&c, &d, "--rel", "0.01"]).1), (1, 0, 1));

@@ -20,7 +20,7 @@ fn constants() -> BTreeMap<String, String> {
     constants
 }
 
-/// What stands behind `const`, whoever may see it: `pub`, `pub(super)`, `pub(in crate::log)`.
+/// What follows `const`, whoever may see it: `pub`, `pub(super)`, `pub(in crate::log)`.
 fn declared(line: &str) -> Option<&str> {
     let line = line.trim();
     let line = match line.strip_prefix("pub") {

@@ -5,7 +5,7 @@ use crate::support;
 use jsonschema::Validator;
 use raywalk::log::file::{to_json, to_ndjson};
 use raywalk::log::schema::{self, MARKS, Of, STEPS, json_schema};
-use raywalk::log::{Acceptance, Asking, Decision, Miss, Name, SkipReason, Skippable, Split};
+use raywalk::log::{Acceptance, Asking, Decision, Miss, Name, SkipReason, Split, Term};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::builtin;
 use serde_json::{Number, Value, json};
@@ -182,7 +182,7 @@ fn it_knows_every_decision() {
         Decision::Asked { .. } => "asked",
         Decision::MoreSamples { .. } => "more_samples",
     };
-    let (what, cell) = (Skippable::Shadow, [0.0, 0.5, 0.25]);
+    let (what, cell) = (Term::Shadow, [0.0, 0.5, 0.25]);
     let all = [
         Decision::Hit,
         Decision::Miss { why: Miss::Beyond },
@@ -272,7 +272,7 @@ fn the_page_has_the_table_and_an_example_of_everything() {
     } else {
         assert_eq!(table, schema::quantities(), "UPDATE_DOCS=1 cargo test --test program log_schema");
     }
-    // The lines that stand as examples in the page are lines of a log.
+    // The example lines of the page are lines of a log.
     let validator = validator();
     let examples: Vec<Value> = before
         .lines()

@@ -76,7 +76,7 @@ fn raw_answers(bytes: &[u8]) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// A mesh of two triangles, two spheres, or two rays that meet them.
+/// A mesh of two triangles, two spheres, or two rays that hit them.
 fn raw_file(which: usize) -> Vec<u8> {
     let floats = |numbers: &[f32]| numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>();
     let whole = |numbers: &[u32]| numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>();

@@ -89,7 +89,7 @@ fn irregular_files_are_understood_or_refused_clearly() {
         ("cone-seven-numbers.nff", ":3:31: expected a number for the refractive index of `f`, found `cantfindme.png`"),
         ("cylinder.nff", ":10:14: the file has no view, expected `v`"),
         ("positionTest.nff", ":10:1: expected a number for Shine of `f`, found `s`"),
-        ("spheres.nff", ":5:1: `s` stands before the first fill, expected `f` before it"),
+        ("spheres.nff", ":5:1: `s` comes before the first fill, expected `f` before it"),
     ];
     for (name, expected) in refused {
         let error = load(&folder.join(name)).expect_err("a bad file");
@@ -151,7 +151,7 @@ fn eye_rays_lie_where_the_format_says() {
     assert!(hits.abs_diff(expected) <= 2, "{hits} eye rays hit, expected {expected}");
 }
 
-/// How many of the rays of the format's description meet one of the spheres: ray k of 0..X lies at
+/// How many of the rays of the format's description hit one of the spheres: ray k of 0..X lies at
 /// −t − t/(X − 1) + k·2t/(X − 1), t = tan(angle/2).
 fn spheres_met(file: &SceneFile, angle: f64) -> u64 {
     let spheres: Vec<_> = file.objects.iter().map(|object| sphere(&object.shape)).collect();

@@ -145,7 +145,7 @@ fn transmitted(l: DVec3, normal: DVec3, eta: f64, cos_1: f64) -> DVec3 {
 #[test]
 fn the_equation_of_t_wants_the_incident_direction() {
     let (normal, across) = at_60_degrees();
-    // The light stands on the left, so that its light runs to the right.
+    // The light is on the left, so that its light runs to the right.
     let toward = DVec3::new(-across.x, across.y, 0.0);
     let right = transmitted(-toward, normal, 1.5, 0.5);
     let wrong = transmitted(toward, normal, 1.5, 0.5);
@@ -160,7 +160,7 @@ fn the_equation_of_t_wants_the_incident_direction() {
 #[test]
 fn the_two_forms_of_h() {
     let (normal, across) = at_60_degrees();
-    // As in the erratum about T, the light stands on the left.
+    // As in the erratum about T, the light is on the left.
     let toward = DVec3::new(-across.x, across.y, 0.0);
     let eta = 1.5;
     let view = transmitted(-toward, normal, eta, 0.5);

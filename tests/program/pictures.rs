@@ -262,7 +262,7 @@ fn white_moves_thresholds_and_exposure_does_not() {
 }
 
 #[test]
-fn parts_of_different_exposures_are_told_apart() {
+fn parts_of_different_exposures_are_distinguished() {
     let folder = folder();
     let [plain, darker, png] = ["1.part", "2.part", "a.png"].map(|name| path(&folder, name));
     let call = ["render", "textbook", "--size", "60x40", "-q"];

@@ -107,9 +107,9 @@ fn every_arithmetic_is_its_own_result() {
     assert_eq!(by_hand, record::pixel_color(&scene, [160, 120], Arithmetic::F64));
 }
 
-/// Where a light does reach a surface and its colour leaves nothing there, that is the reason, wherever it stands.
+/// Where a light does reach a surface and its colour leaves nothing there, that is the reason, wherever it is.
 #[test]
-fn lights_whose_colour_leaves_nothing_are_told_so() {
+fn lights_whose_colour_leaves_nothing_are_reported_so() {
     let check = |floor: &str, above: &str, expected: &str| {
         let scene = format!(
             r#"{{"format": "raywalk-scene/1", "name": "room", "camera": {{"position": [0, 2, 6], "look_at": [0, 1, 0]}},
@@ -125,22 +125,22 @@ fn lights_whose_colour_leaves_nothing_are_told_so() {
     let nothing = "lights nothing in view: its colour and the coefficients of the surfaces seen through 3072 pixels leave nothing";
     let said = check("[0, 1, 1]", "", nothing);
     assert!(!said.contains("field of view"), "{said}");
-    // The coefficients alone, wherever the light stands: a ball has a side that the light is behind.
+    // The coefficients alone, wherever the light is: a ball has a side that the light is behind.
     let ball = r#", {"shape": {"sphere": {"center": [0, 1, 0], "radius": 1}}, "material": "cyan"}"#;
     check(
         "[0, 1, 1]",
         ball,
-        "it reaches none, or its colour and their coefficients leave nothing of any channel; it stands",
+        "it reaches none, or its colour and their coefficients leave nothing of any channel; it is outside",
     );
     for above in ["", ball] {
         check("[0, 0, 0]", above, "lights nothing in view: K_d, K_e and K_t of every surface are 0 in every channel");
     }
-    check("[1, 1, 1]", "", "stands outside the field of view, which it lights all the same");
+    check("[1, 1, 1]", "", "is outside the field of view, which it lights all the same");
 }
 
-/// A light that is off is told so, whether surfaces are turned to it or not.
+/// A light that is off is reported as such, whether surfaces are turned to it or not.
 #[test]
-fn lights_without_a_colour_are_told_so() {
+fn lights_without_a_colour_are_reported_so() {
     let scene = r#"{"format": "raywalk-scene/1", "name": "room", "camera": {"position": [0, 2, 6], "look_at": [0, 1, 0]},
         "lights": [{"point": {"position": [1, 9, 1]}, "color": [0, 0, 0]}, {"point": {"position": [1, 9, 1]}}],
         "materials": {"clay": {"diffuse": [1, 1, 1]}},
@@ -158,7 +158,7 @@ fn lights_without_a_colour_are_told_so() {
 
 /// A surface whose local weight is 0 asks for no light: that is the reason, not that the light doesn't get there.
 #[test]
-fn lights_of_surfaces_without_a_local_term_are_told_so() {
+fn lights_of_surfaces_without_a_local_term_are_reported_so() {
     let check = |floor: [f64; 3], ball: &str| {
         let scene = format!(
             r#"{{"format": "raywalk-scene/1", "name": "room", "camera": {{"position": [0, 2, 6], "look_at": [0, 1, 0]}},

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-/// The ray that meets the bubble and the normal there, by hand.
+/// The ray that hits the bubble and the normal there, by hand.
 const T_1: DVec3 = DVec3::new(0.793, -0.116, 0.598);
 const N_2: DVec3 = DVec3::new(0.075, 0.077, -0.995);
 
@@ -51,7 +51,7 @@ fn every_number_of_the_page_is_right() {
         }
     }
     assert_eq!(lines, 2);
-    // Every value of the sheet that isn't whole stands on the page, too.
+    // Every value of the sheet that isn't whole is on the page, too.
     let sheet = prints(&["textbook", "--example", "refraction", "--format", "json"]);
     let sheet: serde_json::Value = serde_json::from_str(&sheet).expect("JSON");
     for row in sheet["steps"].as_array().expect("rows") {
@@ -83,7 +83,7 @@ fn the_sheet_is_checked_as_anybody_elses() {
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stdout));
     // The numeric example has no refraction.
     says(2, &["textbook", "--with", file.to_str().expect("a plain name")], "the walk has 0 of `refract.cos_2`");
-    // A sheet of the other example is told to be one, either way round; a sheet of neither isn't.
+    // A sheet of the other example is recognised, either way round; a sheet of neither isn't.
     says(2, &["textbook", "--with", "scenes/refraction.csv"], "; the table fits another example: --example refraction");
     fs::write(&file, "quantity,printed,path\nsphere.t2_a,6.380,C R\n").expect("a file");
     let arguments = ["textbook", "--example", "refraction", "--with", file.to_str().expect("a plain name")];

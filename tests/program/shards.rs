@@ -302,7 +302,7 @@ fn logs_that_are_not_the_whole_of_one_region_are_refused() {
     assert!(text.starts_with("textbook · region 158,119 to 161,121 · f64"), "{text:.100}");
 }
 
-/// What another program wrote anew is joined as it was: its keys in order, blanks between them, another end of lines, one document.
+/// What another program has rewritten is joined as it was: its keys in order, blanks between them, another end of lines, one document.
 #[test]
 fn logs_in_other_spellings_are_joined_to_the_same_bytes() {
     let folder = Folder::new();
@@ -337,11 +337,11 @@ fn what_is_there_and_whole_is_not_made_again() {
             assert!(answer.status.success());
             String::from_utf8(answer.stderr).unwrap()
         };
-        assert!(again().contains("is there already and whole"));
+        assert!(again().contains("exists already and is complete"));
         // Of another call, cut off, or something else altogether: it is made.
         for other in [&good[..good.len() - 3], b"something else"] {
             fs::write(&path, other).unwrap();
-            assert!(!again().contains("is there already"));
+            assert!(!again().contains("exists already"));
             assert!(folder.bytes(name) == good);
         }
         let other: Vec<&str> = call.iter().map(|word| if *word == "2/3" { "3/3" } else { word }).collect();

@@ -15,9 +15,9 @@ fn prints(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("UTF-8")
 }
 
-/// The notes' formulas and other arithmetics stand beside what is required, and nothing is required of them.
+/// The notes' formulas and other arithmetics are listed beside what is required, and nothing is required of them.
 #[test]
-fn stability_is_told_in_other_ways_of_computing() {
+fn stability_is_reported_in_other_ways_of_computing() {
     let table = prints(&["stress", "--decimals", "3"]);
     let head = table.lines().next().expect("a head");
     assert!(head.split_whitespace().collect::<Vec<_>>().ends_with(&["notes", "f32", "decimal:3"]), "{head}");

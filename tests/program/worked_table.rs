@@ -49,9 +49,9 @@ fn rows_may_follow_the_walk_instead_of_the_book() {
     assert_eq!(paths, ["C", "C R"]);
 }
 
-/// Listed values are the operands of those after them; what isn't listed is reckoned by hand.
+/// Listed values are the operands of those after them; what isn't listed is computed by hand.
 #[test]
-fn a_slip_is_told_once_and_what_follows_from_it_agrees() {
+fn a_slip_is_reported_once_and_what_follows_from_it_agrees() {
     // T_2A would be 6.380 by hand; from a radius that was slipped in T_A everything after it follows.
     let slip = checked("quantity,printed,path\nsphere.t_a,13.000,C R\nsphere.t2_a,-0.024,C R\n");
     let verdicts: Vec<_> = slip.rows.iter().map(|row| row.verdict.word()).collect();
@@ -68,7 +68,7 @@ fn a_slip_is_told_once_and_what_follows_from_it_agrees() {
 }
 
 #[test]
-fn what_is_wrong_with_a_table_is_told_with_its_line() {
+fn what_is_wrong_with_a_table_is_reported_with_its_line() {
     refuses("", "expected the columns `quantity` and `printed`");
     refuses("name,value\n", "found `name`, `value`");
     refuses("quantity,printed\n", "expected at least one row");

@@ -53,7 +53,7 @@ fn a_picture_of_16_pixels_shares_25_samples() {
 }
 
 #[test]
-fn a_seed_is_an_option_and_stands_in_the_scene_and_the_log() {
+fn a_seed_is_an_option_and_is_in_the_scene_and_the_log() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
     let picture = |arguments: &[&str]| {
@@ -189,7 +189,7 @@ fn a_frame_is_traced_as_it_is_rendered() {
             let pixel = format!("{x},{y}");
             let call = ["trace", scene, "--pixel", &pixel, "--size", "60x20"];
             let log = prints(folder, &[&call[..], &["--frames", frame]].concat());
-            // Rows stand from the bottom up, each of three floats a pixel, at the end of the file.
+            // Rows run from the bottom up, each of three floats a pixel, at the end of the file.
             let place = picture.len() - 4 * 3 * 60 * 20 + 4 * 3 * (60 * (19 - y) + x);
             let rendered = [0, 4, 8].map(|k| {
                 let bytes = picture[place + k..place + k + 4].try_into().expect("four bytes");

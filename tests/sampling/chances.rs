@@ -7,7 +7,7 @@ use raywalk::log::{Acceptance, Decision, Name, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::{Sampling, Scene, Statistical};
 
-/// White things before black, the plane z = 0 half a unit a pixel.
+/// White objects before black, the plane z = 0 half a unit a pixel.
 fn scene(camera: &str, object: &str, sampling: Sampling) -> Scene {
     let text = format!(
         r#"{{"format": "raywalk-scene/1", "ambient": [1, 1, 1], "materials": {{"white": {{"ambient": [1, 1, 1]}}}},
@@ -94,7 +94,7 @@ fn how_many_samples_must_agree_depends_on_what_they_draw() {
     assert_eq!(count("", wall, ""), 8);
     assert_eq!(count(lens, wall, ""), 64);
     assert_eq!(count("", wall, "area"), 64);
-    // Rays that meet nothing draw no light.
+    // Rays that hit nothing draw no light.
     assert_eq!(count("", away, "area"), 8);
 }
 

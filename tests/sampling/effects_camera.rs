@@ -11,7 +11,7 @@ use raywalk::scene::{Index, Object, Scene};
 use raywalk::trace::{Hit, camera_ray, closest_hit, is_any_hit};
 use serde_json::{Value, json};
 
-/// A picture of 33 × 33 pixels by a lens of radius r in focus at 4, of white things.
+/// A picture of 33 × 33 pixels by a lens of radius r in focus at 4, of white objects.
 fn through_lens(r: f64, objects: &str, shutter: [f64; 2], n: u32) -> Scene {
     let text = format!(
         r#"{{"format": "raywalk-scene/1",
@@ -162,7 +162,7 @@ fn bounds_of_moving_objects_hold_them_at_all_times() {
     }
 }
 
-/// A ray meets a moving object as it would meet the object set down where it is at the ray's time.
+/// A ray hits a moving object as it would hit a static object at its place at the ray's time.
 #[test]
 fn an_object_is_where_its_motion_has_brought_it() {
     let scene = |center: [f64; 3], motion: &str| {
@@ -212,7 +212,7 @@ fn at_time_zero_everything_is_as_written() {
     }
 }
 
-/// What leaves a moving surface doesn't meet it again where it sets off, however the motion rounds.
+/// What leaves a moving surface doesn't hit it again where it sets off, however the motion rounds.
 #[test]
 fn rays_leave_moving_surfaces() {
     let scene = moving_shapes([0.0, 1.0]);

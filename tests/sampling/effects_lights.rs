@@ -210,7 +210,7 @@ fn by_solid_angle_shadow_rays_count_alike() {
     // The edge at x = 0 halves the cap as it is seen from below its middle.
     is_unbiased(&mut scene, 0.0, 0.5, 0.1);
     for seed in 0..10 {
-        // From (x, 0) the edge hides the light wholly where its tangent plane lies beyond: sin β = 0.5/√(x² + 4) for tan α = x.
+        // From (x, 0) the edge hides all of the light where its tangent plane lies beyond: sin β = 0.5/√(x² + 4) for tan α = x.
         assert_eq!(seen(&mut scene, -0.6, seed), 0.0);
         assert!((seen(&mut scene, 0.6, seed) - 1.0).abs() < 1e-12);
     }

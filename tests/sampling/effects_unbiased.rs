@@ -14,7 +14,7 @@ const METHODS: [Sampling; 6] = [
     Sampling::Guided(GUIDED),
 ];
 
-/// With so many samples at the most that some pixels take them all and others don't.
+/// With a maximum of samples such that some pixels take them all and others don't.
 const GUIDED: Guided = Guided { tolerance: 0.01, min: 4, max: 64 };
 
 const SEEDS: u64 = 100;
@@ -104,7 +104,7 @@ fn half_plane(distance: f64, moved: f64) -> String {
     )
 }
 
-/// A ray from the point u·r of the lens meets the plane at the distance z in u·r·(1 − z/f) + x·z.
+/// A ray from the point u·r of the lens hits the plane at the distance z in u·r·(1 − z/f) + x·z.
 #[test]
 fn an_edge_out_of_focus() {
     let camera = format!(r#"{FORWARD}, "lens": {{"radius": 1.6, "focus_distance": 4}}"#);

@@ -140,7 +140,7 @@ fn wall_and_ball() -> String {
         + &object("ball", r#"{"sphere": {"center": [0.8, 0.3, 0.6], "radius": 0.5}}"#)
 }
 
-/// A scene with the shadows of a wall and a ball on a floor, of so many pixels.
+/// A scene with the shadows of a wall and a ball on a floor, of this many pixels.
 fn shadows(resolution: [u32; 2]) -> Scene {
     scene(&LAMP.replace("[0, 0, 3]", "[0.4, -0.3, 3]"), &wall_and_ball(), resolution, 4)
 }
@@ -193,7 +193,7 @@ fn sobol_converges_to_it() {
     // At least as the root of the number, as independent samples do: 64 times as many err an eighth as much.
     assert!(errors.windows(2).all(|pair| pair[1] < pair[0] / 1.5) && errors[3] < errors[0] / 8.0, "{errors:?}");
     assert!(errors[3] > 100.0 * own, "{errors:?}");
-    // Values between 0 and V = 1.25, the ambient part and the lamp's, have a variance of V²/4 at the most (Popoviciu), and Sobol's
+    // Values between 0 and V = 1.25, the ambient part and the lamp's, have a variance of V²/4 at most (Popoviciu), and Sobol's
     // points err less than independent ones.
     for (n, error) in [4.0_f64, 16.0, 64.0, 256.0].into_iter().zip(errors) {
         assert!(error < 1.25 / (2.0 * n.sqrt()), "{n}: {errors:?}");

@@ -142,7 +142,7 @@ fn figure(name: &str, sampling: Sampling) -> Scene {
     Scene { sampling, ..support::scene(name) }
 }
 
-/// The root of the mean square error against a picture of a great many samples, over some seeds, and the rays a pixel.
+/// The root of the mean square error against a picture of a great many samples, over some seeds, and the rays per pixel.
 fn measure(name: &str, sampling: Sampling, exact: &[f64], seeds: u64) -> [f64; 2] {
     let mut scene = figure(name, sampling);
     let (mut squares, mut rays) = (0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Samples of a pixel walk together through large trees: each sees what it would see alone.
+//! Samples of a pixel are traced together through large trees: each sees what it would see alone.
 
 use crate::support;
 use raywalk::probe::{Probe, Silent};

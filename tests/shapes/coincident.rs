@@ -122,7 +122,7 @@ fn a_moving_surface_is_in_the_same_place_as_one_at_rest() {
     }
 }
 
-/// A ray through a corner of a mesh meets triangles at the same distance. The search may find any of them first; the first in the file is shaded.
+/// A ray through a corner of a mesh hits triangles at the same distance. The search may find any of them first; the first in the file is shaded.
 #[test]
 fn the_triangle_that_is_hit_is_the_one_that_is_shaded() {
     let text = br#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 4], "direction": [0, 0, -1], "resolution": [1, 1]},

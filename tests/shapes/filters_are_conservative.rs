@@ -1,4 +1,4 @@
-//! The tree of boxes and its tests in single precision never change an answer: what they show of a world holds every thing that decides,
+//! The tree of boxes and its tests in single precision never change an answer: what they show of a world holds every primitive that decides,
 //! in worlds and for rays made to find where they wouldn't.
 //!
 //! ```text
@@ -25,7 +25,7 @@ const NEARBY: f64 = 1e6;
 struct Tally {
     hits: AtomicU64,
     misses: AtomicU64,
-    sorted_out: AtomicU64,
+    culled: AtomicU64,
     /// Hits of which the tree was sure.
     sure: AtomicU64,
     /// Boxes that a look says to be missed, and others.
@@ -88,22 +88,23 @@ fn spawned(world: &World, from: &Ray, object: u32, crossing: Crossing, random: &
     Ray { leaving, slack: from.slack_at(surface.point, &Silent), ..Ray::along(surface.point, way) }
 }
 
-/// The first of the crossings with triangles that are in the same place as the nearest one: within 64 roundings of all coordinates. Of triangles
-/// that share one or two corners only the one that is met first counts: the ray goes through the edge or the corner between them.
+/// The first of the crossings with triangles that coincide with the nearest one: within 64 roundings of all coordinates. Of triangles
+/// that share one or two corners only the one that is hit first counts: the ray goes through the edge or the corner between them.
 fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Option<(u32, Crossing)> {
     let mut all = all.to_vec();
     all.sort_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)));
     let nearest = *all.first()?;
-    let corners = |thing: u32| corners_of(&shapes[thing as usize]).expect("a triangle");
-    let slope = |(thing, crossing): &(u32, Crossing)| {
-        let surface = shapes[*thing as usize].surface(ray, *crossing, &mut Silent);
+    let corners = |primitive: u32| corners_of(&shapes[primitive as usize]).expect("a triangle");
+    let slope = |(primitive, crossing): &(u32, Crossing)| {
+        let surface = shapes[*primitive as usize].surface(ray, *crossing, &mut Silent);
         surface.geometric_normal().dot(ray.direction).abs()
     };
-    let size = |thing: u32| corners(thing).map(|corner| corner.abs().max_element()).into_iter().fold(0.0, f64::max);
+    let size =
+        |primitive: u32| corners(primitive).map(|corner| corner.abs().max_element()).into_iter().fold(0.0, f64::max);
     let is_here = |other: &&(u32, Crossing)| {
         let points = 2.0 * (ray.origin.abs().element_sum() + other.1.t);
         let gap = (other.1.t - nearest.1.t) * slope(&nearest).max(slope(other));
-        // However flat the ray runs, what it meets so much later isn't in the same place.
+        // However flat the ray runs, what it hits so much later isn't in the same place.
         let is_close = other.1.t - nearest.1.t <= (nearest.1.t + ray.origin.abs().element_sum()) / f64::from(1 << 20);
         is_close && gap <= 32.0 * f64::EPSILON * (points + size(nearest.0) + size(other.0))
     };
@@ -117,43 +118,44 @@ fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Optio
             here.push(*hit);
         }
     }
-    here.into_iter().min_by_key(|(thing, _)| *thing)
+    here.into_iter().min_by_key(|(primitive, _)| *primitive)
 }
 
 /// Compares what the tree shows with everything; returns the nearest hit.
 fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32, Crossing)> {
-    let meet = |thing: u32, ray: &Ray| world.shapes[thing as usize].first_crossing(thing, false, ray, &mut Silent);
+    let meet =
+        |primitive: u32, ray: &Ray| world.shapes[primitive as usize].first_crossing(primitive, false, ray, &mut Silent);
     let all: Vec<(u32, Crossing)> =
-        (0..world.shapes.len() as u32).filter_map(|thing| Some((thing, meet(thing, ray)?))).collect();
+        (0..world.shapes.len() as u32).filter_map(|primitive| Some((primitive, meet(primitive, ray)?))).collect();
     let nearest = all.iter().copied().min_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)));
     let mut shown = Vec::new();
     let mut t_max = ray.t_max;
-    world.tree.visit::<Silent>(ray, Search::nearest_first(&Silent), |thing, _| {
-        shown.push(thing);
-        if let Some(crossing) = meet(thing, ray) {
+    world.tree.visit::<Silent>(ray, Search::nearest_first(&Silent), |primitive, _| {
+        shown.push(primitive);
+        if let Some(crossing) = meet(primitive, ray) {
             t_max = t_max.min(crossing.t);
         }
         t_max
     });
     if let Some((_, Crossing { t, .. })) = nearest {
-        for (thing, crossing) in &all {
+        for (primitive, crossing) in &all {
             let decides = crossing.t - t <= NEAR_TIE * crossing.t.abs();
             assert!(
-                !decides || shown.contains(thing),
-                "world {number}: {thing} at {crossing:?} isn't shown to {ray:?}"
+                !decides || shown.contains(primitive),
+                "world {number}: {primitive} at {crossing:?} isn't shown to {ray:?}"
             );
         }
     }
     are_missed_boxes_empty(world, number, ray, &all, tally);
     let quick = ray.without_distance();
     let mut is_occluded = false;
-    world.tree.visit::<Silent>(&quick, Search::of_any(&Silent), |thing, is_sure| {
-        let is_met = meet(thing, &quick).is_some();
-        // The object that a ray leaves is told apart by who asks.
-        let is_left = ray.leaving.is_some_and(|leaving| leaving.object == thing);
+    world.tree.visit::<Silent>(&quick, Search::of_any(&Silent), |primitive, is_sure| {
+        let is_met = meet(primitive, &quick).is_some();
+        // The caller excludes the object that a ray leaves.
+        let is_left = ray.leaving.is_some_and(|leaving| leaving.object == primitive);
         assert!(
             is_met || is_left || !is_sure,
-            "world {number}: {ray:?} doesn't cross {thing}, of which the tree is sure"
+            "world {number}: {ray:?} doesn't cross {primitive}, of which the tree is sure"
         );
         tally.sure.fetch_add(u64::from(is_sure), Ordering::Relaxed);
         is_occluded |= is_met;
@@ -164,11 +166,11 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
         let found = mesh.first_crossing(0, false, ray, &mut Silent);
         let found = found.map(|crossing| (crossing.primitive, crossing.t.to_bits(), crossing.side));
         let expected = first_in_place(&world.shapes, &all, ray);
-        let expected = expected.map(|(thing, crossing)| (thing, crossing.t.to_bits(), crossing.side));
+        let expected = expected.map(|(primitive, crossing)| (primitive, crossing.t.to_bits(), crossing.side));
         assert_eq!(found, expected, "world {number}: the mesh and {ray:?}");
         assert_eq!(mesh.is_crossed(0, false, &quick, &mut Silent), nearest.is_some(), "world {number}: {ray:?}");
     }
-    tally.sorted_out.fetch_add((world.shapes.len() - shown.len()) as u64, Ordering::Relaxed);
+    tally.culled.fetch_add((world.shapes.len() - shown.len()) as u64, Ordering::Relaxed);
     let outcome = if nearest.is_some() { &tally.hits } else { &tally.misses };
     outcome.fetch_add(1, Ordering::Relaxed);
     nearest
@@ -178,12 +180,12 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
 fn are_missed_boxes_empty(world: &World, number: u64, ray: &Ray, all: &[(u32, Crossing)], tally: &Tally) {
     // Of middling length, and so short that squares vanish.
     for scale in [1.0, 0.75e-3, 1e-200] {
-        for (thing, shape) in (0..).zip(&world.shapes) {
+        for (primitive, shape) in (0..).zip(&world.shapes) {
             let Some(bounds) = shape.bounds() else { continue };
             if bounds.is_surely_missed(ray.origin, ray.direction * scale) {
                 tally.missed_boxes.fetch_add(1, Ordering::Relaxed);
-                let met = all.iter().find(|(met, _)| *met == thing);
-                assert!(met.is_none(), "world {number}: {ray:?} meets {thing} outside its box: {met:?}");
+                let met = all.iter().find(|(met, _)| *met == primitive);
+                assert!(met.is_none(), "world {number}: {ray:?} meets {primitive} outside its box: {met:?}");
             } else if scale == 1.0 {
                 tally.boxes.fetch_add(1, Ordering::Relaxed);
             }
@@ -207,14 +209,13 @@ fn compare_worlds(worlds: u64, rays: u64) {
             }
         }
     });
-    let [hits, misses, sorted_out] =
-        [&tally.hits, &tally.misses, &tally.sorted_out].map(|count| count.load(Ordering::Relaxed));
+    let [hits, misses, culled] = [&tally.hits, &tally.misses, &tally.culled].map(|count| count.load(Ordering::Relaxed));
     let [missed_boxes, boxes] = [&tally.missed_boxes, &tally.boxes].map(|count| count.load(Ordering::Relaxed));
     assert!(tally.sure.into_inner() > hits / 4, "the tree is hardly ever sure");
     assert!(missed_boxes > 10 * boxes, "{missed_boxes} boxes were missed, {boxes} weren't");
-    println!("{hits} hits, {misses} misses, {sorted_out} things not shown");
+    println!("{hits} hits, {misses} misses, {culled} primitives not shown");
     assert!(hits > worlds * rays / 4 && misses > worlds * rays / 8, "{hits} hits, {misses} misses");
-    assert!(sorted_out / (hits + misses) > 30, "{sorted_out} things weren't shown: the tree sorts out next to nothing");
+    assert!(culled / (hits + misses) > 30, "{culled} primitives weren't shown: the tree sorts out next to nothing");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The flat shapes: where rays meet them, against plain geometry of the test's own.
+//! The flat shapes: where rays hit them, against plain geometry of the test's own.
 
 use crate::rays::{FEW_ULPS, meet, point, property, ray_through, scale};
 use glam::{DVec2, DVec3};

@@ -3,7 +3,7 @@
 //! The scene has each flat shape from its front and its back, with and without normals at its corners.
 
 use crate::support;
-use raywalk::log::{Decision, Log, Name, Skippable, Tree, Value, What};
+use raywalk::log::{Decision, Log, Name, Term, Tree, Value, What};
 use raywalk::probe::round_half_away;
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::evaluate::evaluate;
@@ -81,7 +81,7 @@ fn every_formula_of_a_flat_shape_gives_the_logged_value() {
         let with_formula = || Name::all().filter(is_flat).filter(is_common);
         let unchecked: Vec<_> = with_formula().filter(|name| counts.get(name).is_none_or(|count| *count < 5)).collect();
         assert!(with_formula().count() > 25 && unchecked.is_empty(), "{arithmetic}: not checked: {unchecked:?}");
-        for what in [Skippable::Shadow, Skippable::Reflected] {
+        for what in [Term::Shadow, Term::Reflected] {
             assert!(leaks.contains_key(what.word()), "{arithmetic}: {what:?} never ran on the wrong side: {leaks:?}");
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::support::scene_of;
 use raywalk::log::file::{read, to_ndjson};
-use raywalk::log::{Decision, Event, Events, Name, RayKind, Skippable, Step, Value, What};
+use raywalk::log::{Decision, Event, Events, Name, RayKind, Step, Term, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::Scene;
 
@@ -38,7 +38,7 @@ fn events(scene: &Scene) -> (Events, [f64; 3]) {
     (log.events, color)
 }
 
-fn leaks(events: &[Event]) -> Vec<Skippable> {
+fn leaks(events: &[Event]) -> Vec<Term> {
     let leak = |event: &Event| match event.what {
         What::Mark(Decision::LeakGuard { what }) => Some(what),
         _ => None,
@@ -56,9 +56,9 @@ fn rays(events: &[Event], is_meant: impl Fn(RayKind) -> bool) -> usize {
 
 #[test]
 fn a_light_behind_the_surface_brings_nothing() {
-    // The tilted normal sees the light, which stands below the plane.
+    // The tilted normal sees the light, which is below the plane.
     let (events, color) = events(&scene(TILTED, [0.0, 0.0, -1.0], [5.0, 0.0, -1.0], LOCAL));
-    assert_eq!(leaks(&events), [Skippable::Shadow]);
+    assert_eq!(leaks(&events), [Term::Shadow]);
     assert_eq!(rays(&events, |kind| matches!(kind, RayKind::Shadow { .. })), 1);
     assert_eq!(color, [0.25, 0.5, 0.125]);
     let darkness = |event: &Event| match event.what {
@@ -76,7 +76,7 @@ fn a_light_before_the_surface_counts_by_the_interpolated_normal() {
 }
 
 /// The directions that were bent, with what they became.
-fn bent(events: &[Event]) -> Vec<(Skippable, [f64; 3])> {
+fn bent(events: &[Event]) -> Vec<(Term, [f64; 3])> {
     let is_bent = |event: &Event| match event.what {
         What::Mark(Decision::Bent { what }) => Some(what),
         _ => None,
@@ -95,7 +95,7 @@ fn a_reflection_under_the_surface_is_bent_along_it() {
     // −z on a normal tilted by more than 45° goes on downward, to (0.8, 0, −0.6).
     let (events, color) = events(&scene(TILTED, [0.0, 0.0, -1.0], [5.0, 0.0, 1.0], MIRROR));
     assert_eq!(leaks(&events), []);
-    assert_eq!(bent(&events), [(Skippable::Reflected, [1.0, 0.0, 0.0])]);
+    assert_eq!(bent(&events), [(Term::Reflected, [1.0, 0.0, 0.0])]);
     assert_eq!(rays(&events, |kind| kind == RayKind::Reflected), 1);
     assert_eq!(color, [1.0; 3]);
 }
@@ -107,7 +107,7 @@ fn a_transmission_that_stays_above_is_bent_along_the_surface() {
     let thinner = r#""ior": 0.8, "weights": {"local": 0, "reflected": 0, "transmitted": 1}"#;
     let (events, color) = events(&scene(against, [1.0, 0.0, -0.05], [5.0, 0.0, 1.0], thinner));
     assert_eq!(leaks(&events), []);
-    assert_eq!(bent(&events), [(Skippable::Transmitted, [1.0, 0.0, 0.0])]);
+    assert_eq!(bent(&events), [(Term::Transmitted, [1.0, 0.0, 0.0])]);
     assert_eq!(rays(&events, |kind| kind == RayKind::Transmitted), 1);
     assert_eq!(color, [1.0; 3]);
 }

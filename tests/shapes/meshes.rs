@@ -1,4 +1,4 @@
-//! Meshes as users of the command line meet them: where they are found, what is wrong with them, what rays meet.
+//! Meshes as users of the command line meet them: where they are found, what is wrong with them, what rays hit.
 
 use assert_cmd::Command;
 use std::fs;
@@ -143,8 +143,8 @@ fn generated_flakes_are_scenes() {
     for (level, objects) in [("1", "12 objects"), ("4", "11112 objects")] {
         ends(0, folder.path(), &["scene", "generate", "sphere-flake", "--level", level, "-o", "flake.json"]);
         let (out, warnings) = ends(0, folder.path(), &["scene", "check", "flake.json"]);
-        // Its lights stand beside the eye; nothing else is worth a warning.
-        let of_lights = |warning: &str| warning.contains("stands outside the field of view");
+        // Its lights are beside the eye; nothing else is worth a warning.
+        let of_lights = |warning: &str| warning.contains("is outside the field of view");
         assert!(warnings.lines().filter(|line| line.starts_with("warning:")).all(of_lights), "{warnings}");
         assert!(out.contains(objects), "{out}");
     }

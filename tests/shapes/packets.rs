@@ -1,4 +1,4 @@
-//! Rays that walk together meet what each of them meets alone, to the last bit.
+//! The rays of a packet have the hits that each of them has alone, to the last bit.
 
 use crate::random::Random;
 use crate::worlds::{World, magnitude, world};
@@ -51,7 +51,7 @@ fn packet(world: &World, random: &mut Random) -> Vec<Query> {
     queries
 }
 
-/// The same number of rays that leave the surface where the first ray meets it.
+/// The same number of rays that leave the surface where the first ray hits it.
 fn leaving(scene: &Scene, queries: &[Query], random: &mut Random) -> Option<Vec<Query>> {
     let answer = queries.first()?.nearest(scene)?;
     let way = random.unit();

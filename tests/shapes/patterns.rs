@@ -68,10 +68,12 @@ fn cubes(cell: DVec3, _: DVec3) -> bool {
 /// The axis nearest to the normal doesn't.
 fn squares(cell: DVec3, normal: DVec3) -> bool {
     let [x, y, z] = normal.abs().to_array();
-    match () {
-        _ if x >= y && x >= z => is_odd(cell.y + cell.z),
-        _ if y >= z => is_odd(cell.x + cell.z),
-        _ => is_odd(cell.x + cell.y),
+    if x >= y && x >= z {
+        is_odd(cell.y + cell.z)
+    } else if y >= z {
+        is_odd(cell.x + cell.z)
+    } else {
+        is_odd(cell.x + cell.y)
     }
 }
 

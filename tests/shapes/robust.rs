@@ -55,7 +55,7 @@ fn no_ray_slips_through_a_shared_edge() {
         }
     }
     assert_eq!(both + one, 100_000);
-    // Signs are exact: a ray hits both only where its line meets the edge itself, of which f64 rarely has a point.
+    // Signs are exact: a ray hits both only where its line hits the edge itself, of which f64 rarely has a point.
     assert!(one > 99_000, "{both} rays hit both, {one} one of them");
 }
 

@@ -17,7 +17,7 @@ const RAYS: usize = 24;
 struct Tally {
     shafts: AtomicU64,
     complete: AtomicU64,
-    things: AtomicU64,
+    primitives: AtomicU64,
     found: AtomicU64,
     crossed: AtomicU64,
     meshes: AtomicU64,
@@ -36,7 +36,7 @@ struct Met {
     crossing: Crossing,
 }
 
-/// A ray into the world, and what it meets first of all shapes.
+/// A ray into the world, and what it hits first of all shapes.
 fn met(world: &World, random: &mut Random) -> Option<Met> {
     let World { middle, size, targets, .. } = world;
     let origin = *middle + random.unit() * *size * 3.0;
@@ -117,8 +117,8 @@ fn compare(world: &World, number: u64, random: &mut Random, tally: &Tally) {
     let light = light(world, point, random);
     let (shaft, side) = shaft_to(point, light, along);
     let mut found = Vec::new();
-    let is_complete = world.tree.between(&shaft, |thing| {
-        found.push(thing);
+    let is_complete = world.tree.between(&shaft, |primitive| {
+        found.push(primitive);
         true
     });
     count(&tally.shafts, 1);
@@ -126,7 +126,7 @@ fn compare(world: &World, number: u64, random: &mut Random, tally: &Tally) {
         return;
     }
     count(&tally.complete, 1);
-    count(&tally.things, world.shapes.len());
+    count(&tally.primitives, world.shapes.len());
     count(&tally.found, found.len());
     // The normal is on the side from which the ray has come.
     let leaving = leaving.map(|leaving| match side {
@@ -148,14 +148,14 @@ fn compare(world: &World, number: u64, random: &mut Random, tally: &Tally) {
     for _ in 0..RAYS {
         let to = point_of(&light, random);
         let Some(ray) = shadow_ray(point, to, leaving, slack) else { continue };
-        for (thing, shape) in (0..).zip(&world.shapes) {
-            let crossing = shape.first_crossing(thing, false, &ray, &mut Silent);
+        for (primitive, shape) in (0..).zip(&world.shapes) {
+            let crossing = shape.first_crossing(primitive, false, &ray, &mut Silent);
             if let Some(crossing) = crossing {
                 count(&tally.crossed, 1);
-                let is_found = found.contains(&thing);
-                assert!(is_found, "world {number}: {ray:?} crosses {thing} at {crossing:?}, beside {shaft:?}");
-                let own = leaving.filter(|leaving| leaving.object == thing && side.is_some());
-                assert!(shape.can_be_crossed_in(&shaft, own), "world {number}: {ray:?} crosses {thing} again");
+                let is_found = found.contains(&primitive);
+                assert!(is_found, "world {number}: {ray:?} crosses {primitive} at {crossing:?}, beside {shaft:?}");
+                let own = leaving.filter(|leaving| leaving.object == primitive && side.is_some());
+                assert!(shape.can_be_crossed_in(&shaft, own), "world {number}: {ray:?} crosses {primitive} again");
             }
         }
         if let Some((mesh, leaving, is_free)) = is_free_mesh {
@@ -178,14 +178,17 @@ fn compare_worlds(worlds: u64, shafts: u64) {
             compare(&world, number, &mut random, &tally);
         }
     });
-    let [shafts, complete, things, found, crossed] =
-        [tally.shafts, tally.complete, tally.things, tally.found, tally.crossed].map(AtomicU64::into_inner);
+    let [shafts, complete, primitives, found, crossed] =
+        [tally.shafts, tally.complete, tally.primitives, tally.found, tally.crossed].map(AtomicU64::into_inner);
     let [meshes, free_meshes, crossed_meshes] =
         [tally.meshes, tally.free_meshes, tally.crossed_meshes].map(AtomicU64::into_inner);
-    println!("{complete} of {shafts} shafts complete, {found} of {things} things found, {crossed} crossed");
+    println!("{complete} of {shafts} shafts complete, {found} of {primitives} primitives found, {crossed} crossed");
     println!("{free_meshes} of {meshes} meshes free, {crossed_meshes} rays crossed one");
     assert!(complete * 4 > shafts * 3, "{complete} of {shafts} shafts were complete");
-    assert!(found * 4 < things && crossed > shafts, "{found} of {things} things were found, {crossed} crossed");
+    assert!(
+        found * 4 < primitives && crossed > shafts,
+        "{found} of {primitives} primitives were found, {crossed} crossed"
+    );
     assert!(free_meshes * 4 > meshes && crossed_meshes > meshes, "{free_meshes} of {meshes} meshes were free");
 }
 

@@ -1,4 +1,4 @@
-//! Closed bodies of polygons are closed: a ray from within that is aimed at an edge or a corner meets exactly one face.
+//! Closed bodies of polygons are closed: a ray from within that is aimed at an edge or a corner hits exactly one face.
 
 use crate::random::Random;
 use glam::DVec3;
@@ -32,7 +32,7 @@ impl Body {
         };
         let mut faces: Vec<_> = (0..count).map(side).collect();
         faces.extend([cap(-1.0), cap(1.0)]);
-        // Nothing hangs on which way round a face is run or where it begins.
+        // Nothing depends on which way round a face is run or where it begins.
         for face in &mut faces {
             let first = random.below(face.len());
             face.rotate_left(first);

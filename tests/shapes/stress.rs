@@ -1,5 +1,5 @@
 //! Numerical stability: own cases with exact answers always, those of others where they are at hand; and what no list of cases
-//! can show, in great numbers: meshes without leaks, rays that don't meet the surface they leave, closed rooms of known light.
+//! can show, in great numbers: meshes without leaks, rays that don't hit the surface they leave, closed rooms of known light.
 
 use crate::random::Random;
 use crate::shared as shared_files;

@@ -6,7 +6,7 @@ use raywalk::geometry::shape::{Cone, Cuboid, Cylinder, Disk, Ellipsoid, Sphere, 
 use raywalk::geometry::{Bvh, Mesh, Shape};
 use std::sync::Arc;
 
-/// Things, and a tree over them.
+/// Primitives, and a tree over them.
 pub struct World {
     pub shapes: Vec<Shape>,
     pub tree: Bvh,
@@ -109,7 +109,7 @@ fn ball_of_triangles(_: &mut Random) -> Vec<Shape> {
     (0..ball.faces.len() as u32).map(|face| triangle(ball.corners(face))).collect()
 }
 
-/// An octahedron, its faces cut into four and pushed out so many times.
+/// An octahedron, its faces cut into four and pushed out this many times.
 fn octahedron(times: u32) -> Mesh {
     let mut faces = Vec::new();
     for signs in 0..8 {
@@ -139,7 +139,7 @@ fn needles(random: &mut Random) -> Vec<Shape> {
     (0..70).map(|_| one(random)).collect()
 }
 
-/// A few small things on one that is larger than all of them by far.
+/// A few small primitives on one that is larger than all of them by far.
 fn on_a_huge_floor(random: &mut Random) -> Vec<Shape> {
     let size = magnitude(random, 2, 9);
     let mut shapes = soup(random);
@@ -177,8 +177,9 @@ pub fn world(number: u64) -> World {
     };
     let offset = if random.part() < 0.5 { DVec3::ZERO } else { offset };
     let shapes: Vec<Shape> = make(&mut random).into_iter().filter_map(|shape| placed(shape, scale, offset)).collect();
-    let things: Vec<u32> = (0..shapes.len() as u32).collect();
-    let tree = Bvh::new(Vec::new(), things.clone(), |thing| shapes[thing as usize].form().expect("bounded"));
+    let primitives: Vec<u32> = (0..shapes.len() as u32).collect();
+    let tree =
+        Bvh::new(Vec::new(), primitives.clone(), |primitive| shapes[primitive as usize].form().expect("bounded"));
     let mut targets = Vec::new();
     for shape in &shapes {
         match corners_of(shape) {

@@ -52,7 +52,7 @@ pub fn picture(scene: &Scene) -> Rendered {
     picture_with(scene, [0, 0, width, height], 2)
 }
 
-/// A part of the picture of a scene, on so many threads.
+/// A part of the picture of a scene, on this many threads.
 pub fn picture_with(scene: &Scene, crop: [u32; 4], threads: usize) -> Rendered {
     picture_in_order(scene, crop, threads, TileOrder::Rows)
 }

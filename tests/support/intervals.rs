@@ -104,10 +104,12 @@ impl Reader<'_> {
     fn sum(&mut self) -> Result<Part, String> {
         let mut left = self.product()?;
         loop {
-            let f: fn(f64, f64) -> f64 = match () {
-                _ if self.eat("+") => |a, b| a + b,
-                _ if self.eat("−") => |a, b| a - b,
-                _ => return Ok(left),
+            let f: fn(f64, f64) -> f64 = if self.eat("+") {
+                |a, b| a + b
+            } else if self.eat("−") {
+                |a, b| a - b
+            } else {
+                return Ok(left);
             };
             left = zip(left, self.product()?, |a, b| a.with(b, f))?;
         }

@@ -69,7 +69,7 @@ pub fn grid(scene: &Scene, across: u32) -> Vec<[u32; 2]> {
 pub const ARITHMETICS: [Arithmetic; 4] =
     [Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(3), Arithmetic::Decimal(8)];
 
-/// Snapshots stand in the top-level folder `snapshots/`, named as they are called.
+/// Snapshots are in the top-level folder `snapshots/`, named as they are called.
 pub fn snapshots() -> Settings {
     let mut settings = Settings::clone_current();
     settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));

@@ -1,4 +1,4 @@
-//! Scenes made in code, so that what they are to provoke stands beside them.
+//! Scenes made in code, so that what they are to provoke is beside them.
 
 use glam::DVec3;
 use raywalk::geometry::Shape;

@@ -27,7 +27,7 @@ pub fn crowded(seed: u64) -> Scene {
     support::scene_of(crowd(seed, 24).to_string().as_bytes(), "crowded")
 }
 
-/// The file of a scene of so many objects under an area light that is asked for many points.
+/// The file of a scene of this many objects under an area light that is asked for many points.
 pub fn crowd(seed: u64, objects: usize) -> Value {
     lit(&mut Random::new(seed), json!(9), objects)
 }

@@ -115,7 +115,7 @@ impl Session {
         }
     }
 
-    /// Waits until the terminal tells the program of the mouse, or no longer does.
+    /// Waits until the terminal reports the mouse to the program, or no longer does.
     #[track_caller]
     pub fn has_mouse(&self, is_told: bool) {
         let start = Instant::now();

@@ -175,7 +175,7 @@ pub fn aimed() -> impl Strategy<Value = (Solid, Ray)> {
     )
 }
 
-/// The magnitude of the numbers in which a hit is reckoned.
+/// The magnitude of the numbers that a hit is computed from.
 pub fn scale(solid: &Solid, ray: &Ray) -> f64 {
     solid.scale + (ray.origin - solid.center).length()
 }

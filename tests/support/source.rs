@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub struct SourceFile {
     /// Its path below the folder that was read, such as `trace/bounce.rs`.
     pub path: String,
-    /// Its lines as they stand in the file.
+    /// Its lines as they are in the file.
     pub lines: usize,
     /// Its code: comments, the contents of strings and test modules are blank.
     pub code: String,
@@ -94,7 +94,7 @@ impl SourceFile {
         })
     }
 
-    /// What stands between the quotes of each string of the code, as it is written there, with its place.
+    /// What is between the quotes of each string of the code, as it is written there, with its place.
     pub fn strings(&self) -> Vec<(usize, &str)> {
         // Of the contents of strings and characters the code keeps nothing, and so no quote but those around strings.
         let quotes: Vec<usize> = self.code.match_indices('"').map(|(at, _)| at).collect();
@@ -129,7 +129,7 @@ impl SourceFile {
         imports
     }
 
-    /// The paths that go on behind `from`, which stands in the module `base`.
+    /// The paths that go on behind `from`, which is in the module `base`.
     fn paths_from(&self, from: usize, base: &[String], at: usize, imports: &mut Vec<(usize, Vec<String>)>) -> usize {
         let mut path = base.to_vec();
         let mut position = from;
@@ -252,7 +252,7 @@ fn end_of_quoted(text: &[u8], quote: u8) -> Option<usize> {
     Some(at)
 }
 
-/// Blanks what stands behind `#[cfg(test)]` in both texts, up to its closing brace or its semicolon; gives the names of the
+/// Blanks what follows `#[cfg(test)]` in both texts, up to its closing brace or its semicolon; gives the names of the
 /// modules among it that have files of their own.
 fn blank_tests(code: &mut [u8], with_strings: &mut [u8]) -> Vec<String> {
     const MARK: &[u8] = b"#[cfg(test)]";

@@ -1,5 +1,5 @@
 //! Area lights with `{"min": …, "max": …}`: where a part of one may be hidden they have the bits of as many points as `max`; in full view their
-//! rule has the mean but for the error that `docs/sampling.md` tells; what is told hidden is.
+//! rule has the mean but for the error in `docs/sampling.md`; what is reported as hidden is.
 
 use super::shadow_shafts::{all_pixels, compare};
 use super::skips::picture;
@@ -29,7 +29,7 @@ impl Probe for Reasons {
     }
 }
 
-/// The scene with so many points of each area light, always.
+/// The scene with this many points of each area light, always.
 fn with_all(scene: &Scene, samples: u32) -> Scene {
     let mut scene = scene.clone();
     for light in &mut scene.lights {
@@ -65,7 +65,7 @@ fn whoever_looks_on_sees_the_same_colours() {
     }
 }
 
-/// Also where one object is told to hide the light: each of its points is hidden then.
+/// Also where one object is said to hide the light: each of its points is hidden then.
 #[test]
 fn where_no_rule_is_used_the_bits_are_those_of_all_points() {
     let mut counts = [0; 4];
@@ -232,7 +232,7 @@ fn no_point_of_a_hidden_light_is_seen() {
         let plain = with_all(&scene, 64);
         for _ in 0..20 {
             let at = DVec3::new(3.0 * random.part() - 1.5, 0.0, 3.0 * random.part() - 1.5);
-            // From below, where nothing stands between.
+            // From below, where nothing is between.
             let eye = at + DVec3::new(0.0, 1e-3, 0.0);
             let mut reasons = Reasons::default();
             let found = seen(&scene, at, eye, &mut reasons);

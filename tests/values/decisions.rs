@@ -193,9 +193,9 @@ fn total_reflection_and_lights_behind_have_their_numbers() {
     assert!(found.iter().all(|found| *found > 10), "{found:?}");
 }
 
-/// By hand total reflection is told by the formula that is printed: that is the one whose rounded numbers decided.
+/// By hand total reflection is decided by the formula that is printed: that is the one whose rounded numbers decided.
 #[test]
-fn total_reflection_by_hand_is_told_by_the_printed_formula() {
+fn total_reflection_by_hand_is_reported_by_the_printed_formula() {
     let mut found = 0;
     for digits in [2, 3] {
         let arithmetic = Arithmetic::Decimal(digits);

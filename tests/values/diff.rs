@@ -4,7 +4,7 @@ use crate::support;
 use raywalk::log::{Event, Log, Name, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::diff::{
-    Comparison, Difference, Entry, Json, Numbering, Side, Summary, Text, Told, Tolerance, Why, compare,
+    Comparison, Difference, Entry, Json, Numbering, Side, Statement, Summary, Text, Tolerance, Why, compare,
     header_differences, telling_apart,
 };
 use raywalk::report::side_by_side::Run;
@@ -33,10 +33,10 @@ fn compared(a: &Log, b: &Log, tolerance: &Tolerance) -> Comparison {
 
 fn quantity(entry: &Entry) -> &str {
     match &entry.what {
-        Told::Value { name: Some(name), .. } => name.key(),
-        Told::Value { name: None, .. } => "result",
-        Told::Decision { .. } => "decision",
-        Told::Only { what, .. } => what,
+        Statement::Value { name: Some(name), .. } => name.key(),
+        Statement::Value { name: None, .. } => "result",
+        Statement::Decision { .. } => "decision",
+        Statement::Only { what, .. } => what,
     }
 }
 
@@ -75,7 +75,7 @@ fn steps_of_another_kind_of_shape_come_from_that_change() {
             assert_eq!(kinds, expected);
             for difference in &comparison.differences {
                 let kind = difference.kind.as_ref().map(|kind| kind.input.clone());
-                let is_alone = matches!(difference.entry.what, Told::Only { .. });
+                let is_alone = matches!(difference.entry.what, Statement::Only { .. });
                 let of_test = difference.entry.node.strip_prefix("test ").filter(|_| is_alone);
                 let of_test = of_test.map(|object| format!("objects.{object}"));
                 // Every difference comes from one of the changes, and a step of a test that only one log has from that of its object.
@@ -85,7 +85,7 @@ fn steps_of_another_kind_of_shape_come_from_that_change() {
             assert_eq!(comparison.first.expect("a difference").why, Why::OtherKind);
         }
     }
-    // The point where the reflected ray meets the box is O + d·t in both logs: t alone moves it.
+    // The point where the reflected ray hits the box is O + d·t in both logs: t alone moves it.
     let other = changed("textbook", |scene| scene.objects[1].shape = shape(ball.clone()));
     let comparison = compared(&textbook, &other, &EXACT);
     let point = found(&comparison, "C R", "hit.point");
@@ -198,7 +198,7 @@ fn different_values_look_different() {
     assert!(shown.contains("  camera.position: "), "{shown}");
     let mut values = 0;
     for Difference { entry, .. } in &found.differences {
-        let Told::Value { a, b, .. } = &entry.what else { continue };
+        let Statement::Value { a, b, .. } = &entry.what else { continue };
         let style = telling_apart(a, b, None);
         let [a, b] = [a, b].map(|value| raywalk::report::Language::English.value(value, style));
         assert_ne!(a, b);
@@ -269,7 +269,7 @@ fn a_test_that_only_one_log_has_shifts_nothing() {
     for (a, b, side) in [(&a, &b, Side::A), (&b, &a, Side::B)] {
         let alone: Vec<_> = compared(a, b, &EXACT).differences;
         let told: Vec<_> = alone.iter().map(|difference| &difference.entry.what).collect();
-        let [Told::Only { side: found, what, values: of_test }] = told[..] else { panic!("{told:#?}") };
+        let [Statement::Only { side: found, what, values: of_test }] = told[..] else { panic!("{told:#?}") };
         assert_eq!((*found, *of_test), (side, values));
         assert!(what.starts_with("test "), "{what}");
         assert_eq!(alone[0].why, Why::NotNeeded);
@@ -330,7 +330,7 @@ fn a_decision_comes_from_the_value_that_decides() {
     let decisions: Vec<_> = comparison
         .differences
         .iter()
-        .filter(|difference| matches!(difference.entry.what, Told::Decision { .. }))
+        .filter(|difference| matches!(difference.entry.what, Statement::Decision { .. }))
         .map(|difference| (&*difference.entry.path, &*difference.entry.node, quantity(&difference.from[0].0)))
         .collect();
     assert_eq!(decisions, [("C R", "test sphere", "sphere.t2_a"), ("C R", "", "decision")]);
@@ -347,7 +347,7 @@ fn two_pixels_are_compared_ray_by_ray() {
     let comparison = compared(&a, &b, &EXACT);
     // The middle pixel's ray is given, that of another one is computed; they are the same quantity.
     let vector = found(&comparison, "C", "ray.vector");
-    assert!(matches!(vector.entry.what, Told::Value { name: Some(Name::RayVector), .. }));
+    assert!(matches!(vector.entry.what, Statement::Value { name: Some(Name::RayVector), .. }));
     let direction = found(&comparison, "C", "ray.direction");
     assert_eq!(quantity(direction.origin.as_ref().expect("an origin")), "ray.vector");
 }

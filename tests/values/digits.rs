@@ -101,7 +101,7 @@ fn runs_that_decide_differently_have_no_digits_in_common() {
         let differs = hits > 0 && hits < RUNS;
         seen[usize::from(differs)] = true;
         let log = log(&touched, [0, 0], seed);
-        // What stands before the decision keeps its digits, and so does the other object.
+        // What precedes the decision keeps its digits, and so does the other object.
         assert!(of_key(&log, "ray.direction") >= Some(15.0), "seed {seed}");
         assert!(of_key(&log, "plane.t") >= Some(15.0), "seed {seed}");
         assert!(of_key(&log, "sphere.t2_a").is_some_and(|digits| digits < 1.0), "seed {seed}");

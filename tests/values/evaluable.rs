@@ -33,7 +33,7 @@ fn wrong(log: &Log, arithmetic: Arithmetic) -> Vec<String> {
     let mut wrong = Vec::new();
     for (at, event) in events.iter().enumerate() {
         for (name, value) in log.given(at) {
-            // An input with a formula of its own; others under names of quantities were handed on.
+            // An input with a formula of its own; others under names of quantities were passed on.
             let is_made = *name == Name::PixelSide;
             if is_made
                 && evaluate(log, &tree, at, *name).is_none_or(|found| found.is_ok_and(|found| !found.same_bits(value)))

@@ -304,7 +304,7 @@ fn a_contradicted_value_has_no_comparison() {
     assert_eq!(shown(&log), 0);
 }
 
-/// Inputs that stand on an event of an unknown quantity count all the same.
+/// Inputs that are on an event of an unknown quantity count all the same.
 #[test]
 fn inputs_of_unknown_quantities_are_kept() {
     let scene = scene("textbook");

@@ -73,7 +73,7 @@ fn every_formula_gives_the_logged_value() {
         for pixel in [[20, 110], [60, 100], [100, 100], [10, 60], [150, 110]] {
             checked.check(&record::pixel(&lamp, pixel, arithmetic));
         }
-        // Surfaces in the same place, and bounces by interpolated normals that run on the wrong side.
+        // Coincident surfaces, and bounces by interpolated normals that run on the wrong side.
         let touching = support::scene_of(include_bytes!("../support/touching.json"), "touching");
         for pixel in support::grid(&touching, 24) {
             checked.check(&record::pixel(&touching, pixel, arithmetic));

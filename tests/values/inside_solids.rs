@@ -96,7 +96,7 @@ fn on_the_shadow_ray(log: &Log) -> Vec<(Miss, usize)> {
     (0..log.events.len()).filter(of_solid).filter_map(reason).collect()
 }
 
-/// A shadow ray through a transmitting solid asks for all of its crossings and chooses none: which of them are met is told by their
+/// A shadow ray through a transmitting solid asks for all of its crossings and chooses none: which of them are hit follows from their
 /// distances. By hand, for a ray along the x axis from x = −5 to a light at x = 5.
 #[test]
 fn hits_of_transmitting_solids_say_at_which_crossing() {

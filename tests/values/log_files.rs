@@ -64,7 +64,7 @@ fn what_stands_after_the_end_is_said() {
     let mut bytes = to_ndjson(&textbook_log()).expect("memory");
     bytes.extend_from_slice(b"{}\n");
     let found = read(&bytes).expect("a log");
-    assert_eq!(found.ending, Ending::Mismatch { what: "2 bytes stand after its end line".into() });
+    assert_eq!(found.ending, Ending::Mismatch { what: "2 bytes follow its end line".into() });
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn what_stands_after_a_document_is_said() {
     for behind in [&b"{}"[..], b"]", b"\0"] {
         let found = read(&[&document[..], behind].concat()).expect("a log");
         assert_eq!(found.log, textbook_log());
-        assert_eq!(found.ending, Ending::Mismatch { what: "other text stands after the document".into() });
+        assert_eq!(found.ending, Ending::Mismatch { what: "other text follows the document".into() });
     }
 }
 
@@ -172,7 +172,7 @@ fn a_damaged_record_is_named() {
 }
 
 #[test]
-fn an_unknown_quantity_is_passed_over() {
+fn an_unknown_quantity_is_skipped() {
     let bytes = to_ndjson(&textbook_log()).expect("memory");
     let text = String::from_utf8(bytes).expect("UTF-8");
     let changed = text.replacen("plane.v_d", "plane.v_x", 1);

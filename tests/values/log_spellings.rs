@@ -1,4 +1,4 @@
-//! Logs as other programs write them anew: in another order of keys, with other blanks, numbers and strings spelt otherwise.
+//! Logs as other programs rewrite them: in another order of keys, with other blanks, numbers and strings spelt otherwise.
 
 use crate::random::Random;
 use crate::support::{middle, scene, scene_of};
@@ -77,7 +77,7 @@ impl Writer {
     }
 }
 
-/// A text of values, one a line, written anew.
+/// A text of values, one a line, rewritten.
 fn respelt(values: &[Value], seed: u64) -> String {
     let breaks_lines = seed % 3 == 2;
     let mut writer = Writer { random: Random::new(seed), breaks_lines, out: String::new() };

@@ -185,7 +185,7 @@ fn wrong_words_are_answered_with_the_right_ones() {
     says(2, &["walk", "--sphere-method", "geometrical"], "did you mean `geometric`?");
 }
 
-/// A shown scene reads back as the same scene in every arithmetic: what hangs on the arithmetic isn't written out.
+/// A shown scene reads back as the same scene in every arithmetic: what depends on the arithmetic isn't written out.
 #[test]
 fn a_shown_scene_is_the_same_by_hand() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -250,7 +250,7 @@ fn reflected_light_can_be_scaled_by_the_specular_coefficient() {
     let red = |scene: &Scene| record::pixel_color(scene, [160, 120], Arithmetic::F64).x;
     assert!((red(&scene("specular")) - 335.418).abs() < 5e-4);
     assert!((red(&scene("weight")) - 393.054).abs() < 5e-4);
-    // The ray hangs on the weight: without one there is no ray, whatever the coefficient.
+    // The ray depends on the weight: without one there is no ray, whatever the coefficient.
     let mut dull = scene("specular");
     dull.materials[0].weights.reflected = DVec3::ZERO;
     let log = record::pixel(&dull, [160, 120], Arithmetic::F64);

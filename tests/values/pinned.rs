@@ -1,5 +1,5 @@
-//! Logs as snapshots, one telling pixel of each built-in scene and rays onto what none of them shows: so many that everything that a log
-//! can say stands in one of them.
+//! Logs as snapshots, one telling pixel of each built-in scene and rays onto what none of them shows: enough that everything that a log
+//! can say is in one of them.
 
 mod rows;
 
@@ -196,7 +196,7 @@ fn pinned_logs() {
 const MOST_LINES: usize = 360;
 
 #[test]
-fn everything_that_a_log_can_say_stands_in_a_snapshot() {
+fn everything_that_a_log_can_say_is_in_a_snapshot() {
     let mut missing = sayable();
     let mut needless = Vec::new();
     let pinned = said_in_snapshots();

@@ -92,7 +92,7 @@ fn worked_solutions_read_back() {
         }
         let tree = Tree::of(&log.events);
         for (language, mark) in [(Language::English, '.'), (Language::Spanish, ',')] {
-            let stage = Stage { things: &[], upright: 1 };
+            let stage = Stage { wireframes: &[], upright: 1 };
             let task = Task { log: &log, tree: &tree, stage, language, style: Style::default() };
             let texts = [of_tex(&markdown(&task)), of_tex(&latex(&task)), of_html(&html(&task))];
             for (format, equations) in texts.iter().enumerate() {

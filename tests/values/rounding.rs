@@ -73,7 +73,7 @@ fn the_last_rounding_is_its_own_error() {
 }
 
 #[test]
-fn a_ray_tree_that_changes_is_told() {
+fn a_ray_tree_that_changes_is_reported() {
     // The line passes the centre at (5.3 − 0.5)/|(0, 0.1, −5)| = 0.960, inside. With the direction (0, 0.020, −1.000) rounded
     // to (0, 0, −1) it passes at 1.06, outside.
     let scene = scene_of(

@@ -1,4 +1,4 @@
-//! What can stand before an area light is found once for all its shadow rays: the colours are those of a tracer that asks for each ray alone.
+//! What can lie before an area light is found once for all its shadow rays: the colours are those of a tracer that asks for each ray alone.
 
 use super::skips::picture;
 use crate::random_scenes;
@@ -59,7 +59,7 @@ fn a_mesh_shades_its_own_far_side_only() {
     let statistics = picture(&scene).1.statistics(0, Default::default(), 0);
     let json = serde_json::to_value(&statistics).expect("JSON");
     let [shadow_rays, stopped] = ["rays", "hits"].map(|of| json[of]["shadow"].as_u64().expect("a number"));
-    // The first ray of a surface point is searched for always, and without a shaft through the mesh none is spared.
+    // The first ray of a surface point is searched for always, and without a shaft through the mesh none is saved.
     assert!(statistics.free_shadow_rays * 5 > shadow_rays * 2, "{} of {shadow_rays}", statistics.free_shadow_rays);
     assert!(stopped > 0 && statistics.free_shadow_rays * 4 <= shadow_rays * 3);
 }

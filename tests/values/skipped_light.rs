@@ -1,9 +1,9 @@
-//! Light of which zeros among the factors leave nothing: which rays that spares, and that small numbers aren't taken for zeros.
+//! Light of which zeros among the factors leave nothing: which rays that saves, and that small numbers aren't taken for zeros.
 
 use super::skips::{picture, skipped};
 use crate::support;
 use proptest::prelude::*;
-use raywalk::log::{Decision, SkipReason, Skippable, Step, What};
+use raywalk::log::{Decision, SkipReason, Step, Term, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::{Counter, Statistics};
 use raywalk::scene::{Color, Sampling, Scene, Skip};
@@ -140,7 +140,7 @@ fn a_local_model_of_which_the_path_leaves_nothing_is_left_out() {
     let mut scene = all_kinds();
     let log = record::pixel(&scene, [1, 1], Arithmetic::F64);
     let why = |rule| {
-        let decision = Decision::Skipped { what: Skippable::Local, why: rule };
+        let decision = Decision::Skipped { what: Term::Local, why: rule };
         log.events.iter().filter(|event| event.what == What::Mark(decision)).count()
     };
     // The front lets red through, which the one in the middle doesn't show of itself.
@@ -167,7 +167,7 @@ fn small_factors_are_no_zeros() {
 
 /// A rule's count in rays: of a blurred bounce all of them, of a bounce beyond the depth limit too.
 #[test]
-fn the_statistics_say_how_many_rays_were_spared() {
+fn the_statistics_say_how_many_rays_were_saved() {
     let blurred = r#""diffuse": [1, 1, 1], "gloss_exponent": 20, "samples": 16,
         "weights": {"local": 1, "reflected": [0.5, 0, 0]}"#;
     let mut scene = floor([1.0; 3], blurred);
@@ -185,12 +185,12 @@ fn the_statistics_say_how_many_rays_were_spared() {
     let statistics = counted(&scene);
     assert_eq!((statistics.skipped["zero_weight"], statistics.saved["zero_weight"]), (9, 9 * 16));
     assert!(statistics.to_string().contains("skipped zero_weight: 9 (144 rays)\n"));
-    // What shortens no ray tree spares no ray.
+    // What shortens no ray tree saves no ray.
     assert_eq!((statistics.skipped["zero_term"], statistics.saved["zero_term"]), (9, 0));
 }
 
 #[test]
-fn corners_that_pixels_share_are_rays_that_were_spared() {
+fn corners_that_pixels_share_are_rays_that_were_saved() {
     let mut scene = floor([1.0; 3], r#""diffuse": [1, 1, 1]"#);
     for n in [1, 2] {
         scene.sampling = Sampling::Shared { n };
@@ -221,7 +221,7 @@ fn corners_that_pixels_share_are_rays_that_were_spared() {
 
 /// The floor is all there is: of the light's points none can be hidden from it.
 #[test]
-fn shadow_rays_that_nothing_can_block_are_told() {
+fn shadow_rays_that_nothing_can_block_are_reported() {
     let text = r#"{"format": "raywalk-scene/1",
         "camera": {"position": [0, 0, 5], "direction": [0, 0, -1], "resolution": [3, 3], "vertical_fov": 20},
         "lights": [{"name": "lamp", "sphere": {"center": [0, 1, 4], "radius": 0.5}, "samples": 4}],

@@ -3,7 +3,7 @@
 use crate::support;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
-use raywalk::log::{Decision, Log, Name, SkipReason, Skippable, What};
+use raywalk::log::{Decision, Log, Name, SkipReason, Term, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::render::{Counter, Settings, render};
 use raywalk::report::language::Language;
@@ -189,7 +189,7 @@ fn no_set_of_rules_changes_a_bit() {
     }
 }
 
-/// Asserts that a cutoff loses no more than is said, and says how much of the bound it was at the most.
+/// Asserts that a cutoff loses no more than is said, and says how much of the bound it was at most.
 fn loses_no_more_than_is_said(scene: &mut Scene, cutoff: f64) -> f64 {
     scene.tracing.skip = Skip::ALL;
     scene.tracing.cutoff = 0.0;
@@ -252,7 +252,7 @@ fn filters() -> Scene {
     support::scene_of(text.as_bytes(), "filters")
 }
 
-fn marks(log: &Log) -> Vec<(Skippable, SkipReason)> {
+fn marks(log: &Log) -> Vec<(Term, SkipReason)> {
     let mark = |event: &raywalk::log::Event| match event.what {
         What::Mark(Decision::Skipped { what, why }) => Some((what, why)),
         _ => None,
@@ -265,12 +265,12 @@ fn a_log_says_what_was_skipped_and_why() {
     let mut scene = filters();
     let found = marks(&record::pixel(&scene, [1, 1], Arithmetic::F64));
     let expected = [
-        (Skippable::Specular, SkipReason::ZeroTerm),
-        (Skippable::Shadow, SkipReason::Behind),
-        (Skippable::Reflected, SkipReason::ZeroWeight),
-        (Skippable::Local, SkipReason::ZeroLocal),
-        (Skippable::Reflected, SkipReason::ZeroWeight),
-        (Skippable::Transmitted, SkipReason::ZeroPath),
+        (Term::Specular, SkipReason::ZeroTerm),
+        (Term::Shadow, SkipReason::Behind),
+        (Term::Reflected, SkipReason::ZeroWeight),
+        (Term::Local, SkipReason::ZeroLocal),
+        (Term::Reflected, SkipReason::ZeroWeight),
+        (Term::Transmitted, SkipReason::ZeroPath),
     ];
     assert_eq!(found, expected);
     scene.tracing.skip = Skip::NONE;

@@ -68,7 +68,7 @@ fn the_specular_coefficient_as_a_weight() {
     assert!((found - 335.418).abs() < 5e-4, "{found}");
 }
 
-/// The strict hand column of the reference table, by path and contract name.
+/// The strict hand column of the reference table, by path and key.
 const BY_HAND: &[(&str, &str, &[f64])] = &[
     ("C", "ray.length", &[12.689]),
     ("C", "ray.direction", &[-0.946, 0.315, 0.079]),

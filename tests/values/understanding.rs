@@ -210,7 +210,7 @@ fn operands_of_the_numeric_example() {
         found(point),
         [("O", true, None), ("d", false, Some(at(&log, "ray.direction", 1))), ("t", false, Some(t))]
     );
-    // On the sphere the origin of the ray is the hit point on the plane, handed on.
+    // On the sphere the origin of the ray is the hit point on the plane, passed on.
     let oc = operands(&log, &tree, at(&log, "sphere.oc", 2));
     let origin = oc.iter().find(|operand| operand.symbol == "O").expect("its origin");
     assert_eq!((origin.is_given, origin.computed), (true, Some(point)));

@@ -30,7 +30,7 @@ fn frame_after(keys: &str, width: u16, height: u16, options: &Options) -> String
 fn frames_at_three_sizes() {
     snapshots().bind(|| {
         for (name, width, height) in [("40x12", 40, 12), ("80x24", 80, 24), ("200x60", 200, 60)] {
-            // 28 values on, the reflected ray meets the sphere.
+            // 28 values on, the reflected ray hits the sphere.
             let frame = frame_after("28n", width, height, &options(Palette::Indexed, false));
             insta::assert_snapshot!(format!("viewer_{name}"), frame);
         }

@@ -1,5 +1,5 @@
 //! The pictures of the viewer in the README and in `docs/viewer.md` are frames of the program as it is.
-//! `UPDATE_GALLERY=1 cargo test --test viewer pictures` makes them anew.
+//! `UPDATE_GALLERY=1 cargo test --test viewer pictures` regenerates them.
 
 use assert_cmd::Command;
 use std::fs;

@@ -293,7 +293,7 @@ fn the_shell_gets_the_terminal_and_gives_it_back() {
     session.ends_with(7);
 }
 
-/// The shell must not be told of the mouse while the viewer is stopped; the viewer must be again when it goes on.
+/// The shell must not get mouse events while the viewer is stopped; the viewer must be again when it goes on.
 #[test]
 fn the_mouse_is_given_to_the_shell_and_taken_again() {
     let mut session = Session::of("bash".as_ref(), &["--norc", "--noprofile", "-i"], 100, 30);

@@ -178,7 +178,7 @@ fn the_sixteen_zones_are_equally_large_and_each_holds_its_direction() {
         .collect();
     assert_eq!(zones.len(), 16);
     for zone in &zones {
-        // A sector of 24 chords; its area doesn't hang on the ring.
+        // A sector of 24 chords; its area doesn't depend on the ring.
         let chords = 24.0 * libm::sin(std::f64::consts::TAU / 4.0 / 24.0) / 2.0 / 4.0;
         assert!((area(zone) / (RADIUS * RADIUS) - chords).abs() < 1e-9);
     }

@@ -54,7 +54,7 @@ fn rays_that_meet_nothing_have_the_length_that_is_stated() {
         let (_, rays) = lines.groups.iter().find(|(name, _)| name == group).expect(group);
         rays.iter().filter(|ray| (length(&lines, **ray) / lines.length - 1.0).abs() < 1e-12).count()
     };
-    // As the walk tells: C R R R, C R R T and C T R T meet nothing.
+    // As the walk says: C R R R, C R R T and C T R T hit nothing.
     assert_eq!(["camera", "reflected", "transmitted"].map(is_long), [0, 1, 2]);
     assert_eq!(lines.vertices.len(), 2 * lines.groups.iter().map(|(_, rays)| rays.len()).sum::<usize>());
 }

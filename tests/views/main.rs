@@ -52,7 +52,7 @@ fn nasty_log() -> Log {
 /// A view of a whole log, without the scene's outlines.
 fn solution(log: &Log, language: Language, write: fn(&Task) -> String) -> String {
     let tree = Tree::of(&log.events);
-    let stage = Stage { things: &[], upright: 1 };
+    let stage = Stage { wireframes: &[], upright: 1 };
     write(&Task { log, tree: &tree, stage, language, style: Style::default() })
 }
 

@@ -20,7 +20,7 @@ fn a_saved_log_is_seen_as_its_scene_is() {
             let options = ["--format", format, "--lang", "es", "--digits", "2", "--tree", "calls"];
             let options = if matches!(format, "ndjson" | "json" | "obj" | "ply") { &options[..2] } else { &options };
             let (direct, seen) = (prints(&[&call, options].concat()), prints(&[&["trace", &log], options].concat()));
-            // Some figures show where the objects stand, which no log knows.
+            // Some figures show where the objects are, which no log knows.
             assert!(direct == seen, "{name} {format}");
         }
         let page = prints(&["trace", &log, "--format", "html"]);

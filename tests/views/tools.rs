@@ -1,4 +1,4 @@
-//! What other programs say of the views. A program that isn't there is told, and its test is skipped.
+//! What other programs say of the views. A program that isn't installed is reported, and its test is skipped.
 
 use crate::bitmap::Bitmap;
 use crate::calls::prints;

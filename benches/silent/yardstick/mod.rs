@@ -23,7 +23,7 @@ pub struct Yardstick {
     background: DVec3,
     lights: Vec<Light>,
     materials: Vec<Material>,
-    /// What rays meet.
+    /// What rays hit.
     pub objects: Vec<Object>,
     rules: Rules,
 }
@@ -44,7 +44,7 @@ enum Light {
     Sun { toward: DVec3, color: DVec3 },
 }
 
-/// A thing in the scene.
+/// An object of the scene.
 pub struct Object {
     pub shape: Shape,
     material: usize,
@@ -159,12 +159,11 @@ impl Yardstick {
                 Light::Sun { toward, .. } => (*toward, f64::INFINITY),
             };
             let n_dot_l = hit.normal.dot(toward);
-            let is_lit = match () {
-                _ if n_dot_l > 0.0 => {
-                    let uses_light = material.diffuse != DVec3::ZERO || material.specular != DVec3::ZERO;
-                    uses_light || !self.rules.skips_no_local_term
-                }
-                _ => n_dot_l < 0.0 && material.transmission != DVec3::ZERO,
+            let is_lit = if n_dot_l > 0.0 {
+                let uses_light = material.diffuse != DVec3::ZERO || material.specular != DVec3::ZERO;
+                uses_light || !self.rules.skips_no_local_term
+            } else {
+                n_dot_l < 0.0 && material.transmission != DVec3::ZERO
             };
             if !is_lit {
                 continue;

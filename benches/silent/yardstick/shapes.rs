@@ -121,7 +121,7 @@ impl Shape {
     }
 }
 
-/// How a ray meets a shape.
+/// How a ray hits a shape.
 pub trait Meet {
     /// The first crossing of a ray that may leave this shape.
     fn first_crossing(&self, leaves: bool, is_one_sided: bool, ray: &Ray) -> Option<Crossing>;
@@ -143,10 +143,12 @@ pub trait Meet {
     fn end_at(&self, ray: &Ray, leaves: bool, t: f64, behind: bool) -> Option<End> {
         let slope = self.surface(ray, Crossing { t, behind }).1.dot(ray.direction).abs();
         let is_at = |along: f64| ray.slack > 0.0 && (along * slope).abs() <= ray.slack + ROUNDINGS * self.size();
-        match () {
-            _ if !leaves && is_at(t) => self.may_begin(ray, behind).then_some(End::Start),
-            _ if is_at(ray.end - t) => Some(End::Light),
-            _ => None,
+        if !leaves && is_at(t) {
+            self.may_begin(ray, behind).then_some(End::Start)
+        } else if is_at(ray.end - t) {
+            Some(End::Light)
+        } else {
+            None
         }
     }
 
@@ -205,7 +207,7 @@ impl Meet for Sphere {
             let outward = if is_outside { along - self.center } else { self.center - along };
             return (along, outward / self.radius);
         }
-        // From the centre on, so that the digits of where the sphere stands don't get into its normal.
+        // From the centre on, so that the digits of the centre don't get into its normal.
         let from_center = ray.origin - self.center + ray.direction * crossing.t;
         let distance = from_center.length();
         if distance == 0.0 {

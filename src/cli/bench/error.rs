@@ -48,7 +48,7 @@ pub struct ErrorBench {
     /// Draw error against time into this SVG file
     #[arg(long, alias = "svg", value_name = "FILE")]
     chart: Option<PathBuf>,
-    /// On how many threads; 0 is one a core
+    /// On how many threads; 0 is one per core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     threads: u16,
     #[command(flatten)]
@@ -62,10 +62,12 @@ impl ErrorBench {
     /// Runs the command.
     pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
         raywalk::threads::want(self.threads.into());
-        let otherwise: &[&str] = match () {
-            _ if self.arithmetic => &scenes::FEW,
-            _ if self.depths || self.cutoffs => &scenes::BRANCHING,
-            _ => &scenes::SAMPLED,
+        let otherwise: &[&str] = if self.arithmetic {
+            &scenes::FEW
+        } else if self.depths || self.cutoffs {
+            &scenes::BRANCHING
+        } else {
+            &scenes::SAMPLED
         };
         let names = self.scenes.names(otherwise);
         let loaded = names.iter().map(|name| self.scenes.load(name, colors)).collect::<Result<Vec<_>, _>>()?;

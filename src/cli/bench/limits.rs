@@ -5,7 +5,7 @@ use super::table::{print_measured, quoted};
 use crate::cli::failure::Failure;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use raywalk::study::bench::limits::{Ladder, Limit, Limited};
 use raywalk::study::ladder::Deviation;
 use serde::Serialize;
@@ -48,7 +48,7 @@ fn text(measured: &[Measured]) -> String {
     for Measured { scene, ladder } in measured {
         let (name, reference) = words(ladder.reference);
         let head = if has_bounds(ladder) { "      bound" } else { "" };
-        let _ = writeln!(text, "{}, against {name} {reference}", visible(scene));
+        let _ = writeln!(text, "{}, against {name} {reference}", escape_hidden(scene));
         let _ = writeln!(
             text,
             "  {name:<10} {:>10} {:>9} {:>10} {:>10} {:>10}{head}",

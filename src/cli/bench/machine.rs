@@ -1,6 +1,6 @@
 //! The machine that was measured on, without which times mean nothing.
 
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use serde::Serialize;
 use std::fmt;
 use std::fs;
@@ -11,7 +11,7 @@ use std::thread::available_parallelism;
 pub struct Machine {
     /// The version of the program.
     pub version: &'static str,
-    /// The model of the processor, where the system tells.
+    /// The model of the processor, where the system reports it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub processor: Option<String>,
     /// How many cores the program may use.
@@ -40,7 +40,7 @@ impl fmt::Display for Machine {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Machine { version, processor, cores, system, unoptimized } = self;
         let processor = processor.as_deref().unwrap_or("unknown processor");
-        write!(f, "raywalk {version}, {}, cores: {cores}, {system}", visible(processor))?;
+        write!(f, "raywalk {version}, {}, cores: {cores}, {system}", escape_hidden(processor))?;
         if *unoptimized { write!(f, "; built without optimisation: times say nothing") } else { Ok(()) }
     }
 }
@@ -52,7 +52,7 @@ fn processor() -> Option<String> {
     Some(line.split_once(':')?.1.trim().to_owned())
 }
 
-/// The most memory that this process held since it began, in bytes, where the system tells.
+/// The most memory that this process held since it began, in bytes, where the system reports it.
 pub fn peak_bytes() -> Option<u64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

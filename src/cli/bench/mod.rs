@@ -23,7 +23,7 @@ pub enum Bench {
     Error(error::ErrorBench),
     /// What recording, counting and other arithmetic cost
     Overhead(overhead::OverheadBench),
-    /// How many rays a second are answered, on files of rays
+    /// How many rays per second are answered, on files of rays
     Rays(rays::RaysBench),
     /// How time and memory grow with the number of spheres and the size of a picture
     Scaling(scaling::ScalingBench),

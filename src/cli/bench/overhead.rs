@@ -8,7 +8,7 @@ use crate::cli::failure::Failure;
 use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use clap::Args;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use raywalk::study::bench::overhead::{Cost, Overhead, overhead};
 use serde::Serialize;
 use std::fmt::Write;
@@ -44,7 +44,7 @@ impl OverheadBench {
             let (scene, _) = self.scenes.load(name, colors)?;
             let overhead = overhead(&scene, self.pairs.into());
             let overhead = overhead.map_err(|error| {
-                Failure::caller(format!("{}: {error}, expected fewer samples a pixel", visible(&scene.name)))
+                Failure::caller(format!("{}: {error}, expected fewer samples a pixel", escape_hidden(&scene.name)))
             })?;
             Ok(Measured { scene: scene.name, overhead })
         };
@@ -65,7 +65,7 @@ fn text(machine: &Machine, measured: &[Measured]) -> String {
     let mut text = format!("{machine}\n");
     for Measured { scene, overhead } in measured {
         let Overhead { pixels, rays_per_pixel, events_per_pixel, event_bytes_per_pixel, costs } = overhead;
-        let _ = writeln!(text, "{}: {pixels} pixels, {rays_per_pixel:.2} rays a pixel", visible(scene));
+        let _ = writeln!(text, "{}: {pixels} pixels, {rays_per_pixel:.2} rays a pixel", escape_hidden(scene));
         let _ = writeln!(
             text,
             "  a pixel's log has {events_per_pixel:.1} events in {event_bytes_per_pixel:.0} bytes of memory"

@@ -1,4 +1,4 @@
-//! `raywalk bench rays`: how many rays a second are answered.
+//! `raywalk bench rays`: how many rays per second are answered.
 
 use super::TableFormat;
 use super::machine::Machine;
@@ -10,13 +10,13 @@ use crate::cli::output::{self, Output};
 use clap::Args;
 use raywalk::scene::Scene;
 use raywalk::scene::file::raw::{self, Primitives, RayFile};
-use raywalk::scene::file::{SceneError, is_callers_fault, visible, visible_json};
+use raywalk::scene::file::{SceneError, escape_hidden, escape_hidden_json, is_callers_fault};
 use raywalk::study::bench::throughput::{self, Hits, Mode, Passes, Throughput, measure};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// How many rays a second are answered, on files of rays
+/// How many rays per second are answered, on files of rays
 ///
 /// A scene is STEM.mesh (one mesh) or STEM.spheres; its rays are STEM.KIND.rays, such as STEM.primary.rays. docs/benchmarks.md has the
 /// layouts. Whole passes over a file are timed, after one that isn't; threads take rays from a queue. JSON has an object a line:
@@ -163,7 +163,7 @@ impl RaysBench {
         Ok(Dumps { paths: self.stems.iter().zip(&rays).map(of_scene).collect(), inputs })
     }
 
-    /// What stands above all figures.
+    /// The heading above all figures.
     fn print_head(&self, machine: &Machine) -> Result<(), Failure> {
         match self.format {
             TableFormat::Text => output::print(format!("{machine}\n").as_bytes()),
@@ -222,7 +222,7 @@ impl RaysBench {
             TableFormat::Json => print_json(built),
             TableFormat::Csv => Ok(()),
             TableFormat::Text => {
-                let scene = visible(scene);
+                let scene = escape_hidden(scene);
                 let text =
                     format!("{scene}: {primitives} primitives, built in {build_s:.4} s, threads: {build_threads}\n");
                 output::print(text.as_bytes())
@@ -267,7 +267,7 @@ impl<'a> Row<'a> {
     }
 
     fn text(&self) -> String {
-        let rays = visible(self.rays);
+        let rays = escape_hidden(self.rays);
         let Row { mode, threads, n, mrays_median, mrays_per_cpu_s, passes, hits, .. } = self;
         let quartiles = format!("({:.3} {:.3})", self.mrays_lower_quartile, self.mrays_upper_quartile);
         format!(
@@ -290,7 +290,7 @@ impl<'a> Row<'a> {
 
 fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     let line = serde_json::to_string(value).map_err(|error| Failure::machine(format!("cannot write: {error}")))?;
-    output::print(format!("{}\n", visible_json(&line)).as_bytes())
+    output::print(format!("{}\n", escape_hidden_json(&line)).as_bytes())
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

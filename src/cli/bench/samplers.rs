@@ -8,7 +8,7 @@ use crate::cli::inputs::Inputs;
 use crate::cli::output::{self, Output};
 use crate::cli::progress::{Progress, ProgressOptions};
 use raywalk::scene::builtin;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use raywalk::scene::{Guided, Sampling, Scene, Statistical};
 use raywalk::study::bench::chart::{self, Panel};
 use raywalk::study::bench::exact::{self, Exact};
@@ -27,7 +27,7 @@ pub struct Request {
     pub runs: usize,
     /// On how many threads.
     pub threads: usize,
-    /// The error for which the best setting is told.
+    /// The error for which the best setting is reported.
     pub target: Option<f64>,
     /// Where error against time is drawn.
     pub chart: Option<PathBuf>,
@@ -98,7 +98,7 @@ impl Request {
             CompareError::Render(error) => Failure::machine(error.to_string()),
             CompareError::NotExact(why) => Failure::caller(format!(
                 "scene `{}` has no exact reference: {why}; built-in scenes that have one: {}",
-                visible(&scene.name),
+                escape_hidden(&scene.name),
                 scenes_with_exact().join(", ")
             )),
         })?;
@@ -159,7 +159,7 @@ pub fn settings() -> Vec<Sampling> {
     settings
 }
 
-/// Whether the reference is the exact areas, which are only rounded; exact penumbras have an error that is told.
+/// Whether the reference is the exact areas, which are only rounded; exact penumbras have an error that is reported.
 fn is_of_areas(comparison: &Comparison) -> bool {
     comparison.reference == Reference::Exact.to_string() && comparison.reference_error.is_none()
 }
@@ -174,7 +174,7 @@ fn title(measured: &Measured) -> String {
         Some(error) => format!("two pictures with {reference}, whose own error is {error:.1e}"),
         None => format!("two pictures with {reference}, whose own error is unknown"),
     };
-    format!("{}, {width} x {height} pixels, against {against}", visible(scene))
+    format!("{}, {width} x {height} pixels, against {against}", escape_hidden(scene))
 }
 
 fn row(outcome: &Outcome) -> String {

@@ -31,7 +31,7 @@ pub struct ScalingBench {
     /// How many passes over the rays, and how many pictures of each size, are timed
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     passes: u16,
-    /// On how many threads pictures are rendered; 0 is one a core
+    /// On how many threads pictures are rendered; 0 is one per core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=options::MAX_THREADS))]
     threads: u16,
     /// How to print the tables
@@ -142,7 +142,7 @@ fn text(machine: &Machine, spheres: &[Row<OfSpheres>], scene: &str, sizes: &[Row
             row.peak()
         );
     }
-    let _ = writeln!(text, "pictures of {}, by the clock", raywalk::scene::file::visible(scene));
+    let _ = writeln!(text, "pictures of {}, by the clock", raywalk::scene::file::escape_hidden(scene));
     let _ =
         writeln!(text, "  {:>11} {:>10}  {:<17} {:>6} {:>9}", "size", "ns/pixel", "(quartiles)", "growth", "peak MiB");
     for row in sizes {
@@ -159,7 +159,7 @@ fn text(machine: &Machine, spheres: &[Row<OfSpheres>], scene: &str, sizes: &[Row
     }
     text.push_str(match peak_bytes() {
         Some(_) => "peak: the most memory of the program until then\n",
-        None => "peak: this system doesn't tell how much memory a program held\n",
+        None => "peak: this system doesn't report how much memory a program held\n",
     });
     text
 }

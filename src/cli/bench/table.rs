@@ -5,7 +5,7 @@ use crate::cli::failure::Failure;
 use crate::cli::output;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use serde::Serialize;
 
 /// Measures scene after scene and prints the table; `text` and `csv` lay it out.
@@ -28,5 +28,5 @@ pub fn print_measured<M: Serialize>(
 
 /// A text as a cell of CSV.
 pub fn quoted(text: &str) -> String {
-    format!("\"{}\"", visible(text).replace('"', "\"\""))
+    format!("\"{}\"", escape_hidden(text).replace('"', "\"\""))
 }

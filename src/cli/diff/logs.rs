@@ -14,7 +14,7 @@ use raywalk::report::diff::{
 use raywalk::report::side_by_side::Run;
 use raywalk::report::words;
 use raywalk::report::{Language, forms};
-use raywalk::scene::file::{Opened, visible};
+use raywalk::scene::file::{Opened, escape_hidden};
 use raywalk::tui::Theme;
 use raywalk::tui::beside::{self, Beside};
 use raywalk_guard::Endings;
@@ -57,7 +57,7 @@ impl Diff {
         Ok(summary.is_same())
     }
 
-    /// Tells what is wrong with the logs. One that is damaged may hide differences, so nobody is told that they are the same.
+    /// Tells what is wrong with the logs. A damaged one may hide differences, so they aren't reported as equal.
     fn check_whole(&self, pairs: &Pairs) -> Result<(), Failure> {
         let damaged = [&pairs.a, &pairs.b].map(Source::warn).into_iter().flatten().collect::<Vec<_>>();
         if damaged.is_empty() || self.allow_damaged {
@@ -134,7 +134,7 @@ struct Pairs {
     is_region: bool,
 }
 
-/// Where a pixel stands among those of a region.
+/// Where a pixel is among those of a region.
 fn row_by_row([x, y]: [u32; 2]) -> [u32; 2] {
     [y, x]
 }
@@ -201,15 +201,15 @@ struct Source {
     /// Its header, and the events of the current pixel.
     log: Log,
     next: Option<PixelEvents>,
-    /// Where the pixel of `next` stands.
+    /// Where the pixel of `next` is.
     last: Option<[u32; 2]>,
-    /// Whether every pixel so far stood after the one before it, row by row.
+    /// Whether every pixel so far came after the one before it, row by row.
     is_in_order: bool,
 }
 
 impl Source {
     fn open(opened: Opened) -> Result<Source, Failure> {
-        let name = visible(opened.name()).into_owned();
+        let name = escape_hidden(opened.name()).into_owned();
         let input = |opened: Opened| -> Box<dyn Read> { Box::new(opened.stream(MAX_LOG_BYTES)) };
         let again = opened.again();
         let mut reader = PixelReader::open(input(opened)).map_err(|error| saved_log::failure(&name, &error))?;
@@ -244,7 +244,7 @@ impl Source {
         Ok(())
     }
 
-    /// That a log is damaged or was cut off is told in any case, and why pixels may seem to be missing. Gives the name of a log
+    /// Always reports that a log is damaged or was cut off, and why pixels may seem to be missing. Gives the name of a log
     /// that isn't whole.
     fn warn(&self) -> Option<&str> {
         if !self.is_in_order {

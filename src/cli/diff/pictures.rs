@@ -8,7 +8,7 @@ use raywalk::log::Value;
 use raywalk::render::difference::{Difference, LargestOfLayer, LayerDifference, LayerDifferences, difference};
 use raywalk::render::export::{Beside, Format, Picture};
 use raywalk::report::number::size;
-use raywalk::scene::file::{visible, visible_json};
+use raywalk::scene::file::{escape_hidden, escape_hidden_json};
 use serde_json::json;
 
 impl Diff {
@@ -88,12 +88,12 @@ fn text([width, height]: [u32; 2], found: &Difference, layers: &LayerDifferences
 /// A line a layer; nothing where there are none.
 fn text_of_layers(layers: &LayerDifferences, names: [&str; 2]) -> String {
     let of_both = layers.of_both.iter().map(|LayerDifference { name, pixels, differing, largest }| {
-        let name = visible(name);
+        let name = escape_hidden(name);
         let Some(LargestOfLayer { pixel: [x, y], channel, difference, a, b }) = largest else {
             return format!("layer {name}: the same\n");
         };
         let percent = size(100.0 * *differing as f64 / *pixels as f64);
-        let channel = visible(channel);
+        let channel = escape_hidden(channel);
         format!(
             "layer {name}: {differing} of {pixels} pixels differ ({percent}%), the largest difference is {} in the channel \
              {channel} of pixel {x},{y}: {a} against {b}\n",
@@ -102,7 +102,7 @@ fn text_of_layers(layers: &LayerDifferences, names: [&str; 2]) -> String {
     });
     let alone = [&layers.only_in_a, &layers.only_in_b].into_iter().zip(names);
     let alone = alone.flat_map(|(layers, file)| {
-        layers.iter().map(move |layer| format!("layer {}: is only in {file}\n", visible(layer)))
+        layers.iter().map(move |layer| format!("layer {}: is only in {file}\n", escape_hidden(layer)))
     });
     of_both.chain(alone).collect()
 }
@@ -128,7 +128,7 @@ fn json(size: [u32; 2], found: &Difference, layers: &LayerDifferences) -> String
         object["layers_only_in_a"] = json!(layers.only_in_a);
         object["layers_only_in_b"] = json!(layers.only_in_b);
     }
-    visible_json(&format!("{object}\n")).into_owned()
+    escape_hidden_json(&format!("{object}\n")).into_owned()
 }
 
 fn json_of_layer(layer: &LayerDifference) -> serde_json::Value {

@@ -4,7 +4,7 @@ use glam::DVec3;
 use raywalk::geometry::Bounds;
 use raywalk::geometry::shape::circle;
 use raywalk::scene::{LightKind, LightSurface, Scene};
-use raywalk::tui::{Drawing, Thing};
+use raywalk::tui::{Drawing, Wireframe};
 use std::sync::Arc;
 
 /// The most objects that are drawn.
@@ -13,10 +13,10 @@ const MOST_OBJECTS: usize = 400;
 /// The drawing of a scene.
 pub fn of(scene: &Arc<Scene>) -> Drawing {
     let eye = scene.camera.position();
-    let lights: Vec<Thing> = scene
+    let lights: Vec<Wireframe> = scene
         .lights
         .iter()
-        .map(|light| Thing { name: light.name.to_string(), lines: light_lines(&light.kind) })
+        .map(|light| Wireframe { name: light.name.to_string(), lines: light_lines(&light.kind) })
         .collect();
     let seen_by = Arc::clone(scene);
     Drawing {
@@ -29,11 +29,11 @@ pub fn of(scene: &Arc<Scene>) -> Drawing {
 }
 
 /// The objects of a scene as lines.
-pub fn objects(scene: &Scene) -> Vec<Thing> {
+pub fn objects(scene: &Scene) -> Vec<Wireframe> {
     let around = around(scene, scene.camera.position());
     let objects = scene.objects.iter().take(MOST_OBJECTS).map(|object| {
         let lines = object.shape.outline(&around);
-        Thing { name: object.name.to_string(), lines: lines.into_iter().map(arrays).collect() }
+        Wireframe { name: object.name.to_string(), lines: lines.into_iter().map(arrays).collect() }
     });
     objects.collect()
 }
@@ -47,7 +47,7 @@ fn around(scene: &Scene, eye: DVec3) -> Bounds {
         LightKind::Directional { .. } => None,
     });
     let tight = shapes.fold(Bounds::around(lights.chain([eye])), Bounds::union);
-    // Planes pass beside what stands on them.
+    // Planes pass beside what is on them.
     let margin = (tight.max - tight.min) * 0.5;
     Bounds { min: tight.min - margin, max: tight.max + margin }
 }

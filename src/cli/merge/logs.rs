@@ -35,7 +35,7 @@ impl Merge {
         let inputs = Inputs::of(&self.parts);
         let output = || Output::create(Some(&self.output), &inputs);
         let mut place = output()?;
-        // A file can be begun again if another program turns out to have written a log anew; for anything else the logs are asked first.
+        // A file can be reread if another program turns out to have rewritten a log; for anything else the logs are asked first.
         let is_file = place.is_file();
         let mut nowhere =
             Writer::new(io::sink(), &header).map_err(|error| Failure::io(&self.output, "write", &error))?;

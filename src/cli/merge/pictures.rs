@@ -10,7 +10,7 @@ use crate::cli::picture::{Place, Rendered, Shown, format_of};
 use crate::cli::render::MAX_PART_BYTES;
 use raywalk::render::part::{Content, PartError, PartHeader, Picture, Reader, Record};
 use raywalk::render::pieces::{Canvas, Pixels, pieces};
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -38,7 +38,7 @@ impl Merge {
             let several = some_of(&several.collect::<Vec<_>>());
             return Err(Failure::caller(format!(
                 "merge: the parts are of several frames ({several}); expected #### in the name of the picture, found {}",
-                visible(&name)
+                escape_hidden(&name)
             )));
         }
         // All of them, before the first one is written.
@@ -92,7 +92,7 @@ fn of_one_animation<'p>(mut frames: impl Iterator<Item = &'p Part<'p>>) -> Resul
 fn same(first: &Part, other: &Part, difference: Option<(&str, [String; 2])>) -> Result<(), Failure> {
     let Some((what, [a, b])) = difference else { return Ok(()) };
     let [first, other] = [first, other].map(|part| shown(part.path));
-    let [a, b] = [a, b].map(|said| visible(&said).into_owned());
+    let [a, b] = [a, b].map(|said| escape_hidden(&said).into_owned());
     Err(Failure::caller(format!("{first} and {other}: are of different pictures, {what}: {a} against {b}")))
 }
 

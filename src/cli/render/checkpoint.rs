@@ -6,7 +6,7 @@ use crate::cli::lock::{Lock, is_at, lock};
 use crate::cli::unfinished::sync_folder;
 use raywalk::render::part::{PartError, PartHeader, Reader, Record, Writer};
 use raywalk::render::pieces::Pixels;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use raywalk_guard::retried;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -102,7 +102,7 @@ pub struct Spent {
 }
 
 impl Spent {
-    /// Unlocks it: a process may have only so many files open, and an animation may have a million frames.
+    /// Unlocks it: a process may have only a limited number of files open, and an animation may have a million frames.
     pub fn let_go(self) -> Spent {
         Spent { file: None, ..self }
     }
@@ -143,7 +143,7 @@ fn locked(path: &Path, inputs: &Inputs, may_begin: bool) -> Result<(File, Claim)
         if lock(&file) == Lock::Taken {
             return Err(Failure::machine(format!("{}: another raywalk is at work on it", shown(path))));
         }
-        // Whoever had it locked a moment ago may have removed it: then another one is begun.
+        // The process that had it locked a moment ago may have removed it: then another one is begun.
         if is_at(&file, path).map_err(|error| cannot(&error))? {
             return Ok((file, Claim::of(path, &place_of(path))?));
         }
@@ -198,10 +198,12 @@ fn read(file: &File, path: &Path, header: &PartHeader) -> Result<Option<Found>, 
     if reader.header() != header {
         let theirs = reader.header();
         let reason = match header.picture.difference(&theirs.picture) {
-            Some((what, [ours, found])) => format!("{what}: {} there, {} here", visible(&found), visible(&ours)),
+            Some((what, [ours, found])) => {
+                format!("{what}: {} there, {} here", escape_hidden(&found), escape_hidden(&ours))
+            }
             None => format!("shard {} there, {} here", theirs.shard, header.shard),
         };
-        let expected = "expected the same call, or to remove the file and begin anew";
+        let expected = "expected the same call, or to remove the file and start again";
         return Err(Failure::caller(format!("{}: is of another picture ({reason}); {expected}", shown(path))));
     }
     let mut found = Found::default();

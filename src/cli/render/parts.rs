@@ -36,7 +36,7 @@ impl Render {
         drop(place);
         let files = || picture::digest(&task.path, format, self.layers.as_ref());
         if checkpoint.is_in(files().ok()) {
-            self.tell(&task.path, "is there already");
+            self.tell(&task.path, "exists already");
             return Ok(checkpoint.spent());
         }
         let mut kept = self.render_rest(task, &header, kept, Some(&mut checkpoint))?.0;
@@ -57,7 +57,7 @@ impl Render {
     pub(super) fn part(&self, task: &Task, mut seconds: Seconds) -> Result<(), Failure> {
         let header = self.header(task, self.shard.unwrap_or(Shard::WHOLE))?;
         if is_whole(&task.path, &header) {
-            self.tell(&task.path, "is there already and whole");
+            self.tell(&task.path, "exists already and is complete");
             output::sweep_around(&task.path);
             // The run that made it may have been killed before it removed its checkpoint.
             return checkpoint::remove_left_of(&task.path, &task.inputs, || Ok(header));
@@ -70,7 +70,7 @@ impl Render {
                 .map(|(checkpoint, kept)| (Some(checkpoint), kept))?,
             false => (None, Kept::new()),
         };
-        // As above: what is kept stands in the checkpoint.
+        // As above: what is kept is in the checkpoint.
         let output = Some(output).filter(|_| !self.resume);
         let start = Instant::now();
         let (kept, counts) = self.render_rest(task, &header, kept, checkpoint.as_mut())?;
@@ -145,7 +145,7 @@ fn not_a_file(task: &Task) -> Failure {
     Failure::caller(format!("--resume: expected the name of a file, found {}", shown(&task.path)))
 }
 
-/// Whether the whole part of this shard stands in a file. Whatever else is there will be overwritten, as any result is.
+/// Whether the whole part of this shard is in a file. Whatever else is there will be overwritten, as any result is.
 fn is_whole(path: &Path, header: &PartHeader) -> bool {
     if path == Path::new("-") || !path.is_file() {
         return false;

@@ -24,11 +24,9 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
     let is_light_used = scene.objects.iter().any(|object| uses_light(&scene.materials[object.material]));
     let Reach { lights: is_lit, unusable, hidden, is_unweighted, pixels, is_cut_off } = reach(scene);
     let finding = |light: usize| {
-        let outside = if is_outside[light] { "; it stands outside the field of view" } else { "" };
+        let outside = if is_outside[light] { "; it is outside the field of view" } else { "" };
         let message = match (is_lit[light], unusable[light], hidden[light]) {
-            (true, ..) if is_outside[light] => {
-                "stands outside the field of view, which it lights all the same".to_owned()
-            }
+            (true, ..) if is_outside[light] => "is outside the field of view, which it lights all the same".to_owned(),
             (true, ..) => return None,
             _ if is_dark[light] => "lights nothing in view: its colour is 0 in every channel".to_owned(),
             _ if !is_light_used => {
@@ -53,7 +51,7 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
         };
         Some(Finding { path: KeyPath::default().join("lights").join(light), message, is_about_key: false })
     };
-    // The place of each is looked for, so that only those that are told have one.
+    // The place of each is looked for, so that only those that are reported have one.
     let mut findings = (0..is_outside.len()).filter_map(finding);
     let told: Vec<Finding> = findings.by_ref().take(MAX_PROBLEMS).collect();
     scene_argument::warn(&file::placed(&told, &input.bytes, &input.name), findings.count(), colors);

@@ -13,12 +13,12 @@ use raywalk::record::{self, Arithmetic, MAX_EVENTS};
 use raywalk::report::lines;
 use raywalk::report::segments::Segment;
 use raywalk::scene::Scene;
-use raywalk::scene::file::visible;
+use raywalk::scene::file::escape_hidden;
 use raywalk::threads::Threads;
 use std::io;
 
 impl Trace {
-    /// The log of a region: in NDJSON as it grows, otherwise of at most so many events as memory holds.
+    /// The log of a region: in NDJSON as it grows, otherwise of at most as many events as memory holds.
     pub(super) fn of_region(&self, scene: &Scene, region: [u32; 4], inputs: &Inputs) -> Result<(), Failure> {
         let arithmetic = self.tracing.arithmetic();
         let region = region_in(scene, "--region", region)?;
@@ -33,14 +33,17 @@ impl Trace {
             && saved_log::is_whole(path, &traced.header())
         {
             if !self.progress.quiet {
-                output::tell(&format!("note: {}: is there already and whole", visible(&path.to_string_lossy())));
+                output::tell(&format!(
+                    "note: {}: exists already and is complete",
+                    escape_hidden(&path.to_string_lossy())
+                ));
             }
             output::sweep_around(path);
             return Ok(());
         }
         let output = Output::create(self.output.as_deref(), inputs)?;
         if let (false, Some(warning)) = (self.progress.quiet, warning_of_sampling(scene)) {
-            output::tell(&format!("warning: {}: {warning}", visible(&self.scene.to_string_lossy())));
+            output::tell(&format!("warning: {}: {warning}", escape_hidden(&self.scene.to_string_lossy())));
         }
         if let Some(write) = self.format.and_then(TraceFormat::lines) {
             let header = record::header(scene, Subject::Region(region), arithmetic);

@@ -1,11 +1,11 @@
-//! Leaves: blocks of eight triangles or spheres in single precision, and the conservative tests that sort out which of them a ray can
+//! Leaves: blocks of eight triangles or spheres in single precision, and the conservative tests that find which of them a ray can
 //! meet. `docs/acceleration.md` derives the margins.
 
 use super::lanes::{Eight, Lanes};
 use super::space::{LocalRay, Space, U, up};
 use glam::DVec3;
 
-/// What stands in for a thing in an unused lane.
+/// What stands in for a primitive in an unused lane.
 const NOTHING: u32 = u32::MAX;
 
 /// Eight triangles: a corner of each, and two edges from it.
@@ -15,7 +15,7 @@ pub(super) struct TriangleBlock {
     pub(super) corner: [Eight; 3],
     pub(super) to_b: [Eight; 3],
     pub(super) to_c: [Eight; 3],
-    things: [u32; 8],
+    primitives: [u32; 8],
     /// At least as long as each of these edges.
     pub(super) longest: f32,
 }
@@ -26,7 +26,7 @@ pub(super) struct TriangleBlock {
 pub(super) struct SphereBlock {
     pub(super) center: [Eight; 3],
     pub(super) radius: Eight,
-    things: [u32; 8],
+    primitives: [u32; 8],
 }
 
 const _: () = assert!(size_of::<TriangleBlock>() <= 8 * 44 && size_of::<SphereBlock>() <= 8 * 20);
@@ -36,30 +36,30 @@ pub(super) trait Block: Sized {
     /// What a lane is made of.
     type Form;
 
-    /// The block of these things, eight at most.
-    fn new(space: &Space, things: impl Iterator<Item = (u32, Self::Form)>) -> Self;
+    /// The block of these primitives, eight at most.
+    fn new(space: &Space, primitives: impl Iterator<Item = (u32, Self::Form)>) -> Self;
 
-    /// The things of all lanes.
-    fn things(&self) -> [u32; 8];
+    /// The primitives of all lanes.
+    fn primitives(&self) -> [u32; 8];
 
-    /// The thing of a lane.
+    /// The primitive of a lane.
     #[inline(always)]
-    fn thing(&self, lane: usize) -> u32 {
-        self.things()[lane & 7]
+    fn primitive(&self, lane: usize) -> u32 {
+        self.primitives()[lane & 7]
     }
 
     /// A bit for each lane that is used.
     fn used(&self) -> u32 {
-        let things = self.things();
-        (0..8).fold(0, |bits, lane| bits | u32::from(things[lane] != NOTHING) << lane)
+        let primitives = self.primitives();
+        (0..8).fold(0, |bits, lane| bits | u32::from(primitives[lane] != NOTHING) << lane)
     }
 
-    /// The things of the lanes that are used.
-    fn used_things(&self) -> impl Iterator<Item = u32> {
-        self.things().into_iter().filter(|thing| *thing != NOTHING)
+    /// The primitives of the lanes that are used.
+    fn used_primitives(&self) -> impl Iterator<Item = u32> {
+        self.primitives().into_iter().filter(|primitive| *primitive != NOTHING)
     }
 
-    /// The lanes that the ray may meet by `t_max`, and those that it certainly crosses between the two distances that `sure` gives, if it gives
+    /// The lanes that the ray may hit by `t_max`, and those that it certainly crosses between the two distances that `sure` gives, if it gives
     /// any.
     fn filtered<L: Lanes>(
         &self,
@@ -73,20 +73,20 @@ pub(super) trait Block: Sized {
 /// The lanes of a block that matter, a bit for each.
 #[derive(Clone, Copy)]
 pub(super) struct Sorted {
-    /// Those that the ray may meet.
+    /// Those that the ray may hit.
     pub possible: u32,
     /// Those of them that it certainly crosses.
     pub sure: u32,
 }
 
 impl Sorted {
-    /// Lanes that may be met, none certainly.
+    /// Lanes that may be hit, none certainly.
     pub const fn possible(bits: u32) -> Sorted {
         Sorted { possible: bits, sure: 0 }
     }
 }
 
-/// A ray, ready for the things of leaves.
+/// A ray, ready for the primitives of leaves.
 #[derive(Clone, Copy)]
 pub(super) struct LeafRay<L: Lanes> {
     pub origin: [L::Eight; 3],
@@ -104,11 +104,11 @@ impl<L: Lanes> LeafRay<L> {
     }
 }
 
-/// Sets the lanes of some things, and says which they are.
-fn lanes_of<F>(things: impl Iterator<Item = (u32, F)>, mut set: impl FnMut(usize, F)) -> [u32; 8] {
+/// Sets the lanes of some primitives, and says which they are.
+fn lanes_of<F>(primitives: impl Iterator<Item = (u32, F)>, mut set: impl FnMut(usize, F)) -> [u32; 8] {
     let mut numbers = [NOTHING; 8];
-    for (lane, (thing, form)) in things.take(8).enumerate() {
-        numbers[lane] = thing;
+    for (lane, (primitive, form)) in primitives.take(8).enumerate() {
+        numbers[lane] = primitive;
         set(lane, form);
     }
     numbers
@@ -126,22 +126,22 @@ const UNUSED: [Eight; 3] = [[f32::NAN; 8]; 3];
 impl Block for TriangleBlock {
     type Form = [DVec3; 3];
 
-    fn new(space: &Space, things: impl Iterator<Item = (u32, [DVec3; 3])>) -> TriangleBlock {
+    fn new(space: &Space, primitives: impl Iterator<Item = (u32, [DVec3; 3])>) -> TriangleBlock {
         let (mut corner, mut to_b, mut to_c) = (UNUSED, UNUSED, UNUSED);
         let mut longest: f64 = 0.0;
-        let things = lanes_of(things, |lane, [a, b, c]: [DVec3; 3]| {
+        let primitives = lanes_of(primitives, |lane, [a, b, c]: [DVec3; 3]| {
             let [b, c] = [b, c].map(|end| DVec3::from_array((end - a).to_array().map(|x| space.length(x))));
             longest = longest.max(b.dot(b)).max(c.dot(c));
             set(&mut corner, lane, space.point(a));
             set(&mut to_b, lane, b);
             set(&mut to_c, lane, c);
         });
-        TriangleBlock { corner, to_b, to_c, things, longest: up(longest.sqrt()) }
+        TriangleBlock { corner, to_b, to_c, primitives, longest: up(longest.sqrt()) }
     }
 
     #[inline(always)]
-    fn things(&self) -> [u32; 8] {
-        self.things
+    fn primitives(&self) -> [u32; 8] {
+        self.primitives
     }
 
     /// Möller and Trumbore's test (1997) of the ray's line, and of the distance where the ray isn't along the triangle.
@@ -220,18 +220,18 @@ const PARALLEL: f32 = 22.0 * U;
 impl Block for SphereBlock {
     type Form = (DVec3, f64);
 
-    fn new(space: &Space, things: impl Iterator<Item = (u32, (DVec3, f64))>) -> SphereBlock {
+    fn new(space: &Space, primitives: impl Iterator<Item = (u32, (DVec3, f64))>) -> SphereBlock {
         let (mut centers, mut radii) = (UNUSED, [f32::NAN; 8]);
-        let things = lanes_of(things, |lane, (center, radius): (DVec3, f64)| {
+        let primitives = lanes_of(primitives, |lane, (center, radius): (DVec3, f64)| {
             set(&mut centers, lane, space.point(center));
             radii[lane] = space.length(radius) as f32;
         });
-        SphereBlock { center: centers, radius: radii, things }
+        SphereBlock { center: centers, radius: radii, primitives }
     }
 
     #[inline(always)]
-    fn things(&self) -> [u32; 8] {
-        self.things
+    fn primitives(&self) -> [u32; 8] {
+        self.primitives
     }
 
     /// The chord by the way from the centre to the line (Haines et al., Ray Tracing Gems, chapter 7).
@@ -297,14 +297,14 @@ const OF_CHORD_END: f32 = 80.0 * U;
 impl PartialEq for TriangleBlock {
     fn eq(&self, other: &TriangleBlock) -> bool {
         let bits = |block: &TriangleBlock| [block.corner, block.to_b, block.to_c].map(|eights| eights.map(bits_of));
-        self.things == other.things && bits(self) == bits(other)
+        self.primitives == other.primitives && bits(self) == bits(other)
     }
 }
 
 impl PartialEq for SphereBlock {
     fn eq(&self, other: &SphereBlock) -> bool {
         let bits = |block: &SphereBlock| (block.center.map(bits_of), bits_of(block.radius));
-        self.things == other.things && bits(self) == bits(other)
+        self.primitives == other.primitives && bits(self) == bits(other)
     }
 }
 

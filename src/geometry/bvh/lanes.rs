@@ -2,7 +2,7 @@
 //!
 //! Where the processor has AVX2 an operation on eight lanes is one instruction; that is found out when a tree is built. Elsewhere it is
 //! eight operations. Both give the same bits, but for the fused operations, which round once where the processor can and twice where it
-//! can't: margins are for two roundings. The lesser of two numbers is told by one comparison.
+//! can't: margins are for two roundings. The lesser of two numbers is found by one comparison.
 
 mod unfused;
 
@@ -323,7 +323,7 @@ mod tests {
         }
     }
 
-    /// A product whose rounding a fused operation would spare.
+    /// A product that a fused operation wouldn't round.
     #[test]
     fn unfused_lanes_round_a_product_everywhere() {
         let bits = |lanes: Eight| lanes.map(f32::to_bits);

@@ -1,7 +1,7 @@
-//! A bounding volume hierarchy: which of many things a ray can meet at all.
+//! A bounding volume hierarchy (BVH): it finds the primitives that a ray may hit.
 //!
-//! It only narrows down; what passes goes to the kernel, whose decision stands. Boxes and tests are in single precision, in a space of the
-//! tree's own, and err on the side of meeting by margins that `docs/acceleration.md` derives, so that the answer is that of testing
+//! It only finds candidates; the kernels decide. Boxes and tests are in single precision, in a space of the
+//! tree's own, and are conservative by margins that `docs/acceleration.md` derives, so that the answer is that of testing
 //! everything.
 
 mod block;
@@ -28,10 +28,10 @@ pub use shaft::Shaft;
 use space::Space;
 use walk::Walk;
 
-/// A tree of boxes over numbered things, and a list of those that are tested without it.
+/// A tree of boxes over numbered primitives, and a list of those that are tested without it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bvh {
-    /// The things without a box, and those that are so much larger than the others, or so far from them, that they would spoil the tree's
+    /// The primitives without a box, and those that are so much larger than the others, or so far from them, that they would spoil the tree's
     /// space.
     beside: Vec<u32>,
     /// A box around everything that has one.
@@ -45,7 +45,7 @@ pub struct Bvh {
     instructions: Instructions,
 }
 
-/// What the tree knows of a thing.
+/// What the tree knows of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
     /// A triangle with these corners.
@@ -57,12 +57,12 @@ pub enum Form {
         /// Its radius.
         radius: f64,
     },
-    /// Something in this box.
+    /// Any shape in this box.
     Within(Bounds),
 }
 
 impl Form {
-    /// A box around the thing.
+    /// A box around the primitive.
     #[inline]
     pub fn bounds(&self) -> Bounds {
         match self {
@@ -73,31 +73,31 @@ impl Form {
     }
 }
 
-/// What a ray asks of the tree.
+/// How a ray traverses the tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Search {
-    /// Whether near things are shown before far ones, roughly. Without an order the walk is quicker.
+    /// Whether near primitives come before far ones, roughly. Without an order the traversal is faster.
     pub nearest_first: bool,
-    /// Whether triangles and spheres are sorted out one by one. That is for kernels that certify their decisions: an arithmetic of its own
-    /// may meet what the ray passes by.
+    /// Whether triangles and spheres are culled one by one. That is for kernels that certify their decisions: in another arithmetic a ray
+    /// may hit what it misses in f64.
     pub one_by_one: bool,
-    /// Whether it shall be told of triangles and spheres that the ray certainly crosses, so that no kernel need be asked. For rays of which only
-    /// that is wanted, before kernels that certify.
+    /// Whether it reports triangles and spheres that the ray certainly crosses, so that no kernel needs to test them. For rays that need
+    /// only this answer, before kernels that certify.
     pub tells_sure_hits: bool,
 }
 
 impl Search {
-    /// Near things before far ones.
+    /// Near primitives before far ones.
     pub fn nearest_first<P: Probe>(probe: &P) -> Search {
         Search { nearest_first: true, ..Search::in_any_order(probe) }
     }
 
-    /// Things in any order.
+    /// Primitives in any order.
     pub fn in_any_order<P: Probe>(probe: &P) -> Search {
         Search { nearest_first: false, one_by_one: probe.certifies(), tells_sure_hits: false }
     }
 
-    /// Whether anything is met at all. Who watches tests sees them all, and is told of none that isn't needed.
+    /// Any hit at all. A probe that sees tests gets all of them, and no test is skipped as certain.
     pub fn of_any<P: Probe>(probe: &P) -> Search {
         Search { tells_sure_hits: P::IS_SILENT && probe.certifies(), ..Search::in_any_order(probe) }
     }
@@ -109,11 +109,11 @@ impl Bvh {
         self.bounds
     }
 
-    /// Shows `meet` every thing that the ray can meet before its end, first those beside the tree, and says whether it certainly crosses it.
-    /// `meet` gives the distance up to which things still matter; a negative one ends the search. Returns how many boxes were tested.
+    /// Calls `meet` with every primitive that the ray may hit before its end, first those beside the tree, and with whether it certainly crosses it.
+    /// `meet` returns the distance up to which primitives still matter; a negative one ends the search. Returns how many boxes were tested.
     ///
-    /// For a hurried probe the walk is there twice, for the processor's best instructions and for any processor; kernels
-    /// meet the same primitives in both, and what a probe counts is the same.
+    /// For a probe that uses SIMD the traversal is compiled twice, for the processor's best instructions and for any processor; kernels
+    /// get the same primitives in both, and a probe's counts are the same.
     #[inline(always)]
     pub fn visit<P: Probe>(
         &self,
@@ -122,8 +122,8 @@ impl Bvh {
         mut meet: impl FnMut(u32, bool) -> f64,
     ) -> u64 {
         let mut t_max = source.reach();
-        for thing in &self.beside {
-            t_max = meet(*thing, false);
+        for primitive in &self.beside {
+            t_max = meet(*primitive, false);
             if t_max < 0.0 {
                 return 0;
             }
@@ -134,8 +134,8 @@ impl Bvh {
         }
     }
 
-    /// The same for several rays, at most [`PACKET`], of which those in `rays` ask. Shows `meet` sets of rays that may meet a primitive; it sets
-    /// the distances `limits`, up to which things still matter to a ray, a negative one to end its search.
+    /// The same for several rays, at most [`PACKET`], of which those in `rays` take part. Calls `meet` with sets of rays that may hit a primitive; it sets
+    /// the distances `limits`, up to which primitives still matter to a ray, a negative one to end its search.
     pub fn visit_together<P: Probe, S: RaySource>(
         &self,
         sources: &[S],
@@ -144,9 +144,9 @@ impl Bvh {
         limits: &mut PerRay<f64>,
         mut meet: impl FnMut(RayMask, u32, bool, &mut PerRay<f64>),
     ) {
-        for thing in &self.beside {
+        for primitive in &self.beside {
             let rays: RayMask = each(rays).filter(|ray| limits[*ray] >= 0.0).fold(0, |rays, ray| rays | 1 << ray);
-            meet(rays, *thing, false, limits);
+            meet(rays, *primitive, false, limits);
         }
         let Some(root) = self.root else { return };
         let rays: RayMask = each(rays).filter(|ray| limits[*ray] >= 0.0).fold(0, |rays, ray| rays | 1 << ray);
@@ -158,7 +158,7 @@ impl Bvh {
                 search,
                 limits,
                 #[inline(always)]
-                |rays, thing, is_sure, limits| meet(rays, thing, is_sure, limits),
+                |rays, primitive, is_sure, limits| meet(rays, primitive, is_sure, limits),
             )
         } else {
             rays
@@ -170,8 +170,8 @@ impl Bvh {
                 limits[ray],
                 search,
                 #[inline(always)]
-                |thing, is_sure| {
-                    meet(1 << ray, thing, is_sure, limits);
+                |primitive, is_sure| {
+                    meet(1 << ray, primitive, is_sure, limits);
                     limits[ray]
                 },
             );
@@ -190,10 +190,10 @@ impl Bvh {
     ) -> RayMask {
         let walk = PacketWalk { tree: self, sources, search, meet };
         #[cfg(target_arch = "x86_64")]
-        if P::IS_HURRIED
+        if P::USES_SIMD
             && let Instructions::Avx2(avx2) = self.instructions
         {
-            // Counts of tests are the same on every machine, so whoever may count takes no fused operations.
+            // Counts of tests are the same on every machine, so a probe that may count uses no fused operations.
             return avx2.run(
                 #[inline(always)]
                 || match P::IS_SILENT {
@@ -217,7 +217,7 @@ impl Bvh {
     ) -> u64 {
         let walk = Walk { tree: self, source, search, meet };
         #[cfg(target_arch = "x86_64")]
-        if P::IS_HURRIED
+        if P::USES_SIMD
             && let Instructions::Avx2(avx2) = self.instructions
         {
             return avx2.run(

@@ -17,8 +17,8 @@ pub(super) enum Content {
     Triangles(u32),
     /// A block of spheres with this number.
     Spheres(u32),
-    /// This very thing.
-    Thing(u32),
+    /// This very primitive.
+    Primitive(u32),
 }
 
 impl Child {
@@ -30,7 +30,7 @@ impl Child {
             Content::Node(place) => (0, place),
             Content::Triangles(place) => (1, place),
             Content::Spheres(place) => (2, place),
-            Content::Thing(place) => (3, place),
+            Content::Primitive(place) => (3, place),
         };
         debug_assert!(place <= Child::PLACE);
         Child(kind << 30 | place)
@@ -43,7 +43,7 @@ impl Child {
             0 => Content::Node(place),
             1 => Content::Triangles(place),
             2 => Content::Spheres(place),
-            _ => Content::Thing(place),
+            _ => Content::Primitive(place),
         }
     }
 
@@ -53,7 +53,7 @@ impl Child {
             Content::Node(place) => Child::new(Content::Node(place + before[0])),
             Content::Triangles(place) => Child::new(Content::Triangles(place + before[1])),
             Content::Spheres(place) => Child::new(Content::Spheres(place + before[2])),
-            Content::Thing(_) => self,
+            Content::Primitive(_) => self,
         }
     }
 }

@@ -1,22 +1,22 @@
-//! Things so large, or so far from the others, that they would spoil the space in which the others lie.
+//! Primitives so large, or so far from the others, that they would spoil the space in which the others lie.
 
 use crate::geometry::bounds::Bounds;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// So many times farther out than all others is an outlier.
+/// A primitive that reaches this many times farther out than all others is an outlier.
 const FAR: f64 = 1024.0;
 
-/// So many outliers there can be.
+/// The most outliers there can be.
 const MOST: usize = 8;
 
-/// How many things are looked at by one core at a time.
+/// How many primitives are looked at by one core at a time.
 const CHUNK: usize = 1 << 12;
 
-/// How many things are looked at to find where most are.
+/// How many primitives are looked at to find where most are.
 const SAMPLE: usize = 1 << 10;
 
-/// Things, the outliers apart from the others.
+/// Primitives, the outliers apart from the others.
 pub(super) struct Sorted {
     pub outliers: Vec<u32>,
     /// The others in their order.
@@ -26,15 +26,15 @@ pub(super) struct Sorted {
 }
 
 /// Finds the outliers.
-pub(super) fn sorted(mut things: Vec<u32>, bounds_of: impl Fn(u32) -> Bounds + Sync) -> Sorted {
-    let step = things.len().div_ceil(SAMPLE).max(1);
-    let middle = median(things.iter().step_by(step).map(|thing| bounds_of(*thing).center()).collect());
+pub(super) fn sorted(mut primitives: Vec<u32>, bounds_of: impl Fn(u32) -> Bounds + Sync) -> Sorted {
+    let step = primitives.len().div_ceil(SAMPLE).max(1);
+    let middle = median(primitives.iter().step_by(step).map(|primitive| bounds_of(*primitive).center()).collect());
     let look_at = |chunk: &[u32]| {
         let mut around = Bounds::EMPTY;
-        let reach = |thing: &u32| {
-            let bounds = bounds_of(*thing);
+        let reach = |primitive: &u32| {
+            let bounds = bounds_of(*primitive);
             around = around.union(bounds);
-            ((bounds.min - middle).abs().max((bounds.max - middle).abs()).max_element(), *thing)
+            ((bounds.min - middle).abs().max((bounds.max - middle).abs()).max_element(), *primitive)
         };
         (farthest(chunk.iter().map(reach)), around)
     };
@@ -42,27 +42,27 @@ pub(super) fn sorted(mut things: Vec<u32>, bounds_of: impl Fn(u32) -> Bounds + S
         (farthest(one.into_iter().chain(other)), around.union(around_other))
     };
     let nothing = || (Vec::new(), Bounds::EMPTY);
-    let (farthest, around) = things.par_chunks(CHUNK).map(look_at).reduce(nothing, join);
+    let (farthest, around) = primitives.par_chunks(CHUNK).map(look_at).reduce(nothing, join);
     let is_gap = |pair: &[(f64, u32)]| pair[0].0 > FAR * pair[1].0;
     let Some(last) = farthest.windows(2).rposition(is_gap) else {
-        return Sorted { outliers: Vec::new(), kept: things, around };
+        return Sorted { outliers: Vec::new(), kept: primitives, around };
     };
-    let mut outliers: Vec<u32> = farthest[..=last].iter().map(|(_, thing)| *thing).collect();
+    let mut outliers: Vec<u32> = farthest[..=last].iter().map(|(_, primitive)| *primitive).collect();
     outliers.sort_unstable();
-    things.retain(|thing| outliers.binary_search(thing).is_err());
-    let around = things.iter().fold(Bounds::EMPTY, |around, thing| around.union(bounds_of(*thing)));
-    Sorted { outliers, kept: things, around }
+    primitives.retain(|primitive| outliers.binary_search(primitive).is_err());
+    let around = primitives.iter().fold(Bounds::EMPTY, |around, primitive| around.union(bounds_of(*primitive)));
+    Sorted { outliers, kept: primitives, around }
 }
 
-/// The things that reach farthest out, one more than there can be outliers, the farthest first.
-fn farthest(things: impl Iterator<Item = (f64, u32)>) -> Vec<(f64, u32)> {
+/// The primitives that reach farthest out, one more than there can be outliers, the farthest first.
+fn farthest(primitives: impl Iterator<Item = (f64, u32)>) -> Vec<(f64, u32)> {
     let mut farthest: Vec<(f64, u32)> = Vec::with_capacity(MOST + 2);
-    for (reach, thing) in things {
+    for (reach, primitive) in primitives {
         if farthest.len() > MOST && reach <= farthest[MOST].0 {
             continue;
         }
-        let at = farthest.partition_point(|(other, number)| (*other, thing) > (reach, *number));
-        farthest.insert(at, (reach, thing));
+        let at = farthest.partition_point(|(other, number)| (*other, primitive) > (reach, *number));
+        farthest.insert(at, (reach, primitive));
         farthest.truncate(MOST + 1);
     }
     farthest
@@ -84,13 +84,13 @@ mod tests {
 
     #[test]
     fn a_floor_is_put_beside_a_crowd() {
-        let bounds_of = |thing: u32| {
-            let at = DVec3::new(f64::from(thing), 0.0, 0.0);
-            let half = if thing == 3 { 1e6 } else { 0.5 };
+        let bounds_of = |primitive: u32| {
+            let at = DVec3::new(f64::from(primitive), 0.0, 0.0);
+            let half = if primitive == 3 { 1e6 } else { 0.5 };
             Bounds { min: at - half, max: at + half }
         };
-        let things: Vec<u32> = (0..20).collect();
-        let Sorted { outliers, kept, around } = sorted(things, bounds_of);
+        let primitives: Vec<u32> = (0..20).collect();
+        let Sorted { outliers, kept, around } = sorted(primitives, bounds_of);
         assert_eq!((outliers, kept.len()), (vec![3], 19));
         assert_eq!(around, Bounds { min: DVec3::splat(-0.5), max: DVec3::new(19.5, 0.5, 0.5) });
         assert!(sorted(kept, bounds_of).outliers.is_empty());

@@ -1,5 +1,5 @@
 //! The walk of several rays at once. Neighbouring rays look at the same nodes, and so what is done for a node is done once for all of them:
-//! one test tells which of its boxes any ray can enter, one more for each of these which rays do. Each ray meets what it would meet alone.
+//! one test tells which of its boxes any ray can enter, one more for each of these which rays do. Each ray finds the hits that it would find alone.
 
 use super::block::{Block, LeafRay, Sorted};
 use super::lanes::{Eight, Lanes};
@@ -10,13 +10,13 @@ use super::{Bvh, Search};
 use crate::geometry::line::{Line, RaySource};
 use arrayvec::ArrayVec;
 
-/// The most rays that walk together.
+/// The most rays in a packet.
 pub const PACKET: usize = 8;
 
-/// A number of each ray that walks together.
+/// A number for each ray of a packet.
 pub type PerRay<T> = [T; PACKET];
 
-/// Rays that walk together, a bit for each.
+/// The rays of a packet, a bit for each.
 pub type RayMask = u32;
 
 /// The numbers of the rays in a set.
@@ -36,7 +36,7 @@ pub(super) struct PacketWalk<'a, S, M> {
     /// At most [`PACKET`] of them.
     pub sources: &'a [S],
     pub search: Search,
-    /// Shows a thing that these rays may meet, and says whether they certainly cross it; sets the distances up to which things still matter, a
+    /// Shows a primitive that these rays may hit, and says whether they certainly cross it; sets the distances up to which primitives still matter, a
     /// negative one for a ray whose walk ends.
     pub meet: M,
 }
@@ -197,8 +197,8 @@ impl<S: RaySource, M: FnMut(RayMask, u32, bool, &mut PerRay<f64>)> PacketWalk<'_
                     self.meet_block(lanes, block, rays, local, limits);
                     farthest = local.farthest();
                 }
-                Content::Thing(thing) => {
-                    (self.meet)(rays, thing, false, limits);
+                Content::Primitive(primitive) => {
+                    (self.meet)(rays, primitive, false, limits);
                     for at in each(rays) {
                         local.t_max[at] = latest(&local.distance[at], limits[at]);
                     }
@@ -230,7 +230,7 @@ impl<S: RaySource, M: FnMut(RayMask, u32, bool, &mut PerRay<f64>)> PacketWalk<'_
         waiting[at] = child;
     }
 
-    /// Shows the things of a block, one ray after the other.
+    /// Shows the primitives of a block, one ray after the other.
     #[inline(always)]
     fn meet_block<L: Lanes>(
         &mut self,
@@ -257,14 +257,14 @@ impl<S: RaySource, M: FnMut(RayMask, u32, bool, &mut PerRay<f64>)> PacketWalk<'_
         for lane in each(any_sure) {
             let these = rest & of_lane(&sure, lane);
             if these != 0 {
-                (self.meet)(these, block.thing(lane), true, limits);
+                (self.meet)(these, block.primitive(lane), true, limits);
                 rest &= !ended(these, limits);
             }
         }
         for lane in each(any) {
             let these = rest & of_lane(&possible, lane) & !of_lane(&sure, lane);
             if these != 0 {
-                (self.meet)(these, block.thing(lane), false, limits);
+                (self.meet)(these, block.primitive(lane), false, limits);
                 rest &= !ended(these, limits);
             }
         }

@@ -25,10 +25,10 @@ pub struct Shaft {
     rise: Option<(DVec3, f64)>,
 }
 
-/// A walk looks at so many nodes before it gives up: what it would spare were it to find nothing is worth no more.
+/// A walk looks at this many nodes before it gives up: proving that nothing is in the way isn't worth more.
 const MOST_NODES: usize = 24;
 
-/// The children that wait, at the most.
+/// The children that wait, at most.
 const STACK: usize = 7 * MOST_NODES + 1;
 
 /// The least rise along a normal that counts, as a part of all coordinates that it is made of: far more than all roundings.
@@ -60,12 +60,12 @@ impl Shaft {
 }
 
 impl Bvh {
-    /// Shows `found` every thing that may meet a segment of the shaft, those beside the tree first; `found` says whether to go on. Returns
+    /// Shows `found` every primitive that may meet a segment of the shaft, those beside the tree first; `found` says whether to go on. Returns
     /// whether all were shown.
     ///
-    /// Pictures and counts hang on what is found, so no operation is fused, which not every machine can do.
+    /// Pictures and counts depend on what is found, so no operation is fused, which not every machine can do.
     pub fn between(&self, shaft: &Shaft, mut found: impl FnMut(u32) -> bool) -> bool {
-        if !self.beside.iter().all(|thing| found(*thing)) {
+        if !self.beside.iter().all(|primitive| found(*primitive)) {
             return false;
         }
         let Some(root) = self.root else { return true };
@@ -94,7 +94,7 @@ impl Bvh {
         let mut nodes = 0;
         let mut child = root;
         loop {
-            let (bits, things) = match child.content() {
+            let (bits, primitives) = match child.content() {
                 Content::Node(number) => {
                     nodes += 1;
                     if nodes > MOST_NODES {
@@ -110,17 +110,17 @@ impl Bvh {
                 }
                 Content::Triangles(number) => {
                     let block = &self.triangles[number as usize];
-                    (shaft.triangles(block), block.things())
+                    (shaft.triangles(block), block.primitives())
                 }
                 Content::Spheres(number) => {
                     let block = &self.spheres[number as usize];
-                    (shaft.spheres(block), block.things())
+                    (shaft.spheres(block), block.primitives())
                 }
-                Content::Thing(thing) => (1, [thing; 8]),
+                Content::Primitive(primitive) => (1, [primitive; 8]),
             };
             let mut bits = bits;
             while bits != 0 {
-                if !found(things[bits.trailing_zeros() as usize & 7]) {
+                if !found(primitives[bits.trailing_zeros() as usize & 7]) {
                     return false;
                 }
                 bits &= bits - 1;
@@ -139,7 +139,7 @@ const OF_PLACE: f64 = 32.0 * U as f64;
 /// Roundings in f64, as a part of all coordinates that they are made of together.
 const ROUNDINGS: f64 = 24.0 * f64::EPSILON;
 
-/// With a greater margin boxes tell nothing.
+/// With a greater margin boxes exclude nothing.
 const WIDEST: f64 = 1.0 / 64.0;
 
 /// The longest way of a light that is looked for.
@@ -170,7 +170,7 @@ struct Limits {
 struct LocalShaft {
     /// P
     from: [f32; 3],
-    /// How far something that is met may lie beside the shaft, with all roundings.
+    /// How far something that is hit may lie beside the shaft, with all roundings.
     margin: f32,
     /// Of the sides with lesser coordinates.
     lesser: Limits,
@@ -187,7 +187,7 @@ struct LocalShaft {
     /// The middle of the light's box from P on, and half its sides.
     middle: [f32; 3],
     half: [f32; 3],
-    /// How long the way is, at the most.
+    /// How long the way is, at most.
     way: f32,
     /// Centre and radius of the light's ball from P on.
     ball: [f32; 3],
@@ -199,14 +199,14 @@ struct LocalShaft {
     size: f32,
 }
 
-/// How far rounding moves something that is met: in f64, and with single precision.
+/// How far rounding moves something that is hit: in f64, and with single precision.
 struct Errors {
     off: f64,
     margin: f64,
 }
 
 impl Errors {
-    /// `None` where the point or the light is so far away that all may meet anything.
+    /// `None` where the point or the light is so far away that all may hit anything.
     #[inline(always)]
     fn of(space: &Space, shaft: &Shaft) -> Option<Errors> {
         let scale = space.length(1.0);

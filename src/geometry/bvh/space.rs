@@ -35,7 +35,7 @@ pub(super) struct LocalRay {
     pub near_side: [usize; 3],
     /// How far the ray may lie from where it is in f64.
     pub slack: f32,
-    /// What lies before this can't be met.
+    /// What lies before this can't be hit.
     pub t_min: f32,
     /// The least distance along the ray that counts, in its own units.
     pub begin: f64,
@@ -73,7 +73,7 @@ impl Space {
         length * self.scale
     }
 
-    /// The line as a ray of the tree's space; `None` where it is so far away, or so ill-defined, that it may meet anything.
+    /// The line as a ray of the tree's space; `None` where it is so far away, or so ill-defined, that it may hit anything.
     #[inline(always)]
     pub fn ray(&self, line: &Line) -> Option<LocalRay> {
         let direction = line.direction;
@@ -179,7 +179,7 @@ const NEAR: f64 = 8.0;
 /// Roundings in f64, as parts of all coordinates that they are made of together.
 const ROUNDINGS: f64 = 24.0 * f64::EPSILON;
 
-/// With a greater slack boxes tell nothing.
+/// With a greater slack boxes exclude nothing.
 pub(super) const WIDEST: f32 = 0.125;
 
 /// The error of a distance to a plane, as a part of 1/|d|.
@@ -195,20 +195,20 @@ fn sum_of_magnitudes(vector: DVec3) -> f64 {
     x.abs() + y.abs() + z.abs()
 }
 
-/// Two near ties are told apart with more digits, so what lies a little beyond the nearest hit still counts.
+/// Two near ties are distinguished with more digits, so what lies a little beyond the nearest hit still counts.
 const NEAR_TIE: f64 = 16.0 * f64::EPSILON;
 
 impl Distance {
     /// Of no ray.
     pub const NONE: Distance = Distance { unit: 0.0, scale: 0.0, shift: 0.0, slack: 0.0 };
 
-    /// A distance in the tree's space before which nothing lies that the ray meets beyond `t`.
+    /// A distance in the tree's space before which nothing lies that the ray hits beyond `t`.
     #[inline(always)]
     fn earliest(&self, t: f64) -> f32 {
         -self.rounded_up(-t, -1.0)
     }
 
-    /// A distance in the tree's space beyond which nothing lies that the ray meets up to `t`.
+    /// A distance in the tree's space beyond which nothing lies that the ray hits up to `t`.
     #[inline(always)]
     pub fn latest(&self, t: f64) -> f32 {
         self.rounded_up(t, 1.0)

@@ -1,4 +1,4 @@
-//! Cutting a part of the things in two, where the surface area heuristic says so.
+//! Cutting a part of the primitives in two, where the surface area heuristic says so.
 
 use super::build::Kind;
 use super::node::Box32;
@@ -6,16 +6,16 @@ use glam::Vec4;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// How many things a block has room for.
+/// How many primitives a block has room for.
 pub(super) const BLOCK: usize = 8;
 
 /// In how many slices an axis is cut.
 const BINS: usize = 16;
 
-/// How many things are looked at by one core at a time.
+/// How many primitives are looked at by one core at a time.
 const CHUNK: usize = 1 << 14;
 
-/// A thing as the builder sees it.
+/// A primitive as the builder sees it.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(super) struct Rough {
@@ -24,13 +24,13 @@ pub(super) struct Rough {
 }
 
 impl Rough {
-    /// Of a thing with a number less than 2³⁰, in this box.
-    pub fn new(thing: u32, kind: Kind, around: &Box32) -> Rough {
+    /// Of a primitive with a number less than 2³⁰, in this box.
+    pub fn new(primitive: u32, kind: Kind, around: &Box32) -> Rough {
         let corner = |[x, y, z]: [f32; 3], w: u32| Vec4::new(x, y, z, f32::from_bits(NORMAL | w));
-        Rough { around: Extent { min: corner(around.min, thing), max: corner(around.max, kind as u32) } }
+        Rough { around: Extent { min: corner(around.min, primitive), max: corner(around.max, kind as u32) } }
     }
 
-    pub fn thing(&self) -> u32 {
+    pub fn primitive(&self) -> u32 {
         self.around.min.w.to_bits() & !NORMAL
     }
 
@@ -80,7 +80,7 @@ impl Extent {
     }
 }
 
-/// A range of things with what is known of it.
+/// A range of primitives with what is known of it.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     range: Range<usize>,
@@ -101,28 +101,28 @@ struct Cut {
 }
 
 impl Part {
-    /// The part that has this range of things.
-    pub fn of(things: &[Rough], range: Range<usize>) -> Part {
-        let of_chunk = |things: &[Rough]| {
+    /// The part that has this range of primitives.
+    pub fn of(primitives: &[Rough], range: Range<usize>) -> Part {
+        let of_chunk = |primitives: &[Rough]| {
             let (mut around, mut centers) = (Extent::EMPTY, Extent::EMPTY);
-            for thing in things {
-                around = around.union(thing.around);
-                centers = centers.with(thing.center());
+            for primitive in primitives {
+                around = around.union(primitive.around);
+                centers = centers.with(primitive.center());
             }
             (around, centers)
         };
-        let own = &things[range.clone()];
+        let own = &primitives[range.clone()];
         let (around, centers) = if own.len() <= CHUNK {
             of_chunk(own)
         } else {
             let join = |one: (Extent, Extent), other: (Extent, Extent)| (one.0.union(other.0), one.1.union(other.1));
             own.par_chunks(CHUNK).map(of_chunk).reduce(|| (Extent::EMPTY, Extent::EMPTY), join)
         };
-        Part::new(things, range, around, centers)
+        Part::new(primitives, range, around, centers)
     }
 
-    fn new(things: &[Rough], range: Range<usize>, around: Extent, centers: Extent) -> Part {
-        let is_leaf = range.len() <= BLOCK && can_be_leaf(&things[range.clone()]);
+    fn new(primitives: &[Rough], range: Range<usize>, around: Extent, centers: Extent) -> Part {
+        let is_leaf = range.len() <= BLOCK && can_be_leaf(&primitives[range.clone()]);
         Part { range, around, centers, is_leaf }
     }
 
@@ -134,7 +134,7 @@ impl Part {
         self.range.len()
     }
 
-    /// The same part where its first thing is the first of all.
+    /// The same part where its first primitive is the first of all.
     pub fn as_whole(&self) -> Part {
         Part { range: 0..self.len(), ..*self }
     }
@@ -154,11 +154,11 @@ impl Part {
     }
 
     /// Cuts the part in two; into halves if that is asked for, or if nothing else makes sense.
-    pub fn split(&self, things: &mut [Rough], into_halves: bool) -> [Part; 2] {
-        let cut = if into_halves { None } else { self.best_cut(&things[self.range()]) };
+    pub fn split(&self, primitives: &mut [Rough], into_halves: bool) -> [Part; 2] {
+        let cut = if into_halves { None } else { self.best_cut(&primitives[self.range()]) };
         match cut {
-            Some(cut) => self.cut(things, &cut),
-            None => self.halves(things),
+            Some(cut) => self.cut(primitives, &cut),
+            None => self.halves(primitives),
         }
     }
 
@@ -171,26 +171,26 @@ impl Part {
         (per != Vec4::ZERO && per.is_finite()).then_some(Slices { low: self.centers.min, per })
     }
 
-    fn best_cut(&self, things: &[Rough]) -> Option<Cut> {
+    fn best_cut(&self, primitives: &[Rough]) -> Option<Cut> {
         let slices = self.slices()?;
-        let bins = Bins::of(things, &slices);
+        let bins = Bins::of(primitives, &slices);
         let axes = (0..3).filter(|axis| slices.per[*axis] > 0.0);
         axes.filter_map(|axis| bins.cheapest(axis)).min_by(|one, other| one.cost.total_cmp(&other.cost))
     }
 
-    fn cut(&self, things: &mut [Rough], cut: &Cut) -> [Part; 2] {
-        let Some(slices) = self.slices() else { return self.halves(things) };
+    fn cut(&self, primitives: &mut [Rough], cut: &Cut) -> [Part; 2] {
+        let Some(slices) = self.slices() else { return self.halves(primitives) };
         let Range { start, end } = self.range;
-        let own = &mut things[start..end];
+        let own = &mut primitives[start..end];
         let [mut near, mut far] = [Extent::EMPTY; 2];
         let mut count = 0;
-        // Without a branch that depends on the thing: half of them would be foretold wrongly.
+        // Without a branch that depends on the primitive: half of them would be mispredicted.
         for at in 0..own.len() {
-            let thing = own[at];
-            let center = thing.center();
+            let primitive = own[at];
+            let center = primitive.center();
             let is_near = slices.of(center)[cut.axis] < cut.bin;
             own[at] = own[count];
-            own[count] = thing;
+            own[count] = primitive;
             count += usize::from(is_near);
             let [in_near, in_far] = if is_near { [0.0, f32::INFINITY] } else { [f32::INFINITY, 0.0] }.map(Vec4::splat);
             near = Extent { min: near.min.min(center + in_near), max: near.max.max(center - in_near) };
@@ -198,33 +198,33 @@ impl Part {
         }
         let middle = start + count;
         let [around_near, around_far] = cut.around;
-        [Part::new(things, start..middle, around_near, near), Part::new(things, middle..end, around_far, far)]
+        [Part::new(primitives, start..middle, around_near, near), Part::new(primitives, middle..end, around_far, far)]
     }
 
-    /// Halves along the longest side of the centres; things of one kind stay together where centres are the same.
-    fn halves(&self, things: &mut [Rough]) -> [Part; 2] {
+    /// Halves along the longest side of the centres; primitives of one kind stay together where centres are the same.
+    fn halves(&self, primitives: &mut [Rough]) -> [Part; 2] {
         let width = (self.centers.max - self.centers.min).to_array();
         let axis = (0..3).fold(0, |longest, axis| if width[axis] > width[longest] { axis } else { longest });
         let Range { start, end } = self.range;
-        let place = |thing: &Rough| thing.center()[axis];
-        things[self.range()].sort_unstable_by(|a, b| {
-            place(a).total_cmp(&place(b)).then(a.kind().cmp(&b.kind())).then(a.thing().cmp(&b.thing()))
+        let place = |primitive: &Rough| primitive.center()[axis];
+        primitives[self.range()].sort_unstable_by(|a, b| {
+            place(a).total_cmp(&place(b)).then(a.kind().cmp(&b.kind())).then(a.primitive().cmp(&b.primitive()))
         });
         let middle = start + self.len() / 2;
-        [Part::of(things, start..middle), Part::of(things, middle..end)]
+        [Part::of(primitives, start..middle), Part::of(primitives, middle..end)]
     }
 }
 
-/// Whether one leaf can hold these things, eight at most.
-fn can_be_leaf(things: &[Rough]) -> bool {
-    match things.first().map(Rough::kind) {
-        Some(Kind::Other) => things.len() == 1,
-        Some(kind) => things.iter().all(|thing| thing.kind() == kind),
+/// Whether one leaf can hold these primitives, eight at most.
+fn can_be_leaf(primitives: &[Rough]) -> bool {
+    match primitives.first().map(Rough::kind) {
+        Some(Kind::Other) => primitives.len() == 1,
+        Some(kind) => primitives.iter().all(|primitive| primitive.kind() == kind),
         None => true,
     }
 }
 
-/// How the centres of things lie in slices.
+/// How the centres of primitives lie in slices.
 struct Slices {
     /// Where the first slices begin.
     low: Vec4,
@@ -253,13 +253,13 @@ struct Bins {
 impl Bins {
     const EMPTY: Bins = Bins { around: [[Extent::EMPTY; BINS]; 3], room: [[0; BINS]; 3] };
 
-    /// Of all things, on all cores where they are many.
-    fn of(things: &[Rough], slices: &Slices) -> Bins {
-        if things.len() <= CHUNK {
-            return Bins::of_chunk(things, slices);
+    /// Of all primitives, on all cores where they are many.
+    fn of(primitives: &[Rough], slices: &Slices) -> Bins {
+        if primitives.len() <= CHUNK {
+            return Bins::of_chunk(primitives, slices);
         }
-        let of_chunk = |things| Bins::of_chunk(things, slices);
-        things.par_chunks(CHUNK).map(of_chunk).reduce(|| Bins::EMPTY, Bins::union)
+        let of_chunk = |primitives| Bins::of_chunk(primitives, slices);
+        primitives.par_chunks(CHUNK).map(of_chunk).reduce(|| Bins::EMPTY, Bins::union)
     }
 
     fn union(mut self, other: Bins) -> Bins {
@@ -273,23 +273,23 @@ impl Bins {
         self
     }
 
-    fn of_chunk(things: &[Rough], slices: &Slices) -> Bins {
+    fn of_chunk(primitives: &[Rough], slices: &Slices) -> Bins {
         let mut bins = Bins::EMPTY;
-        for thing in things {
-            let [x, y, z, _] = slices.of(thing.center());
-            let room = thing.kind().room();
+        for primitive in primitives {
+            let [x, y, z, _] = slices.of(primitive.center());
+            let room = primitive.kind().room();
             for (axis, slice) in [x, y, z].into_iter().enumerate() {
                 let slice = slice as usize % BINS;
                 let around = &mut bins.around[axis][slice];
-                *around = around.union(thing.around);
+                *around = around.union(primitive.around);
                 bins.room[axis][slice] += room;
             }
         }
         bins
     }
 
-    /// The cheapest cut between two slices of an axis: the least sum of the areas on both sides, each times the room that its things take in
-    /// blocks. Whole blocks instead of room would fill the blocks better, but rays would meet more of them.
+    /// The cheapest cut between two slices of an axis: the least sum of the areas on both sides, each times the room that its primitives take in
+    /// blocks. Whole blocks instead of room would fill the blocks better, but rays would hit more of them.
     fn cheapest(&self, axis: usize) -> Option<Cut> {
         let (arounds, rooms) = (&self.around[axis], &self.room[axis]);
         let cost = |around: Extent, room: u32| around.half_area() * room as f32;
@@ -319,36 +319,36 @@ mod tests {
     use super::*;
 
     fn roughs(count: u32) -> Vec<Rough> {
-        let place = |thing: u32, k: u32| (thing.wrapping_mul(k) >> 8) as f32 / 1e7 - 0.8;
-        let rough = |thing: u32| {
-            let min = [2_654_435_761, 2_246_822_519, 3_266_489_917].map(|k| place(thing, k));
-            let kind = if thing.is_multiple_of(7) { Kind::Other } else { Kind::Triangle };
-            Rough::new(thing, kind, &Box32 { min, max: min.map(|x| x + 0.01 * (thing % 5) as f32) })
+        let place = |primitive: u32, k: u32| (primitive.wrapping_mul(k) >> 8) as f32 / 1e7 - 0.8;
+        let rough = |primitive: u32| {
+            let min = [2_654_435_761, 2_246_822_519, 3_266_489_917].map(|k| place(primitive, k));
+            let kind = if primitive.is_multiple_of(7) { Kind::Other } else { Kind::Triangle };
+            Rough::new(primitive, kind, &Box32 { min, max: min.map(|x| x + 0.01 * (primitive % 5) as f32) })
         };
         (0..count).map(rough).collect()
     }
 
-    /// A part keeps its things, and what is known of its sides without looking at them again is right.
+    /// A part keeps its primitives, and what is known of its sides without looking at them again is right.
     #[test]
     fn a_part_is_cut_into_what_was_in_it() {
         for count in [2, 9, 30, 1000, 2 * CHUNK as u32 + 3] {
-            let mut things = roughs(count);
-            let whole = Part::of(&things, 0..things.len());
+            let mut primitives = roughs(count);
+            let whole = Part::of(&primitives, 0..primitives.len());
             for into_halves in [false, true] {
-                let sides = whole.split(&mut things, into_halves);
+                let sides = whole.split(&mut primitives, into_halves);
                 assert_eq!(
                     [sides[0].range.start, sides[0].range.end, sides[1].range.end],
                     [0, sides[1].range.start, count as usize]
                 );
                 for side in sides {
-                    let again = Part::of(&things, side.range());
+                    let again = Part::of(&primitives, side.range());
                     assert!(side.len() > 0 && side.is_leaf() == again.is_leaf());
                     let corners = |part: &Part| {
                         [part.around, part.centers].map(|extent| [extent.min, extent.max].map(Vec4::truncate))
                     };
                     assert_eq!(corners(&side), corners(&again), "{count}");
                 }
-                let mut numbers: Vec<u32> = things.iter().map(Rough::thing).collect();
+                let mut numbers: Vec<u32> = primitives.iter().map(Rough::primitive).collect();
                 numbers.sort_unstable();
                 assert!(numbers.into_iter().eq(0..count));
             }
@@ -357,10 +357,10 @@ mod tests {
 
     #[test]
     fn the_cut_is_the_cheapest_of_all_between_slices() {
-        let mut things = roughs(200);
-        let whole = Part::of(&things, 0..things.len());
+        let mut primitives = roughs(200);
+        let whole = Part::of(&primitives, 0..primitives.len());
         let cost = |side: &[Rough]| {
-            let room: u32 = side.iter().map(|thing| thing.kind().room()).sum();
+            let room: u32 = side.iter().map(|primitive| primitive.kind().room()).sum();
             Part::of(side, 0..side.len()).half_area() * room as f32
         };
         let slices = whole.slices().expect("centres in more than one place");
@@ -368,14 +368,14 @@ mod tests {
         for axis in 0..3 {
             for bin in 1..BINS as u32 {
                 let (near, far): (Vec<Rough>, Vec<Rough>) =
-                    things.iter().partition(|thing| slices.of(thing.center())[axis] < bin);
+                    primitives.iter().partition(|primitive| slices.of(primitive.center())[axis] < bin);
                 if !near.is_empty() && !far.is_empty() {
                     least = least.min(cost(&near) + cost(&far));
                 }
             }
         }
-        let sides = whole.split(&mut things, false);
-        assert_eq!(sides.iter().map(|side| cost(&things[side.range()])).sum::<f32>(), least);
+        let sides = whole.split(&mut primitives, false);
+        assert_eq!(sides.iter().map(|side| cost(&primitives[side.range()])).sum::<f32>(), least);
     }
 
     #[test]
@@ -388,10 +388,10 @@ mod tests {
 
     #[test]
     fn a_number_keeps_its_kind() {
-        for thing in [0, 1, 1 << 23, (1 << 30) - 1] {
+        for primitive in [0, 1, 1 << 23, (1 << 30) - 1] {
             for kind in [Kind::Triangle, Kind::Sphere, Kind::Other] {
-                let rough = Rough::new(thing, kind, &Box32 { min: [0.0; 3], max: [1.0; 3] });
-                assert_eq!((rough.thing(), rough.kind()), (thing, kind));
+                let rough = Rough::new(primitive, kind, &Box32 { min: [0.0; 3], max: [1.0; 3] });
+                assert_eq!((rough.primitive(), rough.kind()), (primitive, kind));
             }
         }
     }

@@ -15,7 +15,7 @@ pub(super) struct Walk<'a, S, M> {
     pub tree: &'a Bvh,
     pub source: &'a S,
     pub search: Search,
-    /// Shows a thing, and says whether the ray certainly crosses it; gives the distance up to which things still matter, a negative one to end the walk.
+    /// Shows a primitive, and says whether the ray certainly crosses it; gives the distance up to which primitives still matter, a negative one to end the walk.
     pub meet: M,
 }
 
@@ -57,13 +57,13 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
                 }
                 Content::Triangles(number) => {
                     let block = &tree.triangles[number as usize];
-                    Leaf { sorted: self.sorted_out(lanes, block, &leaf_ray, t_max, &sure), things: block.things() }
+                    Leaf { sorted: self.culled(lanes, block, &leaf_ray, t_max, &sure), primitives: block.primitives() }
                 }
                 Content::Spheres(number) => {
                     let block = &tree.spheres[number as usize];
-                    Leaf { sorted: self.sorted_out(lanes, block, &leaf_ray, t_max, &sure), things: block.things() }
+                    Leaf { sorted: self.culled(lanes, block, &leaf_ray, t_max, &sure), primitives: block.primitives() }
                 }
-                Content::Thing(thing) => Leaf { sorted: Sorted::possible(1), things: [thing; 8] },
+                Content::Primitive(primitive) => Leaf { sorted: Sorted::possible(1), primitives: [primitive; 8] },
             };
             let Sorted { mut possible, mut sure } = leaf.sorted;
             while possible != 0 {
@@ -71,7 +71,7 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
                 let is_sure = sure != 0;
                 let lane = if is_sure { sure } else { possible }.trailing_zeros() as usize;
                 (possible, sure) = (possible & !(1 << lane), sure & !(1 << lane));
-                let limit = (self.meet)(leaf.things[lane & 7], is_sure);
+                let limit = (self.meet)(leaf.primitives[lane & 7], is_sure);
                 if limit < 0.0 {
                     return 8 * nodes_tested;
                 }
@@ -88,8 +88,8 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
     #[cold]
     #[inline(never)]
     fn show_all(mut self) -> u64 {
-        for thing in self.tree.things() {
-            if (self.meet)(thing, false) < 0.0 {
+        for primitive in self.tree.primitives() {
+            if (self.meet)(primitive, false) < 0.0 {
                 break;
             }
         }
@@ -97,7 +97,7 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
     }
 
     #[inline(always)]
-    fn sorted_out<L: Lanes>(
+    fn culled<L: Lanes>(
         &self,
         lanes: L,
         block: &impl Block,
@@ -113,14 +113,14 @@ impl<S: RaySource, M: FnMut(u32, bool) -> f64> Walk<'_, S, M> {
     }
 }
 
-/// The things of a leaf that the ray may meet.
+/// The primitives of a leaf that the ray may hit.
 struct Leaf {
     sorted: Sorted,
-    things: [u32; 8],
+    primitives: [u32; 8],
 }
 
 impl Leaf {
-    const NONE: Leaf = Leaf { sorted: Sorted::possible(0), things: [0; 8] };
+    const NONE: Leaf = Leaf { sorted: Sorted::possible(0), primitives: [0; 8] };
 }
 
 /// The next child that the ray enters in time.

@@ -3,7 +3,7 @@
 //!
 //! Its radius is ρ = r_b + k·z at the height z, so the surface is |p|² = ρ² with p across the axis, and a ray has ρ_o + ρ_d·t.
 //! The discriminant b² − a·c is taken as |o'·ρ_d − d'·ρ_o|² − |o' × d'|² (Lagrange's identity with a minus sign for the axis),
-//! which keeps its digits. b and c would cancel for a far origin, so a ray is reckoned from its point nearest to the base. The
+//! which keeps its digits. b and c would cancel for a far origin, so a ray is computed from its point nearest to the base. The
 //! equation knows both halves of the double cone; only the one with ρ ≥ 0 counts.
 
 use super::axis::{APEX_CAP, AxialRay, Axis, BASE_CAP, End, LATERAL, Span};
@@ -132,17 +132,19 @@ impl Cone {
             return (c <= 0.0).then_some(line);
         };
         let Span { start, end } = Span::between(roots);
-        let (span, is_right_half) = match () {
-            _ if a > 0.0 => {
-                let radius = origin_radius + ray_radius * (start.t * 0.5 + end.t * 0.5);
-                (Span { start, end }, radius >= 0.0)
-            }
+        let (span, is_right_half) = if a > 0.0 {
+            let radius = origin_radius + ray_radius * (start.t * 0.5 + end.t * 0.5);
+            (Span { start, end }, radius >= 0.0)
+        } else if a == 0.0 && b < 0.0 {
             // Parallel to a line of the cone, which it crosses once; the other root is infinite.
-            _ if a == 0.0 && b < 0.0 => (Span { start: finite(start, end), ..line }, ray_radius >= 0.0),
-            _ if a == 0.0 => (Span { end: finite(start, end), ..line }, ray_radius <= 0.0),
+            (Span { start: finite(start, end), ..line }, ray_radius >= 0.0)
+        } else if a == 0.0 {
+            (Span { end: finite(start, end), ..line }, ray_radius <= 0.0)
+        } else if ray_radius > 0.0 {
             // The line crosses both halves.
-            _ if ray_radius > 0.0 => (Span { start: end, ..line }, true),
-            _ => (Span { end: start, ..line }, true),
+            (Span { start: end, ..line }, true)
+        } else {
+            (Span { end: start, ..line }, true)
         };
         is_right_half.then_some(span)
     }
@@ -233,7 +235,7 @@ impl Kernel for Cone {
         self.axis.size(self.base_radius.max(self.apex_radius))
     }
 
-    fn can_be_met_again(&self, sets_off: Side) -> bool {
+    fn can_self_intersect(&self, sets_off: Side) -> bool {
         sets_off != self.outer
     }
 }

@@ -126,7 +126,7 @@ impl Kernel for Cuboid {
         to_face * length(ray.vector) / Doubled::from(ray.vector[axis])
     }
 
-    fn can_be_met_again(&self, sets_off: Side) -> bool {
+    fn can_self_intersect(&self, sets_off: Side) -> bool {
         sets_off == Side::Back
     }
 }
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn beside_and_behind_nothing_is_met() {
+    fn beside_and_behind_nothing_is_hit() {
         assert_eq!(meet(&cuboid(), [0.0, 5.0, 4.0], [1.0, 0.0, 0.0]), None);
         assert_eq!(meet(&cuboid(), [9.0, 3.0, 4.0], [1.0, 0.0, 0.0]), None);
         assert_eq!(meet(&cuboid(), [0.0, 0.0, 0.0], [0.6, 0.0, 0.8]), None);
@@ -232,6 +232,6 @@ mod tests {
         assert_eq!(meet(0, DVec3::new(0.1, 0.0, 1.0)), Some(5));
         // Along the face, and even a little outward.
         assert_eq!(meet(0, DVec3::new(-1e-17, 0.0, 1.0)), None);
-        assert!(!cuboid().can_be_met_again(Side::Front));
+        assert!(!cuboid().can_self_intersect(Side::Front));
     }
 }

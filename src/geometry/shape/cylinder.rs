@@ -165,7 +165,7 @@ impl Kernel for Cylinder {
         self.axis.size(self.radius)
     }
 
-    fn can_be_met_again(&self, sets_off: Side) -> bool {
+    fn can_self_intersect(&self, sets_off: Side) -> bool {
         sets_off != self.outer
     }
 }

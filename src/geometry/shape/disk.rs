@@ -1,4 +1,4 @@
-//! The flat disk: where the ray meets its plane, the squared distance from the centre decides.
+//! The flat disk: where the ray hits its plane, the squared distance from the centre decides.
 
 use super::flat::{PlaneNames, meet_plane_certainly, refined, toward};
 use super::{Approach, Kernel};

@@ -234,7 +234,7 @@ impl Kernel for Ellipsoid {
         if crossing.side == Side::Front { chord.near } else { chord.far }
     }
 
-    fn can_be_met_again(&self, sets_off: Side) -> bool {
+    fn can_self_intersect(&self, sets_off: Side) -> bool {
         sets_off == Side::Back
     }
 }

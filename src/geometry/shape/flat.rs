@@ -8,7 +8,7 @@ use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
 use glam::DVec3;
 
-/// Where a ray meets the plane of a flat shape.
+/// Where a ray hits the plane of a flat shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PlaneHit {
     /// The distance along the ray.

@@ -1,4 +1,4 @@
-//! How a ray is tested against one kind of shape, and what the kernels of all shapes share.
+//! The trait of intersection tests, and what the kernels of all shapes share.
 
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::Doubled;
@@ -6,18 +6,18 @@ use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name, Step};
 use crate::probe::{Probe, Silent};
 
-/// What a kernel has to know beside the ray.
+/// What a kernel needs to know besides the ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Approach {
-    /// The side of this very surface on which the ray sets off, if it leaves it.
+    /// The side of this surface on which the ray starts, if it leaves it.
     pub leaving: Option<Side>,
     /// Whether the surface is absent for rays that arrive at its back.
     pub one_sided: bool,
 }
 
-/// How a ray meets one kind of shape.
+/// The intersection test of one kind of shape.
 pub trait Kernel {
-    /// The inputs, for the log.
+    /// Writes the inputs to the log.
     fn give<P: Probe>(&self, probe: &mut P);
 
     /// The first point where the ray crosses the surface.
@@ -34,12 +34,12 @@ pub trait Kernel {
     /// A box around the shape; `None` for one without end.
     fn bounds(&self) -> Option<Bounds>;
 
-    /// Whether a ray that sets off on this side of the surface can meet the same surface again. Flat shapes can't be.
-    fn can_be_met_again(&self, _sets_off: Side) -> bool {
+    /// Whether a ray that sets off on this side of the surface can hit the same surface again (self-intersection). Flat shapes can't be hit again.
+    fn can_self_intersect(&self, _sets_off: Side) -> bool {
         false
     }
 
-    /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
+    /// The distance of a crossing as exactly as the shape can compute it, to order crossings that f64 can't.
     fn refined(&self, _ray: &Ray, crossing: Crossing) -> Doubled {
         Doubled::from(crossing.t)
     }
@@ -71,7 +71,7 @@ pub trait Kernel {
         decide(ray, approach, candidate, at_an_end, probe)
     }
 
-    /// [`Kernel::at_an_end`], called with what fits into registers. A crossing that is handed to a call stands in memory, on the way without
+    /// [`Kernel::at_an_end`], called with what fits into registers. A crossing that is handed to a call is in memory, on the way without
     /// the call, too; there it is written piece by piece and read in one, which waits for the pieces, longer than a plane's test takes.
     #[cold]
     #[inline(never)]
@@ -93,7 +93,7 @@ pub trait Kernel {
     }
 
     /// The first point where the ray crosses object `object` of this shape.
-    // Each kernel is a function of its own: together in one they would crowd each other out of the registers.
+    // Each kernel is a function of its own: in one function they would spill each other's registers.
     #[inline(never)]
     fn first_of<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
         self.test(object, one_sided, ray, probe, |approach, probe| self.first_crossing(ray, approach, probe))?
@@ -111,7 +111,7 @@ pub trait Kernel {
         self.surface(ray, crossing, probe)
     }
 
-    /// Runs `body` as the test of object `object`, unless the ray leaves it and can't meet it again.
+    /// Runs `body` as the test of object `object`, unless the ray leaves it and can't hit it again.
     #[inline]
     fn test<P: Probe, T>(
         &self,
@@ -122,21 +122,21 @@ pub trait Kernel {
         body: impl FnOnce(Approach, &mut P) -> T,
     ) -> Option<T> {
         let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
-        if leaving.is_some_and(|side| !self.can_be_met_again(side)) {
+        if leaving.is_some_and(|side| !self.can_self_intersect(side)) {
             return None;
         }
         self.give(probe);
         Some(probe.within(Step::Test { object, triangle: None }, |probe| body(Approach { leaving, one_sided }, probe)))
     }
 
-    /// Shows the log the crossing of a ray that begins on the surface and goes through it.
+    /// Logs the crossing of a ray that begins on the surface and goes through it.
     fn touch<P: Probe>(&self, object: u32, probe: &mut P) {
         self.give(probe);
         probe.within(Step::Test { object, triangle: None }, touched);
     }
 }
 
-/// A test whose answer is known before: the ray begins on the surface.
+/// A test with a known answer: the ray begins on the surface.
 pub(super) fn touched<P: Probe>(probe: &mut P) {
     probe.note(Name::TouchT, 0.0);
     probe.mark(Decision::Hit);
@@ -152,10 +152,12 @@ impl Approach {
 
 /// Whether a crossing, through which the ray passes so fast along the normal, is an end of the ray.
 pub(super) fn at_an_end(ray: &Ray, may_begin: bool, t: f64, slope: f64, size: f64) -> Option<Miss> {
-    match () {
-        _ if may_begin && ray.holds(t * slope, size) => Some(Miss::BeginsThere),
-        _ if ray.holds((ray.t_max - t) * slope, size) => Some(Miss::Beyond),
-        _ => None,
+    if may_begin && ray.holds(t * slope, size) {
+        Some(Miss::BeginsThere)
+    } else if ray.holds((ray.t_max - t) * slope, size) {
+        Some(Miss::Beyond)
+    } else {
+        None
     }
 }
 

@@ -1,7 +1,7 @@
 //! A mesh of triangles with a tree over them.
 //!
 //! Each triangle is intersected by the kernel of a triangle, in a test of its own. The tree narrows down and decides nothing: of
-//! several triangles in the same place the first in the mesh file wins, whatever the order of the tests.
+//! several coincident triangles the first in the mesh file wins, whatever the order of the tests.
 
 mod copies;
 mod left;
@@ -204,7 +204,7 @@ impl TriangleMesh {
     /// Drops crossings, sorted by their distance from number `from` on, with triangles next to one that is crossed in the same place and
     /// from the same side: a ray through an edge or a corner crosses the mesh once.
     fn keep_edges_once(&self, ray: &Ray, found: &mut Vec<Crossing>, from: usize) {
-        /// So many crossings in one place are looked at, the latest: a hundred thousand triangles may lie on each other.
+        /// Of coincident crossings the latest are looked at, this many at most: a hundred thousand triangles may lie on each other.
         const MOST: usize = 64;
         let mut kept = from;
         for at in from..found.len() {
@@ -240,7 +240,7 @@ impl TriangleMesh {
         self.tree.bounds()
     }
 
-    /// Tests the triangles that the ray can meet, but for the one that it leaves, and shows `meet` every crossing. `meet`
+    /// Tests the triangles that the ray can hit, but for the one that it leaves, and shows `meet` every crossing. `meet`
     /// says how far further ones matter; a negative distance ends the search.
     #[inline(always)]
     fn visit<P: Probe>(

@@ -50,8 +50,8 @@ use glam::DVec3;
 use kernel::{at_an_end, decide, touched};
 use std::sync::Arc;
 
-/// A surface that rays meet.
-// With a tag of its own, which is quicker to tell than one hidden in the variants. Shapes larger than a sphere lie elsewhere, so that a million
+/// A surface that rays hit.
+// With a tag of its own, which is quicker to test than one hidden in the variants. Shapes larger than a sphere lie elsewhere, so that a million
 // spheres don't take the room of a million triangles.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(u8)]
@@ -151,7 +151,7 @@ impl Shape {
     }
 
     /// Whether two parts of the surface touch without lying in the same place: the triangles of a mesh that share an edge or a
-    /// corner. Which of them a ray meets first is told by their distances alone.
+    /// corner. Their distances alone say which of them a ray hits first.
     pub(in crate::geometry) fn are_neighbours(&self, one: u32, other: u32) -> bool {
         match self.at_rest() {
             Shape::Mesh(mesh) => mesh.are_neighbours(one, other),
@@ -165,7 +165,7 @@ impl Shape {
         match self {
             Shape::Mesh(mesh) => mesh.can_be_crossed_in(shaft, leaving),
             Shape::Moving(_) => true,
-            _ if leaving.is_some_and(|leaving| !self.can_be_met_again(leaving.side)) => false,
+            _ if leaving.is_some_and(|leaving| !self.can_self_intersect(leaving.side)) => false,
             Shape::Plane(plane) => plane.can_be_crossed_in(shaft),
             _ => true,
         }
@@ -184,9 +184,9 @@ impl Shape {
         matches!(self, Shape::Mesh(_) | Shape::Plane(_))
     }
 
-    /// Whether a ray that sets off on this side of the surface can meet the same surface again.
-    fn can_be_met_again(&self, side: Side) -> bool {
-        kernel!(self.at_rest(), kernel => kernel.can_be_met_again(side), _mesh => true)
+    /// Whether a ray that sets off on this side of the surface can hit the same surface again (self-intersection).
+    fn can_self_intersect(&self, side: Side) -> bool {
+        kernel!(self.at_rest(), kernel => kernel.can_self_intersect(side), _mesh => true)
     }
 
     /// Whether the ray crosses the object at all.
@@ -224,7 +224,7 @@ impl Shape {
         kernel!(self, kernel => kernel.surface_of(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
     }
 
-    /// The distance of a crossing with as many digits as the shape can tell, to order crossings that f64 can't.
+    /// The distance of a crossing as exactly as the shape can compute it, to order crossings that f64 can't.
     pub(crate) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
         match self {
             Shape::Moving(moving) => moving.refined(ray, crossing),
@@ -297,7 +297,7 @@ impl Shape {
         }
     }
 
-    /// Whether hits tell which triangle of a file was met.
+    /// Whether hits name the triangle of the file.
     pub fn is_mesh(&self) -> bool {
         matches!(self.at_rest(), Shape::Mesh(_))
     }
@@ -327,9 +327,9 @@ impl Shape {
         })
     }
 
-    /// The side of the surface from which a ray can meet the surface again, the back where there is none. A query that
+    /// The side of the surface from which a ray can hit the surface again, the back where there is none. A query that
     /// doesn't know on which side its ray sets off asks from there: the root that it has left is left out either way.
     pub fn returning_side(&self) -> Side {
-        if !self.is_mesh() && self.can_be_met_again(Side::Front) { Side::Front } else { Side::Back }
+        if !self.is_mesh() && self.can_self_intersect(Side::Front) { Side::Front } else { Side::Back }
     }
 }

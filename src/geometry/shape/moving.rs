@@ -1,4 +1,4 @@
-//! A shape that moves. The ray is carried into the shape's own frame, where the shape's kernel meets it, and the surface is
+//! A shape that moves. The ray is carried into the shape's own frame, where the shape's kernel intersects it, and the surface is
 //! carried back. A rigid motion keeps distances along the ray and the length of its direction.
 
 use super::Shape;
@@ -49,7 +49,7 @@ impl Moving {
             self.shape.nearest(object, one_sided, own, &mut found, probe);
             found
         });
-        // How close crossings are is told in the scene, where those with other objects are.
+        // How close crossings are is decided in the scene, together with those of other objects.
         nearest.join(found, ray, probe);
     }
 
@@ -96,7 +96,7 @@ impl Moving {
         pose.surface(own, probe)
     }
 
-    /// The distance of a crossing with as many digits as the shape can tell.
+    /// The distance of a crossing as exactly as the shape can compute it.
     pub(super) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
         let own = self.motion.at(ray.time, &mut Silent).own_ray(ray, &mut Silent);
         self.shape.refined(&own, crossing)

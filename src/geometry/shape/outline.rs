@@ -127,7 +127,7 @@ mod tests {
         Cone, Cuboid, Cylinder, Disk, Ellipsoid, Plane, Polygon, Sphere, SphereMethod, Triangle,
     };
 
-    /// Every point of the lines is on the surface, as far as rounding goes: a ray to it from outside meets something there.
+    /// Every point of the lines is on the surface, as far as rounding goes: a ray to it from outside hits something there.
     #[track_caller]
     fn lies_on(shape: &Shape, is_on: impl Fn(DVec3) -> bool) {
         let box_around = Bounds { min: DVec3::splat(-5.0), max: DVec3::splat(5.0) };

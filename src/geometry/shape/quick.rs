@@ -35,7 +35,7 @@ pub(super) struct Corners<'a> {
     pub normal: &'a DVec3,
 }
 
-/// Rays side by side, as many as walk together.
+/// The rays of a packet, in lanes.
 pub(super) struct RayLanes {
     origin: [PerRay<f64>; 3],
     direction: [PerRay<f64>; 3],

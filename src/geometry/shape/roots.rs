@@ -152,14 +152,18 @@ impl Roots {
         let is_beyond = |root| is_ahead(root) && root.0.t >= ray.t_max;
         let faces_away = |root, side| is_ahead(root) && !approach.shows(side);
         let is_on_surface = (entry.0.is_on_surface && !entry.1) || (exit.0.is_on_surface && !exit.1);
-        let why = match () {
-            _ if ends.light != [false; 2] => Miss::Beyond,
-            _ if is_beyond(entry) => Miss::Beyond,
-            _ if faces_away(entry, self.outer) || faces_away(exit, self.outer.opposite()) => Miss::FacesAway,
-            _ if is_beyond(exit) => Miss::Beyond,
-            _ if ends.has_left && approach.leaving.is_none() => Miss::BeginsThere,
-            _ if is_on_surface && is_behind(entry) && is_behind(exit) => Miss::Behind,
-            _ => Miss::Beside,
+        let why = if ends.light != [false; 2] || is_beyond(entry) {
+            Miss::Beyond
+        } else if faces_away(entry, self.outer) || faces_away(exit, self.outer.opposite()) {
+            Miss::FacesAway
+        } else if is_beyond(exit) {
+            Miss::Beyond
+        } else if ends.has_left && approach.leaving.is_none() {
+            Miss::BeginsThere
+        } else if is_on_surface && is_behind(entry) && is_behind(exit) {
+            Miss::Behind
+        } else {
+            Miss::Beside
         };
         probe.mark(Decision::Miss { why });
     }
@@ -237,11 +241,13 @@ impl Digits {
         let left = if is_part_of_c { self.left } else { 1.0 };
         // Compared so that what is no number has lost all.
         let has_half = self.steepness <= HALF_STEEP * squared && left >= LEAST_TO_CORRECT;
-        match () {
-            _ if self.steepness <= STEEPEST * squared && left >= LEAST_LEFT => Lost::Nothing,
-            _ if has_half && ray.is_settled_by_half(t) => Lost::Nothing,
-            _ if has_half => Lost::Some,
-            _ => Lost::All,
+        let keeps_digits = self.steepness <= STEEPEST * squared && left >= LEAST_LEFT;
+        if keeps_digits || (has_half && ray.is_settled_by_half(t)) {
+            Lost::Nothing
+        } else if has_half {
+            Lost::Some
+        } else {
+            Lost::All
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::probe::Probe;
 use arrayvec::ArrayVec;
 use glam::DVec3;
 
-/// The largest square of the factor by which the root shows the error of the way to the line, that is let pass.
+/// The largest square of the factor by which the root shows the error of the way to the line, that is tolerated.
 const STEEPEST: f64 = 2.0;
 
 /// The same where half of the digits are enough: eight roundings of |OC|, times the root of this, are 2⁻²².
@@ -385,7 +385,7 @@ impl Kernel for Sphere {
         Some(Bounds { min: self.center - self.radius, max: self.center + self.radius })
     }
 
-    fn can_be_met_again(&self, sets_off: Side) -> bool {
+    fn can_self_intersect(&self, sets_off: Side) -> bool {
         sets_off != self.outer
     }
 

@@ -37,7 +37,7 @@ pub(in crate::geometry) struct Facet {
     pub b: DVec3,
     /// The third one.
     pub c: DVec3,
-    /// N_t = (B − A) × (C − A), with all its digits; zero for a triangle without area, which no ray meets.
+    /// N_t = (B − A) × (C − A), with all its digits; zero for a triangle without area, which no ray hits.
     pub normal: DVec3,
 }
 
@@ -154,7 +154,7 @@ impl Facet {
         decide(ray, approach, crossing, at_an_end, probe)
     }
 
-    /// Where the ray meets the triangle's plane, with twice the digits.
+    /// Where the ray hits the triangle's plane, with twice the digits.
     #[cold]
     #[inline(never)]
     fn meet_doubled<P: Probe>(self, ray: &Ray, probe: &mut P) -> Option<PlaneHit> {
@@ -188,7 +188,7 @@ impl Facet {
         if is_there { distance } else { Doubled::from(crossing.t) }
     }
 
-    /// The surface at a crossing. Where there are normals at the corners, light is reckoned with their mean.
+    /// The surface at a crossing. Where there are normals at the corners, light is computed with their mean.
     pub fn surface<P: Probe>(
         &self,
         normals: Option<&[DVec3; 3]>,
@@ -244,10 +244,12 @@ impl Facet {
         }
         let mean = probe.note(Name::TriangleMeanNormal, mean);
         let length = mean.dot(mean).sqrt();
-        match () {
-            _ if length == 0.0 || !length.is_finite() => probe.note(Name::HitNormalFlat, geometric_normal),
-            _ if mean.dot(geometric_normal) < 0.0 => probe.note(Name::HitNormalMeanTurned, -mean / length),
-            _ => probe.note(Name::HitNormalMean, mean / length),
+        if length == 0.0 || !length.is_finite() {
+            probe.note(Name::HitNormalFlat, geometric_normal)
+        } else if mean.dot(geometric_normal) < 0.0 {
+            probe.note(Name::HitNormalMeanTurned, -mean / length)
+        } else {
+            probe.note(Name::HitNormalMean, mean / length)
         }
     }
 

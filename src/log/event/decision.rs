@@ -1,6 +1,6 @@
 //! The decisions of a computation: the one table from which their type, their lines in a file, and the page and the schema of the format follow.
 
-use super::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
+use super::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 use crate::log::name::Name;
 
 /// Hands the table to a macro. A row has a variant, its word in a log, what it means, and its fields: each with its type here, and with the
@@ -38,20 +38,20 @@ macro_rules! decisions {
             };
             TotalInternalReflection "total_internal_reflection" "no ray can be transmitted here";
             DepthLimit "depth_limit" "a bounce isn't traced because it would lie too deep in the ray tree" {
-                what: Skippable as Skippable,
+                what: Term as Term,
             };
             LeakGuard "leak_guard"
                 "what was traced counts as black: the interpolated normal put it on a side where it isn't" {
-                what: Skippable as Skippable,
+                what: Term as Term,
             };
             Bent "bent" "the direction ran below the surface, and was bent up to the nearest one above" {
-                what: Skippable as Skippable,
+                what: Term as Term,
             };
             Rejected "rejected" "a direction of a blurred bounce lies on the wrong side; the mean is over the others" {
-                what: Skippable as Skippable,
+                what: Term as Term,
             };
             Skipped "skipped" "work isn't done because it can't change the colour" {
-                what: Skippable as Skippable,
+                what: Term as Term,
                 why: SkipReason as SkipReason,
             };
             Subdivided "subdivided"

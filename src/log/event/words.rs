@@ -1,4 +1,4 @@
-//! What decisions and nodes say in words: enums whose variants stand as words in a log.
+//! What decisions and nodes say in words: enums whose variants are written as words in a log.
 
 use super::field::{FieldKind, Of};
 
@@ -51,7 +51,7 @@ words! {
 
 words! {
     /// What may be left out, or count as black.
-    Skippable {
+    Term {
         /// The reflected ray.
         Reflected = "reflected",
         /// The transmitted ray.
@@ -108,11 +108,11 @@ words! {
 }
 
 words! {
-    /// Why so many points of an area light are asked.
+    /// Why this many points of an area light are asked.
     Asking {
-        /// Nothing can stand between, and the light is smooth: the points of a rule, without shadow rays.
+        /// Nothing can lie between, and the light is smooth: the points of a rule, without shadow rays.
         Rule = "rule",
-        /// Nothing can stand between: all random points, without shadow rays.
+        /// Nothing can lie between: all random points, without shadow rays.
         InView = "in_view",
         /// An object hides all of the light.
         Hidden = "hidden",

@@ -1,4 +1,4 @@
-//! The digest by which a log is known again that another program wrote anew.
+//! The digest that recognises a log after another program has rewritten it.
 
 use super::write::{Lines, Paths, write_header};
 use crate::log::events::Events;

@@ -1,6 +1,6 @@
 //! Reading a log that is one nested document.
 //!
-//! Its keys may stand in any order, the header behind the events, and the nodes inside a node before what the node is. So it is read three
+//! Its keys may be in any order, the header behind the events, and the nodes inside a node before what the node is. So it is read three
 //! times: for the places of the nodes' contents, for the header and what is no JSON, and then event by event as lines are. No more of the
 //! events is held in between than one.
 
@@ -49,7 +49,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
     let mut reader = Reader::new(header);
     events(bytes, &places, &mut reader)?;
     let ending = match end {
-        _ if !is_alone => Ending::Mismatch { what: "other text stands after the document".into() },
+        _ if !is_alone => Ending::Mismatch { what: "other text follows the document".into() },
         None => Ending::Missing { incomplete_record: false },
         // The digest is that of the same log as lines.
         Some(end) => reader.check_end(&end, None),

@@ -13,7 +13,7 @@ pub enum LogError {
     /// There is no header.
     #[error("1:1: not a log: expected the header of a `{FORMAT}` log, found {found}")]
     NotALog {
-        /// What stands there instead.
+        /// What is there instead.
         found: String,
     },
     /// The header isn't whole.

@@ -1,4 +1,4 @@
-//! The serde mirror of a line of a log, as it is read. Unknown fields are passed over: a later version may add some.
+//! The serde mirror of a line of a log, as it is read. Unknown fields are skipped: a later version may add some.
 
 use super::mark::Mark;
 use crate::log::name::Name;

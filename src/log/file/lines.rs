@@ -42,7 +42,7 @@ pub(super) struct TextLine<'b> {
     pub text: &'b [u8],
     /// Its number, from 1.
     pub number: usize,
-    /// Whether an end of line stands after it.
+    /// Whether an end of line is after it.
     pub is_terminated: bool,
 }
 
@@ -188,7 +188,7 @@ impl<R: Read> Lines<R> {
         self.digested = end;
     }
 
-    /// Drops what stands before `place`, where the next line begins.
+    /// Drops what precedes `place`, where the next line begins.
     fn forget_to(&mut self, place: usize) {
         self.digest_to(place);
         self.block.drain(..place);
@@ -255,7 +255,7 @@ impl Brackets {
 mod tests {
     use super::*;
 
-    /// Gives no more than so many bytes at a time.
+    /// Gives no more than this many bytes at a time.
     struct Slowly<'b>(&'b [u8], usize);
 
     impl Read for Slowly<'_> {
@@ -267,7 +267,7 @@ mod tests {
         }
     }
 
-    /// The lines, each with the digest of what stands before it.
+    /// The lines, each with the digest of what precedes it.
     fn lines(input: impl Read) -> Vec<(Vec<u8>, usize, bool, blake3::Hash)> {
         let mut lines = Lines::of(input);
         let mut found = Vec::new();

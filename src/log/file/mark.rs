@@ -5,7 +5,7 @@ use super::reader::Reader;
 use super::write::{string, text, triple};
 use crate::log::event::decision::decisions;
 use crate::log::event::field::{FieldKind, Light, Object, Optional, Quantity, Triple, Whole};
-use crate::log::event::{Acceptance, Asking, Decision, Miss, SkipReason, Skippable, Split};
+use crate::log::event::{Acceptance, Asking, Decision, Miss, SkipReason, Split, Term};
 use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::whole;
@@ -124,7 +124,7 @@ macro_rules! words {
 
 words! {
     Miss "reason",
-    Skippable "work",
+    Term "work",
     SkipReason "rule",
     Split "reason",
     Acceptance "reason",

@@ -1,15 +1,15 @@
-//! Which number a name has: the names themselves stand in the header only, of which there may be a million.
+//! Which number a name has: the names themselves are in the header only, of which there may be a million.
 
 use std::hash::{BuildHasher, RandomState};
 
 /// The numbers of names, found by their hashes.
 pub(super) struct Numbers {
-    /// As many as a power of two, half of them [`NONE`] or more. A name stands where its hash says, or in the next places behind.
+    /// As many as a power of two, half of them [`NONE`] or more. A name is where its hash says, or in the next places behind.
     places: Vec<u32>,
     hasher: RandomState,
 }
 
-/// Where no number stands.
+/// A free place.
 const NONE: u32 = u32::MAX;
 
 impl Numbers {
@@ -32,7 +32,7 @@ impl Numbers {
         Some(self.places[self.place(names, name)]).filter(|number| *number != NONE)
     }
 
-    /// Where a name stands, or is to stand.
+    /// Where a name is, or is to be.
     fn place(&self, names: &[String], name: &str) -> usize {
         let mut place = self.hasher.hash_one(name) as usize;
         loop {

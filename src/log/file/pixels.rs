@@ -16,7 +16,7 @@ use std::mem;
 /// A log that is read a pixel at a time.
 pub struct PixelReader<R> {
     source: Source<R>,
-    /// The pixel whose opening event was read, while its own events weren't handed on yet.
+    /// The pixel whose opening event was read, while its own events weren't passed on yet.
     opened: Option<[u32; 2]>,
     /// Known once all is read.
     ending: Option<Ending>,
@@ -35,7 +35,7 @@ enum Source<R> {
     Document {
         header: Box<Header>,
         rest: Events,
-        /// How many of them were handed on.
+        /// How many of them were passed on.
         taken: usize,
         ending: Ending,
     },
@@ -74,7 +74,7 @@ impl<R: Read> PixelReader<R> {
         reader
     }
 
-    /// With what gives the input once more. Whether a log that another program wrote anew is whole takes long to find out: this way only
+    /// With what gives the input once more. Whether a log that another program has rewritten is whole takes long to find out: this way only
     /// such a log is asked, when it has been read.
     pub fn with_again(mut self, again: impl FnOnce() -> Option<R> + 'static) -> PixelReader<R> {
         if let Source::Lines { reader, .. } = &mut self.source {
@@ -106,7 +106,7 @@ impl<R: Read> PixelReader<R> {
         while self.ending.is_none() {
             let next = self.read_to_pixel(&mut events)?;
             let pixel = mem::replace(&mut self.opened, next);
-            // Nothing stands before the first pixel of a region.
+            // Nothing is before the first pixel of a region.
             if pixel.is_some() || !events.is_empty() {
                 return Ok(Some(PixelEvents { pixel, events }));
             }

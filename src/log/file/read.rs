@@ -7,7 +7,7 @@ use super::lines::{Lines, TextLine};
 use super::reader::Reader;
 use super::sniff::{is_document, is_log};
 use crate::log::Log;
-use crate::log::escape::{hidden, shortened, visible};
+use crate::log::escape::{escape_hidden, hidden, shortened};
 use crate::log::header::{FORMAT, Header};
 use serde::Deserialize;
 use std::io::{ErrorKind, Read};
@@ -28,10 +28,10 @@ pub enum Ending {
     Complete,
     /// Without an end line: the log was cut off, or is still being written.
     Missing {
-        /// Whether the last line is incomplete (it was passed over).
+        /// Whether the last line is incomplete (it was skipped).
         incomplete_record: bool,
     },
-    /// With an end line that fits, but the log has quantities that this program doesn't know. They were passed over.
+    /// With an end line that fits, but the log has quantities that this program doesn't know. They were skipped.
     Unknown {
         /// How many there are.
         count: usize,
@@ -40,12 +40,12 @@ pub enum Ending {
         /// Its line.
         line: usize,
     },
-    /// With an end line that doesn't fit what stands before it.
+    /// With an end line that doesn't fit what precedes it.
     Mismatch {
         /// What doesn't fit.
         what: String,
     },
-    /// With a record that can't be read, or with packed data that can't be unpacked: what stands before it was read.
+    /// With a record that can't be read, or with packed data that can't be unpacked: what precedes it was read.
     Damaged {
         /// Where and what the damage is.
         what: String,
@@ -64,16 +64,16 @@ impl Ending {
             Ending::Complete => None,
             Ending::Missing { incomplete_record: false } => Some("the log has no end line: it was cut off".into()),
             Ending::Missing { incomplete_record: true } => {
-                Some("the log was cut off: 1 incomplete record was passed over".into())
+                Some("the log was cut off: 1 incomplete record was skipped".into())
             }
             Ending::Unknown { count, key, line } => Some(match count {
-                1 => format!("1 value of an unknown quantity was passed over, in line {line}: `{key}`"),
+                1 => format!("1 value of an unknown quantity was skipped, in line {line}: `{key}`"),
                 _ => {
-                    format!("{count} values of unknown quantities were passed over, the first in line {line}: `{key}`")
+                    format!("{count} values of unknown quantities were skipped, the first in line {line}: `{key}`")
                 }
             }),
             Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
-            Ending::Damaged { what } => Some(format!("the log is damaged, this is what stands before: {what}")),
+            Ending::Damaged { what } => Some(format!("the log is damaged, this is what precedes the damage: {what}")),
         }
     }
 }
@@ -126,7 +126,7 @@ pub(super) fn record(lines: &mut Lines<impl Read>, reader: &mut Reader) -> Resul
         let digest = lines.digest();
         return Ok(Some(match lines.count_rest()? {
             0 => reader.check_end(&end, Some(digest)),
-            after => Ending::Mismatch { what: format!("{after} bytes stand after its end line") },
+            after => Ending::Mismatch { what: format!("{after} bytes follow its end line") },
         }));
     }
     let before = reader.events.len();
@@ -181,7 +181,7 @@ fn header_in(&TextLine { text: line, number, is_terminated }: &TextLine) -> Resu
     Ok(header)
 }
 
-/// Whoever shows a log shows its names, so that none may hold what drives a terminal. No scene has such names.
+/// Views of a log show its names, so that none may hold control characters for a terminal. No scene has such names.
 pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
     let tracing = &header.tracing;
     let words = [&header.version, &header.arithmetic, &tracing.algorithm, &tracing.specular, &tracing.sphere_method];
@@ -193,7 +193,7 @@ pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
         Some(name) => Err(LogError::damaged(
             1,
             1,
-            &format!("a name must not hold invisible characters, found `{}`", visible(name)),
+            &format!("a name must not hold invisible characters, found `{}`", escape_hidden(name)),
         )),
     }
 }
@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn damage_is_told_with_its_place() {
+    fn damage_is_reported_with_its_place() {
         let lines = String::from_utf8(to_ndjson(&textbook()).unwrap()).unwrap();
         let line = "\n{\"at\":7,";
         assert!(lines.contains(line));
@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn a_header_that_was_cut_off_is_told_from_none() {
+    fn a_header_that_was_cut_off_is_distinguished_from_none() {
         let lines = to_ndjson(&textbook()).unwrap();
         for length in [20, 50, 200] {
             let said = read(&lines[..length]).unwrap_err().to_string();

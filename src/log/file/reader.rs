@@ -8,7 +8,7 @@ use super::mark::{Mark, unknown};
 use super::numbers::Numbers;
 use super::read::Ending;
 use crate::log::escape::shortened;
-use crate::log::event::{Digits, Event, RayKind, Skippable, Step, What};
+use crate::log::event::{Digits, Event, RayKind, Step, Term, What};
 use crate::log::events::Events;
 use crate::log::header::Header;
 use crate::log::name::Name;
@@ -27,24 +27,24 @@ pub(super) struct Reader {
     pub(super) header: Header,
     objects: Numbers,
     lights: Numbers,
-    /// Those that weren't handed on.
+    /// Those that weren't passed on.
     pub(super) events: Events,
     /// How many were.
     handed_on: usize,
-    /// The digest of those, written anew, while it may be asked for.
+    /// The digest of those, rewritten, while it may be asked for.
     pub(super) digest: Option<Digest>,
     /// How many nodes are open.
     depth: usize,
-    /// What isn't in the table of names, and was passed over.
+    /// What isn't in the table of names, and was skipped.
     unknown: Unknown,
-    /// Inputs that stood on events of unknown quantities: they count from the next event on.
+    /// Inputs on events of unknown quantities: they count from the next event on.
     carried: Vec<(Name, Value)>,
 }
 
 /// Quantities that this program doesn't know.
 #[derive(Default)]
 struct Unknown {
-    /// The events that were passed over.
+    /// The events that were skipped.
     events: usize,
     /// Those, and the inputs.
     count: usize,
@@ -83,7 +83,7 @@ impl Reader {
         }
     }
 
-    /// Hands the events on.
+    /// Passes the events on.
     pub(super) fn hand_on(&mut self) -> Events {
         if let Some(digest) = &mut self.digest {
             digest.add(&self.header, &self.events);
@@ -92,15 +92,15 @@ impl Reader {
         mem::take(&mut self.events)
     }
 
-    /// How the log ends, by its end line and the digest of the bytes before it, if they may count. A log that another program wrote anew,
+    /// How the log ends, by its end line and the digest of the bytes before it, if they may count. A log that another program has rewritten,
     /// with other order of keys or spelling of numbers, is whole: its digest is that of the lines as they are written here.
     pub(super) fn check_end(&mut self, end: &End, of_bytes: Option<blake3::Hash>) -> Ending {
         let events = self.handed_on + self.events.len() + self.unknown.events;
         if end.events != events as u64 {
             return Ending::Mismatch { what: format!("its end line counts {} events, there are {events}", end.events) };
         }
-        // Nobody asks for it behind the end.
-        // Of what was passed over the lines can't be written anew.
+        // It isn't needed after the end.
+        // Of what was skipped the lines can't be rewritten.
         let written_anew = self.digest.take().filter(|_| self.unknown.count == 0);
         let fits_events = || {
             written_anew.is_some_and(|mut digest| {
@@ -218,7 +218,7 @@ impl Reader {
             Enter::Light { light, split: Whole(split) } => Step::Light { light: self.light(&light)?, split },
             Enter::Motion { object } => Step::Motion { object: self.object(&object)? },
             Enter::Zone { what, number: Whole(number) } => {
-                let what = Skippable::find(&what).ok_or_else(|| unknown("work", &what))?;
+                let what = Term::find(&what).ok_or_else(|| unknown("work", &what))?;
                 Step::Zone { what, number }
             }
             Enter::Combine {} => Step::Combine,

@@ -7,7 +7,7 @@ use std::fmt;
 /// How a log is written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Shape {
-    /// One event a line.
+    /// One event per line.
     Lines,
     /// One JSON document.
     Document,
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_log_is_told_from_one() {
+    fn what_is_no_log_is_distinguished_from_one() {
         is("", false);
         is("{}", false);
         is("{\"version\":1}", false);

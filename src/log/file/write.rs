@@ -1,4 +1,4 @@
-//! Writing logs. A log is written while it grows, and its last line counts and digests what stands before it.
+//! Writing logs. A log is written while it grows, and its last line counts and digests what precedes it.
 
 use super::mark::write_mark;
 use crate::log::event::{Digits, Event, RayKind, Step, What};
@@ -38,7 +38,7 @@ impl<'h> Lines<'h> {
         self.events += events.len() as u64;
     }
 
-    /// Makes further events, and hands their text on in pieces, lest it take much room.
+    /// Makes further events, and passes their text on in pieces, so that it takes little memory.
     pub(super) fn hand_on(&mut self, events: &Events, mut take: impl FnMut(&[u8]) -> io::Result<()>) -> io::Result<()> {
         const PIECE: usize = 4096;
         for piece in events.chunks(PIECE) {
@@ -84,7 +84,7 @@ impl Paths {
     }
 }
 
-/// Nodes of a document are indented by so many levels at most.
+/// Nodes of a document are indented by this many levels at most.
 const MOST_INDENT: usize = 64;
 
 /// Writes a log as NDJSON while it grows.

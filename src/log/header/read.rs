@@ -1,4 +1,4 @@
-//! Reading a header whose keys may stand in any order. What it lists is counted while it is read: a line of some kilobytes, packed, may
+//! Reading a header whose keys may be in any order. What it lists is counted while it is read: a line of some kilobytes, packed, may
 //! unpack to more names than there is memory for.
 
 use super::{Header, MAX_NAMES, MAX_PARAMETERS, Parameter, Subject};

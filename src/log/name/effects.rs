@@ -134,7 +134,7 @@ macro_rules! with_effects {
             EllipsoidTDoubledFar: "ellipsoid.t", "doubled_far", "t", "(−b + √Δ)/a", "";
             CylinderTDoubledFar: "cylinder.t", "doubled_far", "t", "(−b + √Δ)/a", "";
 
-            // What a ray brings that meets nothing, and what the side of a pixel is made of.
+            // What a ray brings that hits nothing, and what the side of a pixel is made of.
             BackgroundColor: "background.color", "", "I_b", "", "";
             CameraVerticalFov: "camera.vertical_fov", "", "θ_v", "", "";
             CameraRows: "camera.rows", "", "n_v", "", "";

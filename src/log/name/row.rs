@@ -1,4 +1,4 @@
-//! What a row of the table of names is: the macro that declares it, and how a name gives what stands in it.
+//! What a row of the table of names is: the macro that declares it, and how a name gives what is in it.
 
 use super::{Name, ROWS};
 use std::collections::HashMap;
@@ -9,7 +9,7 @@ macro_rules! names {
     ($($variant:ident: $key:literal, $form:literal, $symbol:literal, $formula:literal, $section:literal;)*) => {
         /// A named quantity of the computation.
         ///
-        /// Several names may share a key: they are the same quantity computed by different formulas, told apart in the
+        /// Several names may share a key: they are the same quantity computed by different formulas, distinguished in the
         /// log by their `form`.
         #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
         #[repr(u16)]

@@ -1,4 +1,4 @@
-//! The table of names is in order, and its names can be told apart.
+//! The table of names is in order, and its names can be distinguished.
 
 #![allow(clippy::unwrap_used)]
 
@@ -7,7 +7,7 @@ use crate::log::formula::{self, Formula, Operator, Several, Unary};
 use std::collections::HashSet;
 
 #[test]
-fn rows_stand_in_the_order_of_the_variants() {
+fn rows_are_in_the_order_of_the_variants() {
     for (index, (name, _)) in ROWS.iter().enumerate() {
         assert_eq!(*name as usize, index);
     }
@@ -35,7 +35,7 @@ fn every_key_has_a_unit() {
     let keys: HashSet<_> = Name::all().map(Name::key).collect();
     let listed: Vec<_> = unit::pairs().map(|(key, _)| key).collect();
     let once: HashSet<_> = listed.iter().copied().collect();
-    assert_eq!(once.len(), listed.len(), "a key stands there twice");
+    assert_eq!(once.len(), listed.len(), "a key occurs twice");
     assert_eq!(keys.difference(&once).collect::<Vec<_>>(), [] as [&&str; 0], "without a unit: `name/unit.rs`");
     assert_eq!(once.difference(&keys).collect::<Vec<_>>(), [] as [&&str; 0], "no quantity has this key");
 }
@@ -95,7 +95,7 @@ fn dimension(of_name: Name, formula: &Formula) -> Result<Dimension, String> {
     }
 }
 
-/// The dimension of a symbol: that of the quantities of the same shape, if one of them has it, else that of all. The shape stands in
+/// The dimension of a symbol: that of the quantities of the same shape, if one of them has it, else that of all. The shape is in
 /// the key or, of a hit's point and normal, in the form.
 fn unit_of(of_name: Name, symbol: &str) -> Result<[i32; 4], String> {
     let kind = |name: &Name| name.key().split('.').next().unwrap_or("");

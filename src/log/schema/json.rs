@@ -50,7 +50,7 @@ pub fn json_schema() -> Value {
             }), &json!({})),
             "end": closed_json(&json!({
                 "end": closed_json(&json!({
-                    "events": {"type": "integer", "minimum": 0, "description": "How many events stand before it."},
+                    "events": {"type": "integer", "minimum": 0, "description": "How many events precede it."},
                     "digest": {"type": "string", "pattern": "^blake3:[0-9a-f]{64}$", "description": "The digest of all bytes before this line."},
                 }), &["events"]),
             }), &["end"]),

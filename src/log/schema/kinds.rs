@@ -3,7 +3,7 @@
 use crate::log::event::decision::decisions;
 pub use crate::log::event::field::Of;
 use crate::log::event::field::{FieldKind, Light, Object, Optional, Quantity, Triple, Whole};
-use crate::log::event::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
+use crate::log::event::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 
 /// A node or a decision, as the key in its line.
 pub struct Kind {
@@ -11,7 +11,7 @@ pub struct Kind {
     pub word: &'static str,
     /// What it means.
     pub meaning: &'static str,
-    /// What stands in its object.
+    /// What is in its object.
     pub fields: &'static [Field],
 }
 
@@ -46,7 +46,7 @@ const fn kind(word: &'static str, fields: &'static [Field], meaning: &'static st
 const OBJECT: Field = field("object", Of::Object);
 const TRIANGLE: Field = optional("triangle", Of::Whole(0));
 const SPLIT: Field = optional("split", Of::Whole(1));
-const WHAT: Field = field("what", Skippable::OF);
+const WHAT: Field = field("what", Term::OF);
 
 fn kinds_of_rays() -> Vec<&'static str> {
     vec!["camera", "shadow", "reflected", "transmitted"]
@@ -60,7 +60,11 @@ pub const STEPS: &[Kind] = &[
         &[field("kind", Of::Words(kinds_of_rays)), field("depth", Of::Whole(0)), optional("light", Of::Light), SPLIT],
         "a ray and all that it brings; depth is its level in the ray tree, light that of a shadow ray, split its number among several of a kind from one place",
     ),
-    kind("motion", &[OBJECT], "a moving object is met: the ray in the object's frame, or the hit carried back from it"),
+    kind(
+        "motion",
+        &[OBJECT],
+        "a moving object is tested: the ray in the object's frame, or the hit carried back from it",
+    ),
     kind("test", &[OBJECT, TRIANGLE], "the ray is tested with an object; triangle is that of a mesh"),
     kind("shade", &[OBJECT], "the local model at the hit of the ray"),
     kind(

@@ -26,7 +26,7 @@ const LINES: &[[&str; 2]] = &[
 
 const FIELDS: &[[&str; 2]] = &[
     ["given", "inputs that the problem states, by their keys, used from this event on; no arithmetic rounds them"],
-    ["digits", "of several runs in perturbed arithmetic: so many significant digits of each component agree"],
+    ["digits", "of several runs in perturbed arithmetic: this many significant digits of each component agree"],
     ["decision_differs", "true where they don't take the same decision"],
 ];
 
@@ -84,7 +84,7 @@ impl Field {
     }
 }
 
-/// Rows whose columns stand below each other; a row whose first column is very wide pushes none of the others aside.
+/// Rows whose columns are below each other; a row whose first column is very wide pushes none of the others aside.
 fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
     const WIDEST: usize = 90;
     let widest = |column: usize| rows.iter().map(|row| width(&row[column])).filter(|width| *width <= WIDEST).max();

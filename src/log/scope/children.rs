@@ -1,6 +1,6 @@
 //! The nodes inside those that hold many, by what they are.
 
-use crate::log::event::{RayKind, Skippable, Step, What};
+use crate::log::event::{RayKind, Step, Term, What};
 use crate::log::events::Events;
 use crate::log::name::Name;
 use crate::log::tree::Tree;
@@ -15,7 +15,7 @@ pub enum Child {
     /// A weighted sum.
     Combine,
     /// A ray, or a zone around one, of a bounce of this kind.
-    Bounce(Skippable),
+    Bounce(Term),
     /// A shadow ray.
     Shadow,
     /// A node that notes a local intensity.
@@ -29,8 +29,8 @@ impl Child {
             (Child::Any, _)
             | (Child::Sample, Some(Step::Sample { .. }))
             | (Child::Combine, Some(Step::Combine))
-            | (Child::Bounce(Skippable::Reflected), Some(Step::Ray { kind: RayKind::Reflected, .. }))
-            | (Child::Bounce(Skippable::Transmitted), Some(Step::Ray { kind: RayKind::Transmitted, .. }))
+            | (Child::Bounce(Term::Reflected), Some(Step::Ray { kind: RayKind::Reflected, .. }))
+            | (Child::Bounce(Term::Transmitted), Some(Step::Ray { kind: RayKind::Transmitted, .. }))
             | (Child::Shadow, Some(Step::Ray { kind: RayKind::Shadow { .. }, .. })) => true,
             (Child::Bounce(of), Some(Step::Zone { what, .. })) => of == what,
             (Child::Local, _) => {
@@ -44,7 +44,7 @@ impl Child {
     }
 
     fn all() -> impl Iterator<Item = Child> {
-        let bounces = [Skippable::Reflected, Skippable::Transmitted].map(Child::Bounce);
+        let bounces = [Term::Reflected, Term::Transmitted].map(Child::Bounce);
         [Child::Any, Child::Sample, Child::Combine, Child::Shadow, Child::Local].into_iter().chain(bounces)
     }
 

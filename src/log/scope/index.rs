@@ -184,7 +184,7 @@ fn last<K: Eq + Hash>(lists: &HashMap<K, Vec<u32>>, before: usize, key: &K) -> O
 pub(super) struct Nearest {
     /// The event that says which object it is.
     event: usize,
-    /// From the nearest on. With each stands the event after which none of those up to it counts any more, because marks tell that their
+    /// From the nearest on. With each is the event after which none of those up to it counts any more, because marks say that their
     /// triangles only lie in the same place.
     tests: Vec<(usize, usize)>,
 }
@@ -209,7 +209,7 @@ impl Nearest {
             _ => None,
         };
         let is_hit = |child: usize| tree.own_events(child).any(|event| events[event].what == What::Mark(Decision::Hit));
-        // The tests with a moving object stand in a node around them.
+        // The tests with a moving object are in a node around them.
         let is_moving = |child: &usize| tree.nodes()[*child].step == Some(Step::Motion { object: nearest });
         let moving = tree.children(node).filter(is_moving).flat_map(|motion| tree.children(motion));
         let tests = tree.children(node).chain(moving).filter_map(|child| Some((child, triangle_of(child)?)));

@@ -1,4 +1,4 @@
-//! What nodes deep in a tree see in the nodes around them: asked for once at every so many levels, and remembered there. So it doesn't take
+//! What nodes deep in a tree see in the nodes around them: asked for once every few levels, and remembered there. So it doesn't take
 //! the longer, the deeper a node lies.
 
 use crate::log::name::Name;
@@ -12,7 +12,7 @@ const LEVELS: usize = 16;
 /// What was seen so far.
 #[derive(Debug, Default)]
 pub(super) struct Memo {
-    /// The nodes at which it is remembered: those at such a level that have nodes so far below them again, lest a wide tree has many.
+    /// The nodes at which it is remembered: those at such a level that have nodes so far below them again, so that a wide tree doesn't have many.
     stations: HashSet<usize>,
     /// By node, symbol and whether inputs count, the event that has the symbol in the nodes around.
     seen: Mutex<HashMap<(u32, u16, bool), Option<u32>>>,

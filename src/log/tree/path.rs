@@ -22,7 +22,7 @@ pub(super) struct Deep {
     step: u32,
     /// How many steps the path has.
     length: u32,
-    /// The node of the last of the first steps, if there are so many.
+    /// The node of the last of the first steps, if there are this many.
     head: u32,
 }
 
@@ -32,7 +32,7 @@ impl Tree {
         self.joined(self.steps_up(node).collect())
     }
 
-    /// The same for people: of a path that nobody would read to its end, the first and the last steps, and how many stand between them.
+    /// The same for people: of a path that nobody would read to its end, the first and the last steps, and how many are between them.
     pub fn shown_path(&self, node: usize) -> String {
         match self.deep(node) {
             Some(Deep { step, length, head, .. }) if length > LONGEST_SHOWN => {
@@ -107,7 +107,7 @@ impl Tree {
         found
     }
 
-    /// What a node that isn't deep hands on to those in it.
+    /// What a node that isn't deep passes on to those in it.
     fn beginning(&self, node: usize) -> Deep {
         let steps: Vec<usize> = self.steps_up(node).collect();
         let head = steps.len().checked_sub(SHOWN as usize).map_or(0, |at| steps[at]);

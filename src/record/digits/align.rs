@@ -116,7 +116,7 @@ impl Alignment<'_> {
         }
     }
 
-    /// Nothing of theirs stands in this place.
+    /// Nothing of theirs is in this place.
     fn give_up(&mut self, item: Item) {
         let events = match item {
             Item::Event(event) => event..event + 1,

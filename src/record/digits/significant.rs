@@ -10,7 +10,7 @@ pub const RUNS: usize = 5;
 /// Student's τ for [`RUNS`] − 1 degrees of freedom: 95 % lie between −τ and τ.
 const STUDENT: f64 = 2.776_445;
 
-/// The most digits that are told: 53·log₁₀ 2, those of an f64.
+/// The most digits that are reported: 53·log₁₀ 2, those of an f64.
 pub const ALL_DIGITS: f64 = 15.95;
 
 /// The number of significant decimal digits, from 0 to [`ALL_DIGITS`], in hundredths: C = log₁₀(√N·|mean|/(σ·τ)) (Vignes 1993,

@@ -31,10 +31,10 @@ const MOST: u64 = MAX_PICTURE_BYTES * 2;
 /// What may be unpacked beside the pixels: profiles of colours, tables.
 const MOST_BESIDE: u64 = 1 << 26;
 
-/// As many bytes come from one at the most: a match of 258 bytes takes 2 bits or more (RFC 1951).
+/// As many bytes come from one at most: a match of 258 bytes takes 2 bits or more (RFC 1951).
 const DEFLATE_RATIO: u64 = 1032;
 
-/// Where nothing bounds what a byte is unpacked to, a picture with more pixels than these has no more than so many a byte: WebP packs 4096
+/// Where nothing bounds what a byte is unpacked to, a picture with more pixels than these has no more than this many a byte: WebP packs 4096
 /// equal pixels into one length, and takes a byte or more for it.
 const PIXELS_OF_ANY_FILE: u64 = 1 << 26;
 const PIXELS_PER_BYTE: u64 = 1 << 12;
@@ -60,12 +60,12 @@ impl Kind {
     }
 }
 
-/// So many bytes from there on.
+/// This many bytes from there on.
 fn at<const N: usize>(bytes: &[u8], place: usize) -> Option<[u8; N]> {
     bytes.get(place..).and_then(|rest| rest.first_chunk()).copied()
 }
 
-/// A text may begin with `BM`, too: behind it stands the length of one of the headers that there are.
+/// A text may begin with `BM`, too: behind it is the length of one of the headers that there are.
 fn is_bmp(beginning: &[u8]) -> bool {
     const LENGTHS: [u32; 7] = [12, 40, 52, 56, 64, 108, 124];
     beginning.starts_with(b"BM")
@@ -218,7 +218,7 @@ fn check_png(bytes: &[u8]) -> Result<(), PictureError> {
             b"IDAT" => break,
             _ => {}
         }
-        // Behind the data stands their check.
+        // Behind the data is their check.
         rest = rest
             .get(8..)
             .and_then(|rest| rest.get(length as usize..))
@@ -238,7 +238,7 @@ fn critical(bytes: &[u8]) -> Result<Vec<u8>, PictureError> {
     let mut kept = with_room_for(bytes.len())?;
     let (signature, mut rest) = bytes.split_at(SIGNATURE.min(bytes.len()));
     kept.extend_from_slice(signature);
-    // A chunk is its length, its name, so many bytes, and their check.
+    // A chunk is its length, its name, this many bytes, and their check.
     while let (Some(length), Some(name)) = (at(rest, 0).map(u32::from_be_bytes), at::<4>(rest, 4)) {
         let (chunk, behind) = rest.split_at((length as usize).saturating_add(12).min(rest.len()));
         // Unknown ones without which the picture can't be understood begin with a capital letter. The decoder says what is wrong with them.
@@ -268,7 +268,7 @@ fn unpacked_png(bytes: &[u8]) -> u64 {
     (bits.div_ceil(8) + 1).saturating_mul(u32::from_be_bytes(height).into())
 }
 
-/// A message as one line. Some end with a line feed, or stand in quotes with one escaped.
+/// A message as one line. Some end with a line feed, or are in quotes with one escaped.
 fn one_line(text: &str) -> String {
     let text = text.trim();
     let unquoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));

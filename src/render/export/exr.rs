@@ -127,7 +127,7 @@ fn check_attributes(bytes: &[u8]) -> Result<(), PictureError> {
 fn check_packing(headers: &[Header], length: usize) -> Result<(), PictureError> {
     /// A block has its place in a table and begins with its own place and length, 16 bytes and more.
     const BYTES_PER_BLOCK: usize = 16;
-    /// As many bytes come from one at the most: a match of 258 bytes takes 2 bits or more (RFC 1951), and every other method that is read packs
+    /// As many bytes come from one at most: a match of 258 bytes takes 2 bits or more (RFC 1951), and every other method that is read packs
     /// less.
     const RATIO: usize = 1032;
     let blocks = headers.iter().fold(0, |sum: usize, header| sum.saturating_add(header.chunk_count));
@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_reads_back_and_damage_is_told() {
+    fn a_picture_reads_back_and_damage_is_reported() {
         let mut film = Film::new([0, 0, 40, 30]);
         let colors: Vec<Color> = (0..1200).map(|k| Color::new(f64::from(k % 7), f64::from(k) * 0.5, -1.0)).collect();
         film.put([0, 0, 40, 30], &colors);

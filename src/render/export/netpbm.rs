@@ -183,11 +183,11 @@ mod tests {
     use proptest::prelude::*;
     use proptest::sample::select;
 
-    /// What may stand between two words.
+    /// What may be between two words.
     const GAPS: [&[u8]; 11] =
         [b" ", b"\n", b"\t", b"\r", b"\r\n", b"\x0b", b"\x0c", b"  \n ", b"#\n", b" # a 1\r", b"\n##\n# \xff\r\n\t"];
 
-    /// What may stand between the last word of a header and the bytes.
+    /// What may be between the last word of a header and the bytes.
     const LAST_GAPS: [&[u8]; 8] = [b" ", b"\n", b"\t", b"\r", b"\r\n", b"#c\n", b"# c\r\n", b"#\n "];
 
     #[derive(Clone, Debug)]

@@ -53,7 +53,7 @@ fn fitting_exposure(film: &Film, output: &Output) -> Option<f64> {
     (tenths.abs() <= 10.0 * MAX_EXPOSURE).then_some(tenths / 10.0)
 }
 
-/// The levels 0 to 255 of one colour, brighter by so many stops than the output has it.
+/// The levels 0 to 255 of one colour, brighter by this many stops than the output has it.
 pub fn levels_of(color: [f64; 3], output: &Output, stops: f64) -> [u8; 3] {
     let scale = scale(output.exposure + stops, output);
     color.map(|x| level(x * scale, output.transfer, 255) as u8)

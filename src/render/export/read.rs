@@ -49,9 +49,9 @@ pub enum PictureError {
     /// A word of its text makes no sense.
     #[error("expected {expected}, found {found}")]
     Word {
-        /// Where it stands among the bytes of the file.
+        /// Where it is among the bytes of the file.
         place: Range<usize>,
-        /// What should stand there.
+        /// What should be there.
         expected: String,
         /// The word, safe to print.
         found: String,

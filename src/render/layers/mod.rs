@@ -24,11 +24,11 @@ pub enum Layer {
     Rays,
     /// Tests of shapes, and of the boxes around them.
     Tests,
-    /// The distance from the eye to what the camera's rays meet, the mean of those that meet something.
+    /// The distance from the eye to what the camera's rays hit, the mean of those that meet something.
     Depth,
-    /// The normal there that light is reckoned with, on the side of the eye; the mean of the same rays.
+    /// The normal there that light is computed with, on the side of the eye; the mean of the same rays.
     Normal,
-    /// Which object most of the camera's rays meet: its number in the scene from 1; 0 for none.
+    /// Which object most of the camera's rays hit: its number in the scene from 1; 0 for none.
     Object,
     /// Rays from the eye.
     Samples,
@@ -92,7 +92,7 @@ pub struct Seen {
     pub depth: Option<f64>,
     /// The mean normal; zero where only the background is seen.
     pub normal: Color,
-    /// The object that most rays meet.
+    /// The object that most rays hit.
     pub object: Option<u32>,
     /// Rays from the eye.
     pub samples: u64,

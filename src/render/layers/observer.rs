@@ -2,7 +2,7 @@
 
 use super::Seen;
 use crate::log::{Decision, Name, RayKind, Step, Value};
-use crate::probe::{Probe, Quantity, Spared};
+use crate::probe::{Probe, Quantity, Saving};
 use crate::render::Counter;
 use crate::sampling::mean::Sum;
 use crate::scene::{Color, Scene};
@@ -103,7 +103,7 @@ impl<'s> Observer<'s> {
 }
 
 impl Probe for Observer<'_> {
-    const IS_HURRIED: bool = true;
+    const USES_SIMD: bool = true;
 
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
         self.counter.given(name, value);
@@ -140,8 +140,8 @@ impl Probe for Observer<'_> {
         self.counter.fallback();
     }
 
-    fn spared(&mut self, why: Spared, rays: u64) {
-        self.counter.spared(why, rays);
+    fn rays_saved(&mut self, why: Saving, rays: u64) {
+        self.counter.rays_saved(why, rays);
     }
 
     fn enter(&mut self, step: Step) {

@@ -2,7 +2,7 @@
 //!
 //! A line of JSON says what the picture is of. Records follow: the number of a piece in four bytes, its pixels row by row, each as so
 //! many words of eight bytes, and a check of eight bytes. All is little-endian, colours and other numbers are f64. A part that is
-//! whole ends with a record of the number 2³² − 1 and the digest of all that stands before it. What isn't whole is good up to its last
+//! whole ends with a record of the number 2³² − 1 and the digest of all that precedes it. What isn't whole is good up to its last
 //! whole record.
 
 mod read;
@@ -188,7 +188,7 @@ impl From<Levels> for Output {
     }
 }
 
-/// The check of a record: the beginning of the digest of what stands before it in the record.
+/// The check of a record: the beginning of the digest of what precedes it in the record.
 fn check(record: &[u8]) -> [u8; CHECK] {
     let digest = blake3::hash(record);
     let mut check = [0; CHECK];

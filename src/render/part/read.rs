@@ -24,7 +24,7 @@ pub enum PartError {
     NotAPart(String),
 }
 
-/// What stands in a part.
+/// What is in a part.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Record {
     /// The pixels of a piece.
@@ -141,7 +141,7 @@ impl<R: BufRead> Reader<R> {
         Ok(found)
     }
 
-    /// Whether nothing stands behind, nor anything that was packed badly.
+    /// Whether nothing follows, nor anything that was packed badly.
     fn is_at_end(&mut self) -> io::Result<bool> {
         match self.input.fill_buf() {
             Ok(rest) => Ok(rest.is_empty()),
@@ -170,7 +170,7 @@ impl<R: BufRead> Reader<R> {
         Ok(check(content) == found)
     }
 
-    /// Reads so many bytes more; whether there were so many.
+    /// Reads this many bytes more; whether there were this many.
     fn fill(&mut self, record: &mut Vec<u8>, length: usize) -> io::Result<bool> {
         match self.input.by_ref().take(length as u64).read_to_end(record) {
             Ok(read) => Ok(read == length),

@@ -7,7 +7,7 @@ use crate::log::escape::width;
 const HALF_LETTER: f64 = 3.6;
 const HALF_LINE: f64 = 6.5;
 
-/// How far a text moves at a time, and how often at the most.
+/// How far a text moves at a time, and how often at most.
 const STEP: f64 = 6.0;
 const STEPS: i32 = 9;
 

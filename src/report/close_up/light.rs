@@ -1,7 +1,7 @@
 //! The points of an area light that a hit asks, with the weights of their shadow rays (Ramos, section 1.5).
 //!
 //! A rectangle and a disk are seen from their front, in the coordinates x_F and y_F of the log; a sphere is seen from the hit, points on its
-//! far side are hollow. What a shadow ray brings stands in the table.
+//! far side are hollow. What a shadow ray brings is in the table.
 
 use super::hit::{lights, number, shade, unit, value, vector};
 use super::sheet::{Ink, Piece, Place, Plane, Sheet};
@@ -158,7 +158,7 @@ fn local_name(log: &Log, tree: &Tree, shade: usize) -> Option<Name> {
     })
 }
 
-/// Where a point of the light stands, and whether it lies on the far side of a sphere.
+/// Where a point of the light is, and whether it lies on the far side of a sphere.
 fn place(log: &Log, tree: &Tree, node: usize) -> Option<(Place, bool)> {
     if let Some(outward) = vector(log, tree, node, Name::LightOutward) {
         let plane = sphere(log, tree, node)?;

@@ -141,7 +141,7 @@ pub(super) fn arrow(pieces: &mut Vec<Piece>, plane: &Plane, vector: DVec3, name:
     pieces.push(Piece::Text { at: plane.place(vector * (1.0 + NAME / plane.unit)), text: name.to_owned(), ink });
 }
 
-/// How far beyond the tip its name stands.
+/// How far beyond the tip its name is.
 const NAME: f64 = 13.0;
 
 /// The angle between two vectors from the origin, the shorter way round, as an arc with its size on it.

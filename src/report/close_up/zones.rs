@@ -6,7 +6,7 @@
 use super::hit::number;
 use super::sheet::{Ink, Piece, Place, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
-use crate::log::{Decision, Log, Name, Skippable, Step, Tree};
+use crate::log::{Decision, Log, Name, Step, Term, Tree};
 use std::f64::consts::TAU;
 
 /// The size of the sheet, the middle and the radius of the whole lobe.
@@ -50,7 +50,7 @@ pub fn zones(subject: &Subject) -> Result<CloseUp, CloseUpError> {
         let at = place(part_within(zone.direction, exponent), libm::atan2(y, x) / TAU);
         let ink = match what {
             _ if zone.is_rejected => Ink::Blocked,
-            Skippable::Transmitted => Ink::Transmitted,
+            Term::Transmitted => Ink::Transmitted,
             _ => Ink::Reflected,
         };
         pieces.push(Piece::Dot { at, radius: 3.5, ink, filled: !zone.is_rejected });
@@ -63,7 +63,7 @@ pub fn zones(subject: &Subject) -> Result<CloseUp, CloseUpError> {
         rows.push(row);
     }
     pieces.push(Piece::Dot { at: MIDDLE, radius: 2.0, ink: Ink::Black, filled: true });
-    let middle = if what == Skippable::Transmitted { "T" } else { "R" };
+    let middle = if what == Term::Transmitted { "T" } else { "R" };
     pieces.push(Piece::Text { at: [MIDDLE[0] + 9.0, MIDDLE[1] + 9.0], text: middle.to_owned(), ink: Ink::Black });
     let caption = (texts.lobe)(middle, &language.number(exponent, style));
     Ok(CloseUp {
@@ -76,7 +76,7 @@ pub fn zones(subject: &Subject) -> Result<CloseUp, CloseUpError> {
 }
 
 /// Which bounce of a ray's hit is blurred, the exponent of its lobe, and the zones.
-fn of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<(Skippable, f64, Vec<Zone>)> {
+fn of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<(Term, f64, Vec<Zone>)> {
     let of = |child: usize| match tree.nodes()[child].step {
         Some(Step::Zone { what, number }) => Some((child, what, number)),
         _ => None,

@@ -41,14 +41,14 @@ fn without_numbers(path: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Way;
+    use super::super::LightPath;
     use super::*;
 
     fn one((path, number): (&str, u32), light: u32, red: f64) -> Contribution {
         Contribution {
             origin: Origin::Light { light, object: 0 },
             path: path.to_owned(),
-            way: Way { number, ..Way::default() },
+            way: LightPath { number, ..LightPath::default() },
             weight: [1.0; 3],
             own: [red, 0.0, 0.0],
             color: [red, 0.0, 0.0],

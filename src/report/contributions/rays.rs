@@ -1,9 +1,9 @@
 //! What the rays of a log bring, from the eye on.
 
-use super::Way;
+use super::LightPath;
 use super::{Color, Contribution, Ended, Origin, Source, Why, times};
 use crate::log::tree::path_of_child;
-use crate::log::{Decision, Log, Name, RayKind, SkipReason, Skippable, Step, Tree, Value, What, scope};
+use crate::log::{Decision, Log, Name, RayKind, SkipReason, Step, Term, Tree, Value, What, scope};
 use crate::report::evaluate;
 use std::collections::HashMap;
 
@@ -14,7 +14,7 @@ pub(super) struct Walk<'a> {
     found: Vec<Contribution>,
     ended: Vec<Ended>,
     /// Rays to be followed yet: the node, its way, and the product of the weights before it.
-    open: Vec<(usize, Way, Color)>,
+    open: Vec<(usize, LightPath, Color)>,
     /// The numbers of the ways, by the way before and the last step.
     ways: HashMap<(u32, RayKind), u32>,
     /// The background's colour, once some step puts it in.
@@ -38,7 +38,7 @@ impl<'a> Walk<'a> {
 
     /// Follows a camera ray and all that it leads to.
     pub(super) fn follow(&mut self, ray: usize, weight: Color) {
-        let before = Way { node: ray, number: 0, bounces: 0 };
+        let before = LightPath { node: ray, number: 0, bounces: 0 };
         if let Some(kind) = self.tree.ray(ray) {
             let way = self.further(before, ray, kind);
             self.open.push((ray, way, weight));
@@ -49,11 +49,11 @@ impl<'a> Walk<'a> {
     }
 
     /// A way that goes on by a ray.
-    fn further(&mut self, before: Way, node: usize, kind: RayKind) -> Way {
+    fn further(&mut self, before: LightPath, node: usize, kind: RayKind) -> LightPath {
         let next = self.ways.len() as u32 + 1;
         let number = *self.ways.entry((before.number, kind)).or_insert(next);
         let is_bounce = matches!(kind, RayKind::Reflected | RayKind::Transmitted);
-        Way { node, number, bounces: before.bounces + usize::from(is_bounce) }
+        LightPath { node, number, bounces: before.bounces + usize::from(is_bounce) }
     }
 
     /// The path of a ray as people read it.
@@ -85,7 +85,7 @@ impl<'a> Walk<'a> {
         (self.found, self.ended)
     }
 
-    fn ray(&mut self, ray: usize, way: Way, weight: Color) {
+    fn ray(&mut self, ray: usize, way: LightPath, weight: Color) {
         let tree = self.tree;
         let marks: Vec<_> =
             tree.own_events(ray).filter_map(|event| Some((event, self.log.events[event].decision()?))).collect();
@@ -112,8 +112,8 @@ impl<'a> Walk<'a> {
             let event = tree.nodes()[ray].events.start;
             return self.ended.push(Ended { path: self.path(ray), why: Why::LogEnds, event });
         };
-        let leaks = |what: Skippable| marks.iter().any(|(_, decision)| *decision == Decision::LeakGuard { what });
-        let [reflected_leaks, transmitted_leaks] = [Skippable::Reflected, Skippable::Transmitted].map(leaks);
+        let leaks = |what: Term| marks.iter().any(|(_, decision)| *decision == Decision::LeakGuard { what });
+        let [reflected_leaks, transmitted_leaks] = [Term::Reflected, Term::Transmitted].map(leaks);
         let kept = self.kept(ray);
         for child in tree.children(ray) {
             match tree.nodes()[child].step {
@@ -130,7 +130,7 @@ impl<'a> Walk<'a> {
                     }
                 }
                 Some(Step::Zone { what, .. }) => {
-                    let factor = if what == Skippable::Transmitted { sum.transmitted } else { sum.reflected };
+                    let factor = if what == Term::Transmitted { sum.transmitted } else { sum.reflected };
                     self.zone((ray, &kept), child, way, times(&weight, &factor));
                 }
                 _ => {}
@@ -148,7 +148,7 @@ impl<'a> Walk<'a> {
     }
 
     /// A direction of a blurred bounce: of all that were kept, each has the same share.
-    fn zone(&mut self, (ray, kept): (usize, &[(usize, f64)]), zone: usize, way: Way, weight: Color) {
+    fn zone(&mut self, (ray, kept): (usize, &[(usize, f64)]), zone: usize, way: LightPath, weight: Color) {
         let tree = self.tree;
         let end = tree.nodes()[zone].events.end;
         let kept = kept.get(kept.partition_point(|(event, _)| *event < end)).map(|(_, kept)| *kept);
@@ -169,7 +169,7 @@ impl<'a> Walk<'a> {
     }
 
     /// The local model of a surface: its ambient light, and each of its lights.
-    fn surface(&mut self, shade: usize, object: u32, way: Way, weight: Color) {
+    fn surface(&mut self, shade: usize, object: u32, way: LightPath, weight: Color) {
         let (log, tree) = (self.log, self.tree);
         let local = tree.own_events(shade).rev().find_map(|event| match log.events[event].what {
             What::Note { name, .. } if name.key() == Name::ShadeLocal.key() => Some((event, name)),
@@ -199,7 +199,7 @@ impl<'a> Walk<'a> {
         &mut self,
         node: usize,
         (light, object): (u32, u32),
-        (path, mut way): (String, Way),
+        (path, mut way): (String, LightPath),
         weight: Color,
         local: Name,
     ) {
@@ -275,7 +275,7 @@ impl<'a> Walk<'a> {
         })
     }
 
-    /// A bounce that meets nothing brings the background, which the step after it puts in.
+    /// A bounce that hits nothing brings the background, which the step after it puts in.
     fn learn_background(&mut self, ray: usize, incoming: Option<Color>) {
         let is_background = |event: usize| self.log.events[event].decision() == Some(Decision::Background);
         if self.background.is_none() && self.tree.own_events(ray).any(is_background) {

@@ -55,7 +55,7 @@ fn of_corners(log: &Log, tree: &Tree, samples: &[usize], cells: Vec<[f64; 3]>) -
     samples.iter().map(|sample| weight(sample).unwrap_or(0.0)).collect()
 }
 
-/// A place in the pixel, however its coordinates were reckoned: to 2⁻³², which is finer than any grid of corners.
+/// A place in the pixel, however its coordinates were computed: to 2⁻³², which is finer than any grid of corners.
 fn key(place: [f64; 2]) -> [u64; 2] {
     const STEPS: f64 = (1_u64 << 32) as f64;
     place.map(|x| (x * STEPS + 0.5) as u64)

@@ -2,7 +2,7 @@
 
 use super::Relation;
 use crate::log::formula::{self, Formula};
-use crate::log::{Acceptance, Decision, Miss, Name, SkipReason, Skippable, Split};
+use crate::log::{Acceptance, Decision, Miss, Name, SkipReason, Split, Term};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -28,7 +28,7 @@ const MEETS: &[&str] = &[
 /// A ray that leaves a sphere begins inside if it sets off toward the centre; the side is that on which the tracer sent it off.
 pub(super) const SETS_OFF_INWARD: &str = "T_A > 0";
 
-/// By what total reflection is told where the formulas are those of the source text.
+/// The comparison that decides total reflection where the formulas are those of the source text.
 pub(super) const PRINTED_REFLECTION: &str = "1 − (1 − cosφ_1²)/η² < 0";
 
 /// By which comparisons a decision is taken that is no miss.
@@ -38,14 +38,14 @@ pub(super) fn groups(decision: &Decision) -> Groups {
         Decision::Inside => &[&["L2oc ≤ r²", "c ≤ 0", "min(min(O − b_min, b_max − O)) ≥ 0"]],
         Decision::Hit => &[&["T_A > 0"], MEETS, &["t > 0", "t = 0"], &["t < |ℓ|"]],
         Decision::TotalInternalReflection => &[&["η² − |d + cosφ_1·N|² < 0"]],
-        Decision::Skipped { what: Skippable::Shadow, why: SkipReason::Behind } => &[&["N·L < 0", "N·L = 0"]],
-        Decision::Skipped { what: Skippable::Shadow, why: SkipReason::NoLocalTerm } => {
+        Decision::Skipped { what: Term::Shadow, why: SkipReason::Behind } => &[&["N·L < 0", "N·L = 0"]],
+        Decision::Skipped { what: Term::Shadow, why: SkipReason::NoLocalTerm } => {
             &[&["max(K_d) = 0"], &["max(K_e) = 0"]]
         }
-        Decision::Rejected { what: Skippable::Transmitted } => &[&["h_z > 0"]],
+        Decision::Rejected { what: Term::Transmitted } => &[&["h_z > 0"]],
         Decision::Rejected { .. } => &[&["h_z < 0"]],
         Decision::LeakGuard { .. } => &[&["N_g · L < 0", "N_g · L > 0"]],
-        Decision::Bent { what: Skippable::Transmitted } => &[&["N_g · T > 0"]],
+        Decision::Bent { what: Term::Transmitted } => &[&["N_g · T > 0"]],
         Decision::Bent { .. } => &[&["N_g · R < 0"]],
         Decision::Undefined { .. } => &[&["|D| = 0"]],
         Decision::Subdivided { why: Split::Color, .. } => &[&["Δ_I > Δ_max"]],
@@ -59,7 +59,7 @@ pub(super) fn groups(decision: &Decision) -> Groups {
     }
 }
 
-/// Which crossing a ray meets, where all were asked for and none was chosen: it lies on the surface, and between the ends of the ray. A
+/// Which crossing a ray hits, where all were asked for and none was chosen: it lies on the surface, and between the ends of the ray. A
 /// crossing of the wall must be between the ends of the solid; one of the solid may be of a cap.
 pub(super) fn hits(is_cone: bool) -> Reasons {
     if is_cone { HITS_CONE } else { HITS }
@@ -266,7 +266,7 @@ fn parse(text: &str) -> Option<Parsed> {
 
 /// Every text of the table.
 fn texts() -> impl Iterator<Item = &'static str> {
-    use Skippable::{Reflected, Shadow, Transmitted};
+    use Term::{Reflected, Shadow, Transmitted};
     let others = [
         Decision::Outside,
         Decision::Inside,

@@ -1,17 +1,17 @@
-//! Which step of one log is which of the other: by what a step is and where it stands, never by a counter.
+//! Which step of one log is which of the other: by the kind and the place of a step, never by a counter.
 //!
 //! Both trees are walked together. In a node a step is known by what it is (a quantity's key, an input's, the question that a
-//! decision answers, what a node inside is) and by how many of that kind stand before it in the node. So tests may come in another
+//! decision answers, what a node inside is) and by how many of that kind are before it in the node. So tests may come in another
 //! order, and a step that only one log has shifts no other.
 
-use crate::log::{Decision, Name, Skippable, Step, What};
+use crate::log::{Decision, Name, Step, Term, What};
 use crate::report::provenance;
 use crate::report::side_by_side::Run;
 use std::collections::{HashMap, VecDeque};
 
-/// A thing in a log that can be compared.
+/// An item in a log that can be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Thing {
+pub enum Item {
     /// What an event says: a value, a decision, the result.
     Event(usize),
     /// An input of an event: the event, and its number among the event's inputs.
@@ -20,24 +20,24 @@ pub enum Thing {
     Node(usize),
 }
 
-/// A thing of either log, or both: the first is that of A.
+/// An item of either log, or both: the first is that of A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Spot {
     /// In both.
-    Both(Thing, Thing),
+    Both(Item, Item),
     /// In A only.
-    OnlyA(Thing),
+    OnlyA(Item),
     /// In B only.
-    OnlyB(Thing),
+    OnlyB(Item),
 }
 
 /// The alignment of two logs.
 #[derive(Debug, Default)]
 pub(super) struct Alignment {
-    /// Every thing of both logs in the order of A, those of B alone after what stands before them in B. A node stands here only if
-    /// one log has it alone; what it holds doesn't. An input doesn't if what it hands on was computed before.
+    /// Every item of both logs in the order of A, those of B alone after what precedes them in B. A node is here only if
+    /// one log has it alone; what it holds doesn't. An input doesn't if what it passes on was computed before.
     pub spots: Vec<Spot>,
-    /// For each of them, the node of A in which it stands or would stand.
+    /// For each of them, the node of A in which it is or would be.
     pub homes: Vec<usize>,
     /// By the events of A, those of B in their places.
     pub partners: Vec<Option<usize>>,
@@ -64,35 +64,35 @@ impl Alignment {
     fn node(&mut self, a: Run, node_a: usize, b: Run, node_b: usize) {
         self.nodes[node_a] = Some(node_b);
         self.is_shared[node_b] = true;
-        let (ours, theirs) = (things(a, node_a), things(b, node_b));
+        let (ours, theirs) = (items(a, node_a), items(b, node_b));
         let mut places: HashMap<Key, VecDeque<usize>> = HashMap::new();
-        for (place, thing) in theirs.iter().enumerate() {
-            places.entry(key(b, *thing)).or_default().push_back(place);
+        for (place, item) in theirs.iter().enumerate() {
+            places.entry(key(b, *item)).or_default().push_back(place);
         }
         let partners: Vec<Option<usize>> =
-            ours.iter().map(|thing| places.get_mut(&key(a, *thing)).and_then(VecDeque::pop_front)).collect();
+            ours.iter().map(|item| places.get_mut(&key(a, *item)).and_then(VecDeque::pop_front)).collect();
         let mut is_shared = vec![false; theirs.len()];
         partners.iter().flatten().for_each(|place| is_shared[*place] = true);
         let mut told = 0;
-        for (thing, partner) in ours.into_iter().zip(partners) {
+        for (item, partner) in ours.into_iter().zip(partners) {
             let Some(place) = partner else {
-                self.tell_alone(node_a, a, Spot::OnlyA, thing);
+                self.tell_alone(node_a, a, Spot::OnlyA, item);
                 continue;
             };
             for earlier in (told..place).filter(|place| !is_shared[*place]) {
                 self.tell_alone(node_a, b, Spot::OnlyB, theirs[earlier]);
             }
             told = told.max(place);
-            self.pair(a, thing, b, theirs[place]);
+            self.pair(a, item, b, theirs[place]);
         }
         for place in (told..theirs.len()).filter(|place| !is_shared[*place]) {
             self.tell_alone(node_a, b, Spot::OnlyB, theirs[place]);
         }
     }
 
-    fn tell_alone(&mut self, home: usize, run: Run, spot: fn(Thing) -> Spot, thing: Thing) {
-        if computed(run, thing).is_none() {
-            self.tell(home, spot(thing));
+    fn tell_alone(&mut self, home: usize, run: Run, spot: fn(Item) -> Spot, item: Item) {
+        if computed(run, item).is_none() {
+            self.tell(home, spot(item));
         }
     }
 
@@ -101,48 +101,48 @@ impl Alignment {
         self.homes.push(home);
     }
 
-    fn pair(&mut self, a: Run, ours: Thing, b: Run, theirs: Thing) {
+    fn pair(&mut self, a: Run, ours: Item, b: Run, theirs: Item) {
         let home = match ours {
-            Thing::Event(event) | Thing::Input(event, _) => a.tree.owner(event),
-            Thing::Node(node) => node,
+            Item::Event(event) | Item::Input(event, _) => a.tree.owner(event),
+            Item::Node(node) => node,
         };
         match (ours, theirs) {
-            (Thing::Node(ours), Thing::Node(theirs)) => self.node(a, ours, b, theirs),
-            (Thing::Event(event_a), Thing::Event(event_b)) => {
+            (Item::Node(ours), Item::Node(theirs)) => self.node(a, ours, b, theirs),
+            (Item::Event(event_a), Item::Event(event_b)) => {
                 self.partners[event_a] = Some(event_b);
                 self.tell(home, Spot::Both(ours, theirs));
             }
             // Both were compared where they were computed.
-            (Thing::Input(..), Thing::Input(..)) if computed(a, ours).is_some() && computed(b, theirs).is_some() => {}
+            (Item::Input(..), Item::Input(..)) if computed(a, ours).is_some() && computed(b, theirs).is_some() => {}
             _ => self.tell(home, Spot::Both(ours, theirs)),
         }
     }
 }
 
-/// The event that computed what an input hands on.
-pub(super) fn computed(run: Run, thing: Thing) -> Option<usize> {
-    let Thing::Input(event, number) = thing else { return None };
+/// The event that computed what an input passes on.
+pub(super) fn computed(run: Run, item: Item) -> Option<usize> {
+    let Item::Input(event, number) = item else { return None };
     let (name, value) = run.log.given(event)[number];
     provenance::handed_on_from(run.log, run.tree, event, name, &value)
 }
 
 /// What a node holds, in order.
-fn things(run: Run, node: usize) -> Vec<Thing> {
+fn items(run: Run, node: usize) -> Vec<Item> {
     let Run { log, tree } = run;
-    let mut things: Vec<(usize, Thing)> = Vec::new();
+    let mut items: Vec<(usize, Item)> = Vec::new();
     for event in tree.own_events(node) {
-        things.extend((0..log.given(event).len()).map(|number| (event, Thing::Input(event, number))));
+        items.extend((0..log.given(event).len()).map(|number| (event, Item::Input(event, number))));
         if !matches!(log.events[event].what, What::Enter { .. } | What::Leave) {
-            things.push((event, Thing::Event(event)));
+            items.push((event, Item::Event(event)));
         }
     }
-    things.extend(tree.children(node).map(|child| (tree.nodes()[child].events.start, Thing::Node(child))));
+    items.extend(tree.children(node).map(|child| (tree.nodes()[child].events.start, Item::Node(child))));
     // Stable: an event's inputs stay before it.
-    things.sort_by_key(|(event, _)| *event);
-    things.into_iter().map(|(_, thing)| thing).collect()
+    items.sort_by_key(|(event, _)| *event);
+    items.into_iter().map(|(_, item)| item).collect()
 }
 
-/// What a thing is, apart from what it says.
+/// What an item is, apart from what it says.
 #[derive(PartialEq, Eq, Hash)]
 enum Key {
     /// Noted or an input: the ray of the middle pixel has as an input what others compute.
@@ -163,21 +163,21 @@ enum Question {
     WhatBlocks,
     WhatPasses(u32),
     HasValue(Name),
-    IsTraced(Skippable),
-    Leaks(Skippable),
-    IsBent(Skippable),
-    Rejected(Skippable),
+    IsTraced(Term),
+    Leaks(Term),
+    IsBent(Term),
+    Rejected(Term),
     /// How many points of this light.
     IsAsked(u32),
     /// The cell by its bits; `None` for the pixel.
     IsEnough(Option<[u64; 3]>),
 }
 
-fn key(run: Run, thing: Thing) -> Key {
-    match thing {
-        Thing::Node(node) => Key::Node(run.tree.nodes()[node].step),
-        Thing::Input(event, number) => Key::Quantity(run.log.given(event)[number].0.key()),
-        Thing::Event(event) => match run.log.events[event].what {
+fn key(run: Run, item: Item) -> Key {
+    match item {
+        Item::Node(node) => Key::Node(run.tree.nodes()[node].step),
+        Item::Input(event, number) => Key::Quantity(run.log.given(event)[number].0.key()),
+        Item::Event(event) => match run.log.events[event].what {
             What::Note { name, .. } => Key::Quantity(name.key()),
             What::Mark(decision) => Key::Decision(question(decision)),
             What::Enter { .. } | What::Leave | What::Result { .. } => Key::Result,
@@ -195,7 +195,7 @@ fn question(decision: Decision) -> Question {
         Decision::Occluded { .. } | Decision::Free => Question::WhatBlocks,
         Decision::Attenuated { object, .. } => Question::WhatPasses(object),
         Decision::Undefined { quantity } => Question::HasValue(quantity),
-        Decision::TotalInternalReflection => Question::IsTraced(Skippable::Transmitted),
+        Decision::TotalInternalReflection => Question::IsTraced(Term::Transmitted),
         Decision::DepthLimit { what } | Decision::Skipped { what, .. } => Question::IsTraced(what),
         Decision::LeakGuard { what } => Question::Leaks(what),
         Decision::Bent { what } => Question::IsBent(what),

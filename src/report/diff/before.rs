@@ -1,7 +1,7 @@
-//! What stands before a difference and may be why it is there, for what no formula explains: decisions, and steps that only one log
+//! What precedes a difference and may be why it is there, for what no formula explains: decisions, and steps that only one log
 //! has.
 
-use super::align::{Alignment, Spot, Thing};
+use super::align::{Alignment, Item, Spot};
 use super::kinds::Kinds;
 use super::tolerance::Tolerance;
 use crate::log::{Decision, Step, Value, What};
@@ -9,7 +9,7 @@ use crate::report::side_by_side::Run;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// The things of two aligned logs, in their order.
+/// The items of two aligned logs, in their order.
 pub(super) struct Before<'a> {
     a: Run<'a>,
     b: Run<'a>,
@@ -30,11 +30,11 @@ pub(super) struct Before<'a> {
     values_here: HashMap<usize, Vec<usize>>,
 }
 
-/// When a thing is in a log: how many things that were compared are before it there.
+/// When an item is in a log: how many items that were compared are before it there.
 #[derive(Clone, Copy, Debug, Default)]
 struct Time {
     count: usize,
-    /// Whether the log has it. If not, it would be behind the last thing before it that both have.
+    /// Whether the log has it. If not, it would be behind the last item before it that both have.
     is_there: bool,
 }
 
@@ -111,7 +111,7 @@ impl<'a> Before<'a> {
         own.or_else(|| self.last_of(&self.decisions, place))
     }
 
-    /// The node in A in which this stands, or would.
+    /// The node in A in which this is, or would be.
     pub fn home(&self, spot: Spot) -> Option<usize> {
         self.places.get(&spot).map(|place| self.alignment.homes[*place])
     }
@@ -132,17 +132,17 @@ impl<'a> Before<'a> {
         logs.filter(|(cause, _)| cause.is_there).any(is_before)
     }
 
-    /// The last of some places, which are in their order, that stands before a place in its ray and may be its cause.
+    /// The last of some places, which are in their order, that is before a place in its ray and may be its cause.
     fn last_of(&self, places: &[usize], place: usize) -> Option<usize> {
         let ray = self.ray_around(self.alignment.homes[place]);
         let within = ray..self.a.tree.nodes()[ray].subtree_end;
         let before = places[..places.partition_point(|other| *other < place)].iter().rev().copied();
-        // The order is that of A's tree: what belongs to a ray stands together.
+        // The order is that of A's tree: what belongs to a ray is contiguous.
         let mut of_ray = before.take_while(|other| within.contains(&self.alignment.homes[*other]));
         of_ray.find(|other| self.may_cause(*other, place))
     }
 
-    /// The node in A of the ray in which a node stands; the root if it stands in none.
+    /// The node in A of the ray that a node belongs to; the root if it belongs to none.
     fn ray_around(&self, node: usize) -> usize {
         self.a.tree.around(node).find(|node| self.a.tree.ray(*node).is_some()).unwrap_or(0)
     }
@@ -151,26 +151,26 @@ impl<'a> Before<'a> {
     /// that only one asks decides nothing.
     fn decides_otherwise(&self, place: usize) -> bool {
         let is_of_other_kind = self.kinds.has(self.alignment.homes[place]);
-        let is_decision = |run: Run, thing: Thing| match thing {
-            Thing::Event(event) => match run.log.events[event].what {
+        let is_decision = |run: Run, item: Item| match item {
+            Item::Event(event) => match run.log.events[event].what {
                 What::Mark(Decision::Outside | Decision::Inside) => !is_of_other_kind,
                 What::Mark(_) => true,
                 _ => false,
             },
-            Thing::Input(..) | Thing::Node(_) => false,
+            Item::Input(..) | Item::Node(_) => false,
         };
         match self.alignment.spots[place] {
-            Spot::Both(Thing::Event(a), Thing::Event(b)) => differ_as_decisions(self.a, a, self.b, b),
+            Spot::Both(Item::Event(a), Item::Event(b)) => differ_as_decisions(self.a, a, self.b, b),
             Spot::Both(..) => false,
-            Spot::OnlyA(thing) => is_decision(self.a, thing),
-            Spot::OnlyB(thing) => is_decision(self.b, thing),
+            Spot::OnlyA(item) => is_decision(self.a, item),
+            Spot::OnlyB(item) => is_decision(self.b, item),
         }
     }
 
     /// Whether a ray or another part of the computation is in one log only.
     fn is_node_alone(&self, place: usize) -> bool {
         let spot = self.alignment.spots[place];
-        matches!(spot, Spot::OnlyA(Thing::Node(_)) | Spot::OnlyB(Thing::Node(_))) && !self.is_test_alone(spot)
+        matches!(spot, Spot::OnlyA(Item::Node(_)) | Spot::OnlyB(Item::Node(_))) && !self.is_test_alone(spot)
     }
 
     /// Whether this is a test that only one log has. It decides nothing by itself: which tests a tracer needs depends on its
@@ -192,8 +192,8 @@ impl<'a> Before<'a> {
 
     fn tested_alone(&self, spot: Spot) -> Option<u32> {
         let step = match spot {
-            Spot::OnlyA(Thing::Node(node)) => self.a.tree.nodes()[node].step,
-            Spot::OnlyB(Thing::Node(node)) => self.b.tree.nodes()[node].step,
+            Spot::OnlyA(Item::Node(node)) => self.a.tree.nodes()[node].step,
+            Spot::OnlyB(Item::Node(node)) => self.b.tree.nodes()[node].step,
             _ => None,
         };
         match step {
@@ -208,14 +208,14 @@ impl<'a> Before<'a> {
     }
 }
 
-/// When each thing that is compared is in both logs.
+/// When each item that is compared is in both logs.
 fn times(a: Run, b: Run, alignment: &Alignment) -> Vec<[Time; 2]> {
     let runs = [a, b];
     let mut times = vec![[Time::default(); 2]; alignment.spots.len()];
-    let things: Vec<[Option<Thing>; 2]> = alignment.spots.iter().map(|spot| things(*spot)).collect();
+    let items: Vec<[Option<Item>; 2]> = alignment.spots.iter().map(|spot| items(*spot)).collect();
     let in_order = [0, 1].map(|log| {
-        let mut places: Vec<usize> = (0..things.len()).filter(|place| things[*place][log].is_some()).collect();
-        places.sort_by_key(|place| things[*place][log].map(|thing| order(runs[log], thing)));
+        let mut places: Vec<usize> = (0..items.len()).filter(|place| items[*place][log].is_some()).collect();
+        places.sort_by_key(|place| items[*place][log].map(|item| order(runs[log], item)));
         places
     });
     for (log, places) in in_order.iter().enumerate() {
@@ -236,21 +236,21 @@ fn times(a: Run, b: Run, alignment: &Alignment) -> Vec<[Time; 2]> {
     times
 }
 
-/// The things of both logs in a place.
-fn things(spot: Spot) -> [Option<Thing>; 2] {
+/// The items of both logs in a place.
+fn items(spot: Spot) -> [Option<Item>; 2] {
     match spot {
         Spot::Both(ours, theirs) => [Some(ours), Some(theirs)],
-        Spot::OnlyA(thing) => [Some(thing), None],
-        Spot::OnlyB(thing) => [None, Some(thing)],
+        Spot::OnlyA(item) => [Some(item), None],
+        Spot::OnlyB(item) => [None, Some(item)],
     }
 }
 
-/// Where a thing is in its log: the inputs of an event before what it says.
-fn order(run: Run, thing: Thing) -> (usize, usize) {
-    match thing {
-        Thing::Event(event) => (event, usize::MAX),
-        Thing::Input(event, number) => (event, number),
-        Thing::Node(node) => (run.tree.nodes()[node].events.start, 0),
+/// Where an item is in its log: the inputs of an event before what it says.
+fn order(run: Run, item: Item) -> (usize, usize) {
+    match item {
+        Item::Event(event) => (event, usize::MAX),
+        Item::Input(event, number) => (event, number),
+        Item::Node(node) => (run.tree.nodes()[node].events.start, 0),
     }
 }
 
@@ -271,16 +271,16 @@ pub(super) fn values_of(a: Run, b: Run, spot: Spot) -> Option<(Value, Value)> {
     }
 }
 
-/// The value of a thing, if it has one.
-pub(super) fn value(run: Run, thing: Thing) -> Option<Value> {
-    match thing {
-        Thing::Event(event) => match run.log.events[event].what {
+/// The value of an item, if it has one.
+pub(super) fn value(run: Run, item: Item) -> Option<Value> {
+    match item {
+        Item::Event(event) => match run.log.events[event].what {
             What::Note { value, .. } => Some(value),
             What::Result { color } => Some(Value::Triple(color)),
             What::Mark(Decision::Attenuated { factor, .. }) => Some(Value::Triple(factor)),
             _ => None,
         },
-        Thing::Input(event, number) => Some(run.log.given(event)[number].1),
-        Thing::Node(_) => None,
+        Item::Input(event, number) => Some(run.log.given(event)[number].1),
+        Item::Node(_) => None,
     }
 }

@@ -4,7 +4,7 @@
 //! moves is the operand's effect. What the operands don't explain is the quantity's own: its rounding, or another way of computing
 //! it. The largest of these is the cause.
 
-use super::align::{Alignment, Spot, Thing, computed};
+use super::align::{Alignment, Item, Spot, computed};
 use super::before::Before;
 use super::changed::Changed;
 use super::kinds::Kinds;
@@ -163,7 +163,7 @@ impl<'a> Causes<'a> {
             return Attribution { kind: Some(kind.clone()), ..bare(Why::OtherKind) };
         }
         match spot {
-            Spot::Both(Thing::Event(a), Thing::Event(b)) => {
+            Spot::Both(Item::Event(a), Item::Event(b)) => {
                 match (&self.a.log.events[a].what, &self.b.log.events[b].what) {
                     (What::Note { name: ours, value: our_value }, What::Note { name: theirs, value: their_value }) => {
                         self.of_quantity(spot, (a, *ours, *our_value), (b, *theirs, *their_value))
@@ -174,7 +174,7 @@ impl<'a> Causes<'a> {
             }
             Spot::Both(ours, theirs) => {
                 // What only one log computed comes from there.
-                let part = |run, thing| computed(run, thing).map(Thing::Event);
+                let part = |run, item| computed(run, item).map(Item::Event);
                 let of_a = part(self.a, ours).and_then(|ours| self.part_of_a(ours));
                 match of_a.or_else(|| part(self.b, theirs).and_then(|theirs| self.part_of_b(theirs))) {
                     Some(from) => Attribution { from: Some(from), ..bare(Why::Before) },
@@ -184,7 +184,7 @@ impl<'a> Causes<'a> {
             Spot::OnlyA(_) | Spot::OnlyB(_) if self.before.is_test_alone(spot) => {
                 bare(if self.before.is_of_one_scene(spot) { Why::NoSuchObject } else { Why::NotNeeded })
             }
-            Spot::OnlyA(Thing::Input(..)) | Spot::OnlyB(Thing::Input(..)) => self.by_what_was_before(spot, Why::Input),
+            Spot::OnlyA(Item::Input(..)) | Spot::OnlyB(Item::Input(..)) => self.by_what_was_before(spot, Why::Input),
             Spot::OnlyA(_) | Spot::OnlyB(_) => self.by_what_was_before(spot, Why::First),
         }
     }
@@ -240,7 +240,7 @@ impl<'a> Causes<'a> {
             let (a, our_color) = color_of(self.a, ours)?;
             let (b, their_color) = color_of(self.b, theirs)?;
             let effect = apart(Some(our_color), Some(their_color));
-            Some(Contribution { spot: Spot::Both(Thing::Event(a), Thing::Event(b)), effect })
+            Some(Contribution { spot: Spot::Both(Item::Event(a), Item::Event(b)), effect })
         });
         let operands = by_effect(colors.filter(|color| color.effect != 0.0).collect());
         match operands.first().map(|first| first.spot) {
@@ -273,15 +273,15 @@ impl<'a> Causes<'a> {
     }
 
     /// The outermost node with this that only A has.
-    fn part_of_a(&self, thing: Thing) -> Option<Spot> {
-        let node = outermost(self.a, thing, |node| self.alignment.nodes[node].is_some());
-        node.map(|node| Spot::OnlyA(Thing::Node(node)))
+    fn part_of_a(&self, item: Item) -> Option<Spot> {
+        let node = outermost(self.a, item, |node| self.alignment.nodes[node].is_some());
+        node.map(|node| Spot::OnlyA(Item::Node(node)))
     }
 
     /// The outermost node with this that only B has.
-    fn part_of_b(&self, thing: Thing) -> Option<Spot> {
-        let node = outermost(self.b, thing, |node| self.alignment.is_shared[node]);
-        node.map(|node| Spot::OnlyB(Thing::Node(node)))
+    fn part_of_b(&self, item: Item) -> Option<Spot> {
+        let node = outermost(self.b, item, |node| self.alignment.is_shared[node]);
+        node.map(|node| Spot::OnlyB(Item::Node(node)))
     }
 }
 
@@ -310,32 +310,32 @@ fn minus(value: Value, other: Value) -> Value {
 }
 
 /// What has the value of an operand of the quantity at `event`: the step that computed it, or an input.
-fn source(run: Run, event: usize, operand: &Operand, symbol: &str) -> Thing {
+fn source(run: Run, event: usize, operand: &Operand, symbol: &str) -> Item {
     let holder = &run.log.events[operand.event];
     let is_noted = matches!(holder.what, What::Note { name, .. } if name.symbol() == symbol);
     if operand.event < event && is_noted {
-        return Thing::Event(operand.event);
+        return Item::Event(operand.event);
     }
     match run.log.given(operand.event).iter().rposition(|(name, _)| name.symbol() == symbol) {
         Some(number) => {
-            let input = Thing::Input(operand.event, number);
-            computed(run, input).map_or(input, Thing::Event)
+            let input = Item::Input(operand.event, number);
+            computed(run, input).map_or(input, Item::Event)
         }
-        None => Thing::Event(operand.event),
+        None => Item::Event(operand.event),
     }
 }
 
-/// The node in which a thing stands.
-fn owner(run: Run, thing: Thing) -> usize {
-    match thing {
-        Thing::Event(event) | Thing::Input(event, _) => run.tree.owner(event),
-        Thing::Node(node) => node,
+/// The node in which an item is.
+fn owner(run: Run, item: Item) -> usize {
+    match item {
+        Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),
+        Item::Node(node) => node,
     }
 }
 
-/// The outermost node around a thing that isn't shared, if there is one.
-fn outermost(run: Run, thing: Thing, is_shared: impl Fn(usize) -> bool) -> Option<usize> {
-    run.tree.around(owner(run, thing)).take_while(|node| !is_shared(*node)).last()
+/// The outermost node around a item that isn't shared, if there is one.
+fn outermost(run: Run, item: Item, is_shared: impl Fn(usize) -> bool) -> Option<usize> {
+    run.tree.around(owner(run, item)).take_while(|node| !is_shared(*node)).last()
 }
 
 fn is_camera_ray(step: Option<Step>) -> bool {

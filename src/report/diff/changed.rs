@@ -1,6 +1,6 @@
 //! Which inputs of the scene two logs have differently, as the scene calls them: `lights.F.position`.
 
-use super::align::{Alignment, Spot, Thing, computed};
+use super::align::{Alignment, Item, Spot, computed};
 use super::kinds::{Kinds, kind};
 use super::telling_apart;
 use super::tolerance::Tolerance;
@@ -28,7 +28,7 @@ pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Toleran
     found.extend(Kinds::of(a, b, alignment).changed());
     let mut met = Met::new();
     for spot in &alignment.spots {
-        let Spot::Both(ours @ Thing::Input(at, number), theirs @ Thing::Input(there, other)) = *spot else { continue };
+        let Spot::Both(ours @ Item::Input(at, number), theirs @ Item::Input(there, other)) = *spot else { continue };
         let ((name, value_a), (_, value_b)) = (a.log.given(at)[number], b.log.given(there)[other]);
         let is_handed_on = computed(a, ours).is_some() || computed(b, theirs).is_some();
         // A square says the same as its root once more.

@@ -1,7 +1,7 @@
 //! The comparison of two logs for programs: one JSON document, written piece by piece.
 
 use super::summary::{Pixel, Summary};
-use super::{Changed, Comparison, Difference, Entry, HeaderDifference, Side, Told};
+use super::{Changed, Comparison, Difference, Entry, HeaderDifference, Side, Statement};
 use crate::log;
 use crate::log::Header;
 use serde_json::{Value, json};
@@ -144,7 +144,7 @@ fn change(Changed { input, a, b }: &Changed) -> Value {
 fn entry(found: &Entry) -> Value {
     let mut object = place(found);
     match &found.what {
-        Told::Value { is_input, a, b, distance, .. } => {
+        Statement::Value { is_input, a, b, distance, .. } => {
             object["a"] = value(a);
             object["b"] = value(b);
             // JSON has no infinity: a number and a triple have no distance.
@@ -156,8 +156,8 @@ fn entry(found: &Entry) -> Value {
                 object["input"] = true.into();
             }
         }
-        Told::Decision { a, b } => (object["a"], object["b"]) = (json!(a), json!(b)),
-        Told::Only { values, .. } => object["values"] = json!(values),
+        Statement::Decision { a, b } => (object["a"], object["b"]) = (json!(a), json!(b)),
+        Statement::Only { values, .. } => object["values"] = json!(values),
     }
     object
 }
@@ -169,14 +169,14 @@ fn place(found: &Entry) -> Value {
         object["node"] = json!(found.node);
     }
     match &found.what {
-        Told::Value { name: Some(name), .. } => {
+        Statement::Value { name: Some(name), .. } => {
             object["quantity"] = json!(name.key());
             object["symbol"] = json!(name.symbol());
         }
-        Told::Value { name: None, .. } if found.path.is_empty() => object["quantity"] = json!("result"),
-        Told::Value { name: None, .. } => object["quantity"] = json!("factor"),
-        Told::Decision { .. } => object["quantity"] = json!("decision"),
-        Told::Only { side, what, .. } => {
+        Statement::Value { name: None, .. } if found.path.is_empty() => object["quantity"] = json!("result"),
+        Statement::Value { name: None, .. } => object["quantity"] = json!("factor"),
+        Statement::Decision { .. } => object["quantity"] = json!("decision"),
+        Statement::Only { side, what, .. } => {
             object["only_in"] = json!(side.word());
             object["what"] = json!(what);
         }

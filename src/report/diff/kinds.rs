@@ -1,6 +1,6 @@
 //! Objects and lights that are of another kind in the other scene: then their tests compute other quantities, and decide otherwise.
 
-use super::align::{Alignment, Spot, Thing};
+use super::align::{Alignment, Item, Spot};
 use super::changed::Changed;
 use crate::log::{Decision, Step, What};
 use crate::report::side_by_side::Run;
@@ -17,7 +17,7 @@ pub(super) struct Kinds {
     met: [Met; 2],
 }
 
-/// By the nodes of rays, the events that say what a ray meets, and what that is.
+/// By the nodes of rays, the events that say what a ray hits, and what that is.
 type Met = HashMap<usize, Vec<(usize, u32)>>;
 
 impl Kinds {
@@ -49,24 +49,24 @@ impl Kinds {
         self.nodes.contains_key(&node)
     }
 
-    /// The change by which this differs, which stands in a node of A: it is of the test, or says what the ray met there.
+    /// The change by which this differs, which is in a node of A: it is of the test, or says what the ray met there.
     pub fn cause_of(&self, a: Run, b: Run, home: usize, spot: Spot) -> Option<&Changed> {
         let differs = match spot {
-            Spot::OnlyA(Thing::Node(_)) | Spot::OnlyB(Thing::Node(_)) => false,
+            Spot::OnlyA(Item::Node(_)) | Spot::OnlyB(Item::Node(_)) => false,
             Spot::OnlyA(_) | Spot::OnlyB(_) => true,
-            Spot::Both(Thing::Event(ours), _) => matches!(a.log.events[ours].what, What::Mark(_)),
+            Spot::Both(Item::Event(ours), _) => matches!(a.log.events[ours].what, What::Mark(_)),
             Spot::Both(..) => false,
         };
         if !differs {
             return None;
         }
         let met = || {
-            let (run, met, thing) = match spot {
-                Spot::OnlyA(thing) => (a, &self.met[0], thing),
-                Spot::OnlyB(thing) => (b, &self.met[1], thing),
+            let (run, met, item) = match spot {
+                Spot::OnlyA(item) => (a, &self.met[0], item),
+                Spot::OnlyB(item) => (b, &self.met[1], item),
                 Spot::Both(..) => return None,
             };
-            let (Thing::Event(event) | Thing::Input(event, _)) = thing else { return None };
+            let (Item::Event(event) | Item::Input(event, _)) = item else { return None };
             self.objects.get(&met_before(met, run.tree.owner(event), event)?)
         };
         self.nodes.get(&home).or_else(met)

@@ -16,7 +16,7 @@ mod summary;
 mod text;
 mod tolerance;
 
-pub use align::{Spot, Thing};
+pub use align::{Item, Spot};
 pub use cause::Why;
 pub use changed::Changed;
 pub use headers::{HeaderDifference, Numbering, header_differences};
@@ -54,15 +54,15 @@ pub struct Comparison {
 pub struct Entry {
     /// The path of its ray, such as `C R S1`.
     pub path: String,
-    /// The node in which it stands, such as `test sphere`; empty for the ray's own.
+    /// The node in which it is, such as `test sphere`; empty for the ray's own.
     pub node: String,
     /// What it is.
-    pub what: Told,
+    pub what: Statement,
 }
 
 /// What two logs say in one place.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Told {
+pub enum Statement {
     /// A value.
     Value {
         /// The quantity; `None` for the result and for how much light a surface lets pass.
@@ -139,7 +139,7 @@ pub fn compare(a: Run, b: Run, tolerance: &Tolerance) -> Comparison {
     let comparing = Comparing { causes: Causes::of(a, b, alignment.clone()), tolerance: *tolerance };
     let spots: Vec<Spot> = alignment.spots.iter().copied().filter(|spot| comparing.differs(*spot)).collect();
     let values = alignment.spots.iter().filter(|spot| before::values_of(a, b, **spot).is_some()).count();
-    // A test that the other tracer didn't need is the first to be told only where nothing else differs.
+    // A test that the other tracer didn't need is reported first only where nothing else differs.
     let first = spots.iter().find(|spot| !comparing.causes.is_test_alone(**spot)).or(spots.first());
     Comparison {
         values,
@@ -160,7 +160,7 @@ impl Comparing<'_> {
         let (a, b) = (self.causes.a, self.causes.b);
         match (before::values_of(a, b, spot), spot) {
             (Some((ours, theirs)), _) => self.tolerance.tells_apart(&ours, &theirs),
-            (None, Spot::Both(Thing::Event(ours), Thing::Event(theirs))) => {
+            (None, Spot::Both(Item::Event(ours), Item::Event(theirs))) => {
                 before::differ_as_decisions(a, ours, b, theirs)
             }
             (None, Spot::Both(..)) => false,
@@ -197,7 +197,7 @@ impl Comparing<'_> {
 
     fn way_to_the_color(&self, differing: &[Spot]) -> Vec<Entry> {
         let is_result = |spot: &&Spot| match spot {
-            Spot::Both(Thing::Event(a), _) => matches!(self.causes.a.log.events[*a].what, What::Result { .. }),
+            Spot::Both(Item::Event(a), _) => matches!(self.causes.a.log.events[*a].what, What::Result { .. }),
             _ => false,
         };
         let Some(result) = differing.iter().rev().find(is_result) else { return Vec::new() };
@@ -207,7 +207,7 @@ impl Comparing<'_> {
 
     /// How both logs compute a quantity, with as many digits as tell the two apart.
     fn computations(&self, spot: Spot) -> Option<[String; 2]> {
-        let Spot::Both(Thing::Event(ours), Thing::Event(theirs)) = spot else { return None };
+        let Spot::Both(Item::Event(ours), Item::Event(theirs)) = spot else { return None };
         let (value_a, value_b) = before::values_of(self.causes.a, self.causes.b, spot)?;
         let attribution = self.causes.attribution(spot);
         let operands = attribution.operands.iter();
@@ -227,22 +227,22 @@ impl Comparing<'_> {
         match spot {
             Spot::Both(ours, theirs) => {
                 let what = match (before::values_of(a, b, spot), ours, theirs) {
-                    (Some((value_a, value_b)), ..) => Told::Value {
+                    (Some((value_a, value_b)), ..) => Statement::Value {
                         name: quantity(a, ours),
-                        is_input: matches!((ours, theirs), (Thing::Input(..), Thing::Input(..))),
+                        is_input: matches!((ours, theirs), (Item::Input(..), Item::Input(..))),
                         a: value_a,
                         b: value_b,
                         distance: distance(&value_a, &value_b),
                     },
-                    (None, Thing::Event(ours), Thing::Event(theirs)) => {
-                        Told::Decision { a: decision(a, ours), b: decision(b, theirs) }
+                    (None, Item::Event(ours), Item::Event(theirs)) => {
+                        Statement::Decision { a: decision(a, ours), b: decision(b, theirs) }
                     }
-                    (None, ..) => Told::Decision { a: String::new(), b: String::new() },
+                    (None, ..) => Statement::Decision { a: String::new(), b: String::new() },
                 };
                 entry_in(a, ours, what)
             }
-            Spot::OnlyA(thing) => entry_in(a, thing, alone(a, Side::A, thing)),
-            Spot::OnlyB(thing) => entry_in(b, thing, alone(b, Side::B, thing)),
+            Spot::OnlyA(item) => entry_in(a, item, alone(a, Side::A, item)),
+            Spot::OnlyB(item) => entry_in(b, item, alone(b, Side::B, item)),
         }
     }
 }
@@ -252,13 +252,13 @@ pub fn telling_apart(a: &Value, b: &Value, digits: Option<u32>) -> Style {
     super::number::telling(a, b, digits.map_or(Style::default(), |digits| Style { digits }))
 }
 
-fn entry_in(run: Run, thing: Thing, what: Told) -> Entry {
+fn entry_in(run: Run, item: Item, what: Statement) -> Entry {
     let nodes = run.tree.nodes();
-    let node = match thing {
-        Thing::Event(event) | Thing::Input(event, _) => run.tree.owner(event),
-        // A node stands in the one around it; a ray says its own path.
-        Thing::Node(node) if matches!(nodes[node].step, Some(Step::Ray { .. })) => node,
-        Thing::Node(node) => nodes[node].parent,
+    let node = match item {
+        Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),
+        // A node is in the one around it; a ray says its own path.
+        Item::Node(node) if matches!(nodes[node].step, Some(Step::Ray { .. })) => node,
+        Item::Node(node) => nodes[node].parent,
     };
     let title = match nodes[node].step {
         None | Some(Step::Ray { .. } | Step::Sample { .. }) => String::new(),
@@ -267,14 +267,14 @@ fn entry_in(run: Run, thing: Thing, what: Told) -> Entry {
     Entry { path: run.tree.shown_path(node), node: title, what }
 }
 
-fn quantity(run: Run, thing: Thing) -> Option<Name> {
-    match thing {
-        Thing::Event(event) => match run.log.events[event].what {
+fn quantity(run: Run, item: Item) -> Option<Name> {
+    match item {
+        Item::Event(event) => match run.log.events[event].what {
             What::Note { name, .. } => Some(name),
             _ => None,
         },
-        Thing::Input(event, number) => Some(run.log.given(event)[number].0),
-        Thing::Node(_) => None,
+        Item::Input(event, number) => Some(run.log.given(event)[number].0),
+        Item::Node(_) => None,
     }
 }
 
@@ -285,25 +285,25 @@ fn decision(run: Run, event: usize) -> String {
     }
 }
 
-fn alone(run: Run, side: Side, thing: Thing) -> Told {
-    let (what, values) = only(run, thing);
-    Told::Only { side, what, values }
+fn alone(run: Run, side: Side, item: Item) -> Statement {
+    let (what, values) = only(run, item);
+    Statement::Only { side, what, values }
 }
 
 /// What only one log has, in a few words, and how many values it holds.
-fn only(run: Run, thing: Thing) -> (String, usize) {
+fn only(run: Run, item: Item) -> (String, usize) {
     let is_value = |event: &usize| matches!(run.log.events[*event].what, What::Note { .. });
-    match (thing, quantity(run, thing), before::value(run, thing)) {
-        (Thing::Node(node), ..) => {
+    match (item, quantity(run, item), before::value(run, item)) {
+        (Item::Node(node), ..) => {
             let events = run.tree.nodes()[node].events.clone();
             (words::title(Language::English, run.log, run.tree, node), events.filter(is_value).count())
         }
         (_, Some(name), Some(value)) => {
             (format!("{} = {}", name.key(), Language::English.value(&value, Style::default())), 1)
         }
-        (Thing::Event(event), ..) if matches!(run.log.events[event].what, What::Result { .. }) => {
+        (Item::Event(event), ..) if matches!(run.log.events[event].what, What::Result { .. }) => {
             ("result".to_owned(), 1)
         }
-        (Thing::Event(event) | Thing::Input(event, _), ..) => (decision(run, event), 0),
+        (Item::Event(event) | Item::Input(event, _), ..) => (decision(run, event), 0),
     }
 }

@@ -1,6 +1,6 @@
 //! Two aligned logs row by row, the same and the different, for walking through both at once.
 
-use super::align::{self, Alignment, Spot, Thing};
+use super::align::{self, Alignment, Item, Spot};
 use super::cause::Causes;
 use super::{Comparing, Text, Tolerance, before, decision, only, quantity, telling_apart};
 use crate::log::{Decision, Step, Value, What};
@@ -9,7 +9,7 @@ use crate::report::side_by_side::Run;
 use crate::report::{Style, words};
 use std::rc::Rc;
 
-/// Two logs beside each other. A node that both have, and each thing in it, has a row.
+/// Two logs beside each other. A node that both have, and each item in it, has a row.
 pub struct Rows<'a> {
     comparing: Comparing<'a>,
     rows: Vec<Row>,
@@ -20,7 +20,7 @@ pub struct Rows<'a> {
 pub struct Row {
     /// How many nodes are around it.
     pub level: usize,
-    /// What stands in it.
+    /// What is in it.
     place: Place,
     /// Whether the two logs differ in it.
     pub differs: bool,
@@ -30,7 +30,7 @@ pub struct Row {
 enum Place {
     /// A node of A, which B has too.
     Node(usize),
-    Thing(Spot),
+    Item(Spot),
 }
 
 impl<'a> Rows<'a> {
@@ -51,9 +51,9 @@ impl<'a> Rows<'a> {
     pub fn step(&self, row: &Row) -> Option<Step> {
         let (a, b) = (self.comparing.causes.a, self.comparing.causes.b);
         match row.place {
-            Place::Node(node) | Place::Thing(Spot::OnlyA(Thing::Node(node))) => a.tree.nodes()[node].step,
-            Place::Thing(Spot::OnlyB(Thing::Node(node))) => b.tree.nodes()[node].step,
-            Place::Thing(_) => None,
+            Place::Node(node) | Place::Item(Spot::OnlyA(Item::Node(node))) => a.tree.nodes()[node].step,
+            Place::Item(Spot::OnlyB(Item::Node(node))) => b.tree.nodes()[node].step,
+            Place::Item(_) => None,
         }
     }
 
@@ -69,21 +69,21 @@ impl<'a> Rows<'a> {
                     .map(|node| words::title(Language::English, b.log, b.tree, node));
                 [Some(words::title(Language::English, a.log, a.tree, node)), theirs]
             }
-            Place::Thing(spot @ Spot::Both(ours, theirs)) => match before::values_of(a, b, spot) {
+            Place::Item(spot @ Spot::Both(ours, theirs)) => match before::values_of(a, b, spot) {
                 Some((value_a, value_b)) => {
                     let style = self.style(row, &value_a, &value_b);
                     [Some(named(a, ours, &value_a, style)), Some(named(b, theirs, &value_b, style))]
                 }
                 None => [Some(decision_of(a, ours)), Some(decision_of(b, theirs))],
             },
-            Place::Thing(Spot::OnlyA(thing)) => [Some(alone(a, thing)), None],
-            Place::Thing(Spot::OnlyB(thing)) => [None, Some(alone(b, thing))],
+            Place::Item(Spot::OnlyA(item)) => [Some(alone(a, item)), None],
+            Place::Item(Spot::OnlyB(item)) => [None, Some(alone(b, item))],
         }
     }
 
-    /// How both logs compute what stands in a row, and where a difference comes from; a line each.
+    /// How both logs compute what is in a row, and where a difference comes from; a line each.
     pub fn explanation(&self, row: &Row) -> Vec<String> {
-        let Place::Thing(spot) = row.place else { return Vec::new() };
+        let Place::Item(spot) = row.place else { return Vec::new() };
         if row.differs {
             let (a, b) = (self.comparing.causes.a, self.comparing.causes.b);
             let text = Text::new(self.comparing.tolerance.digits, false).between(&a.log.header, &b.log.header);
@@ -103,45 +103,45 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// The things in their order, each node before the first thing in it.
+/// The items in their order, each node before the first item in it.
 fn rows(a: Run, alignment: &Alignment, differs: impl Fn(Spot) -> bool) -> Vec<Row> {
     let nodes = a.tree.nodes();
     let mut rows = Vec::new();
     let shared = (0..nodes.len()).filter(|node| alignment.nodes[*node].is_some());
     let mut shared = shared.peekable();
     for (spot, home) in alignment.spots.iter().zip(&alignment.homes) {
-        // Nodes before the one in which the thing stands, and that one, have begun.
+        // Nodes before the one in which the item is, and that one, have begun.
         while let Some(node) = shared.next_if(|node| node <= home) {
             rows.push(Row { level: nodes[node].level, place: Place::Node(node), differs: false });
         }
-        rows.push(Row { level: nodes[*home].level + 1, place: Place::Thing(*spot), differs: differs(*spot) });
+        rows.push(Row { level: nodes[*home].level + 1, place: Place::Item(*spot), differs: differs(*spot) });
     }
     rows
 }
 
-fn named(run: Run, thing: Thing, value: &Value, style: Style) -> String {
+fn named(run: Run, item: Item, value: &Value, style: Style) -> String {
     let shown = Language::English.value(value, style);
-    match quantity(run, thing) {
+    match quantity(run, item) {
         Some(name) => format!("{} = {shown}", name.symbol()),
-        None => match thing {
-            Thing::Event(event) if is_filter(run, event) => decision_of(run, thing),
+        None => match item {
+            Item::Event(event) if is_filter(run, event) => decision_of(run, item),
             _ => format!("result: {shown}"),
         },
     }
 }
 
-fn alone(run: Run, thing: Thing) -> String {
-    let value = quantity(run, thing).and_then(|_| before::value(run, thing));
-    value.map_or_else(|| only(run, thing).0, |value| named(run, thing, &value, Style::default()))
+fn alone(run: Run, item: Item) -> String {
+    let value = quantity(run, item).and_then(|_| before::value(run, item));
+    value.map_or_else(|| only(run, item).0, |value| named(run, item, &value, Style::default()))
 }
 
 fn is_filter(run: Run, event: usize) -> bool {
     matches!(run.log.events[event].what, What::Mark(Decision::Attenuated { .. }))
 }
 
-fn decision_of(run: Run, thing: Thing) -> String {
-    match thing {
-        Thing::Event(event) => decision(run, event),
-        Thing::Input(..) | Thing::Node(_) => String::new(),
+fn decision_of(run: Run, item: Item) -> String {
+    match item {
+        Item::Event(event) => decision(run, event),
+        Item::Input(..) | Item::Node(_) => String::new(),
     }
 }

@@ -1,6 +1,6 @@
 //! How much two logs differ, over all their pixels.
 
-use super::{Comparison, Entry, Side, Told};
+use super::{Comparison, Entry, Side, Statement};
 
 /// A pixel by column and row; `None` where there is one only, or a ray.
 pub type Pixel = Option<[u32; 2]>;
@@ -18,7 +18,7 @@ pub struct Summary {
     pub pixels_only_in_b: usize,
     /// How many values both logs have, inputs among them.
     pub values: usize,
-    /// How many of them differ by more than is let pass.
+    /// How many of them differ by more than is tolerated.
     pub differing_values: usize,
     /// How many decisions differ.
     pub decisions: usize,
@@ -46,14 +46,14 @@ impl Summary {
         self.values += found.values;
         for difference in &found.differences {
             match &difference.entry.what {
-                Told::Value { .. } => {
+                Statement::Value { .. } => {
                     self.differing_values += 1;
                     keep_larger(&mut self.largest, pixel, &difference.entry, |distance| distance.absolute);
                     keep_larger(&mut self.largest_relative, pixel, &difference.entry, |distance| distance.relative);
                 }
-                Told::Decision { .. } => self.decisions += 1,
-                Told::Only { side: Side::A, .. } => self.only_in_a += 1,
-                Told::Only { side: Side::B, .. } => self.only_in_b += 1,
+                Statement::Decision { .. } => self.decisions += 1,
+                Statement::Only { side: Side::A, .. } => self.only_in_a += 1,
+                Statement::Only { side: Side::B, .. } => self.only_in_b += 1,
             }
         }
     }
@@ -70,7 +70,7 @@ impl Summary {
 /// Of equal ones the first is kept, and what is no number counts as the largest.
 fn keep_larger(kept: &mut Option<(Pixel, Entry)>, pixel: Pixel, entry: &Entry, size: fn(&super::Distance) -> f64) {
     let of = |entry: &Entry| match &entry.what {
-        Told::Value { distance, .. } => size(distance),
+        Statement::Value { distance, .. } => size(distance),
         _ => 0.0,
     };
     if kept.as_ref().is_none_or(|(_, before)| of(entry).total_cmp(&of(before)).is_gt()) {

@@ -1,7 +1,7 @@
 //! The comparison of two logs for people.
 
 use super::summary::{Pixel, Summary};
-use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Side, Told, Why};
+use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Side, Statement, Why};
 use super::{header_differences, telling_apart};
 use crate::log::Header;
 use crate::log::escape::{shortened, width};
@@ -25,13 +25,13 @@ pub struct Text {
     is_rounded_otherwise: bool,
     /// What the headers say differently of the scene and its tracing: the fields, or only the digest.
     headers: Vec<&'static str>,
-    /// The inputs of the scene that were told already.
+    /// The inputs of the scene that were reported already.
     told: BTreeSet<String>,
     /// How many pixels only A had so far, and only B.
     alone: [u64; 2],
 }
 
-/// So many pixels that only one log has are named; the summary counts all of them.
+/// The most pixels of one log alone that are named; the summary counts all of them.
 const MOST_ALONE: u64 = 8;
 
 /// The columns of a table: where, which quantity, its symbol, A, B, the absolute and the relative difference, the cause.
@@ -189,10 +189,10 @@ impl Text {
         let because = kind.as_ref().map_or_else(|| self.reason(*why), change);
         let from = if way.len() > 1 { format!("from {}", label_from(origin, first)) } else { because.clone() };
         let mut lines = match &first.what {
-            Told::Value { .. } if symbol.is_empty() => vec![format!("{a} against {b}: {from}")],
-            Told::Value { .. } => vec![format!("{symbol}: {a} against {b}: {from}")],
-            Told::Decision { a, b } => vec![format!("A: {a}"), format!("B: {b}"), from],
-            Told::Only { side, .. } => vec![format!("only in {}: {from}", side.letter())],
+            Statement::Value { .. } if symbol.is_empty() => vec![format!("{a} against {b}: {from}")],
+            Statement::Value { .. } => vec![format!("{symbol}: {a} against {b}: {from}")],
+            Statement::Decision { a, b } => vec![format!("A: {a}"), format!("B: {b}"), from],
+            Statement::Only { side, .. } => vec![format!("only in {}: {from}", side.letter())],
         };
         if let Some([a, b]) = computations {
             lines.extend([format!("A: {a}"), format!("B: {b}")]);
@@ -206,14 +206,14 @@ impl Text {
 
     fn cells(&self, entry: &Entry) -> [String; 7] {
         let [quantity, symbol, a, b, absolute, relative] = match &entry.what {
-            Told::Value { name, a, b, distance, .. } => {
+            Statement::Value { name, a, b, distance, .. } => {
                 let style = telling_apart(a, b, self.digits);
                 let symbol = name.map_or("", |name| name.symbol()).to_owned();
                 let [a, b] = [a, b].map(|value| Language::English.value(value, style));
                 [label(entry), symbol, a, b, size(distance.absolute), size(distance.relative)]
             }
-            Told::Decision { a, b } => ["decision", "", a, b, "", ""].map(str::to_owned),
-            Told::Only { side, what, values } => {
+            Statement::Decision { a, b } => ["decision", "", a, b, "", ""].map(str::to_owned),
+            Statement::Only { side, what, values } => {
                 let what = if *values > 1 { format!("{what} ({values} values)") } else { what.clone() };
                 let [a, b] = match side {
                     Side::A => [what, "–".to_owned()],
@@ -307,11 +307,11 @@ fn called(pixel: Pixel) -> Option<String> {
 /// What an entry is about, in a few words.
 fn label(entry: &Entry) -> String {
     match &entry.what {
-        Told::Value { name: Some(name), .. } => name.key().to_owned(),
-        Told::Value { name: None, .. } if entry.node.is_empty() && entry.path.is_empty() => "result".to_owned(),
-        Told::Value { name: None, .. } => "what passes".to_owned(),
-        Told::Decision { a, b } => format!("“{a}” against “{b}”"),
-        Told::Only { side, what, .. } => format!("{what}, only in {}", side.letter()),
+        Statement::Value { name: Some(name), .. } => name.key().to_owned(),
+        Statement::Value { name: None, .. } if entry.node.is_empty() && entry.path.is_empty() => "result".to_owned(),
+        Statement::Value { name: None, .. } => "what passes".to_owned(),
+        Statement::Decision { a, b } => format!("“{a}” against “{b}”"),
+        Statement::Only { side, what, .. } => format!("{what}, only in {}", side.letter()),
     }
 }
 
@@ -323,7 +323,7 @@ fn label_from(entry: &Entry, of: &Entry) -> String {
 
 fn symbol(entry: &Entry) -> String {
     match &entry.what {
-        Told::Value { name: Some(name), .. } => name.symbol().to_owned(),
+        Statement::Value { name: Some(name), .. } => name.symbol().to_owned(),
         _ => label(entry),
     }
 }
@@ -340,7 +340,7 @@ fn without_middle(mut rows: Vec<Row>) -> Vec<Row> {
     rows
 }
 
-/// So many operands of a value are named.
+/// The most operands of a value that are named.
 const MOST_OPERANDS: usize = 200;
 
 /// Columns are no wider than this for the sake of one cell: every other row would be filled up with spaces.

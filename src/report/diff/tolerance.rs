@@ -3,19 +3,19 @@
 use crate::log::Value;
 use crate::probe::round_half_away;
 
-/// What difference is let pass. Components are compared one by one: a and b differ if |a − b| is greater than the absolute
+/// What difference is tolerated. Components are compared one by one: a and b differ if |a − b| is greater than the absolute
 /// tolerance *and* greater than the relative one times the size of the values, which is the largest component of both: beside the
 /// others of its vector a component that is nearly 0 says nothing. A tolerance that isn't given asks for nothing: without any, every
 /// difference counts. 0 and −0 are the same, and so are two values that are no numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tolerance {
-    /// Values are rounded to so many decimals before they are compared, half away from zero, as the views for people round them.
+    /// Values are rounded to this many decimals before they are compared, half away from zero, as the views for people round them.
     pub digits: Option<u32>,
     /// The absolute tolerance, in the value's own unit.
     pub absolute: Option<f64>,
     /// The relative tolerance.
     pub relative: Option<f64>,
-    /// Whether what only one log has is let pass, as where one tracer records fewer quantities than the other.
+    /// Whether what only one log has is tolerated, as where one tracer records fewer quantities than the other.
     pub is_of_common: bool,
 }
 
@@ -29,7 +29,7 @@ pub struct Distance {
 }
 
 impl Tolerance {
-    /// Whether two values differ by more than is let pass.
+    /// Whether two values differ by more than is tolerated.
     pub fn tells_apart(&self, a: &Value, b: &Value) -> bool {
         let rounded = |value: &Value| rounded(value, self.digits);
         let (a, b) = (rounded(a), rounded(b));

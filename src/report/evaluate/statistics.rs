@@ -68,7 +68,7 @@ fn spread(places: &[[f64; 2]], colors: &[f64]) -> Spread {
     if greater.error == 0.0 { of_all(colors) } else { greater }
 }
 
-/// From the differences of the two samples in each of so many parts across and down.
+/// From the differences of the two samples in each of this many parts across and down.
 fn of_pairs(places: &[[f64; 2]], colors: &[f64], [across, down]: [u32; 2]) -> Spread {
     let mut first = vec![None; colors.len() / 2];
     let mut differences = Vec::with_capacity(colors.len() / 2);

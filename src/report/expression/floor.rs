@@ -52,7 +52,7 @@ fn put_in(expression: &Expression) -> Option<(Value, Option<usize>)> {
     }
 }
 
-/// A value whose components have so many decimals; `None` where those are the decimals that all numbers have.
+/// A value whose components have this many decimals; `None` where those are the decimals that all numbers have.
 fn shown(value: Value, link: Option<usize>, digits: &[u32], style: Style) -> Option<Expression> {
     let part = |x: f64, digits: u32| match digits {
         _ if digits == style.digits => Expression::value(Value::Number(x), link),

@@ -5,7 +5,7 @@ use crate::log::Value;
 use crate::log::formula::{Formula, Operator, Several, Unary};
 use crate::log::scope::{self, Element};
 
-/// So many terms of a sum are written out; of more, the first three and the last one are.
+/// The most terms of a sum that are written out; of more, the first three and the last one are.
 const MOST: usize = 8;
 
 impl Substitution<'_> {

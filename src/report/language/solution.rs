@@ -10,7 +10,7 @@ texts! {
     title: OfNames =
         |subject, scene| format!("Worked solution: {subject} of {scene}"),
         |subject, scene| format!("Ejemplo resuelto: {subject} de {scene}");
-    /// How it was reckoned: arithmetic, algorithm and depth limit.
+    /// How it was computed: arithmetic, algorithm and depth limit.
     conditions: fn(&str, &str, u32) -> String =
         |arithmetic, algorithm, depth| {
             format!("Arithmetic {arithmetic}, algorithm {algorithm}, greatest depth {depth}.")
@@ -88,7 +88,7 @@ texts! {
         ["camino", "procedencia", "clase", "intensidad", "peso", "aporta", "parte"];
     /// The sum of all of them.
     sum: Text = "sum", "suma";
-    /// So many smaller ones.
+    /// The number of smaller ones.
     smaller: fn(usize) -> String =
         |count| format!("{count} smaller ones together"),
         |count| format!("otras {count} menores");
@@ -126,11 +126,11 @@ texts! {
     other_tree: Text =
         "Rounding changes the ray tree: what is computed only there isn't listed here.",
         "El redondeo cambia el árbol de rayos: lo que solo se calcula en él no figura aquí.";
-    /// The columns: only the quantity rounded, all but it, its name, where it stands.
+    /// The columns: only the quantity rounded, all but it, its name, where it is.
     columns: [Text; 4] =
         ["only it rounded", "all but it", "quantity", "where"],
         ["solo ella redondeada", "todas menos ella", "magnitud", "dónde"];
-    /// So many quantities have no effect.
+    /// The number of quantities without an effect.
     idle: fn(usize) -> String =
         |quantities| match quantities {
             1 => "1 further quantity changes nothing when only it is rounded.".to_owned(),
@@ -160,7 +160,7 @@ texts! {
         |right, up| format!("{right} hacia la derecha, {up} hacia arriba");
     /// The root of the ray tree.
     eye: Text = "eye", "ojo";
-    /// Where a ray that meets nothing ends.
+    /// Where a ray that hits nothing ends.
     background: Text = "background", "fondo";
     /// A shadow ray that doesn't reach its light, by the object.
     blocked: OfName = |object| format!("blocked by {object}"), |object| format!("bloqueado por {object}");

@@ -4,7 +4,7 @@ use super::close_up::CloseUp;
 use super::viewer::Viewer;
 use super::words::{self, EN, ES};
 use super::{Causes, Figure, OfName, OfNames, Solution, Text};
-use crate::log::{Acceptance, Asking, Miss, SkipReason, Skippable, Split};
+use crate::log::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 
 texts! {
     /// The texts of a language.
@@ -80,13 +80,13 @@ texts! {
         |object| format!("{object} where it is at this time"),
         |object| format!("{object} donde está en este instante");
     /// A zone of a blurred bounce.
-    zone: fn(Skippable, u32) -> String =
+    zone: fn(Term, u32) -> String =
         |what, number| match what {
-            Skippable::Transmitted => format!("zone {number} of the transmission"),
+            Term::Transmitted => format!("zone {number} of the transmission"),
             _ => format!("zone {number} of the reflection"),
         },
         |what, number| match what {
-            Skippable::Transmitted => format!("zona {number} de la transmisión"),
+            Term::Transmitted => format!("zona {number} de la transmisión"),
             _ => format!("zona {number} de la reflexión"),
         };
     /// The sum of the three contributions.
@@ -152,27 +152,27 @@ texts! {
     /// Total internal reflection.
     total_reflection: Text = "total internal reflection", "reflexión total interna";
     /// What the depth limit leaves out.
-    depth_limit: fn(Skippable) -> String =
-        |what| format!("depth limit: no {}", words::skippable(what)[EN]),
-        |what| format!("profundidad máxima: no se traza {}", words::skippable(what)[ES]);
+    depth_limit: fn(Term) -> String =
+        |what| format!("depth limit: no {}", words::term(what)[EN]),
+        |what| format!("profundidad máxima: no se traza {}", words::term(what)[ES]);
     /// The rest of a blocked shadow ray isn't traced.
     rest_skipped: Text = "the rest is skipped", "se omite el resto";
     /// What would come through the surface.
-    leak_guard: fn(Skippable) -> String =
-        |what| format!("no leak: the {} lies beyond the surface and brings nothing", words::skippable(what)[EN]),
-        |what| format!("{} queda al otro lado de la superficie y no aporta nada", words::skippable(what)[ES]);
+    leak_guard: fn(Term) -> String =
+        |what| format!("no leak: the {} lies beyond the surface and brings nothing", words::term(what)[EN]),
+        |what| format!("{} queda al otro lado de la superficie y no aporta nada", words::term(what)[ES]);
     /// A direction that was bent up above the surface.
-    bent: fn(Skippable) -> String =
-        |what| format!("the {} would run below the surface and is bent up", words::skippable(what)[EN]),
-        |what| format!("{} iría por debajo de la superficie y se dobla hacia arriba", words::skippable(what)[ES]);
+    bent: fn(Term) -> String =
+        |what| format!("the {} would run below the surface and is bent up", words::term(what)[EN]),
+        |what| format!("{} iría por debajo de la superficie y se dobla hacia arriba", words::term(what)[ES]);
     /// A direction on the wrong side.
-    rejected: fn(Skippable) -> String =
-        |what| format!("rejected: the {} would run on the wrong side", words::skippable(what)[EN]),
-        |what| format!("rechazado: {} iría por el lado equivocado", words::skippable(what)[ES]);
+    rejected: fn(Term) -> String =
+        |what| format!("rejected: the {} would run on the wrong side", words::term(what)[EN]),
+        |what| format!("rechazado: {} iría por el lado equivocado", words::term(what)[ES]);
     /// What is left out, and why.
-    skipped: fn(Skippable, SkipReason) -> String =
-        |what, why| format!("skipped: {} ({})", words::skippable(what)[EN], words::skip_reason(why)[EN]),
-        |what, why| format!("se omite {} ({})", words::skippable(what)[ES], words::skip_reason(why)[ES]);
+    skipped: fn(Term, SkipReason) -> String =
+        |what, why| format!("skipped: {} ({})", words::term(what)[EN], words::skip_reason(why)[EN]),
+        |what, why| format!("se omite {} ({})", words::term(what)[ES], words::skip_reason(why)[ES]);
     /// What a decision cost at most.
     lost: OfName =
         |bound| format!("at most {bound} of the sample was lost"),
@@ -251,7 +251,7 @@ texts! {
         |counts, is_one| format!("{counts} {}", if is_one { "cifra" } else { "cifras" });
     /// A decision that differs between runs.
     decision_differs: Text = "the decision differs between runs", "la decisión no es la misma en todas las ejecuciones";
-    /// A value that hangs on such a decision.
+    /// A value that depends on such a decision.
     no_digits: Text =
         "0 digits: a decision differs between runs",
         "0 cifras: una decisión no es la misma en todas las ejecuciones";

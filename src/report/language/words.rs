@@ -1,7 +1,7 @@
 //! Words that several texts share, each in English and in Spanish.
 
 use super::Text;
-use crate::log::{Acceptance, Miss, SkipReason, Skippable};
+use crate::log::{Acceptance, Miss, SkipReason, Term};
 
 /// The place of the English words.
 pub(super) const EN: usize = 0;
@@ -21,13 +21,13 @@ pub(super) fn miss(why: Miss) -> [Text; 2] {
 }
 
 /// What may be left out; in Spanish with its article.
-pub(super) fn skippable(what: Skippable) -> [Text; 2] {
+pub(super) fn term(what: Term) -> [Text; 2] {
     match what {
-        Skippable::Reflected => ["reflected ray", "el rayo reflejado"],
-        Skippable::Transmitted => ["transmitted ray", "el rayo transmitido"],
-        Skippable::Shadow => ["shadow ray", "el rayo de sombra"],
-        Skippable::Local => ["local model", "el modelo local"],
-        Skippable::Specular => ["specular term", "la componente especular"],
+        Term::Reflected => ["reflected ray", "el rayo reflejado"],
+        Term::Transmitted => ["transmitted ray", "el rayo transmitido"],
+        Term::Shadow => ["shadow ray", "el rayo de sombra"],
+        Term::Local => ["local model", "el modelo local"],
+        Term::Specular => ["specular term", "la componente especular"],
     }
 }
 

@@ -2,16 +2,16 @@
 
 use super::{far, grouped, number};
 use crate::log::Header;
-use crate::log::escape::visible;
+use crate::log::escape::escape_hidden;
 use crate::report::escape::line;
 use crate::report::segments::Segment;
 use std::fmt::Write;
 
-/// Rays, of one pixel or many, as `l` lines in groups by kind; those that meet nothing have a length that the file states.
+/// Rays, of one pixel or many, as `l` lines in groups by kind; those that hit nothing have a length that the file states.
 pub fn obj(header: &Header, rays: &[Segment]) -> String {
     let far = far(rays);
     let mut out = String::new();
-    line!(out, "# rays of {}, traced by raywalk {}", visible(&header.scene.name), visible(&header.version));
+    line!(out, "# rays of {}, traced by raywalk {}", escape_hidden(&header.scene.name), escape_hidden(&header.version));
     line!(out, "# rays that meet nothing are drawn {} long", number(far));
     let mut vertices = 0;
     for (group, rays) in grouped(rays) {

@@ -2,19 +2,24 @@
 
 use super::{far, grouped, number};
 use crate::log::Header;
-use crate::log::escape::visible;
+use crate::log::escape::escape_hidden;
 use crate::report::escape::line;
 use crate::report::segments::Segment;
 use std::fmt::Write;
 
-/// Rays, of one pixel or many, as edges between vertices that have the colour of their kind; those that meet nothing have a length
+/// Rays, of one pixel or many, as edges between vertices that have the colour of their kind; those that hit nothing have a length
 /// that the file states.
 pub fn ply(header: &Header, rays: &[Segment]) -> String {
     let far = far(rays);
     let mut out = String::new();
     line!(out, "ply");
     line!(out, "format ascii 1.0");
-    line!(out, "comment rays of {}, traced by raywalk {}", visible(&header.scene.name), visible(&header.version));
+    line!(
+        out,
+        "comment rays of {}, traced by raywalk {}",
+        escape_hidden(&header.scene.name),
+        escape_hidden(&header.version)
+    );
     line!(out, "comment rays that meet nothing are drawn {} long", number(far));
     for (group, _) in grouped(rays) {
         let [red, green, blue] = group.color();

@@ -1,9 +1,9 @@
 //! Inputs that are a computed value of another node, under another symbol or out of its scope.
 
 use crate::log::scope::{self, Child};
-use crate::log::{Log, Name, Skippable, Step, Tree, Value};
+use crate::log::{Log, Name, Step, Term, Tree, Value};
 
-/// The event that computed the input `name` of `event`; `None` for what the scene states. A value that was handed on has the same
+/// The event that computed the input `name` of `event`; `None` for what the scene states. A value that was passed on has the same
 /// bits, and nothing else counts.
 pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -> Option<usize> {
     let node = tree.owner(event);
@@ -12,8 +12,8 @@ pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -
         Name::RayDirection => latest(log, tree, event, &["D_z", "R", "T", "L"], value),
         Name::LobeMiddle => latest(log, tree, event, &["R", "T"], value),
         Name::ShadeLocal => local_beside(log, tree, node, event),
-        Name::IncomingReflected => brought(log, tree, tree.nodes()[node].parent, event, Skippable::Reflected),
-        Name::IncomingTransmitted => brought(log, tree, tree.nodes()[node].parent, event, Skippable::Transmitted),
+        Name::IncomingReflected => brought(log, tree, tree.nodes()[node].parent, event, Term::Reflected),
+        Name::IncomingTransmitted => brought(log, tree, tree.nodes()[node].parent, event, Term::Transmitted),
         Name::LobeColor => {
             let zone = scope::last_child(&log.events, tree, node, event, Child::Any)?;
             tree.children(zone).find_map(|ray| color_of(log, tree, ray))
@@ -23,7 +23,7 @@ pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -
     log.events[found].noted().filter(|(_, source)| source.same_bits(value)).map(|_| found)
 }
 
-/// Whether a quantity of this symbol may be handed on as that input: asked before anything is looked for.
+/// Whether a quantity of this symbol may be passed on as that input: asked before anything is looked for.
 pub(super) fn may_come_from(input: Name, symbol: &str) -> bool {
     match input {
         Name::RayOrigin => symbol == "P",
@@ -49,7 +49,7 @@ fn local_beside(log: &Log, tree: &Tree, node: usize, before: usize) -> Option<us
 }
 
 /// The colour that a bounce brought to a ray: the mean of its lobe, or that of its one ray.
-fn brought(log: &Log, tree: &Tree, ray: usize, before: usize, what: Skippable) -> Option<usize> {
+fn brought(log: &Log, tree: &Tree, ray: usize, before: usize, what: Term) -> Option<usize> {
     let last = scope::last_child(&log.events, tree, ray, before, Child::Bounce(what))?;
     if matches!(tree.nodes()[last].step, Some(Step::Zone { .. })) {
         let end = tree.nodes()[last].events.end;

@@ -10,7 +10,7 @@ use std::ops::Range;
 ///
 /// Only some events can: a value is seen in the rest of its own node, where no later one of its symbol hides it; from an
 /// intersection test also in the rest of the ray that hits there; from a light also in the sum of its surface; and what a node
-/// hands on, in the node around it. Each is gone through once, and a node whose inputs hide the value is passed over whole, so
+/// passes on, in the node around it. Each is gone through once, and a node whose inputs hide the value is skipped whole, so
 /// that a log of a million events takes milliseconds.
 pub fn uses(log: &Log, tree: &Tree, event: usize, most: usize) -> Vec<usize> {
     let Some((name, _)) = log.events.get(event).and_then(Event::noted) else { return Vec::new() };
@@ -152,7 +152,7 @@ impl<'a> Seeker<'a> {
         self.tree.own_events(shade).rfind(is_sum).filter(|sum| self.sums_it(*sum))
     }
 
-    /// The steps that take it as an input: they stand in the node around, in its weighted sum, or where a ray sets out.
+    /// The steps that take it as an input: they are in the node around, in its weighted sum, or where a ray sets out.
     fn where_handed_on(&self) -> Vec<usize> {
         let nodes = self.tree.nodes();
         let node = self.tree.owner(self.event);
@@ -175,7 +175,7 @@ impl<'a> Seeker<'a> {
         later.flat_map(|at| self.takers_of_input(at)).collect()
     }
 
-    /// A node, and where it holds no ray of its own, what stands in it: the lights of a surface with their shadow rays.
+    /// A node, and where it holds no ray of its own, what is in it: the lights of a surface with their shadow rays.
     fn with_inner(&self, node: usize) -> Vec<usize> {
         let nodes = self.tree.nodes();
         match nodes[node].step {

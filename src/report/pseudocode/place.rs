@@ -1,6 +1,6 @@
-//! Where in the algorithm a step stands, whatever the algorithm's lines are.
+//! Where in the algorithm a step is, whatever the algorithm's lines are.
 
-use crate::log::{Decision, Event, Log, Name, RayKind, Skippable, Step, Tree, What, scope};
+use crate::log::{Decision, Event, Log, Name, RayKind, Step, Term, Tree, What, scope};
 
 macro_rules! places {
     ($($(#[$doc:meta])* $place:ident,)*) => {
@@ -64,7 +64,7 @@ places! {
     Return,
 }
 
-/// Where an event stands.
+/// Where an event is.
 pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
     let Some(happening) = log.events.get(event) else { return Place::Pixel };
     let node = tree.owner(event);
@@ -100,7 +100,7 @@ pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
     }
 }
 
-/// The place that a call inside a ray stands at.
+/// The place of a call inside a ray.
 pub(super) fn of_call(inner: RayKind) -> Place {
     match inner {
         RayKind::Camera => Place::Mean,
@@ -117,21 +117,21 @@ fn in_pixel(what: &What) -> Place {
     }
 }
 
-fn direction(what: Skippable) -> Place {
+fn direction(what: Term) -> Place {
     match what {
-        Skippable::Reflected => Place::Reflection,
-        Skippable::Transmitted => Place::Transmission,
-        Skippable::Shadow => Place::Shadow,
-        Skippable::Local | Skippable::Specular => Place::Terms,
+        Term::Reflected => Place::Reflection,
+        Term::Transmitted => Place::Transmission,
+        Term::Shadow => Place::Shadow,
+        Term::Local | Term::Specular => Place::Terms,
     }
 }
 
-fn colour(what: Skippable) -> Place {
+fn colour(what: Term) -> Place {
     match what {
-        Skippable::Reflected => Place::Reflected,
-        Skippable::Transmitted => Place::Transmitted,
-        Skippable::Shadow => Place::Shadow,
-        Skippable::Local | Skippable::Specular => Place::Terms,
+        Term::Reflected => Place::Reflected,
+        Term::Transmitted => Place::Transmitted,
+        Term::Shadow => Place::Shadow,
+        Term::Local | Term::Specular => Place::Terms,
     }
 }
 
@@ -174,13 +174,9 @@ fn noted_in_ray(log: &Log, tree: &Tree, ray: usize, event: usize, name: Name) ->
 }
 
 /// Which bounce a ray has come to: that whose direction it noted last.
-fn latest_bounce(log: &Log, tree: &Tree, ray: usize, event: usize) -> Skippable {
+fn latest_bounce(log: &Log, tree: &Tree, ray: usize, event: usize) -> Term {
     let latest = |name| scope::latest_note(&log.events, tree, ray, event, name);
-    if latest(Name::RefractDirection) > latest(Name::ReflectDirection) {
-        Skippable::Transmitted
-    } else {
-        Skippable::Reflected
-    }
+    if latest(Name::RefractDirection) > latest(Name::ReflectDirection) { Term::Transmitted } else { Term::Reflected }
 }
 
 fn is_hit_known(log: &Log, tree: &Tree, ray: usize, event: usize) -> bool {

@@ -2,7 +2,7 @@
 //! they lie too deep.
 
 use super::{Branch, End};
-use crate::log::{Decision, Log, RayKind, Skippable, Step, Tree, What};
+use crate::log::{Decision, Log, RayKind, Step, Term, Tree, What};
 use crate::report::language::Language;
 use crate::report::pseudocode;
 
@@ -27,8 +27,8 @@ fn call(log: &Log, tree: &Tree, branch: Branch) -> Branch {
 /// The calls from the end of a ray that the depth limit stops.
 fn too_deep(log: &Log, tree: &Tree, branch: &Branch, depth: u32) -> Vec<Branch> {
     let limits = tree.own_events(branch.node).filter_map(|event| match log.events[event].what {
-        What::Mark(Decision::DepthLimit { what: Skippable::Reflected }) => Some(RayKind::Reflected),
-        What::Mark(Decision::DepthLimit { what: Skippable::Transmitted }) => Some(RayKind::Transmitted),
+        What::Mark(Decision::DepthLimit { what: Term::Reflected }) => Some(RayKind::Reflected),
+        What::Mark(Decision::DepthLimit { what: Term::Transmitted }) => Some(RayKind::Transmitted),
         _ => None,
     });
     let leaf = |kind: RayKind| {

@@ -1,4 +1,4 @@
-//! Where the nodes of a ray tree stand: each above the middle of its children, subtrees as close as they come (Reingold and
+//! Where the nodes of a ray tree are: each above the middle of its children, subtrees as close as they come (Reingold and
 //! Tilford, "Tidier drawings of trees", 1981).
 
 use super::{Branch, Figure};
@@ -18,7 +18,7 @@ pub(super) struct Spot<'f> {
     pub level: usize,
 }
 
-/// How far along a line its letter stands.
+/// How far along a line its letter is.
 pub(super) const LETTER_AT: f64 = 0.64;
 
 /// The gap between two nodes of a level, in characters.
@@ -47,7 +47,7 @@ impl<'f> Subtree<'f> {
     fn of(figure: &Figure, branch: Option<&'f Branch>, children: &'f [Branch]) -> Subtree<'f> {
         let text = branch.map_or(figure.language.texts().figure.eye.to_owned(), |branch| figure.end(branch));
         let label = branch.map_or(0, |branch| width(&branch.label));
-        // Letters stand before the ends of their lines, where these are closer together.
+        // Letters are before the ends of their lines, where these are closer together.
         let half = (width(&text) as f64 / 2.0 + 0.8).max((label as f64 / 2.0 + 0.3) / LETTER_AT);
         let mut placed: Vec<(f64, Subtree)> = Vec::new();
         let mut contour: Vec<(f64, f64)> = Vec::new();

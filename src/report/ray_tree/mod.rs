@@ -1,6 +1,6 @@
 //! The ray tree of a pixel as a graphic (Ramos, figures 3, 7, 8 and 9): one file a format.
 //!
-//! The root is the eye, a node is what a ray meets, and a line is the ray: C from the eye, R reflected, T transmitted, S to a light.
+//! The root is the eye, a node is what a ray hits, and a line is the ray: C from the eye, R reflected, T transmitted, S to a light.
 //! A shadow ray that doesn't reach its light is marked. The wider a line, the more of the pixel's intensity comes along it.
 
 mod calls;
@@ -21,7 +21,7 @@ use super::contributions;
 use super::language::Language;
 use super::{Style, words};
 use crate::log::escape::shortened;
-use crate::log::{Decision, Log, RayKind, Skippable, Tree, Value};
+use crate::log::{Decision, Log, RayKind, Term, Tree, Value};
 use std::collections::{BTreeMap, HashMap};
 
 /// A ray with all that it leads to.
@@ -31,11 +31,11 @@ pub struct Branch {
     pub node: usize,
     /// Its way from the eye, such as `C R`.
     pub path: String,
-    /// What stands beside its line: the end of the path, such as `R` or `S1`.
+    /// What is beside its line: the end of the path, such as `R` or `S1`.
     pub label: String,
     /// What it is for.
     pub kind: RayKind,
-    /// What it meets.
+    /// What it hits.
     pub end: End,
     /// The call that traces it, in a tree of calls.
     pub call: Option<String>,
@@ -47,7 +47,7 @@ pub struct Branch {
     pub children: Vec<Branch>,
 }
 
-/// What a ray meets.
+/// What a ray hits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// An object.
@@ -65,7 +65,7 @@ pub enum End {
     },
     /// It isn't traced: it would lie too deep in the tree.
     TooDeep,
-    /// The log doesn't tell.
+    /// The log doesn't say.
     Unknown,
 }
 
@@ -170,7 +170,7 @@ impl<'a> Figure<'a> {
     /// The most characters of a name in a figure.
     const LONGEST: usize = 20;
 
-    /// What stands at the end of a ray.
+    /// What is at the end of a ray.
     fn end(&self, branch: &Branch) -> String {
         let header = &self.log.header;
         let name = |name: &str| shortened(&words::plain(name), Self::LONGEST);
@@ -193,8 +193,7 @@ impl<'a> Figure<'a> {
         let more = match branch.end {
             End::Blocked { object, .. } => (texts.figure.blocked)(&words::plain(self.log.header.object(object))),
             End::TooDeep => {
-                let what =
-                    if branch.kind == RayKind::Transmitted { Skippable::Transmitted } else { Skippable::Reflected };
+                let what = if branch.kind == RayKind::Transmitted { Term::Transmitted } else { Term::Reflected };
                 (texts.depth_limit)(what)
             }
             _ => {

@@ -1,7 +1,7 @@
 //! The schematic as text: lines of braille dots, letters and names over them.
 
 use super::{Place, Plan};
-use crate::log::escape::{cells, visible};
+use crate::log::escape::{cells, escape_hidden};
 
 /// The size of a character, in units of the plan: labels that don't cover each other there don't here.
 const CELL: [f64; 2] = [7.4, 15.4];
@@ -17,7 +17,7 @@ pub fn braille(plan: &Plan) -> String {
     let mut text: Vec<Vec<String>> =
         grid.iter().map(|row| row.iter().map(|cell| dots(cell).to_string()).collect()).collect();
     let mut put = |[x, y]: Place, label: &str| {
-        let label = visible(label);
+        let label = escape_hidden(label);
         // A wide letter takes the place of two.
         let mut label_cells: Vec<&str> = Vec::new();
         for (cell, width) in cells(&label) {

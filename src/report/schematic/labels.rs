@@ -1,4 +1,4 @@
-//! Where the texts of the schematic stand: each where it covers no other, the first of some places that is free.
+//! Where the texts of the schematic are: each where it covers no other, the first of some places that is free.
 
 use super::{Label, Place, Ray, clip};
 use crate::log::escape::{shortened, width};

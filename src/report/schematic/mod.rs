@@ -22,7 +22,7 @@ use labels::Labels;
 
 /// Something in the scene.
 #[derive(Clone, Debug)]
-pub struct Thing {
+pub struct Wireframe {
     /// Its name.
     pub name: String,
     /// Its lines.
@@ -33,7 +33,7 @@ pub struct Thing {
 #[derive(Clone, Copy, Debug)]
 pub struct Stage<'a> {
     /// The objects.
-    pub things: &'a [Thing],
+    pub wireframes: &'a [Wireframe],
     /// The axis of space that runs upward: 1, or 2 where it is z.
     pub upright: usize,
 }
@@ -58,7 +58,7 @@ pub struct Plan {
     pub lights: Vec<Place>,
     /// The eye.
     pub eye: Option<Place>,
-    /// What stands where: the middle of a text.
+    /// A text and where its middle is.
     pub labels: Vec<Label>,
 }
 
@@ -92,7 +92,7 @@ impl Plan {
     }
 }
 
-/// The most rays that are drawn: more nobody tells apart.
+/// The most rays that are drawn: more can't be distinguished.
 const MOST_RAYS: usize = 300;
 
 /// The room for drawing, and around it.
@@ -104,9 +104,9 @@ const FAR: f64 = 0.3;
 
 /// The rays of a node; `None` if the log has none that can be drawn.
 pub fn plan(log: &Log, tree: &Tree, node: usize, stage: Stage, language: Language) -> Option<Plan> {
-    let things = stage.things;
+    let wireframes = stage.wireframes;
     let rays = segments(log, tree, node, MOST_RAYS);
-    let Seen { all: seen, rays: of_rays, far } = seen(&rays, things)?;
+    let Seen { all: seen, rays: of_rays, far } = seen(&rays, wireframes)?;
     let spreads = [0, 1, 2].map(|axis| of_rays[1][axis] - of_rays[0][axis]);
     let dropped = (0..3).min_by(|a, b| spreads[*a].total_cmp(&spreads[*b]))?;
     let (axes, flat) = view(dropped, stage.upright);
@@ -125,7 +125,7 @@ pub fn plan(log: &Log, tree: &Tree, node: usize, stage: Stage, language: Languag
         from: place(ray.from),
         to: place(ray.end(FAR * far)),
     };
-    let outlines = things.iter().flat_map(|thing| &thing.lines);
+    let outlines = wireframes.iter().flat_map(|wireframe| &wireframe.lines);
     let mut plan = Plan {
         size: [(right - left) * scale + 2.0 * MARGIN, (bottom - top) * scale + 2.0 * MARGIN],
         axes,
@@ -166,7 +166,7 @@ struct Seen {
 
 /// The first ray, and what lies not much farther from it than it is long. What
 /// lies beyond would make all else small; rays there run out of the figure.
-fn seen(rays: &[Segment], things: &[Thing]) -> Option<Seen> {
+fn seen(rays: &[Segment], wireframes: &[Wireframe]) -> Option<Seen> {
     let first = rays.first()?;
     let ends = || rays.iter().flat_map(|ray| [ray.from, ray.end(0.0)]);
     let of_first = around([first.from, first.end(0.0)].into_iter());
@@ -184,19 +184,19 @@ fn seen(rays: &[Segment], things: &[Thing]) -> Option<Seen> {
     let beyond = rays.iter().filter(|ray| ray.length.is_none()).map(|ray| ray.end(FAR * far));
     let of_rays = around(met.into_iter().chain(beyond.filter(|point| is_near(point, NEAR_LIGHT))));
     // What is near and small is seen whole.
-    let points = |thing: &Thing| thing.lines.concat();
+    let points = |wireframe: &Wireframe| wireframe.lines.concat();
     let is_small = |points: &[[f64; 3]]| reach(&around(points.iter().copied())) <= SMALL * long;
-    let whole = things.iter().map(points).filter(|points| is_small(points));
+    let whole = wireframes.iter().map(points).filter(|points| is_small(points));
     let whole = whole.filter(|points| points.iter().all(|point| is_near(point, NEAR))).flatten();
     let all = around(of_rays.into_iter().chain(whole));
     all.iter().flatten().all(|number| number.is_finite()).then_some(Seen { all, rays: of_rays, far })
 }
 
-/// How far from the first ray things are seen, in parts of its length, and lights.
+/// How far from the first ray wireframes are seen, in parts of its length, and lights.
 const NEAR: f64 = 1.0;
 const NEAR_LIGHT: f64 = 4.0;
 
-/// How large a thing may be to be seen whole.
+/// How large a wireframe may be to be seen whole.
 const SMALL: f64 = 0.7;
 
 /// The box around points: its lowest and its highest corner.

@@ -16,17 +16,17 @@ pub(super) enum Owner {
 /// What is the same wherever it is put in.
 pub(super) struct Data {
     pub groups: Vec<(Owner, Vec<(Name, Value)>)>,
-    /// Where the group of an owner stands.
+    /// Where the group of an owner is.
     places: HashMap<Owner, usize>,
 }
 
-/// Inputs that don't belong to the object or light at whose node they stand.
+/// Inputs that don't belong to the object or light at whose node they are.
 const OF_THE_STEP: &[Name] = &[Name::RayOrigin, Name::RayDirection];
 
 impl Data {
     pub(super) fn of(log: &Log, tree: &Tree) -> Data {
         let mut data = Data { groups: Vec::new(), places: HashMap::new() };
-        // What has another value elsewhere, as the points of an area light have, is told where it is put in.
+        // What has another value elsewhere, as the points of an area light have, is listed where it is put in.
         let mut varying: HashSet<(Owner, Name)> = HashSet::new();
         for (index, (_, given)) in log.events.with_given().enumerate() {
             for (name, value) in given {

@@ -1,5 +1,5 @@
 //! A worked solution as one page by itself. Its parts fold and its values lead to the step that computed them without any script;
-//! with one, all parts open and close at once, and a value shows where else it stands.
+//! with one, all parts open and close at once, and a value shows where else it occurs.
 
 mod formula;
 

@@ -8,7 +8,7 @@ use crate::report::escape;
 use crate::report::ray_tree::{self, Figure};
 use crate::report::schematic::{self, Plan};
 
-/// What stands before the text. A figure that is wider than the page is made to fit.
+/// What precedes the text. A figure that is wider than the page is made to fit.
 const PREAMBLE: &str = r"\documentclass[10pt,a4paper,fleqn]{article}
 \usepackage[utf8]{inputenc}
 \usepackage[margin=2cm]{geometry}

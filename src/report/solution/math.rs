@@ -10,7 +10,7 @@ use crate::report::language::Language;
 use crate::report::notation::{Notation, Numbers, written};
 use crate::report::{Style, digits, escape, number};
 
-/// So many characters of a formula fit on a line.
+/// The most characters of a formula on a line.
 const LINE: usize = 80;
 
 /// The lines of the equations of some events, for an environment that aligns them.
@@ -29,7 +29,7 @@ pub(super) fn aligned(task: &Task, events: &[usize], fitted: fn(String) -> Strin
     all
 }
 
-/// The lines of an equation; from the second on they begin with what stands under the first equals sign.
+/// The lines of an equation; from the second on they begin with what is under the first equals sign.
 fn lines(task: &Task, equation: &Equation, fitted: fn(String) -> String) -> Vec<String> {
     let symbol = symbol(equation.name.symbol());
     let result = Tex::value(task.numbers(), &equation.result);

@@ -50,7 +50,7 @@ impl Task<'_> {
 /// The outline of a worked solution.
 struct Solution {
     title: String,
-    /// How it was reckoned, in sentences.
+    /// How it was computed, in sentences.
     conditions: Vec<String>,
     data: Data,
     steps: Section,
@@ -68,7 +68,7 @@ struct Section {
 /// What a section is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
-    /// A pixel, a sample or a ray: steps stand in it.
+    /// A pixel, a sample or a ray; it contains steps.
     Ray,
     /// A step, by its number.
     Step(usize),
@@ -76,9 +76,9 @@ enum Kind {
     Part,
 }
 
-/// What stands in a section.
+/// What is in a section.
 enum Item {
-    /// Inputs that the problem states, or that another step hands on.
+    /// Inputs that the problem states, or that another step passes on.
     Given(Vec<(Name, Value, Option<usize>)>),
     /// Values computed one after the other, by their events.
     Equations(Vec<usize>),
@@ -110,7 +110,7 @@ impl Solution {
 }
 
 impl Section {
-    /// Adds an item; equations that follow one another stand together.
+    /// Adds an item; consecutive equations form one group.
     fn push(&mut self, item: Item) {
         match (self.items.last_mut(), item) {
             (Some(Item::Equations(before)), Item::Equations(mut more)) => before.append(&mut more),

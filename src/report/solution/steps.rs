@@ -2,7 +2,7 @@
 
 use super::data::Data;
 use super::{Item, Kind, Section, Task, capitalized};
-use crate::log::{Decision, Event, Name, Skippable, Step, What};
+use crate::log::{Decision, Event, Name, Step, Term, What};
 use crate::report::{provenance, words};
 
 /// All steps of a log.
@@ -141,9 +141,9 @@ impl Maker<'_> {
 }
 
 fn next_phase(phase: Phase, event: &Event) -> Phase {
-    let of_bounce = |what: Skippable| match what {
-        Skippable::Reflected => Phase::Reflection,
-        Skippable::Transmitted => Phase::Transmission,
+    let of_bounce = |what: Term| match what {
+        Term::Reflected => Phase::Reflection,
+        Term::Transmitted => Phase::Transmission,
         _ => phase,
     };
     match event.what {

@@ -2,10 +2,10 @@
 
 use std::hint::black_box;
 
-/// After so many things the room that they took is given back.
+/// After this many items the memory that they took is given back.
 const GIVEN_BACK: usize = 1 << 12;
 
-/// Makes each thing of a list, with its number, into another. The room of the one list is given back while the other grows.
+/// Converts each item of a list, with its number. The memory of the one list is given back while the other grows.
 ///
 /// # Errors
 /// The first that `convert` gives.

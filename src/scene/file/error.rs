@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::ops::Range;
 
-use super::escape::{visible, visible_lines, width};
+use super::escape::{escape_hidden, escape_hidden_lines, width};
 use super::key_path::KeyPath;
 use super::source::Excerpt;
 
@@ -20,7 +20,7 @@ pub enum SceneError {
         omitted: usize,
     },
     /// The file is not one that can be a scene: missing, a directory, a device, too large.
-    #[error("{}: {reason}", visible(file))]
+    #[error("{}: {reason}", escape_hidden(file))]
     Refused {
         /// The file's name.
         file: String,
@@ -28,7 +28,7 @@ pub enum SceneError {
         reason: String,
     },
     /// The machine did not give the bytes.
-    #[error("{}: cannot read: {source}", visible(file))]
+    #[error("{}: cannot read: {source}", escape_hidden(file))]
     Unreadable {
         /// The file's name.
         file: String,
@@ -64,7 +64,7 @@ impl SceneError {
                 reports.extend((*omitted > 0).then(|| format!("{label}: {}", and_more(*omitted))));
                 reports.join("\n")
             }
-            Self::Refused { .. } | Self::Unreadable { .. } => format!("{label}: {}", visible(&self.to_string())),
+            Self::Refused { .. } | Self::Unreadable { .. } => format!("{label}: {}", escape_hidden(&self.to_string())),
         }
     }
 }
@@ -117,7 +117,7 @@ impl Severity {
     }
 }
 
-/// One thing that is wrong. It displays as `FILE:LINE:COL: PATH: what is wrong, what was expected`.
+/// One error. It displays as `FILE:LINE:COL: PATH: what is wrong, what was expected`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     /// The file's name.
@@ -139,7 +139,7 @@ pub struct Problem {
 impl Problem {
     /// The problem as it is shown to a person, with its source line underlined; ends without a newline.
     pub fn report(&self, severity: Severity, colour: bool) -> String {
-        let first_line = format!("{}: {}", severity.label(colour), visible_lines(&self.to_string()));
+        let first_line = format!("{}: {}", severity.label(colour), escape_hidden_lines(&self.to_string()));
         let Some(excerpt) = &self.excerpt else {
             return first_line;
         };
@@ -156,7 +156,7 @@ impl Problem {
 
 impl fmt::Display for Problem {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        write!(formatter, "{}:", visible(&self.file))?;
+        write!(formatter, "{}:", escape_hidden(&self.file))?;
         if self.line > 0 {
             write!(formatter, "{}:{}:", self.line, self.column)?;
         }
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mark_stands_under_letters_of_any_width() {
+    fn the_mark_is_under_letters_of_any_width() {
         let source = Source { name: "a.json", text: "{\"کره‌ی 球\": 漢字}".as_bytes() };
         let report = source.problem(20..26, KeyPath::default(), "no value".into()).report(Severity::Error, false);
         assert_eq!(report.lines().last(), Some("  |             ^^^^"), "{report}");

@@ -136,7 +136,7 @@ fn wrong_data(text: &str, mistake: &Mistake) -> (Range<usize>, KeyPath, String) 
                 path.push(name.to_string());
             }
             let second = key_span(locate_repeated(text, &path, 1));
-            let message = format!("the key `{}` stands twice, expected it once", shortened(name, QUOTED));
+            let message = format!("the key `{}` occurs twice, expected it once", shortened(name, QUOTED));
             (second, path, message)
         }
         Complaint::Length { found, expected } => {
@@ -164,7 +164,7 @@ pub enum Complaint<'s> {
     UnknownWord { name: &'s str, valid: Vec<&'s str> },
     /// A key that must be there.
     Missing { name: &'s str },
-    /// A key that stands twice.
+    /// A duplicate key.
     Repeated { name: &'s str },
     /// Too few or too many elements.
     Length { found: &'s str, expected: &'s str },
@@ -251,7 +251,7 @@ fn in_words(expected: &str, path: &KeyPath) -> String {
     }
 }
 
-/// What stands in the file, in words.
+/// What is in the file, in words.
 fn describe(value: &str) -> String {
     match value.as_bytes().first() {
         Some(b'"') => format!("the string {}", shortened(value, QUOTED)),

@@ -41,7 +41,7 @@ pub fn is_in_number(text: &[u8], start: usize, hash: usize) -> bool {
     std::str::from_utf8(&text[start..hash + 1 + length.unwrap_or(rest.len().min(LONGEST))]).is_ok_and(is_none)
 }
 
-/// Whether a byte stands between the words of a line.
+/// Whether a byte is between the words of a line.
 pub fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\x0b' | b'\x0c')
 }

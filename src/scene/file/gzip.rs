@@ -36,7 +36,7 @@ impl<R: BufRead> Read for Members<R> {
             }
             // One byte may be all of the next member that was read so far.
             if !is_packed(rest) && rest != &MAGIC[..1] {
-                return Err(Error::new(ErrorKind::InvalidData, "other bytes stand behind the packed ones"));
+                return Err(Error::new(ErrorKind::InvalidData, "other bytes follow the compressed data"));
             }
             self.member = Some(GzDecoder::new(input));
         }
@@ -53,7 +53,7 @@ mod tests {
     use std::io::Write;
 
     #[test]
-    fn what_stands_behind_a_packed_file_is_told() {
+    fn what_follows_a_packed_file_is_reported() {
         let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
         encoder.write_all(b"all of it").unwrap();
         let whole = encoder.finish().unwrap();
@@ -61,7 +61,7 @@ mod tests {
             let mut read = Vec::new();
             let error = unpacked(&[&whole, behind].concat()[..]).read_to_end(&mut read).unwrap_err();
             assert_eq!(read, b"all of it");
-            assert!(error.to_string().contains("other bytes stand behind"), "{error}");
+            assert!(error.to_string().contains("other bytes follow"), "{error}");
         }
         let mut read = Vec::new();
         unpacked(&[&whole[..], &whole[..]].concat()[..]).read_to_end(&mut read).unwrap();

@@ -19,7 +19,7 @@ const BEGINNING: u64 = 512;
 /// The name that standard input has in messages.
 pub const STANDARD_INPUT: &str = "<stdin>";
 
-/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is packed by gzip or zstd is
+/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is compressed with gzip or zstd is
 /// unpacked.
 ///
 /// # Errors
@@ -38,7 +38,7 @@ pub struct Wanted {
     pub max_bytes: u64,
 }
 
-/// An opened file, or standard input, unpacked if it is packed by gzip or zstd.
+/// An opened file, or standard input, unpacked if it is compressed with gzip or zstd.
 pub struct Opened {
     wanted: Wanted,
     name: String,
@@ -76,8 +76,8 @@ impl Wanted {
         }
         // Asked before opening, because opening a FIFO would wait for a writer.
         let metadata = fs::metadata(path).map_err(|error| self.failure(&name, error))?;
-        if let Some(thing) = irregular(&metadata) {
-            return Err(refused(&name, format!("expected a regular file, found {thing}")));
+        if let Some(kind) = irregular(&metadata) {
+            return Err(refused(&name, format!("expected a regular file, found {kind}")));
         }
         let file = File::open(path).map_err(|error| self.failure(&name, error))?;
         Ok(Opened { path: Some(path.to_owned()), ..self.begin(file, metadata.len(), name)? })
@@ -168,7 +168,7 @@ impl Opened {
         if bytes.len() as u64 <= most {
             return Ok(bytes);
         }
-        let found = if self.packing.is_some() { "found more when unpacked" } else { "found more" };
+        let found = if self.packing.is_some() { "found more when decompressed" } else { "found more" };
         Err(self.wanted.too_large(&self.name, found))
     }
 
@@ -231,7 +231,7 @@ pub fn display_name(path: &Path) -> String {
     if path == Path::new("-") { STANDARD_INPUT.to_string() } else { path.to_string_lossy().into_owned() }
 }
 
-/// What a thing that is no regular file is, in words.
+/// What a path that is no regular file is, in words.
 pub fn irregular(metadata: &Metadata) -> Option<&'static str> {
     let kind = metadata.file_type();
     if kind.is_file() {
@@ -354,7 +354,7 @@ mod tests {
     fn a_bomb_ends_at_the_limit() {
         let bomb = packed(&vec![b' '; 1 << 20]);
         assert!(bomb.len() < 2000);
-        let message = "too large, expected at most 1000 bytes, found more when unpacked";
+        let message = "too large, expected at most 1000 bytes, found more when decompressed";
         assert_eq!(read_packed(bomb.clone(), 1000), Err(message.to_string()));
         assert_eq!(read_packed(bomb, 1 << 20).map(|bytes| bytes.len()), Ok(1 << 20));
     }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use super::escape::visible;
+use super::escape::escape_hidden;
 
 /// A path of keys and indices; empty at the root.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -76,13 +76,13 @@ impl FromIterator<Step> for KeyPath {
     }
 }
 
-/// Keys that could be misread as part of the path stand in brackets and quotes, `materials["a.b"]`.
+/// Keys that could be misread as part of the path are in brackets and quotes, `materials["a.b"]`.
 impl fmt::Display for KeyPath {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         for (depth, step) in self.0.iter().enumerate() {
             match step {
                 Step::Index(index) => write!(formatter, "[{index}]")?,
-                Step::Key(key) if !is_plain(key) => write!(formatter, "[\"{}\"]", visible(key))?,
+                Step::Key(key) if !is_plain(key) => write!(formatter, "[\"{}\"]", escape_hidden(key))?,
                 Step::Key(key) if depth == 0 => formatter.write_str(key)?,
                 Step::Key(key) => write!(formatter, ".{key}")?,
             }

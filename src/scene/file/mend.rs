@@ -22,14 +22,14 @@ const MAX_BYTES_READ_AGAIN: usize = 64 << 20;
 /// How often a text is read again, whatever its size.
 const MAX_ROUNDS: usize = 500;
 
-/// All problems of a text that `read_scene` refused with `first`: of form, and of meaning as far as they don't hang on those.
+/// All problems of a text that `read_scene` refused with `first`: of form, and of meaning as far as they don't depend on those.
 pub(super) fn all_problems(source: &Source, text: &str, file_name: &str, first: &NoScene) -> SceneError {
     let is_of_form = first.error.is_data() && other_format(text).is_none();
     if !is_of_form {
         return explain(source, text, first).into();
     }
     if let Err(error) = serde_json::from_str::<IgnoredAny>(text) {
-        // Where the text stops being JSON, what was meant can't be told any more.
+        // Where the text stops being JSON, the meaning is lost.
         let broken = NoScene { error, path: KeyPath::default() };
         return together(vec![explain(source, text, first), explain(source, text, &broken)], 0);
     }
@@ -113,7 +113,7 @@ impl Mending<'_> {
                 self.take_out(locate_repeated(&self.copy, &path, 1))
             }
             Complaint::Missing { name } => {
-                // What belongs here is told by what the reader says of `null`.
+                // What the reader says of `null` shows what belongs here.
                 let place = locate(&self.copy, &path);
                 self.stand_ins.push(path.join(name.to_owned()));
                 let rest = self.copy[place.value.start + 1..].trim_start();

@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
-use super::escape::visible;
+use super::escape::escape_hidden;
 use super::input::irregular;
 use super::there::is_callers_fault;
 
@@ -15,7 +15,7 @@ pub enum MeshPathError {
     #[error("{0}")]
     Refused(String),
     /// The machine did not say what is there.
-    #[error("cannot look at `{}`: {source}", visible(&path.to_string_lossy()))]
+    #[error("cannot look at `{}`: {source}", escape_hidden(&path.to_string_lossy()))]
     Unreadable {
         /// The resolved path.
         path: PathBuf,
@@ -43,15 +43,15 @@ pub fn resolve_mesh_path(scene_path: &Path, mesh_path: &str) -> Result<PathBuf, 
     check_as_written(mesh_path).map_err(MeshPathError::Refused)?;
     let folder = scene_path.parent().unwrap_or(Path::new(""));
     let resolved = folder.join(mesh_path);
-    let shown = visible(&resolved.to_string_lossy()).into_owned();
+    let shown = escape_hidden(&resolved.to_string_lossy()).into_owned();
     let failure = |source: io::Error| match source.kind() {
         io::ErrorKind::NotFound => MeshPathError::Refused(format!("no such file, `{shown}`, expected a mesh")),
         _ if is_callers_fault(&source) => MeshPathError::Refused(format!("expected a mesh at `{shown}`: {source}")),
         _ => MeshPathError::Unreadable { path: resolved.clone(), source },
     };
     let metadata = fs::metadata(&resolved).map_err(failure)?;
-    if let Some(thing) = irregular(&metadata) {
-        let message = format!("expected a regular file at `{shown}`, found {thing}");
+    if let Some(kind) = irregular(&metadata) {
+        let message = format!("expected a regular file at `{shown}`, found {kind}");
         return Err(MeshPathError::Refused(message));
     }
     let real = fs::canonicalize(&resolved).map_err(failure)?;
@@ -76,7 +76,7 @@ pub fn resolve_mesh_path(scene_path: &Path, mesh_path: &str) -> Result<PathBuf, 
 
 /// What can be said about the path of a mesh without looking at the disk.
 pub fn check_as_written(mesh_path: &str) -> Result<(), String> {
-    let shown = visible(mesh_path);
+    let shown = escape_hidden(mesh_path);
     if mesh_path.is_empty() {
         return Err("must not be empty, expected the path of an OBJ or PLY file".to_string());
     }

@@ -1,7 +1,7 @@
 //! The scene file `raywalk-scene/1`: reading it, checking it and printing it; and scenes of another format, [`nff`].
 //!
-//! This room owns the JSON form of a scene ([`schema`]), the way from bytes to a checked [`SceneFile`] ([`read`]), and
-//! every sentence that tells a person what is wrong with a file and where ([`SceneError`]). It must not know how a scene
+//! This module owns the JSON form of a scene ([`schema`]), the way from bytes to a checked [`SceneFile`] ([`read`]), and
+//! every sentence that says what is wrong with a file and where ([`SceneError`]). It must not know how a scene
 //! is traced: no geometry, no cameras, only the numbers as they are written.
 //!
 //! ```
@@ -42,7 +42,7 @@ mod there;
 mod zstd;
 
 pub use error::{Problem, SceneError, Severity, more_warnings};
-pub use escape::{visible, visible_json, visible_lines};
+pub use escape::{escape_hidden, escape_hidden_json, escape_hidden_lines};
 pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
 pub use key_path::{KeyPath, Step};
 pub use load::{Loaded, check, check_as, check_scene, parse, placed, read};

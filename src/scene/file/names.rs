@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use super::escape::visible;
+use super::escape::escape_hidden;
 use super::packed::unpacked_name;
 use super::schema::SceneFile;
 use compact_str::{CompactString, format_compact};
@@ -14,7 +14,7 @@ pub fn fill_in_names(scene: &mut SceneFile, file_name: &str) {
         let stem = Path::new(unpacked_name(file_name)).file_stem().unwrap_or_default();
         let stem = stem.to_string_lossy();
         // A name in a file may not hold control characters; that of a file may.
-        scene.name = visible(stem.trim_matches(['<', '>'])).into_owned();
+        scene.name = escape_hidden(stem.trim_matches(['<', '>'])).into_owned();
     }
     fill_in("object", &mut scene.objects, |object| &mut object.name);
     fill_in("light", &mut scene.lights, |light| &mut light.name);

@@ -21,10 +21,12 @@ pub enum Packing {
 impl Packing {
     /// What a file that begins like this is packed by, if it is.
     pub(super) fn of(beginning: &[u8]) -> Option<Packing> {
-        match () {
-            _ if gzip::is_packed(beginning) => Some(Packing::Gzip),
-            _ if beginning.starts_with(zstd::MAGIC) => Some(Packing::Zstd),
-            _ => None,
+        if gzip::is_packed(beginning) {
+            Some(Packing::Gzip)
+        } else if beginning.starts_with(zstd::MAGIC) {
+            Some(Packing::Zstd)
+        } else {
+            None
         }
     }
 

@@ -1,6 +1,6 @@
-//! Prints a scene as people write it: what fits on a line stands on one line, and 1 is `1`, not `1.0`.
+//! Prints a scene as people write it: what fits on a line is on one line, and 1 is `1`, not `1.0`.
 
-use super::escape::visible_json;
+use super::escape::escape_hidden_json;
 use super::scan::Scanner;
 use super::schema::{Materials, SceneFile};
 use serde::Serialize;
@@ -9,11 +9,11 @@ use std::io::{self, Write};
 /// The longest line that is not broken up.
 const WIDTH: usize = 100;
 
-/// Lists of so many things are printed thing by thing, so that the text of a million objects isn't there as a whole. They never fit on a line.
+/// Lists of this many items are printed item by item, so that the text of a million objects isn't in memory as a whole. They never fit on a line.
 const LONG: usize = 1 << 10;
 
 impl SceneFile {
-    /// The scene as `raywalk-scene/1`, every default written out but those that hang on the arithmetic; ends with a newline. Reading it
+    /// The scene as `raywalk-scene/1`, every default written out but those that depend on the arithmetic; ends with a newline. Reading it
     /// gives an equal scene.
     pub fn to_json(&self) -> String {
         let mut printed = Vec::new();
@@ -40,7 +40,7 @@ impl SceneFile {
             ..*self
         }
         .printed();
-        // At the beginning of a line of this depth stand keys of the scene alone: in strings there are no ends of lines.
+        // At the beginning of a line of this depth are keys of the scene alone: in strings there are no ends of lines.
         let (materials, objects) = ("\n  \"materials\": {", "\n  \"objects\": [");
         let mut rest = &text[..];
         if let (true, Some(at)) = (are_long[0], rest.find(materials)) {
@@ -75,7 +75,7 @@ impl SceneFile {
         printer.value(0, 0, true);
         printer.printed.push('\n');
         // The path of a mesh may hold what drives a terminal; the names of a scene may not.
-        visible_json(&printer.printed).into_owned()
+        escape_hidden_json(&printer.printed).into_owned()
     }
 }
 
@@ -91,7 +91,7 @@ fn write_item(out: &mut impl Write, number: usize, key: Option<&str>, item: &imp
     let mut printer = Printer { text: &compact, scanner: Scanner::new(&compact), printed: String::new() };
     printer.value(INDENT, INDENT + 1 + key.len(), false);
     let separator = if number == 0 { "\n" } else { ",\n" };
-    let (key, value) = (visible_json(&key), visible_json(&printer.printed));
+    let (key, value) = (escape_hidden_json(&key), escape_hidden_json(&printer.printed));
     write!(out, "{separator}{:INDENT$}{key}{value}", "")
 }
 
@@ -102,7 +102,7 @@ struct Printer<'t> {
 }
 
 impl Printer<'_> {
-    /// Prints the next value; `used` is what already stands on its line.
+    /// Prints the next value; `used` is what is already on its line.
     fn value(&mut self, indent: usize, used: usize, is_root: bool) {
         let start = self.scanner.at;
         match self.scanner.peek() {
@@ -187,7 +187,7 @@ fn one_line(compact: &str) -> String {
 mod tests {
     use super::*;
 
-    /// Thing by thing the same is written as at once.
+    /// Item by item the same is written as at once.
     #[test]
     fn long_lists_are_written_as_short_ones_are() {
         let text = r#"{"format": "raywalk-scene/1", "camera": {"position": [0, 0, 5], "direction": [0, 0, -1], "resolution": [4, 3]},

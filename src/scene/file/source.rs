@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::error::Problem;
-use super::escape::visible;
+use super::escape::escape_hidden;
 use super::key_path::KeyPath;
 
 /// How many bytes of a long line are shown before and after the place; twice as many are not yet long.
@@ -66,8 +66,9 @@ impl Source<'_> {
         let from = self.next_boundary(from).min(start);
         let cut = end.min(start + shown);
         let to = self.next_boundary(line_end.min(cut + shown));
-        let part =
-            |range: Range<usize>| visible(&String::from_utf8_lossy(&self.text[range]).replace('\t', " ")).into_owned();
+        let part = |range: Range<usize>| {
+            escape_hidden(&String::from_utf8_lossy(&self.text[range]).replace('\t', " ")).into_owned()
+        };
         let head = if from > line_start { "…" } else { "" };
         let tail = if to < line_end { "…" } else { "" };
         // Escapes lengthen what is shown, so the parts are cut once more.

@@ -1,7 +1,7 @@
 //! An adapter around a JSON deserializer that accepts exactly one spelling of everything.
 //!
 //! Derived serde code also takes an array for a struct, `null` for an optional key, `{"word": null}` for a word, and
-//! leaves surplus elements of a vector to a later, puzzling error. [`Strict`] refuses all of these where they stand.
+//! leaves surplus elements of a vector to a later, puzzling error. [`Strict`] refuses all of these in their place.
 
 use std::fmt;
 

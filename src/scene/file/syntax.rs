@@ -1,4 +1,4 @@
-//! Why a text is not JSON, in words that help: the parser's message, improved by a look at what stands there.
+//! Why a text is not JSON, in words that help: the parser's message, improved by a look at the text in that place.
 
 use std::ops::Range;
 
@@ -45,7 +45,7 @@ fn hint(rest: &str, word: &str) -> Option<String> {
         return Some("comments are not part of JSON, expected none".to_string());
     }
     if rest.starts_with('\'') {
-        return Some("strings and keys stand in double quotes in JSON, found a single quote".to_string());
+        return Some("strings and keys need double quotes in JSON, found a single quote".to_string());
     }
     if rest.starts_with('\0') {
         return Some("found a NUL byte, expected JSON text".to_string());

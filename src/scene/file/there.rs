@@ -19,7 +19,7 @@ pub fn is_callers_fault(error: &io::Error) -> bool {
 /// Whether something has this name, be it a link that leads nowhere.
 ///
 /// # Errors
-/// Where the system doesn't tell (a folder that may not be looked into, a disk that fails): then nobody may take it for absent.
+/// Unknown (a folder without permission, a failing disk): it must not be taken for absent.
 pub fn is_there(path: &Path) -> io::Result<bool> {
     match fs::symlink_metadata(path) {
         Ok(_) => Ok(true),

@@ -99,8 +99,8 @@ mod tests {
     #[test]
     fn frames_follow_one_another_and_skippable_ones_are_passed_over() {
         let long = vec![b'a'; 300_000];
-        let skippable = [&0x184D_2A51_u32.to_le_bytes()[..], &3_u32.to_le_bytes(), b"xyz"].concat();
-        let file = [packed(b"one "), skippable.clone(), packed(b""), packed(&long), skippable].concat();
+        let term = [&0x184D_2A51_u32.to_le_bytes()[..], &3_u32.to_le_bytes(), b"xyz"].concat();
+        let file = [packed(b"one "), term.clone(), packed(b""), packed(&long), term].concat();
         let (bytes, result) = read(&file);
         assert!(result.is_ok());
         assert_eq!(bytes, [b"one ", &long[..]].concat());
@@ -108,7 +108,7 @@ mod tests {
 
     #[test]
     fn what_the_system_says_is_not_taken_for_damage() {
-        /// A disk that fails after so many bytes.
+        /// A disk that fails after this many bytes.
         struct Failing<'b>(&'b [u8]);
 
         impl Read for Failing<'_> {
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_cut_off_or_changed_is_told_apart() {
+    fn a_file_that_is_cut_off_or_changed_is_distinguished() {
         let whole = packed(b"all of it, and all of it again, and all of it once more");
         for length in 1..whole.len() {
             let (_, result) = read(&whole[..length]);

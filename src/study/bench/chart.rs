@@ -13,7 +13,7 @@ const COLORS: [&str; 8] = ["#000000", "#E69F00", "#56B4E9", "#009E73", "#D55E00"
 
 /// A panel of the picture.
 pub struct Panel<'a> {
-    /// What stands above it.
+    /// What is above it.
     pub title: String,
     /// What is shown.
     pub comparison: &'a Comparison,
@@ -147,7 +147,7 @@ fn draw_front(svg: &mut String, outcomes: &[Outcome], times: &Axis, errors: &Axi
     };
     let places: Vec<_> = front.iter().map(place).collect();
     let _ = writeln!(svg, "<polyline points=\"{}\" fill=\"none\" stroke=\"#444444\"/>", places.join(" "));
-    // Names beside the points would lie over each other: the points have numbers, and the names stand below the methods.
+    // Names beside the points would lie over each other: the points have numbers, and the names are below the methods.
     let [_, top, right, _] = AREA;
     for (number, outcome) in (1..).zip(front) {
         let [x, y] = [times.place(outcome.seconds.median) + 7.0, errors.place(outcome.rmse.median) - 5.0];

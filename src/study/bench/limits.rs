@@ -45,7 +45,7 @@ pub struct Ladder {
     pub rungs: Vec<Limited>,
 }
 
-/// How many levels the reference has more than the scene asks for. Rays branch, so many more could take for ever.
+/// How many levels the reference has more than the scene asks for. Rays branch, so many more levels could take forever.
 const LEVELS_MORE: u32 = 2;
 
 /// The cutoffs that are compared.

@@ -51,7 +51,7 @@ pub struct Overhead {
     pub rays_per_pixel: f64,
     /// Events that a pixel's log has.
     pub events_per_pixel: f64,
-    /// Bytes that they take in memory, without what hangs on them.
+    /// Bytes that they take in memory, without what depends on them.
     pub event_bytes_per_pixel: f64,
     /// The ways.
     pub costs: Vec<Cost>,

@@ -41,7 +41,7 @@ pub struct Comparing {
     pub reference: Reference,
     /// How often each method renders, each time with another seed.
     pub runs: usize,
-    /// On how many threads; 0 is one a core.
+    /// On how many threads; 0 is one per core.
     pub threads: usize,
 }
 

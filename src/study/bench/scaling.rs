@@ -29,7 +29,7 @@ pub struct OfSpheres {
     pub ns_per_camera_ray: Spread,
     /// Nanoseconds of processor time for a ray from anywhere to anywhere.
     pub ns_per_random_ray: Spread,
-    /// The part of the camera rays that meet something.
+    /// The part of the camera rays that hit something.
     pub hit: f64,
 }
 

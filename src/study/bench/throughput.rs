@@ -1,4 +1,4 @@
-//! How many rays a second are answered: whole passes over the rays of a file, which threads take from a queue.
+//! How many rays per second are answered: whole passes over the rays of a file, which threads take from a queue.
 
 use super::Spread;
 use super::clock::{Lap, timed};
@@ -17,7 +17,7 @@ use std::thread;
 /// How many rays a thread takes from the queue at a time.
 pub const QUEUE: usize = 4096;
 
-/// The primitive of a ray that meets none.
+/// The primitive of a ray that hits none.
 pub const NOTHING: u32 = u32::MAX;
 
 /// How often the rays are traced.
@@ -25,7 +25,7 @@ pub const NOTHING: u32 = u32::MAX;
 pub enum Passes {
     /// So often.
     Number(usize),
-    /// For about so many seconds, 3 to 15 times.
+    /// For about this many seconds, 3 to 15 times.
     Seconds(f64),
 }
 
@@ -75,7 +75,7 @@ pub struct Throughput {
     pub t_sum: f64,
 }
 
-/// The scene of the primitives: one object for a mesh, one for each sphere. Says how long it took on so many threads to make it
+/// The scene of the primitives: one object for a mesh, one for each sphere. Says how long it took on this many threads to make it
 /// ready to be traced.
 pub fn build(name: &str, primitives: &Primitives, threads: usize) -> (Scene, Lap) {
     let threads = Threads::of(threads, usize::MAX);
@@ -94,7 +94,7 @@ pub fn build(name: &str, primitives: &Primitives, threads: usize) -> (Scene, Lap
     }
 }
 
-/// Traces the rays again and again on so many threads, or on those that can be started. `hits` holds what the last pass found.
+/// Traces the rays again and again on this many threads, or on those that can be started. `hits` holds what the last pass found.
 pub fn measure(
     scene: &Scene,
     file: &RayFile,

@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 /// A family of cases.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Family {
-    /// Its name; what stands before the first `_` picks what is required of it.
+    /// Its name; what precedes the first `_` picks what is required of it.
     pub family: String,
     /// What is to be done with each case, unless the case says so itself.
     pub op: String,

@@ -1,6 +1,6 @@
-//! Cases of input that is no input: what the doors of the program say to it, and what comes out behind them.
+//! Cases of input that is no input: what the readers of the program say to it, and what comes out.
 
-use super::question::{Thing, Triple, any, any_number, input};
+use super::question::{ShapeInput, Triple, any, any_number, input};
 use super::stage::{self, Watch};
 use super::way::Way;
 use crate::geometry::{Ray, Shape};
@@ -33,7 +33,7 @@ const INVALID: &str = "invalid";
 const FINITE: &str = "finite";
 const NOT_FINITE: &str = "not finite";
 
-/// A ray at a shape. Spheres and planes go through the door of scene files, rays through that of ray queries.
+/// A ray at a shape. Spheres and planes go through the reader of scene files, rays through that of ray queries.
 fn shape(case: &Map<String, Value>) -> &'static str {
     let Some(shape) = checked_shape(case) else { return INVALID };
     let [Some(origin), Some(direction)] = ["o", "d"].map(|key| triple(case, key)) else { return INVALID };
@@ -49,37 +49,37 @@ fn shape(case: &Map<String, Value>) -> &'static str {
 }
 
 fn checked_shape(case: &Map<String, Value>) -> Option<Shape> {
-    let (in_file, thing) = if let Some(center) = case.get("c") {
+    let (in_file, shape) = if let Some(center) = case.get("c") {
         let center = numbers(center)?;
         let radius = any(case.get("r")?)?;
-        let thing = Thing::Sphere { c: center.try_into().ok()?, r: radius };
-        (Some(json!({"sphere": {"center": case.get("c"), "radius": case.get("r")}})), thing)
+        let shape = ShapeInput::Sphere { c: center.try_into().ok()?, r: radius };
+        (Some(json!({"sphere": {"center": case.get("c"), "radius": case.get("r")}})), shape)
     } else if let Some(coefficients) = case.get("abcd") {
-        let thing = Thing::Plane { abcd: numbers(coefficients)?.try_into().ok()? };
-        (Some(json!({"plane": {"coefficients": coefficients}})), thing)
+        let shape = ShapeInput::Plane { abcd: numbers(coefficients)?.try_into().ok()? };
+        (Some(json!({"plane": {"coefficients": coefficients}})), shape)
     } else if let Some(corners) = case.get("v") {
         let corners: Vec<Triple> =
             corners.as_array()?.iter().map(|corner| numbers(corner)?.try_into().ok()).collect::<Option<_>>()?;
         let [v0, v1, v2] = corners.try_into().ok()?;
-        (None, Thing::Triangle { v0, v1, v2 })
+        (None, ShapeInput::Triangle { v0, v1, v2 })
     } else {
         let rows = case.get("m")?.as_array()?.iter().map(|row| numbers(row)?.try_into().ok());
         let rows: Vec<[f64; 4]> = rows.collect::<Option<_>>()?;
-        (None, Thing::Ellipsoid { m: rows.try_into().ok()? })
+        (None, ShapeInput::Ellipsoid { m: rows.try_into().ok()? })
     };
     if let Some(shape) = in_file {
         let camera = json!({"position": [0, 0, 0], "direction": [0, 0, 1]});
         is_accepted(&camera, json!([{"shape": shape}])).then_some(())?;
     }
-    let is_finite = match &thing {
-        Thing::Triangle { v0, v1, v2 } => [v0, v1, v2].into_iter().flatten().all(|x| x.is_finite()),
-        Thing::Ellipsoid { m } => m.iter().flatten().all(|x| x.is_finite()),
+    let is_finite = match &shape {
+        ShapeInput::Triangle { v0, v1, v2 } => [v0, v1, v2].into_iter().flatten().all(|x| x.is_finite()),
+        ShapeInput::Ellipsoid { m } => m.iter().flatten().all(|x| x.is_finite()),
         _ => true,
     };
-    is_finite.then(|| stage::shape(&Way::OWN, &thing).ok()).flatten()
+    is_finite.then(|| stage::shape(&Way::OWN, &shape).ok()).flatten()
 }
 
-/// A camera, by the door of scene files.
+/// A camera, by the reader of scene files.
 fn camera(case: &Map<String, Value>) -> &'static str {
     let camera = json!({
         "position": case.get("eye"), "look_at": case.get("at"), "up": case.get("up"),
@@ -88,7 +88,7 @@ fn camera(case: &Map<String, Value>) -> &'static str {
     if is_accepted(&camera, json!([])) { FINITE } else { INVALID }
 }
 
-/// Whether a scene file with these parts is accepted. What JSON has no number for stands there as a text.
+/// Whether a scene file with these parts is accepted. What JSON has no number for is there as a text.
 fn is_accepted(camera: &Value, objects: Value) -> bool {
     let scene = json!({"format": "raywalk-scene/1", "camera": camera, "objects": objects});
     file::check(scene.to_string().as_bytes(), "case.json").is_ok()

@@ -1,7 +1,7 @@
 //! Numerical stability, measured: cases with exact answers go through the program's own kernels, scenes and tracing, and
 //! errors are counted in units of the last place or of the case's condition.
 //!
-//! There is no second implementation here of anything that is measured: the room turns numbers into shapes, scenes and rays,
+//! There is no second implementation here of anything that is measured: the module turns numbers into shapes, scenes and rays,
 //! and answers back into numbers.
 
 mod case;

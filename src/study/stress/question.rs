@@ -25,10 +25,10 @@ pub(super) struct RayInput {
     pub d: Triple,
 }
 
-/// Something that rays meet.
+/// A shape.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
-pub(super) enum Thing {
+pub(super) enum ShapeInput {
     Sphere { c: Triple, r: f64 },
     Plane { abcd: [f64; 4] },
     Triangle { v0: Triple, v1: Triple, v2: Triple },
@@ -55,11 +55,11 @@ impl MeshData {
     }
 }
 
-/// A thing and what it is made of.
+/// A shape and what it is made of.
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct ObjectInput {
     #[serde(flatten)]
-    pub thing: Thing,
+    pub shape: ShapeInput,
     #[serde(default)]
     pub mat: MaterialInput,
 }
@@ -114,7 +114,7 @@ pub(super) enum SpecularInput {
     R,
 }
 
-/// What a transparent thing does to light.
+/// What a transparent object does to light.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum ShadowInput {

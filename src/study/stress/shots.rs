@@ -1,6 +1,6 @@
 //! Cases that shoot rays at shapes.
 
-use super::question::{MeshData, ObjectInput, RayInput, Thing, Triple, input};
+use super::question::{MeshData, ObjectInput, RayInput, ShapeInput, Triple, input};
 use super::stage::{self, Watch};
 use super::way::Way;
 use crate::geometry::{Ray, Shape};
@@ -21,17 +21,17 @@ pub(super) fn one_shape(way: &Way, case: &Map<String, Value>) -> Result<Value, S
         Triangle { v: [Triple; 3] },
         Ellipsoid { m: [[f64; 4]; 3] },
     }
-    let thing = match input(case)? {
-        One::Sphere { c, r } => Thing::Sphere { c, r },
-        One::Plane { abcd } => Thing::Plane { abcd },
-        One::Triangle { v: [v0, v1, v2] } => Thing::Triangle { v0, v1, v2 },
-        One::Ellipsoid { m } => Thing::Ellipsoid { m },
+    let shape = match input(case)? {
+        One::Sphere { c, r } => ShapeInput::Sphere { c, r },
+        One::Plane { abcd } => ShapeInput::Plane { abcd },
+        One::Triangle { v: [v0, v1, v2] } => ShapeInput::Triangle { v0, v1, v2 },
+        One::Ellipsoid { m } => ShapeInput::Ellipsoid { m },
     };
-    let scene = stage::scene_of(way, vec![stage::shape(way, &thing)?]);
+    let scene = stage::scene_of(way, vec![stage::shape(way, &shape)?]);
     let ray = stage::ray(way, &scene, &input(case)?);
     let (found, watch) = stage::meet(way, &scene, &ray);
-    let gap = match thing {
-        Thing::Sphere { r, .. } => relative_gap(&watch, r),
+    let gap = match shape {
+        ShapeInput::Sphere { r, .. } => relative_gap(&watch, r),
         _ => Value::Null,
     };
     let Some((hit, surface)) = found else { return Ok(json!({"hit": false, "gap": gap})) };
@@ -74,7 +74,7 @@ pub(super) fn spheres(way: &Way, case: &Map<String, Value>) -> Result<Value, Str
     Ok(json!({"order": order, "t": t}))
 }
 
-/// `nearest`: what a ray meets first among several things.
+/// `nearest`: what a ray hits first among several shapes.
 pub(super) fn nearest(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     let scene = objects(way, case)?;
     let ray = stage::ray(way, &scene, &input(case)?);
@@ -87,7 +87,7 @@ pub(super) fn nearest(way: &Way, case: &Map<String, Value>) -> Result<Value, Str
     })
 }
 
-/// `mesh`: which triangle a ray meets. The mesh belongs to the whole family.
+/// `mesh`: which triangle a ray hits. The mesh belongs to the whole family.
 pub(super) fn mesh(way: &Way, case: &Map<String, Value>, scene: &Scene) -> Result<Value, String> {
     let ray = stage::ray(way, scene, &input(case)?);
     Ok(match way.computed(|probe| closest_hit(scene, &ray, probe)) {
@@ -98,7 +98,7 @@ pub(super) fn mesh(way: &Way, case: &Map<String, Value>, scene: &Scene) -> Resul
 
 /// The scene of a family's mesh.
 pub(super) fn mesh_scene(way: &Way, data: &MeshData) -> Result<Scene, String> {
-    Ok(stage::scene_of(way, vec![stage::shape(way, &Thing::Mesh(data.clone()))?]))
+    Ok(stage::scene_of(way, vec![stage::shape(way, &ShapeInput::Mesh(data.clone()))?]))
 }
 
 /// `visible`: whether a light is seen from a point.
@@ -135,13 +135,13 @@ pub(super) fn spawn(way: &Way, case: &Map<String, Value>) -> Result<Value, Strin
         r: f64,
     }
     let spawn: Spawn = input(case)?;
-    let thing = match (spawn.sphere, spawn.plane, spawn.triangle) {
-        (Some(Ball { c, r }), None, None) => Thing::Sphere { c, r },
-        (None, Some(abcd), None) => Thing::Plane { abcd },
-        (None, None, Some([v0, v1, v2])) => Thing::Triangle { v0, v1, v2 },
+    let shape = match (spawn.sphere, spawn.plane, spawn.triangle) {
+        (Some(Ball { c, r }), None, None) => ShapeInput::Sphere { c, r },
+        (None, Some(abcd), None) => ShapeInput::Plane { abcd },
+        (None, None, Some([v0, v1, v2])) => ShapeInput::Triangle { v0, v1, v2 },
         _ => return Err("in: expected one of `sphere`, `plane`, `triangle`".to_owned()),
     };
-    let scene = stage::scene_of(way, vec![stage::shape(way, &thing)?]);
+    let scene = stage::scene_of(way, vec![stage::shape(way, &shape)?]);
     let ray = stage::ray(way, &scene, &input(case)?);
     let Some((hit, surface)) = stage::meet(way, &scene, &ray).0 else {
         return Ok(json!({"t": null, "exit": vec![Value::Null; spawn.w.len()]}));

@@ -1,7 +1,7 @@
-//! Cases as scenes: the things of a case become shapes of the program's own scene, and rays go through its own tracing.
+//! Cases as scenes: the shapes of a case become shapes of the program's own scene, and rays go through its own tracing.
 
 use super::question::{
-    LightInput, MaterialInput, ObjectInput, RayInput, SceneInput, ShadowInput, SpecularInput, Thing,
+    LightInput, MaterialInput, ObjectInput, RayInput, SceneInput, ShadowInput, ShapeInput, SpecularInput,
 };
 use super::way::Way;
 use crate::geometry::shape::{Ellipsoid, Plane, Sphere, Triangle, TriangleMesh};
@@ -87,19 +87,19 @@ pub(super) fn whole_scene(way: &Way, input: &SceneInput) -> Result<Scene, String
     Ok(scene)
 }
 
-/// The shapes of things.
+/// The shapes of objects.
 pub(super) fn shapes(way: &Way, objects: &[ObjectInput]) -> Result<Vec<Shape>, String> {
-    objects.iter().map(|object| shape(way, &object.thing)).collect()
+    objects.iter().map(|object| shape(way, &object.shape)).collect()
 }
 
-/// The shape of a thing.
-pub(super) fn shape(way: &Way, thing: &Thing) -> Result<Shape, String> {
-    Ok(match thing {
-        Thing::Sphere { c, r } => sphere(way, *c, *r),
-        Thing::Plane { abcd } => Shape::Plane(Plane::new(*abcd)),
-        Thing::Triangle { v0, v1, v2 } => Shape::Triangle(Box::new(Triangle::new([*v0, *v1, *v2], None))),
-        Thing::Mesh(data) => Shape::Mesh(Arc::new(TriangleMesh::new(Arc::new(data.mesh()?)))),
-        Thing::Ellipsoid { m } => {
+/// The shape of a shape.
+pub(super) fn shape(way: &Way, shape: &ShapeInput) -> Result<Shape, String> {
+    Ok(match shape {
+        ShapeInput::Sphere { c, r } => sphere(way, *c, *r),
+        ShapeInput::Plane { abcd } => Shape::Plane(Plane::new(*abcd)),
+        ShapeInput::Triangle { v0, v1, v2 } => Shape::Triangle(Box::new(Triangle::new([*v0, *v1, *v2], None))),
+        ShapeInput::Mesh(data) => Shape::Mesh(Arc::new(TriangleMesh::new(Arc::new(data.mesh()?)))),
+        ShapeInput::Ellipsoid { m } => {
             let column = |i: usize| DVec3::new(m[0][i], m[1][i], m[2][i]);
             let axes = [column(0), column(1), column(2)];
             let ellipsoid = Ellipsoid::with_axes(column(3), axes).ok_or("the axes of the ellipsoid lie in a plane")?;
@@ -147,7 +147,7 @@ pub(super) fn ray(way: &Way, scene: &Scene, input: &RayInput) -> Ray {
     way.ray(Query::new(origin, direction).ray(scene).0)
 }
 
-/// What a ray meets first, and the surface there, with what was noted on the way.
+/// What a ray hits first, and the surface there, with what was noted on the way.
 pub(super) fn meet(way: &Way, scene: &Scene, ray: &Ray) -> (Option<(Hit, Surface)>, Watch) {
     way.watched(|probe| {
         let hit = closest_hit(scene, ray, probe)?;

@@ -48,7 +48,7 @@ pub struct Column {
     pub arithmetic: String,
     /// Its formulas.
     pub formulas: &'static str,
-    /// How many cases were decided wrongly; `None`, as the other two, where the answers don't hang on the way.
+    /// How many cases were decided wrongly; `None`, as the other two, where the answers don't depend on the way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wrong: Option<usize>,
     /// The worst error of the others, in the unit of the row.

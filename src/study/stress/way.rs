@@ -57,7 +57,7 @@ impl Way {
         }
     }
 
-    /// Whether the answers to an operation hang on the way: input is judged, and samples are added up, before and behind all arithmetic.
+    /// Whether the answers to an operation depend on the way: input is judged, and samples are added up, before and behind all arithmetic.
     pub(super) fn has_a_say_in(&self, op: &str) -> bool {
         *self == Way::OWN || !matches!(op, "invalid" | "mean")
     }

@@ -2,7 +2,7 @@
 //!
 //! The first is that of the source text (Ramos, section 1.3). The second is in its manner and has what that lacks: refraction into and out of a
 //! glass ball, a total reflection in it, an attenuated shadow, and the transmitted term of the local model. Its values were computed without
-//! this program, in decimal arithmetic, and stand in `scenes/refraction.csv`.
+//! this program, in decimal arithmetic, and are in `scenes/refraction.csv`.
 
 use super::follow::Place;
 use super::{CALLED, DIGITS};
@@ -34,7 +34,7 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// Where it stands in the walk.
+    /// Where it is in the walk.
     pub(super) fn place(&self) -> Place {
         Place { path: self.printed.path.to_owned(), key: self.printed.key, nth: self.nth }
     }

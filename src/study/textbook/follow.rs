@@ -8,7 +8,7 @@ use crate::sampling;
 use crate::scene::Scene;
 use std::collections::HashMap;
 
-/// Where a quantity stands in a walk.
+/// Where a quantity is in a walk.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Place {
     /// The path of its ray.
@@ -61,7 +61,7 @@ impl Values {
         self.in_order.iter().find(|(at, _)| at == place).map(|(_, value)| *value)
     }
 
-    /// Its first components, at most so many.
+    /// Its first components, at most this many.
     pub fn components(&self, place: &Place, most: usize) -> Vec<f64> {
         self.at(place).map_or_else(Vec::new, |value| value.components().iter().copied().take(most).collect())
     }

@@ -166,7 +166,7 @@ fn middle(scene: &Scene) -> [u32; 2] {
     scene.camera.resolution.map(|side| side / 2)
 }
 
-/// Where a printed quantity stands in the walk.
+/// Where a printed quantity is in the walk.
 fn place_of(printed: &PrintedValue) -> Place {
     Place { path: printed.path.to_owned(), key: printed.key, nth: 0 }
 }

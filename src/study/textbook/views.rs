@@ -144,7 +144,7 @@ fn shown(values: &[f64]) -> String {
     if numbers.len() == 1 { numbers.concat() } else { format!("({})", numbers.join(", ")) }
 }
 
-/// A table whose columns stand below each other, and what stands below it.
+/// A table whose columns are below each other, and what is below it.
 fn aligned(heads: [&str; 7], rows: impl Iterator<Item = [String; 7]>, below: impl Iterator<Item = String>) -> String {
     let rows: Vec<_> = [heads.map(str::to_owned)].into_iter().chain(rows).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);

@@ -65,7 +65,7 @@ pub enum TableError {
     Unknown {
         /// The line.
         line: u64,
-        /// What stands there.
+        /// What is there.
         found: String,
         /// What may have been meant.
         hint: String,
@@ -77,7 +77,7 @@ pub enum TableError {
     Value {
         /// The line.
         line: u64,
-        /// What stands there.
+        /// What is there.
         found: String,
     },
     /// A number for a triple, or the other way round.
@@ -89,7 +89,7 @@ pub enum TableError {
         quantity: &'static str,
         /// What it is.
         expected: &'static str,
-        /// What stands there.
+        /// What is there.
         found: String,
     },
     /// The walk has no such quantity, or fewer than rows.
@@ -135,7 +135,7 @@ pub struct CheckedRow {
     pub quantity: &'static str,
     /// The path of the ray that it belongs to.
     pub path: String,
-    /// What is printed, as it stands there.
+    /// What is printed, as it is in the table.
     pub text: String,
     /// Its numbers.
     pub printed: Vec<f64>,
@@ -204,10 +204,12 @@ impl Worked {
         let row = |(row, place): (&Stated, Place)| {
             let of = |values: &Values| values.components(&place, row.components.len());
             let recomputed = of(&recomputed);
-            let verdict = match () {
-                _ if recomputed.is_empty() => NOT_REACHED,
-                _ if row.components == recomputed => agreement(&row.text),
-                _ => DEPARTS,
+            let verdict = if recomputed.is_empty() {
+                NOT_REACHED
+            } else if row.components == recomputed {
+                agreement(&row.text)
+            } else {
+                DEPARTS
             };
             let (strict, exact) = (of(strict), of(exact));
             let (text, printed) = (row.text.clone(), row.components.clone());
@@ -242,7 +244,7 @@ impl Checked {
 }
 
 impl Stated {
-    /// Where the row's quantity stands in the walk.
+    /// Where the row's quantity is in the walk.
     fn place(&self, order: Order, values: &Values) -> Result<Place, TableError> {
         let is_meant =
             |place: &&Place| place.key == self.key && self.path.as_ref().is_none_or(|path| *path == place.path);

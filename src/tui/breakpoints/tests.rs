@@ -77,7 +77,7 @@ fn refuses(text: &str, expected: &str) {
 }
 
 #[test]
-fn mistakes_are_told_from_each_other() {
+fn mistakes_are_distinguished_from_each_other() {
     refuses("", "expected a breakpoint");
     refuses("kind shadwo", "did you mean `shadow`?");
     refuses("kind", "expected a kind of event");

@@ -42,7 +42,7 @@ pub fn sequence(text: &str) -> Vec<KeyEvent> {
     script(text).into_iter().filter_map(key).collect()
 }
 
-/// What stands in angle brackets in a script as the name of a key, but is none.
+/// What is in angle brackets in a script as the name of a key, but is none.
 pub fn unknown_name(text: &str) -> Option<&str> {
     let looks_like_a_name = |name: &&str| {
         name.chars().nth(1).is_some() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '^')
@@ -51,13 +51,13 @@ pub fn unknown_name(text: &str) -> Option<&str> {
     names.filter(looks_like_a_name).find(|name| parse(name).is_none())
 }
 
-/// The key in angle brackets that a text begins with, and what stands behind it.
+/// The key in angle brackets that a text begins with, and what follows it.
 fn bracketed(text: &str) -> Option<(KeyEvent, &str)> {
     let (name, after) = text.strip_prefix('<')?.split_once('>')?;
     Some((parse(name)?, after))
 }
 
-/// The key that a word begins with, and what stands behind it.
+/// The key that a word begins with, and what follows it.
 fn first_key(word: &str) -> Option<(KeyEvent, &str)> {
     let first = word.chars().next()?;
     let whole = || parse(word).map(|key| (key, ""));

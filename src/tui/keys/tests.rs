@@ -24,7 +24,7 @@ fn every_key_of_the_table_does_what_its_row_says() {
                 "zz" => does("z", "z", row.action),
                 "zo" => does("z", "o", row.action),
                 "''" => does("'", "'", row.action),
-                // A letter of one's choice stands behind it.
+                // A letter of one's choice follows.
                 "m+letter" => does("m", "q", Walk(Walk::Mark('q'))),
                 "'+letter" => does("'", "q", Walk(Walk::GoTo('q'))),
                 key if row.group == Group::Breakpoints => assert_eq!(key, "d"),
@@ -35,7 +35,7 @@ fn every_key_of_the_table_does_what_its_row_says() {
 }
 
 #[test]
-fn no_key_stands_in_two_rows() {
+fn no_key_is_in_two_rows() {
     // In a list a key may mean something of its own.
     let mut keys: Vec<_> = rows().filter(|row| row.group != Group::Breakpoints).flat_map(|row| row.keys).collect();
     let count = keys.len();

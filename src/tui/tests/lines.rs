@@ -53,7 +53,7 @@ fn commands() {
         ("serach x", "did you mean :search?"),
         ("b", "may be :bookmark LETTER, :bookmarks, :break CONDITION"),
         ("xyzzy", "expected a step or a command: :bookmark LETTER"),
-        ("quit now", "nothing stands behind :quit"),
+        ("quit now", "nothing may follow :quit"),
         ("break object x", "no object"),
     ] {
         line(&mut model, ":", text);
@@ -169,7 +169,7 @@ fn lines_are_completed() {
 }
 
 #[test]
-fn a_pasted_text_stands_where_the_cursor_is() {
+fn a_pasted_text_is_where_the_cursor_is() {
     let mut model = sized(textbook(), 100, 30);
     begin(&mut model, "/", "añb");
     typed(&mut model, "Left");

@@ -237,7 +237,7 @@ fn the_tree_grows_with_the_steps() {
         assert_eq!(typed(&mut model, key), Effect::None);
         assert!(model.overlay.is_none() && said(&model).contains("t shows the whole tree"), "{key}: {}", said(&model));
     }
-    // Where all has been computed it is told, up to the pixel's colour; of a node where it has ended.
+    // At the end everything is shown, up to the pixel's colour; the end of a node where it has ended.
     typed(&mut model, "$ w");
     assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Contributions, selected: 0, shift: 0 }));
     typed(&mut model, "Esc S w");

@@ -1,4 +1,4 @@
-//! The algorithm of the source text with the current line marked, and the calls that it stands in (figure 9).
+//! The algorithm of the source text with the current line marked, and the calls that it is in (figure 9).
 
 use super::text::{shown, wrap};
 use super::{put_all, title, title_rule};

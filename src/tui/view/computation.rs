@@ -16,7 +16,7 @@ use ratatui::text::{Line, Span};
 pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let name = model.title(model.cursor);
     let is_ray = matches!(model.tree.nodes()[model.cursor].step, Some(crate::log::Step::Ray { .. }));
-    // The class tells whether the ray meets anything.
+    // The class tells whether the ray hits anything.
     let is_told =
         model.facts.outcome(model.cursor).is_none_or(|event| !model.hides(event) && model.guide.is_known(event));
     let class = path_class::of_ray(&model.log, &model.tree, model.cursor).filter(|_| is_ray && is_told);

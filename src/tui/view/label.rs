@@ -85,7 +85,7 @@ fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
 /// don't have to say anything look the same.
 fn unknown(model: &Model, node: usize, theme: &Theme) -> Option<Vec<Piece>> {
     let step = model.tree.nodes()[node].step;
-    // A free shadow ray and a light that isn't blocked decide nothing: their end tells.
+    // A free shadow ray and a light that isn't blocked decide nothing: their end shows it.
     let is_open = match model.facts.outcome(node) {
         Some(event) => model.hides(event),
         None => model.understanding.quiz.is_some() && model.tree.nodes()[node].events.end > model.event + 1,

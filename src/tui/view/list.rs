@@ -34,7 +34,7 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
     let seen = |text: &str, fixed: usize| {
         let (stays, scrolls) = text.split_at(text.char_indices().nth(fixed).map_or(text.len(), |(at, _)| at));
         let room = place.room().saturating_sub(width_of(stays));
-        // What stands in no column goes no further than to its own end.
+        // What isn't in a column ends at its own end.
         let shift = if fixed == 0 { shift.min(width_of(text).saturating_sub(room)) } else { shift };
         format!("{stays}{}", cut(scrolls, shift, room, theme))
     };
@@ -43,9 +43,10 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
     let top = selected.saturating_sub(height / 2).min(table.rows.len().saturating_sub(height));
     let lines = table.rows.iter().zip(&listing.entries).enumerate().skip(top).map(|(number, (text, entry))| {
         let mark = if number == selected { theme.glyphs.current } else { " " };
-        let text = match () {
-            _ if entry.is_heading => cut(text, 0, place.room(), theme),
-            _ => seen(text, if entry.has_cells() { fixed } else { 0 }),
+        let text = if entry.is_heading {
+            cut(text, 0, place.room(), theme)
+        } else {
+            seen(text, if entry.has_cells() { fixed } else { 0 })
         };
         Line::from(vec![
             Span::styled(format!("{mark} "), theme.style(Role::Current)),

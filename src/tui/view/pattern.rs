@@ -12,7 +12,7 @@ use ratatui::text::Span;
 use ratatui::widgets::Widget;
 use ratatui::widgets::canvas::{Canvas, Line, Points, Rectangle};
 
-/// The most rows of the picture: more samples than it then has dots nobody tells apart.
+/// The most rows of the picture: more dots than that can't be distinguished.
 const MOST_ROWS: u16 = 14;
 
 /// What the computation keeps at least.

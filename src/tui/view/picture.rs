@@ -29,7 +29,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
 }
 
-/// Where in the pane the picture itself lies: below the title, and above the row that says what the cursor stands on.
+/// Where in the pane the picture itself lies: below the title, and above the row that says what the cursor is on.
 pub(in crate::tui) fn dots_of_picture(area: Rect) -> Rect {
     let body = Layout::body(area);
     Rect { height: body.height.saturating_sub(u16::from(body.height > 3)), ..body }
@@ -146,7 +146,7 @@ impl Brush<'_> {
         Some(false_color(match self.view.layer {
             // Errors differ by powers of ten: eight of them are shown.
             Layer::Error => 1.0 + libm::log10(part) / 8.0,
-            // The root tells small values apart, as most pixels have.
+            // The root distinguishes small values, which most pixels have.
             _ => part.sqrt(),
         }))
     }

@@ -7,7 +7,7 @@ use super::{put, shown, title};
 use crate::log::{RayKind, Step};
 use crate::report::schematic::clip;
 use crate::report::segments::{Segment, segment, segments};
-use crate::tui::drawing::{Drawing, Projection, Thing};
+use crate::tui::drawing::{Drawing, Projection, Wireframe};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
 use crate::tui::theme::{Palette, Role, Theme};
@@ -19,7 +19,7 @@ use ratatui::text::Span;
 use ratatui::widgets::Widget;
 use ratatui::widgets::canvas::{Canvas, Context, Line};
 
-/// The most rays that are drawn: more nobody tells apart.
+/// The most rays that are drawn: more can't be distinguished.
 const MOST_RAYS: usize = 400;
 
 /// The parts of a line that are projected by themselves, so that one which passes the eye is drawn as far as it is seen.
@@ -41,7 +41,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let current = around(model).find_map(|node| segment(&model.log, &model.tree, node, last));
     let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
-        // A ray that meets nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
+        // A ray that hits nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
         let why = if rays.is_empty() { texts.no_rays } else { texts.too_far };
         return put(buffer, body, Span::styled(shown(why, theme), theme.style(Role::Faint)).into());
     };
@@ -50,7 +50,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         rays = rays.iter().filter_map(|ray| segment(&model.log, &model.tree, ray.node, last)).collect();
     }
     let color = |role: Role| theme.style(role).fg.unwrap_or(Color::Reset);
-    // Things stand back without being dim, which a canvas can't.
+    // Objects are grey: a canvas can't dim them.
     let grey = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };
     Canvas::default()
         .marker(if theme.is_ascii() { Marker::Dot } else { Marker::Braille })
@@ -58,9 +58,9 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         .y_bounds(stage.y)
         .paint(|canvas| {
             if let Some(drawing) = &model.drawing {
-                drawing.objects.iter().for_each(|thing| stage.draw_thing(canvas, thing, grey));
+                drawing.objects.iter().for_each(|wireframe| stage.draw_wireframe(canvas, wireframe, grey));
                 canvas.layer();
-                drawing.lights.iter().for_each(|thing| stage.draw_thing(canvas, thing, color(Role::Light)));
+                drawing.lights.iter().for_each(|wireframe| stage.draw_wireframe(canvas, wireframe, color(Role::Light)));
             }
             canvas.layer();
             let others = rays.iter().filter(|ray| current.is_none_or(|current| current.node != ray.node));
@@ -126,9 +126,9 @@ fn label(
         }
     };
     if let Some(drawing) = &model.drawing {
-        for thing in &drawing.lights {
-            let middle = thing.lines.first().and_then(|line| stage.project(*line.first()?));
-            write(middle, &format!("{}{}", theme.glyphs.light, thing.name), theme.style(Role::Light));
+        for wireframe in &drawing.lights {
+            let middle = wireframe.lines.first().and_then(|line| stage.project(*line.first()?));
+            write(middle, &format!("{}{}", theme.glyphs.light, wireframe.name), theme.style(Role::Light));
         }
         write(stage.project(drawing.eye), theme.glyphs.camera, theme.style(Role::Camera));
     }
@@ -172,13 +172,13 @@ impl<'m> Stage<'m> {
         }
         let mut far = spread(&points);
         if far == 0.0 {
-            // Rays that meet nothing say nothing of a scale: any will do that numbers of this size can tell apart.
+            // Rays that hit nothing say nothing of a scale: any will do that numbers of this size can tell apart.
             far = points.iter().flatten().fold(1.0, |most: f64, number| most.max(number.abs()));
             points.extend(rays.iter().map(|ray| ray.end(far)));
         }
         // What isn't much larger than the rays' region is seen whole.
-        for thing in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
-            let lines = thing.lines.concat();
+        for wireframe in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
+            let lines = wireframe.lines.concat();
             if spread(&lines) <= far {
                 points.extend(lines);
             }
@@ -224,8 +224,8 @@ impl<'m> Stage<'m> {
         is_inside.then(|| (body.x + column as u16, body.y + row as u16))
     }
 
-    fn draw_thing(&self, canvas: &mut Context, thing: &Thing, color: Color) {
-        for line in &thing.lines {
+    fn draw_wireframe(&self, canvas: &mut Context, wireframe: &Wireframe, color: Color) {
+        for line in &wireframe.lines {
             line.windows(2).for_each(|ends| self.draw_line(canvas, ends[0], ends[1], color));
         }
     }
@@ -250,7 +250,7 @@ impl<'m> Stage<'m> {
         (0..count).filter_map(move |part| Some([at(part)?, at(part + 1)?]))
     }
 
-    /// Where a ray's letter stands: three quarters of the way, where rays of one point have parted; where that is off the
+    /// Where a ray's letter is: three quarters of the way, where rays of one point have parted; where that is off the
     /// screen, in the middle of what is on it.
     fn place_of_letter(&self, ray: &Segment, body: Rect) -> Option<[f64; 2]> {
         let end = ray.end(self.far);

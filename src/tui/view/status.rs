@@ -45,7 +45,7 @@ pub(super) fn draw_prompt(model: &Model, theme: &Theme, area: Rect, buffer: &mut
     let sign = &shown(prompt.purpose.sign(&model.texts().status), theme);
     let room = usize::from(area.width).saturating_sub(width_of(sign) + 1);
     let scrolled = prompt.line.visual_scroll(room);
-    // Blank where the cursor stands at the end.
+    // Blank where the cursor is at the end.
     let text: Vec<char> = prompt.line.value().chars().chain([' ']).collect();
     let cursor = prompt.line.cursor();
     let part = |range: std::ops::Range<usize>| shown(&text[range].iter().collect::<String>(), theme);

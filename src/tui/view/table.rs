@@ -15,11 +15,11 @@ pub(super) struct Table {
     pub fixed: usize,
 }
 
-/// What stands between two columns.
+/// What is between two columns.
 const GAP: &str = "  ";
 
 impl Table {
-    /// The lines of a list, each column as wide as it need be. A column in which nothing stands has no title either.
+    /// The lines of a list, each column as wide as it need be. An empty column has no title either.
     pub(super) fn of(listing: &Listing, theme: &Theme) -> Table {
         let cells = |text: &str| text.split(CELL_END).map(|cell| shown(cell, theme)).collect::<Vec<_>>();
         let rows: Vec<_> = listing.entries.iter().map(|entry| cells(&entry.text)).collect();
@@ -60,7 +60,7 @@ pub(super) fn cut(text: &str, shift: usize, room: usize, theme: &Theme) -> Strin
     }
     let glyphs = theme.glyphs;
     let before = if shift > 0 && !text.is_empty() { glyphs.cut_left } else { "" };
-    // A mark stands in place of a column of the text.
+    // A mark takes the place of a column of the text.
     let begin = shift + width_of(before);
     let rest = columns_of(text, begin, usize::MAX);
     let room = room.saturating_sub(width_of(before));
@@ -70,7 +70,7 @@ pub(super) fn cut(text: &str, shift: usize, room: usize, theme: &Theme) -> Strin
     format!("{before}{}{}", columns_of(text, begin, room.saturating_sub(1)), glyphs.cut_right)
 }
 
-/// The characters of a text that lie wholly within `count` columns from `begin` on.
+/// The characters of a text that lie completely within `count` columns from `begin` on.
 fn columns_of(text: &str, begin: usize, count: usize) -> String {
     let end = begin.saturating_add(count);
     let mut column = 0;
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn columns_stand_under_their_titles_in_any_characters() {
+    fn columns_are_under_their_titles_in_any_characters() {
         let entries = vec![
             Entry::to(0, "9 %\t\t10⁻⁵".to_owned()),
             Entry::heading("Others, of which there are some:".to_owned()),

@@ -89,7 +89,7 @@ impl Paper {
     }
 }
 
-/// Splits after spaces where `may_break` says so, told the character before the space and the one after it.
+/// Splits after spaces where `may_break` says so, given the character before the space and the one after it.
 fn split(text: &str, may_break: impl Fn(char, char) -> bool) -> impl Iterator<Item = &str> {
     let mut breaks = Vec::new();
     let mut before = ' ';

@@ -36,10 +36,12 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
 
 fn row(model: &Model, node: usize, theme: &Theme, width: usize) -> Line<'static> {
     let glyphs = theme.glyphs;
-    let fold = match () {
-        _ if !has_children(&model.tree, node) => glyphs.leaf,
-        _ if model.fold.is_open(&model.tree, node) => glyphs.open,
-        _ => glyphs.closed,
+    let fold = if !has_children(&model.tree, node) {
+        glyphs.leaf
+    } else if model.fold.is_open(&model.tree, node) {
+        glyphs.open
+    } else {
+        glyphs.closed
     };
     let mut line = Line::from(Span::styled(guides(model, node, theme, width / 2), theme.style(Role::Faint)));
     line.push_span(Span::styled(fold, theme.style(Role::Faint)));

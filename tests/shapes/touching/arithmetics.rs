@@ -1,4 +1,4 @@
-//! A shape that stands in a scene twice looks as it does alone in the other arithmetics, too.
+//! A shape that is in a scene twice looks as it does alone in the other arithmetics, too.
 
 use super::doubled::{MATERIALS, forms, with, world};
 use super::world::{Frame, wrong};

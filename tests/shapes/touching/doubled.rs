@@ -1,4 +1,4 @@
-//! A shape that stands in a scene twice looks as it does alone.
+//! A shape that is in a scene twice looks as it does alone.
 
 use super::world::{Frame, World, difference, wrong};
 use crate::random::Random;
@@ -99,7 +99,7 @@ pub fn world(frame: &Frame, from: [f64; 3], resolution: [u32; 2]) -> World {
         .material("glass", glass)
 }
 
-/// A floor, and the form so many times, before it and behind it in the order of the scene.
+/// A floor, and the form this many times, before it and behind it in the order of the scene.
 pub fn with(world: &World, frame: &Frame, form: &Form, material: &str, times: usize, motion: Option<&Value>) -> World {
     let add = |world: World| {
         let world = match form {

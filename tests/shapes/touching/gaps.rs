@@ -1,4 +1,4 @@
-//! What touches and what doesn't: solids in the same place, a slab on a floor, and gaps that stay gaps.
+//! What touches and what doesn't: coincident solids, a slab on a floor, and gaps that stay gaps.
 
 use super::stacks::meetings;
 use super::world::{Frame, World, wrong};
@@ -29,7 +29,7 @@ fn world(frame: &Frame) -> World {
         .material("water", glass(1.25))
 }
 
-/// The indices before and behind wherever a ray through the frame's middle meets glass.
+/// The indices before and behind wherever a ray through the frame's middle hits glass.
 fn iors(scene: &Scene, frame: &Frame, origin: [f64; 3]) -> Vec<[f64; 2]> {
     let origin = frame.point(origin);
     let log = record::ray(scene, origin, frame.point([0.05, 0.03, 0.0]) - origin, Arithmetic::F64);

@@ -1,4 +1,4 @@
-//! Surfaces in the same place: what touches, lies in one plane, or stands in a scene twice.
+//! Coincident surfaces: what touches, lies in one plane, or is in a scene twice.
 
 mod arithmetics;
 mod bounds;

@@ -1,4 +1,4 @@
-//! Meshes whose normals are interpolated: a ray that leaves a face doesn't meet the face that it leaves.
+//! Meshes whose normals are interpolated: a ray that leaves a face doesn't hit the face that it leaves.
 
 use super::world::{Frame, World, wrong};
 use crate::random::Random;

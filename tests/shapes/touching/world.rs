@@ -1,4 +1,4 @@
-//! Scenes of surfaces in the same place, made at random in frames of any place and tilt.
+//! Scenes of coincident surfaces, made at random in frames of any place and tilt.
 
 use crate::random::Random;
 use glam::DVec3;
@@ -49,17 +49,17 @@ impl Frame {
         self.origin + self.vector(own) * self.scale
     }
 
-    /// A point as it stands in a scene file.
+    /// A point as it is in a scene file.
     pub fn at(&self, own: [f64; 3]) -> Value {
         json!(self.point(own).to_array())
     }
 
-    /// A direction as it stands in a scene file.
+    /// A direction as it is in a scene file.
     pub fn way(&self, own: [f64; 3]) -> Value {
         json!(self.vector(own).to_array())
     }
 
-    /// A way of its own length as it stands in a scene file.
+    /// A way of its own length as it is in a scene file.
     pub fn span(&self, own: [f64; 3]) -> Value {
         json!((self.vector(own) * self.scale).to_array())
     }

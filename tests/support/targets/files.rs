@@ -10,7 +10,7 @@ use std::io::{Cursor, Read};
 /// The largest file that is unpacked here: that a bomb ends at the limit needs no large one.
 const MOST: u64 = 1 << 20;
 
-/// A file packed by gzip or zstd, or by nothing: what it holds comes out in one piece and as a stream, and a log in it is
+/// A file compressed with gzip or zstd, or by nothing: what it holds comes out in one piece and as a stream, and a log in it is
 /// read as it comes.
 pub fn packed(bytes: &[u8]) {
     let wanted = Wanted { what: "a file", max_bytes: MOST };

@@ -33,7 +33,7 @@ fn comes_pixel_by_pixel(bytes: &[u8], events: &Events, ending: &Ending) {
     let mut left = events.iter();
     while let Some(pixel) = reader.next_pixel().expect("it was read as a whole") {
         for event in &pixel.events {
-            // Those that open a pixel aren't handed on.
+            // Those that open a pixel aren't passed on.
             assert!(left.any(|other| events.says_as(other, &pixel.events, event)), "{event:?}");
         }
     }
@@ -70,7 +70,7 @@ fn is_seen(log: &Log) {
             is_text(&write(&figure));
         }
     }
-    let stage = Stage { things: &[], upright: 1 };
+    let stage = Stage { wireframes: &[], upright: 1 };
     for write in [solution::markdown, solution::latex, solution::html] {
         is_text(&write(&Task { log, tree: &tree, stage, language: Language::Spanish, style }));
     }

@@ -6,7 +6,7 @@ use crate::geometry::bvh::lanes::{Eight, Lanes};
 use crate::geometry::bvh::node::Node;
 use crate::geometry::bvh::space::U;
 
-/// A shaft, for eight things at once.
+/// A shaft, for eight primitives at once.
 pub(super) struct LaneShaft<'a, L> {
     pub lanes: L,
     pub local: &'a LocalShaft,

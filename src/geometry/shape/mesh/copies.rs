@@ -14,10 +14,10 @@ use std::collections::hash_map::Entry;
 /// What ends a chain of copies.
 const NONE: u32 = u32::MAX;
 
-/// A closed mesh has two triangles a corner. From so many on, some are there more than once.
+/// A closed mesh has two triangles a corner. From this many on, some are there more than once.
 const PER_CORNER: usize = 8;
 
-/// So many copies are worth no search.
+/// Fewer copies than these aren't worth a search.
 const FEW: usize = 1 << 12;
 
 /// Which triangles have the same corners in the same order.
@@ -34,7 +34,7 @@ pub(super) struct Normals {
     at_their_numbers: Vec<DVec3>,
     /// Those of the triangles that are copies of none, where there are copies,
     of_firsts: Vec<DVec3>,
-    /// and for each triangle where its normal stands among them.
+    /// and for each triangle where its normal is among them.
     places: Vec<u32>,
 }
 
@@ -84,7 +84,7 @@ impl Copies {
 }
 
 impl Normals {
-    /// Those of these triangles, and where that of each triangle of the mesh stands among them.
+    /// Those of these triangles, and where that of each triangle of the mesh is among them.
     pub fn new(mesh: &Mesh, triangles: impl IndexedParallelIterator<Item = u32>, places: Vec<u32>) -> Normals {
         let normal = |triangle| {
             let [a, b, c] = mesh.corners(triangle);

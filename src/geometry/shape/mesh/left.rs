@@ -1,7 +1,7 @@
 //! The triangle that a ray leaves, and what follows for its neighbours.
 //!
 //! The origin of a ray that leaves a triangle is rounded. Near an edge it may thus lie on the wrong side of the triangle
-//! beyond that edge, and the ray would meet that one just where it sets off. No epsilon is needed to tell that this can't be.
+//! beyond that edge, and the ray would hit that one just where it sets off. No epsilon is needed to tell that this can't be.
 //! Two triangles at an edge cut space into two wedges. A ray that sets off from one of them runs in one of the wedges, until
 //! it meets the other triangle from there. If that wedge is the wider one, the ray begins on the far side of the other
 //! triangle's plane already, and so never meets it.
@@ -23,7 +23,7 @@ pub(super) struct LeftTriangle {
     sets_off: Option<Side>,
 }
 
-/// How far from a triangle, as a part of its size, an origin may lie that belongs to it. Whoever asks about a ray that is
+/// How far from a triangle, as a part of its size, an origin may lie that belongs to it. A caller with a ray that is
 /// said to leave a triangle and begins elsewhere gets the answer for where it begins.
 const NEARBY: f64 = 1.0 / (1 << 20) as f64;
 
@@ -41,13 +41,17 @@ impl LeftTriangle {
         let size = (b - a).abs().max((c - a).abs()).max_element();
         let is_nearby = normal.dot(ray.origin - a).abs() <= normal.length() * size * NEARBY;
         let along_normal = normal.dot(ray.direction);
-        let sets_off = match () {
-            _ if !is_nearby => None,
+        let sets_off = if !is_nearby {
+            None
+        } else if ray.slack > 0.0 {
             // A ray along the surface knows by itself on which side of it it runs.
-            _ if ray.slack > 0.0 => Some(leaving.side),
-            _ if along_normal > 0.0 => Some(Side::Front),
-            _ if along_normal < 0.0 => Some(Side::Back),
-            _ => None,
+            Some(leaving.side)
+        } else if along_normal > 0.0 {
+            Some(Side::Front)
+        } else if along_normal < 0.0 {
+            Some(Side::Back)
+        } else {
+            None
         };
         Some(LeftTriangle { number, corners, sets_off })
     }
@@ -66,7 +70,7 @@ impl LeftTriangle {
         Some(LeftTriangle { sets_off, ..left })
     }
 
-    /// Whether no ray along a segment of the shaft can meet a triangle: this one, or one at an edge of it.
+    /// Whether no ray along a segment of the shaft can hit a triangle: this one, or one at an edge of it.
     pub fn bars_all(&self, mesh: &Mesh, normals: &Normals, triangle: u32, shaft: &Shaft) -> bool {
         if triangle == self.number {
             return true;
@@ -76,7 +80,7 @@ impl LeftTriangle {
         !is_narrow || shaft.rise_along(wedge)[0] > 0.0
     }
 
-    /// Whether the ray can't meet a triangle: this one, or one at an edge of it.
+    /// Whether the ray can't hit a triangle: this one, or one at an edge of it.
     pub fn bars(&self, mesh: &Mesh, normals: &Normals, triangle: u32, ray: &Ray) -> bool {
         if triangle == self.number {
             return true;
@@ -181,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn a_neighbour_is_met_in_a_valley_only() {
+    fn a_neighbour_is_hit_in_a_valley_only() {
         bars(1.0, [1.0, 0.0, 0.1], false);
         bars(1.0, [1.0, 0.0, -0.1], true);
         bars(1.0, [1.0, 0.0, 2.0], true);
@@ -205,12 +209,12 @@ mod tests {
 
     #[test]
     fn a_neighbour_is_out_of_the_way_to_all_of_a_light_or_not() {
-        // A valley: the light has to stand wholly over the other slope.
+        // A valley: all of the light has to be above the other slope.
         bars_all(1.0, [12.0, 30.0], Side::Front, true);
         bars_all(1.0, [9.0, 30.0], Side::Front, false);
         // A ridge: what leaves one slope upward never meets the other.
         bars_all(-1.0, [0.1, 30.0], Side::Front, true);
-        // The light stands on both sides, or on another one than the rays are said to leave.
+        // The light is on both sides, or on another one than the rays are said to leave.
         bars_all(-1.0, [-0.1, 30.0], Side::Front, false);
         bars_all(-1.0, [0.1, 30.0], Side::Back, false);
     }

@@ -318,7 +318,7 @@ fn an_edge_is_crossed_once() {
 /// A mesh of few corners and many triangles, whose tree has each triangle once, beside the same with so many unused corners that nobody looks
 /// for copies.
 #[test]
-fn triangles_that_are_there_again_are_met_as_often() {
+fn triangles_that_are_there_again_are_hit_as_often() {
     let random = &mut Random(7);
     let corners: Vec<DVec3> = (0..6).map(|_| random.point()).collect();
     let faces: Vec<[u32; 3]> = (0..5000).map(|_| [0; 3].map(|_| random.below(6) as u32)).collect();

@@ -1,4 +1,4 @@
-//! A mesh before several rays that walk together.
+//! Intersecting a packet of rays with a mesh.
 
 use super::TriangleMesh;
 use super::left::LeftTriangle;

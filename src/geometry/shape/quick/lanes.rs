@@ -145,7 +145,7 @@ pub fn quick(lanes: Lanes, Corners { corners: [a, b, c], normal }: Corners, ray:
     met(lanes, [origin, direction], [a, b, c], [lanes.mul(normal, direction), lanes.mul(normal, to_a)], ray)
 }
 
-/// Where the ray meets the plane; the products are the terms of V_d and V_o.
+/// Where the ray hits the plane; the products are the terms of V_d and V_o.
 #[inline(always)]
 fn met(
     lanes: Lanes,

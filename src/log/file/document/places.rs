@@ -1,4 +1,4 @@
-//! Where the contents of nodes stand in a document.
+//! Where the contents of nodes are in a document.
 
 use super::MAX_BRACKETS;
 use std::ops::Range;
@@ -13,7 +13,7 @@ pub(super) struct Places {
 pub(super) struct Contents {
     /// From the bracket that opens to behind the one that closes.
     pub range: Range<usize>,
-    /// Which are the next that don't stand in these.
+    /// Which are the next that aren't in these.
     pub after: usize,
 }
 
@@ -63,7 +63,7 @@ impl Places {
                         let after = list.len();
                         list[number] = Contents { range: list[number].range.start..at, after };
                     }
-                    // Other text may stand behind the document.
+                    // Other text may be behind the document.
                     if open.is_empty() {
                         break;
                     }
@@ -88,7 +88,7 @@ impl Places {
     }
 }
 
-/// The place behind a string whose first letter stands there.
+/// The place behind a string whose first letter is there.
 fn end_of_string(bytes: &[u8], mut at: usize) -> usize {
     while let Some(more) = memchr::memchr2(b'"', b'\\', &bytes[at.min(bytes.len())..]) {
         at += more + 1;
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn endless_brackets_are_told() {
+    fn endless_brackets_are_reported() {
         assert_eq!(Places::of(&vec![b'['; 2 * MAX_BRACKETS]).err(), Some(MAX_BRACKETS));
     }
 }

@@ -83,7 +83,7 @@ fn a_palette_that_ends_within_a_colour() {
 
 #[test]
 fn what_unpacks_to_too_much_is_not_begun() {
-    // Some bytes that say they are so many pixels.
+    // A few bytes whose header says that they are this many pixels.
     let claim = |side: u32| read(&png_of(&[(b"IHDR", &header([side, side], 8, RGB)), (b"IDAT", &[])]));
     assert!(matches!(claim(1 << 30), Err(PictureError::TooManyPixels { .. })));
     assert!(matches!(claim((1 << 31) - 1), Err(PictureError::TooManyPixels { .. })));
@@ -106,7 +106,7 @@ fn a_profile_of_colours_may_be_long_but_not_unpack_to_all_memory() {
     }
 }
 
-/// The header of each format, whose bytes say that it has so many pixels along a side.
+/// The header of each format, whose bytes say that it has this many pixels along a side.
 fn claim(kind: Kind, side: u16) -> Vec<u8> {
     let ([low, high], long) = (side.to_le_bytes(), u32::from(side));
     let (le, be) = (long.to_le_bytes(), long.to_be_bytes());

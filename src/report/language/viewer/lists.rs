@@ -90,11 +90,11 @@ texts! {
     to_come: ToCome;
 }
 
-/// The texts of a list, with a title and so many columns.
+/// The texts of a list, with a title and this many columns.
 pub struct List<Title, const COLUMNS: usize> {
     /// What it is of.
     pub title: Title,
-    /// What stands in its columns.
+    /// What is in its columns.
     pub columns: [&'static str; COLUMNS],
     /// What is said where it has no entries.
     pub nothing: &'static str,
@@ -182,11 +182,11 @@ texts! {
             "for a" => "por a",
             _ => cases,
         };
-    /// So many smaller contributions in one.
+    /// Smaller contributions, this many, in one.
     smaller: fn(usize) -> String =
         |count| format!("{count} smaller ones together"),
         |count| format!("otras {count} menores en total");
-    /// The heading of so many paths that bring nothing.
+    /// The heading of this many paths that bring nothing.
     brings_nothing: fn(usize) -> String =
         |count| format!("What brings nothing ({count}):"),
         |count| format!("Lo que no aporta nada ({count}):");
@@ -208,9 +208,9 @@ texts! {
             columns: ["", "a mano", "f32", "cifras", "f64"],
             nothing: "este nodo no calcula nada por sí mismo",
         };
-    /// What stands in place of a value.
+    /// Shown in place of a value.
     not_reached: Text = "not reached", "no se alcanza";
-    /// What stands in place of the number of digits.
+    /// Shown in place of the number of digits.
     decided_otherwise: Text = "0: decided otherwise", "0: se decide otra cosa";
     /// The three arithmetics in a sentence.
     names: [Text; 3] = ["by hand", "in f32", "in f64"], ["a mano", "en f32", "en f64"];

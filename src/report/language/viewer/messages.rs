@@ -12,7 +12,7 @@ texts! {
     last_step: fn(usize) -> String =
         |count| format!("there are {count} steps; this is the last"),
         |count| format!("hay {count} pasos; este es el último");
-    /// Nobody would let the viewer go on.
+    /// There is no job control to resume the viewer.
     no_shell: Text = "there is no shell to go to", "no hay intérprete de órdenes al que ir";
     /// A saved log can't be traced.
     no_scene: Text = "a saved log has no scene to trace", "un registro guardado no tiene escena que trazar";
@@ -44,7 +44,7 @@ texts! {
     tree_grows: Text =
         "the tree grows with the steps; t shows all of it",
         "el árbol crece con los pasos; t lo muestra entero";
-    /// It plays at so many steps a second, or would.
+    /// It plays at this many steps per second, or would.
     rate: fn(u32, bool) -> String =
         |rate, is_playing| {
             let steps = if rate == 1 { "step" } else { "steps" };
@@ -174,7 +174,7 @@ texts! {
     begins: Text =
         "quiz: n goes to the next value, = answers it, Q ends",
         "cuestionario: n va al siguiente valor, = lo responde, Q termina";
-    /// It ends: so many right, of so many.
+    /// It ends: `right` of the `asked` values were answered rightly.
     ends: fn(u32, u32) -> String =
         |right, asked| format!("the quiz is over: {right} of {asked} right"),
         |right, asked| format!("fin del cuestionario: {right} de {asked} bien");
@@ -248,7 +248,7 @@ texts! {
         "todos los puntos de interrupción están desactivados; B los enumera";
     /// There are none.
     none: Text = "no breakpoints; b sets one", "no hay puntos de interrupción; b pone uno";
-    /// A run ended: after so many stops of so many, forward or not.
+    /// A run ended: after some of the stops that were asked for, forward or not.
     no_more: fn(usize, usize, bool) -> String =
         |done, times, is_forward| {
             let stopped = if done == 0 { String::new() } else { format!("stopped {done} of {times} times; ") };
@@ -279,7 +279,7 @@ texts! {
     object_like: OfNames =
         |text, near| format!("there is no object `{text}`; did you mean `{near}`?"),
         |text, near| format!("no hay ningún objeto `{text}`; ¿quiso decir `{near}`?");
-    /// The log has no object called so, but others, and so many more.
+    /// The log has no object called so, but others, and how many more.
     other_objects: fn(&str, &str, usize) -> String =
         |text, others, more| format!("there is no object `{text}`, but {others}{}", words::and_more(more)[EN]),
         |text, others, more| format!("no hay ningún objeto `{text}`, sino {others}{}", words::and_more(more)[ES]);
@@ -289,7 +289,7 @@ texts! {
     light_like: OfNames =
         |text, near| format!("there is no light `{text}`; did you mean `{near}`?"),
         |text, near| format!("no hay ninguna fuente `{text}`; ¿quiso decir `{near}`?");
-    /// The log has no light called so, but others, and so many more.
+    /// The log has no light called so, but others, and how many more.
     other_lights: fn(&str, &str, usize) -> String =
         |text, others, more| format!("there is no light `{text}`, but {others}{}", words::and_more(more)[EN]),
         |text, others, more| format!("no hay ninguna fuente `{text}`, sino {others}{}", words::and_more(more)[ES]);
@@ -311,7 +311,7 @@ texts! {
         |key| {
             format!("{key} son tres números: compare {key}.x, .y o .z (.r, .g o .b), o la longitud |{key}|")
         };
-    /// What stands in place of a number.
+    /// Shown in place of a number.
     expected_number: OfName =
         |text| format!("expected a number such as 0 or -1.5e-3, not `{text}`"),
         |text| format!("se espera un número como 0 o -1,5e-3, no `{text}`");
@@ -347,7 +347,7 @@ texts! {
     step: Text = ":42 (a step)", ":42 (un paso)";
     /// A command takes nothing.
     nothing_behind: OfName =
-        |command| format!("nothing stands behind :{command}"),
+        |command| format!("nothing may follow :{command}"),
         |command| format!("detrás de :{command} no va nada");
     /// No command is called so, but so.
     like: OfNames =
@@ -365,13 +365,13 @@ texts! {
     steps: fn(usize) -> String =
         |count| format!("there are steps 1 to {count}"),
         |count| format!("hay pasos del 1 al {count}");
-    /// What stands behind `bookmark`.
+    /// What follows `bookmark`.
     expected_letter: Text = "expected one letter, such as :bookmark a", "se espera una letra, como :bookmark a";
-    /// What stands behind `pixel`.
+    /// What follows `pixel`.
     expected_pixel: Text =
         "expected a column and a row, such as :pixel 160,120",
         "se esperan una columna y una fila, como :pixel 160,120";
-    /// What stands behind `lang`.
+    /// What follows `lang`.
     expected_language: Text = "expected a language: :lang en or :lang es", "se espera un idioma: :lang en o :lang es";
     /// The first and last columns and rows of the log.
     log_has: fn([u32; 4]) -> String =

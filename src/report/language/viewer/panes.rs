@@ -24,7 +24,7 @@ texts! {
     moves: [Text; 2] =
         ["j k move  Space fold", "j k move  Tab tree"],
         ["j k mueven  Space pliega", "j k mueven  Tab árbol"];
-    /// It plays, at so many steps a second.
+    /// It plays, at this many steps per second.
     playing: fn(u32) -> String = |rate| format!("playing {rate}/s"), |rate| format!("reproduce {rate}/s");
     /// The tree grows.
     growing: Text = "growing", "crece";
@@ -86,7 +86,7 @@ texts! {
         |count| if count == 1 { "1 rayo".to_owned() } else { format!("{count} rayos") };
     /// What nodes came to.
     outcomes: Outcomes;
-    /// So many samples are drawn.
+    /// The number of samples that are drawn.
     samples: fn(usize) -> String =
         |count| match count {
             1 => "1 sample in the pixel".to_owned(),
@@ -114,7 +114,7 @@ texts! {
     miss: Text = "miss", "no interseca";
     /// Nothing is hit.
     background: Text = "background", "fondo";
-    /// An object stands before the light.
+    /// An object blocks the light.
     blocked_by: OfName = |object| format!("blocked by {object}"), |object| format!("bloqueado por {object}");
     /// A direction on the wrong side.
     rejected: Text = "rejected", "rechazado";

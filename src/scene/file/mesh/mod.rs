@@ -1,6 +1,6 @@
 //! Meshes: the files that a scene names, from bytes to [`Mesh`].
 //!
-//! This room owns the readers of OBJ and PLY and where a mesh may be read from ([`Folder`]). A face of more than three
+//! This module owns the readers of OBJ and PLY and where a mesh may be read from ([`Folder`]). A face of more than three
 //! corners becomes a fan of triangles about its first corner. Triangles count from 0 in the order of the file, those of a
 //! fan one by one; triangles without area are skipped when rays are traced, but keep their numbers.
 //!
@@ -48,13 +48,13 @@ pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, SceneError> {
     let source = Source { name: file_name, text: bytes };
     let name = unpacked_name(file_name).to_ascii_lowercase();
     let has_ending = |ending: &str| name.ends_with(ending);
-    let (mesh, warnings) = match () {
-        _ if ply::is_ply(bytes) || has_ending(".ply") => ply::read(&source)?,
-        _ if has_ending(".obj") => obj::read(&source)?,
-        _ => {
-            let reason = "unknown kind of mesh, expected a name that ends in .obj or .ply".to_owned();
-            return Err(SceneError::Refused { file: file_name.to_owned(), reason });
-        }
+    let (mesh, warnings) = if ply::is_ply(bytes) || has_ending(".ply") {
+        ply::read(&source)?
+    } else if has_ending(".obj") {
+        obj::read(&source)?
+    } else {
+        let reason = "unknown kind of mesh, expected a name that ends in .obj or .ply".to_owned();
+        return Err(SceneError::Refused { file: file_name.to_owned(), reason });
     };
     // As far as that goes, there is memory for what tracing builds over the mesh: there it could only abort.
     if !raywalk_guard::has_room_for(mesh.faces.len() * TREE_BYTES_PER_TRIANGLE) {

@@ -128,7 +128,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Three numbers that may stand there; a weight or a colour may follow.
+    /// Three numbers that may be there; a weight or a colour may follow.
     fn triple(&mut self, keyword: &Range<usize>, who: &str, may_be: fn(f64) -> bool) -> Result<DVec3, Fault> {
         let mut triple = [0.0; 3];
         for (index, component) in triple.iter_mut().enumerate() {
@@ -263,7 +263,7 @@ fn resolve(
     match (so_far as i64).checked_add(number) {
         // The limits keep the numbers far below 2³².
         Some(index) if index >= 0 => Ok(index as u32),
-        _ => wrong(format!("there is no vertex {number}, only {so_far} stand before it")),
+        _ => wrong(format!("there is no vertex {number}, only {so_far} precede it")),
     }
 }
 

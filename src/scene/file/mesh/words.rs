@@ -96,7 +96,7 @@ impl<'t> Words<'t> {
         self.at..self.at
     }
 
-    /// How many blanks stand between the backslash here and the end of its line, if nothing else does: then the line goes on.
+    /// How many blanks are between the backslash here and the end of its line, if nothing else is: then the line goes on.
     fn joint(&self) -> Option<usize> {
         let rest = &self.text[self.at + 1..];
         let blanks = rest.iter().take_while(|byte| is_blank(**byte)).count();

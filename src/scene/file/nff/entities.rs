@@ -3,7 +3,7 @@
 use super::MAX_PRIMITIVES;
 use super::mistake::{Mistake, no_entity, quoted};
 use super::reader::Reader;
-use super::records::{Fill, Light, PassedOver, Primitive, Records, View};
+use super::records::{Fill, Ignored, Light, Primitive, Records, View};
 use super::shapes;
 use super::tokens::Token;
 use crate::scene::file::schema::MAX_LIGHTS;
@@ -75,12 +75,12 @@ impl File<'_> {
                 self.reader.passed(name, "the level").map(|_| ())
             }
             "number" | "g" => {
-                self.pass_over(&token, "`number` and `g` count and bound what follows, and are passed over");
+                self.pass_over(&token, "`number` and `g` count and bound what follows, and are ignored");
                 let numbers = if name == "g" { 6 } else { 1 };
                 (0..numbers).try_for_each(|_| self.reader.passed(name, "what follows").map(|_| ()))
             }
             "shader" => {
-                self.pass_over(&token, "textures are not supported, `shader` is passed over");
+                self.pass_over(&token, "textures are not supported, `shader` is ignored");
                 let missing = || Mistake::at(&token, "expected a name after `shader`, found the end of the file");
                 self.reader.next().map(|_| ()).ok_or_else(missing)
             }
@@ -163,10 +163,10 @@ impl File<'_> {
     fn after_fill(&mut self) {
         if let Some(token) = self.reader.peek().filter(|token| token.number().is_some()) {
             self.reader.next();
-            self.pass_over(&token, "NFF has no ambient light, a ninth number after `f` is passed over");
+            self.pass_over(&token, "NFF has no ambient light, a ninth number after `f` is ignored");
         } else if let Some(token) = self.reader.peek_in_line().filter(|token| !may_begin_file(token.text)) {
             self.reader.next();
-            self.pass_over(&token, "textures are not supported, the name after `f` is passed over");
+            self.pass_over(&token, "textures are not supported, the name after `f` is ignored");
         }
     }
 
@@ -206,7 +206,7 @@ impl File<'_> {
             }
         }
         if name == "tpp" {
-            self.pass_over(&entity, "textures are not supported, the texture coordinates of `tpp` are passed over");
+            self.pass_over(&entity, "textures are not supported, the texture coordinates of `tpp` are ignored");
         }
         if name != "p" && !has_all_normals {
             self.pass_over(&entity, "a normal that is no number counts as none, its polygon is taken without normals");
@@ -223,7 +223,7 @@ impl File<'_> {
     fn primitive(&mut self, entity: Token, shape: Shape) -> Result<(), Mistake> {
         let fills = self.records.fills.len() as u32;
         if fills == 0 {
-            let message = format!("{} stands before the first fill, expected `f` before it", quoted(&entity));
+            let message = format!("{} comes before the first fill, expected `f` before it", quoted(&entity));
             return Err(Mistake::at(&entity, message));
         }
         if self.records.primitives.len() == MAX_PRIMITIVES {
@@ -237,7 +237,7 @@ impl File<'_> {
     fn pass_over(&mut self, token: &Token, what: &'static str) {
         match self.records.passed_over.iter_mut().find(|known| known.what == what) {
             Some(known) => known.count += 1,
-            None => self.records.passed_over.push(PassedOver { what, first: token.span(), count: 1 }),
+            None => self.records.passed_over.push(Ignored { what, first: token.span(), count: 1 }),
         }
     }
 }

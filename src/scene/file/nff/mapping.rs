@@ -12,7 +12,7 @@ use crate::scene::file::schema::{
 use compact_str::{CompactString, format_compact};
 use std::convert::Infallible;
 
-/// The scene: one material a fill, one object a primitive; and where all of them stand in the file.
+/// The scene: one material a fill, one object a primitive; and where all of them are in the file.
 pub fn scene(records: Records, file_name: &str, import: &Import) -> (SceneFile, Places) {
     let places = Places::of(&records);
     let mut materials = Materials::default();

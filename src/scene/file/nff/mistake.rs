@@ -54,7 +54,7 @@ const WORDS: &[(&str, &str)] = &[
 
 const ENTITIES: &str = "`b`, `v`, `l`, `f`, `c`, `s`, `p` or `pp`";
 
-/// A token stands where an entity should; `latest` is the entity that has ended here, with what it takes.
+/// A token where an entity should be; `latest` is the entity that has ended here, with what it takes.
 pub fn no_entity(token: &Token, latest: Option<(&str, &str)>) -> Mistake {
     let shown = quoted(token);
     if token.number().is_some() {
@@ -85,7 +85,7 @@ fn meant(word: &str) -> Option<&'static str> {
     WORDS.iter().find(|(known, _)| *known == word).map(|(_, entity)| *entity)
 }
 
-/// Something else stands where a number should.
+/// Something else where a number should be.
 pub fn no_number(found: Option<&Token>, end: usize, entity: &str, what: &str) -> Mistake {
     let wanted = format!("expected a number for {what} of `{entity}`");
     match found {

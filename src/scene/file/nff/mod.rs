@@ -5,7 +5,7 @@
 //! | entity | meaning |
 //! |---|---|
 //! | `b` r g b | background |
-//! | `v` `from` x y z `at` x y z `up` x y z `angle` a `hither` h `resolution` x y | view; `hither` is passed over |
+//! | `v` `from` x y z `at` x y z `up` x y z `angle` a `hither` h `resolution` x y | view; `hither` is ignored |
 //! | `l` x y z \[r g b\] | point light; without a colour each has 1/√(number of lights) |
 //! | `f` r g b Kd Ks Shine T ior | fill for what follows |
 //! | `c` base x y z r apex x y z r | open cone or cylinder; negative radii: the inside is the front |
@@ -14,10 +14,10 @@
 //! | `pp` n, n × (x y z, normal) | polygon with normals |
 //!
 //! Of what other programs add, a texture name or an ambient factor after `f`, `shader`, `tess`, `number` n, `g` with six
-//! bounds, and the texture coordinates of `tpp` n × (x y z, normal, u v) are understood and passed over; a warning says so
+//! bounds, and the texture coordinates of `tpp` n × (x y z, normal, u v) are understood and ignored; a warning says so
 //! of all but `tess`. A normal that is no number (`nan`, `1.#IND`) counts as none. There are at most [`MAX_PRIMITIVES`] primitives.
 //!
-//! This room turns bytes into a checked scene file. What the checks of [`validate`] find is placed in the NFF text.
+//! This module turns bytes into a checked scene file. What the checks of [`validate`] find is placed in the NFF text.
 
 mod entities;
 mod mapping;

@@ -1,4 +1,4 @@
-//! Where the parts of a scene stand in the NFF text that it came from.
+//! Where the parts of a scene are in the NFF text that it came from.
 
 use std::ops::Range;
 

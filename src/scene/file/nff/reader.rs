@@ -1,4 +1,4 @@
-//! Numbers from tokens, or what stands in their place.
+//! Numbers from tokens, or what is in their place.
 
 use super::mistake::{Mistake, no_number, quoted};
 use super::records::Placed;
@@ -26,7 +26,7 @@ impl<'t> Reader<'t> {
         self.tokens.peek()
     }
 
-    /// The next token where it stands on the line of the latest one; it stays the next.
+    /// The next token if it is on the line of the latest one; it stays the next.
     pub fn peek_in_line(&self) -> Option<Token<'t>> {
         if self.tokens.goes_on_in_line() { self.peek() } else { None }
     }

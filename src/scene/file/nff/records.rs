@@ -21,7 +21,7 @@ pub struct Records {
     /// The primitives that a ray can hit.
     pub primitives: Vec<Primitive>,
     /// What has no effect.
-    pub passed_over: Vec<PassedOver>,
+    pub passed_over: Vec<Ignored>,
 }
 
 /// A value and the offset of its keyword.
@@ -89,10 +89,10 @@ pub struct Primitive {
     pub at: u32,
 }
 
-/// Things of one kind that have no effect.
+/// Records of one kind that have no effect.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PassedOver {
-    /// What they are, and that they are passed over.
+pub struct Ignored {
+    /// What they are, and that they are ignored.
     pub what: &'static str,
     /// The place of the first in bytes.
     pub first: Range<usize>,
@@ -100,7 +100,7 @@ pub struct PassedOver {
     pub count: usize,
 }
 
-impl PassedOver {
+impl Ignored {
     /// The warning about them.
     pub fn problem(&self, source: &Source) -> Problem {
         let message = match self.count {

@@ -199,7 +199,7 @@ fn values_that_make_no_sense_are_placed_too() {
         "3:18: the refractive index of a transmitting fill must be positive, found `0`",
     );
     refuses_after("b 0 0 0 b 0 0 0", "3:9: a second background `b`, expected one");
-    refuses("s 0 0 0 1", "1:1: `s` stands before the first fill, expected `f` before it");
+    refuses("s 0 0 0 1", "1:1: `s` comes before the first fill, expected `f` before it");
     refuses_after(
         "\ns 1 1 1 1 s 0 0 1e300 1",
         "4:11: objects[1].shape.sphere.center[2]: must be at most 1e100 in size, found 1e300",
@@ -220,20 +220,20 @@ fn values_that_make_no_sense_are_placed_too() {
 #[test]
 fn what_other_programs_write() {
     let sphere = "s 0 0 0 1\n";
-    let texture = "textures are not supported, the name after `f` is passed over";
+    let texture = "textures are not supported, the name after `f` is ignored";
     let textured = "f 1 1 1 1 0 1 0 1 ../my.jpg\n";
     warns(&format!("{BEFORE}{sphere}{textured}{sphere}"), &[&format!("4:19: {texture}")]);
     let twice = format!("{BEFORE}{sphere}{textured}{sphere}{textured}{sphere}");
     warns(&twice, &[&format!("4:19: {texture} (2 times in this file)")]);
     warns(
         &format!("{BEFORE}{sphere}f 1 1 1 1 0 1 0 1 .3\n{sphere}"),
-        &["4:19: NFF has no ambient light, a ninth number after `f` is passed over"],
+        &["4:19: NFF has no ambient light, a ninth number after `f` is ignored"],
     );
     warns(&format!("{BEFORE}tess 4 {sphere}"), &[]);
-    warns(&format!("{BEFORE}shader x.png {sphere}"), &["3:1: textures are not supported, `shader` is passed over"]);
+    warns(&format!("{BEFORE}shader x.png {sphere}"), &["3:1: textures are not supported, `shader` is ignored"]);
     warns(
         &format!("{BEFORE}tpp 3 0 0 0 0 0 1 .1 .2 1 0 0 0 0 1 .3 .4 1 1 0 0 0 1 .5 .6"),
-        &["3:1: textures are not supported, the texture coordinates of `tpp` are passed over"],
+        &["3:1: textures are not supported, the texture coordinates of `tpp` are ignored"],
     );
     warns(
         &format!("{BEFORE}{sphere}p 3 0 0 0 1 1 1 2 2 2 p 4 0 0 0 0 0 0 0 0 0 0 0 0"),

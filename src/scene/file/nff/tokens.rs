@@ -6,7 +6,7 @@ use crate::scene::file::foreign::{self, is_blank, is_in_number, without_end_mark
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// A word or number and where it stands.
+/// A word or number and where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Token<'t> {
     /// Its bytes, at least one.
@@ -56,7 +56,7 @@ impl<'t> Tokens<'t> {
         self.at
     }
 
-    /// Whether the next token stands on the line of the latest one.
+    /// Whether the next token is on the line of the latest one.
     pub fn goes_on_in_line(&self) -> bool {
         let rest = &self.text[self.at..];
         let gap = rest.iter().take_while(|byte| is_space(**byte));

@@ -1,6 +1,6 @@
 //! The numbers of a raw file, one after the other.
 
-use crate::scene::file::{SceneError, visible};
+use crate::scene::file::{SceneError, escape_hidden};
 use std::io::{self, ErrorKind};
 
 /// A raw file that is being read, from its first byte on.
@@ -23,7 +23,7 @@ pub struct Claim {
 }
 
 impl<'b> Fields<'b> {
-    /// A file that begins with these eight letters and has a head of so many bytes, the letters included.
+    /// A file that begins with these eight letters and has a head of this many bytes, the letters included.
     pub fn of(bytes: &'b [u8], name: &'b str, letters: &str, head: usize) -> Result<Fields<'b>, SceneError> {
         let fields = Fields { name, bytes, at: letters.len() };
         if bytes.is_empty() {
@@ -31,7 +31,9 @@ impl<'b> Fields<'b> {
         }
         if !bytes.starts_with(letters.as_bytes()) {
             let found = String::from_utf8_lossy(&bytes[..bytes.len().min(letters.len())]).into_owned();
-            return Err(fields.refused(format!("expected it to begin with `{letters}`, found `{}`", visible(&found))));
+            return Err(
+                fields.refused(format!("expected it to begin with `{letters}`, found `{}`", escape_hidden(&found)))
+            );
         }
         if bytes.len() < head {
             return Err(fields.refused(format!("ends within its head, expected {head} bytes, found {}", bytes.len())));
@@ -55,7 +57,7 @@ impl<'b> Fields<'b> {
         Err(self.refused(format!("its head says {counts}, which are {expected} bytes in all, found {found} bytes")))
     }
 
-    /// Reads so many things, each by `read`.
+    /// Reads this many items, each by `read`.
     pub fn list<T>(
         &mut self,
         count: u64,
@@ -70,7 +72,7 @@ impl<'b> Fields<'b> {
         Ok(list)
     }
 
-    /// So many bytes, zeros beyond the end: the length was looked at before.
+    /// This many bytes, zeros beyond the end: the length was looked at before.
     fn next<const N: usize>(&mut self) -> [u8; N] {
         let found = self.bytes.get(self.at..self.at + N).and_then(|bytes| bytes.try_into().ok());
         self.at += N;

@@ -1,6 +1,6 @@
 //! The raw files of ray benchmarks: primitives and rays as plain numbers, which programs in any language can read.
 //!
-//! This room owns the layouts and every sentence about a file that doesn't follow them. All numbers are little-endian, and all
+//! This module owns the layouts and every sentence about a file that doesn't follow them. All numbers are little-endian, and all
 //! coordinates are f32:
 //!
 //! | file | layout |

@@ -108,9 +108,11 @@ fn ray(fields: &mut Fields, number: u64) -> Result<RawRay, SceneError> {
     let direction = fields.finite("ray", number)?;
     let t_max = fields.f32();
     let wrong = |what: String| Err(fields.refused(format!("ray {number}: {what}")));
-    match () {
-        _ if direction == [0.0; 3] => wrong("expected a direction that is not zero".to_owned()),
-        _ if t_max.is_nan() => wrong("expected a number as t_max, found NaN".to_owned()),
-        _ => Ok(RawRay { origin: [x, y, z], t_min, direction, t_max }),
+    if direction == [0.0; 3] {
+        wrong("expected a direction that is not zero".to_owned())
+    } else if t_max.is_nan() {
+        wrong("expected a number as t_max, found NaN".to_owned())
+    } else {
+        Ok(RawRay { origin: [x, y, z], t_min, direction, t_max })
     }
 }

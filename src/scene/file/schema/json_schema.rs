@@ -1,6 +1,6 @@
 //! The scene file as a JSON Schema, for editors: what they offer, explain and underline while a scene is written.
 //!
-//! It is derived from the types of this room, their comments and their defaults; the ranges stand at the fields. What a
+//! It is derived from the types of this module, their comments and their defaults; the ranges are at the fields. What a
 //! schema can't say (directions that aren't zero, names that exist) only [`validate`](mod@super::super::validate) checks.
 
 use schemars::Schema;

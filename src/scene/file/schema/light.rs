@@ -12,7 +12,7 @@ use super::{LightSamples, Rgb, Vec3};
 pub struct Light {
     /// Its name; left out, it is filled in on loading (`light-1`).
     pub name: CompactString,
-    /// Where it stands and what form it has.
+    /// Its position and form.
     pub kind: LightKind,
     /// Its intensity, I_i.
     pub color: Rgb,

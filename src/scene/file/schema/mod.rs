@@ -57,7 +57,7 @@ pub struct SceneFile {
     #[serde(default)]
     #[schemars(inner(range(min = 0)))]
     pub ambient: Rgb,
-    /// What a ray brings back that meets nothing.
+    /// What a ray brings back that hits nothing.
     #[serde(default)]
     #[schemars(inner(range(min = 0)))]
     pub background: Rgb,

@@ -8,7 +8,7 @@ use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
 use super::{Light, Object};
 
-/// So many objects may have a name that is taken until reading stops. Fewer are all read, so that each is told.
+/// Reading stops after this many objects with a name that is taken. Up to then each is reported.
 pub const MAX_DUPLICATES: usize = 1 << 16;
 
 /// Reads the objects. A file of nothing but copies would fill the memory before anybody could say what is wrong with it.

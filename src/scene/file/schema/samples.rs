@@ -9,17 +9,17 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::scene::file::validate::limits::MAX_SAMPLES;
 
-/// How many points of an area light are asked: always so many, or as many as it takes.
+/// How many points of an area light are asked: always this many, or as many as it takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum LightSamples {
-    /// So many, each with a shadow ray.
+    /// This many, each with a shadow ray.
     Count(#[schemars(range(min = 1, max = MAX_SAMPLES))] u64),
     /// As many as it takes.
     Range(SampleRange),
 }
 
-/// The fewest points of a rule that takes the place of shadow rays where nothing can stand before the light, and the points that are asked, each with
+/// The fewest points of a rule that takes the place of shadow rays where nothing can block the light, and the points that are asked, each with
 /// a shadow ray, where something may. Where one object hides all of the light a single one is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -33,7 +33,7 @@ pub struct SampleRange {
 }
 
 impl LightSamples {
-    /// The same, but for so many at most.
+    /// The same, but for this many at most.
     #[must_use]
     pub fn at_most(self, most: u64) -> LightSamples {
         match self {

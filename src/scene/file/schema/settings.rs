@@ -176,10 +176,10 @@ pub enum Sampling {
         /// Half-width of the interval, as a fraction of `output.white`.
         #[schemars(extend("exclusiveMinimum" = 0))]
         tolerance: f64,
-        /// Fewest rays a pixel.
+        /// Fewest rays per pixel.
         #[schemars(range(min = 1, max = MAX_SAMPLES))]
         min: u64,
-        /// Most rays a pixel.
+        /// Most rays per pixel.
         #[schemars(range(min = MIN_STATISTICAL, max = MAX_SAMPLES))]
         max: u64,
     },
@@ -188,10 +188,10 @@ pub enum Sampling {
         /// The error of a sample for which one would be enough, as a fraction of `output.white`.
         #[schemars(extend("exclusiveMinimum" = 0))]
         tolerance: f64,
-        /// Fewest rays a pixel, the pilot; rounded up to a power of two, and to 2.
+        /// Fewest rays per pixel, the pilot; rounded up to a power of two, and to 2.
         #[schemars(range(min = 1, max = MAX_SAMPLES))]
         min: u64,
-        /// Most rays a pixel.
+        /// Most rays per pixel.
         #[schemars(range(min = MIN_GUIDED, max = MAX_SAMPLES))]
         max: u64,
     },

@@ -109,8 +109,8 @@ fn keys_that_stand_several_times() {
     finds(
         &textbook_with("\"radius\": 3", "\"radius\": 3, \"radius\": 4").replace("\"ball\": {", "\"wall\": {"),
         &[
-            "materials.wall: the key `wall` stands twice",
-            "objects[1].shape.sphere.radius: the key `radius` stands twice",
+            "materials.wall: the key `wall` occurs twice",
+            "objects[1].shape.sphere.radius: the key `radius` occurs twice",
             "objects[1].material: no material is named `ball`",
         ],
     );

@@ -4,7 +4,7 @@ use super::*;
 use crate::scene::file::{check_scene, schema, validate};
 
 #[test]
-fn all_problems_are_told_at_once() {
+fn all_problems_are_reported_at_once() {
     let text = textbook_with("\"radius\": 3", "\"radius\": -1").replace("[321, 241]", "[0, 0]");
     let error = error_of(text.as_bytes());
     let paths: Vec<String> = error.problems().iter().map(|problem| problem.path.to_string()).collect();

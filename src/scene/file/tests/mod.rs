@@ -51,12 +51,12 @@ fn loads(text: &str) -> Loaded {
 static SCHEMA: LazyLock<Validator> =
     LazyLock::new(|| jsonschema::draft202012::new(&json_schema()).expect("a good schema"));
 
-/// What the reader refuses for its form, the JSON Schema refuses. It can't see a key that stands twice.
+/// What the reader refuses for its form, the JSON Schema refuses. It can't see a duplicate key.
 #[track_caller]
 fn schema_refuses(bytes: &[u8]) {
     let Ok(value) = serde_json::from_slice::<Value>(bytes) else { return };
     let Err(error) = parse(bytes, "t") else { return };
-    let is_of_form = !error.to_string().contains("stands twice");
+    let is_of_form = !error.to_string().contains("occurs twice");
     assert!(!is_of_form || !SCHEMA.is_valid(&value), "the schema accepts what is refused: {error}");
 }
 

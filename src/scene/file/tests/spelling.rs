@@ -183,7 +183,7 @@ fn words_of_other_languages() {
 fn quotes_of_other_languages() {
     refuses_value(
         textbook_with("\"textbook\"", "'textbook'"),
-        "name: strings and keys stand in double quotes in JSON, found a single quote",
+        "name: strings and keys need double quotes in JSON, found a single quote",
     );
     refuses(textbook_with("\"name\":", "name:"), "3:3: expected a key in double quotes, found `n`");
 }

@@ -103,10 +103,12 @@ impl Checker<'_> {
 
     fn require(&mut self, step: impl Into<Step>, value: f64, holds: bool, rule: &str) {
         if !(holds && value.abs() <= MAX_COORDINATE) {
-            let rule = match () {
-                _ if !value.is_finite() => "must be finite",
-                _ if value.abs() > MAX_COORDINATE => "must be at most 1e100 in size",
-                _ => rule,
+            let rule = if !value.is_finite() {
+                "must be finite"
+            } else if value.abs() > MAX_COORDINATE {
+                "must be at most 1e100 in size"
+            } else {
+                rule
             };
             self.at(step).error(format!("{rule}, found {}", number(value)));
         }

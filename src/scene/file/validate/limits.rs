@@ -9,7 +9,7 @@ pub const MAX_PIXELS: u64 = 1 << 28;
 /// The deepest recursion.
 pub const MAX_DEPTH: u32 = 256;
 
-/// The most rays a pixel, or shadow rays a light, or rays a blurry bounce: 2²⁰.
+/// The most rays per pixel, or shadow rays per light, or rays per blurry bounce: 2²⁰.
 pub const MAX_SAMPLES: u64 = 1 << 20;
 
 /// The fewest samples that tell a variance: two pairs.

@@ -1,6 +1,6 @@
 //! Whether the numbers of a scene make sense: every problem of a [`SceneFile`], each with its path.
 //!
-//! This room knows the meaning of keys and the documented [`limits`]. It knows nothing of text and places: a scene may also
+//! This module knows the meaning of keys and the documented [`limits`]. It knows nothing of text and places: a scene may also
 //! come from another format or from options of the command line.
 
 pub mod limits;

@@ -38,7 +38,7 @@ pub fn sampling(check: &mut Checker<'_>, sampling: &Sampling) {
     }
 }
 
-/// Checks a tolerance, and the fewest and the most samples, of which there must be so many at the least.
+/// Checks a tolerance, and the fewest and the most samples, of which this many are required.
 fn fewest_and_most(mut check: Checker<'_>, tolerance: f64, [min, max]: [u64; 2], least: u64) {
     check.positive("tolerance", tolerance);
     check.count("min", min, 1, MAX_SAMPLES);

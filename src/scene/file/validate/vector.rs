@@ -56,7 +56,7 @@ pub fn has_area(vertices: &[Vec3]) -> bool {
     }
     let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
     let corners = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent));
-    // As sure as the rounding of so many sums.
+    // As accurate as the rounding of this many sums.
     length(twice_area(corners)) > 4.0 * f64::EPSILON * vertices.len() as f64
 }
 

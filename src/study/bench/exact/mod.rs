@@ -92,7 +92,7 @@ pub fn is_possible(scene: &Scene) -> bool {
     Exact::of(scene).is_ok() || Penumbra::of(scene).is_ok()
 }
 
-/// The penumbra of a scene that has no exact areas. What is wrong with it is told only where it has a disk for a light.
+/// The penumbra of a scene that has no exact areas. What is wrong with it is reported only where it has a disk for a light.
 fn penumbra(scene: &Scene, why: NotExact) -> Result<Penumbra<'_>, NotExact> {
     Penumbra::of(scene).map_err(|other| if other == NotExact::Lights { why } else { other })
 }

@@ -61,7 +61,7 @@ const GAUSS_WEIGHTS: [f64; 4] =
 pub struct Rule {
     /// Parts whose error is no larger aren't halved.
     pub tolerance: f64,
-    /// How often the interval is halved at the most.
+    /// How often the interval is halved at most.
     pub halvings: u32,
 }
 

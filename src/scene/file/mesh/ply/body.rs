@@ -112,7 +112,7 @@ fn roles(element: &Element, known: &[(&str, Role)]) -> Result<Vec<Role>, Fault> 
             return Err(Fault::wrong(property.span.clone(), format!("expected `{name}` to be {expected}")));
         }
         if role != Role::Skipped && roles.contains(&role) {
-            let message = format!("the property `{name}` stands twice, expected it once");
+            let message = format!("the property `{name}` occurs twice, expected it once");
             return Err(Fault::wrong(property.span.clone(), message));
         }
         roles.push(role);

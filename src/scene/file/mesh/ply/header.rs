@@ -29,7 +29,7 @@ pub enum Encoding {
     BigEndian,
 }
 
-/// A kind of thing in the file.
+/// A kind of element in the file.
 #[derive(Debug)]
 pub struct Element {
     /// Its name.
@@ -42,7 +42,7 @@ pub struct Element {
     pub span: Range<usize>,
 }
 
-/// What each thing of an element has.
+/// What each item of an element has.
 #[derive(Debug)]
 pub struct Property {
     /// Its name.
@@ -58,7 +58,7 @@ pub struct Property {
 pub enum Kind {
     /// One number.
     Scalar(Scalar),
-    /// A count and so many numbers.
+    /// A count and this many numbers.
     List {
         /// The type of the count.
         count: Scalar,
@@ -125,7 +125,7 @@ impl Header {
                 b"element" if elements.len() < MAX_PLY_ENTRIES => {
                     let element = lines.element(keyword.start)?;
                     if elements.iter().any(|known| known.name == element.name) {
-                        let message = format!("the element `{}` stands twice, expected it once", shown(&element.name));
+                        let message = format!("the element `{}` occurs twice, expected it once", shown(&element.name));
                         return Err(Fault::wrong(element.span, message));
                     }
                     elements.push(element);

@@ -9,7 +9,7 @@ use crate::scene::file::mesh::words::{Syntax, Words};
 
 /// Gives the values of a body in order. Every type of the format fits into an f64.
 pub trait Values {
-    /// The next value, and where it stands.
+    /// The next value, and where it is.
     fn next(&mut self, scalar: Scalar) -> Result<(f64, Range<usize>), Fault>;
 
     /// Passes over a value that nobody uses.
@@ -57,7 +57,7 @@ pub struct Binary<'t> {
     order: Order,
 }
 
-/// In which order the bytes of a value stand.
+/// In which order the bytes of a value are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// The least first.

@@ -199,7 +199,7 @@ fn ply(drawn: &Drawn, draws: &mut Draws) -> (Vec<u8>, Mesh) {
 /// The lines of a PLY body.
 fn text(records: &[Vec<Value>], line_end: &str, draws: &mut Draws) -> String {
     let mut text = String::new();
-    // A line a record, more values on each line, lines of so many values, or two lines a record.
+    // A line a record, more values on each line, lines of this many values, or two lines a record.
     let (width, has_more, halves) = draws.one_of(&[
         (None, false, false),
         (None, true, false),
@@ -265,7 +265,7 @@ fn obj(drawn: &Drawn, draws: &mut Draws) -> (Vec<u8>, Mesh) {
             text.push_str(&word);
             text.push_str(draws.one_of(&[" ", "\t ", "\x0b", "\x0c", " \\\n", "\\ \t\r\n"]));
         }
-        // Behind the last word stands a blank or a line that goes on; the end of the line may have been there.
+        // Behind the last word is a blank or a line that goes on; the end of the line may have been there.
         text.push_str(draws.one_of(&["", "# v 0 0 0", "#\\"]));
         text.push_str(line_end);
         text.push_str(draws.one_of(&["", "# f 1 1 1\n", "l 1 2\n", "\n"]));

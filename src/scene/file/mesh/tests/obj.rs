@@ -163,13 +163,13 @@ fn o02_index_high() {
 #[test]
 fn o03_index_negative() {
     faces(&format!("{TRIANGLE}f -3 -2 -1\nv 5 5 5\nf -1 -2 1\n"), &[[0, 1, 2], [3, 2, 0]]);
-    wrong("f -1 -2 -4", "4:9: there is no vertex -4, only 3 stand before it");
+    wrong("f -1 -2 -4", "4:9: there is no vertex -4, only 3 precede it");
 }
 
 #[test]
 fn o04_index_overflow() {
     wrong("f 1 2 4294967297", "4:7: there is no vertex 4294967297");
-    wrong("f 1 2 -9223372036854775808", "4:7: there is no vertex -9223372036854775808, only 3 stand before it");
+    wrong("f 1 2 -9223372036854775808", "4:7: there is no vertex -9223372036854775808, only 3 precede it");
     let corner = "expected a corner such as `1`, `1/2`, `1//3` or `1/2/3`, found";
     wrong("f 1 2 99999999999999999999", &format!("4:7: {corner} `99999999999999999999`"));
 }
@@ -178,7 +178,7 @@ fn o04_index_overflow() {
 fn corners_that_are_none() {
     let corner = "expected a corner such as `1`, `1/2`, `1//3` or `1/2/3`, found";
     for word in ["x", "1.5", "/", "//1", "1/2/3/4", "1/x", "1//x", "\u{1b}[2J"] {
-        let shown = crate::scene::file::visible(word);
+        let shown = crate::scene::file::escape_hidden(word);
         wrong(&format!("f 1 2 {word}"), &format!("4:7: {corner} `{shown}`"));
     }
 }
@@ -256,7 +256,7 @@ fn the_line_is_shown() {
 }
 
 #[test]
-fn a_byte_order_mark_is_passed_over() {
+fn a_byte_order_mark_is_skipped() {
     assert_eq!(reads(format!("\u{feff}{SQUARE}"), "a.obj").mesh.faces.len(), 2);
     refuses("\u{feff}v 1 2 x\n", "a.obj", "1:8: expected a finite number, found `x`");
 }

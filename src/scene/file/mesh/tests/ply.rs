@@ -24,7 +24,7 @@ enum Value {
     F64(f64),
 }
 
-/// A mesh of a square and a triangle with normals, and things that are skipped.
+/// A mesh of a square and a triangle with normals, and elements that are skipped.
 fn records() -> Vec<Vec<Value>> {
     use Value::{F32, F64, I16, I32, U8, U16};
     let vertex = |x, y, z, flags| vec![F32(x), F64(y), F32(z), U8(flags), F32(0.0), F32(0.0), F32(1.0)];
@@ -168,7 +168,7 @@ fn headers() {
     wrong_header("double x", "duoble x", "5:10: unknown type `duoble`, did you mean `double`?");
     wrong_header("double x", "double", "5:16: the line ends too early, expected the name of a property");
     wrong_header("double x", "double u", "4:1: expected the properties `x`, `y` and `z` of the element `vertex`");
-    wrong_header("double y", "double x", "6:1: the property `x` stands twice, expected it once");
+    wrong_header("double y", "double x", "6:1: the property `x` occurs twice, expected it once");
     wrong_header("double x", "list uchar double x", "5:1: expected `x` to be a number");
     wrong_header("uchar int", "uchar float", "9:1: expected `vertex_indices` to be a list of whole numbers");
     wrong_header("list uchar int", "list float int", "9:15: expected a count of whole numbers");
@@ -183,7 +183,7 @@ fn headers() {
         "element strip",
         "1:1: the file has no faces, expected an element `face` or `tristrips` in its header",
     );
-    wrong_header("element face", "element vertex", "8:1: the element `vertex` stands twice, expected it once");
+    wrong_header("element face", "element vertex", "8:1: the element `vertex` occurs twice, expected it once");
     wrong_header("element vertex 4\n", "", "4:1: expected an `element` before its properties");
     refuses(&HEADER[..37], "a.ply", "4:1: the header ends too early, expected `end_header`");
     refuses(HEADER.trim_end(), "a.ply", "10:11: the file ends with its header");
@@ -315,7 +315,7 @@ fn strips() {
     gives(strip("5 0 1 3 2 -1"), &[[0, 1, 3], [3, 1, 2]], &[]);
     gives(strip("4 0 1 3 2"), &[[0, 1, 3], [3, 1, 2]], &[]);
     gives(strip("9 -1 0 1 3 -1 -1 1 2 3"), &[[0, 1, 3], [1, 2, 3]], &[]);
-    // Corners that stand twice lead on, and count for which way round the next triangle goes.
+    // Repeated corners lead on, and count for which way round the next triangle goes.
     gives(strip("6 0 1 2 2 3 0"), &[[0, 1, 2], [3, 2, 0]], &[]);
     let short = "warning: a.ply: 1 face has fewer than 3 corners, such are left out";
     gives(strip("5 0 1 2 -1 3"), &[[0, 1, 2]], &[short]);
