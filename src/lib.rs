@@ -13,10 +13,10 @@
 //!
 //! let scene: Scene = r#"{
 //!     "format": "raywalk-scene/1",
-//!     "camera": { "eye": [0, 0, 5], "look_at": [0, 0, 0], "vertical_fov": 40, "resolution": [3, 3] },
-//!     "lights": [{ "point": { "position": [3, 4, 5] }, "color": [1, 1, 1] }],
+//!     "camera": { "position": [0, 0, 5], "look_at": [0, 0, 0], "vertical_fov": 40, "resolution": [3, 3] },
+//!     "lights": [{ "name": "lamp", "point": { "position": [3, 4, 5] } }],
 //!     "materials": { "red": { "diffuse": [0.8, 0.1, 0.1] } },
-//!     "objects": [{ "name": "ball", "material": "red", "sphere": { "center": [0, 0, 0], "radius": 1 } }]
+//!     "objects": [{ "name": "ball", "shape": { "sphere": { "center": [0, 0, 0], "radius": 1 } }, "material": "red" }]
 //! }"#.parse()?;
 //!
 //! // One ray.

@@ -33,8 +33,9 @@ pub fn xml_of_visible(text: &str) -> String {
         '>' => Some("&gt;".to_owned()),
         '"' => Some("&quot;".to_owned()),
         '\'' => Some("&#39;".to_owned()),
-        // Unicode leaves these undefined, and XML has no way to write them.
+        // Unicode leaves these undefined, and XML has no way to write them, nor control characters.
         '\u{fffe}' | '\u{ffff}' => Some("\u{fffd}".to_owned()),
+        _ if c.is_control() && !"\t\n\r".contains(c) => Some(String::new()),
         _ => None,
     })
 }

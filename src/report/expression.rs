@@ -1,13 +1,14 @@
 //! A formula ready to be written in any format: with its symbols, or with the numbers put in.
 
-use super::provenance::Operand;
 mod floor;
 mod several;
 
+use super::provenance::Operand;
 use super::{Style, evaluate, forms, number};
 use crate::log::formula::{Formula, Operator, Unary};
 use crate::log::scope::{self, Element};
 use crate::log::{Log, Tree, Value, What, round_half_away};
+use std::collections::HashMap;
 
 /// A formula with symbols or numbers.
 pub type Expression = Formula<Leaf>;
@@ -79,6 +80,8 @@ pub fn substituted(
         return None;
     }
     let is_doubled = matches!(log.events[event].what, What::Note { name, .. } if name.is_doubled());
+    // The first of those that are alike counts.
+    let links = &links.iter().rev().map(|link| ((link.symbol, link.event), link.computed)).collect();
     let whole = Substitution { log, tree, event, light: None, element: None, style, links, is_doubled }
         .part(formula)
         .shown()?;
@@ -97,7 +100,7 @@ pub fn substituted_doubled(
     formula: &Formula,
     style: Style,
 ) -> Option<Expression> {
-    Substitution { log, tree, event, light: None, element: None, style, links: &[], is_doubled: true }
+    Substitution { log, tree, event, light: None, element: None, style, links: &HashMap::new(), is_doubled: true }
         .part(formula)
         .shown()
 }
@@ -126,7 +129,8 @@ struct Substitution<'a> {
     /// The sample or the cell whose part of a sum is written.
     element: Option<Element>,
     style: Style,
-    links: &'a [Operand],
+    /// What computed an operand, by its symbol and its event.
+    links: &'a HashMap<(&'static str, usize), Option<usize>>,
     /// Whether operands are taken with twice the digits, as the tracer took them: what the log has of them may have lost theirs.
     is_doubled: bool,
 }
@@ -210,8 +214,8 @@ impl Substitution<'_> {
                 {
                     return Part::There(Expression::value(value, None));
                 }
-                let link = self.links.iter().find(|link| link.symbol == symbol && link.event == operand.event);
-                Part::There(Expression::value(operand.value, link.and_then(|link| link.computed)))
+                let computed = self.links.get(&(symbol, operand.event)).copied().flatten();
+                Part::There(Expression::value(operand.value, computed))
             }
             None if scope::is_one_when_absent(symbol) => Part::One,
             None => Part::Zero,

@@ -13,6 +13,7 @@ pub use uses::uses;
 use crate::log::formula::{self, Formula, Unary};
 use crate::log::scope;
 use crate::log::{Event, Log, Name, Tree, Value, What};
+use std::collections::HashSet;
 
 /// A value that a step takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,14 +42,16 @@ pub fn operands(log: &Log, tree: &Tree, event: usize) -> Vec<Operand> {
         _ => None,
     };
     let Some(formula) = formula else { return inputs(log, tree, event) };
-    let mut found: Vec<Operand> = Vec::new();
+    // A sum may go over thousands of lights.
+    let (mut found, mut known) = (Vec::new(), HashSet::new());
     each_symbol(formula, false, &mut |symbol, is_under_sum| {
         let lights: Vec<_> =
             if is_under_sum { scope::lights(&log.events, tree, event).map(Some).collect() } else { vec![None] };
         for light in lights {
-            let is_known = |known: &Operand| known.symbol == symbol && (known.light == light || known.light.is_none());
-            if !found.iter().any(is_known) {
-                found.extend(operand(log, tree, event, symbol, light));
+            if !known.contains(&(symbol, light)) && !known.contains(&(symbol, None)) {
+                let operand = operand(log, tree, event, symbol, light);
+                known.extend(operand.iter().map(|operand| (operand.symbol, operand.light)));
+                found.extend(operand);
             }
         }
     });

@@ -134,6 +134,14 @@ fn many(kind: &str, count: usize) -> String {
             made.note(shade, "shade.local", COLOR);
         }
     }
+    if kind == "lights" {
+        for _ in 0..count / 8 {
+            let light = made.enter(shade, "{\"light\":{\"light\":\"F\"}}");
+            made.note(light, "shade.n_dot_l", "0.5");
+            made.leave(light);
+        }
+        made.note(shade, "shade.local", COLOR);
+    }
     made.leave(shade);
     if kind == "combines" {
         for _ in 0..count / 4 {
@@ -150,7 +158,7 @@ fn many(kind: &str, count: usize) -> String {
 #[test]
 fn many_events_of_a_kind_in_one_node_take_their_share_of_time() {
     let folder = tempfile::tempdir().expect("a folder");
-    for kind in ["occluded", "transmittances", "locals", "combines"] {
+    for kind in ["occluded", "transmittances", "locals", "lights", "combines"] {
         fs::write(folder.path().join("a.log"), many(kind, 80_000)).expect("written");
         fs::write(folder.path().join("b.log"), many(kind, 80_000).replace("0.2,0.3", "0.25,0.35")).expect("written");
         for call in

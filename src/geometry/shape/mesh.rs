@@ -204,16 +204,18 @@ impl TriangleMesh {
     /// Drops crossings, sorted by their distance from number `from` on, with triangles next to one that is crossed in the same place and
     /// from the same side: a ray through an edge or a corner crosses the mesh once.
     fn keep_edges_once(&self, ray: &Ray, found: &mut Vec<Crossing>, from: usize) {
-        /// Of coincident crossings the latest are looked at, this many at most: a hundred thousand triangles may lie on each other.
-        const MOST: usize = 64;
-        let mut kept = from;
+        // Of more than 1,400 coincident triangles only the latest are compared, because there may be a hundred thousand.
+        const MOST: usize = 1 << 20;
+        let (mut kept, mut compared) = (from, 0);
         for at in from..found.len() {
             let crossing = found[at];
             let (size, slope) =
                 (self.size(crossing.primitive), unit(*self.normals.of(crossing.primitive)).dot(ray.direction));
             let bound = ROUNDINGS * (2.0 * (ray.origin.abs().element_sum() + crossing.t.abs()) + 2.0 * size);
             let is_same = |before: &&Crossing| (crossing.t - before.t) * slope.abs() <= bound;
-            let is_again = found[from..kept].iter().rev().take(MOST).take_while(is_same).any(|before| {
+            let most = if compared < MOST { usize::MAX } else { 64 };
+            let is_again = found[from..kept].iter().rev().take(most).take_while(is_same).any(|before| {
+                compared += 1;
                 before.side == crossing.side && self.are_neighbours(before.primitive, crossing.primitive)
             });
             if !is_again {

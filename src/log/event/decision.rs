@@ -55,7 +55,7 @@ macro_rules! decisions {
                 why: SkipReason as SkipReason,
             };
             Subdivided "subdivided"
-                "a cell of the pixel (left, top, side; in pixels) is cut in four; object is the one that no corner met" {
+                "a cell of the pixel (left, top, side; in pixels) is cut in four; object is the one that no corner hit" {
                 cell: [f64; 3] as Triple,
                 why: Split as Split,
                 object: Option<u32> as Optional<Object>,
@@ -64,7 +64,7 @@ macro_rules! decisions {
                 cell: Option<[f64; 3]> as Optional<Triple>,
                 why: Acceptance as Acceptance,
             };
-            Asked "asked" "so many points of an area light with `min` and `max` are asked" {
+            Asked "asked" "this many points of an area light with `min` and `max` are asked" {
                 light: u32 as Light,
                 why: Asking as Asking,
                 points: u32 as Whole<1>,
