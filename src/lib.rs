@@ -67,6 +67,9 @@
 //! tests take `raywalk = { version = "0.1", default-features = false }`: scenes, the tracer, probes, logs and their texts, with fewer
 //! than half of the crates.
 
+// What only the studies of the program use is there without them, too.
+#![cfg_attr(not(feature = "program"), allow(dead_code, unused_imports))]
+
 /// Vectors and matrices, as this library's signatures have them.
 pub use glam;
 
