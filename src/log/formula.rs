@@ -49,7 +49,7 @@ use std::sync::LazyLock;
 pub enum Formula<Leaf = &'static str> {
     /// A number.
     Number(f64),
-    /// The symbol of a quantity, or what stands for it.
+    /// The symbol of a quantity, or what represents it.
     Leaf(Leaf),
     /// `(a, b, c)`
     Triple(Box<[Formula<Leaf>; 3]>),

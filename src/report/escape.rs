@@ -1,6 +1,6 @@
 //! Text in the formats of views, so that a name from a scene file is shown there and does nothing.
 //!
-//! Each function takes plain text and gives what stands for it in one format. What can't be seen is escaped first (`\u{1b}`).
+//! Each function takes plain text and gives what represents it in one format. What can't be seen is escaped first (`\u{1b}`).
 
 use super::number::unraised;
 use crate::log::escape::escape_hidden;
@@ -25,7 +25,7 @@ pub fn xml(text: &str) -> String {
     xml_of_visible(&escape_hidden(text))
 }
 
-/// The same of a text, or a piece of one, that has been made visible: what stands beside it decides whether a joiner is.
+/// The same of a text, or a piece of one, that has been made visible: what is beside it decides whether a joiner is.
 pub fn xml_of_visible(text: &str) -> String {
     each_replaced(text, |c| match c {
         '&' => Some("&amp;".to_owned()),

@@ -13,7 +13,7 @@ use std::collections::HashMap;
 /// A formula with symbols or numbers.
 pub type Expression = Formula<Leaf>;
 
-/// What stands for a quantity.
+/// What represents a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Leaf {
     /// Its symbol.

@@ -30,10 +30,10 @@ pub trait Notation {
     const IS_LINEAR: bool = false;
     /// 2π
     const TWO_PI: &str = "2π";
-    /// What stands for terms that are left out.
+    /// What represents terms that are left out.
     const ELIDED: &str = "…";
 
-    /// What stands between the numbers of a triple.
+    /// What comes between the numbers of a triple.
     fn separator(language: Language) -> String {
         language.texts().separator.to_owned()
     }
@@ -188,7 +188,7 @@ impl Notation for Plain {
     }
 }
 
-/// What stands between two operands.
+/// What comes between two operands.
 pub fn infix(operator: Operator) -> &'static str {
     match operator {
         Operator::Plus => "+",

@@ -5,7 +5,7 @@ use super::lanes::{Eight, Lanes};
 use super::space::{LocalRay, Space, U, up};
 use glam::DVec3;
 
-/// What stands in for a primitive in an unused lane.
+/// What replaces a primitive in an unused lane.
 const NOTHING: u32 = u32::MAX;
 
 /// Eight triangles: a corner of each, and two edges from it.

@@ -4,10 +4,10 @@ use super::{Extreme, Formula, Function, Operator, QUANTILE, Several, Unary};
 use crate::log::name::Name;
 use std::sync::LazyLock;
 
-/// What stands between the terms of a sum.
+/// What comes between the terms of a sum.
 const SUMS: [(&str, Operator); 2] = [("+", Operator::Plus), ("−", Operator::Minus)];
 
-/// What stands between the factors of a product.
+/// What comes between the factors of a product.
 const PRODUCTS: [(&str, Operator); 5] = [
     ("·", Operator::Times),
     ("∘", Operator::Channelwise),
@@ -16,10 +16,10 @@ const PRODUCTS: [(&str, Operator); 5] = [
     ("⊘", Operator::ComponentsOver),
 ];
 
-/// What stands behind its operand.
+/// What comes behind its operand.
 const POSTFIXES: [(&str, Unary); 3] = [("²", Unary::Squared), ("⁺", Unary::Positive), ("°", Unary::Degrees)];
 
-/// What stands around its operand.
+/// What comes around its operand.
 const BRACKETS: [(&str, &str, Unary); 3] =
     [("Σ(", ")", Unary::OverLights), ("|", "|", Unary::Length), ("⌊", "⌋", Unary::Floor)];
 

@@ -9,7 +9,7 @@ use crate::report::notation::{self, Notation};
 use crate::report::ray_tree::Figure;
 use crate::report::schematic::Plan;
 
-/// What stands before and behind a part of the page.
+/// What comes before and behind a part of the page.
 pub(super) type Around = [&'static str; 2];
 
 /// How a format writes the parts of a worked solution. What a hook is given as a text has been escaped, and it returns what it adds to the
@@ -65,7 +65,7 @@ pub(super) trait Format {
     /// The schematic under its heading.
     fn schematic(task: &Task, plan: &Plan) -> String;
 
-    /// What stands before and behind all steps.
+    /// What comes before and behind all steps.
     fn around_steps(_task: &Task) -> [String; 2] {
         [String::new(), String::new()]
     }

@@ -12,7 +12,7 @@ texts! {
     finds: Text = "/ finds, Esc closes", "/ busca, Esc cierra";
     /// What they do where it scrolls.
     scrolls: Text = "j k scroll, / finds, Esc closes", "j k desplazan, / busca, Esc cierra";
-    /// What stands for the letter of one's choice in `m+letter`.
+    /// What represents the letter of one's choice in `m+letter`.
     letter: Text = "letter", "letra";
     /// What a number before a key does.
     counts: Text = "A number before a key repeats it: 5j, 10n.", "Un número antes de una tecla la repite: 5j, 10n.";

@@ -337,11 +337,11 @@ texts! {
     /// What is said of commands.
     Commands;
 
-    /// What stands for the letter that a command takes.
+    /// What represents the letter that a command takes.
     letter: Text = "LETTER", "LETRA";
-    /// What stands for the condition.
+    /// What represents the condition.
     condition: Text = "CONDITION", "CONDICIÓN";
-    /// What stands for the text.
+    /// What represents the text.
     text: Text = "TEXT", "TEXTO";
     /// That a number is one, too.
     step: Text = ":42 (a step)", ":42 (un paso)";

@@ -126,7 +126,7 @@ const SHOWN: usize = 40;
 
 /// Names by what people see of them. Of a million names that all look different no more is kept than it takes to tell that.
 struct Names<'s> {
-    /// What stands for the looks that more than one name has, as far as digests tell.
+    /// What represents the looks that more than one name has, as far as digests tell.
     shared: HashSet<u64>,
     taken: HashMap<Cow<'s, str>, &'s str>,
 }
