@@ -31,6 +31,10 @@ fn e20_memory_limit() {
     // Where there is no room for the stacks of all threads, there is for some.
     let threads = ["render", "textbook", "--size", "500x500", "--threads", "4000", "-q", "-o", "b.png"];
     with_little_memory(folder.path(), &threads).ends_with(0);
+    // Nor do what the C library's allocator sets aside for threads and the number of threads together take what the picture needs.
+    for limit in [160_000, 190_000, 220_000, 250_000, 280_000] {
+        answer(&mut raywalk_after(&format!("ulimit -v {limit}"), folder.path(), &threads)).ends_with(0);
+    }
     assert_eq!(names_in(folder.path()), ["b.png", "m.obj", "t.json"]);
     let small = ["render", "textbook", "--size", "9x9", "--threads", "2", "-q", "-o", "a.png"];
     with_little_memory(folder.path(), &small).ends_with(0);
