@@ -61,6 +61,18 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Where to find what
+//!
+//! | for | take |
+//! |---|---|
+//! | a scene: a file, a text, or made in code | [`scene::Scene`], [`scene::file::schema`] |
+//! | one ray, what it hits, whether it is blocked | [`trace::query::Query`] |
+//! | a pixel, a ray or a region as a log, in any arithmetic | [`record`] |
+//! | logs: written, read, as a tree; quantities and their formulas | [`log`], [`log::file`] |
+//! | a log for people, two logs compared | [`report::text`], [`report::diff`] |
+//! | values as they are computed | [`probe::Probe`] |
+//! | pictures | `render` (feature `program`) |
+//!
 //! # Features
 //!
 //! `program`, on by default, is the `raywalk` command and what only it needs: pictures and their formats, the viewer, studies. A renderer's
@@ -76,16 +88,23 @@ pub use glam;
 pub mod geometry;
 pub mod log;
 pub mod probe;
-pub mod random;
 pub mod record;
 #[cfg(feature = "program")]
 pub mod render;
 pub mod report;
-pub mod sampling;
 pub mod scene;
-#[cfg(feature = "program")]
-pub mod study;
-pub mod threads;
 pub mod trace;
+
+// The program and the tests of this package see these, too; they may change at any time.
+#[doc(hidden)]
+pub mod random;
+#[doc(hidden)]
+pub mod sampling;
 #[cfg(feature = "program")]
+#[doc(hidden)]
+pub mod study;
+#[doc(hidden)]
+pub mod threads;
+#[cfg(feature = "program")]
+#[doc(hidden)]
 pub mod tui;

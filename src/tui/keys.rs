@@ -1,6 +1,6 @@
 //! The keys: one row each, from which the keyboard is read and the help is made.
 //!
-//! Adding a key is one row here and one arm in [`super::update`]. The rows of [`Walk`] have a file of their own.
+//! Adding a key is one row here and one arm in `update.rs`. The rows of [`Walk`] have a file of their own.
 
 mod script;
 mod walk;
