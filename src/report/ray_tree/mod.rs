@@ -234,7 +234,7 @@ pub(super) fn color_of(kind: RayKind, is_blocked: bool) -> &'static str {
 pub(super) fn short(kind: RayKind) -> String {
     match kind {
         RayKind::Shadow { light } => format!("S{}", light + 1),
-        _ => kind.letter().to_string(),
+        _ => kind.letter().to_owned(),
     }
 }
 

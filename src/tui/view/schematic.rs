@@ -100,15 +100,6 @@ fn role_of(kind: RayKind) -> Role {
     }
 }
 
-fn letter(kind: RayKind) -> &'static str {
-    match kind {
-        RayKind::Camera => "C",
-        RayKind::Reflected => "R",
-        RayKind::Transmitted => "T",
-        RayKind::Shadow { .. } => "S",
-    }
-}
-
 /// Names and letters, as far as they have room: the current ray last, over everything else.
 fn label(
     model: &Model,
@@ -133,7 +124,7 @@ fn label(
         write(stage.project(drawing.eye), theme.glyphs.camera, theme.style(Role::Camera));
     }
     let mut mark = |ray: &Segment, style: Style| {
-        let text = if ray.is_blocked { theme.glyphs.blocked } else { letter(ray.kind) };
+        let text = if ray.is_blocked { theme.glyphs.blocked } else { ray.kind.letter() };
         write(stage.place_of_letter(ray, body), text, style);
     };
     rays.iter().for_each(|ray| mark(ray, theme.style(role_of(ray.kind))));
