@@ -7,7 +7,7 @@ use super::provenance::Operand;
 use super::{Style, evaluate, forms, number};
 use crate::log::formula::{Formula, Operator, Unary};
 use crate::log::scope::{self, Element};
-use crate::log::{Log, Tree, Value, What, round_half_away};
+use crate::log::{Log, Name, Tree, Value, What, round_half_away};
 use std::collections::HashMap;
 
 /// A formula with symbols or numbers.
@@ -261,7 +261,7 @@ impl Substitution<'_> {
     }
 
     fn is_dark(&self, light: usize) -> bool {
-        let passed = scope::operand_of_light(&self.log.events, self.tree, light, "τ");
+        let passed = scope::operand_of_light(&self.log.events, self.tree, light, Name::ShadowTransmittance.symbol());
         passed.is_some_and(|operand| operand.value == Value::Triple([0.0; 3]))
     }
 

@@ -51,7 +51,7 @@ pub fn table(runs: &[Run], node: usize) -> Table {
             let What::Note { name, value } = run.log.events[event].what else { continue };
             let occurrence = seen.iter().filter(|key| **key == name.key()).count();
             seen.push(name.key());
-            let same = rows.iter_mut().filter(|row| row.name.key() == name.key()).nth(occurrence);
+            let same = rows.iter_mut().filter(|row| row.name.is(name)).nth(occurrence);
             let digits = run.log.events[event].digits.as_deref().copied();
             match same {
                 Some(row) => {

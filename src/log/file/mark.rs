@@ -81,7 +81,7 @@ impl InFile for Quantity {
     type Read<'t> = Word<'t>;
 
     fn resolve(key: Word, _: &Reader) -> Result<Name, String> {
-        Name::all().find(|name| name.key() == &*key).ok_or_else(|| unknown("quantity", &key))
+        Name::with_key(&key).ok_or_else(|| unknown("quantity", &key))
     }
 
     fn write(out: &mut Vec<u8>, _: &Header, quantity: &Name) {

@@ -138,7 +138,7 @@ impl Reader {
             };
             What::Note { name, value }
         } else if let Some(Mark::Undefined { quantity }) = &line.mark
-            && Name::all().all(|name| name.key() != &**quantity)
+            && Name::with_key(quantity).is_none()
         {
             self.carried.extend(line.given.inputs);
             return self.pass_over(quantity, number);

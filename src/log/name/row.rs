@@ -45,6 +45,19 @@ impl Name {
         NAMES.get(&(key, form)).copied()
     }
 
+    /// The first name with this key.
+    pub fn with_key(key: &str) -> Option<Name> {
+        Name::all().find(|name| name.key() == key)
+    }
+
+    /// Whether both are the same quantity, by whatever formula.
+    pub fn is(self, other: Name) -> bool {
+        /// The first name with the key of each.
+        static FIRST: LazyLock<Vec<Option<Name>>> =
+            LazyLock::new(|| Name::all().map(|name| Name::with_key(name.key())).collect());
+        self == other || FIRST[self as usize] == FIRST[other as usize]
+    }
+
     /// The key of the quantity in a log, such as `sphere.t2_a`.
     pub fn key(self) -> &'static str {
         self.row().key
