@@ -1,9 +1,11 @@
 //! The events as a tree: nodes in pre-order in one flat array, so that a view needs to touch only what it shows.
 
 mod path;
+mod place;
 
 pub(super) use path::add_step;
 pub use path::path_of_child;
+pub use place::{Held, Key, Place, Way};
 
 use super::event::{Event, RayKind, Step, What};
 use super::events::Events;

@@ -1,6 +1,6 @@
 //! What is copied: a value with all its digits, or an address.
 
-use super::address::Address;
+use super::bookmarks::address;
 use super::describe;
 use super::model::Model;
 use super::update::Effect;
@@ -38,7 +38,7 @@ pub(super) fn path(model: &mut Model) -> Effect {
         model.say(model.texts().quiz.tells_decision);
         return Effect::None;
     }
-    let text = Address::of(&model.log, &model.tree, model.event).text();
+    let text = address(&model.log, &model.tree, model.event);
     copied(model, text)
 }
 

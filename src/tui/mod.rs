@@ -4,8 +4,8 @@
 //! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
 //! tested without one. The module knows logs and reports; it computes no geometry and needs no scene.
 
-mod address;
 pub mod beside;
+mod bookmarks;
 mod breakpoints;
 mod command;
 mod copy;
@@ -25,7 +25,6 @@ mod model;
 mod mouse;
 mod panes;
 mod picture;
-mod place;
 mod play;
 mod prompt;
 mod quiz;

@@ -9,10 +9,10 @@ use super::layout::{Arrangement, Layout};
 use super::list;
 use super::live::{Live, Refusal};
 use super::picture::PictureView;
-use super::place::Place;
 use super::prompt::Prompt;
 use super::understanding::{self, Understanding};
 use super::update::Effect;
+use crate::log::tree::Place;
 use crate::log::{Log, Step, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
@@ -230,7 +230,8 @@ impl Model {
         self.others.clear();
         // A quiz goes on; what was opened was of the other log.
         self.understanding.listing = None;
-        self.go_to_event(place.found_in(&self.log, &self.tree));
+        let (Ok(event) | Err(event)) = place.find(&self.log, &self.tree);
+        self.go_to_event(event);
         if let (Some(view), Subject::Pixel(pixel)) = (&mut self.picture, self.log.header.subject) {
             view.cursor = pixel;
         }

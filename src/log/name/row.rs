@@ -50,12 +50,16 @@ impl Name {
         Name::all().find(|name| name.key() == key)
     }
 
+    /// The first name with its key, which represents the quantity by whatever formula.
+    pub fn quantity(self) -> Name {
+        static FIRST: LazyLock<Vec<Name>> =
+            LazyLock::new(|| Name::all().map(|name| Name::with_key(name.key()).unwrap_or(name)).collect());
+        FIRST[self as usize]
+    }
+
     /// Whether both are the same quantity, by whatever formula.
     pub fn is(self, other: Name) -> bool {
-        /// The first name with the key of each.
-        static FIRST: LazyLock<Vec<Option<Name>>> =
-            LazyLock::new(|| Name::all().map(|name| Name::with_key(name.key())).collect());
-        self == other || FIRST[self as usize] == FIRST[other as usize]
+        self == other || self.quantity() == other.quantity()
     }
 
     /// The key of the quantity in a log, such as `sphere.t2_a`.
