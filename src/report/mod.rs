@@ -18,6 +18,7 @@ pub mod lines;
 pub mod notation;
 pub mod number;
 pub mod outline;
+mod part;
 pub mod path_class;
 pub mod provenance;
 pub mod pseudocode;
