@@ -5,7 +5,6 @@ use super::machine::Machine;
 use super::scenes::{self, SceneOptions};
 use super::table::quoted;
 use crate::cli::failure::Failure;
-use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use clap::Args;
 use raywalk::scene::file::escape_hidden;
@@ -38,10 +37,10 @@ struct Measured {
 
 impl OverheadBench {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         let machine = Machine::this();
         let measure = |name: &std::path::PathBuf| {
-            let (scene, _) = self.scenes.load(name, colors)?;
+            let (scene, _) = self.scenes.load(name)?;
             let overhead = overhead(&scene, self.pairs.into());
             let overhead = overhead.map_err(|error| {
                 Failure::caller(format!("{}: {error}, expected fewer samples a pixel", escape_hidden(&scene.name)))

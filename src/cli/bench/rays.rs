@@ -5,7 +5,7 @@ use super::machine::Machine;
 use super::table::quoted;
 use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::{Claim, Inputs, place_of};
-use crate::cli::options::{ColorChoice, MAX_THREADS};
+use crate::cli::options::MAX_THREADS;
 use crate::cli::output::{self, Output};
 use clap::Args;
 use raywalk::scene::Scene;
@@ -121,7 +121,7 @@ impl Dumps {
 
 impl RaysBench {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         let machine = Machine::this();
         if let Some(folder) = &self.dump {
             match fs::metadata(folder) {
@@ -133,7 +133,7 @@ impl RaysBench {
                 }
             }
         }
-        let refused = |error: SceneError| Failure::scene(&error, colors.applies_to(&std::io::stderr()));
+        let refused = |error: SceneError| Failure::scene(&error);
         let dumps = self.dumps(refused)?;
         // Before the work begins it is made sure that they can be written; a file begins in its scene's turn, as there may be many.
         dumps.check()?;

@@ -3,7 +3,7 @@
 use super::TableFormat;
 use super::machine::{Machine, peak_bytes};
 use crate::cli::failure::Failure;
-use crate::cli::options::{self, ColorChoice, TracingOptions};
+use crate::cli::options::{self, TracingOptions};
 use crate::cli::{output, scene_argument};
 use clap::Args;
 use raywalk::render::ask_for_memory;
@@ -60,11 +60,11 @@ const HALVINGS: u32 = 5;
 
 impl ScalingBench {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         raywalk::threads::want(self.threads.into());
         let machine = Machine::this();
         // Before anything is measured.
-        let loaded = scene_argument::load(&self.scene, &TracingOptions::default().import(), colors)?;
+        let loaded = scene_argument::load(&self.scene, &TracingOptions::default().import())?;
         let in_size = |size: [u32; 2]| {
             let tracing = TracingOptions { size: Some(size), ..TracingOptions::default() };
             tracing.apply(loaded.clone())
