@@ -9,6 +9,7 @@ pub mod contributions;
 pub mod decided;
 pub mod diff;
 pub mod digits;
+mod drawn;
 pub mod escape;
 pub mod evaluate;
 pub mod expression;
