@@ -14,7 +14,6 @@ use raywalk::render::part::is_part;
 use raywalk::report::diff::Tolerance;
 use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, escape_hidden};
 use raywalk_guard::Endings;
-use std::io;
 use std::path::{Path, PathBuf};
 
 /// What `--help` says behind the options.
@@ -104,7 +103,7 @@ impl Diff {
             return Err(Failure::caller("diff - -: only one of the two can come from standard input"));
         }
         inputs::reads([&self.a, &self.b]);
-        let [a, b] = [open(&self.a, colors)?, open(&self.b, colors)?];
+        let [a, b] = [open(&self.a)?, open(&self.b)?];
         match (a, b) {
             (Compared::Log(a), Compared::Log(b)) => {
                 if self.output.is_some() {
@@ -142,8 +141,8 @@ impl Diff {
 }
 
 /// Opens what is compared: a log is read by the way, a picture at once.
-fn open(path: &Path, colors: ColorChoice) -> Result<Compared, Failure> {
-    let refused = |error| Failure::scene(&error, colors.applies_to(&io::stderr()));
+fn open(path: &Path) -> Result<Compared, Failure> {
+    let refused = |error| Failure::scene(&error);
     let wanted = Wanted { what: "a log or a picture", max_bytes: MAX_PICTURE_BYTES };
     let opened = wanted.open(path).map_err(refused)?;
     if is_log(opened.beginning()) {

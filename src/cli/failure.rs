@@ -49,8 +49,8 @@ impl Failure {
     }
 
     /// A scene that can't be had.
-    pub fn scene(error: &SceneError, colored: bool) -> Failure {
-        Failure { code: error.exit_code(), message: error.report(colored) }
+    pub fn scene(error: &SceneError) -> Failure {
+        Failure { code: error.exit_code(), message: error.report(true) }
     }
 
     /// A file that can't be read or written.
@@ -81,7 +81,7 @@ impl Failure {
     pub fn print(&self) {
         if !self.message.is_empty() {
             // Where standard error is closed nothing can be reported.
-            let _ = writeln!(io::stderr(), "{}", self.message);
+            let _ = writeln!(anstream::stderr(), "{}", self.message);
         }
     }
 }

@@ -4,14 +4,12 @@ mod logs;
 mod pictures;
 
 use super::failure::{Failure, shown};
-use super::options::ColorChoice;
 use super::render::MAX_PART_BYTES;
 use super::shown::ShownOptions;
 use clap::Args;
 use raywalk::log::file::is_log;
 use raywalk::render::part::is_part;
 use raywalk::scene::file::{Opened, Wanted};
-use std::io;
 use std::path::{Path, PathBuf};
 
 /// What `--help` says behind the options.
@@ -59,10 +57,10 @@ enum Kind {
 
 impl Merge {
     /// Runs the command.
-    pub fn run(&self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(&self) -> Result<(), Failure> {
         let mut kinds = Vec::new();
         for path in &self.parts {
-            kinds.push(kind(path, &open(path, colors)?)?);
+            kinds.push(kind(path, &open(path)?)?);
         }
         let other = kinds.iter().position(|kind| *kind != kinds[0]);
         match (kinds[0], other) {
@@ -70,20 +68,20 @@ impl Merge {
                 let [first, other] = [&self.parts[0], &self.parts[other]].map(|path| shown(path));
                 Err(Failure::caller(format!("{first} and {other}: a part of a picture and a log; expected one kind")))
             }
-            (Kind::Part, None) => self.pictures(colors),
-            (Kind::Log, None) => self.logs(colors),
+            (Kind::Part, None) => self.pictures(),
+            (Kind::Log, None) => self.logs(),
         }
     }
 }
 
 /// Opens a part, which is read by the way.
-fn open(path: &Path, colors: ColorChoice) -> Result<Opened, Failure> {
+fn open(path: &Path) -> Result<Opened, Failure> {
     let what = "a part that `render --shard` wrote or a log";
     if path == Path::new("-") {
         return Err(Failure::caller(format!("-: expected the name of {what}")));
     }
     let wanted = Wanted { what, max_bytes: MAX_PART_BYTES };
-    wanted.open(path).map_err(|error| Failure::scene(&error, colors.applies_to(&io::stderr())))
+    wanted.open(path).map_err(|error| Failure::scene(&error))
 }
 
 fn kind(path: &Path, opened: &Opened) -> Result<Kind, Failure> {

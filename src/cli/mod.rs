@@ -101,28 +101,29 @@ pub fn run() -> ExitCode {
         return failure.exit();
     }
     let colors = cli.color;
+    colors.choose_for_messages();
     let done = match cli.command {
         None => walk::Walk::of_the_numeric_example().run(colors, signals),
         Some(Command::Walk(walk)) => walk.run(colors, signals),
-        Some(Command::Trace(trace)) => trace.run(colors),
-        Some(Command::Render(render)) => render.run(colors),
-        Some(Command::Merge(merge)) => merge.run(colors),
+        Some(Command::Trace(trace)) => trace.run(),
+        Some(Command::Render(render)) => render.run(),
+        Some(Command::Merge(merge)) => merge.run(),
         Some(Command::Diff(diff)) => match diff.run(colors, signals) {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },
-        Some(Command::Rays(rays)) => rays.run(colors),
-        Some(Command::Textbook(textbook)) => match textbook.run(colors) {
+        Some(Command::Rays(rays)) => rays.run(),
+        Some(Command::Textbook(textbook)) => match textbook.run() {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },
-        Some(Command::Stress(stress)) => match stress.run(colors) {
+        Some(Command::Stress(stress)) => match stress.run() {
             Ok(false) => return ExitCode::from(failure::NEGATIVE),
             done => done.map(|_| ()),
         },
-        Some(Command::Bench(bench)) => bench.run(colors),
+        Some(Command::Bench(bench)) => bench.run(),
         Some(Command::Log(command)) => command.run(),
-        Some(Command::Scene(command)) => command.run(colors),
+        Some(Command::Scene(command)) => command.run(),
         Some(Command::Completions(completions)) => completions.run(),
         Some(Command::Man(manual)) => manual.run(),
     };

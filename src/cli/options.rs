@@ -14,7 +14,7 @@ use raywalk::scene::file::schema::{Algorithm, Formulas, Sampling, SceneFile, Spe
 use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_PIXELS, MAX_SIDE};
 use raywalk::scene::file::{self, suggest};
 use raywalk::scene::{self, Index, Scene, Skip, build_with};
-use std::io::IsTerminal;
+use std::io::{self, IsTerminal};
 
 /// The most threads.
 pub const MAX_THREADS: i64 = 4096;
@@ -31,6 +31,12 @@ pub enum ColorChoice {
 }
 
 impl ColorChoice {
+    /// Messages are made with colours: from here on standard error leaves them out unless they are wanted there.
+    pub fn choose_for_messages(self) {
+        let is_colored = self.applies_to(&io::stderr());
+        if is_colored { anstream::ColorChoice::AlwaysAnsi } else { anstream::ColorChoice::Never }.write_global();
+    }
+
     /// Whether output to this stream is coloured.
     pub fn applies_to(self, stream: &impl IsTerminal) -> bool {
         match self {

@@ -157,7 +157,7 @@ fn folder_of(place: &Path) -> &Path {
 
 /// Prints a message on standard error; nothing where that is closed or full.
 pub fn tell(message: &str) {
-    let _ = writeln!(io::stderr(), "{message}");
+    let _ = writeln!(anstream::stderr(), "{message}");
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::inputs;
-use super::options::{ColorChoice, TracingOptions};
+use super::options::TracingOptions;
 use super::{output, scene_argument};
 use clap::Args;
 use glam::DVec3;
@@ -94,7 +94,7 @@ struct HitReply<'s> {
 
 impl Rays {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         if self.scene.as_os_str() == "-" {
             return Err(Failure::caller("rays: the scene can't be standard input, which holds the rays"));
         }
@@ -102,7 +102,7 @@ impl Rays {
             return Err(Failure::caller("rays: --arithmetic: queries are answered in f64 only"));
         }
         self.tracing.use_threads();
-        let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import(), colors)?)?;
+        let scene = self.tracing.apply(scene_argument::load(&self.scene, &self.tracing.import())?)?;
         let names: HashMap<&str, u32> = scene.objects.iter().map(|object| object.name.as_str()).zip(0..).collect();
         if stdin_was_closed() {
             return Err(unreadable(&io::Error::other("it is closed")));

@@ -11,7 +11,7 @@ use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
 use super::inputs::Inputs;
 use super::layers::Layers;
-use super::options::{ColorChoice, TracingOptions, numbers, region_in, warning_of_sampling};
+use super::options::{TracingOptions, numbers, region_in, warning_of_sampling};
 use super::output;
 use super::picture::{Place, Rendered, Shown, format_of};
 use super::progress::ProgressOptions;
@@ -93,11 +93,11 @@ struct Task {
 
 impl Render {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         self.check()?;
         self.tracing.use_threads();
         let load = Instant::now();
-        let loaded = scene_argument::load(&self.scene, &self.tracing.import(), colors)?;
+        let loaded = scene_argument::load(&self.scene, &self.tracing.import())?;
         let load = load.elapsed().as_secs_f64();
         let mut frames = frames::frames(&loaded.scene, self.frames, &self.output)?;
         let last = frames.pop();

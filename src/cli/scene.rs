@@ -4,7 +4,7 @@ mod lights;
 
 use super::failure::Failure;
 use super::inputs::Inputs;
-use super::options::{ColorChoice, NffOptions};
+use super::options::NffOptions;
 use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
@@ -68,9 +68,9 @@ pub struct Named {
 
 impl Named {
     /// The scene, and its files.
-    fn without_meshes(&self, colors: ColorChoice) -> Result<(SceneFile, Inputs), Failure> {
-        let input = scene_argument::read(&self.scene, colors)?;
-        let scene = scene_argument::without_meshes(&input, &self.nff.import(), colors)?;
+    fn without_meshes(&self) -> Result<(SceneFile, Inputs), Failure> {
+        let input = scene_argument::read(&self.scene)?;
+        let scene = scene_argument::without_meshes(&input, &self.nff.import())?;
         let inputs = input.files(&scene);
         Ok((scene, inputs))
     }
@@ -78,12 +78,12 @@ impl Named {
 
 impl SceneCommand {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         match self {
             SceneCommand::Check(scene) => {
-                let input = scene_argument::read(&scene.scene, colors)?;
+                let input = scene_argument::read(&scene.scene)?;
                 let import = scene.nff.import();
-                let loaded = scene_argument::scene(&input, &import, colors)?;
+                let loaded = scene_argument::scene(&input, &import)?;
                 let Loaded { scene: file, meshes, .. } = loaded;
                 let name = escape_hidden(&file.name).into_owned();
                 let counted = |count: usize, what| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
@@ -95,15 +95,15 @@ impl SceneCommand {
                 let counts = counts.join(", ");
                 let built = build_with(file, &meshes, Formulas::Robust);
                 let built = built.map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
-                lights::tell(&input, built, colors);
+                lights::tell(&input, built);
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())
             }
             SceneCommand::Show(scene) => {
-                let (file, inputs) = scene.without_meshes(colors)?;
+                let (file, inputs) = scene.without_meshes()?;
                 Output::create(None, &inputs)?.stream(|out| file.write_json(out))
             }
             SceneCommand::Convert { scene, output } => {
-                let (file, inputs) = scene.without_meshes(colors)?;
+                let (file, inputs) = scene.without_meshes()?;
                 let output_file = Output::create(output.as_deref(), &inputs)?;
                 warn_of_meshes(&file, &scene.scene, output.as_deref());
                 output_file.stream(|out| file.write_json(out))

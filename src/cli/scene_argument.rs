@@ -2,7 +2,6 @@
 
 use super::failure::Failure;
 use super::inputs::Inputs;
-use super::options::ColorChoice;
 use super::output;
 use raywalk::log::file::is_log;
 use raywalk::render::export::is_picture;
@@ -13,7 +12,6 @@ use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::{self, Problem, SceneError, Source, escape_hidden};
 use std::collections::BTreeSet;
-use std::io;
 use std::path::{Path, PathBuf};
 
 /// The text of a scene, and the name by which messages call it.
@@ -55,8 +53,8 @@ pub fn mesh_paths(scene: &SceneFile) -> BTreeSet<&str> {
 }
 
 /// Reads and checks the scene and its meshes; prints their warnings.
-pub fn load(argument: &Path, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
-    scene(&read(argument, colors)?, import, colors)
+pub fn load(argument: &Path, import: &Import) -> Result<Loaded, Failure> {
+    scene(&read(argument)?, import)
 }
 
 /// A built-in scene, whatever files there are.
@@ -74,27 +72,27 @@ pub enum Named {
 }
 
 /// Opens what the argument names: a scene or a log.
-pub fn open(argument: &Path, colors: ColorChoice) -> Result<Named, Failure> {
-    let Some(opened) = opened(argument, colors)? else {
+pub fn open(argument: &Path) -> Result<Named, Failure> {
+    let Some(opened) = opened(argument)? else {
         return built_in(&argument.to_string_lossy()).map(Named::Scene);
     };
     Ok(match is_log(opened.beginning()) {
         true => Named::Log(opened),
-        false => Named::Scene(whole(opened, argument, colors)?),
+        false => Named::Scene(whole(opened, argument)?),
     })
 }
 
 /// Reads what the argument names.
-pub fn read(argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
-    match opened(argument, colors)? {
-        Some(opened) => whole(opened, argument, colors),
+pub fn read(argument: &Path) -> Result<Input, Failure> {
+    match opened(argument)? {
+        Some(opened) => whole(opened, argument),
         None => built_in(&argument.to_string_lossy()),
     }
 }
 
 /// The file that the argument names; `None` if it names no file.
-fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, Failure> {
-    let refused = |error: SceneError| Failure::scene(&error, is_colored(colors));
+fn opened(argument: &Path) -> Result<Option<file::Opened>, Failure> {
+    let refused = |error: SceneError| Failure::scene(&error);
     // What may be a file is no built-in scene.
     let is_path = argument == Path::new("-")
         || file::is_there(argument).map_err(|source| {
@@ -104,12 +102,12 @@ fn opened(argument: &Path, colors: ColorChoice) -> Result<Option<file::Opened>, 
     is_path.then(|| file::open(argument)).transpose().map_err(refused)
 }
 
-fn whole(opened: file::Opened, argument: &Path, colors: ColorChoice) -> Result<Input, Failure> {
+fn whole(opened: file::Opened, argument: &Path) -> Result<Input, Failure> {
     let name = opened.name().to_owned();
     if let Some(what) = no_scene(opened.beginning()) {
         return Err(Failure::caller(format!("{}: expected a scene, found {what}", escape_hidden(&name))));
     }
-    let bytes = opened.bytes().map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+    let bytes = opened.bytes().map_err(|error| Failure::scene(&error))?;
     Ok(Input { bytes, name, path: Some(argument.to_owned()) })
 }
 
@@ -127,37 +125,32 @@ fn no_scene(beginning: &[u8]) -> Option<&'static str> {
 }
 
 /// Checks a scene that was read, and reads its meshes; prints their warnings.
-pub fn scene(input: &Input, import: &Import, colors: ColorChoice) -> Result<Loaded, Failure> {
-    let scene = without_meshes(input, import, colors)?;
+pub fn scene(input: &Input, import: &Import) -> Result<Loaded, Failure> {
+    let scene = without_meshes(input, import)?;
     let source = Source { name: &input.name, text: &input.bytes };
     let folder = input.path.as_ref().map_or(Folder::BuiltIn(builtin::mesh), |path| Folder::OfScene(path));
     let loaded = mesh::load(&scene, &source, folder);
-    let (meshes, warnings) = loaded.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    warn(&warnings.told, warnings.more, colors);
+    let (meshes, warnings) = loaded.map_err(|error| Failure::scene(&error))?;
+    warn(&warnings.told, warnings.more);
     let inputs = input.files(&scene);
     Ok(Loaded { scene, meshes, frame: 1, inputs })
 }
 
 /// Checks a scene that was read, but doesn't look for its meshes; prints its warnings.
-pub fn without_meshes(input: &Input, import: &Import, colors: ColorChoice) -> Result<SceneFile, Failure> {
-    let loaded = file::check_as(&input.bytes, &input.name, import)
-        .map_err(|error| Failure::scene(&error, is_colored(colors)))?;
-    warn(&loaded.warnings, loaded.more_warnings, colors);
+pub fn without_meshes(input: &Input, import: &Import) -> Result<SceneFile, Failure> {
+    let loaded = file::check_as(&input.bytes, &input.name, import).map_err(|error| Failure::scene(&error))?;
+    warn(&loaded.warnings, loaded.more_warnings);
     Ok(loaded.scene)
 }
 
 /// Prints what is odd about a scene, and how much more of it there is.
-pub fn warn(warnings: &[Problem], more: usize, colors: ColorChoice) {
+pub fn warn(warnings: &[Problem], more: usize) {
     for warning in warnings {
-        output::tell(&warning.report(file::Severity::Warning, is_colored(colors)));
+        output::tell(&warning.report(file::Severity::Warning, true));
     }
-    if let Some(more) = file::more_warnings(more, is_colored(colors)) {
+    if let Some(more) = file::more_warnings(more, true) {
         output::tell(&more);
     }
-}
-
-pub(super) fn is_colored(colors: ColorChoice) -> bool {
-    colors.applies_to(&io::stderr())
 }
 
 fn nothing_of(name: &str) -> Failure {

@@ -2,9 +2,7 @@
 
 use super::failure::{Failure, shown};
 use super::inputs;
-use super::options::ColorChoice;
 use super::output;
-use super::scene_argument::is_colored;
 use clap::{Args, ValueEnum};
 use raywalk::scene::file::{MAX_BYTES, Wanted, escape_hidden, escape_hidden_json};
 use raywalk::study::stress::{self, Family, Way};
@@ -38,9 +36,9 @@ enum ReportFormat {
 
 impl Stress {
     /// Runs the command; `false` where a requirement doesn't hold.
-    pub fn run(self, colors: ColorChoice) -> Result<bool, Failure> {
+    pub fn run(self) -> Result<bool, Failure> {
         inputs::reads(&self.files);
-        let families = self.families(colors)?;
+        let families = self.families()?;
         if self.answers {
             let (text, unanswered) = answers(&families)?;
             output::print(text.as_bytes())?;
@@ -59,11 +57,11 @@ impl Stress {
         Ok(table.holds())
     }
 
-    fn families(&self, colors: ColorChoice) -> Result<Vec<Family>, Failure> {
+    fn families(&self) -> Result<Vec<Family>, Failure> {
         if self.files.is_empty() {
             return stress::samples().map_err(Failure::caller);
         }
-        self.files.iter().map(|path| read(path, colors)).collect()
+        self.files.iter().map(|path| read(path)).collect()
     }
 }
 
@@ -87,8 +85,8 @@ fn answers(families: &[Family]) -> Result<(String, usize), Failure> {
     Ok((text, unanswered))
 }
 
-fn read(path: &Path, colors: ColorChoice) -> Result<Family, Failure> {
+fn read(path: &Path) -> Result<Family, Failure> {
     let text = Wanted { what: "a file of cases", max_bytes: MAX_BYTES }.read(path);
-    let text = text.map_err(|error| Failure::scene(&error, is_colored(colors)))?;
+    let text = text.map_err(|error| Failure::scene(&error))?;
     stress::parse(&text).map_err(|error| Failure::caller(format!("{}: {}", shown(path), escape_hidden(&error))))
 }

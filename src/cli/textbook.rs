@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::inputs;
-use super::options::{ColorChoice, TracingOptions};
+use super::options::TracingOptions;
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
 use raywalk::record::Arithmetic;
@@ -51,15 +51,15 @@ enum TableFormat {
 
 impl Textbook {
     /// Runs the command; `false` where a value of somebody's own table departs.
-    pub fn run(self, colors: ColorChoice) -> Result<bool, Failure> {
+    pub fn run(self) -> Result<bool, Failure> {
         let example = match self.example {
             ExampleName::Textbook => Example::Textbook,
             ExampleName::Refraction => Example::Refraction,
         };
-        let scene = scene_of(example, colors)?;
+        let scene = scene_of(example)?;
         if let Some(path) = &self.with {
             inputs::reads([path]);
-            let checked = check(path, example, &scene, colors)?;
+            let checked = check(path, example, &scene)?;
             let text = match self.format {
                 TableFormat::Text => escape_hidden_lines(&checked.text()),
                 TableFormat::Json => escape_hidden_json(&checked.json()).into_owned(),
@@ -80,16 +80,16 @@ impl Textbook {
 }
 
 /// The scene of an example, by hand.
-fn scene_of(example: Example, colors: ColorChoice) -> Result<Scene, Failure> {
-    let loaded = scene_argument::scene(&scene_argument::built_in(example.scene())?, &Import::default(), colors)?;
+fn scene_of(example: Example) -> Result<Scene, Failure> {
+    let loaded = scene_argument::scene(&scene_argument::built_in(example.scene())?, &Import::default())?;
     let by_hand = TracingOptions { arithmetic: Arithmetic::Decimal(3), ..TracingOptions::default() };
     by_hand.apply(loaded)
 }
 
 /// Reads a table and checks it. A table that doesn't fit the example may be one of another.
-fn check(path: &Path, example: Example, scene: &Scene, colors: ColorChoice) -> Result<Checked, Failure> {
+fn check(path: &Path, example: Example, scene: &Scene) -> Result<Checked, Failure> {
     let wanted = Wanted { what: "a table", max_bytes: MAX_TABLE_BYTES };
-    let text = wanted.read(path).map_err(|error| Failure::scene(&error, scene_argument::is_colored(colors)))?;
+    let text = wanted.read(path).map_err(|error| Failure::scene(&error))?;
     let said = |error: &TableError, hint: &str| {
         let name = path.to_string_lossy();
         Failure::caller(format!("{}: {}{hint}", escape_hidden(&name), escape_hidden(&error.to_string())))
@@ -100,7 +100,7 @@ fn check(path: &Path, example: Example, scene: &Scene, colors: ColorChoice) -> R
         Err(error) => error,
     };
     for other in Example::ALL.into_iter().filter(|other| *other != example) {
-        if worked.check(&scene_of(other, colors)?).is_ok() {
+        if worked.check(&scene_of(other)?).is_ok() {
             // Its scene is named as the example is.
             return Err(said(&error, &format!("; the table fits another example: --example {}", other.scene())));
         }

@@ -7,7 +7,7 @@ mod of_region;
 use super::causes;
 use super::failure::{Failure, shown};
 use super::frames;
-use super::options::{ColorChoice, TracingOptions, numbers, pixel_in, warning_of_sampling};
+use super::options::{TracingOptions, numbers, pixel_in, warning_of_sampling};
 use super::output::{self, Output, Sink};
 use super::progress::ProgressOptions;
 use super::region;
@@ -137,10 +137,10 @@ impl TraceFormat {
 
 impl Trace {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         self.tracing.use_threads();
-        match scene_argument::open(&self.scene, colors)? {
-            Named::Scene(input) => self.of_scene(&input, colors)?,
+        match scene_argument::open(&self.scene)? {
+            Named::Scene(input) => self.of_scene(&input)?,
             Named::Log(opened) => self.of_log(opened)?,
         }
         if let (None, false, Some(path)) = (self.format, self.causes || self.view.is_some(), &self.output)
@@ -156,14 +156,14 @@ impl Trace {
     }
 
     /// The log of what is traced now.
-    fn of_scene(&self, input: &Input, colors: ColorChoice) -> Result<(), Failure> {
+    fn of_scene(&self, input: &Input) -> Result<(), Failure> {
         if self.subject.pixel.is_none() && self.subject.ray.is_none() && self.region.is_none() {
             let expected = "--pixel X,Y, --ray OX,OY,OZ,DX,DY,DZ or --region X0,Y0,X1,Y1";
             return Err(Failure::caller(format!("trace: expected {expected}")));
         }
         let rounding = self.rounding()?;
         self.check_format(self.region.is_some())?;
-        let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
+        let loaded = scene_argument::scene(input, &self.tracing.import())?;
         let inputs = loaded.inputs.clone();
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let names = scene.objects.len() + scene.lights.len();

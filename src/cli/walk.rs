@@ -94,11 +94,11 @@ impl Walk {
         self.tracing.use_threads();
         let walked = self.walked.as_deref().unwrap_or(Path::new("textbook"));
         let named = match &self.walked {
-            Some(path) => scene_argument::open(path, colors)?,
+            Some(path) => scene_argument::open(path)?,
             None => Named::Scene(scene_argument::built_in("textbook")?),
         };
         let Walked { name, log, warning, mut session, inputs } = match named {
-            Named::Scene(input) => self.of_scene(&input, colors)?,
+            Named::Scene(input) => self.of_scene(&input)?,
             Named::Log(opened) => self.of_log(opened, walked)?,
         };
         let was_log = session.is_none();
@@ -138,13 +138,13 @@ impl Walk {
     }
 
     /// The log of what is traced now.
-    fn of_scene(&self, input: &Input, colors: ColorChoice) -> Result<Walked, Failure> {
+    fn of_scene(&self, input: &Input) -> Result<Walked, Failure> {
         // Only here it may be a log, too.
         if input.bytes.trim_ascii().is_empty() {
             let name = escape_hidden(&input.name);
             return Err(Failure::caller(format!("{name}: expected a scene or a log, found an empty file")));
         }
-        let loaded = scene_argument::scene(input, &self.tracing.import(), colors)?;
+        let loaded = scene_argument::scene(input, &self.tracing.import())?;
         let inputs = loaded.inputs.clone();
         let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
         let part = self.subject.part(&scene, self.tracing.arithmetic())?;

@@ -2,9 +2,13 @@
 
 pub(in crate::log) mod decision;
 pub mod field;
+pub mod question;
+pub(in crate::log) mod step;
 mod words;
 
 pub use decision::Decision;
+use field::Id;
+pub use step::{RayKind, Step};
 pub use words::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 
 use super::name::Name;
@@ -105,94 +109,13 @@ pub enum What {
     },
 }
 
-/// What a node of the computation is.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Step {
-    /// A pixel (opens the pixels of a region log).
-    Pixel([u32; 2]),
-    /// One sample of a pixel that takes several.
-    Sample {
-        /// Its number, from 1.
-        number: u32,
-    },
-    /// A ray with everything that it brings.
-    Ray {
-        /// What the ray is for.
-        kind: RayKind,
-        /// Its level in the ray tree; the camera's ray has 0. A shadow ray has its surface's.
-        depth: u32,
-        /// Its number, from 1, among several of its kind from one place; 0 if it is alone.
-        split: u32,
-    },
-    /// How a moving object is tested: the ray in the object's own frame, with the tests there, or the hit carried back from it.
-    Motion {
-        /// The object.
-        object: u32,
-    },
-    /// An intersection test of the enclosing ray with an object.
-    Test {
-        /// The object.
-        object: u32,
-        /// The triangle, for a mesh.
-        triangle: Option<u32>,
-    },
-    /// The local model at the hit of the enclosing ray.
-    Shade {
-        /// The object that was hit.
-        object: u32,
-    },
-    /// What one light adds to the local model.
-    Light {
-        /// The light.
-        light: u32,
-        /// Of several points of an area light, its number from 1; 0 if there is one.
-        split: u32,
-    },
-    /// A zone of the lobe about a blurred bounce: a direction in it, and what comes from there.
-    Zone {
-        /// Which bounce.
-        what: Term,
-        /// Its number, from 1.
-        number: u32,
-    },
-    /// The weighted sum of the three contributions.
-    Combine,
-}
-
-/// What a ray is for.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum RayKind {
-    /// From the eye through the picture.
-    Camera,
-    /// From a surface toward the light with this number.
-    Shadow {
-        /// The light, from 0.
-        light: u32,
-    },
-    /// Mirrored at a surface.
-    Reflected,
-    /// Refracted through a surface.
-    Transmitted,
-}
-
-impl RayKind {
-    /// The word that stands for the kind in a log.
-    pub fn word(self) -> &'static str {
+impl What {
+    /// Hands on the objects and lights that it names.
+    pub fn each_id(&mut self, take: &mut impl FnMut(Id)) {
         match self {
-            RayKind::Camera => "camera",
-            RayKind::Shadow { .. } => "shadow",
-            RayKind::Reflected => "reflected",
-            RayKind::Transmitted => "transmitted",
-        }
-    }
-
-    /// The letter of the kind in a path such as `C R T S1`.
-    pub fn letter(self) -> char {
-        match self {
-            RayKind::Camera => 'C',
-            RayKind::Shadow { .. } => 'S',
-            RayKind::Reflected => 'R',
-            RayKind::Transmitted => 'T',
+            What::Enter { step, .. } => step.each_id(take),
+            What::Mark(decision) => decision.each_id(take),
+            What::Note { .. } | What::Leave | What::Result { .. } => {}
         }
     }
 }

@@ -289,9 +289,7 @@ pub fn color_of_ray(events: &Events, tree: &Tree, ray: usize) -> Option<Value> {
 /// The colour of a pixel as the last of its computations has it: the mean of its samples, or what its one ray brought.
 pub fn color_of_pixel(events: &Events, tree: &Tree, pixel: usize) -> Option<Value> {
     let mean = tree.own_events(pixel).rev().find_map(|at| match events[at].what {
-        What::Note { name, value } if name.key() == Name::PixelMean.key() || name == Name::StatisticalMean => {
-            Some(value)
-        }
+        What::Note { name, value } if name.is(Name::PixelMean) || name == Name::StatisticalMean => Some(value),
         _ => None,
     });
     mean.or_else(|| brought(events, tree, pixel))

@@ -1,9 +1,11 @@
 //! The events as a tree: nodes in pre-order in one flat array, so that a view needs to touch only what it shows.
 
 mod path;
+mod place;
 
 pub(super) use path::add_step;
 pub use path::path_of_child;
+pub use place::{Held, Key, Place, Way};
 
 use super::event::{Event, RayKind, Step, What};
 use super::events::Events;
@@ -125,6 +127,14 @@ impl Tree {
     /// A node and those around it, up to the root.
     pub fn around(&self, node: usize) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(Some(node), |at| Some(self.nodes[*at].parent).filter(|parent| parent != at))
+    }
+
+    /// The pixel of a region's log that a node lies in.
+    pub fn pixel(&self, node: usize) -> Option<[u32; 2]> {
+        self.around(node).find_map(|at| match self.nodes[at].step {
+            Some(Step::Pixel(pixel)) => Some(pixel),
+            _ => None,
+        })
     }
 
     /// What the ray is for that a node is; `None` of another node.

@@ -93,7 +93,7 @@ impl Probe for PreviewProbe {
     fn note<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
         if self.first_hit.is_none()
             && self.level == 0
-            && name.key() == Name::HitPoint.key()
+            && name.is(Name::HitPoint)
             && let crate::log::Value::Triple(point) = value.value()
         {
             self.first_hit = Some(DVec3::from(point));

@@ -224,11 +224,9 @@ pub fn result(log: &Log, tree: &Tree, pixel: usize) -> Option<(Color, usize)> {
 
 /// The pixel that a node lies in: the root, but in a region.
 pub fn pixel_around(tree: &Tree, node: usize) -> usize {
-    let mut at = node;
-    while at != 0 && !matches!(tree.nodes()[at].step, Some(Step::Pixel(_))) {
-        at = tree.nodes()[at].parent;
-    }
+    let is_pixel = |at: &usize| matches!(tree.nodes()[*at].step, Some(Step::Pixel(_)));
+    let at = tree.around(node).find(is_pixel).unwrap_or(0);
     let only_child = (at == 0).then(|| tree.children(0).next()).flatten();
     // A region with nothing selected is that of its first pixel.
-    only_child.filter(|child| matches!(tree.nodes()[*child].step, Some(Step::Pixel(_)))).unwrap_or(at)
+    only_child.filter(is_pixel).unwrap_or(at)
 }

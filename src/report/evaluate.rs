@@ -4,6 +4,7 @@
 //! order in which a reader takes them, from left to right. So a log can be checked against its formulas (the tests do that for
 //! every name, bit for bit), and it can be asked what a quantity would be if one of its operands were another (`diff`).
 
+mod amount;
 mod doubled;
 mod functions;
 mod statistics;
@@ -12,6 +13,7 @@ mod wide;
 use crate::log::formula::{self, Extreme, Formula, Operator, Several, Unary};
 use crate::log::scope::{self, Operand};
 use crate::log::{Events, Log, Name, Tree, Value, round_half_away};
+use amount::Amount;
 
 /// The value of the formula of the quantity `name` that `event` notes, before any rounding; `None` for what has no
 /// formula.
@@ -119,7 +121,7 @@ pub fn evaluate_with(
 ) -> Result<Value, String> {
     let (events, decimals_of_products) = (&log.events, log.header.decimals_of_products());
     match (Evaluator { events, tree, event, operands, light: None, decimals_of_products }).part(formula)? {
-        Part::Value(value) => Ok(value),
+        Part::There(value) => Ok(value),
         absent => Err(format!("the formula comes to {absent:?}")),
     }
 }
@@ -141,8 +143,8 @@ pub(super) fn term_of_light(log: &Log, tree: &Tree, light: usize, name: Name) ->
         decimals_of_products,
     };
     match evaluator.part(term) {
-        Ok(Part::Value(Value::Triple(color))) => color,
-        Ok(Part::Value(Value::Number(x))) => [x; 3],
+        Ok(Part::There(Value::Triple(color))) => color,
+        Ok(Part::There(Value::Number(x))) => [x; 3],
         _ => [0.0; 3],
     }
 }
@@ -163,23 +165,16 @@ struct Evaluator<'a> {
 }
 
 /// What a part of a formula comes to.
-#[derive(Clone, Copy, Debug)]
-enum Part {
-    Value(Value),
-    /// A factor that is absent because it is 1.
-    One,
-    /// A term that is absent because it is 0; whether it is a number or a triple isn't known.
-    Zero,
-}
+type Part = super::part::Part<Value>;
 
 impl Evaluator<'_> {
     fn part(&self, formula: &Formula) -> Result<Part, String> {
         match formula {
-            Formula::Number(number) => Ok(Part::Value(Value::Number(*number))),
+            Formula::Number(number) => Ok(Part::There(Value::Number(*number))),
             Formula::Leaf(symbol) => self.operand(symbol),
             Formula::Triple(parts) => {
                 let [x, y, z] = [self.number(&parts[0])?, self.number(&parts[1])?, self.number(&parts[2])?];
-                Ok(Part::Value(Value::Triple([x, y, z])))
+                Ok(Part::There(Value::Triple([x, y, z])))
             }
             Formula::Unary(unary, inner) => self.unary(*unary, inner),
             Formula::Binary(Operator::Plus, left, right) => match &**right {
@@ -214,8 +209,8 @@ impl Evaluator<'_> {
             (Unary::Degrees, _) => map(part()?, f64::to_radians),
             (Unary::Function(function), _) => map(part()?, |x| functions::of(function, x)),
             (Unary::ExtremeComponent(which), _) => match part()? {
-                Part::Value(Value::Triple([x, y, z])) => {
-                    Ok(Part::Value(Value::Number(extreme(which, x, extreme(which, y, z)))))
+                Part::There(Value::Triple([x, y, z])) => {
+                    Ok(Part::There(Value::Number(extreme(which, x, extreme(which, y, z)))))
                 }
                 part => Err(format!("{which:?}({part:?})")),
             },
@@ -224,7 +219,7 @@ impl Evaluator<'_> {
 
     fn number(&self, formula: &Formula) -> Result<f64, String> {
         match self.part(formula)? {
-            Part::Value(Value::Number(x)) => Ok(x),
+            Part::There(Value::Number(x)) => Ok(x),
             Part::Zero => Ok(0.0),
             part => Err(format!("{part:?} is no number")),
         }
@@ -233,9 +228,9 @@ impl Evaluator<'_> {
     /// What is written as a product: that of two triples is a dot product, whose own products may be rounded.
     fn binary(&self, operator: Operator, left: Part, right: Part) -> Result<Part, String> {
         match (operator, left, right, self.decimals_of_products) {
-            (Operator::Times, Part::Value(Value::Triple(a)), Part::Value(Value::Triple(b)), Some(digits)) => {
+            (Operator::Times, Part::There(Value::Triple(a)), Part::There(Value::Triple(b)), Some(digits)) => {
                 let [x, y, z] = [0, 1, 2].map(|i| round_half_away(a[i] * b[i], digits));
-                Ok(Part::Value(Value::Number(x + y + z)))
+                Ok(Part::There(Value::Number(x + y + z)))
             }
             _ => binary(operator, left, right),
         }
@@ -243,7 +238,7 @@ impl Evaluator<'_> {
 
     fn operand(&self, symbol: &'static str) -> Result<Part, String> {
         match (self.operands)(symbol, self.light) {
-            Some(value) => Ok(Part::Value(value)),
+            Some(value) => Ok(Part::There(value)),
             None if scope::is_one_when_absent(symbol) => Ok(Part::One),
             None if self.light.is_some() => Ok(Part::Zero),
             None => Err(format!("the log holds no `{symbol}`")),
@@ -268,7 +263,7 @@ fn too_many_sums() -> String {
 
 fn map(part: Part, f: impl Fn(f64) -> f64) -> Result<Part, String> {
     Ok(match part {
-        Part::Value(value) => Part::Value(value.map(f)),
+        Part::There(value) => Part::There(value.map(f)),
         Part::Zero => Part::Zero,
         Part::One => return Err("an absent factor outside a product".to_owned()),
     })
@@ -279,50 +274,30 @@ fn squared(part: Part) -> Result<Part, String> {
 }
 
 fn binary(operator: Operator, left: Part, right: Part) -> Result<Part, String> {
-    use Operator::{Channelwise, Minus, Over, Plus, Power, Times};
-    let (left, right) = match (operator, left, right) {
-        (_, Part::Value(left), Part::Value(right)) => (left, right),
-        (Plus, Part::Zero, term) | (Plus | Minus, term, Part::Zero) => return Ok(term),
-        (Times | Channelwise | Over, Part::Zero, _) | (Times | Channelwise, _, Part::Zero) => return Ok(Part::Zero),
-        // An absent base is an absent term, even where its exponent is 0.
-        (Power, Part::Zero, _) => return Ok(Part::Zero),
-        (Times | Channelwise, Part::One, factor) | (Times | Channelwise | Over, factor, Part::One) => {
-            return Ok(factor);
-        }
-        (operator, left, right) => return Err(format!("{left:?} {operator:?} {right:?}")),
+    let result = match (left, right) {
+        (Part::There(left), Part::There(right)) => operate(operator, left, right).map(Part::There),
+        (left, right) => Part::without(operator, left, right),
     };
-    operate(operator, left, right).map(Part::Value).ok_or_else(|| format!("{left:?} {operator:?} {right:?}"))
+    result.ok_or_else(|| format!("{left:?} {operator:?} {right:?}"))
 }
 
 fn operate(operator: Operator, left: Value, right: Value) -> Option<Value> {
     use Value::{Number, Triple};
-    let scaled = |triple: [f64; 3], number: f64| Triple(triple.map(|x| x * number));
-    let zipped = |a: [f64; 3], b: [f64; 3], f: fn(f64, f64) -> f64| Triple([0, 1, 2].map(|i| f(a[i], b[i])));
+    let zipped = |a: [f64; 3], b: [f64; 3], f: &dyn Fn(f64, f64) -> f64| Triple([0, 1, 2].map(|i| f(a[i], b[i])));
     Some(match (operator, left, right) {
-        (Operator::Plus, Number(a), Number(b)) => Number(a + b),
-        (Operator::Plus, Triple(a), Triple(b)) => zipped(a, b, |a, b| a + b),
-        (Operator::Minus, Number(a), Number(b)) => Number(a - b),
-        (Operator::Minus, Triple(a), Triple(b)) => zipped(a, b, |a, b| a - b),
-        (Operator::Times, Number(a), Number(b)) => Number(a * b),
-        (Operator::Times, Triple(a), Number(b)) | (Operator::Times, Number(b), Triple(a)) => scaled(a, b),
-        (Operator::Times, Triple(a), Triple(b)) => Number(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]),
-        (Operator::Channelwise, Triple(a), Triple(b)) => zipped(a, b, |a, b| a * b),
-        (Operator::Channelwise, Triple(a), Number(b)) | (Operator::Channelwise, Number(b), Triple(a)) => scaled(a, b),
-        (Operator::Over, Number(a), Number(b)) => Number(a / b),
-        (Operator::Over, Triple(a), Number(b)) => Triple(a.map(|x| x / b)),
-        (Operator::Cross, Triple(a), Triple(b)) => {
-            let minor = |i: usize, j: usize| a[i] * b[j] - b[i] * a[j];
-            Triple([minor(1, 2), minor(2, 0), minor(0, 1)])
+        (Operator::Channelwise, Triple(a), Triple(b)) => zipped(a, b, &|a, b| a * b),
+        (Operator::Channelwise, Triple(a), Number(b)) | (Operator::Channelwise, Number(b), Triple(a)) => {
+            Triple(a.map(|x| x * b))
         }
-        (Operator::ComponentsOver, Triple(a), Triple(b)) => zipped(a, b, |a, b| match a / b {
+        (Operator::ComponentsOver, Triple(a), Triple(b)) => zipped(a, b, &|a, b| match a / b {
             quotient if quotient.is_nan() => 0.0,
             quotient if quotient.is_infinite() => f64::MAX.copysign(quotient),
             quotient => quotient,
         }),
         (Operator::Power, Number(a), Number(b)) => Number(libm::pow(a, b)),
         (Operator::Extreme(which), Number(a), Number(b)) => Number(extreme(which, a, b)),
-        (Operator::Extreme(which), Triple(a), Triple(b)) => Triple([0, 1, 2].map(|i| extreme(which, a[i], b[i]))),
-        _ => return None,
+        (Operator::Extreme(which), Triple(a), Triple(b)) => zipped(a, b, &|a, b| extreme(which, a, b)),
+        _ => return Amount::from(left).with(operator, right.into()).map(Value::from),
     })
 }
 

@@ -7,7 +7,7 @@ use super::provenance::Operand;
 use super::{Style, evaluate, forms, number};
 use crate::log::formula::{Formula, Operator, Unary};
 use crate::log::scope::{self, Element};
-use crate::log::{Log, Tree, Value, What, round_half_away};
+use crate::log::{Log, Name, Tree, Value, What, round_half_away};
 use std::collections::HashMap;
 
 /// A formula with symbols or numbers.
@@ -136,28 +136,14 @@ struct Substitution<'a> {
 }
 
 /// A part of a formula with its numbers.
-enum Part {
-    There(Expression),
-    /// An absent factor: it changes nothing.
-    One,
-    /// An absent term: what it multiplies is left out.
-    Zero,
-}
+type Part = super::part::Part<Expression>;
 
 impl Part {
+    /// With the zero that an absent term is.
     fn shown(self) -> Option<Expression> {
         match self {
-            Part::There(expression) => Some(expression),
-            Part::One => None,
             Part::Zero => Some(Formula::Number(0.0)),
-        }
-    }
-
-    /// What an operator can be put to.
-    fn operand(self) -> Option<Expression> {
-        match self {
-            Part::There(expression) => Some(expression),
-            Part::One | Part::Zero => None,
+            part => part.there(),
         }
     }
 }
@@ -180,7 +166,7 @@ impl Substitution<'_> {
         let around =
             |inner: Option<Expression>| inner.map_or(Part::Zero, |inner| Part::There(Formula::unary(unary, inner)));
         match unary {
-            Unary::Negated | Unary::Root | Unary::Squared => around(self.part(inner).operand()),
+            Unary::Negated | Unary::Root | Unary::Squared => around(self.part(inner).there()),
             Unary::Length | Unary::Degrees | Unary::Function(_) | Unary::ExtremeComponent(_) => {
                 around(self.part(inner).shown())
             }
@@ -256,12 +242,12 @@ impl Substitution<'_> {
 
     fn over_lights(&self, inner: &Formula) -> Part {
         let lights = scope::lights(&self.log.events, self.tree, self.event).filter(|light| !self.is_dark(*light));
-        let parts = lights.filter_map(|light| Substitution { light: Some(light), ..*self }.part(inner).operand());
+        let parts = lights.filter_map(|light| Substitution { light: Some(light), ..*self }.part(inner).there());
         parts.reduce(|sum, part| Formula::binary(Operator::Plus, sum, part)).map_or(Part::Zero, Part::There)
     }
 
     fn is_dark(&self, light: usize) -> bool {
-        let passed = scope::operand_of_light(&self.log.events, self.tree, light, "τ");
+        let passed = scope::operand_of_light(&self.log.events, self.tree, light, Name::ShadowTransmittance.symbol());
         passed.is_some_and(|operand| operand.value == Value::Triple([0.0; 3]))
     }
 
@@ -285,13 +271,8 @@ impl Substitution<'_> {
             {
                 Part::There(Formula::Number(1.0))
             }
-            (Operator::Plus, Part::Zero, right) => right,
-            (Operator::Plus | Operator::Minus, left, Part::Zero) => left,
-            (Operator::Plus | Operator::Minus, left, right) => joined(operator, left, right),
-            (_, Part::Zero, _) | (_, _, Part::Zero) => Part::Zero,
-            (operator, Part::One, part) if operator != Operator::Over => part,
-            (_, part, Part::One) => part,
-            (operator, left, right) => joined(operator, left, right),
+            (operator, Part::There(left), Part::There(right)) => Part::There(Formula::binary(operator, left, right)),
+            (operator, left, right) => Part::without(operator, left, right).unwrap_or(Part::Zero),
         }
     }
 }
@@ -301,12 +282,4 @@ fn rounded_products(a: [f64; 3], b: [f64; 3], digits: u32) -> Part {
     let [x, y, z] = [0, 1, 2].map(|i| Expression::value(Value::Number(round_half_away(a[i] * b[i], digits)), None));
     let sum = |left, right| Formula::binary(Operator::Plus, left, right);
     Part::There(Formula::unary(Unary::Grouped, sum(sum(x, y), z)))
-}
-
-fn joined(operator: Operator, left: Part, right: Part) -> Part {
-    match (left.shown(), right.operand()) {
-        (Some(left), Some(right)) => Part::There(Formula::binary(operator, left, right)),
-        (Some(part), None) | (None, Some(part)) => Part::There(part),
-        (None, None) => Part::One,
-    }
 }

@@ -31,7 +31,7 @@ pub fn find(log: &mut Log) {
         return;
     }
     for (at, name) in formless {
-        let rivals = || [name].into_iter().chain(Name::all().filter(|rival| rival.key() == name.key()));
+        let rivals = || [name].into_iter().chain(Name::all().filter(|rival| rival.is(name)));
         // Of several that give the value, the one that takes up the event's own inputs, and that is of the header's formulas.
         let rank = |rival: &Name| {
             let formula = rival.formula().unwrap_or("");

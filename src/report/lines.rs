@@ -6,53 +6,20 @@ mod ply;
 pub use obj::obj;
 pub use ply::ply;
 
+use super::drawn::Drawn;
 use super::segments::{Segment, segment};
-use crate::log::{Log, RayKind, Tree};
+use crate::log::{Log, Tree};
 
-/// What rays are distinguished by: where they come from, and whether they reach their light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Group {
-    Camera,
-    Reflected,
-    Transmitted,
-    Shadow,
-    Blocked,
+/// The name of a group of rays.
+fn name(group: Drawn) -> &'static str {
+    if group == Drawn::Blocked { "shadow_blocked" } else { group.name() }
 }
 
-impl Group {
-    /// In the order of the files.
-    const ALL: [Group; 5] = [Group::Camera, Group::Reflected, Group::Transmitted, Group::Shadow, Group::Blocked];
-
-    fn of(ray: &Segment) -> Group {
-        match ray.kind {
-            RayKind::Camera => Group::Camera,
-            RayKind::Reflected => Group::Reflected,
-            RayKind::Transmitted => Group::Transmitted,
-            RayKind::Shadow { .. } if ray.is_blocked => Group::Blocked,
-            RayKind::Shadow { .. } => Group::Shadow,
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Group::Camera => "camera",
-            Group::Reflected => "reflected",
-            Group::Transmitted => "transmitted",
-            Group::Shadow => "shadow",
-            Group::Blocked => "shadow_blocked",
-        }
-    }
-
-    /// Red, green and blue, those of the ray tree.
-    fn color(self) -> [u8; 3] {
-        match self {
-            Group::Camera => [0x3b, 0x42, 0x52],
-            Group::Reflected => [0x1d, 0x6f, 0xb8],
-            Group::Transmitted => [0x2c, 0x8a, 0x4b],
-            Group::Shadow => [0xc9, 0x8a, 0x00],
-            Group::Blocked => [0xc0, 0x39, 0x2b],
-        }
-    }
+/// Red, green and blue of a group.
+fn color(group: Drawn) -> [u8; 3] {
+    let number = u32::from_str_radix(group.hex(), 16).expect("colours are hexadecimal numbers");
+    let [_, red, green, blue] = number.to_be_bytes();
+    [red, green, blue]
 }
 
 /// The rays of a log.
@@ -62,9 +29,10 @@ pub fn rays(log: &Log) -> Vec<Segment> {
 }
 
 /// The groups that have rays, in order.
-fn grouped(rays: &[Segment]) -> impl Iterator<Item = (Group, Vec<&Segment>)> {
-    let of_group = |group| (group, rays.iter().filter(|ray| Group::of(ray) == group).collect::<Vec<_>>());
-    Group::ALL.into_iter().map(of_group).filter(|(_, rays)| !rays.is_empty())
+fn grouped(rays: &[Segment]) -> impl Iterator<Item = (Drawn, Vec<&Segment>)> {
+    let of_group =
+        |group| (group, rays.iter().filter(|ray| Drawn::of(ray.kind, ray.is_blocked) == group).collect::<Vec<_>>());
+    Drawn::ALL.into_iter().map(of_group).filter(|(_, rays)| !rays.is_empty())
 }
 
 /// How long rays to infinity are drawn: as far as the places of all others reach, along the axis where they reach most.

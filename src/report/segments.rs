@@ -46,9 +46,9 @@ pub fn segment(log: &Log, tree: &Tree, node: usize, last: usize) -> Option<Segme
         let what = &log.events[event].what;
         for (name, value) in log.given(event).iter().copied().chain(log.events[event].noted()) {
             match value {
-                Value::Triple(origin) if name.key() == Name::RayOrigin.key() => ray.from = origin,
-                Value::Triple(direction) if name.key() == Name::RayDirection.key() => ray.direction = direction,
-                Value::Triple(point) if name.key() == Name::HitPoint.key() && ray.length.is_none() => {
+                Value::Triple(origin) if name.is(Name::RayOrigin) => ray.from = origin,
+                Value::Triple(direction) if name.is(Name::RayDirection) => ray.direction = direction,
+                Value::Triple(point) if name.is(Name::HitPoint) && ray.length.is_none() => {
                     ray.length = Some(distance(ray.from, point));
                 }
                 _ => {}

@@ -4,6 +4,7 @@
 //! quantity, and which occurrence of it in its node it is. Where a run decides otherwise it may never come to a node, or to a
 //! quantity in it; that is said and not hidden.
 
+use crate::log::tree::Way;
 use crate::log::{Decision, Digits, Log, Name, Step, Tree, Value, What};
 
 /// A run in one arithmetic.
@@ -42,16 +43,17 @@ pub struct Table {
 /// The values of a node of the first run, and of those in its place in the others.
 pub fn table(runs: &[Run], node: usize) -> Table {
     let Some(first) = runs.first() else { return Table { rows: Vec::new(), reaches: Vec::new(), agrees: Vec::new() } };
-    let places: Vec<_> = runs.iter().map(|run| in_place_of(first.tree, node, run.tree)).collect();
+    let way = Way::to(first.tree, node);
+    let places: Vec<_> = runs.iter().map(|run| way.end_in(run.tree).ok()).collect();
     let mut rows: Vec<Row> = Vec::new();
     for (number, (run, place)) in runs.iter().zip(&places).enumerate() {
         let Some(place) = *place else { continue };
-        let mut seen: Vec<&str> = Vec::new();
+        let mut seen: Vec<Name> = Vec::new();
         for event in run.tree.own_events(place) {
             let What::Note { name, value } = run.log.events[event].what else { continue };
-            let occurrence = seen.iter().filter(|key| **key == name.key()).count();
-            seen.push(name.key());
-            let same = rows.iter_mut().filter(|row| row.name.key() == name.key()).nth(occurrence);
+            let occurrence = seen.iter().filter(|earlier| earlier.is(name)).count();
+            seen.push(name);
+            let same = rows.iter_mut().filter(|row| row.name.is(name)).nth(occurrence);
             let digits = run.log.events[event].digits.as_deref().copied();
             match same {
                 Some(row) => {
@@ -69,19 +71,6 @@ pub fn table(runs: &[Run], node: usize) -> Table {
     let own = decisions(first, node);
     let agrees = runs.iter().zip(&places).map(|(run, place)| place.is_some_and(|place| decisions(run, place) == own));
     Table { rows, agrees: agrees.collect(), reaches: places.iter().map(Option::is_some).collect() }
-}
-
-/// The node of another tree that is in the place of this one.
-pub fn in_place_of(tree: &Tree, node: usize, other: &Tree) -> Option<usize> {
-    let mut way: Vec<_> = tree.around(node).filter(|at| *at != 0).collect();
-    way.reverse();
-    way.into_iter().try_fold(0, |place, at| {
-        let step = tree.nodes()[at].step;
-        // A moving object is met by two nodes that are called the same.
-        let before = tree.children(tree.nodes()[at].parent).take_while(|sibling| *sibling != at);
-        let occurrence = before.filter(|sibling| tree.nodes()[*sibling].step == step).count();
-        other.children(place).filter(|child| other.nodes()[*child].step == step).nth(occurrence)
-    })
 }
 
 /// What a node decides, and which nodes are in it besides intersection tests, which may come in another order.

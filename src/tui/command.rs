@@ -7,7 +7,7 @@ use super::model::Model;
 use super::prompt::{Done, Purpose};
 use super::suggest::nearest;
 use super::update::{Effect, Exit, update};
-use super::{address, breakpoints, search};
+use super::{bookmarks, breakpoints, search};
 use crate::log::{Step, Subject};
 use crate::report::language::Language;
 use crate::report::language::viewer::Commands;
@@ -161,7 +161,7 @@ fn language(model: &mut Model, code: &str) -> Done {
 fn bookmark(model: &mut Model, text: &str) -> Done {
     let mut characters = text.chars();
     match (characters.next(), characters.next()) {
-        (Some(letter), None) if letter.is_alphanumeric() => address::set(model, letter),
+        (Some(letter), None) if letter.is_alphanumeric() => bookmarks::set(model, letter),
         _ => return Err(model.texts().commands.expected_letter.to_owned()),
     }
     Ok(Effect::None)

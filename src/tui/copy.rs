@@ -1,6 +1,6 @@
 //! What is copied: a value with all its digits, or an address.
 
-use super::address::Address;
+use super::bookmarks::address;
 use super::describe;
 use super::model::Model;
 use super::update::Effect;
@@ -38,7 +38,7 @@ pub(super) fn path(model: &mut Model) -> Effect {
         model.say(model.texts().quiz.tells_decision);
         return Effect::None;
     }
-    let text = Address::of(&model.log, &model.tree, model.event).text();
+    let text = address(&model.log, &model.tree, model.event);
     copied(model, text)
 }
 
@@ -59,36 +59,9 @@ fn number_in_full(number: f64) -> String {
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }
 
-/// The sequence by which a terminal is asked to put a text on the clipboard (OSC 52).
-pub(super) fn osc_52(text: &str) -> String {
-    format!("\x1b]52;c;{}\x1b\\", base64(text.as_bytes()))
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::new();
-    for chunk in bytes.chunks(3) {
-        let byte = |index: usize| u32::from(chunk.get(index).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for index in 0..4 {
-            let digit = DIGITS[(bits >> (18 - 6 * index) & 63) as usize];
-            text.push(if index > chunk.len() { '=' } else { digit.into() });
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn base64_of_every_length() {
-        // The test vectors of RFC 4648.
-        let encoded = ["", "f", "fo", "foo", "foob", "fooba", "foobar"].map(|text| base64(text.as_bytes()));
-        assert_eq!(encoded, ["", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"]);
-        assert_eq!(osc_52("·"), "\x1b]52;c;wrc=\x1b\\");
-    }
 
     #[test]
     fn numbers_in_full_can_be_read_back() {

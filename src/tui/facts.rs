@@ -1,6 +1,6 @@
 //! What each node came to, and how many rays lie inside it: gathered once, in one pass over the events.
 
-use crate::log::{Decision, Event, Log, Node, RayKind, Step, Tree, What};
+use crate::log::{Decision, Event, Log, Name, Node, RayKind, Step, Tree, What};
 use std::ops::Range;
 
 /// What the nodes of a tree came to.
@@ -58,7 +58,7 @@ impl Facts {
         let fact = &mut self.nodes[owner];
         let number = index as u32 + 1;
         match event.what {
-            What::Note { name, .. } if says_what_came(tree.nodes()[owner].step, name.key()) => fact.value = number,
+            What::Note { name, .. } if says_what_came(tree.nodes()[owner].step, name) => fact.value = number,
             What::Note { .. } => {}
             What::Result { .. } => fact.value = number,
             What::Mark(decision) => match decision {
@@ -97,12 +97,12 @@ impl Facts {
 }
 
 /// Whether a quantity is what such a node is there for.
-fn says_what_came(step: Option<Step>, key: &str) -> bool {
+fn says_what_came(step: Option<Step>, name: Name) -> bool {
     match step {
         // The distance; a disk and a polygon name more after it.
-        Some(Step::Test { .. }) => key.ends_with(".t"),
-        Some(Step::Shade { .. }) => key == "shade.local",
-        Some(Step::Combine) => key == "combine.color",
+        Some(Step::Test { .. }) => name.key().ends_with(".t"),
+        Some(Step::Shade { .. }) => name.is(Name::ShadeLocal),
+        Some(Step::Combine) => name.is(Name::CombineColor),
         _ => false,
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Each has a file of its own; here they are held together, so that the model and its update know only this one type.
 
-use super::address::{self, Bookmark};
+use super::bookmarks::{self, Bookmark};
 use super::breakpoints::Breakpoint;
 use super::fold::Folds;
 use super::history::History;
@@ -110,9 +110,9 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
             model.guide.history.remember(Purpose::Filter, filter);
             model.prompt = Some(Prompt::new(Purpose::Filter));
         }
-        Walk::Mark(letter) => address::set(model, letter),
+        Walk::Mark(letter) => bookmarks::set(model, letter),
         Walk::GoTo('\'') => return jumps::over(model),
-        Walk::GoTo(letter) => address::go(model, letter),
+        Walk::GoTo(letter) => bookmarks::go(model, letter),
         Walk::Marks => list::open(model, list::Kind::Bookmarks),
         Walk::CopyValue => return copy::value(model),
         Walk::CopyPath => return copy::path(model),
@@ -177,7 +177,7 @@ pub(super) fn grow(model: &mut Model) {
 /// Finds in another log what was set in the one before.
 pub(super) fn renew(model: &mut Model) {
     model.guide.pace.is_playing = false;
-    address::renew(model);
+    bookmarks::renew(model);
     search::renew(model);
 }
 

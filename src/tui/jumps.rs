@@ -1,8 +1,8 @@
 //! Where one has been: the steps that jumps began at, and the way back to them, also from another pixel.
 
 use super::model::Model;
-use super::place::Place;
 use super::update::Effect;
+use crate::log::tree::Place;
 
 /// A step that can be gone back to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -104,9 +104,10 @@ pub(super) fn go(model: &mut Model, spot: Spot) -> Effect {
 
 /// Goes to a step of the pixel that is shown, or to the nearest that it has.
 pub(super) fn arrive(model: &mut Model, spot: &Spot) {
-    let found = spot.place.found_in(&model.log, &model.tree);
-    model.go_to_event(found);
-    if Place::of(&model.log, &model.tree, found) != spot.place {
+    let found = spot.place.find(&model.log, &model.tree);
+    let (Ok(event) | Err(event)) = found;
+    model.go_to_event(event);
+    if found.is_err() {
         model.say(model.texts().messages.nearest_step);
     }
 }

@@ -10,7 +10,7 @@ use super::theme::Role;
 use super::understanding;
 use super::update::{Effect, Exit};
 use super::view;
-use super::{address, breakpoints, run};
+use super::{bookmarks, breakpoints, run};
 use crate::report::language::viewer::Hints;
 
 /// What a list is of.
@@ -129,7 +129,7 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
         Kind::Bookmarks => Listing {
             title: texts.bookmarks.title.to_owned(),
             columns: Column::all(&texts.bookmarks.columns, &[]),
-            entries: address::entries(model),
+            entries: bookmarks::entries(model),
             nothing: texts.bookmarks.nothing,
         },
         Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => understanding::listing(model, kind),

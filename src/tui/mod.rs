@@ -4,8 +4,8 @@
 //! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
 //! tested without one. The module knows logs and reports; it computes no geometry and needs no scene.
 
-mod address;
 pub mod beside;
+mod bookmarks;
 mod breakpoints;
 mod command;
 mod copy;
@@ -25,7 +25,6 @@ mod model;
 mod mouse;
 mod panes;
 mod picture;
-mod place;
 mod play;
 mod prompt;
 mod quiz;
@@ -64,7 +63,7 @@ pub use theme::{Palette, Theme};
 pub use understanding::Understanding;
 pub use update::{Effect, Exit, update};
 
-use crate::log::{Log, Step, Subject};
+use crate::log::{Log, Subject};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
 use keys::Typed;
@@ -272,15 +271,7 @@ fn resized(model: &mut Model, terminal: &Terminal) -> io::Result<()> {
 }
 
 fn position(model: &Model) -> Position {
-    let around = std::iter::successors(Some(model.cursor), |node| {
-        Some(model.tree.nodes()[*node].parent).filter(|parent| parent != node)
-    });
-    let mut steps = around.filter_map(|node| model.tree.nodes()[node].step);
-    let enclosing = steps.find_map(|step| match step {
-        Step::Pixel(pixel) => Some(pixel),
-        _ => None,
-    });
-    let pixel = enclosing.or(match model.log.header.subject {
+    let pixel = model.tree.pixel(model.cursor).or(match model.log.header.subject {
         Subject::Pixel(pixel) => Some(pixel),
         _ => None,
     });

@@ -9,11 +9,11 @@ use super::layout::{Arrangement, Layout};
 use super::list;
 use super::live::{Live, Refusal};
 use super::picture::PictureView;
-use super::place::Place;
 use super::prompt::Prompt;
 use super::understanding::{self, Understanding};
 use super::update::Effect;
-use crate::log::{Log, Step, Subject, Tree};
+use crate::log::tree::Place;
+use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
 use std::mem;
@@ -230,7 +230,8 @@ impl Model {
         self.others.clear();
         // A quiz goes on; what was opened was of the other log.
         self.understanding.listing = None;
-        self.go_to_event(place.found_in(&self.log, &self.tree));
+        let (Ok(event) | Err(event)) = place.find(&self.log, &self.tree);
+        self.go_to_event(event);
         if let (Some(view), Subject::Pixel(pixel)) = (&mut self.picture, self.log.header.subject) {
             view.cursor = pixel;
         }
@@ -243,14 +244,7 @@ impl Model {
     /// The pixel that an event is of, in the log of a region.
     pub fn pixel_of(&self, event: usize) -> Option<[u32; 2]> {
         let Subject::Region(_) = self.log.header.subject else { return None };
-        let mut node = self.tree.owner(event);
-        while node != 0 {
-            match self.tree.nodes()[node].step {
-                Some(Step::Pixel(pixel)) => return Some(pixel),
-                _ => node = self.tree.nodes()[node].parent,
-            }
-        }
-        None
+        self.tree.pixel(self.tree.owner(event))
     }
 
     /// The number of the current step, from 1; 0 in a log without events.

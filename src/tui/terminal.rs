@@ -3,8 +3,8 @@
 //! Only this file of the module does input and output. Whatever ends the viewer (a key, an error, a panic, a signal, a
 //! terminal that is gone), the terminal gets back its screen, its cursor and its modes.
 
-use super::copy;
 use super::update::Exit;
+use crossterm::clipboard::CopyToClipboard;
 use crossterm::cursor::{Hide, Show};
 use crossterm::event::{
     self, DisableBracketedPaste, DisableMouseCapture, EnableBracketedPaste, EnableMouseCapture, Event, KeyEvent,
@@ -142,9 +142,7 @@ impl Terminal {
 
     /// Puts a text on the clipboard, where the terminal lets us.
     pub(super) fn copy(&mut self, text: &str) -> io::Result<()> {
-        let mut out = io::stdout();
-        out.write_all(copy::osc_52(text).as_bytes())?;
-        out.flush()
+        execute!(io::stdout(), CopyToClipboard::to_clipboard_from(text))
     }
 
     /// Gives the terminal to the shell and stops; says whether there is a shell to come back from.

@@ -5,6 +5,7 @@ mod finding;
 mod lines;
 mod lists;
 mod messages;
+mod places;
 mod stepping;
 
 use super::dump::dump;

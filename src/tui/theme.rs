@@ -57,100 +57,62 @@ pub enum Role {
     Warning,
 }
 
-/// Characters that stand for something.
-#[derive(Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub struct Glyphs {
-    pub open: &'static str,
-    pub closed: &'static str,
-    pub leaf: &'static str,
-    pub branch: &'static str,
-    pub last_branch: &'static str,
-    pub trunk: &'static str,
-    pub horizontal: &'static str,
-    pub vertical: &'static str,
-    pub tee: &'static str,
-    pub pixel: &'static str,
-    pub sample: &'static str,
-    pub camera: &'static str,
-    pub reflected: &'static str,
-    pub transmitted: &'static str,
-    pub shadow: &'static str,
-    pub test: &'static str,
-    pub shade: &'static str,
-    pub light: &'static str,
-    pub combine: &'static str,
-    pub hit: &'static str,
-    pub miss: &'static str,
-    pub blocked: &'static str,
-    pub current: &'static str,
-    pub more: &'static str,
-    pub cut_left: &'static str,
-    pub cut_right: &'static str,
-    pub differs: &'static str,
+macro_rules! glyphs {
+    ($($name:ident: $unicode:literal, $ascii:literal;)*) => {
+        /// Characters that stand for something.
+        #[derive(Debug, PartialEq, Eq)]
+        #[allow(missing_docs)]
+        pub struct Glyphs { $(pub $name: &'static str,)* }
+
+        /// The usual characters.
+        pub const UNICODE: Glyphs = Glyphs { $($name: $unicode,)* };
+
+        /// Characters for terminals and fonts that have ASCII only.
+        pub const ASCII: Glyphs = Glyphs { $($name: $ascii,)* };
+    };
 }
 
-/// The usual characters.
-pub const UNICODE: Glyphs = Glyphs {
-    open: "▾",
-    closed: "▸",
-    leaf: "╴",
-    branch: "├",
-    last_branch: "└",
-    trunk: "│",
-    horizontal: "─",
-    vertical: "│",
-    tee: "┬",
-    pixel: "▣",
-    sample: "▫",
-    camera: "◉",
-    reflected: "↗",
-    transmitted: "↘",
-    shadow: "⇡",
-    test: "?",
-    shade: "◐",
-    light: "☼",
-    combine: "Σ",
-    hit: "●",
-    miss: "○",
-    blocked: "✕",
-    current: "▶",
-    more: "…",
-    cut_left: "…",
-    cut_right: "…",
-    differs: "≠",
-};
+glyphs! {
+    open: "▾", "-";
+    closed: "▸", "+";
+    leaf: "╴", " ";
+    branch: "├", "|";
+    last_branch: "└", "`";
+    trunk: "│", "|";
+    horizontal: "─", "-";
+    vertical: "│", "|";
+    tee: "┬", "+";
+    pixel: "▣", "#";
+    sample: "▫", ".";
+    camera: "◉", "@";
+    reflected: "↗", "/";
+    transmitted: "↘", "\\";
+    shadow: "⇡", "^";
+    test: "?", "?";
+    shade: "◐", "%";
+    light: "☼", "*";
+    combine: "Σ", "=";
+    hit: "●", "o";
+    miss: "○", "-";
+    blocked: "✕", "x";
+    current: "▶", ">";
+    more: "…", "~";
+    cut_left: "…", "<";
+    cut_right: "…", ">";
+    differs: "≠", "!";
+}
 
-/// Characters for terminals and fonts that have ASCII only.
-pub const ASCII: Glyphs = Glyphs {
-    open: "-",
-    closed: "+",
-    leaf: " ",
-    branch: "|",
-    last_branch: "`",
-    trunk: "|",
-    horizontal: "-",
-    vertical: "|",
-    tee: "+",
-    pixel: "#",
-    sample: ".",
-    camera: "@",
-    reflected: "/",
-    transmitted: "\\",
-    shadow: "^",
-    test: "?",
-    shade: "%",
-    light: "*",
-    combine: "=",
-    hit: "o",
-    miss: "-",
-    blocked: "x",
-    current: ">",
-    more: "~",
-    cut_left: "<",
-    cut_right: ">",
-    differs: "!",
-};
+impl Role {
+    /// That of a kind of rays.
+    pub fn of_ray(kind: RayKind) -> Role {
+        match kind {
+            RayKind::Camera => Role::Camera,
+            RayKind::Reflected => Role::Reflected,
+            RayKind::Transmitted => Role::Transmitted,
+            RayKind::Shadow { .. } => Role::Shadow,
+        }
+    }
+}
 
 impl Theme {
     /// The look with these colours, in ASCII or not.
@@ -196,12 +158,15 @@ impl Theme {
         match step {
             None | Some(Step::Pixel(_)) => (glyphs.pixel, Role::Title),
             Some(Step::Sample { .. }) => (glyphs.sample, Role::Text),
-            Some(Step::Ray { kind, .. }) => match kind {
-                RayKind::Camera => (glyphs.camera, Role::Camera),
-                RayKind::Reflected => (glyphs.reflected, Role::Reflected),
-                RayKind::Transmitted => (glyphs.transmitted, Role::Transmitted),
-                RayKind::Shadow { .. } => (glyphs.shadow, Role::Shadow),
-            },
+            Some(Step::Ray { kind, .. }) => {
+                let glyph = match kind {
+                    RayKind::Camera => glyphs.camera,
+                    RayKind::Reflected => glyphs.reflected,
+                    RayKind::Transmitted => glyphs.transmitted,
+                    RayKind::Shadow { .. } => glyphs.shadow,
+                };
+                (glyph, Role::of_ray(kind))
+            }
             Some(Step::Test { .. } | Step::Motion { .. }) => (glyphs.test, Role::Faint),
             Some(Step::Zone { .. }) => (glyphs.sample, Role::Text),
             Some(Step::Shade { .. }) => (glyphs.shade, Role::Text),

@@ -1,9 +1,10 @@
 //! `raywalk bench error --arithmetic`: what each arithmetic loses and costs.
 
 use super::TableFormat;
-use super::table::{print_measured, quoted};
+use super::table::{self, print_measured};
 use crate::cli::failure::Failure;
 use raywalk::scene::Scene;
+use raywalk::scene::file::escape_hidden;
 use raywalk::study::ladder::{Rung, ladder};
 use serde::Serialize;
 use std::fmt::Write;
@@ -24,7 +25,7 @@ pub fn run(scenes: &[Scene], threads: usize, format: TableFormat) -> Result<(), 
 fn text(measured: &[Measured]) -> String {
     let mut text = String::new();
     for Measured { scene, rungs } in measured {
-        let _ = writeln!(text, "{}", raywalk::scene::file::escape_hidden(scene));
+        let _ = writeln!(text, "{}", escape_hidden(scene));
         let _ =
             writeln!(text, "  {:<10} {:>10} {:>10} {:>10} {:>9}", "arithmetic", "rmse", "worst", "visible", "seconds");
         for Rung { arithmetic, seconds, rmse, worst, visible } in rungs {
@@ -39,12 +40,11 @@ fn text(measured: &[Measured]) -> String {
 }
 
 fn csv(measured: &[Measured]) -> String {
-    let mut text = "scene,arithmetic,rmse,worst,visible,seconds\n".to_owned();
-    for Measured { scene, rungs } in measured {
-        let scene = quoted(scene);
-        for Rung { arithmetic, seconds, rmse, worst, visible } in rungs {
-            let _ = writeln!(text, "{scene},{arithmetic},{rmse},{worst},{visible},{seconds}");
-        }
-    }
-    text
+    let rows = measured.iter().flat_map(|Measured { scene, rungs }| {
+        let scene = escape_hidden(scene);
+        rungs.iter().map(move |Rung { arithmetic, seconds, rmse, worst, visible }| {
+            (scene.clone(), arithmetic, rmse, worst, visible, seconds)
+        })
+    });
+    table::csv("scene,arithmetic,rmse,worst,visible,seconds", rows)
 }

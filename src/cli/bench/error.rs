@@ -4,7 +4,7 @@ use super::scenes::{self, SceneOptions};
 use super::{TableFormat, arithmetic, limits, samplers};
 use crate::cli::failure::Failure;
 use crate::cli::inputs::Inputs;
-use crate::cli::options::{ColorChoice, MAX_THREADS};
+use crate::cli::options::MAX_THREADS;
 use crate::cli::progress::ProgressOptions;
 use crate::cli::sampling_spec::{sampling, sampling_or};
 use clap::Args;
@@ -60,7 +60,7 @@ pub struct ErrorBench {
 
 impl ErrorBench {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         raywalk::threads::want(self.threads.into());
         let otherwise: &[&str] = if self.arithmetic {
             &scenes::FEW
@@ -70,7 +70,7 @@ impl ErrorBench {
             &scenes::SAMPLED
         };
         let names = self.scenes.names(otherwise);
-        let loaded = names.iter().map(|name| self.scenes.load(name, colors)).collect::<Result<Vec<_>, _>>()?;
+        let loaded = names.iter().map(|name| self.scenes.load(name)).collect::<Result<Vec<_>, _>>()?;
         let (scenes, inputs): (Vec<_>, Vec<_>) = loaded.into_iter().unzip();
         if self.arithmetic {
             return arithmetic::run(&scenes, self.threads.into(), self.format);

@@ -1,7 +1,7 @@
 //! `raywalk bench error --depths` and `--cutoffs`: what limits of the ray tree lose and save.
 
 use super::TableFormat;
-use super::table::{print_measured, quoted};
+use super::table::{self, print_measured};
 use crate::cli::failure::Failure;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
@@ -84,23 +84,14 @@ fn text(measured: &[Measured]) -> String {
 fn csv(measured: &[Measured]) -> String {
     let is_bounded = measured.iter().any(|scene| has_bounds(&scene.ladder));
     let head = if is_bounded { ",bound" } else { "" };
-    let mut text = format!("scene,limit,value,reference,rays_per_pixel,seconds,rmse,worst,visible{head}\n");
-    for Measured { scene, ladder } in measured {
-        let reference = words(ladder.reference).1;
-        for Limited { limit, rays_per_pixel, seconds, deviation, bound } in &ladder.rungs {
+    let head = format!("scene,limit,value,reference,rays_per_pixel,seconds,rmse,worst,visible{head}");
+    let rows = measured.iter().flat_map(|Measured { scene, ladder }| {
+        let (scene, (_, reference)) = (escape_hidden(scene), words(ladder.reference));
+        ladder.rungs.iter().map(move |Limited { limit, rays_per_pixel, seconds, deviation, bound }| {
             let Deviation { rmse, worst, visible } = deviation;
-            let (name, value) = words(*limit);
-            let bound = match (is_bounded, bound) {
-                (false, _) => String::new(),
-                (true, None) => ",".to_owned(),
-                (true, Some(bound)) => format!(",{bound}"),
-            };
-            let _ = writeln!(
-                text,
-                "{},{name},{value},{reference},{rays_per_pixel},{seconds},{rmse},{worst},{visible}{bound}",
-                quoted(scene)
-            );
-        }
-    }
-    text
+            let bound = is_bounded.then_some(bound).into_iter().collect::<Vec<_>>();
+            (scene.clone(), words(*limit), reference.clone(), rays_per_pixel, seconds, rmse, worst, visible, bound)
+        })
+    });
+    table::csv(&head, rows)
 }

@@ -12,7 +12,6 @@ mod scenes;
 mod table;
 
 use super::failure::Failure;
-use super::options::ColorChoice;
 use clap::{Subcommand, ValueEnum};
 pub use machine::peak_bytes;
 
@@ -42,12 +41,12 @@ pub enum TableFormat {
 
 impl Bench {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         match self {
-            Bench::Error(bench) => bench.run(colors),
-            Bench::Overhead(bench) => bench.run(colors),
-            Bench::Rays(bench) => bench.run(colors),
-            Bench::Scaling(bench) => bench.run(colors),
+            Bench::Error(bench) => bench.run(),
+            Bench::Overhead(bench) => bench.run(),
+            Bench::Rays(bench) => bench.run(),
+            Bench::Scaling(bench) => bench.run(),
         }
     }
 }

@@ -3,9 +3,8 @@
 use super::TableFormat;
 use super::machine::Machine;
 use super::scenes::{self, SceneOptions};
-use super::table::quoted;
+use super::table;
 use crate::cli::failure::Failure;
-use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use clap::Args;
 use raywalk::scene::file::escape_hidden;
@@ -38,10 +37,10 @@ struct Measured {
 
 impl OverheadBench {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         let machine = Machine::this();
         let measure = |name: &std::path::PathBuf| {
-            let (scene, _) = self.scenes.load(name, colors)?;
+            let (scene, _) = self.scenes.load(name)?;
             let overhead = overhead(&scene, self.pairs.into());
             let overhead = overhead.map_err(|error| {
                 Failure::caller(format!("{}: {error}, expected fewer samples a pixel", escape_hidden(&scene.name)))
@@ -82,26 +81,16 @@ fn text(machine: &Machine, measured: &[Measured]) -> String {
     text
 }
 
+const COLUMNS: &str = "scene,probe,ns_per_pixel,ns_per_pixel_lower_quartile,ns_per_pixel_upper_quartile,\
+    ns_per_ray,ratio,ratio_lower_quartile,ratio_upper_quartile,pairs,events_per_pixel";
+
 fn csv(measured: &[Measured]) -> String {
-    let mut text = "scene,probe,ns_per_pixel,ns_per_pixel_lower_quartile,ns_per_pixel_upper_quartile,ns_per_ray,ratio,\
-                    ratio_lower_quartile,ratio_upper_quartile,pairs,events_per_pixel\n"
-        .to_owned();
-    for Measured { scene, overhead } in measured {
-        for Cost { way, ns_per_pixel: ns, ns_per_ray, ratio } in &overhead.costs {
-            let _ = writeln!(
-                text,
-                "{},{way},{},{},{},{ns_per_ray},{},{},{},{},{}",
-                quoted(scene),
-                ns.median,
-                ns.lower,
-                ns.upper,
-                ratio.median,
-                ratio.lower,
-                ratio.upper,
-                ratio.count,
-                overhead.events_per_pixel
-            );
-        }
-    }
-    text
+    let rows = measured.iter().flat_map(|Measured { scene, overhead }| {
+        overhead.costs.iter().map(move |Cost { way, ns_per_pixel: ns, ns_per_ray, ratio }| {
+            let ns = (ns.median, ns.lower, ns.upper);
+            let ratio = (ratio.median, ratio.lower, ratio.upper, ratio.count);
+            (escape_hidden(scene), way, ns, ns_per_ray, ratio, overhead.events_per_pixel)
+        })
+    });
+    table::csv(COLUMNS, rows)
 }

@@ -2,10 +2,10 @@
 
 use super::TableFormat;
 use super::machine::Machine;
-use super::table::quoted;
+use super::table;
 use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::{Claim, Inputs, place_of};
-use crate::cli::options::{ColorChoice, MAX_THREADS};
+use crate::cli::options::MAX_THREADS;
 use crate::cli::output::{self, Output};
 use clap::Args;
 use raywalk::scene::Scene;
@@ -58,7 +58,7 @@ struct Built<'a> {
 }
 
 /// The figures of a file of rays, under the names that benchmarks of other programs give them.
-#[derive(Serialize)]
+#[derive(Serialize, Clone, Copy)]
 struct Row<'a> {
     engine: &'static str,
     mode: &'static str,
@@ -121,7 +121,7 @@ impl Dumps {
 
 impl RaysBench {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         let machine = Machine::this();
         if let Some(folder) = &self.dump {
             match fs::metadata(folder) {
@@ -133,7 +133,7 @@ impl RaysBench {
                 }
             }
         }
-        let refused = |error: SceneError| Failure::scene(&error, colors.applies_to(&std::io::stderr()));
+        let refused = |error: SceneError| Failure::scene(&error);
         let dumps = self.dumps(refused)?;
         // Before the work begins it is made sure that they can be written; a file begins in its scene's turn, as there may be many.
         dumps.check()?;
@@ -167,7 +167,7 @@ impl RaysBench {
     fn print_head(&self, machine: &Machine) -> Result<(), Failure> {
         match self.format {
             TableFormat::Text => output::print(format!("{machine}\n").as_bytes()),
-            TableFormat::Csv => output::print(format!("{}\n", Row::HEAD).as_bytes()),
+            TableFormat::Csv => output::print(table::csv(Row::COLUMNS, [(); 0]).as_bytes()),
             TableFormat::Json => Ok(()),
         }
     }
@@ -240,8 +240,8 @@ impl RaysBench {
 }
 
 impl<'a> Row<'a> {
-    const HEAD: &'static str = "engine,mode,scene,rays,threads,n,mrays_median,mrays_lower_quartile,mrays_upper_quartile,\
-                                mrays_best,mrays_per_cpu_s,passes,hits,tsum";
+    const COLUMNS: &'static str = "engine,mode,scene,rays,threads,n,mrays_median,mrays_lower_quartile,mrays_upper_quartile,\
+        mrays_best,mrays_per_cpu_s,passes,hits,tsum";
     const TITLE: &'static str =
         "  rays       mode   threads       rays      hits  passes  Mrays/s  (quartiles)     Mrays/cpu s\n";
 
@@ -277,14 +277,8 @@ impl<'a> Row<'a> {
     }
 
     fn csv(&self) -> String {
-        let (scene, rays) = (quoted(self.scene), quoted(self.rays));
-        let Row { engine, mode, threads, n, passes, hits, tsum, .. } = self;
-        let speeds = [self.mrays_median, self.mrays_lower_quartile, self.mrays_upper_quartile, self.mrays_best];
-        let speeds = speeds.map(|speed| speed.to_string()).join(",");
-        format!(
-            "{engine},{mode},{scene},{rays},{threads},{n},{speeds},{},{passes},{hits},{tsum}\n",
-            self.mrays_per_cpu_s
-        )
+        let (scene, rays) = (escape_hidden(self.scene), escape_hidden(self.rays));
+        table::csv("", [Row { scene: &scene, rays: &rays, ..*self }])
     }
 }
 

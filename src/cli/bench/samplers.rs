@@ -2,7 +2,7 @@
 
 use super::TableFormat;
 use super::machine::Machine;
-use super::table::quoted;
+use super::table;
 use crate::cli::failure::Failure;
 use crate::cli::inputs::Inputs;
 use crate::cli::output::{self, Output};
@@ -205,34 +205,25 @@ fn told(scene: &Measured, target: f64) -> String {
     }
 }
 
+const COLUMNS: &str = "scene,width,height,reference,reference_error,sampling,samples_per_pixel,rays_per_pixel,\
+    seconds,seconds_lower_quartile,seconds_upper_quartile,cpu_seconds,rmse,rmse_lower_quartile,\
+    rmse_upper_quartile,runs,front,best";
+
 fn csv(measured: &[Measured]) -> String {
-    let mut text = "scene,width,height,reference,reference_error,sampling,samples_per_pixel,rays_per_pixel,seconds,\
-                    seconds_lower_quartile,seconds_upper_quartile,cpu_seconds,rmse,rmse_lower_quartile,\
-                    rmse_upper_quartile,runs,front,best\n"
-        .to_owned();
-    for Measured { scene, size: [width, height], comparison, best } in measured {
+    let rows = measured.iter().flat_map(|Measured { scene, size, comparison, best }| {
         let Comparison { reference, reference_error, outcomes } = comparison;
-        let reference_error = reference_error.map(|error| error.to_string()).unwrap_or_default();
-        let about = format!("{},{width},{height},{},{reference_error}", quoted(scene), quoted(reference));
-        for outcome in outcomes {
+        outcomes.iter().map(move |outcome| {
             let Outcome {
                 sampling, samples_per_pixel, rays_per_pixel, seconds, cpu_seconds, rmse, is_on_front, ..
             } = outcome;
-            let is_best = best.as_ref() == Some(sampling);
-            let _ = writeln!(
-                text,
-                "{about},{},{samples_per_pixel},{rays_per_pixel},{},{},{},{},{},{},{},{},{is_on_front},{is_best}",
-                quoted(sampling),
-                seconds.median,
-                seconds.lower,
-                seconds.upper,
-                cpu_seconds.median,
-                rmse.median,
-                rmse.lower,
-                rmse.upper,
-                rmse.count
-            );
-        }
-    }
-    text
+            (
+                (escape_hidden(scene), size, escape_hidden(reference), reference_error),
+                (escape_hidden(sampling), samples_per_pixel, rays_per_pixel),
+                (seconds.median, seconds.lower, seconds.upper, cpu_seconds.median),
+                (rmse.median, rmse.lower, rmse.upper, rmse.count),
+                (is_on_front, best.as_ref() == Some(sampling)),
+            )
+        })
+    });
+    table::csv(COLUMNS, rows)
 }

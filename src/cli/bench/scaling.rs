@@ -2,8 +2,9 @@
 
 use super::TableFormat;
 use super::machine::{Machine, peak_bytes};
+use super::table;
 use crate::cli::failure::Failure;
-use crate::cli::options::{self, ColorChoice, TracingOptions};
+use crate::cli::options::{self, TracingOptions};
 use crate::cli::{output, scene_argument};
 use clap::Args;
 use raywalk::render::ask_for_memory;
@@ -60,11 +61,11 @@ const HALVINGS: u32 = 5;
 
 impl ScalingBench {
     /// Runs the command.
-    pub fn run(self, colors: ColorChoice) -> Result<(), Failure> {
+    pub fn run(self) -> Result<(), Failure> {
         raywalk::threads::want(self.threads.into());
         let machine = Machine::this();
         // Before anything is measured.
-        let loaded = scene_argument::load(&self.scene, &TracingOptions::default().import(), colors)?;
+        let loaded = scene_argument::load(&self.scene, &TracingOptions::default().import())?;
         let in_size = |size: [u32; 2]| {
             let tracing = TracingOptions { size: Some(size), ..TracingOptions::default() };
             tracing.apply(loaded.clone())
@@ -165,21 +166,17 @@ fn text(machine: &Machine, spheres: &[Row<OfSpheres>], scene: &str, sizes: &[Row
 }
 
 fn csv(spheres: &[Row<OfSpheres>], sizes: &[Row<OfSize>]) -> String {
-    let mut text = "of,number,build_s,ns,ns_lower_quartile,ns_upper_quartile,growth,peak_bytes\n".to_owned();
-    let number = |number: Option<u64>| number.map(|number| number.to_string()).unwrap_or_default();
-    let growth = |growth: Option<f64>| growth.map(|growth| growth.to_string()).unwrap_or_default();
-    for row in spheres {
-        let OfSpheres { spheres, build_s, ns_per_camera_ray: camera, ns_per_random_ray: random, .. } = row.measured;
-        for (of, ns, growth) in [("camera_rays", camera, String::new()), ("random_rays", random, growth(row.growth))] {
-            let spread = format!("{},{},{}", ns.median, ns.lower, ns.upper);
-            let _ = writeln!(text, "{of},{spheres},{build_s},{spread},{growth},{}", number(row.peak_bytes));
-        }
-    }
-    for row in sizes {
-        let OfSize { width, height, ns_per_pixel: ns } = row.measured;
-        let (pixels, peak) = (u64::from(width) * u64::from(height), number(row.peak_bytes));
-        let growth = growth(row.growth);
-        let _ = writeln!(text, "pixels,{pixels},,{},{},{},{growth},{peak}", ns.median, ns.lower, ns.upper);
-    }
-    text
+    let head = "of,number,build_s,ns,ns_lower_quartile,ns_upper_quartile,growth,peak_bytes";
+    let row = |of, number: u64, build_s: Option<f64>, ns: Spread, growth: Option<f64>, peak_bytes: Option<u64>| {
+        (of, number, build_s, (ns.median, ns.lower, ns.upper), growth, peak_bytes)
+    };
+    let of_spheres = |Row { measured, growth, peak_bytes }: &Row<OfSpheres>| {
+        let OfSpheres { spheres, build_s, ns_per_camera_ray: camera, ns_per_random_ray: random, .. } = *measured;
+        let of = |of, ns, growth| row(of, spheres.into(), Some(build_s), ns, growth, *peak_bytes);
+        [of("camera_rays", camera, None), of("random_rays", random, *growth)]
+    };
+    let of_size = |Row { measured: OfSize { width, height, ns_per_pixel }, growth, peak_bytes }: &Row<OfSize>| {
+        row("pixels", u64::from(*width) * u64::from(*height), None, *ns_per_pixel, *growth, *peak_bytes)
+    };
+    table::csv(head, spheres.iter().flat_map(of_spheres).chain(sizes.iter().map(of_size)))
 }

@@ -2,7 +2,7 @@
 
 use crate::cli::failure::Failure;
 use crate::cli::inputs::Inputs;
-use crate::cli::options::{self, ColorChoice, TracingOptions};
+use crate::cli::options::{self, TracingOptions};
 use crate::cli::scene_argument;
 use clap::Args;
 use raywalk::render::ask_for_memory;
@@ -36,9 +36,9 @@ impl SceneOptions {
     }
 
     /// A scene of that name in this size with its files, and makes sure that there is memory for its picture.
-    pub fn load(&self, name: &Path, colors: ColorChoice) -> Result<(Scene, Inputs), Failure> {
+    pub fn load(&self, name: &Path) -> Result<(Scene, Inputs), Failure> {
         let tracing = TracingOptions { size: Some(self.size), ..TracingOptions::default() };
-        let loaded = scene_argument::load(name, &tracing.import(), colors)?;
+        let loaded = scene_argument::load(name, &tracing.import())?;
         let inputs = loaded.inputs.clone();
         let scene = tracing.apply(loaded)?;
         let [width, height] = self.size;

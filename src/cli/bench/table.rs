@@ -5,7 +5,6 @@ use crate::cli::failure::Failure;
 use crate::cli::output;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
-use raywalk::scene::file::escape_hidden;
 use serde::Serialize;
 
 /// Measures scene after scene and prints the table; `text` and `csv` lay it out.
@@ -26,7 +25,12 @@ pub fn print_measured<M: Serialize>(
     output::print(table.as_bytes())
 }
 
-/// A text as a cell of CSV.
-pub fn quoted(text: &str) -> String {
-    format!("\"{}\"", escape_hidden(text).replace('"', "\"\""))
+/// Rows as CSV, below the names of their columns if there are any: a row is a struct or a tuple, whose parts may be tuples and lists.
+pub fn csv(head: &str, rows: impl IntoIterator<Item = impl Serialize>) -> String {
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    let written = if head.is_empty() { Ok(()) } else { writer.write_record(head.split(',')) };
+    written.expect("memory takes what is written");
+    rows.into_iter().for_each(|row| writer.serialize(row).expect("every row has a cell for each column"));
+    let bytes = writer.into_inner().expect("memory takes what is written");
+    String::from_utf8(bytes).expect("cells are made of texts and numbers")
 }

@@ -3,7 +3,6 @@
 use super::{Merge, open, some_of};
 use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::Inputs;
-use crate::cli::options::ColorChoice;
 use crate::cli::output::{Output, Sink};
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
 use raywalk::log::file::{LogError, PixelReader, Writer};
@@ -15,7 +14,7 @@ use std::path::Path;
 
 impl Merge {
     /// Joins logs.
-    pub(super) fn logs(&self, colors: ColorChoice) -> Result<(), Failure> {
+    pub(super) fn logs(&self) -> Result<(), Failure> {
         if self.png16 {
             return Err(Failure::caller("--png16: is for pictures, found logs"));
         }
@@ -24,7 +23,7 @@ impl Merge {
         }
         let mut found: Vec<(&Path, Header, Shard)> = Vec::new();
         for path in &self.parts {
-            let header = log_in(path, colors)?.header().clone();
+            let header = log_in(path)?.header().clone();
             let shard = header.shard.ok_or_else(|| {
                 Failure::caller(format!("{}: is no shard; expected a log that `trace --shard` wrote", shown(path)))
             })?;
@@ -39,15 +38,15 @@ impl Merge {
         let is_file = place.is_file();
         let mut nowhere =
             Writer::new(io::sink(), &header).map_err(|error| Failure::io(&self.output, "write", &error))?;
-        let mut is_copied = |path| log_in(path, colors).is_ok_and(|log| log.copy_to(&mut nowhere).unwrap_or(false));
+        let mut is_copied = |path| log_in(path).is_ok_and(|log| log.copy_to(&mut nowhere).unwrap_or(false));
         if is_file || in_order.iter().all(|path| is_copied(path)) {
-            match join(&in_order, &header, place, |log, writer| log.copy_to(writer), colors)? {
+            match join(&in_order, &header, place, |log, writer| log.copy_to(writer))? {
                 true => return Ok(()),
                 false if is_file => place = output()?,
                 false => return Err(Failure::caller("merge: a log was changed while it was read")),
             }
         }
-        join(&in_order, &header, place, |log, writer| log.add_to(writer).map(|()| true), colors).map(|_| ())
+        join(&in_order, &header, place, |log, writer| log.add_to(writer).map(|()| true)).map(|_| ())
     }
 }
 
@@ -59,14 +58,13 @@ fn join(
     header: &Header,
     output: Output,
     add: impl Fn(PartReader, &mut Writer<&mut Sink>) -> Result<bool, LogError>,
-    colors: ColorChoice,
 ) -> Result<bool, Failure> {
     let mut added = Ok(true);
     let written = output.stream(|out| {
         let mut writer = Writer::new(out, header)?;
         for path in logs {
             let add = |log| add(log, &mut writer).map_err(|error| saved_log::failure(&shown(path), &error));
-            added = log_in(path, colors).and_then(add);
+            added = log_in(path).and_then(add);
             if !matches!(added, Ok(true)) {
                 return Err(io::ErrorKind::Other.into());
             }
@@ -76,8 +74,8 @@ fn join(
     if let Ok(true) = added { written.map(|()| true) } else { added }
 }
 
-fn log_in(path: &Path, colors: ColorChoice) -> Result<PartReader, Failure> {
-    let input: Box<dyn Read> = Box::new(open(path, colors)?.stream(MAX_LOG_BYTES));
+fn log_in(path: &Path) -> Result<PartReader, Failure> {
+    let input: Box<dyn Read> = Box::new(open(path)?.stream(MAX_LOG_BYTES));
     PixelReader::open(input).map_err(|error: LogError| saved_log::failure(&shown(path), &error))
 }
 

@@ -5,7 +5,6 @@ use crate::cli::failure::{Failure, shown};
 use crate::cli::frames::numbered;
 use crate::cli::inputs::Inputs;
 use crate::cli::layers::Layers;
-use crate::cli::options::ColorChoice;
 use crate::cli::picture::{Place, Rendered, Shown, format_of};
 use crate::cli::render::MAX_PART_BYTES;
 use raywalk::render::part::{Content, PartError, PartHeader, Picture, Reader, Record};
@@ -23,11 +22,11 @@ struct Part<'p> {
 
 impl Merge {
     /// Joins parts of one picture, or of one picture a frame.
-    pub(super) fn pictures(&self, colors: ColorChoice) -> Result<(), Failure> {
+    pub(super) fn pictures(&self) -> Result<(), Failure> {
         let format = format_of(&self.output, self.png16)?;
         let mut frames: BTreeMap<Option<u32>, Vec<Part>> = BTreeMap::new();
         for path in &self.parts {
-            let header = part_in(path, colors)?.header().clone();
+            let header = part_in(path)?.header().clone();
             let frame = header.picture.frame.map(|frame| frame.number);
             frames.entry(frame).or_default().push(Part { path, header });
         }
@@ -44,7 +43,7 @@ impl Merge {
         // All of them, before the first one is written.
         frames.values().try_for_each(|parts| check(parts))?;
         for path in &self.parts {
-            each_piece(path, &mut part_in(path, colors)?, |_, _| ())?;
+            each_piece(path, &mut part_in(path)?, |_, _| ())?;
         }
         for (frame, parts) in &frames {
             let path = match frame {
@@ -65,7 +64,7 @@ impl Merge {
             let [left, top, right, bottom] = picture.crop;
             let size = [right - left, bottom - top];
             let place = Place::create(&path, format, size, layers.as_ref(), &Inputs::of(&self.parts))?;
-            let rendered = joined(parts, picture, layers, colors)?;
+            let rendered = joined(parts, picture, layers)?;
             let shown = Shown { output: self.shown.over(picture.output.into()), objects, is_quiet: self.quiet };
             place.write(&rendered, &shown)?;
         }
@@ -73,8 +72,8 @@ impl Merge {
     }
 }
 
-fn part_in(path: &Path, colors: ColorChoice) -> Result<Reader<impl BufRead + use<>>, Failure> {
-    let input = BufReader::new(open(path, colors)?.stream(MAX_PART_BYTES));
+fn part_in(path: &Path) -> Result<Reader<impl BufRead + use<>>, Failure> {
+    let input = BufReader::new(open(path)?.stream(MAX_PART_BYTES));
     Reader::open(input).map_err(|error| match error {
         PartError::Io(error) => Failure::io(path, "read", &error),
         error => Failure::caller(format!("{}: {error}", shown(path))),
@@ -135,12 +134,12 @@ fn missing(parts: &[Part], owners: &[Option<&Part>]) -> String {
 }
 
 /// The picture of parts that were checked.
-fn joined(parts: &[Part], picture: &Picture, layers: Option<Layers>, colors: ColorChoice) -> Result<Rendered, Failure> {
+fn joined(parts: &[Part], picture: &Picture, layers: Option<Layers>) -> Result<Rendered, Failure> {
     let canvas = Canvas::new(picture.crop, picture.content.of());
     let mut canvas = canvas.map_err(|error| Failure::machine(error.to_string()))?;
     let areas: Vec<[u32; 4]> = pieces(picture.crop).collect();
     for Part { path, .. } in parts {
-        let mut reader = part_in(path, colors)?;
+        let mut reader = part_in(path)?;
         each_piece(path, &mut reader, |number, pixels| canvas.put(picture.crop, areas[number as usize], &pixels))?;
     }
     let is_digits = matches!(picture.content, Content::Digits { .. });

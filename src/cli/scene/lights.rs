@@ -1,6 +1,5 @@
 //! What `scene check` says about lights.
 
-use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use crate::cli::scene_argument::{self, Input};
 use raywalk::render::reach::{Reach, reach};
@@ -9,7 +8,7 @@ use raywalk::scene::file::{self, Finding, KeyPath};
 use raywalk::scene::{Color, Light, LightKind, Material, Scene};
 
 /// Warns of lights that light nothing in view, and of those that light it from outside the field of view.
-pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
+pub fn tell(input: &Input, scene: Scene) {
     if scene.objects.is_empty() {
         // There is a warning of that already, and nothing to be lit.
         return;
@@ -54,7 +53,7 @@ pub fn tell(input: &Input, scene: Scene, colors: ColorChoice) {
     // The place of each is looked for, so that only those that are reported have one.
     let mut findings = (0..is_outside.len()).filter_map(finding);
     let told: Vec<Finding> = findings.by_ref().take(MAX_PROBLEMS).collect();
-    scene_argument::warn(&file::placed(&told, &input.bytes, &input.name), findings.count(), colors);
+    scene_argument::warn(&file::placed(&told, &input.bytes, &input.name), findings.count());
     if is_cut_off {
         let unknown = (0..is_lit.len()).filter(|light| !is_lit[*light] && !is_dark[*light]).count();
         output::tell(&format!(

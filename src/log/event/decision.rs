@@ -1,13 +1,15 @@
 //! The decisions of a computation: the one table from which their type, their lines in a file, and the page and the schema of the format follow.
 
+use super::field::{FieldKind, Id, Light, Object, Optional, Quantity, Triple, Whole};
 use super::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 use crate::log::name::Name;
 
-/// Hands the table to a macro. A row has a variant, its word in a log, what it means, and its fields: each with its type here, and with the
+/// Hands the table to a macro, behind what else is for it. A row has a variant, its word in a log, what it means, and its fields: each with its type here, and with the
 /// [`FieldKind`](super::field::FieldKind) that says how files have it.
 macro_rules! decisions {
-    ($with:ident) => {
+    ($with:ident $($more:tt)*) => {
         $with! {
+            $($more)*
             Hit "hit" "the tested object lies on the ray";
             Miss "miss" "it doesn't" {
                 why: Miss as Miss,
@@ -99,6 +101,13 @@ macro_rules! define {
             /// The word in a log.
             pub fn word(&self) -> &'static str {
                 match self { $(Decision::$variant { .. } => $word,)* }
+            }
+
+            /// Hands on the objects and lights that it names.
+            pub fn each_id(&mut self, take: &mut impl FnMut(Id)) {
+                match self {
+                    $(Decision::$variant $({ $($field,)* })? => { $($(<$kind as FieldKind>::each_id($field, take);)*)? })*
+                }
             }
         }
     };

@@ -1,6 +1,6 @@
 //! The serde mirror of a line of a log, as it is read. Unknown fields are skipped: a later version may add some.
 
-use super::mark::Mark;
+use super::mark::{Enter, Mark};
 use crate::log::name::Name;
 use crate::log::value::Value;
 use crate::log::whole::{Whole, whole};
@@ -65,49 +65,6 @@ impl End {
 #[inline]
 pub(super) fn from_text<'t, T: Deserialize<'t>>(text: &'t [u8]) -> Result<T, serde_json::Error> {
     serde_json::from_slice(text)
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Enter<'t> {
-    Pixel([Whole<u32>; 2]),
-    Sample {
-        number: Whole<u32>,
-    },
-    Ray {
-        #[serde(borrow)]
-        kind: Word<'t>,
-        depth: Whole<u32>,
-        #[serde(borrow)]
-        light: Option<Word<'t>>,
-        #[serde(default)]
-        split: Whole<u32>,
-    },
-    Motion {
-        #[serde(borrow)]
-        object: Word<'t>,
-    },
-    Zone {
-        #[serde(borrow)]
-        what: Word<'t>,
-        number: Whole<u32>,
-    },
-    Test {
-        #[serde(borrow)]
-        object: Word<'t>,
-        triangle: Option<Whole<u32>>,
-    },
-    Shade {
-        #[serde(borrow)]
-        object: Word<'t>,
-    },
-    Light {
-        #[serde(borrow)]
-        light: Word<'t>,
-        #[serde(default)]
-        split: Whole<u32>,
-    },
-    Combine {},
 }
 
 /// The most inputs of an event: some thirty are the most that raywalk writes.

@@ -1,11 +1,12 @@
-//! Decisions in a line of a log, read and written as the table of [`decisions`] has them.
+//! Nodes and decisions in a line of a log, read and written as the tables of [`steps`] and [`decisions`] have them.
 
 use super::line::Word;
 use super::reader::Reader;
 use super::write::{string, text, triple};
 use crate::log::event::decision::decisions;
-use crate::log::event::field::{FieldKind, Light, Object, Optional, Quantity, Triple, Whole};
-use crate::log::event::{Acceptance, Asking, Decision, Miss, SkipReason, Split, Term};
+use crate::log::event::field::{FieldKind, Light, Numbered, Object, Optional, Quantity, Triple, Whole};
+use crate::log::event::step::steps;
+use crate::log::event::{Acceptance, Asking, Decision, Miss, RayKind, SkipReason, Split, Step, Term};
 use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::whole;
@@ -80,7 +81,7 @@ impl InFile for Quantity {
     type Read<'t> = Word<'t>;
 
     fn resolve(key: Word, _: &Reader) -> Result<Name, String> {
-        Name::all().find(|name| name.key() == &*key).ok_or_else(|| unknown("quantity", &key))
+        Name::with_key(&key).ok_or_else(|| unknown("quantity", &key))
     }
 
     fn write(out: &mut Vec<u8>, _: &Header, quantity: &Name) {
@@ -136,7 +137,23 @@ pub(super) fn unknown(what: &str, word: &str) -> String {
     format!("unknown {what} `{word}`")
 }
 
-/// Writes a field behind a decision's opening brace or behind another field.
+impl InFile for Numbered {
+    type Read<'t> = Option<whole::Whole<u32>>;
+
+    fn resolve(number: Option<whole::Whole<u32>>, _: &Reader) -> Result<u32, String> {
+        Ok(number.unwrap_or_default().0)
+    }
+
+    fn write(out: &mut Vec<u8>, header: &Header, number: &u32) {
+        Whole::<1>::write(out, header, number);
+    }
+
+    fn is_there(number: &u32) -> bool {
+        *number > 0
+    }
+}
+
+/// Writes a field behind an opening brace or behind another field.
 fn field<K: InFile>(out: &mut Vec<u8>, header: &Header, key: &str, value: &K::Value) {
     if K::is_there(value) {
         text(out, if out.ends_with(b"{") { "\"" } else { ",\"" });
@@ -146,39 +163,126 @@ fn field<K: InFile>(out: &mut Vec<u8>, header: &Header, key: &str, value: &K::Va
     }
 }
 
-macro_rules! define {
-    ($($variant:ident $word:literal $meaning:literal $({ $($field:ident: $type:ty as $kind:ty,)* })?;)*) => {
-        /// A decision as it is read.
+/// The line of a node that has no row in the table.
+/// How it is read and written.
+pub(super) trait OwnLine {
+    /// As it is read.
+    type Read<'t>;
+
+    /// The node, with objects and lights by number.
+    fn resolve(read: Self::Read<'_>, reader: &Reader) -> Result<Step, String>;
+
+    /// Writes what is behind the word of the node, which is one of these.
+    fn write(out: &mut Vec<u8>, header: &Header, step: &Step);
+}
+
+pub(super) struct PixelLine;
+
+impl OwnLine for PixelLine {
+    type Read<'t> = [whole::Whole<u32>; 2];
+
+    fn resolve(read: Self::Read<'_>, _: &Reader) -> Result<Step, String> {
+        Ok(Step::Pixel(read.map(|whole::Whole(side)| side)))
+    }
+
+    fn write(out: &mut Vec<u8>, _: &Header, step: &Step) {
+        if let Step::Pixel([x, y]) = step {
+            text(out, &format!("[{x},{y}]"));
+        }
+    }
+}
+
+pub(super) struct RayLine;
+
+#[derive(Deserialize)]
+pub(super) struct ReadRay<'t> {
+    #[serde(borrow)]
+    kind: Word<'t>,
+    depth: whole::Whole<u32>,
+    #[serde(borrow)]
+    light: Option<Word<'t>>,
+    split: Option<whole::Whole<u32>>,
+}
+
+impl OwnLine for RayLine {
+    type Read<'t> = ReadRay<'t>;
+
+    fn resolve(read: ReadRay, reader: &Reader) -> Result<Step, String> {
+        let light = read
+            .light
+            .filter(|_| *read.kind == *RayKind::Shadow { light: 0 }.word())
+            .map(|light| reader.light(&light))
+            .transpose()?;
+        let kind = RayKind::find(&read.kind, light).ok_or_else(|| unknown("kind of ray", &read.kind))?;
+        Ok(Step::Ray { kind, depth: read.depth.0, split: Numbered::resolve(read.split, reader)? })
+    }
+
+    fn write(out: &mut Vec<u8>, header: &Header, step: &Step) {
+        if let Step::Ray { kind, depth, split } = step {
+            text(out, "{\"kind\":\"");
+            text(out, kind.word());
+            text(out, "\"");
+            field::<Whole<0>>(out, header, "depth", depth);
+            field::<Optional<Light>>(out, header, "light", &kind.light());
+            field::<Numbered>(out, header, "split", split);
+            text(out, "}");
+        }
+    }
+}
+
+macro_rules! lines {
+    (
+        $(#[$doc:meta])* $type:ident $read:ident $write:ident { $($own:ident $own_word:literal $own_line:ident,)* }
+        $($variant:ident $word:literal $meaning:literal $({ $($(#[$of:meta])* $field:ident: $value:ty as $kind:ty,)* })?;)*
+    ) => {
+        $(#[$doc])*
         #[derive(Deserialize)]
-        pub(super) enum Mark<'t> {
+        pub(super) enum $read<'t> {
+            $(
+                #[serde(rename = $own_word, borrow)]
+                $own(<$own_line as OwnLine>::Read<'t>),
+            )*
             $(
                 #[serde(rename = $word)]
                 $variant { $($(#[serde(borrow)] $field: <$kind as InFile>::Read<'t>,)*)? },
             )*
         }
 
-        impl Mark<'_> {
-            /// The decision, with objects and lights by number.
-            pub fn decision(self, reader: &Reader) -> Result<Decision, String> {
+        impl $read<'_> {
+            /// What it says, with objects and lights by number.
+            pub fn resolve(self, reader: &Reader) -> Result<$type, String> {
                 Ok(match self {
-                    $(Mark::$variant { $($($field,)*)? } => {
-                        Decision::$variant $({ $($field: <$kind as InFile>::resolve($field, reader)?,)* })?
+                    $($read::$own(line) => $own_line::resolve(line, reader)?,)*
+                    $($read::$variant { $($($field,)*)? } => {
+                        $type::$variant $({ $($field: <$kind as InFile>::resolve($field, reader)?,)* })?
                     })*
                 })
             }
         }
 
-        /// Writes the decision as the value of `mark`.
-        pub(super) fn write_mark(out: &mut Vec<u8>, header: &Header, decision: &Decision) {
-            match decision {
-                $(Decision::$variant $({ $($field,)* })? => {
+        /// Writes it as an object with one key.
+        pub(super) fn $write(out: &mut Vec<u8>, header: &Header, said: &$type) {
+            match said {
+                $($type::$own { .. } => {
+                    text(out, concat!("{\"", $own_word, "\":"));
+                    $own_line::write(out, header, said);
+                })*
+                $($type::$variant $({ $($field,)* })? => {
                     text(out, concat!("{\"", $word, "\":{"));
                     $($(field::<$kind>(out, header, stringify!($field), $field);)*)?
+                    text(out, "}");
                 })*
             }
-            text(out, "}}");
+            text(out, "}");
         }
     };
 }
 
-decisions!(define);
+steps! { lines
+    /// A node as it is read.
+    Step Enter write_enter { Pixel "pixel" PixelLine, Ray "ray" RayLine, }
+}
+decisions! { lines
+    /// A decision as it is read.
+    Decision Mark write_mark {}
+}

@@ -3,12 +3,12 @@
 use super::LogError;
 use super::digest::Digest;
 use super::document::MAX_NESTING;
-use super::line::{End, Enter, Line};
-use super::mark::{Mark, unknown};
+use super::line::{End, Line};
+use super::mark::Mark;
 use super::numbers::Numbers;
 use super::read::Ending;
 use crate::log::escape::shortened;
-use crate::log::event::{Digits, Event, RayKind, Step, Term, What};
+use crate::log::event::{Digits, Event, Step, What};
 use crate::log::events::Events;
 use crate::log::header::Header;
 use crate::log::name::Name;
@@ -125,7 +125,7 @@ impl Reader {
         }
         line.given.unknown.iter().for_each(|key| self.unknown.add(key, number));
         let what = if let Some(enter) = line.enter {
-            let step = self.step(enter).map_err(damaged)?;
+            let step = enter.resolve(self).map_err(damaged)?;
             // Nothing is around a pixel, whatever its line says.
             let parent = if matches!(step, Step::Pixel(_)) { 0 } else { line.parent.0 };
             What::Enter { parent, step }
@@ -138,12 +138,12 @@ impl Reader {
             };
             What::Note { name, value }
         } else if let Some(Mark::Undefined { quantity }) = &line.mark
-            && Name::all().all(|name| name.key() != &**quantity)
+            && Name::with_key(quantity).is_none()
         {
             self.carried.extend(line.given.inputs);
             return self.pass_over(quantity, number);
         } else if let Some(mark) = line.mark {
-            What::Mark(mark.decision(self).map_err(damaged)?)
+            What::Mark(mark.resolve(self).map_err(damaged)?)
         } else if line.leave.is_some() {
             What::Leave
         } else if let Some(result) = line.result {
@@ -195,34 +195,6 @@ impl Reader {
         let beside = (self.events.len() + more) * BYTES_BESIDE;
         let is_room = has_room_for(beside) && attempt(|| self.events.try_reserve_exact(more)).is_ok();
         if is_room { Ok(()) } else { Err(LogError::Io(ErrorKind::OutOfMemory.into())) }
-    }
-
-    fn step(&self, enter: Enter) -> Result<Step, String> {
-        Ok(match enter {
-            Enter::Pixel(pixel) => Step::Pixel(pixel.map(|Whole(side)| side)),
-            Enter::Sample { number: Whole(number) } => Step::Sample { number },
-            Enter::Ray { kind, depth: Whole(depth), light, split: Whole(split) } => {
-                let kind = match (&*kind, light) {
-                    ("camera", _) => RayKind::Camera,
-                    ("reflected", _) => RayKind::Reflected,
-                    ("transmitted", _) => RayKind::Transmitted,
-                    ("shadow", Some(light)) => RayKind::Shadow { light: self.light(&light)? },
-                    (other, _) => return Err(format!("unknown kind of ray `{other}`")),
-                };
-                Step::Ray { kind, depth, split }
-            }
-            Enter::Test { object, triangle } => {
-                Step::Test { object: self.object(&object)?, triangle: triangle.map(|Whole(number)| number) }
-            }
-            Enter::Shade { object } => Step::Shade { object: self.object(&object)? },
-            Enter::Light { light, split: Whole(split) } => Step::Light { light: self.light(&light)?, split },
-            Enter::Motion { object } => Step::Motion { object: self.object(&object)? },
-            Enter::Zone { what, number: Whole(number) } => {
-                let what = Term::find(&what).ok_or_else(|| unknown("work", &what))?;
-                Step::Zone { what, number }
-            }
-            Enter::Combine {} => Step::Combine,
-        })
     }
 
     /// The object of this name.

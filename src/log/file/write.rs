@@ -1,7 +1,7 @@
 //! Writing logs. A log is written while it grows, and its last line counts and digests what precedes it.
 
-use super::mark::write_mark;
-use crate::log::event::{Digits, Event, RayKind, Step, What};
+use super::mark::{write_enter, write_mark};
+use crate::log::event::{Digits, Event, Step, What};
 use crate::log::events::{Events, Input};
 use crate::log::header::Header;
 use crate::log::name::Name;
@@ -217,7 +217,7 @@ fn event_fields(out: &mut Vec<u8>, header: &Header, (event, given): (&Event, &[I
     match &event.what {
         What::Enter { parent, step } => {
             text(out, ",\"enter\":");
-            enter(out, header, *step);
+            write_enter(out, header, step);
             if !matches!(step, Step::Pixel(_)) {
                 text(out, &format!(",\"parent\":{parent}"));
             }
@@ -274,57 +274,6 @@ fn digits(out: &mut Vec<u8>, what: &What, digits: &Digits) {
     }
     if *digits == Digits::DecisionDiffers {
         text(out, ",\"decision_differs\":true");
-    }
-}
-
-fn enter(out: &mut Vec<u8>, header: &Header, step: Step) {
-    match step {
-        Step::Pixel([x, y]) => text(out, &format!("{{\"pixel\":[{x},{y}]}}")),
-        Step::Sample { number } => text(out, &format!("{{\"sample\":{{\"number\":{number}}}}}")),
-        Step::Ray { kind, depth, split } => {
-            text(out, &format!("{{\"ray\":{{\"kind\":\"{}\",\"depth\":{depth}", kind.word()));
-            if let RayKind::Shadow { light } = kind {
-                text(out, ",\"light\":");
-                string(out, header.light(light));
-            }
-            self::split(out, split);
-            text(out, "}}");
-        }
-        Step::Test { object, triangle } => {
-            text(out, "{\"test\":{\"object\":");
-            string(out, header.object(object));
-            if let Some(triangle) = triangle {
-                text(out, &format!(",\"triangle\":{triangle}"));
-            }
-            text(out, "}}");
-        }
-        Step::Shade { object } => {
-            text(out, "{\"shade\":{\"object\":");
-            string(out, header.object(object));
-            text(out, "}}");
-        }
-        Step::Light { light, split } => {
-            text(out, "{\"light\":{\"light\":");
-            string(out, header.light(light));
-            self::split(out, split);
-            text(out, "}}");
-        }
-        Step::Motion { object } => {
-            text(out, "{\"motion\":{\"object\":");
-            string(out, header.object(object));
-            text(out, "}}");
-        }
-        Step::Zone { what, number } => {
-            text(out, &format!("{{\"zone\":{{\"what\":\"{}\",\"number\":{number}}}}}", what.word()));
-        }
-        Step::Combine => text(out, "{\"combine\":{}}"),
-    }
-}
-
-/// The number of one of several; nothing for what is alone.
-fn split(out: &mut Vec<u8>, split: u32) {
-    if split > 0 {
-        text(out, &format!(",\"split\":{split}"));
     }
 }
 

@@ -1,149 +1,92 @@
 //! Reading a header whose keys may be in any order. What it lists is counted while it is read: a line of some kilobytes, packed, may
 //! unpack to more names than there is memory for.
 
-use super::{Header, MAX_NAMES, MAX_PARAMETERS, Parameter, Subject};
+use super::{FrameId, Header, MAX_NAMES, MAX_PARAMETERS, Parameter, SceneId, Subject, TracingId};
 use crate::log::shard::Shard;
 use crate::log::whole::Whole;
-use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
-use std::borrow::Cow;
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 
 impl<'de> Deserialize<'de> for Header {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Header, D::Error> {
-        deserializer.deserialize_map(Fields)
+        Fields::deserialize(deserializer)?.header().map_err(D::Error::custom)
     }
 }
 
-struct Fields;
+#[derive(serde::Deserialize)]
+#[serde(expecting = "the header of a log")]
+struct Fields {
+    log: String,
+    version: String,
+    scene: SceneId,
+    pixel: Option<[Whole<u32>; 2]>,
+    ray: Option<[f64; 6]>,
+    region: Option<[Whole<u32>; 4]>,
+    arithmetic: String,
+    tracing: TracingId,
+    sampling: Few<Few<Parameter>>,
+    #[serde(default)]
+    seed: Whole<u64>,
+    frame: Option<FrameId>,
+    shard: Option<[Whole<u32>; 2]>,
+    objects: Names,
+    lights: Names,
+}
 
-impl<'de> Visitor<'de> for Fields {
-    type Value = Header;
-
-    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str("the header of a log")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Header, A::Error> {
-        let (mut log, mut version, mut scene, mut subject) = (None, None, None, None);
-        let (mut arithmetic, mut tracing, mut sampling) = (None, None, None);
-        let (mut seed, mut frame, mut shard) = (None, None, None);
-        let (mut objects, mut lights): (Option<Vec<String>>, Option<Vec<String>>) = (None, None);
-        while let Some(Key(key)) = map.next_key()? {
-            match &*key {
-                "log" => once(&mut log, "log", map.next_value()?)?,
-                "version" => once(&mut version, "version", map.next_value()?)?,
-                "scene" => once(&mut scene, "scene", map.next_value()?)?,
-                "pixel" | "ray" | "region" if subject.is_some() => drop(map.next_value::<IgnoredAny>()?),
-                "pixel" => subject = Some(Subject::Pixel(numbers(map.next_value()?))),
-                "ray" => subject = Some(Subject::Ray(map.next_value()?)),
-                "region" => subject = Some(Subject::Region(numbers(map.next_value()?))),
-                "arithmetic" => once(&mut arithmetic, "arithmetic", map.next_value()?)?,
-                "tracing" => once(&mut tracing, "tracing", map.next_value()?)?,
-                "sampling" => {
-                    let Few(methods) = map.next_value::<Few<Few<Parameter>>>()?;
-                    let methods = methods.into_iter().map(|(method, Few(parameters))| (method, parameters));
-                    once(&mut sampling, "sampling", methods.collect())?;
-                }
-                "seed" => once(&mut seed, "seed", map.next_value::<Whole<u64>>()?.0)?,
-                "frame" => once(&mut frame, "frame", map.next_value()?)?,
-                "shard" => {
-                    let pair: Option<[Whole<u32>; 2]> = map.next_value()?;
-                    let read = pair.map(|pair| Shard::try_from(numbers(pair))).transpose().map_err(A::Error::custom)?;
-                    once(&mut shard, "shard", read)?;
-                }
-                "objects" => {
-                    let others = lights.as_ref().map_or(0, Vec::len);
-                    once(&mut objects, "objects", map.next_value_seed(Names { others })?)?;
-                }
-                "lights" => {
-                    let others = objects.as_ref().map_or(0, Vec::len);
-                    once(&mut lights, "lights", map.next_value_seed(Names { others })?)?;
-                }
-                _ => drop(map.next_value::<IgnoredAny>()?),
-            }
+impl Fields {
+    fn header(self) -> Result<Header, String> {
+        let subject = (self.pixel.map(|pixel| Subject::Pixel(numbers(pixel))))
+            .or(self.ray.map(Subject::Ray))
+            .or(self.region.map(|region| Subject::Region(numbers(region))));
+        if self.objects.0.len() + self.lights.0.len() > MAX_NAMES {
+            return Err(too_many_names());
         }
         Ok(Header {
-            log: there(log, "log")?,
-            version: there(version, "version")?,
-            scene: there(scene, "scene")?,
-            subject: subject.ok_or_else(|| A::Error::custom("missing field `pixel`, `ray` or `region`"))?,
-            arithmetic: there(arithmetic, "arithmetic")?,
-            tracing: there(tracing, "tracing")?,
-            sampling: there(sampling, "sampling")?,
-            seed: seed.unwrap_or_default(),
-            frame: frame.unwrap_or_default(),
-            shard: shard.unwrap_or_default(),
-            objects: there(objects, "objects")?,
-            lights: there(lights, "lights")?,
+            log: self.log,
+            version: self.version,
+            scene: self.scene,
+            subject: subject.ok_or("missing field `pixel`, `ray` or `region`")?,
+            arithmetic: self.arithmetic,
+            tracing: self.tracing,
+            sampling: self.sampling.0.into_iter().map(|(method, Few(parameters))| (method, parameters)).collect(),
+            seed: self.seed.0,
+            frame: self.frame,
+            shard: self.shard.map(|shard| Shard::try_from(numbers(shard))).transpose()?,
+            objects: self.objects.0,
+            lights: self.lights.0,
             only_elsewhere: Vec::new(),
         })
     }
-}
-
-fn once<T, E: Error>(place: &mut Option<T>, field: &'static str, value: T) -> Result<(), E> {
-    if place.replace(value).is_some() { Err(E::duplicate_field(field)) } else { Ok(()) }
-}
-
-fn there<T, E: Error>(value: Option<T>, field: &'static str) -> Result<T, E> {
-    value.ok_or_else(|| E::missing_field(field))
 }
 
 fn numbers<const N: usize>(whole: [Whole<u32>; N]) -> [u32; N] {
     whole.map(|Whole(number)| number)
 }
 
-/// A key, borrowed from the text unless it is escaped there.
-struct Key<'t>(Cow<'t, str>);
+/// Names of objects or of lights.
+struct Names(Vec<String>);
 
-impl<'de: 't, 't> Deserialize<'de> for Key<'t> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Text;
-        impl<'de> Visitor<'de> for Text {
-            type Value = Key<'de>;
+impl<'de> Deserialize<'de> for Names {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Names, D::Error> {
+        struct List;
+        impl<'de> Visitor<'de> for List {
+            type Value = Names;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a string")
+                f.write_str("a list of names")
             }
-            fn visit_borrowed_str<E: Error>(self, text: &'de str) -> Result<Key<'de>, E> {
-                Ok(Key(Cow::Borrowed(text)))
-            }
-            fn visit_str<E: Error>(self, text: &str) -> Result<Key<'de>, E> {
-                Ok(Key(Cow::Owned(text.to_owned())))
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Names, A::Error> {
+                let mut names = Vec::new();
+                while let Some(name) = seq.next_element()? {
+                    if names.len() == MAX_NAMES {
+                        return Err(A::Error::custom(too_many_names()));
+                    }
+                    names.push(name);
+                }
+                Ok(Names(names))
             }
         }
-        deserializer.deserialize_str(Text)
-    }
-}
-
-/// Reads a list of names, of which there are some already.
-struct Names {
-    others: usize,
-}
-
-impl<'de> DeserializeSeed<'de> for Names {
-    type Value = Vec<String>;
-
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Vec<String>, D::Error> {
-        deserializer.deserialize_seq(self)
-    }
-}
-
-impl<'de> Visitor<'de> for Names {
-    type Value = Vec<String>;
-
-    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str("a list of names")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Vec<String>, A::Error> {
-        let mut names = Vec::new();
-        while let Some(name) = seq.next_element()? {
-            if self.others + names.len() == MAX_NAMES {
-                return Err(too_many("names of objects and lights in a header", MAX_NAMES));
-            }
-            names.push(name);
-        }
-        Ok(names)
+        deserializer.deserialize_seq(List)
     }
 }
 
@@ -161,7 +104,9 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Few<T> {
             fn visit_map<A: MapAccess<'de>>(mut self, mut map: A) -> Result<Few<T>, A::Error> {
                 while let Some((key, value)) = map.next_entry()? {
                     if self.0.len() == MAX_PARAMETERS {
-                        return Err(too_many("methods of sampling, or parameters of one, in a header", MAX_PARAMETERS));
+                        let message =
+                            too_many("methods of sampling, or parameters of one, in a header", MAX_PARAMETERS);
+                        return Err(A::Error::custom(message));
                     }
                     self.0.insert(key, value);
                 }
@@ -172,6 +117,10 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Few<T> {
     }
 }
 
-fn too_many<E: Error>(what: &str, most: usize) -> E {
-    E::custom(format!("too many {what}, expected at most {most}, found more"))
+fn too_many(what: &str, most: usize) -> String {
+    format!("too many {what}, expected at most {most}, found more")
+}
+
+fn too_many_names() -> String {
+    too_many("names of objects and lights in a header", MAX_NAMES)
 }

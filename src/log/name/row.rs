@@ -45,6 +45,23 @@ impl Name {
         NAMES.get(&(key, form)).copied()
     }
 
+    /// The first name with this key.
+    pub fn with_key(key: &str) -> Option<Name> {
+        Name::all().find(|name| name.key() == key)
+    }
+
+    /// The first name with its key, which represents the quantity by whatever formula.
+    pub fn quantity(self) -> Name {
+        static FIRST: LazyLock<Vec<Name>> =
+            LazyLock::new(|| Name::all().map(|name| Name::with_key(name.key()).unwrap_or(name)).collect());
+        FIRST[self as usize]
+    }
+
+    /// Whether both are the same quantity, by whatever formula.
+    pub fn is(self, other: Name) -> bool {
+        self == other || self.quantity() == other.quantity()
+    }
+
     /// The key of the quantity in a log, such as `sphere.t2_a`.
     pub fn key(self) -> &'static str {
         self.row().key

@@ -2,8 +2,9 @@
 
 use crate::log::event::decision::decisions;
 pub use crate::log::event::field::Of;
-use crate::log::event::field::{FieldKind, Light, Object, Optional, Quantity, Triple, Whole};
-use crate::log::event::{Acceptance, Asking, Miss, SkipReason, Split, Term};
+use crate::log::event::field::{FieldKind, Light, Numbered, Object, Optional, Quantity, Triple, Whole};
+use crate::log::event::step::steps;
+use crate::log::event::{Acceptance, Asking, Miss, RayKind, SkipReason, Split, Term};
 
 /// A node or a decision, as the key in its line.
 pub struct Kind {
@@ -25,16 +26,6 @@ pub struct Field {
     pub is_optional: bool,
 }
 
-/// A field that is always there.
-const fn field(key: &'static str, value: Of) -> Field {
-    Field { key, value, is_optional: false }
-}
-
-/// A field that may be absent.
-const fn optional(key: &'static str, value: Of) -> Field {
-    Field { key, value, is_optional: true }
-}
-
 const fn of<K: FieldKind>(key: &'static str) -> Field {
     Field { key, value: K::OF, is_optional: K::IS_OPTIONAL }
 }
@@ -43,44 +34,32 @@ const fn kind(word: &'static str, fields: &'static [Field], meaning: &'static st
     Kind { word, meaning, fields }
 }
 
-const OBJECT: Field = field("object", Of::Object);
-const TRIANGLE: Field = optional("triangle", Of::Whole(0));
-const SPLIT: Field = optional("split", Of::Whole(1));
-const WHAT: Field = field("what", Term::OF);
+const RAY: Kind = kind(
+    "ray",
+    &[
+        Field { key: "kind", value: Of::Words(|| RayKind::WORDS.to_vec()), is_optional: false },
+        of::<Whole<0>>("depth"),
+        of::<Optional<Light>>("light"),
+        of::<Numbered>("split"),
+    ],
+    "a ray and all that it brings; depth is its level in the ray tree, light that of a shadow ray, split its number among several of a kind from one place",
+);
 
-fn kinds_of_rays() -> Vec<&'static str> {
-    vec!["camera", "shadow", "reflected", "transmitted"]
-}
-
-/// The nodes. That of a pixel isn't among them: it is `{"pixel":[x,y]}`.
-pub const STEPS: &[Kind] = &[
-    kind("sample", &[field("number", Of::Whole(1))], "one of several samples of a pixel"),
-    kind(
-        "ray",
-        &[field("kind", Of::Words(kinds_of_rays)), field("depth", Of::Whole(0)), optional("light", Of::Light), SPLIT],
-        "a ray and all that it brings; depth is its level in the ray tree, light that of a shadow ray, split its number among several of a kind from one place",
-    ),
-    kind(
-        "motion",
-        &[OBJECT],
-        "a moving object is tested: the ray in the object's frame, or the hit carried back from it",
-    ),
-    kind("test", &[OBJECT, TRIANGLE], "the ray is tested with an object; triangle is that of a mesh"),
-    kind("shade", &[OBJECT], "the local model at the hit of the ray"),
-    kind(
-        "light",
-        &[field("light", Of::Light), SPLIT],
-        "what a light adds there; split is the number of a point of an area light",
-    ),
-    kind("zone", &[WHAT, field("number", Of::Whole(1))], "a zone of the lobe about a blurred bounce"),
-    kind("combine", &[], "the weighted sum of the three contributions"),
-];
-
-macro_rules! define {
-    ($($variant:ident $word:literal $meaning:literal $({ $($field:ident: $type:ty as $kind:ty,)* })?;)*) => {
-        /// The decisions.
-        pub const MARKS: &[Kind] = &[$(kind($word, &[$($(of::<$kind>(stringify!($field)),)*)?], $meaning),)*];
+macro_rules! kinds {
+    (
+        $(#[$doc:meta])* $name:ident [$($own:ident)?]
+        $($variant:ident $word:literal $meaning:literal $({ $($(#[$of:meta])* $field:ident: $type:ty as $kind:ty,)* })?;)*
+    ) => {
+        $(#[$doc])*
+        pub const $name: &[Kind] = &[$($own,)? $(kind($word, &[$($(of::<$kind>(stringify!($field)),)*)?], $meaning),)*];
     };
 }
 
-decisions!(define);
+steps! { kinds
+    /// The nodes but for that of a pixel, which has no fields by name: it is `{"pixel":[x,y]}`.
+    STEPS [RAY]
+}
+decisions! { kinds
+    /// The decisions.
+    MARKS []
+}

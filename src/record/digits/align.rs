@@ -1,5 +1,6 @@
 //! Which value of one run is which of another: by the place in the tree, never by the number.
 
+use crate::log::tree::Held;
 use crate::log::{Event, Step, Tree, What};
 use crate::probe::is_same;
 use std::collections::HashMap;
@@ -20,15 +21,6 @@ pub(super) struct Alignment<'a> {
     pub differs: &'a mut [bool],
 }
 
-/// What a node holds, beside intersection tests.
-#[derive(Clone, Copy)]
-enum Item {
-    /// A value, a decision or the result.
-    Event(usize),
-    /// A node inside.
-    Node(usize),
-}
-
 impl<'e> Run<'e> {
     pub fn of(events: &'e [Event]) -> Run<'e> {
         Run { events, tree: Tree::of(events) }
@@ -42,15 +34,13 @@ impl<'e> Run<'e> {
         matches!(self.step(node), Some(Step::Test { .. } | Step::Motion { .. }))
     }
 
-    /// What a node holds, in order, beside intersection tests.
-    fn items(&self, node: usize) -> Vec<Item> {
-        let speaks = |event: &usize| !matches!(self.events[*event].what, What::Enter { .. } | What::Leave);
-        let events = self.tree.own_events(node).filter(speaks).map(|event| (event, Item::Event(event)));
-        let nodes = self.tree.children(node).filter(|child| !self.is_test(*child));
-        let nodes = nodes.map(|child| (self.tree.nodes()[child].events.start, Item::Node(child)));
-        let mut items: Vec<_> = events.chain(nodes).collect();
-        items.sort_unstable_by_key(|(at, _)| *at);
-        items.into_iter().map(|(_, item)| item).collect()
+    /// What a node holds and says something, in order, beside intersection tests.
+    fn items(&self, node: usize) -> Vec<Held> {
+        let counts = |held: &Held| match held {
+            Held::Event(event) => !matches!(self.events[*event].what, What::Enter { .. } | What::Leave),
+            Held::Node(node) => !self.is_test(*node),
+        };
+        self.tree.held(node).into_iter().filter(counts).collect()
     }
 }
 
@@ -67,12 +57,12 @@ impl Alignment<'_> {
         for (index, item) in items.iter().enumerate() {
             let their_item = their_items.get(index).filter(|their_item| !differs && self.is_same(*item, **their_item));
             match (*item, their_item) {
-                (Item::Event(event), Some(Item::Event(theirs))) => {
+                (Held::Event(event), Some(Held::Event(theirs))) => {
                     self.values[event] = components(&self.theirs.events[*theirs].what);
                     let is_value = !matches!(self.ours.events[event].what, What::Mark(_));
                     self.differs[event] |= is_value && uses_what_differs && !is_ray;
                 }
-                (Item::Node(node), Some(Item::Node(theirs))) => {
+                (Held::Node(node), Some(Held::Node(theirs))) => {
                     let is_sum = self.ours.step(node) == Some(Step::Combine);
                     if is_sum && uses_what_differs {
                         self.give_up(*item);
@@ -96,15 +86,15 @@ impl Alignment<'_> {
         for test in own.tree.children(ours).filter(|child| own.is_test(*child)) {
             match their_tests.get(&own.step(test)) {
                 Some(theirs) => _ = self.node(test, *theirs),
-                None => self.give_up(Item::Node(test)),
+                None => self.give_up(Held::Node(test)),
             }
         }
     }
 
-    fn is_same(&self, ours: Item, theirs: Item) -> bool {
+    fn is_same(&self, ours: Held, theirs: Held) -> bool {
         match (ours, theirs) {
-            (Item::Node(ours), Item::Node(theirs)) => self.ours.step(ours) == self.theirs.step(theirs),
-            (Item::Event(ours), Item::Event(theirs)) => {
+            (Held::Node(ours), Held::Node(theirs)) => self.ours.step(ours) == self.theirs.step(theirs),
+            (Held::Event(ours), Held::Event(theirs)) => {
                 match (&self.ours.events[ours].what, &self.theirs.events[theirs].what) {
                     (What::Note { name: ours, .. }, What::Note { name: theirs, .. }) => ours == theirs,
                     (What::Mark(ours), What::Mark(theirs)) => is_same(*ours, *theirs),
@@ -117,10 +107,10 @@ impl Alignment<'_> {
     }
 
     /// Nothing of theirs is in this place.
-    fn give_up(&mut self, item: Item) {
+    fn give_up(&mut self, item: Held) {
         let events = match item {
-            Item::Event(event) => event..event + 1,
-            Item::Node(node) => self.ours.tree.nodes()[node].events.clone(),
+            Held::Event(event) => event..event + 1,
+            Held::Node(node) => self.ours.tree.nodes()[node].events.clone(),
         };
         self.differs[events].fill(true);
     }

@@ -113,11 +113,12 @@ impl Probe for Observer<'_> {
         if self.is_of_camera()
             && let Value::Triple(triple) = value.value()
         {
-            match name.key() {
-                "hit.point" => self.sample.point = Some(triple.into()),
-                "hit.normal" => self.sample.normal = Some(triple.into()),
-                "combine.color" => self.sample.color = Some(triple.into()),
-                _ => {}
+            if name.is(Name::HitPoint) {
+                self.sample.point = Some(triple.into());
+            } else if name.is(Name::HitNormalPlane) {
+                self.sample.normal = Some(triple.into());
+            } else if name.is(Name::CombineColor) {
+                self.sample.color = Some(triple.into());
             }
         }
         value

@@ -14,7 +14,7 @@ pub(super) fn value(log: &Log, tree: &Tree, node: usize, name: Name) -> Option<V
     let events: Vec<usize> = tree.own_events(node).collect();
     events.into_iter().rev().find_map(|event| {
         let mut values = log.events[event].noted().into_iter().chain(log.given(event).iter().rev().copied());
-        values.find(|(found, _)| found.key() == name.key()).map(|(_, value)| value)
+        values.find(|(found, _)| found.is(name)).map(|(_, value)| value)
     })
 }
 

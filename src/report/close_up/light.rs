@@ -153,7 +153,7 @@ fn passed(log: &Log, tree: &Tree, light: usize) -> Option<[f64; 3]> {
 /// The formula of the local model.
 fn local_name(log: &Log, tree: &Tree, shade: usize) -> Option<Name> {
     tree.own_events(shade).find_map(|event| match log.events[event].what {
-        What::Note { name, .. } if name.key() == Name::ShadeLocal.key() => Some(name),
+        What::Note { name, .. } if name.is(Name::ShadeLocal) => Some(name),
         _ => None,
     })
 }

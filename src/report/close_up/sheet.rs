@@ -1,6 +1,7 @@
 //! What a figure is made of, before any format.
 
 use super::labels;
+use crate::report::drawn::Drawn;
 use glam::DVec3;
 
 /// A place on a sheet: from the left and from the top, in hundredths of an inch or so.
@@ -110,12 +111,12 @@ impl Ink {
         match self {
             Ink::Black => "1b1f27",
             Ink::Grey => "aab2bf",
-            Ink::Viewer => "3b4252",
-            Ink::Reflected => "1d6fb8",
-            Ink::Transmitted => "2c8a4b",
-            Ink::Light => "c98a00",
+            Ink::Viewer => Drawn::Camera.hex(),
+            Ink::Reflected => Drawn::Reflected.hex(),
+            Ink::Transmitted => Drawn::Transmitted.hex(),
+            Ink::Light => Drawn::Shadow.hex(),
             Ink::Half => "8a3fb0",
-            Ink::Blocked => "c0392b",
+            Ink::Blocked => Drawn::Blocked.hex(),
         }
     }
 }

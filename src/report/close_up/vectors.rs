@@ -132,7 +132,7 @@ impl Made<'_> {
         arrow(&mut pieces, &plane, view, "V", Ink::Viewer);
         arrow(&mut pieces, &plane, half, symbol, Ink::Half);
         self.angle(&mut pieces, &plane, [("L", toward), (symbol, half)], Some(name));
-        if symbol == "H" {
+        if symbol == Name::HalfDirection.symbol() {
             self.angle(&mut pieces, &plane, [("H", half), ("V", view)], Some(name));
         } else {
             let down = plane.place(-half);

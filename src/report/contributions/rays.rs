@@ -172,7 +172,7 @@ impl<'a> Walk<'a> {
     fn surface(&mut self, shade: usize, object: u32, way: LightPath, weight: Color) {
         let (log, tree) = (self.log, self.tree);
         let local = tree.own_events(shade).rev().find_map(|event| match log.events[event].what {
-            What::Note { name, .. } if name.key() == Name::ShadeLocal.key() => Some((event, name)),
+            What::Note { name, .. } if name.is(Name::ShadeLocal) => Some((event, name)),
             _ => None,
         });
         let Some((event, name)) = local else { return };

@@ -4,7 +4,8 @@
 //! decision answers, what a node inside is) and by how many of that kind are before it in the node. So tests may come in another
 //! order, and a step that only one log has shifts no other.
 
-use crate::log::{Decision, Name, Step, Term, What};
+use crate::log::What;
+use crate::log::tree::{Held, Key};
 use crate::report::provenance;
 use crate::report::side_by_side::Run;
 use std::collections::{HashMap, VecDeque};
@@ -126,83 +127,28 @@ pub(super) fn computed(run: Run, item: Item) -> Option<usize> {
     provenance::handed_on_from(run.log, run.tree, event, name, &value)
 }
 
-/// What a node holds, in order.
+/// What a node holds, in order: an event's inputs are before it.
 fn items(run: Run, node: usize) -> Vec<Item> {
-    let Run { log, tree } = run;
-    let mut items: Vec<(usize, Item)> = Vec::new();
-    for event in tree.own_events(node) {
-        items.extend((0..log.given(event).len()).map(|number| (event, Item::Input(event, number))));
-        if !matches!(log.events[event].what, What::Enter { .. } | What::Leave) {
-            items.push((event, Item::Event(event)));
+    let mut items = Vec::new();
+    for held in run.tree.held(node) {
+        match held {
+            Held::Event(event) => {
+                items.extend((0..run.log.given(event).len()).map(|number| Item::Input(event, number)));
+                if !matches!(run.log.events[event].what, What::Enter { .. } | What::Leave) {
+                    items.push(Item::Event(event));
+                }
+            }
+            Held::Node(node) => items.push(Item::Node(node)),
         }
     }
-    items.extend(tree.children(node).map(|child| (tree.nodes()[child].events.start, Item::Node(child))));
-    // Stable: an event's inputs stay before it.
-    items.sort_by_key(|(event, _)| *event);
-    items.into_iter().map(|(_, item)| item).collect()
+    items
 }
 
-/// What an item is, apart from what it says.
-#[derive(PartialEq, Eq, Hash)]
-enum Key {
-    /// Noted or an input: the ray of the middle pixel has as an input what others compute.
-    Quantity(&'static str),
-    Decision(Question),
-    Node(Option<Step>),
-    Result,
-}
-
-/// What a decision answers.
-#[derive(PartialEq, Eq, Hash)]
-enum Question {
-    IsHit,
-    OnWhichSide,
-    WhatIsNearest,
-    IsCoincident(u32),
-    IsImmersed(u32),
-    WhatBlocks,
-    WhatPasses(u32),
-    HasValue(Name),
-    IsTraced(Term),
-    Leaks(Term),
-    IsBent(Term),
-    Rejected(Term),
-    /// How many points of this light.
-    IsAsked(u32),
-    /// The cell by its bits; `None` for the pixel.
-    IsEnough(Option<[u64; 3]>),
-}
-
+/// What an item is. A quantity may be noted or an input: the ray of the middle pixel has as an input what others compute.
 fn key(run: Run, item: Item) -> Key {
     match item {
         Item::Node(node) => Key::Node(run.tree.nodes()[node].step),
-        Item::Input(event, number) => Key::Quantity(run.log.given(event)[number].0.key()),
-        Item::Event(event) => match run.log.events[event].what {
-            What::Note { name, .. } => Key::Quantity(name.key()),
-            What::Mark(decision) => Key::Decision(question(decision)),
-            What::Enter { .. } | What::Leave | What::Result { .. } => Key::Result,
-        },
-    }
-}
-
-fn question(decision: Decision) -> Question {
-    match decision {
-        Decision::Hit | Decision::Miss { .. } => Question::IsHit,
-        Decision::Outside | Decision::Inside => Question::OnWhichSide,
-        Decision::Nearest { .. } | Decision::Background => Question::WhatIsNearest,
-        Decision::Coincident { object, .. } => Question::IsCoincident(object),
-        Decision::Immersed { object } => Question::IsImmersed(object),
-        Decision::Occluded { .. } | Decision::Free => Question::WhatBlocks,
-        Decision::Attenuated { object, .. } => Question::WhatPasses(object),
-        Decision::Undefined { quantity } => Question::HasValue(quantity),
-        Decision::TotalInternalReflection => Question::IsTraced(Term::Transmitted),
-        Decision::DepthLimit { what } | Decision::Skipped { what, .. } => Question::IsTraced(what),
-        Decision::LeakGuard { what } => Question::Leaks(what),
-        Decision::Bent { what } => Question::IsBent(what),
-        Decision::Rejected { what } => Question::Rejected(what),
-        Decision::Subdivided { cell, .. } => Question::IsEnough(Some(cell.map(f64::to_bits))),
-        Decision::Accepted { cell, .. } => Question::IsEnough(cell.map(|cell| cell.map(f64::to_bits))),
-        Decision::Asked { light, .. } => Question::IsAsked(light),
-        Decision::MoreSamples { .. } => Question::IsEnough(None),
+        Item::Input(event, number) => Key::Quantity(run.log.given(event)[number].0.quantity()),
+        Item::Event(event) => Key::of(&run.log.events[event].what),
     }
 }

@@ -1,6 +1,7 @@
 //! What two logs say about themselves, and how the same object gets the same number in both.
 
-use crate::log::{Decision, Event, Header, Step, Subject, What};
+use crate::log::event::field::Id;
+use crate::log::{Event, Header, Subject};
 use crate::report::language::Language;
 use crate::report::words;
 use std::collections::{HashMap, HashSet};
@@ -102,42 +103,13 @@ impl Numbering {
         if self.is_same {
             return;
         }
+        let number = |numbers: &[u32], old: u32| numbers.get(old as usize).copied().unwrap_or(old);
         for event in events {
-            match &mut event.what {
-                What::Enter { step, .. } => self.step(step),
-                What::Mark(decision) => self.decision(decision),
-                _ => {}
-            }
+            event.what.each_id(&mut |id| match id {
+                Id::Object(object) => *object = number(&self.objects, *object),
+                Id::Light(light) => *light = number(&self.lights, *light),
+            });
         }
-    }
-
-    fn step(&self, step: &mut Step) {
-        match step {
-            Step::Motion { object } | Step::Test { object, .. } | Step::Shade { object } => self.object(object),
-            Step::Light { light, .. } => self.light(light),
-            Step::Ray { kind: crate::log::RayKind::Shadow { light }, .. } => self.light(light),
-            _ => {}
-        }
-    }
-
-    fn decision(&self, decision: &mut Decision) {
-        match decision {
-            Decision::Nearest { object }
-            | Decision::Coincident { object, .. }
-            | Decision::Immersed { object }
-            | Decision::Occluded { object }
-            | Decision::Attenuated { object, .. }
-            | Decision::Subdivided { object: Some(object), .. } => self.object(object),
-            _ => {}
-        }
-    }
-
-    fn object(&self, object: &mut u32) {
-        *object = self.objects.get(*object as usize).copied().unwrap_or(*object);
-    }
-
-    fn light(&self, light: &mut u32) {
-        *light = self.lights.get(*light as usize).copied().unwrap_or(*light);
     }
 }
 

@@ -5,6 +5,7 @@
 //! axis, the rows of a map) may be off by their roundings, which the bound takes into account.
 
 use super::Within;
+use super::amount::Amount;
 use super::wide::Wide;
 use crate::log::formula::{self, Formula, Operator, Several, Unary};
 use crate::log::scope::{self, Element};
@@ -36,10 +37,7 @@ pub(super) fn evaluate(events: &Events, tree: &Tree, event: usize, formula: &For
     // The mean of samples is exact but for its last rounding.
     let of_result = if is_sum(formula) { 0.0 } else { OF_RESULT };
     let bound = |x: Wide| if of_result == 0.0 { 0.0 } else { x.error + x.value().abs() * of_result };
-    Ok(match value {
-        Part::Number(x) => Within { value: Value::Number(x.value()), bound: Value::Number(bound(x)) },
-        Part::Triple(x) => Within { value: Value::Triple(x.map(Wide::value)), bound: Value::Triple(x.map(bound)) },
-    })
+    Ok(Within { value: value.map(Wide::value).into(), bound: value.map(bound).into() })
 }
 
 fn is_sum(formula: &Formula) -> bool {
@@ -51,11 +49,7 @@ fn is_sum(formula: &Formula) -> bool {
 }
 
 /// A number or triple with twice the digits.
-#[derive(Clone, Copy, Debug)]
-enum Part {
-    Number(Wide),
-    Triple([Wide; 3]),
-}
+type Part = Amount<Wide>;
 
 /// Where the symbols of a formula are looked up.
 #[derive(Clone, Copy)]
@@ -77,10 +71,10 @@ impl Scope<'_> {
             Formula::Unary(unary, inner) => match (unary, &**inner) {
                 (Unary::Squared, Formula::Unary(Unary::Length, vector)) => squared(self.part(vector)?),
                 (Unary::Grouped, inner) => self.part(inner),
-                (Unary::Negated, inner) => Ok(map(self.part(inner)?, |x| -x)),
-                (Unary::Root, inner) => Ok(map(self.part(inner)?, Wide::sqrt)),
+                (Unary::Negated, inner) => Ok(self.part(inner)?.map(|x| -x)),
+                (Unary::Root, inner) => Ok(self.part(inner)?.map(Wide::sqrt)),
                 (Unary::Squared, inner) => squared(self.part(inner)?),
-                (Unary::Length, inner) => Ok(map(squared(self.part(inner)?)?, Wide::sqrt)),
+                (Unary::Length, inner) => Ok(squared(self.part(inner)?)?.map(Wide::sqrt)),
                 _ => Err(format!("{formula:?} isn't evaluated with twice the digits")),
             },
             Formula::Binary(operator, left, right) => binary(*operator, self.part(left)?, self.part(right)?),
@@ -132,7 +126,7 @@ impl Scope<'_> {
 
 /// A vector over its length.
 fn unit(vector: Part) -> Result<Part, String> {
-    let length = map(squared(vector)?, Wide::sqrt);
+    let length = squared(vector)?.map(Wide::sqrt);
     binary(Operator::Over, vector, length)
 }
 
@@ -141,46 +135,14 @@ fn squared(part: Part) -> Result<Part, String> {
 }
 
 fn exact(value: Value) -> Part {
-    match value {
-        Value::Number(x) => Part::Number(Wide::exact(x)),
-        Value::Triple(xyz) => Part::Triple(xyz.map(Wide::exact)),
-    }
+    Amount::from(value).map(Wide::exact)
 }
 
 fn made(value: Value) -> Part {
-    match value {
-        Value::Number(x) => Part::Number(Wide::off(x, x.abs() * OF_INPUT)),
-        Value::Triple(xyz) => {
-            let size = xyz.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-            Part::Triple(xyz.map(|x| Wide::off(x, size * OF_INPUT)))
-        }
-    }
-}
-
-fn map(part: Part, f: impl Fn(Wide) -> Wide) -> Part {
-    match part {
-        Part::Number(x) => Part::Number(f(x)),
-        Part::Triple(xyz) => Part::Triple(xyz.map(f)),
-    }
+    let size = value.components().iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    Amount::from(value).map(|x| Wide::off(x, size * OF_INPUT))
 }
 
 fn binary(operator: Operator, left: Part, right: Part) -> Result<Part, String> {
-    use Part::{Number, Triple};
-    let zipped = |a: [Wide; 3], b: [Wide; 3], f: fn(Wide, Wide) -> Wide| Triple([0, 1, 2].map(|i| f(a[i], b[i])));
-    Ok(match (operator, left, right) {
-        (Operator::Plus, Number(a), Number(b)) => Number(a + b),
-        (Operator::Plus, Triple(a), Triple(b)) => zipped(a, b, |a, b| a + b),
-        (Operator::Minus, Number(a), Number(b)) => Number(a - b),
-        (Operator::Minus, Triple(a), Triple(b)) => zipped(a, b, |a, b| a - b),
-        (Operator::Times, Number(a), Number(b)) => Number(a * b),
-        (Operator::Times, Triple(a), Number(b)) | (Operator::Times, Number(b), Triple(a)) => Triple(a.map(|x| x * b)),
-        (Operator::Times, Triple(a), Triple(b)) => Number(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]),
-        (Operator::Over, Number(a), Number(b)) => Number(a / b),
-        (Operator::Over, Triple(a), Number(b)) => Triple(a.map(|x| x / b)),
-        (Operator::Cross, Triple(a), Triple(b)) => {
-            let minor = |i: usize, j: usize| a[i] * b[j] - b[i] * a[j];
-            Triple([minor(1, 2), minor(2, 0), minor(0, 1)])
-        }
-        (operator, left, right) => return Err(format!("{left:?} {operator:?} {right:?}")),
-    })
+    left.with(operator, right).ok_or_else(|| format!("{left:?} {operator:?} {right:?}"))
 }

@@ -20,7 +20,7 @@ impl Substitution<'_> {
         }
         let events = &self.log.events;
         let elements = scope::elements(events, self.tree, self.event, several);
-        let term = |element: &Element| Substitution { element: Some(*element), ..*self }.part(inner).operand();
+        let term = |element: &Element| Substitution { element: Some(*element), ..*self }.part(inner).there();
         let is_elided = elements.len() > MOST;
         let shown: Vec<_> = match elements.as_slice() {
             [first, second, third, .., last] if is_elided => {

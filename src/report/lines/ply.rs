@@ -1,6 +1,6 @@
 //! The Polygon File Format (PLY), as text.
 
-use super::{far, grouped, number};
+use super::{color, far, grouped, name, number};
 use crate::log::Header;
 use crate::log::escape::escape_hidden;
 use crate::report::escape::line;
@@ -22,8 +22,8 @@ pub fn ply(header: &Header, rays: &[Segment]) -> String {
     );
     line!(out, "comment rays that meet nothing are drawn {} long", number(far));
     for (group, _) in grouped(rays) {
-        let [red, green, blue] = group.color();
-        line!(out, "comment color {red} {green} {blue}: {}", group.name());
+        let [red, green, blue] = color(group);
+        line!(out, "comment color {red} {green} {blue}: {}", name(group));
     }
     line!(out, "element vertex {}", 2 * rays.len());
     ["x", "y", "z"].iter().for_each(|axis| line!(out, "property double {axis}"));
@@ -33,7 +33,7 @@ pub fn ply(header: &Header, rays: &[Segment]) -> String {
     line!(out, "property int vertex2");
     line!(out, "end_header");
     for (group, rays) in grouped(rays) {
-        let [red, green, blue] = group.color();
+        let [red, green, blue] = color(group);
         for [x, y, z] in rays.iter().flat_map(|ray| [ray.from, ray.end(far)]) {
             line!(out, "{} {} {} {red} {green} {blue}", number(x), number(y), number(z));
         }

@@ -26,12 +26,12 @@ pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -
 /// Whether a quantity of this symbol may be passed on as that input: asked before anything is looked for.
 pub(super) fn may_come_from(input: Name, symbol: &str) -> bool {
     match input {
-        Name::RayOrigin => symbol == "P",
+        Name::RayOrigin => symbol == Name::HitPoint.symbol(),
         Name::RayDirection => ["D_z", "R", "T", "L"].contains(&symbol),
         Name::LobeMiddle => ["R", "T"].contains(&symbol),
-        Name::ShadeLocal => symbol == "I_local",
+        Name::ShadeLocal => symbol == Name::ShadeLocal.symbol(),
         Name::IncomingReflected | Name::IncomingTransmitted => ["I", "m_z"].contains(&symbol),
-        Name::LobeColor => symbol == "I",
+        Name::LobeColor => symbol == Name::CombineColor.symbol(),
         _ => false,
     }
 }

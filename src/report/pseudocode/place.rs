@@ -81,9 +81,7 @@ pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
         Some(Step::Ray { .. }) => in_ray(log, tree, node, event),
         Some(Step::Test { .. } | Step::Motion { .. }) => in_test(log, tree, node, event),
         Some(Step::Shade { .. }) => match &happening.what {
-            What::Note { name, .. } if name.key() == Name::ShadeLocal.key() && *name != Name::ShadeLocalAmbient => {
-                Place::LocalSum
-            }
+            What::Note { name, .. } if name.is(Name::ShadeLocal) && *name != Name::ShadeLocalAmbient => Place::LocalSum,
             What::Leave => Place::LocalSum,
             _ => Place::Ambient,
         },

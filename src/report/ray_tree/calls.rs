@@ -35,7 +35,7 @@ fn too_deep(log: &Log, tree: &Tree, branch: &Branch, depth: u32) -> Vec<Branch> 
         let path = format!("{} {}", branch.path, kind.letter());
         Branch {
             node: branch.node,
-            label: kind.letter().to_string(),
+            label: kind.letter().to_owned(),
             kind,
             end: End::TooDeep,
             call: Some(pseudocode::call(Language::English, &log.header, &path, depth + 1)),

@@ -14,10 +14,10 @@ pub use calls::calls;
 pub use dot::dot;
 pub use mermaid::mermaid;
 pub use svg::{svg, svg_of};
-pub(super) use tikz::color_name;
 pub use tikz::tikz;
 
 use super::contributions;
+use super::drawn::Drawn;
 use super::language::Language;
 use super::{Style, words};
 use crate::log::escape::shortened;
@@ -214,35 +214,20 @@ impl<'a> Figure<'a> {
     }
 }
 
-/// The colour of a ray's line.
-fn color(branch: &Branch) -> &'static str {
-    color_of(branch.kind, branch.is_blocked())
+/// How a ray's line is drawn.
+fn drawn(branch: &Branch) -> Drawn {
+    Drawn::of(branch.kind, branch.is_blocked())
 }
 
-/// The colour of a kind of rays.
-pub(super) fn color_of(kind: RayKind, is_blocked: bool) -> &'static str {
-    match kind {
-        _ if is_blocked => BLOCKED,
-        RayKind::Camera => CAMERA,
-        RayKind::Reflected => REFLECTED,
-        RayKind::Transmitted => TRANSMITTED,
-        RayKind::Shadow { .. } => SHADOW,
-    }
+/// The colour of a ray's line.
+fn color(branch: &Branch) -> String {
+    format!("#{}", drawn(branch).hex())
 }
 
 /// The letter of a kind of rays, with the number of the light.
 pub(super) fn short(kind: RayKind) -> String {
     match kind {
         RayKind::Shadow { light } => format!("S{}", light + 1),
-        _ => kind.letter().to_string(),
+        _ => kind.letter().to_owned(),
     }
 }
-
-const CAMERA: &str = "#3b4252";
-const REFLECTED: &str = "#1d6fb8";
-const TRANSMITTED: &str = "#2c8a4b";
-const SHADOW: &str = "#c98a00";
-const BLOCKED: &str = "#c0392b";
-
-/// The kinds of rays with their colours, in the order of [`super::language::Figure::kinds`].
-const COLORS: [&str; 5] = [CAMERA, REFLECTED, TRANSMITTED, SHADOW, BLOCKED];

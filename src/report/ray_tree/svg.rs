@@ -1,8 +1,9 @@
 //! The ray tree as SVG, by itself.
 
 use super::layout::{LETTER_AT, Spot, spots};
-use super::{COLORS, End, Figure, color};
+use super::{End, Figure, color};
 use crate::log::escape::width;
+use crate::report::drawn::Drawn;
 use crate::report::escape::{self, line};
 use crate::report::svg::{begin, file, label};
 use std::fmt::Write;
@@ -102,14 +103,15 @@ fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {
 fn write_legend(out: &mut String, figure: &Figure, top: f64) {
     let texts = &figure.language.texts().figure;
     // Shadow rays are no calls.
-    let kinds = if figure.branches.iter().any(|branch| branch.call.is_some()) { 3 } else { COLORS.len() };
+    let kinds = if figure.branches.iter().any(|branch| branch.call.is_some()) { 3 } else { Drawn::ALL.len() };
     let mut x = MARGIN;
-    for (kind, color) in texts.kinds.iter().zip(COLORS).take(kinds) {
-        let dashes = if color == super::BLOCKED { " stroke-dasharray=\"5 4\"" } else { "" };
+    for (kind, drawn) in texts.kinds.iter().zip(Drawn::ALL).take(kinds) {
+        let dashes = if drawn == Drawn::Blocked { " stroke-dasharray=\"5 4\"" } else { "" };
         line!(
             out,
-            "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{end:.1}\" y2=\"{y:.1}\" stroke=\"{color}\" stroke-width=\"3\"{dashes}/>\
+            "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{end:.1}\" y2=\"{y:.1}\" stroke=\"#{color}\" stroke-width=\"3\"{dashes}/>\
              <text x=\"{text:.1}\" y=\"{base:.1}\" text-anchor=\"start\" font-size=\"11\" fill=\"#3b4252\">{kind}</text>",
+            color = drawn.hex(),
             y = top + 8.0,
             end = x + 20.0,
             text = x + 25.0,

@@ -1,8 +1,8 @@
 //! The schematic as a picture of LaTeX's TikZ.
 
 use super::Plan;
+use crate::report::drawn::Drawn;
 use crate::report::escape::{self, line};
-use crate::report::ray_tree::color_name;
 use std::fmt::Write;
 
 /// Units of the plan in a centimetre.
@@ -19,8 +19,11 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\draw[black!25] {};", points.join(" -- "));
     }
     for ray in &plan.rays {
-        let style =
-            format!("{}, {}", color_name(ray.kind, ray.is_blocked), if ray.is_blocked { "dashed" } else { "thick" });
+        let style = format!(
+            "{}, {}",
+            Drawn::of(ray.kind, ray.is_blocked).name(),
+            if ray.is_blocked { "dashed" } else { "thick" }
+        );
         line!(out, "\\draw[{style}] {} -- {};", at(ray.from), at(ray.to));
     }
     for place in &plan.points {
@@ -33,7 +36,7 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\filldraw[draw=camera, fill=white, thick] {} circle (3pt);", at(place));
     }
     for label in &plan.labels {
-        let color = label.ray.map_or("black", |(kind, is_blocked)| color_name(kind, is_blocked));
+        let color = label.ray.map_or("black", |(kind, is_blocked)| Drawn::of(kind, is_blocked).name());
         line!(
             out,
             "\\node[text={color}, fill=white, fill opacity=0.8, text opacity=1] at {} {{{}}};",

@@ -139,7 +139,7 @@ fn assignment<F: Format>(task: &Task, name: Name, value: &Value, source: Option<
 /// The event that computed the pixel's colour, where one sample is the pixel.
 fn last_color(task: &Task) -> Option<usize> {
     let is_color = |event: &usize| match task.log.events[*event].what {
-        What::Note { name, .. } => name.key() == Name::CombineColor.key(),
+        What::Note { name, .. } => name.is(Name::CombineColor),
         _ => false,
     };
     let has_samples = task.tree.nodes().iter().any(|node| matches!(node.step, Some(Step::Sample { .. })));

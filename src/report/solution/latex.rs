@@ -4,6 +4,7 @@ use super::figures::caption;
 use super::format::{self, Around, Format};
 use super::math::{self, Tex};
 use super::{Kind, Section, Task};
+use crate::report::drawn::Drawn;
 use crate::report::escape;
 use crate::report::ray_tree::{self, Figure};
 use crate::report::schematic::{self, Plan};
@@ -16,12 +17,7 @@ const PREAMBLE: &str = r"\documentclass[10pt,a4paper,fleqn]{article}
 \usepackage{array}
 \usepackage{longtable}
 \usepackage{tikz}
-\definecolor{camera}{HTML}{3B4252}
-\definecolor{reflected}{HTML}{1D6FB8}
-\definecolor{transmitted}{HTML}{2C8A4B}
-\definecolor{shadow}{HTML}{C98A00}
-\definecolor{blocked}{HTML}{C0392B}
-\setlength{\parindent}{0pt}
+COLORS\setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
 \setlength{\mathindent}{1.5em}
 \setlength{\emergencystretch}{3em}
@@ -71,7 +67,10 @@ impl Format for Latex {
     }
 
     fn begin(_task: &Task, title: &str) -> String {
-        format!("{PREAMBLE}\\section*{{{title}}}\n")
+        let define =
+            |drawn: Drawn| format!("\\definecolor{{{}}}{{HTML}}{{{}}}\n", drawn.name(), drawn.hex().to_uppercase());
+        let preamble = PREAMBLE.replace("COLORS", &Drawn::ALL.map(define).concat());
+        format!("{preamble}\\section*{{{title}}}\n")
     }
 
     fn ray_tree(task: &Task, figure: &Figure) -> String {

@@ -1,7 +1,8 @@
 //! What must be so for a breakpoint to stop.
 
 use super::kind;
-use crate::log::{Decision, Event, Name, Step, Value, What};
+use crate::log::event::field::Id;
+use crate::log::{Event, Name, Step, Value, What};
 use crate::report::Style;
 
 /// What an event must be.
@@ -11,7 +12,7 @@ pub enum Condition {
     Kind(&'static str),
     /// About one of the objects with these numbers: a node of it, or a decision that names it.
     Object(Vec<u32>),
-    /// About one of the lights with these numbers: its node, or a shadow ray to it.
+    /// About one of the lights with these numbers: its node, a shadow ray to it, or a decision that names it.
     Light(Vec<u32>),
     /// The beginning of a ray on this level of the ray tree; a shadow ray has its surface's.
     Depth(u32),
@@ -67,8 +68,12 @@ impl Condition {
     pub fn holds(&self, event: &Event, style: Style) -> bool {
         match self {
             Condition::Kind(word) => kind::of(&event.what).contains(word),
-            Condition::Object(numbers) => object(&event.what).is_some_and(|object| numbers.contains(&object)),
-            Condition::Light(numbers) => light(&event.what).is_some_and(|light| numbers.contains(&light)),
+            Condition::Object(numbers) => {
+                names(&event.what, |id| matches!(id, Id::Object(object) if numbers.contains(object)))
+            }
+            Condition::Light(numbers) => {
+                names(&event.what, |id| matches!(id, Id::Light(light) if numbers.contains(light)))
+            }
             Condition::Depth(depth) => match event.what {
                 What::Enter { step: Step::Ray { depth: own, .. }, .. } => own == *depth,
                 _ => false,
@@ -137,28 +142,9 @@ fn tolerance(style: Style) -> f64 {
     f64::max(1e-9, unit / 2.0)
 }
 
-fn object(what: &What) -> Option<u32> {
-    match *what {
-        What::Enter { step: Step::Test { object, .. } | Step::Shade { object } | Step::Motion { object }, .. } => {
-            Some(object)
-        }
-        What::Mark(decision) => match decision {
-            Decision::Nearest { object }
-            | Decision::Coincident { object, .. }
-            | Decision::Immersed { object }
-            | Decision::Occluded { object }
-            | Decision::Attenuated { object, .. } => Some(object),
-            Decision::Subdivided { object, .. } => object,
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-fn light(what: &What) -> Option<u32> {
-    match *what {
-        What::Enter { step: Step::Light { light, .. }, .. } => Some(light),
-        What::Enter { step: Step::Ray { kind: crate::log::RayKind::Shadow { light }, .. }, .. } => Some(light),
-        _ => None,
-    }
+/// Whether it names such an object or light.
+fn names(what: &What, is_it: impl Fn(&Id) -> bool) -> bool {
+    let mut found = false;
+    what.clone().each_id(&mut |id| found |= is_it(&id));
+    found
 }

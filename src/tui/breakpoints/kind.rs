@@ -1,25 +1,8 @@
 //! The kinds of events that one can stop at, as words: those of the log, with `-` between their parts.
 
-use crate::log::{Decision, Miss, Step, What};
+use crate::log::{Decision, Miss, RayKind, Step, What};
 use arrayvec::ArrayVec;
 use std::sync::LazyLock;
-
-/// The kinds of nodes, and of rays.
-const NODES: &[&str] = &[
-    "pixel",
-    "sample",
-    "ray",
-    "camera",
-    "shadow",
-    "reflected",
-    "transmitted",
-    "motion",
-    "test",
-    "shade",
-    "light",
-    "zone",
-    "combine",
-];
 
 const RESULT: &str = "result";
 
@@ -27,8 +10,13 @@ const RESULT: &str = "result";
 pub static WORDS: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
     let decided = Decision::WORDS.iter().copied().chain(Miss::ALL.iter().map(|why| why.word()));
     let dashed = decided.map(|word| &*word.replace('_', "-").leak());
-    NODES.iter().copied().chain(dashed).chain([RESULT]).collect()
+    nodes().chain(dashed).chain([RESULT]).collect()
 });
+
+/// The kinds of nodes, and of rays.
+fn nodes() -> impl Iterator<Item = &'static str> {
+    Step::WORDS.iter().chain(RayKind::WORDS).copied()
+}
 
 /// The kind with this word, however its parts are joined.
 pub fn find(word: &str) -> Option<&'static str> {
@@ -38,14 +26,14 @@ pub fn find(word: &str) -> Option<&'static str> {
 
 /// Whether a kind is seen without knowing what was decided: that of a node, and the result.
 pub fn is_open(word: &str) -> bool {
-    word == RESULT || NODES.contains(&word)
+    word == RESULT || nodes().any(|node| node == word)
 }
 
 /// The kinds of an event, the narrower one last; none for a computed value and for the end of a node.
 pub fn of(what: &What) -> ArrayVec<&'static str, 2> {
     let of_log = match what {
-        What::Enter { step: Step::Ray { kind, .. }, .. } => [Some("ray"), Some(kind.word())],
-        What::Enter { step, .. } => [Some(of_step(*step)), None],
+        What::Enter { step: step @ Step::Ray { kind, .. }, .. } => [Some(step.word()), Some(kind.word())],
+        What::Enter { step, .. } => [Some(step.word()), None],
         What::Mark(decision @ Decision::Miss { why }) => [Some(decision.word()), Some(why.word())],
         What::Mark(decision) => [Some(decision.word()), None],
         What::Result { .. } => [Some(RESULT), None],
@@ -53,18 +41,4 @@ pub fn of(what: &What) -> ArrayVec<&'static str, 2> {
     };
     let dashed = |word: &'static str| if word.contains('_') { find(word).unwrap_or(word) } else { word };
     of_log.into_iter().flatten().map(dashed).collect()
-}
-
-fn of_step(step: Step) -> &'static str {
-    match step {
-        Step::Pixel(_) => "pixel",
-        Step::Sample { .. } => "sample",
-        Step::Ray { .. } => "ray",
-        Step::Motion { .. } => "motion",
-        Step::Test { .. } => "test",
-        Step::Shade { .. } => "shade",
-        Step::Light { .. } => "light",
-        Step::Zone { .. } => "zone",
-        Step::Combine => "combine",
-    }
 }

@@ -155,17 +155,6 @@ fn bookmarks_outlive_another_log() {
 }
 
 #[test]
-fn every_address_leads_back() {
-    for log in [glass(), textbook()] {
-        let tree = crate::log::Tree::of(&log.events);
-        for event in (0..log.events.len()).step_by(7) {
-            let address = crate::tui::address::Address::of(&log, &tree, event);
-            assert_eq!(address.find(&log, &tree), Some(event), "{}", address.text());
-        }
-    }
-}
-
-#[test]
 fn values_and_addresses_are_copied() {
     let mut model = sized(glass(), 100, 30);
     line(&mut model, "/", "shade.n_dot_l");

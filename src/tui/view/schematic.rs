@@ -4,7 +4,7 @@
 //! eye, R reflected, T transmitted, S to a light.
 
 use super::{put, shown, title};
-use crate::log::{RayKind, Step};
+use crate::log::Step;
 use crate::report::schematic::clip;
 use crate::report::segments::{Segment, segment, segments};
 use crate::tui::drawing::{Drawing, Projection, Wireframe};
@@ -38,7 +38,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
     // Of a ray that is on its way, in the tree that grows or in a quiz, its end is to come.
     let last = model.told().unwrap_or(usize::MAX);
-    let current = around(model).find_map(|node| segment(&model.log, &model.tree, node, last));
+    let current = model.tree.around(model.cursor).find_map(|node| segment(&model.log, &model.tree, node, last));
     let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
         // A ray that hits nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
@@ -64,7 +64,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
             }
             canvas.layer();
             let others = rays.iter().filter(|ray| current.is_none_or(|current| current.node != ray.node));
-            others.for_each(|ray| stage.draw_ray(canvas, ray, color(role_of(ray.kind))));
+            others.for_each(|ray| stage.draw_ray(canvas, ray, color(Role::of_ray(ray.kind))));
             if let Some(ray) = &current {
                 canvas.layer();
                 stage.draw_ray(canvas, ray, Color::Reset);
@@ -81,32 +81,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
 fn first_node(model: &Model) -> usize {
     let is_whole =
         |node: &usize| matches!(model.tree.nodes()[*node].step, None | Some(Step::Sample { .. } | Step::Pixel(_)));
-    around(model).find(is_whole).unwrap_or(0)
-}
-
-/// The selected node and those around it, outward.
-fn around(model: &Model) -> impl Iterator<Item = usize> + '_ {
-    std::iter::successors(Some(model.cursor), |node| {
-        Some(model.tree.nodes()[*node].parent).filter(|parent| parent != node)
-    })
-}
-
-fn role_of(kind: RayKind) -> Role {
-    match kind {
-        RayKind::Camera => Role::Camera,
-        RayKind::Reflected => Role::Reflected,
-        RayKind::Transmitted => Role::Transmitted,
-        RayKind::Shadow { .. } => Role::Shadow,
-    }
-}
-
-fn letter(kind: RayKind) -> &'static str {
-    match kind {
-        RayKind::Camera => "C",
-        RayKind::Reflected => "R",
-        RayKind::Transmitted => "T",
-        RayKind::Shadow { .. } => "S",
-    }
+    model.tree.around(model.cursor).find(is_whole).unwrap_or(0)
 }
 
 /// Names and letters, as far as they have room: the current ray last, over everything else.
@@ -133,12 +108,12 @@ fn label(
         write(stage.project(drawing.eye), theme.glyphs.camera, theme.style(Role::Camera));
     }
     let mut mark = |ray: &Segment, style: Style| {
-        let text = if ray.is_blocked { theme.glyphs.blocked } else { letter(ray.kind) };
+        let text = if ray.is_blocked { theme.glyphs.blocked } else { ray.kind.letter() };
         write(stage.place_of_letter(ray, body), text, style);
     };
-    rays.iter().for_each(|ray| mark(ray, theme.style(role_of(ray.kind))));
+    rays.iter().for_each(|ray| mark(ray, theme.style(Role::of_ray(ray.kind))));
     if let Some(ray) = current {
-        mark(ray, theme.style(role_of(ray.kind)).add_modifier(Modifier::REVERSED | Modifier::BOLD));
+        mark(ray, theme.style(Role::of_ray(ray.kind)).add_modifier(Modifier::REVERSED | Modifier::BOLD));
     }
 }
 
