@@ -43,7 +43,7 @@ pub use tracing::{Algorithm, Formulas, ReflectedScale, Shadows, Skip, Specular, 
 
 pub use unsupported::Unsupported;
 
-use crate::geometry::{Shape, Side};
+use crate::geometry::{Shape, Side, Target};
 use crate::log::FrameId;
 use compact_str::CompactString;
 use glam::DVec3;
@@ -128,6 +128,14 @@ pub enum Transfer {
     Linear,
     /// That of sRGB (IEC 61966-2-1).
     Srgb,
+}
+
+impl Object {
+    /// The object as a target of rays; `number` is its own in the scene.
+    #[inline(always)]
+    pub fn target(&self, number: u32) -> Target {
+        Target { object: number, one_sided: self.one_sided }
+    }
 }
 
 impl Scene {

@@ -5,7 +5,7 @@ use super::question::{
 };
 use super::way::Way;
 use crate::geometry::shape::{Ellipsoid, Plane, Sphere, Triangle, TriangleMesh};
-use crate::geometry::{Leaving, Ray, Shape, Surface};
+use crate::geometry::{Intersect, Leaving, Ray, Shape, Surface};
 use crate::log::{Name, RayKind, Step, Value};
 use crate::probe::{Probe, Quantity};
 use crate::scene::{
