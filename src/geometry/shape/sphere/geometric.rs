@@ -2,33 +2,18 @@
 //!
 //! It loses digits where r², L2oc and T_A² nearly cancel.
 
-use super::{Chord, Method, Sphere};
+use super::{Line, Sphere};
 use crate::geometry::ray::{Crossing, Ray, Surface};
 use crate::log::Name;
 use crate::probe::Probe;
 
-/// The formulas of the source text.
-pub(super) struct Geometric;
-
-impl Method for Geometric {
-    #[inline(always)]
-    fn near<P: Probe>(_sphere: &Sphere, _ray: &Ray, chord: &Chord, probe: &mut P) -> f64 {
-        probe.note(Name::SphereT, chord.t_a - chord.t2_a.sqrt())
-    }
-
-    #[inline(always)]
-    fn far<P: Probe>(_sphere: &Sphere, _ray: &Ray, chord: &Chord, probe: &mut P) -> f64 {
-        probe.note(Name::SphereTFar, chord.t_a + chord.t2_a.sqrt())
-    }
-}
-
 impl Sphere {
     /// The chord, unless the ray's line passes beside the sphere or the sphere lies behind the origin.
     #[inline(always)]
-    pub(super) fn geometric_chord<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Option<Chord> {
+    pub(super) fn geometric_line<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Line {
         let view = self.view(ray, probe);
         if self.is_behind(&view, probe) {
-            return None;
+            return Line::Misses;
         }
         let t2_a = self.radius_squared - view.l2_oc + view.t_a * view.t_a;
         self.chord(view, (Name::SphereT2a, t2_a), probe)

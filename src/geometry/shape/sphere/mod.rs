@@ -6,6 +6,7 @@
 mod geometric;
 mod robust;
 
+use super::doubled_chord::Doubt;
 use super::sphere_method::SphereMethod;
 use super::{Approach, Kernel, decide};
 use crate::geometry::bounds::Bounds;
@@ -14,9 +15,7 @@ use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name};
 use crate::probe::Probe;
-use geometric::Geometric;
 use glam::DVec3;
-use robust::{Doubt, Line, Robust};
 
 /// A sphere. Its front is the outside, unless it is `inward`.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,13 +50,11 @@ struct Chord {
     is_origin_outside: bool,
 }
 
-/// The formulas of a method for the ends of a chord, which they note.
-trait Method {
-    /// The distance at which the chord begins.
-    fn near<P: Probe>(sphere: &Sphere, ray: &Ray, chord: &Chord, probe: &mut P) -> f64;
-
-    /// The distance at which it ends.
-    fn far<P: Probe>(sphere: &Sphere, ray: &Ray, chord: &Chord, probe: &mut P) -> f64;
+/// What the line has in common with the sphere, as far as f64 can tell.
+enum Line {
+    Crosses(Chord),
+    Misses,
+    InDoubt,
 }
 
 impl Sphere {
@@ -74,6 +71,32 @@ impl Sphere {
         match self.method {
             SphereMethod::Robust => Some(Form::Sphere { center: self.center, radius: self.radius }),
             SphereMethod::Geometric => self.bounds().map(Form::Within),
+        }
+    }
+
+    #[inline(always)]
+    fn line<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Line {
+        match self.method {
+            SphereMethod::Robust => self.robust_line(ray, probe),
+            SphereMethod::Geometric => self.geometric_line(ray, probe),
+        }
+    }
+
+    /// Where the chord begins.
+    #[inline(always)]
+    fn near<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> f64 {
+        match self.method {
+            SphereMethod::Robust => self.robust_near(ray, chord, probe),
+            SphereMethod::Geometric => probe.note(Name::SphereT, chord.t_a - chord.t2_a.sqrt()),
+        }
+    }
+
+    /// Where it ends.
+    #[inline(always)]
+    fn far<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> f64 {
+        match self.method {
+            SphereMethod::Robust => self.robust_far(ray, chord, probe),
+            SphereMethod::Geometric => probe.note(Name::SphereTFar, chord.t_a + chord.t2_a.sqrt()),
         }
     }
 
@@ -96,14 +119,9 @@ impl Sphere {
         is_behind
     }
 
-    /// The chord, the square of its half known; `None` where the line passes beside the sphere.
+    /// The chord whose half has this square, if it is one.
     #[inline(always)]
-    fn chord<P: Probe>(
-        &self,
-        View { l2_oc, t_a, .. }: View,
-        (name, t2_a): (Name, f64),
-        probe: &mut P,
-    ) -> Option<Chord> {
+    fn chord<P: Probe>(&self, View { l2_oc, t_a, .. }: View, (name, t2_a): (Name, f64), probe: &mut P) -> Line {
         let is_origin_outside = l2_oc > self.radius_squared;
         probe.mark(if is_origin_outside { Decision::Outside } else { Decision::Inside });
         let t2_a = probe.note(name, t2_a);
@@ -111,62 +129,21 @@ impl Sphere {
         let touches_origin = t2_a == 0.0 && t_a == 0.0;
         if t2_a < 0.0 || touches_origin {
             probe.mark(Decision::Miss { why: Miss::Beside });
-            return None;
+            return Line::Misses;
         }
-        Some(Chord { l2_oc, t_a, t2_a, is_origin_outside })
+        Line::Crosses(Chord { l2_oc, t_a, t2_a, is_origin_outside })
     }
 
-    /// The first end of the chord that the ray reaches.
     #[inline(always)]
-    fn first_end<M: Method, P: Probe>(
+    fn decide_end<P: Probe>(
         &self,
         ray: &Ray,
         approach: Approach,
-        chord: &Chord,
+        (t, side): (f64, Side),
         probe: &mut P,
     ) -> Option<Crossing> {
-        if chord.is_origin_outside && approach.shows(self.outer) {
-            let t = M::near(self, ray, chord, probe);
-            let at_an_end = self.at_an_end_of(ray, approach, t, self.outer);
-            // A ray that is asked to begin later (t_min), or begins at the entry, begins inside.
-            if t > ray.t_min && at_an_end != Some(Miss::BeginsThere) {
-                return decide(ray, approach, self.entry(t), at_an_end, probe);
-            }
-        }
-        let t = M::far(self, ray, chord, probe);
-        let at_an_end = self.at_an_end_of(ray, approach, t, self.outer.opposite());
-        decide(ray, approach, self.exit(t), at_an_end, probe)
-    }
-
-    /// Both ends of the chord, as far as the ray reaches them.
-    fn all_ends<M: Method, P: Probe>(
-        &self,
-        ray: &Ray,
-        approach: Approach,
-        chord: &Chord,
-        found: &mut Vec<Crossing>,
-        probe: &mut P,
-    ) {
-        if chord.is_origin_outside {
-            let near = self.entry(M::near(self, ray, chord, probe));
-            found.extend(self.decide_end(ray, approach, near, probe));
-        }
-        let far = self.exit(M::far(self, ray, chord, probe));
-        found.extend(self.decide_end(ray, approach, far, probe));
-    }
-
-    fn decide_end<P: Probe>(&self, ray: &Ray, approach: Approach, end: Crossing, probe: &mut P) -> Option<Crossing> {
-        decide(ray, approach, end, self.at_an_end_of(ray, approach, end.t, end.side), probe)
-    }
-
-    #[inline(always)]
-    fn entry(&self, t: f64) -> Crossing {
-        Crossing { t, side: self.outer, primitive: 0 }
-    }
-
-    #[inline(always)]
-    fn exit(&self, t: f64) -> Crossing {
-        Crossing { t, side: self.outer.opposite(), primitive: 0 }
+        let at_an_end = self.at_an_end_of(ray, approach, t, side);
+        decide(ray, approach, Crossing { t, side, primitive: 0 }, at_an_end, probe)
     }
 
     /// Whether an end of the chord is an end of the ray. A ray begins at the nearer one, so that one that sets off inward doesn't begin where it
@@ -187,7 +164,7 @@ impl Sphere {
         let t_a = probe.note(Name::SphereTa, probe.dot(oc, ray.direction));
         probe.mark(Decision::Inside);
         let t = probe.note(Name::SphereTLeaving, 2.0 * t_a);
-        self.decide(ray, approach, self.exit(t), probe)
+        self.decide(ray, approach, Crossing { t, side: self.outer.opposite(), primitive: 0 }, probe)
     }
 }
 
@@ -203,35 +180,38 @@ impl Kernel for Sphere {
         if approach.leaving.is_some() {
             return self.other_end(ray, approach, probe);
         }
-        match self.method {
-            SphereMethod::Robust => match self.robust_chord(ray, probe) {
-                Line::Crosses(chord) => self.first_end::<Robust, P>(ray, approach, &chord, probe),
-                Line::Misses => None,
-                Line::InDoubt => self.first_doubled(ray, approach, probe),
-            },
-            SphereMethod::Geometric => {
-                let chord = self.geometric_chord(ray, probe)?;
-                self.first_end::<Geometric, P>(ray, approach, &chord, probe)
+        let chord = match self.line(ray, probe) {
+            Line::Crosses(chord) => chord,
+            Line::Misses => return None,
+            Line::InDoubt => return self.first_doubled(ray, approach, probe),
+        };
+        if chord.is_origin_outside && approach.shows(self.outer) {
+            let (t, side) = (self.near(ray, &chord, probe), self.outer);
+            let at_an_end = self.at_an_end_of(ray, approach, t, side);
+            // A ray that is asked to begin later (t_min), or begins at the entry, begins inside.
+            if t > ray.t_min && at_an_end != Some(Miss::BeginsThere) {
+                return decide(ray, approach, Crossing { t, side, primitive: 0 }, at_an_end, probe);
             }
         }
+        let t = self.far(ray, &chord, probe);
+        self.decide_end(ray, approach, (t, self.outer.opposite()), probe)
     }
 
     fn all_crossings<P: Probe>(&self, ray: &Ray, approach: Approach, found: &mut Vec<Crossing>, probe: &mut P) {
         if approach.leaving.is_some() {
             return found.extend(self.other_end(ray, approach, probe));
         }
-        match self.method {
-            SphereMethod::Robust => match self.robust_chord(ray, probe) {
-                Line::Crosses(chord) => self.all_ends::<Robust, P>(ray, approach, &chord, found, probe),
-                Line::Misses => {}
-                Line::InDoubt => self.all_doubled(ray, approach, found, probe),
-            },
-            SphereMethod::Geometric => {
-                if let Some(chord) = self.geometric_chord(ray, probe) {
-                    self.all_ends::<Geometric, P>(ray, approach, &chord, found, probe);
-                }
-            }
+        let chord = match self.line(ray, probe) {
+            Line::Crosses(chord) => chord,
+            Line::Misses => return,
+            Line::InDoubt => return self.all_doubled(ray, approach, found, probe),
+        };
+        if chord.is_origin_outside {
+            let near = (self.near(ray, &chord, probe), self.outer);
+            found.extend(self.decide_end(ray, approach, near, probe));
         }
+        let far = (self.far(ray, &chord, probe), self.outer.opposite());
+        found.extend(self.decide_end(ray, approach, far, probe));
     }
 
     #[inline(always)]

@@ -3,11 +3,9 @@
 //! It takes the half chord from the vector OC − T_A·d, and the near root from the product of the roots. Where f64 can't tell how the line
 //! lies to the sphere, or how far an end is, it goes on in double-double arithmetic.
 
-pub(super) use super::super::doubled_chord::Doubt;
-
 use super::super::Approach;
 use super::super::doubled_chord::{DoubledChord, LEAST_DIFFERENCE, LEAST_TO_CORRECT, corrected};
-use super::{Chord, Method, Sphere};
+use super::{Chord, Line, Sphere};
 use crate::geometry::doubled::Doubled;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::geometry::size::length;
@@ -21,50 +19,10 @@ const STEEPEST: f64 = 2.0;
 /// The same where half of the digits are enough: eight roundings of |OC|, times the root of this, are 2⁻²².
 const HALF_STEEP: f64 = (1_u64 << 56) as f64;
 
-/// What the line has in common with the sphere, as far as f64 can tell.
-pub(super) enum Line {
-    Crosses(Chord),
-    Misses,
-    InDoubt,
-}
-
-/// The formulas that keep their digits.
-pub(super) struct Robust;
-
-impl Method for Robust {
-    #[inline(always)]
-    fn near<P: Probe>(sphere: &Sphere, ray: &Ray, chord: &Chord, probe: &mut P) -> f64 {
-        let t = (chord.l2_oc - sphere.radius_squared) / (chord.t_a + chord.t2_a.sqrt());
-        let has_its_digits = sphere.has_digits_of_quotient(chord, t);
-        sphere.distance(ray, chord, End { name: Name::SphereTNearRobust, t, has_its_digits, side: sphere.outer }, probe)
-    }
-
-    #[inline(always)]
-    fn far<P: Probe>(sphere: &Sphere, ray: &Ray, chord: &Chord, probe: &mut P) -> f64 {
-        let (name, t, has_its_digits) = if chord.t_a < 0.0 {
-            let t = (sphere.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
-            (Name::SphereTFarRobust, t, sphere.has_digits_of_quotient(chord, t))
-        } else {
-            let t = chord.t_a + chord.t2_a.sqrt();
-            (Name::SphereTFar, t, sphere.is_steep_at_most(chord, t, STEEPEST))
-        };
-        sphere.distance(ray, chord, End { name, t, has_its_digits, side: sphere.outer.opposite() }, probe)
-    }
-}
-
-/// An end of the chord, as f64 has it.
-#[derive(Clone, Copy)]
-struct End {
-    name: Name,
-    t: f64,
-    has_its_digits: bool,
-    side: Side,
-}
-
 impl Sphere {
     /// The chord, unless f64 leaves it in doubt, the ray's line passes beside the sphere or the sphere lies behind the origin.
     #[inline(always)]
-    pub(super) fn robust_chord<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Line {
+    pub(super) fn robust_line<P: Probe>(&self, ray: &Ray, probe: &mut P) -> Line {
         let view = self.view(ray, probe);
         if self.doubt.has_side(view.l2_oc, self.radius_squared) && probe.certifies() {
             return Line::InDoubt;
@@ -77,18 +35,43 @@ impl Sphere {
         if self.doubt.has_touch(t2_a, view.l2_oc, self.radius_squared) && probe.certifies() {
             return Line::InDoubt;
         }
-        self.chord(view, (Name::SphereT2aRobust, t2_a), probe).map_or(Line::Misses, Line::Crosses)
+        self.chord(view, (Name::SphereT2aRobust, t2_a), probe)
     }
 
-    /// Notes the distance of an end, with more digits where too few of it are right.
     #[inline(always)]
-    fn distance<P: Probe>(&self, ray: &Ray, chord: &Chord, end: End, probe: &mut P) -> f64 {
-        let End { name, t, has_its_digits, side } = end;
+    pub(super) fn robust_near<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> f64 {
+        let t = (chord.l2_oc - self.radius_squared) / (chord.t_a + chord.t2_a.sqrt());
+        let has_its_digits = self.has_digits_of_quotient(chord, t);
+        self.distance(ray, chord, (Name::SphereTNearRobust, Name::SphereTDoubled), (t, has_its_digits), probe)
+    }
+
+    #[inline(always)]
+    pub(super) fn robust_far<P: Probe>(&self, ray: &Ray, chord: &Chord, probe: &mut P) -> f64 {
+        let (name, t, has_its_digits) = if chord.t_a < 0.0 {
+            let t = (self.radius_squared - chord.l2_oc) / (chord.t2_a.sqrt() - chord.t_a);
+            (Name::SphereTFarRobust, t, self.has_digits_of_quotient(chord, t))
+        } else {
+            let t = chord.t_a + chord.t2_a.sqrt();
+            (Name::SphereTFar, t, self.is_steep_at_most(chord, t, STEEPEST))
+        };
+        self.distance(ray, chord, (name, Name::SphereTDoubledFar), (t, has_its_digits), probe)
+    }
+
+    /// Notes the distance of an end, with more digits and another name where too few of it are right.
+    #[inline(always)]
+    fn distance<P: Probe>(
+        &self,
+        ray: &Ray,
+        chord: &Chord,
+        (name, doubled): (Name, Name),
+        (t, has_its_digits): (f64, bool),
+        probe: &mut P,
+    ) -> f64 {
         if has_its_digits || self.is_settled_by_half(ray, chord, t) || !probe.certifies() {
             return probe.note(name, t);
         }
         probe.fallback();
-        probe.note(self.name_of_doubled(side), self.corrected(ray, chord.l2_oc, t))
+        probe.note(doubled, self.corrected(ray, chord.l2_oc, t))
     }
 
     /// The distance with all of its digits.
@@ -134,42 +117,41 @@ impl Sphere {
             && self.keeps(chord.l2_oc, LEAST_TO_CORRECT)
     }
 
-    /// The crossings in double-double arithmetic, from the first to the last one that is on the side that the ray is on; not noted yet,
+    /// The ends of the chord in double-double arithmetic, from the first to the last one that is on the side that the ray is on; not noted yet,
     /// since a log has the distances that count.
     #[cold]
     #[inline(never)]
-    fn doubled_crossings<P: Probe>(&self, ray: &Ray, probe: &mut P) -> ArrayVec<Crossing, 2> {
+    fn doubled_ends<P: Probe>(&self, ray: &Ray, probe: &mut P) -> ArrayVec<(f64, Side), 2> {
         probe.fallback();
         let found = DoubledChord::of(self.center, self.radius, ray);
         probe.mark(if found.is_origin_outside { Decision::Outside } else { Decision::Inside });
         probe.note(Name::SphereT2aDoubled, found.t2_a);
-        let mut crossings = ArrayVec::new();
+        let mut ends = ArrayVec::new();
         if found.is_beside || (found.is_origin_outside && found.t_a < 0.0) {
             let why = if found.is_beside { Miss::Beside } else { Miss::Behind };
             probe.mark(Decision::Miss { why });
-            return crossings;
+            return ends;
         }
         if found.is_origin_outside {
-            crossings.push(self.entry(found.near.value()));
+            ends.push((found.near.value(), self.outer));
         }
-        crossings.push(self.exit(found.far.value()));
-        crossings
+        ends.push((found.far.value(), self.outer.opposite()));
+        ends
     }
 
     /// The first crossing of a ray whose line f64 leaves in doubt.
     #[cold]
     #[inline(never)]
     pub(super) fn first_doubled<P: Probe>(&self, ray: &Ray, approach: Approach, probe: &mut P) -> Option<Crossing> {
-        let crossings = self.doubled_crossings(ray, probe);
-        let last = crossings.last().copied()?;
+        let ends = self.doubled_ends(ray, probe);
+        let last = ends.last().copied()?;
         // A ray that is asked to begin later (t_min), or begins at the entry, begins inside.
-        let is_first = |crossing: &Crossing| {
-            approach.shows(crossing.side)
-                && crossing.t > ray.t_min
-                && self.at_an_end_of(ray, approach, crossing.t, crossing.side) != Some(Miss::BeginsThere)
+        let is_first = |(t, side): &(f64, Side)| {
+            approach.shows(*side)
+                && *t > ray.t_min
+                && self.at_an_end_of(ray, approach, *t, *side) != Some(Miss::BeginsThere)
         };
-        let first = crossings.into_iter().find(is_first).unwrap_or(last);
-        self.decide_doubled(ray, approach, first, probe)
+        self.decide_doubled(ray, approach, ends.into_iter().find(is_first).unwrap_or(last), probe)
     }
 
     /// All crossings of such a ray.
@@ -182,23 +164,20 @@ impl Sphere {
         found: &mut Vec<Crossing>,
         probe: &mut P,
     ) {
-        let crossings = self.doubled_crossings(ray, probe);
-        found.extend(crossings.into_iter().filter_map(|end| self.decide_doubled(ray, approach, end, probe)));
+        let ends = self.doubled_ends(ray, probe);
+        found.extend(ends.into_iter().filter_map(|end| self.decide_doubled(ray, approach, end, probe)));
     }
 
     fn decide_doubled<P: Probe>(
         &self,
         ray: &Ray,
         approach: Approach,
-        end: Crossing,
+        (t, side): (f64, Side),
         probe: &mut P,
     ) -> Option<Crossing> {
-        let t = probe.note(self.name_of_doubled(end.side), end.t);
-        self.decide_end(ray, approach, Crossing { t, ..end }, probe)
-    }
-
-    fn name_of_doubled(&self, side: Side) -> Name {
-        if side == self.outer { Name::SphereTDoubled } else { Name::SphereTDoubledFar }
+        let name = if side == self.outer { Name::SphereTDoubled } else { Name::SphereTDoubledFar };
+        let t = probe.note(name, t);
+        self.decide_end(ray, approach, (t, side), probe)
     }
 
     /// The distance of an end of the chord in double-double arithmetic.
