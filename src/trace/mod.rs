@@ -4,6 +4,7 @@
 
 mod adaptive_light;
 mod bounce;
+mod follow;
 mod light_points;
 mod media;
 mod pattern;

@@ -8,7 +8,7 @@ use super::shadow::{Circle, Cone, mean_cosine};
 use crate::geometry::shape::Round;
 use crate::geometry::{Intersect, Shape};
 use crate::probe::Silent;
-use crate::scene::area_light::{Spread, least_axis};
+use crate::scene::light_surface::{Spread, least_axis};
 use crate::scene::{AreaLight, Color, Light, LightKind, LightSurface, Material, Object, Scene};
 use crate::trace::{closest_hit, in_range};
 use glam::DVec3;
