@@ -3,6 +3,7 @@
 mod area_normal;
 pub mod bounds;
 pub mod bvh;
+mod coincident;
 pub(crate) mod doubled;
 mod exact;
 mod line;
@@ -21,4 +22,4 @@ pub use line::{Line, RaySource};
 pub use mesh::Mesh;
 pub use nearest::{Hit, Nearest};
 pub use ray::{Crossing, Leaving, Ray, Side, Surface};
-pub use shape::Shape;
+pub use shape::{Intersect, Shape, Target};

@@ -1,7 +1,7 @@
 //! Probes that alter what the computation goes on with: other arithmetics, with or without a recording.
 
-use super::{Probe, Quantity, ROUNDINGS, Saving};
-use crate::log::{Decision, Name, Step, round_half_away};
+use super::{Probe, Quantity, ROUNDINGS, forward};
+use crate::log::{Name, Step, round_half_away};
 
 /// Alters every named quantity, then shows it to `probe`.
 #[derive(Clone, Debug, Default)]
@@ -41,25 +41,11 @@ pub trait Alteration {
 }
 
 impl<A: Alteration, P: Probe> Probe for Altered<A, P> {
-    fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
-        self.probe.given(name, value);
-    }
+    forward!(self => Probe of self.probe; given mark bounds_tested rays_saved);
 
     fn note<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
         let altered = self.alteration.alter(name, value);
         self.probe.note(name, altered)
-    }
-
-    fn mark(&mut self, decision: Decision) {
-        self.probe.mark(decision);
-    }
-
-    fn bounds_tested(&mut self, count: u64) {
-        self.probe.bounds_tested(count);
-    }
-
-    fn rays_saved(&mut self, why: Saving, rays: u64) {
-        self.probe.rays_saved(why, rays);
     }
 
     fn certifies(&self) -> bool {

@@ -1,6 +1,6 @@
 //! Any probe behind a pointer: one compiled tracer for all the probes that needn't hurry.
 
-use super::{Probe, Quantity, Saving};
+use super::{Probe, Quantity, Saving, forward};
 use crate::log::{Decision, Name, Step, Value};
 
 /// Hands all on to a probe whose type is erased, and goes on with what that returns.
@@ -37,6 +37,8 @@ trait Methods {
 }
 
 impl<P: Probe> Methods for P {
+    forward!(self => Probe of *self; mark bounds_tested certifies slack fallback rays_saved aim aimed enter leave);
+
     fn given(&mut self, name: Name, value: Value) {
         match value {
             Value::Number(number) => Probe::given(self, name, number),
@@ -50,49 +52,11 @@ impl<P: Probe> Methods for P {
             Value::Triple(triple) => Probe::note(self, name, glam::DVec3::from(triple)).value(),
         }
     }
-
-    fn mark(&mut self, decision: Decision) {
-        Probe::mark(self, decision);
-    }
-
-    fn bounds_tested(&mut self, count: u64) {
-        Probe::bounds_tested(self, count);
-    }
-
-    fn certifies(&self) -> bool {
-        Probe::certifies(self)
-    }
-
-    fn slack(&self, size: f64) -> f64 {
-        Probe::slack(self, size)
-    }
-
-    fn fallback(&mut self) {
-        Probe::fallback(self);
-    }
-
-    fn rays_saved(&mut self, why: Saving, rays: u64) {
-        Probe::rays_saved(self, why, rays);
-    }
-
-    fn aim(&mut self, place: [f64; 2]) {
-        Probe::aim(self, place);
-    }
-
-    fn aimed(&mut self) {
-        Probe::aimed(self);
-    }
-
-    fn enter(&mut self, step: Step) {
-        Probe::enter(self, step);
-    }
-
-    fn leave(&mut self) {
-        Probe::leave(self);
-    }
 }
 
 impl Probe for Erased<'_> {
+    forward!(self => Methods of *self.probe; mark bounds_tested certifies slack fallback rays_saved aim aimed enter leave);
+
     fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
         self.probe.given(name, value.value());
     }
@@ -103,48 +67,8 @@ impl Probe for Erased<'_> {
         value.map(|index, _| components[index])
     }
 
-    fn mark(&mut self, decision: Decision) {
-        self.probe.mark(decision);
-    }
-
-    fn bounds_tested(&mut self, count: u64) {
-        self.probe.bounds_tested(count);
-    }
-
-    fn certifies(&self) -> bool {
-        self.probe.certifies()
-    }
-
-    fn slack(&self, size: f64) -> f64 {
-        self.probe.slack(size)
-    }
-
     fn decimals_of_products(&self) -> Option<u32> {
         self.decimals_of_products
-    }
-
-    fn fallback(&mut self) {
-        self.probe.fallback();
-    }
-
-    fn rays_saved(&mut self, why: Saving, rays: u64) {
-        self.probe.rays_saved(why, rays);
-    }
-
-    fn aim(&mut self, place: [f64; 2]) {
-        self.probe.aim(place);
-    }
-
-    fn aimed(&mut self) {
-        self.probe.aimed();
-    }
-
-    fn enter(&mut self, step: Step) {
-        self.probe.enter(step);
-    }
-
-    fn leave(&mut self) {
-        self.probe.leave();
     }
 }
 

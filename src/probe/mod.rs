@@ -6,6 +6,7 @@
 
 mod altered;
 mod erased;
+mod forward;
 mod perturbed;
 mod position;
 mod printed;
@@ -16,6 +17,7 @@ mod silent;
 pub use crate::log::round_half_away;
 pub use altered::{Alteration, Altered, Decimal, Single};
 pub use erased::Erased;
+pub(crate) use forward::forward;
 pub use perturbed::Perturbed;
 pub use position::{Position, mixed_with};
 pub use printed::{Printed, PrintedValue};

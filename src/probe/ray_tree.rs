@@ -1,7 +1,7 @@
 //! The probe that distinguishes ray trees.
 
 use super::position::{mixed_with, words};
-use super::{Probe, Quantity, Saving};
+use super::{Probe, Quantity, forward};
 use crate::log::{Decision, Name, Step};
 
 /// A digest of what is traced, decided and computed in which order, whatever the values are; all goes on to `probe`.
@@ -36,9 +36,7 @@ impl<P> RayTree<P> {
 }
 
 impl<P: Probe> Probe for RayTree<P> {
-    fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
-        self.probe.given(name, value);
-    }
+    forward!(self => Probe of self.probe; given bounds_tested rays_saved certifies slack decimals_of_products fallback);
 
     fn note<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
         self.take([20, name as u64]);
@@ -48,30 +46,6 @@ impl<P: Probe> Probe for RayTree<P> {
     fn mark(&mut self, decision: Decision) {
         self.take(words_of(decision));
         self.probe.mark(decision);
-    }
-
-    fn bounds_tested(&mut self, count: u64) {
-        self.probe.bounds_tested(count);
-    }
-
-    fn rays_saved(&mut self, why: Saving, rays: u64) {
-        self.probe.rays_saved(why, rays);
-    }
-
-    fn certifies(&self) -> bool {
-        self.probe.certifies()
-    }
-
-    fn slack(&self, size: f64) -> f64 {
-        self.probe.slack(size)
-    }
-
-    fn decimals_of_products(&self) -> Option<u32> {
-        self.probe.decimals_of_products()
-    }
-
-    fn fallback(&mut self) {
-        self.probe.fallback();
     }
 
     fn enter(&mut self, step: Step) {

@@ -2,7 +2,7 @@
 
 use super::permutation::permuted;
 use super::sobol::{self, Scrambling};
-use super::{Dimension, Partner, Splits, Stratum, hash, unit};
+use super::{Dimension, Partner, Stratum, hash, unit};
 
 /// How the samples of a pixel share the range of a dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -181,11 +181,6 @@ impl Draws {
     /// A point in the unit square with its stratum.
     pub fn pick(&self, dimension: Dimension) -> Pick {
         self.pick_under(self.key_of(dimension), self.order_of(dimension))
-    }
-
-    /// Of several points that one sample draws in a dimension, the one with this number: see [`Splits`].
-    pub fn split(&self, dimension: Dimension, part: u32, parts: u32) -> Pick {
-        Splits::new(self, dimension, parts).pick(part)
     }
 
     #[inline]

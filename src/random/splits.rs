@@ -42,6 +42,13 @@ impl<'d> Splits<'d> {
     }
 }
 
+impl Draws {
+    /// Of several points that one sample draws in a dimension, the one with this number: see [`Splits`].
+    pub fn split(&self, dimension: Dimension, part: u32, parts: u32) -> Pick {
+        Splits::new(self, dimension, parts).pick(part)
+    }
+}
+
 /// The digits of a coordinate that a shift turns: the first 32.
 const SHIFTED: u64 = !0 << 32;
 

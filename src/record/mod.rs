@@ -11,7 +11,7 @@ use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Events, Header, Log, Parameter, SkipReason, Subject};
 use crate::probe::{CutOff, Outlet, Probe, Recorder, until_cut_off};
 use crate::sampling;
-use crate::scene::{Algorithm, Color, Formulas, ReflectedScale, Sampling, Scene, Skip, camera};
+use crate::scene::{Algorithm, Color, Formulas, ReflectedScale, Sampling, Scene, Skip, ray_along};
 use crate::trace::camera_ray;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -187,7 +187,7 @@ impl Computation for PartOf<'_> {
             Part::Pixel(pixel) => Pixel { scene: self.scene, pixel }.run(probe),
             Part::Ray { origin, direction } => {
                 let time = self.scene.camera.opening();
-                let aim = |probe: &mut P| Some(Ray { time, ..camera::ray_along(origin, direction, probe)? });
+                let aim = |probe: &mut P| Some(Ray { time, ..ray_along(origin, direction, probe)? });
                 camera_ray(self.scene, aim, probe)
             }
         }

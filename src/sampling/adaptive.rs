@@ -7,8 +7,9 @@
 //! neighbours have the same, and a picture traces each once (`render`).
 
 use super::mean::Sum;
+use super::outline::Rectangle;
 use super::shared::Corners;
-use super::small_objects::{self, Rectangle, SmallObject};
+use super::small_objects::{self, SmallObject};
 use crate::log::{Acceptance, Decision, Name, Split};
 use crate::probe::Probe;
 use crate::scene::file::validate::limits::MAX_ADAPTIVE_DEPTH;

@@ -115,6 +115,7 @@ impl Ellipse {
 mod tests {
     use super::*;
     use crate::geometry::shape::{Disk, Ellipsoid, Shape, Sphere, SphereMethod};
+    use crate::geometry::{Intersect, Target};
     use crate::probe::Silent;
     use crate::random::{hash, unit};
 
@@ -155,7 +156,7 @@ mod tests {
                     continue;
                 }
                 let ray = camera.ray(place.to_array(), &mut Silent).expect("a direction");
-                let is_met = shape.is_crossed(0, false, &ray, &mut Silent);
+                let is_met = shape.is_crossed(Target::two_sided(0), &ray, &mut Silent);
                 assert_eq!(is_met, circled < 1.0, "{k} {at} {circled}");
                 compared[usize::from(is_met)] += 1;
             }

@@ -1,7 +1,9 @@
 //! The outline of an object in the picture: a convex polygon around the places of its corners.
 
-use super::small_objects::Rectangle;
 use std::sync::Arc;
+
+/// A rectangle of the picture in pixels: left, top, right, bottom.
+pub type Rectangle = [f64; 4];
 
 /// A convex polygon in the picture, in pixels; of two corners or one where all places lie in a line.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,14 +1,11 @@
 //! Objects so small, or so narrow, in the picture that samples may pass beside them (Ramos, section 1.4.1, figure 19).
 
 use super::ellipse::Ellipse;
-use super::outline::Outline;
+use super::outline::{Outline, Rectangle};
 use crate::geometry::Shape;
 use crate::geometry::mesh::triangulate;
 use crate::scene::{Camera, Object, Scene};
 use glam::DVec3;
-
-/// A rectangle of the picture in pixels: left, top, right, bottom.
-pub type Rectangle = [f64; 4];
 
 /// An object, or a part of one, with its outline in the picture.
 #[derive(Clone, Debug, PartialEq)]

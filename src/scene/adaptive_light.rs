@@ -1,7 +1,6 @@
 //! Area lights that are asked only as much as they must: the rules by which the mean of one in full view is taken.
 
-use super::LightSurface;
-use super::area_light::Spread;
+use super::light_surface::{LightSurface, Spread};
 use std::f64::consts::{PI, TAU};
 
 /// How a light is asked for as many of its points as it takes.

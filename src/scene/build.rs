@@ -1,9 +1,9 @@
 //! From a checked scene file to a scene that can be traced.
 
-use super::area_light::Spread;
 use super::file::converted::converted;
 use super::file::mesh::Meshes;
 use super::file::schema as file;
+use super::light_surface::Spread;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{

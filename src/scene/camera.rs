@@ -1,10 +1,11 @@
 //! The eye: which ray goes through which place of the picture.
 
+use super::aim::along;
 use super::lens::Lens;
 use crate::geometry::Ray;
 use crate::geometry::size::unit;
 use crate::geometry::unit::middling;
-use crate::log::{Decision, Name};
+use crate::log::Name;
 use crate::probe::{Probe, Silent};
 use crate::random::{Dimension, Draws};
 use glam::DVec3;
@@ -98,7 +99,7 @@ impl Camera {
     fn distributed_ray<P: Probe>(&self, place: [f64; 2], draws: &Draws, probe: &mut P) -> Option<Ray> {
         let ray = match &self.lens {
             None => self.ray(place, probe)?,
-            Some(lens) => lens.ray(self, place, draws, probe)?,
+            Some(lens) => lens.ray(self.position, self.frame_through(place, probe), draws, probe)?,
         };
         let time = self.shutter.map_or(0.0, |shutter| time_within(shutter, draws, probe));
         Some(Ray { time, ..ray })
@@ -168,29 +169,6 @@ impl Camera {
         let vector = probe.note(Name::RayVector, self.direction + (right * x + up * y) * length);
         (length, [right, up], vector)
     }
-}
-
-/// A ray that is asked for by its origin and its direction, of any length.
-pub fn ray_along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
-    probe.given(Name::RayOrigin, origin);
-    probe.given(Name::RayVector, vector);
-    along(origin, vector, probe)
-}
-
-/// The ray from `origin` along `vector`, which is normalised (Ramos, section 1.3, step 1); `None` where an arithmetic of few
-/// digits makes nothing of its length.
-#[inline(always)]
-pub(super) fn along<P: Probe>(origin: DVec3, vector: DVec3, probe: &mut P) -> Option<Ray> {
-    let length = probe.note(Name::RayLength, probe.dot(vector, vector).sqrt());
-    if length == 0.0 {
-        probe.mark(Decision::Undefined { quantity: Name::RayDirection });
-        return None;
-    }
-    let unit = vector / length;
-    let direction = probe.note(Name::RayDirection, unit);
-    // An arithmetic that goes on with another direction is to go on with that one only.
-    let vector = if direction == unit { middling(vector) } else { direction };
-    Some(Ray { vector, ..Ray::new(origin, direction) })
 }
 
 /// A time while the shutter is open.

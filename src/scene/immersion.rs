@@ -1,7 +1,7 @@
 //! Which media hold the point where a ray begins.
 
 use super::{Camera, Object, Scene};
-use crate::geometry::{Ray, Side};
+use crate::geometry::{Intersect, Ray, Side, Target};
 use crate::probe::{Probe, Silent};
 use glam::DVec3;
 
@@ -61,7 +61,7 @@ fn exit(object: &Object, number: u32, ray: &Ray) -> Option<f64> {
     let inside = object.inside?;
     let first = |direction: DVec3| {
         let along = Ray { time: ray.time, ..Ray::along(ray.origin, direction) };
-        object.shape.first_crossing(number, false, &along, &mut Silent)
+        object.shape.first_crossing(Target::two_sided(number), &along, &mut Silent)
     };
     let is_left = |side: Side| side == inside;
     if let Some(crossing) = first(ray.vector) {

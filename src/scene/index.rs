@@ -2,7 +2,7 @@
 
 use super::Object;
 use crate::geometry::bvh::{Bvh, Form, PerRay, RayMask, Search};
-use crate::geometry::{Bounds, Leaving, RaySource, Shaft, Shape};
+use crate::geometry::{Bounds, Intersect, Leaving, RaySource, Shaft, Shape};
 use crate::probe::Probe;
 use crate::threads::share;
 use arrayvec::ArrayVec;

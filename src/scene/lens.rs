@@ -1,12 +1,13 @@
 //! A thin lens: what isn't at its distance of focus is blurred (Ramos, section 1.5; Potmesil and Chakravarty, "A lens and aperture
 //! camera model for synthetic image generation", 1981; Cook, Porter and Carpenter, "Distributed ray tracing", 1984).
 
-use super::camera::{Camera, along};
+use super::aim::along;
 use super::square::place_in_square;
 use crate::geometry::Ray;
 use crate::log::Name;
 use crate::probe::Probe;
 use crate::random::{Dimension, Draws, warp};
+use glam::DVec3;
 
 /// A thin lens about the eye, across the direction of view.
 ///
@@ -21,12 +22,16 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// The ray of a sample through a place of the picture.
+    /// The ray of a sample through the place of the picture that the vector leads to from the eye; `length` is that of the direction of view.
     // Kept out of the pinhole's way.
     #[inline(never)]
-    pub(super) fn ray<P: Probe>(&self, camera: &Camera, place: [f64; 2], draws: &Draws, probe: &mut P) -> Option<Ray> {
-        let (length, [right, up], vector) = camera.frame_through(place, probe);
-        let eye = camera.position();
+    pub(super) fn ray<P: Probe>(
+        &self,
+        eye: DVec3,
+        (length, [right, up], vector): (f64, [DVec3; 2], DVec3),
+        draws: &Draws,
+        probe: &mut P,
+    ) -> Option<Ray> {
         probe.given(Name::CameraPosition, eye);
         probe.given(Name::LensFocusDistance, self.focus_distance);
         let focus = probe.note(Name::LensFocus, eye + vector * (self.focus_distance / length));

@@ -1,6 +1,6 @@
 //! What a surface does with light.
 
-use super::{Color, Specular};
+use super::Color;
 use glam::DVec3;
 
 /// The coefficients of a surface.
@@ -63,13 +63,6 @@ impl Material {
     /// Whether a hit spawns a transmitted ray, and whether light passes.
     pub fn transmits(&self) -> bool {
         self.weights.transmitted != DVec3::ZERO
-    }
-
-    /// Whether its lobes are so narrow that a cosine near 1 no longer tells their angle: the power is taken from the sine.
-    pub fn is_sharp(&self, specular: Specular) -> bool {
-        /// Up to here the power shows the cosine's rounding errors no more than 10⁻¹³ large.
-        const SHARP: f64 = 1024.0;
-        specular.exponent(self.shininess) >= SHARP || self.transmission_exponent >= SHARP
     }
 
     /// Whether light passes in any way, so that both sides of the surface are there.

@@ -4,6 +4,7 @@
 //! are finite.
 
 pub mod adaptive_light;
+mod aim;
 pub mod area_light;
 mod bare;
 mod build;
@@ -17,6 +18,7 @@ mod immersion;
 mod index;
 pub mod lens;
 pub mod light;
+pub mod light_surface;
 pub mod material;
 mod open;
 pub mod profile;
@@ -27,7 +29,8 @@ pub mod tracing;
 pub mod unsupported;
 
 pub use adaptive_light::{Adaptive, Rule, Sight};
-pub use area_light::{AreaLight, LightSurface};
+pub use aim::ray_along;
+pub use area_light::AreaLight;
 pub use build::{build, build_with};
 pub use camera::Camera;
 pub use ceiling::Ceilings;
@@ -36,6 +39,7 @@ pub use immersion::AroundEye;
 pub use index::{Between, Index};
 pub use lens::Lens;
 pub use light::{Arrival, Light, LightKind};
+pub use light_surface::{LightSurface, Spread};
 pub use material::{Checker, Material, Weights};
 pub use open::OpenError;
 pub use sampling::{Guided, Sampling, Statistical};
@@ -43,7 +47,7 @@ pub use tracing::{Algorithm, Formulas, ReflectedScale, Shadows, Skip, Specular, 
 
 pub use unsupported::Unsupported;
 
-use crate::geometry::{Shape, Side};
+use crate::geometry::{Shape, Side, Target};
 use crate::log::FrameId;
 use compact_str::CompactString;
 use glam::DVec3;
@@ -128,6 +132,14 @@ pub enum Transfer {
     Linear,
     /// That of sRGB (IEC 61966-2-1).
     Srgb,
+}
+
+impl Object {
+    /// The object as a target of rays; `number` is its own in the scene.
+    #[inline(always)]
+    pub fn target(&self, number: u32) -> Target {
+        Target { object: number, one_sided: self.one_sided }
+    }
 }
 
 impl Scene {

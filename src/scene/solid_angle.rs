@@ -5,6 +5,7 @@
 //! techniques for direct lighting calculations", 1996). Of a rectangle: Ureña, Fajardo and King, "An area-preserving parametrization for
 //! spherical rectangles", 2013. Both keep strata together and of equal solid angle.
 
+use super::light_surface::least_axis;
 use crate::random::warp;
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -42,7 +43,7 @@ pub(super) fn of_sphere(center: DVec3, radius: f64, from: DVec3, square: [f64; 2
     let at_center = (sine_squared / widest_squared.sqrt() + cosine * (1.0 - part).sqrt()).clamp(-1.0, 1.0);
     let across = (1.0 - at_center * at_center).max(0.0).sqrt();
     let axis = -toward / distance;
-    let helper = axis.cross(super::area_light::least_axis(axis));
+    let helper = axis.cross(least_axis(axis));
     let first = helper / helper.length();
     let second = axis.cross(first);
     let angle = TAU * x;

@@ -69,6 +69,13 @@ impl Specular {
             Specular::HalfVectorCompensated => 4.0 * shininess,
         }
     }
+
+    /// Whether the lobes of a material are so narrow that a cosine near 1 no longer tells their angle: the power is taken from the sine.
+    pub fn is_sharp(self, material: &Material) -> bool {
+        /// Up to here the power shows the cosine's rounding errors no more than 10⁻¹³ large.
+        const SHARP: f64 = 1024.0;
+        self.exponent(material.shininess) >= SHARP || material.transmission_exponent >= SHARP
+    }
 }
 
 /// Which of several formulas for the same quantity are evaluated.

@@ -4,12 +4,12 @@
 use super::light_points::{OneSide, on_one_side};
 use super::shade::{Source, from_light, segment_to_light};
 use super::{Meeting, unseen};
-use crate::geometry::{Ray, Search};
+use crate::geometry::{Intersect, Ray, Search, Target};
 use crate::log::{Asking, Decision, Name, SkipReason, Step, Term};
 use crate::probe::{Probe, Saving, Silent};
 use crate::random::{Dimension, Splits};
+use crate::scene::Spread;
 use crate::scene::adaptive_light::RulePoint;
-use crate::scene::area_light::Spread;
 use crate::scene::square::place_in_square;
 use crate::scene::{Adaptive, AreaLight, Arrival, Color, Light, LightSurface, Scene, Shadows, Sight, Specular};
 use glam::DVec3;
@@ -238,9 +238,10 @@ impl Way<'_> {
                 && object != meeting.layer.object
                 && !candidate.one_sided
                 && candidate.shape.is_convex_from(point)
-                && candidate.shape.is_crossed(object, false, &ray, probe)
+                && candidate.shape.is_crossed(Target::two_sided(object), &ray, probe)
                 && corners.iter().all(|corner| {
-                    way_to(*corner).is_some_and(|ray| candidate.shape.is_crossed(object, false, &ray, probe))
+                    way_to(*corner)
+                        .is_some_and(|ray| candidate.shape.is_crossed(Target::two_sided(object), &ray, probe))
                 })
             {
                 found = Some(found.map_or(object, |other: u32| other.min(object)));

@@ -1,12 +1,12 @@
 //! The two bounces: the mirrored and the refracted ray (Ramos, section 1.2.2).
 
+use super::follow::Bounce;
 use super::place::Place;
-use super::shade::give_ray;
 use super::zones::{self, Lobe};
-use super::{Media, Meeting, Path, Via, in_range, radiance};
+use super::{Meeting, Path, in_range};
+use crate::geometry::Ray;
 use crate::geometry::doubled::{Doubled, Doubled3};
-use crate::geometry::{Leaving, Ray};
-use crate::log::{Decision, Name, RayKind, SkipReason, Step, Term};
+use crate::log::{Decision, Name, RayKind, SkipReason, Term};
 use crate::probe::{Probe, Saving};
 use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Formulas, Scene};
@@ -274,44 +274,4 @@ fn give_loss<P: Probe>(scene: &Scene, path: &Path, weight: Color, probe: &mut P)
     let product = (path.weight * weight).max(Color::splat(f64::MIN_POSITIVE));
     let product = Color::select(dead_channels(path, weight), Color::ZERO, product);
     probe.given(Name::CutoffLoss, rounded_up(in_range(product * ceiling)));
-}
-
-/// A bounce, whatever its direction.
-pub(super) struct Bounce<'a> {
-    pub kind: RayKind,
-    pub leaving: Leaving,
-    pub weight: Color,
-    /// The media that the ray will be inside.
-    pub media: &'a Media,
-    /// The surfaces at the ray's origin, if it has still to cross some of them.
-    pub place: Option<&'a Place>,
-}
-
-impl Bounce<'_> {
-    /// The colour that the ray in this direction, one level deeper, brings; of several the one with this number from 1.
-    // Each kind of bounce is followed at one or two places.
-    #[inline(always)]
-    pub fn follow<P: Probe>(
-        &self,
-        scene: &Scene,
-        meeting: &Meeting,
-        direction: DVec3,
-        split: u32,
-        probe: &mut P,
-    ) -> Color {
-        let (level, weight) = (meeting.path.level + 1, meeting.path.weight * self.weight);
-        let is_transmitted = self.kind == RayKind::Transmitted;
-        let via = Via { path: meeting.path, is_transmitted, split, weight: self.weight };
-        let draws = meeting.path.draws;
-        let path = Path { level, media: self.media, weight, draws, via: Some(via), place: self.place };
-        let ray = Ray {
-            leaving: Some(self.leaving),
-            slack: meeting.slack,
-            time: meeting.ray.time,
-            ..Ray::new(meeting.surface.point, direction)
-        };
-        give_ray(&ray, probe);
-        let step = Step::Ray { kind: self.kind, depth: level, split };
-        probe.within(step, |probe| radiance(scene, &ray, &path, probe)).color
-    }
 }

@@ -4,6 +4,7 @@
 
 mod adaptive_light;
 mod bounce;
+mod follow;
 mod light_points;
 mod media;
 mod pattern;
@@ -22,7 +23,7 @@ pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, 
 pub(crate) use visibility::all_crossings;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 
-use crate::geometry::{Leaving, Nearest, PACKET, PerRay, Ray, Surface};
+use crate::geometry::{Intersect, Leaving, Nearest, PACKET, PerRay, Ray, Surface};
 use crate::log::{Decision, Name, RayKind, Step};
 use crate::probe::Probe;
 use crate::random::{Arrangement, Draws, Route};

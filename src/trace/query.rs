@@ -3,7 +3,7 @@
 use super::visibility::{are_any_hit, closest_hit, is_any_hit, search_together};
 use crate::geometry::Hit;
 use crate::geometry::unit::{unit, with_unit};
-use crate::geometry::{Leaving, Line, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Side};
+use crate::geometry::{Intersect, Leaving, Line, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Side};
 use crate::probe::Silent;
 use crate::scene::Scene;
 use arrayvec::ArrayVec;

@@ -199,7 +199,7 @@ fn specular<P: Probe>(
         }
     };
     let exponent = scene.tracing.specular.exponent(material.shininess);
-    let is_sharp = material.is_sharp(scene.tracing.specular);
+    let is_sharp = scene.tracing.specular.is_sharp(material);
     material.specular * lobe.height(is_sharp, exponent, probe)
 }
 
@@ -217,7 +217,7 @@ fn transmission<P: Probe>(
 ) -> Color {
     let media = meeting.path.media;
     let exponent = material.transmission_exponent;
-    let is_sharp = material.is_sharp(scene.tracing.specular);
+    let is_sharp = scene.tracing.specular.is_sharp(material);
     let eta_light = media.ior_beyond(meeting.interface(scene), scene);
     probe.given(Name::RefractEta1, eta_light);
     probe.given(Name::RefractEta2, media.ior());
@@ -308,8 +308,8 @@ fn cosine(x: f64) -> f64 {
 /// Which formula the local intensity has under the scene's options and on this material.
 fn local_name(scene: &Scene, material: &Material) -> Name {
     match (scene.tracing.specular, material.uses_light_behind()) {
-        (specular, false) if material.is_sharp(specular) => Name::ShadeLocalSharp,
-        (specular, true) if material.is_sharp(specular) => Name::ShadeLocalSharpTransmitting,
+        (specular, false) if specular.is_sharp(material) => Name::ShadeLocalSharp,
+        (specular, true) if specular.is_sharp(material) => Name::ShadeLocalSharpTransmitting,
         (Specular::HalfVector, false) => Name::ShadeLocal,
         (Specular::HalfVector, true) => Name::ShadeLocalTransmitting,
         (Specular::HalfVectorCompensated, false) => Name::ShadeLocalCompensated,

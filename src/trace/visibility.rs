@@ -1,7 +1,9 @@
 //! What a ray hits first, and how much light a shadow ray lets through.
 
 use super::{Layer, Place, in_range};
-use crate::geometry::{Crossing, Hit, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Search, Shape, each};
+use crate::geometry::{
+    Crossing, Hit, Intersect, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Search, Shape, each,
+};
 use crate::log::{Decision, SkipReason, Term};
 use crate::probe::{Probe, Saving};
 use crate::scene::{Color, Scene, Shadows};
@@ -34,8 +36,8 @@ pub(crate) fn all_crossings<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -
     let mut hits = Vec::new();
     let mut crossings = Vec::new();
     scene.index.visit(ray, Search::in_any_order(probe), probe, |object, _, probe| {
-        let target = &scene.objects[object as usize];
-        target.shape.all_crossings(object, target.one_sided, ray, &mut crossings, probe);
+        let found = &scene.objects[object as usize];
+        found.shape.all_crossings(found.target(object), ray, &mut crossings, probe);
         hits.extend(crossings.drain(..).map(|crossing| Hit { object, crossing }));
         ray.t_max
     });
@@ -66,8 +68,8 @@ pub(super) fn search<P: Probe>(scene: &Scene, ray: &Ray, probe: &mut P) -> Neare
         probe,
         #[inline(always)]
         |object, _, probe| {
-            let target = &scene.objects[object as usize];
-            target.shape.nearest(object, target.one_sided, ray, &mut nearest, probe);
+            let found = &scene.objects[object as usize];
+            found.shape.nearest(found.target(object), ray, &mut nearest, probe);
             nearest.limit()
         },
     );
@@ -88,13 +90,13 @@ pub(super) fn search_together<P: Probe>(scene: &Scene, rays: &[Ray], nearest: &m
         &mut limits,
         #[inline(always)]
         |which, object, _, limits| {
-            let target = &scene.objects[object as usize];
-            if let Shape::Mesh(mesh) = &target.shape {
-                mesh.nearest_together((object, target.one_sided), rays, which, nearest, limits, probe);
+            let found = &scene.objects[object as usize];
+            if let Shape::Mesh(mesh) = &found.shape {
+                mesh.nearest_together(found.target(object), rays, which, nearest, limits, probe);
                 return;
             }
             for at in each(which) {
-                target.shape.nearest(object, target.one_sided, &rays[at], &mut nearest[at], probe);
+                found.shape.nearest(found.target(object), &rays[at], &mut nearest[at], probe);
                 limits[at] = nearest[at].limit();
             }
         },
@@ -119,7 +121,8 @@ pub(super) fn settled<P: Probe>(scene: &Scene, ray: &Ray, nearest: Nearest, prob
 #[cold]
 pub(super) fn touched<P: Probe>(scene: &Scene, ray: &Ray, place: &Place, probe: &mut P) -> Hit {
     let layer = place.ahead[0];
-    scene.objects[layer.object as usize].shape.touch(layer.object, layer.primitive, ray, probe);
+    let object = &scene.objects[layer.object as usize];
+    object.shape.touch(object.target(layer.object), layer.primitive, ray, probe);
     probe.mark(Decision::Nearest { object: layer.object });
     layer.touched()
 }
@@ -148,9 +151,9 @@ pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: R
         &mut limits,
         #[inline(always)]
         |which, object, is_sure, limits| {
-            let target = &scene.objects[object as usize];
-            if let Shape::Mesh(mesh) = &target.shape {
-                mesh.cross_together((object, target.one_sided), sources, which, limits, probe);
+            let found = &scene.objects[object as usize];
+            if let Shape::Mesh(mesh) = &found.shape {
+                mesh.cross_together(found.target(object), sources, which, limits, probe);
                 return;
             }
             for at in each(which) {
@@ -166,9 +169,9 @@ pub fn are_any_hit<P: Probe, S: RaySource>(scene: &Scene, sources: &[S], rays: R
 /// Whether the ray crosses an object; `is_sure` where that is known but for the ray's own surface and the object's side.
 #[inline(always)]
 fn is_blocked_by<P: Probe>(scene: &Scene, source: &impl RaySource, object: u32, is_sure: bool, probe: &mut P) -> bool {
-    let target = &scene.objects[object as usize];
+    let found = &scene.objects[object as usize];
     let is_left = || source.leaving().is_some_and(|leaving| leaving.object == object);
-    (is_sure && !target.one_sided && !is_left()) || target.shape.is_crossed(object, target.one_sided, source, probe)
+    (is_sure && !found.one_sided && !is_left()) || found.shape.is_crossed(found.target(object), source, probe)
 }
 
 /// The part of the light that gets along a shadow ray: the product of what every crossed surface transmits, in a
@@ -218,9 +221,9 @@ fn searched<P: Probe>(scene: &Scene, ray: &Ray, obstacles: &Obstacles, probe: &m
         }
     }
     let mut meet = |object: u32, is_sure: bool, probe: &mut P| {
-        let target = &scene.objects[object as usize];
-        if lets_light_pass && scene.materials[target.material].transmits() {
-            target.shape.all_crossings(object, target.one_sided, ray, &mut crossings, probe);
+        let found = &scene.objects[object as usize];
+        if lets_light_pass && scene.materials[found.material].transmits() {
+            found.shape.all_crossings(found.target(object), ray, &mut crossings, probe);
             crossed.extend(crossings.drain(..).map(|crossing| (crossing.t, object)));
         } else if is_blocked_by(scene, ray, object, is_sure, probe) {
             if !is_blocked {

@@ -2,11 +2,11 @@
 //! Cook, Porter and Carpenter, "Distributed ray tracing", 1984).
 
 use super::Meeting;
-use super::bounce::Bounce;
+use super::follow::Bounce;
 use crate::log::{Decision, Name, Step, Term};
 use crate::probe::Probe;
 use crate::random::{Dimension, Splits, warp};
-use crate::scene::area_light::least_axis;
+use crate::scene::light_surface::least_axis;
 use crate::scene::square::place_in_square;
 use crate::scene::{Color, Scene};
 use glam::DVec3;

@@ -3,7 +3,7 @@
 
 use crate::support::scene_of;
 use glam::DVec3;
-use raywalk::geometry::{Crossing, Leaving, Ray};
+use raywalk::geometry::{Crossing, Intersect, Leaving, Ray};
 use raywalk::probe::Silent;
 use raywalk::random::{Arrangement, Draws};
 use raywalk::record::{Arithmetic, pixel_color};

@@ -4,7 +4,7 @@ use crate::rays::{FEW_ULPS, meet, point, property, ray_through, scale};
 use glam::DVec3;
 use proptest::prelude::*;
 use raywalk::geometry::shape::Cuboid;
-use raywalk::geometry::{Leaving, Ray, Shape, Side};
+use raywalk::geometry::{Intersect, Leaving, Ray, Shape, Side, Target};
 use raywalk::probe::Silent;
 
 /// The corners of a box, a point that a ray aims at, and its origin, both in and around the box.
@@ -37,10 +37,10 @@ fn boxes_are_entered_and_left_through_their_faces() {
             .collect();
         faces.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut found = Vec::new();
-        shape.all_crossings(0, false, &ray, &mut found, &mut Silent);
+        shape.all_crossings(Target::two_sided(0), &ray, &mut found, &mut Silent);
         let found_faces: Vec<_> = found.iter().map(|crossing| (crossing.t, crossing.primitive)).collect();
         assert_eq!(found_faces, faces, "{ray:?} {shape:?}");
-        assert_eq!(shape.first_crossing(0, false, &ray, &mut Silent), found.first().copied());
+        assert_eq!(shape.first_crossing(Target::two_sided(0), &ray, &mut Silent), found.first().copied());
         for crossing in &found {
             let surface = shape.surface(&ray, *crossing, &mut Silent);
             let axis = crossing.primitive as usize / 2;

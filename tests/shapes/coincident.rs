@@ -4,7 +4,7 @@ use crate::random::Random;
 use crate::support::scene_of;
 use glam::DVec3;
 use raywalk::geometry::shape::TriangleMesh;
-use raywalk::geometry::{Mesh, Shape};
+use raywalk::geometry::{Intersect, Mesh, Shape};
 use raywalk::probe::Silent;
 use raywalk::scene::Scene;
 use raywalk::trace::closest_hit;

@@ -9,7 +9,7 @@ use crate::random::Random;
 use crate::worlds::{World, corners_of, magnitude, world};
 use glam::DVec3;
 use rayon::prelude::*;
-use raywalk::geometry::{Crossing, Leaving, Ray, Search, Shape};
+use raywalk::geometry::{Crossing, Intersect, Leaving, Ray, Search, Shape, Target};
 use raywalk::probe::Silent;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -123,8 +123,9 @@ fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Optio
 
 /// Compares what the tree shows with everything; returns the nearest hit.
 fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32, Crossing)> {
-    let meet =
-        |primitive: u32, ray: &Ray| world.shapes[primitive as usize].first_crossing(primitive, false, ray, &mut Silent);
+    let meet = |primitive: u32, ray: &Ray| {
+        world.shapes[primitive as usize].first_crossing(Target::two_sided(primitive), ray, &mut Silent)
+    };
     let all: Vec<(u32, Crossing)> =
         (0..world.shapes.len() as u32).filter_map(|primitive| Some((primitive, meet(primitive, ray)?))).collect();
     let nearest = all.iter().copied().min_by(|(a, one), (b, other)| one.t.total_cmp(&other.t).then(a.cmp(b)));
@@ -163,12 +164,16 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
     });
     assert_eq!(is_occluded, nearest.is_some(), "world {number}: occlusion of {ray:?} by {nearest:?}");
     if let (Some(mesh), None) = (&world.mesh, ray.leaving) {
-        let found = mesh.first_crossing(0, false, ray, &mut Silent);
+        let found = mesh.first_crossing(Target::two_sided(0), ray, &mut Silent);
         let found = found.map(|crossing| (crossing.primitive, crossing.t.to_bits(), crossing.side));
         let expected = first_in_place(&world.shapes, &all, ray);
         let expected = expected.map(|(primitive, crossing)| (primitive, crossing.t.to_bits(), crossing.side));
         assert_eq!(found, expected, "world {number}: the mesh and {ray:?}");
-        assert_eq!(mesh.is_crossed(0, false, &quick, &mut Silent), nearest.is_some(), "world {number}: {ray:?}");
+        assert_eq!(
+            mesh.is_crossed(Target::two_sided(0), &quick, &mut Silent),
+            nearest.is_some(),
+            "world {number}: {ray:?}"
+        );
     }
     tally.culled.fetch_add((world.shapes.len() - shown.len()) as u64, Ordering::Relaxed);
     let outcome = if nearest.is_some() { &tally.hits } else { &tally.misses };

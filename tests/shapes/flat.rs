@@ -4,7 +4,7 @@ use crate::rays::{FEW_ULPS, meet, point, property, ray_through, scale};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use raywalk::geometry::shape::{Disk, Polygon, Triangle};
-use raywalk::geometry::{Crossing, Ray, Shape, Side, Surface};
+use raywalk::geometry::{Crossing, Intersect, Ray, Shape, Side, Surface};
 
 /// What every hit of a flat shape must satisfy.
 #[track_caller]

@@ -3,7 +3,7 @@
 use crate::solids::{all, first, surface, unit};
 use glam::DVec3;
 use raywalk::geometry::shape::{Cone, Cylinder, Ellipsoid};
-use raywalk::geometry::{Ray, Shape, Side};
+use raywalk::geometry::{Intersect, Ray, Shape, Side, Target};
 use raywalk::probe::Silent;
 
 const EPSILON: f64 = f64::EPSILON;
@@ -170,7 +170,8 @@ fn a_one_sided_surface_is_absent_from_behind() {
         (pointed_cone(false, false), 3.0),
         (pointed_cone(true, true), 7.0),
     ] {
-        let found = shape.first_crossing(0, true, &across, &mut Silent).expect("a crossing");
+        let found =
+            shape.first_crossing(Target { object: 0, one_sided: true }, &across, &mut Silent).expect("a crossing");
         assert_eq!((found.t, found.side), (t, Front));
     }
 }

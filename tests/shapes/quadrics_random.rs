@@ -9,7 +9,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use raywalk::geometry::shape::{Cone, Cylinder, Ellipsoid, Sphere, SphereMethod};
-use raywalk::geometry::{Leaving, Ray, Shape, Side};
+use raywalk::geometry::{Intersect, Leaving, Ray, Shape, Side};
 
 const EPSILON: f64 = f64::EPSILON;
 

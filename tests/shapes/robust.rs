@@ -3,7 +3,7 @@
 use crate::rays::{FEW_ULPS, meet, ray_through};
 use glam::DVec3;
 use raywalk::geometry::shape::{Cuboid, Disk, Polygon, Triangle};
-use raywalk::geometry::{Leaving, Ray, Shape, Side};
+use raywalk::geometry::{Intersect, Leaving, Ray, Shape, Side, Target};
 use raywalk::log::What;
 use raywalk::probe::{Altered, Recorder, Silent, Single};
 
@@ -48,8 +48,10 @@ fn no_ray_slips_through_a_shared_edge() {
         for _ in 0..100 {
             let part = 0.5 + 0.49 * numbers.next();
             let ray = ray_through(origin, from + (to - from) * part);
-            let hits =
-                triangles.iter().filter(|shape| shape.first_crossing(0, false, &ray, &mut Silent).is_some()).count();
+            let hits = triangles
+                .iter()
+                .filter(|shape| shape.first_crossing(Target::two_sided(0), &ray, &mut Silent).is_some())
+                .count();
             assert!(hits > 0, "{ray:?} slips between {triangles:?}");
             if hits == 2 { both += 1 } else { one += 1 }
         }
@@ -73,7 +75,7 @@ fn triangles_without_area_are_never_hit() {
             let shape = Shape::Triangle(Box::new(Triangle::new(place.map(along), None)));
             let target = DVec3::from(along(numbers.next() * 3.0));
             for ray in [ray_through(numbers.point() * size, target), Ray::new(target, step)] {
-                assert_eq!(shape.first_crossing(0, false, &ray, &mut Silent), None, "{shape:?} {ray:?}");
+                assert_eq!(shape.first_crossing(Target::two_sided(0), &ray, &mut Silent), None, "{shape:?} {ray:?}");
             }
         }
     }
@@ -105,13 +107,13 @@ fn no_input_makes_a_note_that_is_not_finite() {
             let ray = Ray::new(point(), direction);
             for shape in &shapes {
                 let mut recorder = Recorder::default();
-                let found = shape.first_crossing(0, false, &ray, &mut recorder);
+                let found = shape.first_crossing(Target::two_sided(0), &ray, &mut recorder);
                 if let Some(crossing) = found {
                     shape.surface(&ray, crossing, &mut recorder);
                 }
                 check_notes(recorder);
                 let mut single = Altered { alteration: Single, probe: Recorder::default() };
-                if let Some(crossing) = shape.first_crossing(0, false, &ray, &mut single) {
+                if let Some(crossing) = shape.first_crossing(Target::two_sided(0), &ray, &mut single) {
                     shape.surface(&ray, crossing, &mut single);
                 }
                 check_notes(single.probe);
@@ -157,11 +159,11 @@ fn one_sided_faces_are_absent_from_behind() {
     ];
     let from = |z: f64| Ray::new(DVec3::new(1.0, 1.0, z), DVec3::Z * -z.signum());
     for shape in &shapes {
-        assert!(shape.first_crossing(0, true, &from(2.0), &mut Silent).is_some());
-        assert_eq!(shape.first_crossing(0, true, &from(-2.0), &mut Silent), None);
+        assert!(shape.first_crossing(Target { object: 0, one_sided: true }, &from(2.0), &mut Silent).is_some());
+        assert_eq!(shape.first_crossing(Target { object: 0, one_sided: true }, &from(-2.0), &mut Silent), None);
         let hit = meet(shape, &from(2.0)).expect("a hit from the front");
         assert_eq!((hit.0.t, hit.1.normal), (2.0, DVec3::Z));
         let leaving = Some(Leaving { object: 0, primitive: hit.0.primitive, side: Side::Front });
-        assert_eq!(shape.first_crossing(0, false, &Ray { leaving, ..from(2.0) }, &mut Silent), None);
+        assert_eq!(shape.first_crossing(Target::two_sided(0), &Ray { leaving, ..from(2.0) }, &mut Silent), None);
     }
 }

@@ -5,7 +5,7 @@ use crate::random::Random;
 use crate::worlds::{World, magnitude, world};
 use glam::DVec3;
 use rayon::prelude::*;
-use raywalk::geometry::{Bounds, Crossing, Leaving, Ray, Shaft, Side};
+use raywalk::geometry::{Bounds, Crossing, Intersect, Leaving, Ray, Shaft, Side, Target};
 use raywalk::probe::Silent;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -43,7 +43,7 @@ fn met(world: &World, random: &mut Random) -> Option<Met> {
     let target = targets[random.below(targets.len())] + random.point() * *size * magnitude(random, -9, -1);
     let ray = Ray::along(origin, target - origin);
     let meet = |object: u32| {
-        let crossing = world.shapes[object as usize].first_crossing(object, false, &ray, &mut Silent)?;
+        let crossing = world.shapes[object as usize].first_crossing(Target::two_sided(object), &ray, &mut Silent)?;
         Some(Met { ray, object, crossing })
     };
     (0..world.shapes.len() as u32).filter_map(meet).min_by(|a, b| a.crossing.t.total_cmp(&b.crossing.t))
@@ -149,7 +149,7 @@ fn compare(world: &World, number: u64, random: &mut Random, tally: &Tally) {
         let to = point_of(&light, random);
         let Some(ray) = shadow_ray(point, to, leaving, slack) else { continue };
         for (primitive, shape) in (0..).zip(&world.shapes) {
-            let crossing = shape.first_crossing(primitive, false, &ray, &mut Silent);
+            let crossing = shape.first_crossing(Target::two_sided(primitive), &ray, &mut Silent);
             if let Some(crossing) = crossing {
                 count(&tally.crossed, 1);
                 let is_found = found.contains(&primitive);
@@ -159,7 +159,7 @@ fn compare(world: &World, number: u64, random: &mut Random, tally: &Tally) {
             }
         }
         if let Some((mesh, leaving, is_free)) = is_free_mesh {
-            let is_crossed = mesh.is_crossed(0, false, &Ray { leaving, ..ray }, &mut Silent);
+            let is_crossed = mesh.is_crossed(Target::two_sided(0), &Ray { leaving, ..ray }, &mut Silent);
             assert!(
                 !is_free || !is_crossed,
                 "world {number}: {ray:?} crosses the mesh, leaving {leaving:?}, in {shaft:?}"

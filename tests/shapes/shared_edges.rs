@@ -3,7 +3,7 @@
 use crate::random::Random;
 use glam::DVec3;
 use raywalk::geometry::shape::{Polygon, Triangle};
-use raywalk::geometry::{Ray, Shape};
+use raywalk::geometry::{Ray, Shape, Target};
 use raywalk::probe::Silent;
 
 /// A prism over a star around 0, turned, stretched and moved: mostly concave caps, and quads as sides.
@@ -59,7 +59,7 @@ impl Body {
 }
 
 fn hits(shapes: &[Shape], ray: &Ray) -> usize {
-    shapes.iter().filter(|shape| shape.first_crossing(0, false, ray, &mut Silent).is_some()).count()
+    shapes.iter().filter(|shape| shape.first_crossing(Target::two_sided(0), ray, &mut Silent).is_some()).count()
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::support;
 use glam::DVec3;
 use rayon::prelude::*;
 use raywalk::geometry::shape::{Cuboid, Ellipsoid, Plane, Sphere, SphereMethod, Triangle, TriangleMesh};
-use raywalk::geometry::{Leaving, Mesh, Ray, Shape};
+use raywalk::geometry::{Intersect, Leaving, Mesh, Ray, Shape, Target};
 use raywalk::probe::Silent;
 use raywalk::scene::generate::{icosphere, knot};
 use raywalk::scene::{Index, Scene};
@@ -74,7 +74,7 @@ fn no_ray_slips_between_the_triangles_of_a_closed_mesh() {
         let ray = Ray::along(inside, target - inside);
         // From inside the ball every corner is in sight. The knot has edges that a ray only touches before it goes on.
         let reach = if which == 0 { inside.distance(target) * (1.0 + 1e-12) } else { f64::INFINITY };
-        shape.first_crossing(0, false, &ray, &mut Silent).is_none_or(|crossing| crossing.t > reach)
+        shape.first_crossing(Target::two_sided(0), &ray, &mut Silent).is_none_or(|crossing| crossing.t > reach)
     });
     assert_eq!(misses, 0, "of {MANY}");
 }
@@ -99,7 +99,7 @@ fn no_ray_meets_the_convex_surface_that_it_leaves() {
         let from = place + random.unit() * scale * (3.0 + random.part());
         let target = place + random.point() * scale * 0.4;
         let ray = Ray::along(from, target - from);
-        let Some(crossing) = shape.first_crossing(0, false, &ray, &mut Silent) else { return false };
+        let Some(crossing) = shape.first_crossing(Target::two_sided(0), &ray, &mut Silent) else { return false };
         let surface = shape.surface(&ray, crossing, &mut Silent);
         let way = random.unit();
         // Some of the ways run along the surface but for a little.
@@ -109,7 +109,7 @@ fn no_ray_meets_the_convex_surface_that_it_leaves() {
         let leaving = Some(Leaving { object: 0, primitive: crossing.primitive, side: crossing.side });
         let slack = ray.slack_at(surface.point, &Silent);
         let spawned = Ray { leaving, slack, ..Ray::along(surface.point, outward) };
-        shape.first_crossing(0, false, &spawned, &mut Silent).is_some()
+        shape.first_crossing(Target::two_sided(0), &spawned, &mut Silent).is_some()
     });
     assert_eq!(self_hits, 0, "of {MANY}");
 }
@@ -146,14 +146,14 @@ fn no_ray_meets_the_convex_mesh_that_it_leaves() {
         let size = mesh.mesh().positions[0].length();
         let from = random.unit() * size * 4.0;
         let ray = Ray::along(from, target - from);
-        let Some(crossing) = ball.first_crossing(0, false, &ray, &mut Silent) else { return false };
+        let Some(crossing) = ball.first_crossing(Target::two_sided(0), &ray, &mut Silent) else { return false };
         let surface = ball.surface(&ray, crossing, &mut Silent);
         let way = random.unit();
         let outward = if way.dot(surface.normal) < 0.0 { -way } else { way };
         let leaving = Some(Leaving { object: 0, primitive: crossing.primitive, side: crossing.side });
         let slack = ray.slack_at(surface.point, &Silent);
         let spawned = Ray { leaving, slack, ..Ray::along(surface.point, outward) };
-        ball.first_crossing(0, false, &spawned, &mut Silent).is_some()
+        ball.first_crossing(Target::two_sided(0), &spawned, &mut Silent).is_some()
     });
     assert_eq!(self_hits, 0, "of {MANY}");
 }

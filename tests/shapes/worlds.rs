@@ -3,7 +3,7 @@
 use crate::random::Random;
 use glam::DVec3;
 use raywalk::geometry::shape::{Cone, Cuboid, Cylinder, Disk, Ellipsoid, Sphere, SphereMethod, Triangle, TriangleMesh};
-use raywalk::geometry::{Bvh, Mesh, Shape};
+use raywalk::geometry::{Bvh, Intersect, Mesh, Shape};
 use std::sync::Arc;
 
 /// Primitives, and a tree over them.

@@ -6,7 +6,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use raywalk::geometry::{Crossing, Ray, Shape, Surface};
+use raywalk::geometry::{Crossing, Intersect, Ray, Shape, Surface, Target};
 use raywalk::probe::Silent;
 use std::cell::Cell;
 
@@ -16,7 +16,7 @@ pub const CASES: u32 = 2000;
 pub const FEW_ULPS: f64 = 4.0 * f64::EPSILON;
 
 pub fn meet(shape: &Shape, ray: &Ray) -> Option<(Crossing, Surface)> {
-    let crossing = shape.first_crossing(0, false, ray, &mut Silent)?;
+    let crossing = shape.first_crossing(Target::two_sided(0), ray, &mut Silent)?;
     Some((crossing, shape.surface(ray, crossing, &mut Silent)))
 }
 

@@ -7,17 +7,17 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use raywalk::geometry::shape::{Cone, Cylinder, Ellipsoid};
-use raywalk::geometry::{Crossing, Ray, Shape, Surface};
+use raywalk::geometry::{Crossing, Intersect, Ray, Shape, Surface, Target};
 use raywalk::probe::Silent;
 use std::cell::Cell;
 
 pub fn first(shape: &Shape, ray: &Ray) -> Option<Crossing> {
-    shape.first_crossing(0, false, ray, &mut Silent)
+    shape.first_crossing(Target::two_sided(0), ray, &mut Silent)
 }
 
 pub fn all(shape: &Shape, ray: &Ray) -> Vec<Crossing> {
     let mut found = Vec::new();
-    shape.all_crossings(0, false, ray, &mut found, &mut Silent);
+    shape.all_crossings(Target::two_sided(0), ray, &mut found, &mut Silent);
     found
 }
 

@@ -1,8 +1,8 @@
 //! The scene as lines, for the viewer's schematic.
 
 use glam::DVec3;
-use raywalk::geometry::Bounds;
 use raywalk::geometry::shape::circle;
+use raywalk::geometry::{Bounds, Intersect};
 use raywalk::scene::{LightKind, LightSurface, Scene};
 use raywalk::tui::{Drawing, Wireframe};
 use std::sync::Arc;

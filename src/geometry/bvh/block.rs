@@ -5,6 +5,29 @@ use super::lanes::{Eight, Lanes};
 use super::space::{LocalRay, Space, U, up};
 use glam::DVec3;
 
+/// How many primitives a block has room for.
+pub(super) const BLOCK: usize = 8;
+
+/// A kind of primitives that share blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u32)]
+pub(super) enum Kind {
+    Triangle,
+    Sphere,
+    Other,
+}
+
+impl Kind {
+    /// How much of a block one takes. What shares no block has a place in a node, which costs as much.
+    #[inline(always)]
+    pub fn room(self) -> u32 {
+        match self {
+            Kind::Triangle | Kind::Sphere => 1,
+            Kind::Other => BLOCK as u32,
+        }
+    }
+}
+
 /// What replaces a primitive in an unused lane.
 const NOTHING: u32 = u32::MAX;
 

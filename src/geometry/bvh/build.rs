@@ -1,12 +1,12 @@
 //! Building the tree: from the top, by the surface area heuristic, each node cut into up to eight parts (Wald, 2007). Parts are built in
 //! parallel; the tree is the same on any number of threads.
 
-use super::block::{Block, SphereBlock, TriangleBlock};
+use super::block::{Block, Kind, SphereBlock, TriangleBlock};
 use super::lanes::Instructions;
 use super::node::{Box32, Child, Content, Node};
 use super::outliers::{self, Sorted};
 use super::space::Space;
-use super::split::{BLOCK, Part, Rough};
+use super::split::{Part, Rough};
 use super::{Bvh, Form};
 use crate::threads::share;
 use arrayvec::ArrayVec;
@@ -23,26 +23,6 @@ const MIN_PARALLEL_PRIMITIVES: usize = 1 << 14;
 
 /// How many primitives are made ready at a time.
 const CHUNK: usize = 1 << 12;
-
-/// A kind of primitives that share blocks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[repr(u32)]
-pub(super) enum Kind {
-    Triangle,
-    Sphere,
-    Other,
-}
-
-impl Kind {
-    /// How much of a block one takes. What shares no block has a place in a node, which costs as much.
-    #[inline(always)]
-    pub fn room(self) -> u32 {
-        match self {
-            Kind::Triangle | Kind::Sphere => 1,
-            Kind::Other => BLOCK as u32,
-        }
-    }
-}
 
 /// The primitives of a block, as a range of all.
 #[derive(Clone, Copy, Debug)]

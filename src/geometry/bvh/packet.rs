@@ -4,31 +4,12 @@
 use super::block::{Block, LeafRay, Sorted};
 use super::lanes::{Eight, Lanes};
 use super::node::{BoxRay, Child, Content, Frustum};
+use super::packet_lines::{Lines, Local, PACKET, PerRay, RayMask, each};
 use super::space::{Distance, WIDEST};
 use super::walk::STACK;
 use super::{Bvh, Search};
-use crate::geometry::line::{Line, RaySource};
+use crate::geometry::line::RaySource;
 use arrayvec::ArrayVec;
-
-/// The most rays in a packet.
-pub const PACKET: usize = 8;
-
-/// A number for each ray of a packet.
-pub type PerRay<T> = [T; PACKET];
-
-/// The rays of a packet, a bit for each.
-pub type RayMask = u32;
-
-/// The numbers of the rays in a set.
-#[inline(always)]
-pub fn each(rays: RayMask) -> impl Iterator<Item = usize> {
-    let mut rest = rays;
-    std::iter::from_fn(move || {
-        let ray = rest.trailing_zeros() as usize;
-        rest &= rest.wrapping_sub(1);
-        (ray < PACKET).then_some(ray)
-    })
-}
 
 /// A walk of several rays, and what it is for.
 pub(super) struct PacketWalk<'a, S, M> {
@@ -43,73 +24,6 @@ pub(super) struct PacketWalk<'a, S, M> {
 
 /// A child that waits: where the first ray enters its box, and the rays that do.
 type Waiting = (f32, Child, RayMask);
-
-/// Lines, one in each lane.
-pub(super) struct Lines {
-    pub origin: [PerRay<f64>; 3],
-    pub direction: [PerRay<f64>; 3],
-    pub unit: PerRay<f64>,
-    pub t_min: PerRay<f64>,
-    pub t_max: PerRay<f64>,
-}
-
-impl Lines {
-    pub const NONE: Lines = Lines {
-        origin: [[0.0; PACKET]; 3],
-        direction: [[1.0; PACKET]; 3],
-        unit: [1.0; PACKET],
-        t_min: [0.0; PACKET],
-        t_max: [-1.0; PACKET],
-    };
-
-    /// Puts a line into a lane, which reaches that far.
-    #[inline(always)]
-    pub fn set(&mut self, at: usize, line: &Line, t_max: f64) {
-        for axis in 0..3 {
-            self.origin[axis][at] = line.origin[axis];
-            self.direction[axis][at] = line.direction[axis];
-        }
-        (self.unit[at], self.t_min[at], self.t_max[at]) = (line.unit, line.t_min, t_max);
-    }
-}
-
-/// The rays in the tree's space, one in each lane.
-pub(super) struct Local {
-    pub origin: [Eight; 3],
-    pub direction: [Eight; 3],
-    pub inverse: [Eight; 3],
-    pub near: [Eight; 3],
-    pub far: [Eight; 3],
-    near_side: [usize; 3],
-    pub slack: Eight,
-    pub t_min: Eight,
-    pub t_max: Eight,
-    pub distance: PerRay<Distance>,
-    /// Between which distances a crossing certainly counts.
-    sure: PerRay<Option<[f32; 2]>>,
-}
-
-impl Local {
-    pub const NONE: Local = Local {
-        origin: [[0.0; 8]; 3],
-        direction: [[0.0; 8]; 3],
-        inverse: [[0.0; 8]; 3],
-        near: [[0.0; 8]; 3],
-        far: [[0.0; 8]; 3],
-        near_side: [0; 3],
-        slack: [0.0; 8],
-        t_min: [0.0; 8],
-        t_max: [f32::NEG_INFINITY; 8],
-        distance: [Distance::NONE; PACKET],
-        sure: [None; PACKET],
-    };
-
-    /// The last distance that matters to any ray; nothing matters to one that has ended.
-    #[inline(always)]
-    fn farthest(&self) -> f32 {
-        self.t_max.iter().fold(f32::NEG_INFINITY, |farthest, t| if *t > farthest { *t } else { farthest })
-    }
-}
 
 impl<S: RaySource, M: FnMut(RayMask, u32, bool, &mut PerRay<f64>)> PacketWalk<'_, S, M> {
     /// Walks from this child on, up to a distance for each ray. Rays that don't run with the first one, or of which little is known, go on

@@ -1,7 +1,6 @@
 //! The tree's own space, in which single precision is enough: centred on what the tree holds, and scaled by a power of two so that all
 //! of it lies between −1 and 1. `docs/acceleration.md` derives the margins.
 
-use super::packet::{Lines, Local, PACKET};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::{exponent, scaled};
 use crate::geometry::line::Line;
@@ -16,8 +15,8 @@ const LATEST: f32 = 16.0;
 /// Where the space lies in the scene's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Space {
-    center: DVec3,
-    scale: f64,
+    pub center: DVec3,
+    pub scale: f64,
 }
 
 /// A ray in the tree's space.
@@ -46,11 +45,11 @@ pub(super) struct LocalRay {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Distance {
     /// A unit of length in the tree's space.
-    unit: f64,
+    pub unit: f64,
     /// A unit of distances along the ray.
-    scale: f64,
-    shift: f64,
-    slack: f64,
+    pub scale: f64,
+    pub shift: f64,
+    pub slack: f64,
 }
 
 impl Space {
@@ -96,57 +95,6 @@ impl Space {
     }
 }
 
-impl Space {
-    /// The same for several lines at once. The slack of one of which [`Space::ray`] has no ray is at least [`WIDEST`].
-    // The same operations lane by lane, without a branch, so that the compiler puts lanes side by side.
-    #[inline(always)]
-    pub fn rays(&self, lines: &Lines, local: &mut Local) {
-        let Lines { origin: [o_x, o_y, o_z], direction: [d_x, d_y, d_z], unit, t_min, t_max } = lines;
-        let [c_x, c_y, c_z] = self.center.to_array();
-        let scale = self.scale;
-        let (mut shifts, mut slacks) = ([0.0; PACKET], [0.0; PACKET]);
-        for at in 0..PACKET {
-            let (x, y, z) = ((o_x[at] - c_x) * scale, (o_y[at] - c_y) * scale, (o_z[at] - c_z) * scale);
-            let along = x * d_x[at] + y * d_y[at] + z * d_z[at];
-            let is_far = x * x + y * y + z * z > NEAR;
-            let shift = if is_far { -along - 2.0 } else { 0.0 };
-            let size = x.abs() + y.abs() + z.abs();
-            let offset = (o_x[at].abs() + o_y[at].abs() + o_z[at].abs()) * scale;
-            let slack = ROUNDINGS * (size + shift.abs() + offset + 8.0);
-            // What is no number is no slack, either.
-            slacks[at] = if slack < f64::from(WIDEST) { slack } else { f64::from(WIDEST) };
-            shifts[at] = shift;
-            local.origin[0][at] = (x + d_x[at] * shift) as f32;
-            local.origin[1][at] = (y + d_y[at] * shift) as f32;
-            local.origin[2][at] = (z + d_z[at] * shift) as f32;
-        }
-        for at in 0..PACKET {
-            local.direction[0][at] = d_x[at] as f32;
-            local.direction[1][at] = d_y[at] as f32;
-            local.direction[2][at] = d_z[at] as f32;
-            local.slack[at] = slacks[at] as f32 * (1.0 + 4.0 * U);
-        }
-        for axis in 0..3 {
-            for at in 0..PACKET {
-                let direction = local.direction[axis][at];
-                let along = if direction.abs() < LEAST { LEAST.copysign(direction) } else { direction };
-                let inverse = 1.0 / along;
-                let center = local.origin[axis][at] * inverse;
-                let around = inverse.abs() * (OF_BOX + local.slack[at]);
-                local.inverse[axis][at] = inverse;
-                local.near[axis][at] = center + around;
-                local.far[axis][at] = center - around;
-            }
-        }
-        for at in 0..PACKET {
-            let distance = Distance { unit: scale, scale: unit[at] * scale, shift: shifts[at], slack: slacks[at] };
-            local.t_min[at] = distance.earliest(t_min[at]);
-            local.t_max[at] = distance.latest(t_max[at]);
-            local.distance[at] = distance;
-        }
-    }
-}
-
 impl LocalRay {
     #[inline(always)]
     fn new(origin: Vec3, direction: Vec3, slack: f32, t_min: f64, distance: Distance) -> LocalRay {
@@ -174,10 +122,10 @@ impl LocalRay {
 }
 
 /// A ray that begins within the root of this isn't moved.
-const NEAR: f64 = 8.0;
+pub(super) const NEAR: f64 = 8.0;
 
 /// Roundings in f64, as parts of all coordinates that they are made of together.
-const ROUNDINGS: f64 = 24.0 * f64::EPSILON;
+pub(super) const ROUNDINGS: f64 = 24.0 * f64::EPSILON;
 
 /// With a greater slack boxes exclude nothing.
 pub(super) const WIDEST: f32 = 0.125;
@@ -186,7 +134,7 @@ pub(super) const WIDEST: f32 = 0.125;
 pub(super) const OF_BOX: f32 = 24.0 * U;
 
 /// The least component of a direction.
-const LEAST: f32 = 1e-18;
+pub(super) const LEAST: f32 = 1e-18;
 
 /// |x| + |y| + |z|
 #[inline(always)]
@@ -204,7 +152,7 @@ impl Distance {
 
     /// A distance in the tree's space before which nothing lies that the ray hits beyond `t`.
     #[inline(always)]
-    fn earliest(&self, t: f64) -> f32 {
+    pub fn earliest(&self, t: f64) -> f32 {
         -self.rounded_up(-t, -1.0)
     }
 
@@ -248,6 +196,7 @@ pub(super) fn up(x: f64) -> f32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::packet_lines::{Lines, Local, PACKET};
     use super::*;
 
     fn space() -> Space {

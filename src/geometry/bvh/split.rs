@@ -1,13 +1,10 @@
 //! Cutting a part of the primitives in two, where the surface area heuristic says so.
 
-use super::build::Kind;
+use super::block::{BLOCK, Kind};
 use super::node::Box32;
 use glam::Vec4;
 use rayon::prelude::*;
 use std::ops::Range;
-
-/// How many primitives a block has room for.
-pub(super) const BLOCK: usize = 8;
 
 /// In how many slices an axis is cut.
 const BINS: usize = 16;

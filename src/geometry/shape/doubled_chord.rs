@@ -31,9 +31,6 @@ pub(super) const LEAST_TO_CORRECT: f64 = 1.0 / (1 << 20) as f64;
 pub(super) struct Doubt(f64);
 
 impl Doubt {
-    /// No doubt at all.
-    pub const NONE: Doubt = Doubt(f64::NEG_INFINITY);
-
     /// Nothing but doubt. Times zero it is zero, which is no less than a difference of zeros; so it isn't infinite, nor is the bound of T2_A.
     const ALL: Doubt = Doubt(f64::MAX / OF_CHORD_PER_SQUARE);
 

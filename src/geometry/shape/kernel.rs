@@ -1,7 +1,10 @@
 //! The trait of intersection tests, and what the kernels of all shapes share.
 
+use super::intersect::{Intersect, Target};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::doubled::Doubled;
+use crate::geometry::line::RaySource;
+use crate::geometry::nearest::Nearest;
 use crate::geometry::ray::{Crossing, Ray, Side, Surface};
 use crate::log::{Decision, Miss, Name, Step};
 use crate::probe::{Probe, Silent};
@@ -46,12 +49,12 @@ pub trait Kernel {
 
     /// The size of the numbers that define the surface, whose roundings move it: its greatest coordinate.
     fn size(&self) -> f64 {
-        self.bounds().map_or(0.0, Bounds::size)
+        Kernel::bounds(self).map_or(0.0, Bounds::size)
     }
 
     /// The part of the ray's direction that is along the normal at a crossing: how fast the ray leaves the surface.
     fn slope(&self, ray: &Ray, crossing: Crossing) -> f64 {
-        self.surface(ray, crossing, &mut Silent).geometric_normal().dot(ray.direction).abs()
+        Kernel::surface(self, ray, crossing, &mut Silent).geometric_normal().dot(ray.direction).abs()
     }
 
     /// Whether a crossing near an end of the ray is that end, as far as rounding can tell: where the ray begins, or where the light is. Then
@@ -59,7 +62,7 @@ pub trait Kernel {
     #[cold]
     #[inline(never)]
     fn at_an_end(&self, ray: &Ray, approach: Approach, crossing: Crossing) -> Option<Miss> {
-        at_an_end(ray, approach.leaving.is_none(), crossing.t, self.slope(ray, crossing), self.size())
+        at_an_end(ray, approach.leaving.is_none(), crossing.t, self.slope(ray, crossing), Kernel::size(self))
     }
 
     /// Marks the only candidate of a flat shape as hit or missed.
@@ -78,61 +81,65 @@ pub trait Kernel {
     fn at_a_near_end(&self, ray: &Ray, approach: Approach, t: f64, side: Side, primitive: u32) -> Option<Miss> {
         self.at_an_end(ray, approach, Crossing { t, side, primitive })
     }
+}
 
-    /// [`Kernel::decide`] for a crossing near an end of the ray.
-    #[cold]
-    #[inline(never)]
-    fn decide_near_end<P: Probe>(
-        &self,
-        ray: &Ray,
-        approach: Approach,
-        candidate: Crossing,
-        probe: &mut P,
-    ) -> Option<Crossing> {
-        decide(ray, approach, candidate, self.at_an_end(ray, approach, candidate), probe)
-    }
+/// The first point where the ray crosses the target; `None` also where the ray leaves the target and can't hit it again.
+// Each kernel is a function of its own: in one function they would spill each other's registers.
+#[inline(never)]
+fn test<K: Kernel, P: Probe>(kernel: &K, target: Target, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+    let approach = Approach::of(kernel, target, ray)?;
+    kernel.give(probe);
+    probe.within(step_of(target), |probe| kernel.first_crossing(ray, approach, probe))
+}
 
-    /// The first point where the ray crosses object `object` of this shape.
-    // Each kernel is a function of its own: in one function they would spill each other's registers.
-    #[inline(never)]
-    fn first_of<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        self.test(object, one_sided, ray, probe, |approach, probe| self.first_crossing(ray, approach, probe))?
-    }
+fn step_of(target: Target) -> Step {
+    Step::Test { object: target.object, triangle: None }
+}
 
-    /// All points where the ray crosses object `object` of this shape, in its order.
-    #[inline(never)]
-    fn all_of<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, found: &mut Vec<Crossing>, probe: &mut P) {
-        self.test(object, one_sided, ray, probe, |approach, probe| self.all_crossings(ray, approach, found, probe));
-    }
-
-    /// The surface at a crossing, as a function of its own.
-    #[inline(never)]
-    fn surface_of<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        self.surface(ray, crossing, probe)
-    }
-
-    /// Runs `body` as the test of object `object`, unless the ray leaves it and can't hit it again.
-    #[inline]
-    fn test<P: Probe, T>(
-        &self,
-        object: u32,
-        one_sided: bool,
-        ray: &Ray,
-        probe: &mut P,
-        body: impl FnOnce(Approach, &mut P) -> T,
-    ) -> Option<T> {
-        let leaving = ray.leaving.filter(|leaving| leaving.object == object).map(|leaving| leaving.side);
-        if leaving.is_some_and(|side| !self.can_self_intersect(side)) {
-            return None;
+impl<K: Kernel> Intersect for K {
+    #[inline(always)]
+    fn nearest<P: Probe>(&self, target: Target, ray: &Ray, nearest: &mut Nearest, probe: &mut P) {
+        if let Some(crossing) = test(self, target, ray, probe) {
+            nearest.offer(target.object, crossing, ray, probe);
         }
-        self.give(probe);
-        Some(probe.within(Step::Test { object, triangle: None }, |probe| body(Approach { leaving, one_sided }, probe)))
     }
 
-    /// Logs the crossing of a ray that begins on the surface and goes through it.
-    fn touch<P: Probe>(&self, object: u32, probe: &mut P) {
+    #[inline(always)]
+    fn is_crossed<P: Probe>(&self, target: Target, source: &impl RaySource, probe: &mut P) -> bool {
+        test(self, target, source.ray(), probe).is_some()
+    }
+
+    #[inline(never)]
+    fn all_crossings<P: Probe>(&self, target: Target, ray: &Ray, found: &mut Vec<Crossing>, probe: &mut P) {
+        let Some(approach) = Approach::of(self, target, ray) else { return };
         self.give(probe);
-        probe.within(Step::Test { object, triangle: None }, touched);
+        probe.within(step_of(target), |probe| Kernel::all_crossings(self, ray, approach, found, probe));
+    }
+
+    fn touch<P: Probe>(&self, target: Target, _primitive: u32, _ray: &Ray, probe: &mut P) {
+        self.give(probe);
+        probe.within(step_of(target), touched);
+    }
+
+    #[inline(never)]
+    fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
+        Kernel::surface(self, ray, crossing, probe)
+    }
+
+    fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
+        Kernel::refined(self, ray, crossing)
+    }
+
+    fn bounds(&self) -> Option<Bounds> {
+        Kernel::bounds(self)
+    }
+
+    fn size(&self, _primitive: u32) -> f64 {
+        Kernel::size(self)
+    }
+
+    fn can_self_intersect(&self, sets_off: Side) -> bool {
+        Kernel::can_self_intersect(self, sets_off)
     }
 }
 
@@ -143,6 +150,14 @@ pub(super) fn touched<P: Probe>(probe: &mut P) {
 }
 
 impl Approach {
+    /// How the ray comes to the target; `None` where it leaves it and can't hit it again.
+    #[inline(always)]
+    fn of(kernel: &impl Kernel, target: Target, ray: &Ray) -> Option<Approach> {
+        let leaving = ray.leaving.filter(|leaving| leaving.object == target.object).map(|leaving| leaving.side);
+        let can_hit = leaving.is_none_or(|side| Kernel::can_self_intersect(kernel, side));
+        can_hit.then_some(Approach { leaving, one_sided: target.one_sided })
+    }
+
     /// Whether the surface is there for a ray that arrives on this side.
     #[inline]
     pub fn shows(self, side: Side) -> bool {

@@ -5,11 +5,13 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disk;
+mod dispatch;
 mod doubled_chord;
 mod edge;
 mod ellipsoid;
 mod fan;
 mod flat;
+mod intersect;
 mod kernel;
 mod mesh;
 mod moving;
@@ -28,6 +30,7 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disk::Disk;
 pub use ellipsoid::Ellipsoid;
+pub use intersect::{Intersect, Target};
 pub use kernel::{Approach, Kernel};
 pub use mesh::TriangleMesh;
 pub use moving::Moving;
@@ -41,13 +44,10 @@ pub use triangle::Triangle;
 
 use super::bounds::Bounds;
 use super::bvh::{Form, Shaft};
-use super::doubled::Doubled;
-use super::line::RaySource;
-use super::nearest::Nearest;
-use super::ray::{Crossing, Leaving, Ray, Side, Surface};
-use crate::probe::{Probe, ROUNDINGS, Silent};
+use super::ray::{Crossing, Leaving, Ray, Side};
+use crate::probe::{ROUNDINGS, Silent};
 use glam::DVec3;
-use kernel::{at_an_end, decide, touched};
+use kernel::decide;
 use std::sync::Arc;
 
 /// A surface that rays hit.
@@ -77,65 +77,12 @@ pub enum Shape {
     /// A mesh of triangles, which has a test for each. Several objects may share it.
     Mesh(Arc<TriangleMesh>),
     /// One of these that moves.
-    Moving(Box<Moving>),
+    Moving(Box<Moving<Shape>>),
 }
 
 const _: () = assert!(size_of::<Shape>() <= 72 && size_of::<Triangle>() <= 104 && size_of::<Polygon>() <= 128);
 
-/// Calls a method of the kernel behind a shape, or of a mesh, which is many, or of a moving shape.
-macro_rules! kernel {
-    ($shape:expr, $kernel:ident => $call:expr, $mesh:ident => $mesh_call:expr) => {
-        match $shape {
-            Shape::Mesh($mesh) => $mesh_call,
-            Shape::Moving($mesh) => $mesh_call,
-            Shape::Plane($kernel) => $call,
-            Shape::Sphere($kernel) => $call,
-            Shape::Ellipsoid($kernel) => $call,
-            Shape::Triangle($kernel) => $call,
-            Shape::Polygon($kernel) => $call,
-            Shape::Cuboid($kernel) => $call,
-            Shape::Cylinder($kernel) => $call,
-            Shape::Cone($kernel) => $call,
-            Shape::Disk($kernel) => $call,
-        }
-    };
-}
-
 impl Shape {
-    /// The first point where the ray crosses object `object` of this shape.
-    pub fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        let mut nearest = Nearest::of(ray);
-        self.nearest(object, one_sided, ray, &mut nearest, probe);
-        nearest.place(ray, |_| self, probe).first().map(|hit| hit.crossing)
-    }
-
-    /// Shows `nearest` the points where the ray crosses object `object` of this shape that may be its nearest crossing.
-    #[inline(always)]
-    pub fn nearest<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, nearest: &mut Nearest, probe: &mut P) {
-        let crossing = match self {
-            Shape::Mesh(mesh) => return mesh.nearest(object, one_sided, ray, nearest, probe),
-            Shape::Moving(moving) => return moving.nearest(object, one_sided, ray, nearest, probe),
-            _ => kernel!(self, kernel => kernel.first_of(object, one_sided, ray, probe), _mesh => None),
-        };
-        if let Some(crossing) = crossing {
-            nearest.offer(object, crossing, ray, probe);
-        }
-    }
-
-    /// Shows the log the crossing of a ray that begins on the object and goes through it.
-    pub fn touch<P: Probe>(&self, object: u32, primitive: u32, ray: &Ray, probe: &mut P) {
-        match self {
-            Shape::Mesh(mesh) => mesh.touch(object, primitive, probe),
-            Shape::Moving(moving) => moving.touch(object, primitive, ray, probe),
-            _ => kernel!(self, kernel => kernel.touch(object, probe), _mesh => ()),
-        }
-    }
-
-    /// The size of the numbers that define a part of the surface, whose roundings move it.
-    pub(in crate::geometry) fn size(&self, primitive: u32) -> f64 {
-        kernel!(self, kernel => kernel.size(), mesh => mesh.size(primitive))
-    }
-
     /// The bound of what the roundings of its numbers do to the surface, in units of length.
     pub fn slack(&self) -> f64 {
         let size = match self {
@@ -182,54 +129,6 @@ impl Shape {
     /// Whether [`Shape::can_be_crossed_in`] may tell more of it than a ball around it does.
     pub fn is_told_by_a_shaft(&self) -> bool {
         matches!(self, Shape::Mesh(_) | Shape::Plane(_))
-    }
-
-    /// Whether a ray that sets off on this side of the surface can hit the same surface again (self-intersection).
-    fn can_self_intersect(&self, side: Side) -> bool {
-        kernel!(self.at_rest(), kernel => kernel.can_self_intersect(side), _mesh => true)
-    }
-
-    /// Whether the ray crosses the object at all.
-    #[inline(always)]
-    pub fn is_crossed<P: Probe>(&self, object: u32, one_sided: bool, source: &impl RaySource, probe: &mut P) -> bool {
-        match self {
-            Shape::Mesh(mesh) => mesh.is_crossed(object, one_sided, source, probe),
-            Shape::Moving(moving) => moving.is_crossed(object, one_sided, source.ray(), probe),
-            _ => {
-                kernel!(self, kernel => kernel.first_of(object, one_sided, source.ray(), probe).is_some(), _mesh => false)
-            }
-        }
-    }
-
-    /// All points where the ray crosses the object, in the order of the ray.
-    #[inline(always)]
-    pub fn all_crossings<P: Probe>(
-        &self,
-        object: u32,
-        one_sided: bool,
-        ray: &Ray,
-        found: &mut Vec<Crossing>,
-        probe: &mut P,
-    ) {
-        kernel!(
-            self,
-            kernel => kernel.all_of(object, one_sided, ray, found, probe),
-            mesh => mesh.all_crossings(object, one_sided, ray, found, probe)
-        );
-    }
-
-    /// The surface at a crossing, its normals turned toward the arriving ray.
-    #[inline(always)]
-    pub fn surface<P: Probe>(&self, ray: &Ray, crossing: Crossing, probe: &mut P) -> Surface {
-        kernel!(self, kernel => kernel.surface_of(ray, crossing, probe), mesh => mesh.surface(ray, crossing, probe))
-    }
-
-    /// The distance of a crossing as exactly as the shape can compute it, to order crossings that f64 can't.
-    pub(crate) fn refined(&self, ray: &Ray, crossing: Crossing) -> Doubled {
-        match self {
-            Shape::Moving(moving) => moving.refined(ray, crossing),
-            _ => kernel!(self, kernel => kernel.refined(ray, crossing), mesh => mesh.refined(ray, crossing)),
-        }
     }
 
     /// The shape itself, where it is at time 0.
@@ -300,11 +199,6 @@ impl Shape {
     /// Whether hits name the triangle of the file.
     pub fn is_mesh(&self) -> bool {
         matches!(self.at_rest(), Shape::Mesh(_))
-    }
-
-    /// A box around the shape; `None` for one without end.
-    pub fn bounds(&self) -> Option<Bounds> {
-        kernel!(self, kernel => kernel.bounds(), mesh => mesh.bounds())
     }
 
     /// What a tree over shapes knows of this one; `None` for one without end.

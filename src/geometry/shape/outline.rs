@@ -2,6 +2,7 @@
 
 use super::Shape;
 use super::axis::Axis;
+use super::intersect::Intersect;
 use crate::geometry::bounds::Bounds;
 use glam::DVec3;
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! OpenEXR: the traced values as f32, and layers beside them as channels `layer.channel`.
 
-use super::read::{Channels, Picture, PictureError, Samples, check_size};
+use super::picture::{Channels, Picture, PictureError, Samples, check_size};
 use crate::log::escape::shortened;
 use crate::render::Film;
 use exr::meta::MetaData;

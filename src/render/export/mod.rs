@@ -8,6 +8,7 @@ mod exr;
 mod format;
 mod netpbm;
 mod pfm;
+mod picture;
 mod ppm;
 mod quantize;
 mod read;
@@ -15,8 +16,9 @@ mod read;
 pub use beside::{Beside, Numbers, beside};
 pub use exr::{Channel, ExrLayer};
 pub use format::{Format, MAX_WEBP_SIDE};
+pub use picture::{MAX_PICTURE_BYTES, Picture, PictureError, READABLE};
 pub use quantize::{Clipped, levels_of as levels};
-pub use read::{MAX_PICTURE_BYTES, Picture, PictureError, READABLE, is_picture, read};
+pub use read::{is_picture, read};
 
 use super::Film;
 use crate::scene::Output;

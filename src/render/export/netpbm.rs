@@ -1,6 +1,6 @@
 //! PPM and PGM, in ASCII and binary, and PFM read back. White space and comments are those of the specification of Netpbm.
 
-use super::read::{Channels, Picture, PictureError, Samples, check_size, with_room_for};
+use super::picture::{Channels, Picture, PictureError, Samples, check_size, with_room_for};
 use crate::log::escape::shortened;
 use std::ops::Range;
 use std::str::FromStr;

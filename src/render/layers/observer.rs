@@ -2,7 +2,7 @@
 
 use super::Seen;
 use crate::log::{Decision, Name, RayKind, Step, Value};
-use crate::probe::{Probe, Quantity, Saving};
+use crate::probe::{Probe, Quantity, forward};
 use crate::render::Counter;
 use crate::sampling::mean::Sum;
 use crate::scene::{Color, Scene};
@@ -105,9 +105,7 @@ impl<'s> Observer<'s> {
 impl Probe for Observer<'_> {
     const USES_SIMD: bool = true;
 
-    fn given<Q: Quantity>(&mut self, name: Name, value: Q) {
-        self.counter.given(name, value);
-    }
+    forward!(self => Probe of self.counter; given bounds_tested fallback rays_saved);
 
     fn note<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
         if self.is_of_camera()
@@ -131,18 +129,6 @@ impl Probe for Observer<'_> {
         {
             self.sample.object = Some(object);
         }
-    }
-
-    fn bounds_tested(&mut self, count: u64) {
-        self.counter.bounds_tested(count);
-    }
-
-    fn fallback(&mut self) {
-        self.counter.fallback();
-    }
-
-    fn rays_saved(&mut self, why: Saving, rays: u64) {
-        self.counter.rays_saved(why, rays);
     }
 
     fn enter(&mut self, step: Step) {

@@ -1,7 +1,8 @@
 //! Cases of input that is no input: what the readers of the program say to it, and what comes out.
 
 use super::question::{ShapeInput, Triple, any, any_number, input};
-use super::stage::{self, Watch};
+use super::stage;
+use super::watch::Watch;
 use super::way::Way;
 use crate::geometry::{Ray, Shape};
 use crate::log::Name;

@@ -16,6 +16,7 @@ mod samples;
 mod shots;
 mod stage;
 mod table;
+mod watch;
 mod way;
 
 pub use case::{Case, Family, parse};

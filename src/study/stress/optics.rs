@@ -1,7 +1,8 @@
 //! Cases of light at a surface: refraction, the local model, whole scenes, means.
 
 use super::question::{MaterialInput, RayInput, SceneInput, Triple, input};
-use super::stage::{self, Watch};
+use super::stage;
+use super::watch::Watch;
 use super::way::Way;
 use crate::geometry::{Ray, Side, Surface};
 use crate::log::Name;

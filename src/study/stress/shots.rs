@@ -1,7 +1,8 @@
 //! Cases that shoot rays at shapes.
 
 use super::question::{MeshData, ObjectInput, RayInput, ShapeInput, Triple, input};
-use super::stage::{self, Watch};
+use super::stage;
+use super::watch::Watch;
 use super::way::Way;
 use crate::geometry::{Ray, Shape};
 use crate::log::Name;

@@ -3,11 +3,10 @@
 use super::question::{
     LightInput, MaterialInput, ObjectInput, RayInput, SceneInput, ShadowInput, ShapeInput, SpecularInput,
 };
+use super::watch::Watch;
 use super::way::Way;
 use crate::geometry::shape::{Ellipsoid, Plane, Sphere, Triangle, TriangleMesh};
-use crate::geometry::{Leaving, Ray, Shape, Surface};
-use crate::log::{Name, RayKind, Step, Value};
-use crate::probe::{Probe, Quantity};
+use crate::geometry::{Intersect, Leaving, Ray, Shape, Surface};
 use crate::scene::{
     Algorithm, AroundEye, Camera, Effects, Index, Light, LightKind, Material, Object, Output, ReflectedScale, Sampling,
     Scene, Shadows, Skip, Specular, Tracing, Transfer, Weights,
@@ -15,7 +14,6 @@ use crate::scene::{
 use crate::trace::query::Query;
 use crate::trace::{Hit, closest_hit};
 use glam::DVec3;
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A scene of these shapes, of a plain material, without lights.
@@ -168,37 +166,4 @@ pub(super) fn outward(surface: &Surface) -> DVec3 {
 pub(super) fn leaving(hit: &Hit, surface: &Surface, on_this_side: bool) -> Leaving {
     let side = if on_this_side { surface.side } else { surface.side.opposite() };
     Leaving { object: hit.object, primitive: hit.crossing.primitive, side }
-}
-
-/// Remembers the latest value of every quantity, and counts transmitted rays.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Watch {
-    latest: HashMap<&'static str, Value>,
-    /// How many transmitted rays there were.
-    pub transmitted_rays: u64,
-}
-
-impl Watch {
-    /// The latest number noted under this name's key.
-    pub fn number(&self, name: Name) -> Option<f64> {
-        self.latest.get(name.key()).and_then(|value| value.components().first().copied())
-    }
-
-    /// The latest triple noted under this name's key.
-    pub fn triple(&self, name: Name) -> Option<[f64; 3]> {
-        self.latest.get(name.key()).and_then(|value| value.components().try_into().ok())
-    }
-}
-
-impl Probe for Watch {
-    fn note<Q: Quantity>(&mut self, name: Name, value: Q) -> Q {
-        self.latest.insert(name.key(), value.value());
-        value
-    }
-
-    fn enter(&mut self, step: Step) {
-        if let Step::Ray { kind: RayKind::Transmitted, .. } = step {
-            self.transmitted_rays += 1;
-        }
-    }
 }

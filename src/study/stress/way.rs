@@ -1,6 +1,6 @@
 //! In which arithmetic and by which formulas cases are answered.
 
-use super::stage::Watch;
+use super::watch::Watch;
 use crate::geometry::Ray;
 use crate::geometry::shape::SphereMethod;
 use crate::log::Name;

@@ -4,10 +4,7 @@
 //! has each of them once, and knows which ones to go on with; they have one normal. Where a mesh has no more triangles than corners can
 //! have around them, nobody looks for copies.
 
-use super::super::triangle::Facet;
 use crate::geometry::mesh::Mesh;
-use glam::DVec3;
-use rayon::prelude::*;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
@@ -25,17 +22,6 @@ const FEW: usize = 1 << 12;
 pub(super) struct Copies {
     /// For each triangle the next one that is a copy of it, in the order of the file; empty where there are none.
     next: Vec<u32>,
-}
-
-/// The normals of the triangles, as [`Facet`] has them.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Normals {
-    /// Empty where there are copies.
-    at_their_numbers: Vec<DVec3>,
-    /// Those of the triangles that are copies of none, where there are copies,
-    of_firsts: Vec<DVec3>,
-    /// and for each triangle where its normal is among them.
-    places: Vec<u32>,
 }
 
 impl Copies {
@@ -80,35 +66,5 @@ impl Copies {
             return None;
         }
         self.next.get(triangle as usize).copied().filter(|next| *next != NONE)
-    }
-}
-
-impl Normals {
-    /// Those of these triangles, and where that of each triangle of the mesh is among them.
-    pub fn new(mesh: &Mesh, triangles: impl IndexedParallelIterator<Item = u32>, places: Vec<u32>) -> Normals {
-        let normal = |triangle| {
-            let [a, b, c] = mesh.corners(triangle);
-            Facet::new(a, b, c).normal
-        };
-        let normals = triangles.map(normal).collect();
-        match places.is_empty() {
-            true => Normals { at_their_numbers: normals, ..Normals::default() },
-            false => Normals { of_firsts: normals, places, ..Normals::default() },
-        }
-    }
-
-    /// That of a triangle, where it lies in memory.
-    #[inline(always)]
-    pub fn of(&self, triangle: u32) -> &DVec3 {
-        match self.at_their_numbers.get(triangle as usize) {
-            Some(normal) => normal,
-            None => self.of_copy(triangle),
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn of_copy(&self, triangle: u32) -> &DVec3 {
-        &self.of_firsts[self.places[triangle as usize] as usize]
     }
 }

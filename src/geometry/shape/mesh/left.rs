@@ -6,9 +6,8 @@
 //! it meets the other triangle from there. If that wedge is the wider one, the ray begins on the far side of the other
 //! triangle's plane already, and so never meets it.
 
-use super::copies::Normals;
+use super::facets::Facets;
 use crate::geometry::bvh::Shaft;
-use crate::geometry::mesh::Mesh;
 use crate::geometry::ray::{Leaving, Ray, Side};
 use crate::geometry::shape::triangle::Facet;
 use crate::geometry::size::unit;
@@ -28,15 +27,14 @@ pub(super) struct LeftTriangle {
 const NEARBY: f64 = 1.0 / (1 << 20) as f64;
 
 impl LeftTriangle {
-    /// The triangle that the ray leaves, if there is one; `normals` are those of the mesh's triangles, as their
-    /// kernels have them.
-    pub fn of(mesh: &Mesh, normals: &Normals, leaving: Leaving, ray: &Ray) -> Option<LeftTriangle> {
+    /// The triangle that the ray leaves, if there is one.
+    pub fn of(facets: &Facets, leaving: Leaving, ray: &Ray) -> Option<LeftTriangle> {
         let number = leaving.primitive;
-        if number as usize >= mesh.faces.len() {
+        if number as usize >= facets.mesh.faces.len() {
             return None;
         }
-        let normal = *normals.of(number);
-        let corners = mesh.corners(number);
+        let normal = *facets.normals.of(number);
+        let corners = facets.mesh.corners(number);
         let [a, b, c] = corners;
         let size = (b - a).abs().max((c - a).abs()).max_element();
         let is_nearby = normal.dot(ray.origin - a).abs() <= normal.length() * size * NEARBY;
@@ -57,11 +55,11 @@ impl LeftTriangle {
     }
 
     /// The same for all rays along the segments of a shaft, which set off on the side that `leaving` tells.
-    pub fn in_shaft(mesh: &Mesh, normals: &Normals, leaving: Leaving, shaft: &Shaft) -> Option<LeftTriangle> {
+    pub fn in_shaft(facets: &Facets, leaving: Leaving, shaft: &Shaft) -> Option<LeftTriangle> {
         let along = shaft.light.center() - shaft.point;
-        let left = LeftTriangle::of(mesh, normals, leaving, &Ray::new(shaft.point, along))?;
+        let left = LeftTriangle::of(facets, leaving, &Ray::new(shaft.point, along))?;
         // A ray with a slack sets off on the side that `leaving` tells, one without on that on which it runs.
-        let goes_to = match shaft.rise_along(*normals.of(leaving.primitive)) {
+        let goes_to = match shaft.rise_along(*facets.normals.of(leaving.primitive)) {
             [least, _] if least > 0.0 => Some(Side::Front),
             [_, most] if most < 0.0 => Some(Side::Back),
             _ => None,
@@ -71,22 +69,22 @@ impl LeftTriangle {
     }
 
     /// Whether no ray along a segment of the shaft can hit a triangle: this one, or one at an edge of it.
-    pub fn bars_all(&self, mesh: &Mesh, normals: &Normals, triangle: u32, shaft: &Shaft) -> bool {
+    pub fn bars_all(&self, facets: &Facets, triangle: u32, shaft: &Shaft) -> bool {
         if triangle == self.number {
             return true;
         }
         let Some(sets_off) = self.sets_off else { return false };
-        let Some((wedge, is_narrow)) = self.wedge(mesh, normals, triangle, sets_off) else { return false };
+        let Some((wedge, is_narrow)) = self.wedge(facets, triangle, sets_off) else { return false };
         !is_narrow || shaft.rise_along(wedge)[0] > 0.0
     }
 
     /// Whether the ray can't hit a triangle: this one, or one at an edge of it.
-    pub fn bars(&self, mesh: &Mesh, normals: &Normals, triangle: u32, ray: &Ray) -> bool {
+    pub fn bars(&self, facets: &Facets, triangle: u32, ray: &Ray) -> bool {
         if triangle == self.number {
             return true;
         }
         let Some(sets_off) = self.sets_off else { return false };
-        let Some((wedge, is_narrow)) = self.wedge(mesh, normals, triangle, sets_off) else { return false };
+        let Some((wedge, is_narrow)) = self.wedge(facets, triangle, sets_off) else { return false };
         let arrives_from_it = wedge.dot(ray.direction) < 0.0;
         !(is_narrow && arrives_from_it)
     }
@@ -94,10 +92,10 @@ impl LeftTriangle {
     /// Along which way of another triangle's normal the wedge lies in which a ray runs that sets off on this side, and whether it is the narrow
     /// one. `None` if they have no edge in common.
     #[inline(always)]
-    fn wedge(&self, mesh: &Mesh, normals: &Normals, triangle: u32, sets_off: Side) -> Option<(DVec3, bool)> {
-        let corners = mesh.corners(triangle);
+    fn wedge(&self, facets: &Facets, triangle: u32, sets_off: Side) -> Option<(DVec3, bool)> {
+        let corners = facets.mesh.corners(triangle);
         let edge = shared_edge(self.corners, corners)?;
-        let normal = *normals.of(triangle);
+        let normal = *facets.normals.of(triangle);
         let wedge = if edge.fronts_agree == (sets_off == Side::Front) { normal } else { -normal };
         Some((wedge, wedge.dot(edge.over_against - corners[0]) > 0.0))
     }
@@ -150,9 +148,12 @@ fn shared_edge(one: [DVec3; 3], other: [DVec3; 3]) -> Option<SharedEdge> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::facets::Normals;
     use super::*;
     use crate::geometry::bounds::Bounds;
+    use crate::geometry::mesh::Mesh;
     use rayon::prelude::*;
+    use std::sync::Arc;
 
     #[test]
     fn edges_in_common() {
@@ -165,8 +166,9 @@ mod tests {
         assert_eq!(shared_edge([a, b, c], [c, a, b]), None);
     }
 
-    fn normals(mesh: &Mesh) -> Normals {
-        Normals::new(mesh, (0..mesh.faces.len() as u32).into_par_iter(), Vec::new())
+    fn facets(mesh: Mesh) -> Facets {
+        let normals = Normals::new(&mesh, (0..mesh.faces.len() as u32).into_par_iter(), Vec::new());
+        Facets { mesh: Arc::new(mesh), normals }
     }
 
     fn leaving(primitive: u32) -> Leaving {
@@ -179,8 +181,8 @@ mod tests {
         let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, up)];
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
         let ray = Ray::new(DVec3::new(-0.1, 0.5, 0.0), DVec3::from(direction));
-        let normals = normals(&mesh);
-        let left = LeftTriangle::of(&mesh, &normals, leaving(0), &ray).map(|left| left.bars(&mesh, &normals, 1, &ray));
+        let facets = facets(mesh);
+        let left = LeftTriangle::of(&facets, leaving(0), &ray).map(|left| left.bars(&facets, 1, &ray));
         assert_eq!(left, Some(expected));
     }
 
@@ -199,12 +201,12 @@ mod tests {
     fn bars_all(up: f64, heights: [f64; 2], side: Side, expected: bool) {
         let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, up)];
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
-        let normals = normals(&mesh);
+        let facets = facets(mesh);
         let [min, max] = heights.map(|height| DVec3::new(10.0, 0.5, height));
         let shaft =
             Shaft::new(DVec3::new(-0.1, 0.5, 0.0), Bounds { min, max }, ((min + max) * 0.5, heights[1] - heights[0]));
-        let left = LeftTriangle::in_shaft(&mesh, &normals, Leaving { side, ..leaving(0) }, &shaft);
-        assert_eq!(left.map(|left| left.bars_all(&mesh, &normals, 1, &shaft)), Some(expected));
+        let left = LeftTriangle::in_shaft(&facets, Leaving { side, ..leaving(0) }, &shaft);
+        assert_eq!(left.map(|left| left.bars_all(&facets, 1, &shaft)), Some(expected));
     }
 
     #[test]
@@ -224,12 +226,12 @@ mod tests {
         let positions = vec![DVec3::ZERO, DVec3::Y, DVec3::NEG_X, DVec3::new(1.0, 0.0, -1.0)];
         let mesh = Mesh { positions, normals: None, faces: vec![[0, 1, 2], [1, 0, 3]] };
         let ray = Ray::new(DVec3::new(-0.1, 0.5, 1.0), DVec3::new(1.0, 0.0, 0.1));
-        let normals = normals(&mesh);
-        let left = LeftTriangle::of(&mesh, &normals, leaving(0), &ray);
+        let facets = facets(mesh);
+        let left = LeftTriangle::of(&facets, leaving(0), &ray);
         assert_eq!(
-            left.as_ref().map(|left| [0, 1].map(|triangle| left.bars(&mesh, &normals, triangle, &ray))),
+            left.as_ref().map(|left| [0, 1].map(|triangle| left.bars(&facets, triangle, &ray))),
             Some([true, false])
         );
-        assert!(LeftTriangle::of(&mesh, &normals, leaving(9), &ray).is_none());
+        assert!(LeftTriangle::of(&facets, leaving(9), &ray).is_none());
     }
 }

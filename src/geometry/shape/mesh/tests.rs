@@ -3,7 +3,7 @@
 use super::*;
 use crate::geometry::bvh::{PACKET, PerRay};
 use crate::geometry::ray::{Leaving, Side};
-use crate::geometry::shape::Shape;
+use crate::geometry::shape::{Approach, Shape};
 use crate::probe::Silent;
 use crate::scene::generate::{icosphere, knot};
 use glam::DVec3;
@@ -34,8 +34,8 @@ impl Random {
 }
 
 impl TriangleMesh {
-    fn first_crossing<P: Probe>(&self, object: u32, one_sided: bool, ray: &Ray, probe: &mut P) -> Option<Crossing> {
-        Shape::Mesh(Arc::new(self.clone())).first_crossing(object, one_sided, ray, probe)
+    fn first_crossing<P: Probe>(&self, target: Target, ray: &Ray, probe: &mut P) -> Option<Crossing> {
+        Shape::Mesh(Arc::new(self.clone())).first_crossing(target, ray, probe)
     }
 }
 
@@ -67,16 +67,15 @@ fn any_ray(mesh: &Mesh, random: &mut Random) -> Ray {
 /// The crossings with every triangle, without a tree, in the order of the ray.
 fn all_by_force(shape: &TriangleMesh, one_sided: bool, ray: &Ray) -> Vec<Crossing> {
     let left = ray.leaving.map(|leaving| leaving.primitive);
-    let mut crossings: Vec<_> = (0..shape.mesh.faces.len() as u32)
+    let mut crossings: Vec<_> = (0..shape.mesh().faces.len() as u32)
         .filter(|triangle| left != Some(*triangle))
         .filter_map(|triangle| {
             let approach = Approach { leaving: None, one_sided };
-            let triangle_left =
-                ray.leaving.and_then(|leaving| LeftTriangle::of(&shape.mesh, &shape.normals, leaving, ray));
-            if triangle_left.is_some_and(|left| left.bars(&shape.mesh, &shape.normals, triangle, ray)) {
+            let triangle_left = ray.leaving.and_then(|leaving| LeftTriangle::of(&shape.facets, leaving, ray));
+            if triangle_left.is_some_and(|left| left.bars(&shape.facets, triangle, ray)) {
                 return None;
             }
-            shape.facet(triangle).crossing(ray, approach, triangle, |_, _| None, &mut Silent)
+            shape.facets.get(triangle).crossing(ray, approach, triangle, |_, _| None, &mut Silent)
         })
         .collect();
     crossings.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.primitive.cmp(&b.primitive)));
@@ -93,18 +92,22 @@ fn answers_as_by_force(shape: &TriangleMesh, rays: usize, seed: u64) {
     let mut random = Random(seed);
     let (mut hits, mut misses) = (0, 0);
     for _ in 0..rays {
-        let mut ray = any_ray(&shape.mesh, &mut random);
+        let mut ray = any_ray(shape.mesh(), &mut random);
         let one_sided = random.bits() & 1 == 0;
         if random.bits() & 1 == 0 {
-            let primitive = random.below(shape.mesh.faces.len()) as u32;
+            let primitive = random.below(shape.mesh().faces.len()) as u32;
             ray.leaving = Some(Leaving { object: 0, primitive, side: Side::Front });
         }
         let expected = all_by_force(shape, one_sided, &ray);
-        let first = shape.first_crossing(0, one_sided, &ray, &mut Silent);
+        let first = shape.first_crossing(Target { object: 0, one_sided: one_sided }, &ray, &mut Silent);
         assert_eq!(first.as_ref().map(bits), expected.first().map(bits), "{ray:?}");
-        assert_eq!(shape.is_crossed(0, one_sided, &ray, &mut Silent), first.is_some(), "{ray:?}");
+        assert_eq!(
+            shape.is_crossed(Target { object: 0, one_sided: one_sided }, &ray, &mut Silent),
+            first.is_some(),
+            "{ray:?}"
+        );
         let mut all = Vec::new();
-        shape.all_crossings(0, one_sided, &ray, &mut all, &mut Silent);
+        shape.all_crossings(Target { object: 0, one_sided: one_sided }, &ray, &mut all, &mut Silent);
         assert_eq!(all.iter().map(bits).collect::<Vec<_>>(), expected.iter().map(bits).collect::<Vec<_>>(), "{ray:?}");
         hits += usize::from(first.is_some());
         misses += usize::from(first.is_none());
@@ -126,10 +129,10 @@ fn the_tree_finds_it_far_from_the_origin_too() {
     let mut random = Random(3);
     let mut hits = 0;
     for _ in 0..2000 {
-        let target = shape.mesh.positions[random.below(shape.mesh.positions.len())];
+        let target = shape.mesh().positions[random.below(shape.mesh().positions.len())];
         let ray = toward(target + random.point() * 1e5, target + random.point() * 1e-4);
         let expected = all_by_force(&shape, false, &ray);
-        let first = shape.first_crossing(0, false, &ray, &mut Silent);
+        let first = shape.first_crossing(Target::two_sided(0), &ray, &mut Silent);
         assert_eq!(first.as_ref().map(bits), expected.first().map(bits), "{ray:?}");
         hits += usize::from(first.is_some());
     }
@@ -149,7 +152,7 @@ fn of_triangles_at_the_same_place_the_first_wins() {
     answers_as_by_force(&shape, 2000, 4);
     let mut random = Random(5);
     for _ in 0..1000 {
-        let first = shape.first_crossing(0, false, &toward(DVec3::ZERO, random.point()), &mut Silent);
+        let first = shape.first_crossing(Target::two_sided(0), &toward(DVec3::ZERO, random.point()), &mut Silent);
         assert!(first.unwrap().primitive < count as u32);
     }
 }
@@ -160,9 +163,9 @@ fn no_ray_leaves_a_closed_mesh() {
     let mut random = Random(6);
     for _ in 0..100_000 {
         let origin = random.point() * 0.5;
-        let ray = Ray { origin, ..any_ray(&shape.mesh, &mut random) };
+        let ray = Ray { origin, ..any_ray(shape.mesh(), &mut random) };
         let ray = Ray { t_max: f64::INFINITY, ..ray };
-        let crossing = shape.first_crossing(0, false, &ray, &mut Silent);
+        let crossing = shape.first_crossing(Target::two_sided(0), &ray, &mut Silent);
         assert_eq!(crossing.map(|crossing| crossing.side), Some(Side::Back), "{ray:?}");
     }
 }
@@ -173,10 +176,15 @@ fn no_ray_leaves_through_an_edge() {
     let mut random = Random(7);
     for _ in 0..300 {
         let origin = random.point() * 0.5;
-        for [a, b, _] in shape.mesh.faces.iter().map(|face| face.map(|corner| shape.mesh.positions[corner as usize])) {
+        for [a, b, _] in
+            shape.mesh().faces.iter().map(|face| face.map(|corner| shape.mesh().positions[corner as usize]))
+        {
             let on_edge = a + (b - a) * (random.number() * 0.5 + 0.5);
             for target in [(a + b) * 0.5, on_edge] {
-                assert!(shape.is_crossed(0, false, &toward(origin, target), &mut Silent), "{origin} to {target}");
+                assert!(
+                    shape.is_crossed(Target::two_sided(0), &toward(origin, target), &mut Silent),
+                    "{origin} to {target}"
+                );
             }
         }
     }
@@ -188,8 +196,11 @@ fn no_ray_leaves_through_a_vertex() {
     let mut random = Random(10);
     for _ in 0..300 {
         let origin = random.point() * 0.5;
-        for vertex in &shape.mesh.positions {
-            assert!(shape.is_crossed(0, false, &toward(origin, *vertex), &mut Silent), "{origin} to {vertex}");
+        for vertex in &shape.mesh().positions {
+            assert!(
+                shape.is_crossed(Target::two_sided(0), &toward(origin, *vertex), &mut Silent),
+                "{origin} to {vertex}"
+            );
         }
     }
 }
@@ -201,7 +212,7 @@ fn a_ray_skips_the_triangle_that_it_leaves_and_no_other() {
     let leaving = |object, primitive| Some(Leaving { object, primitive, side: Side::Front });
     let ray = Ray::new(DVec3::new(0.2, 0.2, 1.0), -DVec3::Z);
     for (leaving, expected) in [(None, 0), (leaving(5, 0), 1), (leaving(5, 1), 0), (leaving(4, 0), 0)] {
-        let first = shape.first_crossing(5, false, &Ray { leaving, ..ray }, &mut Silent);
+        let first = shape.first_crossing(Target::two_sided(5), &Ray { leaving, ..ray }, &mut Silent);
         assert_eq!(first.map(|crossing| crossing.primitive), Some(expected));
     }
 }
@@ -216,12 +227,15 @@ fn no_ray_meets_the_surface_that_it_leaves() {
         let (mut away, mut through) = (0, 0);
         for _ in 0..30_000 {
             let (arriving, front) = onto_an_edge(&shape, scale, &mut random);
-            let Some(crossing) = shape.first_crossing(0, true, &arriving, &mut Silent) else { continue };
+            let Some(crossing) = shape.first_crossing(Target { object: 0, one_sided: true }, &arriving, &mut Silent)
+            else {
+                continue;
+            };
             let point = shape.surface(&arriving, crossing, &mut Silent).point;
             let leaving = Some(Leaving { object: 0, primitive: crossing.primitive, side: crossing.side });
             let direction = random.point();
             let ray = Ray { leaving, ..Ray::new(point, direction / direction.length()) };
-            let next = shape.first_crossing(0, false, &ray, &mut Silent);
+            let next = shape.first_crossing(Target::two_sided(0), &ray, &mut Silent);
             // The ball is convex: away from it there is nothing, and into it there is its other side.
             if front(crossing.primitive).dot(ray.direction) > 0.0 {
                 assert_eq!(next, None, "{ray:?}");
@@ -242,11 +256,11 @@ fn onto_an_edge<'s>(
     random: &mut Random,
 ) -> (Ray, impl Fn(u32) -> DVec3 + use<'s>) {
     let front = |triangle| {
-        let [a, b, c] = shape.mesh.corners(triangle);
+        let [a, b, c] = shape.mesh().corners(triangle);
         (b - a).cross(c - a)
     };
-    let triangle = random.below(shape.mesh.faces.len()) as u32;
-    let [a, b, _] = shape.mesh.corners(triangle);
+    let triangle = random.below(shape.mesh().faces.len()) as u32;
+    let [a, b, _] = shape.mesh().corners(triangle);
     let target = a + (b - a) * random.number().abs() + random.point() * (scale * 1e-15 * random.below(3) as f64);
     let normal = front(triangle);
     let origin = target + (normal / normal.length() + random.point() * 0.5) * (scale * 10.0);
@@ -257,11 +271,11 @@ fn onto_an_edge<'s>(
 fn triangles_without_area_keep_their_numbers() {
     let shape = tree(Mesh { faces: vec![[0, 0, 1], [0, 1, 2], [2, 2, 2]], ..triangle() });
     let ray = Ray::new(DVec3::new(0.2, 0.2, 1.0), -DVec3::Z);
-    let first = shape.first_crossing(0, false, &ray, &mut Silent);
+    let first = shape.first_crossing(Target::two_sided(0), &ray, &mut Silent);
     assert_eq!(first, Some(Crossing { t: 1.0, side: Side::Front, primitive: 1 }));
     let nothing = tree(Mesh { faces: vec![[0, 0, 1]], ..triangle() });
     assert_eq!(nothing.bounds(), None);
-    assert_eq!(nothing.first_crossing(0, false, &ray, &mut Silent), None);
+    assert_eq!(nothing.first_crossing(Target::two_sided(0), &ray, &mut Silent), None);
 }
 
 #[test]
@@ -271,7 +285,7 @@ fn normals_are_blended_and_turned_toward_the_ray() {
     for origin in [DVec3::ZERO, DVec3::new(0.1, 0.2, 3.0)] {
         for _ in 0..1000 {
             let ray = toward(origin, random.point() * 0.5);
-            let crossing = shape.first_crossing(0, false, &ray, &mut Silent).unwrap();
+            let crossing = shape.first_crossing(Target::two_sided(0), &ray, &mut Silent).unwrap();
             let surface = shape.surface(&ray, crossing, &mut Silent);
             assert!(surface.geometric_normal().dot(ray.direction) < 0.0);
             let radial = surface.point / surface.point.length();
@@ -289,7 +303,7 @@ fn tests_are_logged_by_triangle() {
     use crate::probe::Recorder;
     let shape = Shape::Mesh(Arc::new(tree(triangle())));
     let mut recorder = Recorder::default();
-    shape.first_crossing(3, false, &Ray::new(DVec3::new(0.2, 0.2, 1.0), -DVec3::Z), &mut recorder);
+    shape.first_crossing(Target::two_sided(3), &Ray::new(DVec3::new(0.2, 0.2, 1.0), -DVec3::Z), &mut recorder);
     let step = Step::Test { object: 3, triangle: Some(0) };
     assert_eq!(recorder.events()[0].what, What::Enter { parent: 0, step });
 }
@@ -309,7 +323,7 @@ fn an_edge_is_crossed_once() {
         let ray = toward(DVec3::new(0.1, 0.4, 2.0), DVec3::new(on_diagonal, on_diagonal, 0.0));
         for (shape, count) in [(&once, 1), (&twice, 2)] {
             let mut found = Vec::new();
-            shape.all_crossings(0, false, &ray, &mut found, &mut Silent);
+            shape.all_crossings(Target::two_sided(0), &ray, &mut found, &mut Silent);
             assert_eq!(found.len(), count, "{found:?}");
         }
     }
@@ -341,8 +355,8 @@ fn triangles_that_are_there_again_are_hit_as_often() {
             let mut nearest: PerRay<Nearest> = std::array::from_fn(|at| Nearest::of(&rays[at]));
             let mut limits: PerRay<f64> = std::array::from_fn(|at| rays[at].t_max);
             let mut crossed = limits;
-            shape.nearest_together((0, false), &rays, 0xff, &mut nearest, &mut limits, &mut Silent);
-            shape.cross_together((0, false), &rays, 0xff, &mut crossed, &mut Silent);
+            shape.nearest_together(Target::two_sided(0), &rays, 0xff, &mut nearest, &mut limits, &mut Silent);
+            shape.cross_together(Target::two_sided(0), &rays, 0xff, &mut crossed, &mut Silent);
             let shape = Shape::Mesh(Arc::new(shape.clone()));
             let first = |(nearest, ray): (Nearest, &Ray)| {
                 nearest.place(ray, |_| &shape, &Silent).first().map(|hit| hit.crossing)
@@ -354,8 +368,12 @@ fn triangles_that_are_there_again_are_hit_as_often() {
         for (at, ray) in rays.iter().enumerate() {
             let seen = [&shared, &alone].map(|shape| {
                 let mut all = Vec::new();
-                shape.all_crossings(0, false, ray, &mut all, &mut Silent);
-                (shape.first_crossing(0, false, ray, &mut Silent), shape.is_crossed(0, false, ray, &mut Silent), all)
+                shape.all_crossings(Target::two_sided(0), ray, &mut all, &mut Silent);
+                (
+                    shape.first_crossing(Target::two_sided(0), ray, &mut Silent),
+                    shape.is_crossed(Target::two_sided(0), ray, &mut Silent),
+                    all,
+                )
             });
             assert_eq!(seen[0], seen[1]);
             assert_eq!((together[0].0[at], together[0].1[at]), (seen[0].0, seen[0].1));

@@ -1,21 +1,22 @@
 //! Intersecting a packet of rays with a mesh.
 
 use super::TriangleMesh;
-use super::left::LeftTriangle;
+use super::test::Test;
 use crate::geometry::bvh::{PerRay, RayMask, Search, each};
 use crate::geometry::line::RaySource;
 use crate::geometry::nearest::Nearest;
 use crate::geometry::ray::{Crossing, Ray, Side};
+use crate::geometry::shape::intersect::{Intersect, Target};
 use crate::geometry::shape::quick::{RayLanes, quick_of_four};
 use crate::probe::Probe;
 
 impl TriangleMesh {
-    /// Shows `nearest` of each of the rays in `which` the points where it crosses object `object` of this shape that may be its nearest
-    /// crossing; `limits` says up to where triangles matter to each.
+    /// Shows `nearest` of each of the rays in `which` the points where it crosses the target that may be its nearest crossing;
+    /// `limits` says up to where triangles matter to each.
     #[inline(never)]
     pub fn nearest_together<P: Probe>(
         &self,
-        (object, one_sided): (u32, bool),
+        target: Target,
         rays: &[Ray],
         which: RayMask,
         nearest: &mut PerRay<Nearest>,
@@ -24,12 +25,12 @@ impl TriangleMesh {
     ) {
         if self.copies.are_there() {
             for at in each(which) {
-                self.nearest(object, one_sided, &rays[at], &mut nearest[at], probe);
+                self.nearest(target, &rays[at], &mut nearest[at], probe);
                 limits[at] = nearest[at].limit();
             }
             return;
         }
-        let left = self.left_by_each(object, rays, which);
+        let tests = self.tests(target, rays, which);
         let lanes = RayLanes::of(rays, which);
         self.tree.visit_together::<P, Ray>(
             rays,
@@ -40,7 +41,7 @@ impl TriangleMesh {
             |which, triangle, _, limits| {
                 let mut offer = |at: usize, crossing: Option<Crossing>, probe: &P| {
                     if let Some(crossing) = crossing {
-                        nearest[at].offer(object, crossing, &rays[at], probe);
+                        nearest[at].offer(target.object, crossing, &rays[at], probe);
                         limits[at] = nearest[at].limit();
                     }
                 };
@@ -51,17 +52,17 @@ impl TriangleMesh {
                     if these & these.wrapping_sub(1) == 0 {
                         continue;
                     }
-                    let found = quick_of_four::<P>(self.corners(triangle), &lanes, first);
+                    let found = quick_of_four::<P>(self.facets.corners(triangle), &lanes, first);
                     rest &= !((found.beside | found.met) << first);
                     for lane in each(found.met & these) {
                         let at = first + lane;
                         let side = if found.front >> lane & 1 == 1 { Side::Front } else { Side::Back };
                         let candidate = Crossing { t: found.t[lane & 3], side, primitive: triangle };
-                        offer(at, self.met(one_sided, candidate, &rays[at], left[at].as_ref(), probe), probe);
+                        offer(at, tests[at].crossing_at(candidate, &rays[at], probe), probe);
                     }
                 }
                 for at in each(rest) {
-                    offer(at, self.meet(object, one_sided, triangle, &rays[at], left[at].as_ref(), probe), probe);
+                    offer(at, tests[at].crossing(triangle, &rays[at], probe), probe);
                 }
             },
         );
@@ -71,22 +72,20 @@ impl TriangleMesh {
     #[inline(never)]
     pub fn cross_together<P: Probe, S: RaySource>(
         &self,
-        (object, one_sided): (u32, bool),
+        target: Target,
         sources: &[S],
         which: RayMask,
         limits: &mut PerRay<f64>,
         probe: &mut P,
     ) {
         if self.copies.are_there() {
-            let crossed = each(which).filter(|at| self.is_crossed(object, one_sided, &sources[*at], probe));
+            let crossed = each(which).filter(|at| self.is_crossed(target, &sources[*at], probe));
             return crossed.for_each(|at| limits[at] = -1.0);
         }
-        let left = self.left_by_each(object, sources, which);
+        let tests = self.tests(target, sources, which);
         // A sure hit says nothing of the triangle that a ray leaves and its neighbours, nor of sides.
-        let search = match left.iter().all(Option::is_none) && !one_sided {
-            true => Search::of_any(probe),
-            false => Search::in_any_order(probe),
-        };
+        let is_plain = tests.iter().all(Test::is_plain);
+        let search = if is_plain { Search::of_any(probe) } else { Search::in_any_order(probe) };
         self.tree.visit_together::<P, S>(
             sources,
             which,
@@ -95,10 +94,7 @@ impl TriangleMesh {
             #[inline(always)]
             |which, triangle, is_sure, limits| {
                 for at in each(which) {
-                    let meet = |probe: &mut P| {
-                        self.meet(object, one_sided, triangle, sources[at].ray(), left[at].as_ref(), probe).is_some()
-                    };
-                    if is_sure || meet(probe) {
+                    if is_sure || tests[at].crossing(triangle, sources[at].ray(), probe).is_some() {
                         limits[at] = -1.0;
                     }
                 }
@@ -106,30 +102,12 @@ impl TriangleMesh {
         );
     }
 
-    /// The triangles that the rays leave.
+    /// The tests with each of the rays in `which`.
     #[inline(always)]
-    fn left_by_each<S: RaySource>(&self, object: u32, sources: &[S], which: RayMask) -> PerRay<Option<LeftTriangle>> {
-        let mut left: PerRay<Option<LeftTriangle>> = Default::default();
-        for ray in each(which) {
-            left[ray] = self.left(object, &sources[ray]);
-        }
-        left
-    }
-
-    /// The crossing at a candidate inside the edges, unless the triangle that the ray leaves bars it or the ray doesn't reach it.
-    #[inline(always)]
-    fn met<P: Probe>(
-        &self,
-        one_sided: bool,
-        candidate: Crossing,
-        ray: &Ray,
-        left: Option<&LeftTriangle>,
-        probe: &mut P,
-    ) -> Option<Crossing> {
-        let triangle = candidate.primitive;
-        if left.is_some_and(|left| left.bars(&self.mesh, &self.normals, triangle, ray)) {
-            return None;
-        }
-        self.decided(one_sided, candidate, ray, left, probe)
+    fn tests<S: RaySource>(&self, target: Target, sources: &[S], which: RayMask) -> PerRay<Test<'_>> {
+        std::array::from_fn(|at| match which >> at & 1 {
+            0 => self.facets.untested(target),
+            _ => self.facets.test(target, &sources[at]),
+        })
     }
 }

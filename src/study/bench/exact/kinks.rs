@@ -2,7 +2,7 @@
 //! do no harm.
 
 use super::quadrature::zeros;
-use crate::geometry::Shape;
+use crate::geometry::{Intersect, Shape};
 use crate::probe::Silent;
 use crate::sampling::ellipse::Ellipse;
 use crate::scene::Scene;
