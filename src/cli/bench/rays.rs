@@ -2,7 +2,7 @@
 
 use super::TableFormat;
 use super::machine::Machine;
-use super::table::quoted;
+use super::table;
 use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::{Claim, Inputs, place_of};
 use crate::cli::options::{ColorChoice, MAX_THREADS};
@@ -233,7 +233,7 @@ impl RaysBench {
     fn print_row(&self, row: &Row) -> Result<(), Failure> {
         match self.format {
             TableFormat::Json => print_json(row),
-            TableFormat::Csv => output::print(row.csv().as_bytes()),
+            TableFormat::Csv => output::print(table::csv_line(row).as_bytes()),
             TableFormat::Text => output::print(row.text().as_bytes()),
         }
     }
@@ -273,17 +273,6 @@ impl<'a> Row<'a> {
         format!(
             "  {rays:<10} {mode:<6} {threads:>7} {n:>10} {hits:>9} {passes:>7} {mrays_median:>8.3}  {quartiles:<15} \
              {mrays_per_cpu_s:>11.3}\n"
-        )
-    }
-
-    fn csv(&self) -> String {
-        let (scene, rays) = (quoted(self.scene), quoted(self.rays));
-        let Row { engine, mode, threads, n, passes, hits, tsum, .. } = self;
-        let speeds = [self.mrays_median, self.mrays_lower_quartile, self.mrays_upper_quartile, self.mrays_best];
-        let speeds = speeds.map(|speed| speed.to_string()).join(",");
-        format!(
-            "{engine},{mode},{scene},{rays},{threads},{n},{speeds},{},{passes},{hits},{tsum}\n",
-            self.mrays_per_cpu_s
         )
     }
 }
