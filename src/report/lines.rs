@@ -6,7 +6,7 @@ mod ply;
 pub use obj::obj;
 pub use ply::ply;
 
-use super::segments::{Segment, segment};
+use super::segments::{Segment, around, reach, segment};
 use crate::log::{Log, RayKind, Tree};
 
 /// What rays are distinguished by: where they come from, and whether they reach their light.
@@ -69,12 +69,8 @@ fn grouped(rays: &[Segment]) -> impl Iterator<Item = (Group, Vec<&Segment>)> {
 
 /// How long rays to infinity are drawn: as far as the places of all others reach, along the axis where they reach most.
 fn far(rays: &[Segment]) -> f64 {
-    let places = || rays.iter().flat_map(|ray| [ray.from, ray.end(0.0)]);
-    let reach = |axis: usize| {
-        let low = places().map(|place| place[axis]).fold(f64::INFINITY, f64::min);
-        places().map(|place| place[axis]).fold(f64::NEG_INFINITY, f64::max) - low
-    };
-    Some((0..3).map(reach).fold(0.0, f64::max)).filter(|far| *far > 0.0 && far.is_finite()).unwrap_or(1.0)
+    let places = rays.iter().flat_map(|ray| [ray.from, ray.end(0.0)]);
+    Some(reach(&around(places))).filter(|far| *far > 0.0 && far.is_finite()).unwrap_or(1.0)
 }
 
 /// A number that reads back as it is.

@@ -63,6 +63,20 @@ pub fn segment(log: &Log, tree: &Tree, node: usize, last: usize) -> Option<Segme
     (ray.from.iter().chain(&ray.direction).all(|x| x.is_finite())).then_some(ray)
 }
 
+/// The box around points: its lowest and its highest corner.
+pub fn around(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
+    points.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], point| {
+        [0, 1].map(|side| {
+            std::array::from_fn(|axis| if side == 0 { low[axis].min(point[axis]) } else { high[axis].max(point[axis]) })
+        })
+    })
+}
+
+/// The longest side of a box.
+pub fn reach([low, high]: &[[f64; 3]; 2]) -> f64 {
+    (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max)
+}
+
 fn distance(from: [f64; 3], to: [f64; 3]) -> f64 {
     let squares = (0..3).map(|axis| (to[axis] - from[axis]) * (to[axis] - from[axis]));
     squares.sum::<f64>().sqrt()

@@ -46,28 +46,15 @@ impl Fold {
     }
 
     /// Opens every node around this one.
-    pub fn open_around(&mut self, tree: &Tree, mut node: usize) {
-        while node != 0 {
-            node = tree.nodes()[node].parent;
-            self.open[node] = true;
-        }
+    pub fn open_around(&mut self, tree: &Tree, node: usize) {
+        tree.around(node).skip(1).for_each(|at| self.open[at] = true);
     }
 
     /// The row that stands for a node: itself, or the outermost closed node around it; of one that isn't to be seen, the
     /// node around it that is.
-    pub fn row_of(&self, tree: &Tree, mut node: usize) -> usize {
-        while node != 0 && !self.visible.is(node) {
-            node = tree.nodes()[node].parent;
-        }
-        let mut row = node;
-        let mut at = node;
-        while at != 0 {
-            at = tree.nodes()[at].parent;
-            if !self.open[at] {
-                row = at;
-            }
-        }
-        row
+    pub fn row_of(&self, tree: &Tree, node: usize) -> usize {
+        let seen = tree.around(node).find(|at| self.visible.is(*at)).unwrap_or(0);
+        tree.around(seen).skip(1).filter(|at| !self.open[*at]).last().unwrap_or(seen)
     }
 
     /// The row below a visible row.

@@ -64,7 +64,7 @@ pub use theme::{Palette, Theme};
 pub use understanding::Understanding;
 pub use update::{Effect, Exit, update};
 
-use crate::log::{Log, Step, Subject};
+use crate::log::{Log, Subject};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
 use keys::Typed;
@@ -272,18 +272,7 @@ fn resized(model: &mut Model, terminal: &Terminal) -> io::Result<()> {
 }
 
 fn position(model: &Model) -> Position {
-    let around = std::iter::successors(Some(model.cursor), |node| {
-        Some(model.tree.nodes()[*node].parent).filter(|parent| parent != node)
-    });
-    let mut steps = around.filter_map(|node| model.tree.nodes()[node].step);
-    let enclosing = steps.find_map(|step| match step {
-        Step::Pixel(pixel) => Some(pixel),
-        _ => None,
-    });
-    let pixel = enclosing.or(match model.log.header.subject {
-        Subject::Pixel(pixel) => Some(pixel),
-        _ => None,
-    });
+    let pixel = model.tree.pixel_around(model.cursor).or(model.pixel());
     let at = match model.log.header.subject {
         // The numbers of events begin again at each pixel; a link counts through.
         Subject::Region(_) => model.step() as u32,

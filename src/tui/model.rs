@@ -13,7 +13,7 @@ use super::place::Place;
 use super::prompt::Prompt;
 use super::understanding::{self, Understanding};
 use super::update::Effect;
-use crate::log::{Log, Step, Subject, Tree};
+use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
 use std::mem;
@@ -109,7 +109,7 @@ pub enum Overlay {
     /// The help, from this line on.
     Help {
         /// The first line shown.
-        top: u16,
+        top: usize,
     },
     /// A list of places and figures.
     List {
@@ -243,14 +243,7 @@ impl Model {
     /// The pixel that an event is of, in the log of a region.
     pub fn pixel_of(&self, event: usize) -> Option<[u32; 2]> {
         let Subject::Region(_) = self.log.header.subject else { return None };
-        let mut node = self.tree.owner(event);
-        while node != 0 {
-            match self.tree.nodes()[node].step {
-                Some(Step::Pixel(pixel)) => return Some(pixel),
-                _ => node = self.tree.nodes()[node].parent,
-            }
-        }
-        None
+        self.tree.pixel_around(self.tree.owner(event))
     }
 
     /// The number of the current step, from 1; 0 in a log without events.

@@ -57,100 +57,52 @@ pub enum Role {
     Warning,
 }
 
-/// Characters that stand for something.
-#[derive(Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub struct Glyphs {
-    pub open: &'static str,
-    pub closed: &'static str,
-    pub leaf: &'static str,
-    pub branch: &'static str,
-    pub last_branch: &'static str,
-    pub trunk: &'static str,
-    pub horizontal: &'static str,
-    pub vertical: &'static str,
-    pub tee: &'static str,
-    pub pixel: &'static str,
-    pub sample: &'static str,
-    pub camera: &'static str,
-    pub reflected: &'static str,
-    pub transmitted: &'static str,
-    pub shadow: &'static str,
-    pub test: &'static str,
-    pub shade: &'static str,
-    pub light: &'static str,
-    pub combine: &'static str,
-    pub hit: &'static str,
-    pub miss: &'static str,
-    pub blocked: &'static str,
-    pub current: &'static str,
-    pub more: &'static str,
-    pub cut_left: &'static str,
-    pub cut_right: &'static str,
-    pub differs: &'static str,
+/// Declares the characters that stand for something: the usual one of each, and one for terminals and fonts that have ASCII only.
+macro_rules! glyphs {
+    ($($name:ident: $usual:literal, $ascii:literal;)*) => {
+        /// Characters that stand for something.
+        #[derive(Debug, PartialEq, Eq)]
+        #[allow(missing_docs)]
+        pub struct Glyphs {
+            $(pub $name: &'static str,)*
+        }
+
+        /// The usual characters.
+        pub const UNICODE: Glyphs = Glyphs { $($name: $usual,)* };
+        /// Characters for terminals and fonts that have ASCII only.
+        pub const ASCII: Glyphs = Glyphs { $($name: $ascii,)* };
+    };
 }
 
-/// The usual characters.
-pub const UNICODE: Glyphs = Glyphs {
-    open: "▾",
-    closed: "▸",
-    leaf: "╴",
-    branch: "├",
-    last_branch: "└",
-    trunk: "│",
-    horizontal: "─",
-    vertical: "│",
-    tee: "┬",
-    pixel: "▣",
-    sample: "▫",
-    camera: "◉",
-    reflected: "↗",
-    transmitted: "↘",
-    shadow: "⇡",
-    test: "?",
-    shade: "◐",
-    light: "☼",
-    combine: "Σ",
-    hit: "●",
-    miss: "○",
-    blocked: "✕",
-    current: "▶",
-    more: "…",
-    cut_left: "…",
-    cut_right: "…",
-    differs: "≠",
-};
-
-/// Characters for terminals and fonts that have ASCII only.
-pub const ASCII: Glyphs = Glyphs {
-    open: "-",
-    closed: "+",
-    leaf: " ",
-    branch: "|",
-    last_branch: "`",
-    trunk: "|",
-    horizontal: "-",
-    vertical: "|",
-    tee: "+",
-    pixel: "#",
-    sample: ".",
-    camera: "@",
-    reflected: "/",
-    transmitted: "\\",
-    shadow: "^",
-    test: "?",
-    shade: "%",
-    light: "*",
-    combine: "=",
-    hit: "o",
-    miss: "-",
-    blocked: "x",
-    current: ">",
-    more: "~",
-    cut_left: "<",
-    cut_right: ">",
-    differs: "!",
-};
+glyphs! {
+    open: "▾", "-";
+    closed: "▸", "+";
+    leaf: "╴", " ";
+    branch: "├", "|";
+    last_branch: "└", "`";
+    trunk: "│", "|";
+    horizontal: "─", "-";
+    vertical: "│", "|";
+    tee: "┬", "+";
+    pixel: "▣", "#";
+    sample: "▫", ".";
+    camera: "◉", "@";
+    reflected: "↗", "/";
+    transmitted: "↘", "\\";
+    shadow: "⇡", "^";
+    test: "?", "?";
+    shade: "◐", "%";
+    light: "☼", "*";
+    combine: "Σ", "=";
+    hit: "●", "o";
+    miss: "○", "-";
+    blocked: "✕", "x";
+    current: "▶", ">";
+    more: "…", "~";
+    cut_left: "…", "<";
+    cut_right: "…", ">";
+    differs: "≠", "!";
+}
 
 impl Theme {
     /// The look with these colours, in ASCII or not.
@@ -165,22 +117,20 @@ impl Theme {
 
     /// How something with this role is written.
     pub fn style(&self, role: Role) -> Style {
-        let (indexed, rgb) = match role {
-            Role::Text | Role::Title | Role::Faint | Role::Value => (None, None),
-            Role::Camera => (Some(74), Some((0x56, 0xB4, 0xE9))),
-            Role::Reflected => (Some(36), Some((0x00, 0x9E, 0x73))),
-            Role::Transmitted => (Some(175), Some((0xCC, 0x79, 0xA7))),
-            Role::Shadow => (Some(172), Some((0xC7, 0x83, 0x00))),
-            Role::Light => (Some(214), Some((0xE6, 0x9F, 0x00))),
-            Role::Hit => (Some(36), Some((0x00, 0x9E, 0x73))),
-            Role::Blocked | Role::Warning => (Some(166), Some((0xD5, 0x5E, 0x00))),
-            Role::Current => (Some(214), Some((0xE6, 0x9F, 0x00))),
+        let color = match role {
+            Role::Text | Role::Title | Role::Faint | Role::Value => None,
+            Role::Camera => Some((74, 0x56B4E9)),
+            Role::Reflected | Role::Hit => Some((36, 0x009E73)),
+            Role::Transmitted => Some((175, 0xCC79A7)),
+            Role::Shadow => Some((172, 0xC78300)),
+            Role::Light | Role::Current => Some((214, 0xE69F00)),
+            Role::Blocked | Role::Warning => Some((166, 0xD55E00)),
         };
-        let color = match self.palette {
+        let color = color.and_then(|(index, rgb)| match self.palette {
             Palette::None => None,
-            Palette::Indexed => indexed.map(Color::Indexed),
-            Palette::True => rgb.map(|(r, g, b)| Color::Rgb(r, g, b)),
-        };
+            Palette::Indexed => Some(Color::Indexed(index)),
+            Palette::True => Some(Color::from_u32(rgb)),
+        });
         let modifier = match role {
             Role::Title | Role::Current | Role::Warning | Role::Value => Modifier::BOLD,
             Role::Faint => Modifier::DIM,
@@ -190,18 +140,23 @@ impl Theme {
         color.map_or(style, |color| style.fg(color))
     }
 
+    /// The glyph and the role of a kind of rays.
+    pub fn of_ray(&self, kind: RayKind) -> (&'static str, Role) {
+        match kind {
+            RayKind::Camera => (self.glyphs.camera, Role::Camera),
+            RayKind::Reflected => (self.glyphs.reflected, Role::Reflected),
+            RayKind::Transmitted => (self.glyphs.transmitted, Role::Transmitted),
+            RayKind::Shadow { .. } => (self.glyphs.shadow, Role::Shadow),
+        }
+    }
+
     /// The glyph and the role of a node; the root is a pixel.
     pub fn of_step(&self, step: Option<Step>) -> (&'static str, Role) {
         let glyphs = self.glyphs;
         match step {
             None | Some(Step::Pixel(_)) => (glyphs.pixel, Role::Title),
             Some(Step::Sample { .. }) => (glyphs.sample, Role::Text),
-            Some(Step::Ray { kind, .. }) => match kind {
-                RayKind::Camera => (glyphs.camera, Role::Camera),
-                RayKind::Reflected => (glyphs.reflected, Role::Reflected),
-                RayKind::Transmitted => (glyphs.transmitted, Role::Transmitted),
-                RayKind::Shadow { .. } => (glyphs.shadow, Role::Shadow),
-            },
+            Some(Step::Ray { kind, .. }) => self.of_ray(kind),
             Some(Step::Test { .. } | Step::Motion { .. }) => (glyphs.test, Role::Faint),
             Some(Step::Zone { .. }) => (glyphs.sample, Role::Text),
             Some(Step::Shade { .. }) => (glyphs.shade, Role::Text),

@@ -49,8 +49,7 @@ impl Visible {
 
     /// Shows a node in spite of a filter, until the next one.
     pub fn show(&mut self, tree: &Tree, node: usize) {
-        let around = std::iter::successors(Some(node), |node| Some(tree.nodes()[*node].parent).filter(|_| *node != 0));
-        self.current = around.map(|node| node as u32).collect();
+        self.current = tree.around(node).map(|node| node as u32).collect();
         self.current.reverse();
     }
 

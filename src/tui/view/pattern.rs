@@ -1,6 +1,6 @@
 //! The samples of a pixel as a picture: where they lie in its square, and how the square was cut.
 
-use super::{put, shown, title_rule};
+use super::{only_ascii, put, shown, title_rule};
 use crate::log::{Decision, Name, Step, Value, What};
 use crate::tui::model::Model;
 use crate::tui::theme::{Role, Theme};
@@ -71,15 +71,6 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         let place =
             Rect { x: square.x + cell(x, square.width), y: square.y + cell(y, square.height), width: 1, height: 1 };
         put(buffer, place, Span::styled(if theme.is_ascii() { "x" } else { "×" }, marked).into());
-    }
-}
-
-/// The library's plainest dot isn't plain enough.
-fn only_ascii(area: Rect, buffer: &mut Buffer) {
-    for place in area.positions() {
-        if let Some(cell) = buffer.cell_mut(place).filter(|cell| cell.symbol() != " ") {
-            cell.set_symbol(".");
-        }
     }
 }
 

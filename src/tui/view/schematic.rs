@@ -3,10 +3,10 @@
 //! The current ray is drawn over the others and has its letter at its end; each kind has its colour and its letter: C from the
 //! eye, R reflected, T transmitted, S to a light.
 
-use super::{put, shown, title};
-use crate::log::{RayKind, Step};
+use super::{only_ascii, put, shown, title};
+use crate::log::Step;
 use crate::report::schematic::clip;
-use crate::report::segments::{Segment, segment, segments};
+use crate::report::segments::{Segment, around, reach, segment, segments};
 use crate::tui::drawing::{Drawing, Projection, Wireframe};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
@@ -38,7 +38,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
     // Of a ray that is on its way, in the tree that grows or in a quiz, its end is to come.
     let last = model.told().unwrap_or(usize::MAX);
-    let current = around(model).find_map(|node| segment(&model.log, &model.tree, node, last));
+    let current = model.tree.around(model.cursor).find_map(|node| segment(&model.log, &model.tree, node, last));
     let mut rays = segments(&model.log, &model.tree, first_node(model), MOST_RAYS);
     let Some(stage) = Stage::of(model, &rays, current.as_ref(), body) else {
         // A ray that hits nothing is drawn too; only a log that doesn't tell of any leaves nothing to draw.
@@ -64,7 +64,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
             }
             canvas.layer();
             let others = rays.iter().filter(|ray| current.is_none_or(|current| current.node != ray.node));
-            others.for_each(|ray| stage.draw_ray(canvas, ray, color(role_of(ray.kind))));
+            others.for_each(|ray| stage.draw_ray(canvas, ray, color(theme.of_ray(ray.kind).1)));
             if let Some(ray) = &current {
                 canvas.layer();
                 stage.draw_ray(canvas, ray, Color::Reset);
@@ -72,7 +72,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         })
         .render(body, buffer);
     if theme.is_ascii() {
-        plain_dots(body, buffer);
+        only_ascii(body, buffer);
     }
     label(model, theme, &stage, &rays, current.as_ref(), body, buffer);
 }
@@ -81,32 +81,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
 fn first_node(model: &Model) -> usize {
     let is_whole =
         |node: &usize| matches!(model.tree.nodes()[*node].step, None | Some(Step::Sample { .. } | Step::Pixel(_)));
-    around(model).find(is_whole).unwrap_or(0)
-}
-
-/// The selected node and those around it, outward.
-fn around(model: &Model) -> impl Iterator<Item = usize> + '_ {
-    std::iter::successors(Some(model.cursor), |node| {
-        Some(model.tree.nodes()[*node].parent).filter(|parent| parent != node)
-    })
-}
-
-fn role_of(kind: RayKind) -> Role {
-    match kind {
-        RayKind::Camera => Role::Camera,
-        RayKind::Reflected => Role::Reflected,
-        RayKind::Transmitted => Role::Transmitted,
-        RayKind::Shadow { .. } => Role::Shadow,
-    }
-}
-
-fn letter(kind: RayKind) -> &'static str {
-    match kind {
-        RayKind::Camera => "C",
-        RayKind::Reflected => "R",
-        RayKind::Transmitted => "T",
-        RayKind::Shadow { .. } => "S",
-    }
+    model.tree.around(model.cursor).find(is_whole).unwrap_or(0)
 }
 
 /// Names and letters, as far as they have room: the current ray last, over everything else.
@@ -133,21 +108,12 @@ fn label(
         write(stage.project(drawing.eye), theme.glyphs.camera, theme.style(Role::Camera));
     }
     let mut mark = |ray: &Segment, style: Style| {
-        let text = if ray.is_blocked { theme.glyphs.blocked } else { letter(ray.kind) };
-        write(stage.place_of_letter(ray, body), text, style);
+        let text = if ray.is_blocked { theme.glyphs.blocked.to_owned() } else { ray.kind.letter().to_string() };
+        write(stage.place_of_letter(ray, body), &text, style);
     };
-    rays.iter().for_each(|ray| mark(ray, theme.style(role_of(ray.kind))));
+    rays.iter().for_each(|ray| mark(ray, theme.style(theme.of_ray(ray.kind).1)));
     if let Some(ray) = current {
-        mark(ray, theme.style(role_of(ray.kind)).add_modifier(Modifier::REVERSED | Modifier::BOLD));
-    }
-}
-
-/// The library's plainest dot isn't plain enough.
-fn plain_dots(area: Rect, buffer: &mut Buffer) {
-    for place in area.positions() {
-        if let Some(cell) = buffer.cell_mut(place).filter(|cell| cell.symbol() != " ") {
-            cell.set_symbol(".");
-        }
+        mark(ray, theme.style(theme.of_ray(ray.kind).1).add_modifier(Modifier::REVERSED | Modifier::BOLD));
     }
 }
 
@@ -170,7 +136,7 @@ impl<'m> Stage<'m> {
             points.push(ray.from);
             points.extend(ray.length.map(|_| ray.end(0.0)));
         }
-        let mut far = spread(&points);
+        let mut far = reach(&around(points.iter().copied()));
         if far == 0.0 {
             // Rays that hit nothing say nothing of a scale: any will do that numbers of this size can tell apart.
             far = points.iter().flatten().fold(1.0, |most: f64, number| most.max(number.abs()));
@@ -179,7 +145,7 @@ impl<'m> Stage<'m> {
         // What isn't much larger than the rays' region is seen whole.
         for wireframe in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
             let lines = wireframe.lines.concat();
-            if spread(&lines) <= far {
+            if reach(&around(lines.iter().copied())) <= far {
                 points.extend(lines);
             }
         }
@@ -269,13 +235,4 @@ fn around_all(places: impl Iterator<Item = [f64; 2]>) -> Option<([f64; 2], [f64;
         let ([left, right], [low, high]) = around.unwrap_or(([x; 2], [y; 2]));
         Some(([left.min(x), right.max(x)], [low.min(y), high.max(y)]))
     })
-}
-
-/// The greatest extent of these points along an axis.
-fn spread(points: &[[f64; 3]]) -> f64 {
-    let along = |axis: usize| {
-        let values = points.iter().map(|point| point[axis]);
-        values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
-    };
-    (0..3).map(along).fold(0.0, f64::max)
 }
