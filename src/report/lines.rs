@@ -6,54 +6,9 @@ mod ply;
 pub use obj::obj;
 pub use ply::ply;
 
+use super::ray_group::RayGroup;
 use super::segments::{Segment, around, reach, segment};
-use crate::log::{Log, RayKind, Tree};
-
-/// What rays are distinguished by: where they come from, and whether they reach their light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Group {
-    Camera,
-    Reflected,
-    Transmitted,
-    Shadow,
-    Blocked,
-}
-
-impl Group {
-    /// In the order of the files.
-    const ALL: [Group; 5] = [Group::Camera, Group::Reflected, Group::Transmitted, Group::Shadow, Group::Blocked];
-
-    fn of(ray: &Segment) -> Group {
-        match ray.kind {
-            RayKind::Camera => Group::Camera,
-            RayKind::Reflected => Group::Reflected,
-            RayKind::Transmitted => Group::Transmitted,
-            RayKind::Shadow { .. } if ray.is_blocked => Group::Blocked,
-            RayKind::Shadow { .. } => Group::Shadow,
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Group::Camera => "camera",
-            Group::Reflected => "reflected",
-            Group::Transmitted => "transmitted",
-            Group::Shadow => "shadow",
-            Group::Blocked => "shadow_blocked",
-        }
-    }
-
-    /// Red, green and blue, those of the ray tree.
-    fn color(self) -> [u8; 3] {
-        match self {
-            Group::Camera => [0x3b, 0x42, 0x52],
-            Group::Reflected => [0x1d, 0x6f, 0xb8],
-            Group::Transmitted => [0x2c, 0x8a, 0x4b],
-            Group::Shadow => [0xc9, 0x8a, 0x00],
-            Group::Blocked => [0xc0, 0x39, 0x2b],
-        }
-    }
-}
+use crate::log::{Log, Tree};
 
 /// The rays of a log.
 pub fn rays(log: &Log) -> Vec<Segment> {
@@ -62,9 +17,15 @@ pub fn rays(log: &Log) -> Vec<Segment> {
 }
 
 /// The groups that have rays, in order.
-fn grouped(rays: &[Segment]) -> impl Iterator<Item = (Group, Vec<&Segment>)> {
-    let of_group = |group| (group, rays.iter().filter(|ray| Group::of(ray) == group).collect::<Vec<_>>());
-    Group::ALL.into_iter().map(of_group).filter(|(_, rays)| !rays.is_empty())
+fn grouped(rays: &[Segment]) -> impl Iterator<Item = (RayGroup, Vec<&Segment>)> {
+    let is_of = |ray: &Segment, group| RayGroup::of(ray.kind, ray.is_blocked) == group;
+    let of_group = move |group| (group, rays.iter().filter(|ray| is_of(ray, group)).collect::<Vec<_>>());
+    RayGroup::ALL.into_iter().map(of_group).filter(|(_, rays)| !rays.is_empty())
+}
+
+/// What a group is called.
+fn name(group: RayGroup) -> &'static str {
+    if group == RayGroup::Blocked { "shadow_blocked" } else { group.name() }
 }
 
 /// How long rays to infinity are drawn: as far as the places of all others reach, along the axis where they reach most.

@@ -21,6 +21,7 @@ pub mod outline;
 pub mod path_class;
 pub mod provenance;
 pub mod pseudocode;
+pub mod ray_group;
 pub mod ray_tree;
 pub mod schematic;
 pub mod segments;

@@ -1,6 +1,6 @@
 //! Wavefront OBJ.
 
-use super::{far, grouped, number};
+use super::{far, grouped, name, number};
 use crate::log::Header;
 use crate::log::escape::escape_hidden;
 use crate::report::escape::line;
@@ -15,7 +15,7 @@ pub fn obj(header: &Header, rays: &[Segment]) -> String {
     line!(out, "# rays that meet nothing are drawn {} long", number(far));
     let mut vertices = 0;
     for (group, rays) in grouped(rays) {
-        line!(out, "g {}", group.name());
+        line!(out, "g {}", name(group));
         for ray in &rays {
             for [x, y, z] in [ray.from, ray.end(far)] {
                 line!(out, "v {} {} {}", number(x), number(y), number(z));

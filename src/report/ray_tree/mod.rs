@@ -14,11 +14,11 @@ pub use calls::calls;
 pub use dot::dot;
 pub use mermaid::mermaid;
 pub use svg::{svg, svg_of};
-pub(super) use tikz::color_name;
 pub use tikz::tikz;
 
 use super::contributions;
 use super::language::Language;
+use super::ray_group::RayGroup;
 use super::{Style, words};
 use crate::log::escape::shortened;
 use crate::log::{Decision, Log, RayKind, Term, Tree, Value};
@@ -73,6 +73,10 @@ impl Branch {
     /// Whether its light is kept off.
     pub fn is_blocked(&self) -> bool {
         matches!(self.end, End::Blocked { .. })
+    }
+
+    fn group(&self) -> RayGroup {
+        RayGroup::of(self.kind, self.is_blocked())
     }
 
     /// How wide its line is, in hundredths of the widest.
@@ -214,22 +218,6 @@ impl<'a> Figure<'a> {
     }
 }
 
-/// The colour of a ray's line.
-fn color(branch: &Branch) -> &'static str {
-    color_of(branch.kind, branch.is_blocked())
-}
-
-/// The colour of a kind of rays.
-pub(super) fn color_of(kind: RayKind, is_blocked: bool) -> &'static str {
-    match kind {
-        _ if is_blocked => BLOCKED,
-        RayKind::Camera => CAMERA,
-        RayKind::Reflected => REFLECTED,
-        RayKind::Transmitted => TRANSMITTED,
-        RayKind::Shadow { .. } => SHADOW,
-    }
-}
-
 /// The letter of a kind of rays, with the number of the light.
 pub(super) fn short(kind: RayKind) -> String {
     match kind {
@@ -237,12 +225,3 @@ pub(super) fn short(kind: RayKind) -> String {
         _ => kind.letter().to_string(),
     }
 }
-
-const CAMERA: &str = "#3b4252";
-const REFLECTED: &str = "#1d6fb8";
-const TRANSMITTED: &str = "#2c8a4b";
-const SHADOW: &str = "#c98a00";
-const BLOCKED: &str = "#c0392b";
-
-/// The kinds of rays with their colours, in the order of [`super::language::Figure::kinds`].
-const COLORS: [&str; 5] = [CAMERA, REFLECTED, TRANSMITTED, SHADOW, BLOCKED];

@@ -1,9 +1,10 @@
 //! The ray tree as SVG, by itself.
 
 use super::layout::{LETTER_AT, Spot, spots};
-use super::{COLORS, End, Figure, color};
+use super::{End, Figure};
 use crate::log::escape::width;
 use crate::report::escape::{self, line};
+use crate::report::ray_group::RayGroup;
 use crate::report::svg::{begin, file, label};
 use std::fmt::Write;
 
@@ -46,13 +47,13 @@ pub fn svg_of(figure: &Figure) -> String {
 
 fn write_ray(out: &mut String, figure: &Figure, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
     let Some(branch) = spot.branch else { return };
-    let color = color(branch);
+    let color = branch.group().hex();
     let (y1, y2) = (y1 + HALF_HEIGHT, y2 - HALF_HEIGHT);
     let width = 1.2 + 6.0 * branch.width();
     let dashes = if branch.is_blocked() { " stroke-dasharray=\"5 4\"" } else { "" };
     line!(
         out,
-        "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"{color}\" stroke-width=\"{width:.1}\" \
+        "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"#{color}\" stroke-width=\"{width:.1}\" \
          stroke-linecap=\"round\"{dashes}><title>{}</title></line>",
         escape::xml(&figure.description(branch))
     );
@@ -61,7 +62,7 @@ fn write_ray(out: &mut String, figure: &Figure, spot: &Spot, (x1, y1): (f64, f64
 /// The letter of a ray, over all lines, and the cross of a blocked one.
 fn write_label(out: &mut String, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
     let Some(branch) = spot.branch else { return };
-    let color = color(branch);
+    let color = branch.group().hex();
     let (y1, y2) = (y1 + HALF_HEIGHT, y2 - HALF_HEIGHT);
     // Nearer to the end, where the rays of one node have parted.
     let at = |part: f64| (x1 + (x2 - x1) * part, y1 + (y2 - y1) * part);
@@ -71,11 +72,11 @@ fn write_label(out: &mut String, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f
         line!(
             out,
             "<path d=\"M{left:.1} {top:.1}L{right:.1} {bottom:.1}M{left:.1} {bottom:.1}L{right:.1} {top:.1}\" \
-             stroke=\"{color}\" stroke-width=\"2.4\"/>"
+             stroke=\"#{color}\" stroke-width=\"2.4\"/>"
         );
     }
     let (x, y) = at(LETTER_AT);
-    *out += &label([x, y], &format!("fill=\"{color}\" font-weight=\"bold\""), 4, &branch.label);
+    *out += &label([x, y], &format!("fill=\"#{color}\" font-weight=\"bold\""), 4, &branch.label);
 }
 
 fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {
@@ -102,18 +103,19 @@ fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {
 fn write_legend(out: &mut String, figure: &Figure, top: f64) {
     let texts = &figure.language.texts().figure;
     // Shadow rays are no calls.
-    let kinds = if figure.branches.iter().any(|branch| branch.call.is_some()) { 3 } else { COLORS.len() };
+    let kinds = if figure.branches.iter().any(|branch| branch.call.is_some()) { 3 } else { RayGroup::ALL.len() };
     let mut x = MARGIN;
-    for (kind, color) in texts.kinds.iter().zip(COLORS).take(kinds) {
-        let dashes = if color == super::BLOCKED { " stroke-dasharray=\"5 4\"" } else { "" };
+    for (kind, group) in texts.kinds.iter().zip(RayGroup::ALL).take(kinds) {
+        let dashes = if group == RayGroup::Blocked { " stroke-dasharray=\"5 4\"" } else { "" };
         line!(
             out,
-            "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{end:.1}\" y2=\"{y:.1}\" stroke=\"{color}\" stroke-width=\"3\"{dashes}/>\
+            "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{end:.1}\" y2=\"{y:.1}\" stroke=\"#{color}\" stroke-width=\"3\"{dashes}/>\
              <text x=\"{text:.1}\" y=\"{base:.1}\" text-anchor=\"start\" font-size=\"11\" fill=\"#3b4252\">{kind}</text>",
             y = top + 8.0,
             end = x + 20.0,
             text = x + 25.0,
             base = top + 12.0,
+            color = group.hex(),
             kind = escape::xml(kind)
         );
         x += 34.0 + kind.chars().count() as f64 * 6.4;

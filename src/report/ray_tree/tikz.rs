@@ -2,7 +2,6 @@
 
 use super::layout::{LETTER_AT, Spot, spots};
 use super::{End, Figure};
-use crate::log::RayKind;
 use crate::report::escape::{self, line};
 use std::fmt::Write;
 
@@ -38,7 +37,7 @@ pub fn tikz(figure: &Figure) -> String {
 /// The line of a ray, or the letter on it.
 fn write_ray(out: &mut String, spot: &Spot, number: usize, is_letter: bool) {
     let Some(branch) = spot.branch else { return };
-    let color = color_name(branch.kind, branch.is_blocked());
+    let color = branch.group().name();
     let (from, dashes) = (spot.parent, if branch.is_blocked() { ", dashed" } else { "" });
     if is_letter {
         let mark = if branch.is_blocked() { " $\\times$" } else { "" };
@@ -48,17 +47,6 @@ fn write_ray(out: &mut String, spot: &Spot, number: usize, is_letter: bool) {
     } else {
         let width = 0.5 + 3.5 * branch.width();
         line!(out, "\\draw[{color}{dashes}, line width={width:.1}pt] (n{from}) -- (n{number});");
-    }
-}
-
-/// What the colour of a kind of rays is called in the document.
-pub(in crate::report) fn color_name(kind: RayKind, is_blocked: bool) -> &'static str {
-    match kind {
-        _ if is_blocked => "blocked",
-        RayKind::Camera => "camera",
-        RayKind::Reflected => "reflected",
-        RayKind::Transmitted => "transmitted",
-        RayKind::Shadow { .. } => "shadow",
     }
 }
 

@@ -15,9 +15,9 @@ pub use svg::svg_of;
 pub use tikz::tikz;
 
 use super::language::Language;
-use super::segments::{Segment, around, reach, segments};
+use super::segments::{Segment, around, nearest, reach, segments};
 use super::words;
-use crate::log::{Decision, Log, RayKind, Tree, What};
+use crate::log::{Log, RayKind, Tree};
 use labels::Labels;
 
 /// Something in the scene.
@@ -230,11 +230,4 @@ fn label(plan: &mut Plan, log: &Log, tree: &Tree, rays: &[Segment], language: La
         labels.letter(ray);
     }
     plan.labels = labels.placed();
-}
-
-fn nearest(log: &Log, tree: &Tree, ray: usize) -> Option<u32> {
-    tree.own_events(ray).find_map(|event| match log.events[event].what {
-        What::Mark(Decision::Nearest { object }) => Some(object),
-        _ => None,
-    })
 }

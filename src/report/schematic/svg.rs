@@ -3,7 +3,7 @@
 use super::Plan;
 use crate::log::RayKind;
 use crate::report::escape::line;
-use crate::report::ray_tree::color_of;
+use crate::report::ray_group::RayGroup;
 use crate::report::svg;
 use std::fmt::Write;
 
@@ -15,13 +15,13 @@ pub fn svg_of(plan: &Plan, title: &str) -> String {
     }
     for ray in &plan.rays {
         let ([x1, y1], [x2, y2]) = (ray.from, ray.to);
-        let color = color_of(ray.kind, ray.is_blocked);
+        let color = RayGroup::of(ray.kind, ray.is_blocked).hex();
         let dashes = match ray.kind {
             _ if ray.is_blocked => " stroke-dasharray=\"5 4\"",
             RayKind::Shadow { .. } => " stroke-width=\"1.2\"",
             _ => " stroke-width=\"2.2\"",
         };
-        line!(out, "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"{color}\"{dashes}/>");
+        line!(out, "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"#{color}\"{dashes}/>");
     }
     for [x, y] in &plan.points {
         line!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.2\" fill=\"#1b1f27\"/>");
@@ -38,10 +38,10 @@ pub fn svg_of(plan: &Plan, title: &str) -> String {
     }
     for label in &plan.labels {
         let (color, weight) = match label.ray {
-            Some((kind, is_blocked)) => (color_of(kind, is_blocked), " font-weight=\"bold\""),
-            None => ("#1b1f27", ""),
+            Some((kind, is_blocked)) => (RayGroup::of(kind, is_blocked).hex(), " font-weight=\"bold\""),
+            None => ("1b1f27", ""),
         };
-        out += &svg::label(label.at, &format!("fill=\"{color}\"{weight}"), 4, &label.text);
+        out += &svg::label(label.at, &format!("fill=\"#{color}\"{weight}"), 4, &label.text);
     }
     line!(out, "</svg>");
     out
