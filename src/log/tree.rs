@@ -129,8 +129,8 @@ impl Tree {
         std::iter::successors(Some(node), |at| Some(self.nodes[*at].parent).filter(|parent| parent != at))
     }
 
-    /// The pixel of a region's log that a node lies in.
-    pub fn pixel(&self, node: usize) -> Option<[u32; 2]> {
+    /// The pixel of a region that a node lies in.
+    pub fn pixel_around(&self, node: usize) -> Option<[u32; 2]> {
         self.around(node).find_map(|at| match self.nodes[at].step {
             Some(Step::Pixel(pixel)) => Some(pixel),
             _ => None,

@@ -18,11 +18,28 @@ impl Value {
         }
     }
 
+    /// The number, if it is one.
+    pub fn number(self) -> Option<f64> {
+        match self {
+            Value::Number(number) => Some(number),
+            Value::Triple(_) => None,
+        }
+    }
+
+    /// The triple, if it is one.
+    pub fn triple(self) -> Option<[f64; 3]> {
+        match self {
+            Value::Number(_) => None,
+            Value::Triple(triple) => Some(triple),
+        }
+    }
+
     /// Whether the two have the same bits.
     pub fn same_bits(&self, other: &Value) -> bool {
         let (ours, theirs) = (self.components(), other.components());
         ours.len() == theirs.len() && ours.iter().zip(theirs).all(|(a, b)| a.to_bits() == b.to_bits())
     }
+
     /// The value with a function of each component.
     pub fn map(self, f: impl Fn(f64) -> f64) -> Value {
         match self {

@@ -12,7 +12,7 @@ mod samples;
 use super::path_class::{Source, cases, notation};
 pub use groups::{Group, groups};
 
-use crate::log::{Event, Log, Step, Tree, Unit, What};
+use crate::log::{Event, Log, Name, Step, Tree, Unit, What};
 
 /// A colour, or a factor for each of its channels.
 pub type Color = [f64; 3];
@@ -205,13 +205,16 @@ fn origin_of_rest(
             .and_then(|digits| digits.parse::<u32>().ok())
             .map_or(0.0, |digits| libm::pow(10.0, -f64::from(digits))),
     };
-    let is_intensity = |event: &&Event| match event.what {
-        What::Note { name, .. } => name.unit() == Unit::Intensity,
-        _ => false,
-    };
+    let is_intensity = |event: &&Event| event.noted().is_some_and(|(name, _)| name.unit() == Unit::Intensity);
     let roundings = log.events[tree.nodes()[pixel].events.clone()].iter().filter(is_intensity).count() as f64;
     let weight = contributions.iter().fold(1.0, |weight: f64, part| weight.max(largest(&part.weight)));
     Some(if rest <= roundings * unit * weight { Origin::Rounding } else { Origin::Unexplained })
+}
+
+/// The event of a local model that notes its intensity, and which quantity it is by its formula.
+pub(super) fn local(log: &Log, tree: &Tree, shade: usize) -> Option<(usize, Name)> {
+    let noted = tree.own_events(shade).rev().filter_map(|event| Some((event, log.events[event].noted()?.0)));
+    noted.into_iter().find(|(_, name)| name.key() == Name::ShadeLocal.key())
 }
 
 /// The colour of a pixel, and the event that says so.
@@ -226,7 +229,6 @@ pub fn result(log: &Log, tree: &Tree, pixel: usize) -> Option<(Color, usize)> {
 pub fn pixel_around(tree: &Tree, node: usize) -> usize {
     let is_pixel = |at: &usize| matches!(tree.nodes()[*at].step, Some(Step::Pixel(_)));
     let at = tree.around(node).find(is_pixel).unwrap_or(0);
-    let only_child = (at == 0).then(|| tree.children(0).next()).flatten();
     // A region with nothing selected is that of its first pixel.
-    only_child.filter(is_pixel).unwrap_or(at)
+    Some(at).filter(|at| *at != 0).or_else(|| tree.children(0).next().filter(is_pixel)).unwrap_or(0)
 }

@@ -136,13 +136,13 @@ struct Decider<'a> {
 
 impl Decider<'_> {
     /// The first comparison whose quantities the log holds and that holds for them.
-    fn first(&self, group: &[&str]) -> Option<Comparison> {
+    fn first(&self, group: &[&'static str]) -> Option<Comparison> {
         group.iter().find_map(|text| self.comparison(parsed(text)?))
     }
 
     /// The comparisons of the first reason all of which hold: for the logged numbers, or else with twice the digits.
     fn reason(&self, reasons: Reasons) -> Vec<Comparison> {
-        let all = |texts: &[&str], holds: &dyn Fn(&Parsed) -> Option<Comparison>| {
+        let all = |texts: &[&'static str], holds: &dyn Fn(&Parsed) -> Option<Comparison>| {
             texts.iter().map(|text| holds(parsed(text)?)).collect::<Option<Vec<_>>>()
         };
         let plain = reasons.iter().find_map(|texts| all(texts, &|parsed| self.plain_comparison(parsed)));

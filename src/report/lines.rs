@@ -6,21 +6,9 @@ mod ply;
 pub use obj::obj;
 pub use ply::ply;
 
-use super::drawn::Drawn;
-use super::segments::{Segment, segment};
+use super::ray_group::RayGroup;
+use super::segments::{Segment, around, reach, segment};
 use crate::log::{Log, Tree};
-
-/// The name of a group of rays.
-fn name(group: Drawn) -> &'static str {
-    if group == Drawn::Blocked { "shadow_blocked" } else { group.name() }
-}
-
-/// Red, green and blue of a group.
-fn color(group: Drawn) -> [u8; 3] {
-    let number = u32::from_str_radix(group.hex(), 16).expect("colours are hexadecimal numbers");
-    let [_, red, green, blue] = number.to_be_bytes();
-    [red, green, blue]
-}
 
 /// The rays of a log.
 pub fn rays(log: &Log) -> Vec<Segment> {
@@ -29,20 +17,21 @@ pub fn rays(log: &Log) -> Vec<Segment> {
 }
 
 /// The groups that have rays, in order.
-fn grouped(rays: &[Segment]) -> impl Iterator<Item = (Drawn, Vec<&Segment>)> {
-    let of_group =
-        |group| (group, rays.iter().filter(|ray| Drawn::of(ray.kind, ray.is_blocked) == group).collect::<Vec<_>>());
-    Drawn::ALL.into_iter().map(of_group).filter(|(_, rays)| !rays.is_empty())
+fn grouped(rays: &[Segment]) -> impl Iterator<Item = (RayGroup, Vec<&Segment>)> {
+    let is_of = |ray: &Segment, group| RayGroup::of(ray.kind, ray.is_blocked) == group;
+    let of_group = move |group| (group, rays.iter().filter(|ray| is_of(ray, group)).collect::<Vec<_>>());
+    RayGroup::ALL.into_iter().map(of_group).filter(|(_, rays)| !rays.is_empty())
+}
+
+/// What a group is called.
+fn name(group: RayGroup) -> &'static str {
+    if group == RayGroup::Blocked { "shadow_blocked" } else { group.name() }
 }
 
 /// How long rays to infinity are drawn: as far as the places of all others reach, along the axis where they reach most.
 fn far(rays: &[Segment]) -> f64 {
-    let places = || rays.iter().flat_map(|ray| [ray.from, ray.end(0.0)]);
-    let reach = |axis: usize| {
-        let low = places().map(|place| place[axis]).fold(f64::INFINITY, f64::min);
-        places().map(|place| place[axis]).fold(f64::NEG_INFINITY, f64::max) - low
-    };
-    Some((0..3).map(reach).fold(0.0, f64::max)).filter(|far| *far > 0.0 && far.is_finite()).unwrap_or(1.0)
+    let places = rays.iter().flat_map(|ray| [ray.from, ray.end(0.0)]);
+    Some(reach(&around(places))).filter(|far| *far > 0.0 && far.is_finite()).unwrap_or(1.0)
 }
 
 /// A number that reads back as it is.

@@ -37,11 +37,9 @@ fn fate(log: &Log, tree: &Tree, node: usize, kind: RayKind, style: Style) -> Str
     }
     let combined = tree.children(node).filter(|child| tree.nodes()[*child].step == Some(Step::Combine)).last();
     let color = combined.and_then(|combine| {
-        tree.own_events(combine).find_map(|event| match log.events[event].what {
-            What::Note { name: Name::CombineColor, value } => Some(Language::English.value(&value, style)),
-            _ => None,
-        })
+        let noted = tree.own_events(combine).filter_map(|event| log.events[event].noted());
+        noted.into_iter().find(|(name, _)| *name == Name::CombineColor)
     });
-    words.extend(color);
+    words.extend(color.map(|(_, value)| Language::English.value(&value, style)));
     words.join(", ")
 }

@@ -7,7 +7,7 @@
 mod handed;
 mod uses;
 
-pub use handed::origin;
+pub use handed::{color_of_ray, origin};
 pub use uses::uses;
 
 use crate::log::formula::{self, Formula, Unary};
@@ -86,11 +86,6 @@ fn inputs(log: &Log, tree: &Tree, event: usize) -> Vec<Operand> {
 /// scene states.
 pub fn handed_on_from(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -> Option<usize> {
     handed::origin(log, tree, event, name, value)
-}
-
-/// The event with the colour of a ray that met something.
-pub fn color_of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<usize> {
-    handed::color_of(log, tree, ray)
 }
 
 /// The event that computed an input.

@@ -63,6 +63,28 @@ pub fn segment(log: &Log, tree: &Tree, node: usize, last: usize) -> Option<Segme
     (ray.from.iter().chain(&ray.direction).all(|x| x.is_finite())).then_some(ray)
 }
 
+/// The box around points: its lowest and its highest corner.
+pub fn around(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
+    points.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], point| {
+        [0, 1].map(|side| {
+            std::array::from_fn(|axis| if side == 0 { low[axis].min(point[axis]) } else { high[axis].max(point[axis]) })
+        })
+    })
+}
+
+/// The longest side of a box.
+pub fn reach([low, high]: &[[f64; 3]; 2]) -> f64 {
+    (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max)
+}
+
+/// The object that a node hits.
+pub fn nearest(log: &Log, tree: &Tree, node: usize) -> Option<u32> {
+    tree.own_events(node).find_map(|event| match log.events[event].decision()? {
+        Decision::Nearest { object } => Some(object),
+        _ => None,
+    })
+}
+
 fn distance(from: [f64; 3], to: [f64; 3]) -> f64 {
     let squares = (0..3).map(|axis| (to[axis] - from[axis]) * (to[axis] - from[axis]));
     squares.sum::<f64>().sqrt()
@@ -89,8 +111,5 @@ fn blocked_at(log: &Log, tree: &Tree, node: usize) -> Option<f64> {
 fn to_light(log: &Log, tree: &Tree, node: usize) -> Option<f64> {
     let (parent, before) = (tree.nodes()[node].parent, tree.nodes()[node].events.start);
     let noted = scope::latest_note(&log.events, tree, parent, before, Name::LightDistance)?;
-    match log.events[noted].what {
-        What::Note { value: Value::Number(distance), .. } => Some(distance),
-        _ => None,
-    }
+    log.events[noted].noted()?.1.number()
 }

@@ -1,11 +1,10 @@
 //! The arithmetic ladder: what a picture loses with every digit less, and what it costs.
 
+use super::rendered;
 use crate::record::Arithmetic;
-use crate::render::{RenderError, Settings, render};
+use crate::render::RenderError;
 use crate::scene::{Color, Scene};
 use serde::Serialize;
-use std::sync::atomic::AtomicBool;
-use std::time::Instant;
 
 /// What became of a picture in one arithmetic.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -14,12 +13,9 @@ pub struct Rung {
     pub arithmetic: String,
     /// How long rendering took, in seconds: the shortest of [`REPEATS`] times.
     pub seconds: f64,
-    /// The root of the mean squared error over all pixels and channels, in units of the scene's white.
-    pub rmse: f64,
-    /// The greatest error of a channel, in units of the scene's white.
-    pub worst: f64,
-    /// The part of the pixels that are off by more than one of 255 levels in some channel.
-    pub visible: f64,
+    /// How far it is from the exact one.
+    #[serde(flatten)]
+    pub deviation: Deviation,
 }
 
 /// How far a picture is from another one.
@@ -61,24 +57,22 @@ pub fn ladder(scene: &Scene, threads: usize) -> Result<Vec<Rung>, RenderError> {
     let (exact, of_exact) = timed(scene, Arithmetic::F64, threads)?;
     let by_hand = DECIMALS.map(Arithmetic::Decimal);
     let mut rungs = Vec::new();
+    let rung = |arithmetic: Arithmetic, seconds, errors: &[Color]| Rung {
+        arithmetic: arithmetic.to_string(),
+        seconds,
+        deviation: Deviation::of(errors),
+    };
     for arithmetic in by_hand.chain([Arithmetic::F32]) {
         let (picture, seconds) = timed(scene, arithmetic, threads)?;
-        rungs.push(Rung::of(arithmetic, seconds, &errors(scene, &picture, &exact)));
+        rungs.push(rung(arithmetic, seconds, &errors(scene, &picture, &exact)));
     }
     let mut moved = Vec::new();
     for seed in 0..REPEATS as u64 {
-        let (picture, _) = once(scene, Arithmetic::Perturbed(seed), threads)?;
+        let (picture, _) = rendered::picture(scene, Arithmetic::Perturbed(seed), threads)?;
         moved.extend(errors(scene, &exact, &picture));
     }
-    rungs.push(Rung::of(Arithmetic::F64, of_exact, &moved));
+    rungs.push(rung(Arithmetic::F64, of_exact, &moved));
     Ok(rungs)
-}
-
-impl Rung {
-    fn of(arithmetic: Arithmetic, seconds: f64, errors: &[Color]) -> Rung {
-        let Deviation { rmse, worst, visible } = Deviation::of(errors);
-        Rung { arithmetic: arithmetic.to_string(), seconds, rmse, worst, visible }
-    }
 }
 
 /// The errors of the pixels, in units of white.
@@ -88,18 +82,8 @@ pub(super) fn errors(scene: &Scene, picture: &[Color], exact: &[Color]) -> Vec<C
 
 /// The picture, and the shortest of some times.
 fn timed(scene: &Scene, arithmetic: Arithmetic, threads: usize) -> Result<(Vec<Color>, f64), RenderError> {
-    let (picture, mut shortest) = once(scene, arithmetic, threads)?;
-    for _ in 1..REPEATS {
-        shortest = shortest.min(once(scene, arithmetic, threads)?.1);
-    }
-    Ok((picture, shortest))
-}
-
-fn once(scene: &Scene, arithmetic: Arithmetic, threads: usize) -> Result<(Vec<Color>, f64), RenderError> {
-    let [width, height] = scene.camera.resolution;
-    let settings =
-        Settings { crop: [0, 0, width, height], arithmetic, threads, counts_rays: false, order: Default::default() };
-    let begun = Instant::now();
-    let rendered = render(scene, &settings, |_| (), &AtomicBool::new(false))?;
-    Ok((rendered.film.into_pixels(), begun.elapsed().as_secs_f64()))
+    let (picture, lap) = rendered::picture(scene, arithmetic, threads)?;
+    let again = (1..REPEATS).map(|_| Ok(rendered::picture(scene, arithmetic, threads)?.1.seconds));
+    let again = again.collect::<Result<Vec<_>, RenderError>>()?;
+    Ok((picture, again.into_iter().fold(lap.seconds, f64::min)))
 }

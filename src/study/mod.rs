@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod ladder;
+mod rendered;
 pub mod rounding;
 pub mod stress;
 pub mod textbook;

@@ -6,11 +6,14 @@
 mod view;
 
 use super::Theme;
+use super::keys::{self, Action};
+use super::list;
+use super::model::Pending;
 use super::terminal::{Asker, Input, Terminal};
-use super::update::Exit;
+use super::update::{Effect, Exit};
 use crate::report::diff::Rows;
 use crate::report::language::Language;
-use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use crossterm::event::KeyEvent;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::io;
@@ -29,17 +32,6 @@ pub struct Beside<'a> {
     message: Option<&'static str>,
 }
 
-/// What a key asks for that the model can't do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wish {
-    /// Nothing more.
-    None,
-    /// To be left.
-    Leave(Exit),
-    /// To give the terminal to the shell.
-    Suspend,
-}
-
 impl<'a> Beside<'a> {
     /// Two logs, at the first row that differs.
     pub fn new(rows: Rows<'a>, titles: [String; 2]) -> Beside<'a> {
@@ -53,34 +45,23 @@ impl<'a> Beside<'a> {
         self.height = view::rows_of_table(height);
     }
 
-    /// Does what a key says.
-    pub fn press(&mut self, key: KeyEvent) -> Wish {
-        if key.kind == KeyEventKind::Release {
-            return Wish::None;
-        }
+    /// Does what a key of the viewer means here, and says what is left to do: nothing, to leave or to suspend.
+    pub fn press(&mut self, key: KeyEvent) -> Effect {
+        let Some(action) = keys::action(&Pending::default(), key) else { return Effect::None };
         self.message = None;
         let last = self.rows.rows().len().saturating_sub(1);
-        let is_control = key.modifiers.contains(KeyModifiers::CONTROL);
-        self.cursor = match key.code {
-            KeyCode::Char('c') if is_control => return Wish::Leave(Exit::Interrupted),
-            KeyCode::Char('z') if is_control => return Wish::Suspend,
-            KeyCode::Char('q') | KeyCode::Esc => return Wish::Leave(Exit::Quit),
-            KeyCode::Char('d') if is_control => self.cursor + self.height / 2,
-            KeyCode::Char('u') if is_control => self.cursor.saturating_sub(self.height / 2),
-            KeyCode::Char('f') if is_control => self.cursor + self.height,
-            KeyCode::Char('b') if is_control => self.cursor.saturating_sub(self.height),
-            KeyCode::Char('j') | KeyCode::Down => self.cursor + 1,
-            KeyCode::Char('k') | KeyCode::Up => self.cursor.saturating_sub(1),
-            KeyCode::PageDown | KeyCode::Char(' ') => self.cursor + self.height,
-            KeyCode::PageUp => self.cursor.saturating_sub(self.height),
-            KeyCode::Char('g') | KeyCode::Home => 0,
-            KeyCode::Char('G') | KeyCode::End => last,
-            KeyCode::Char('n') | KeyCode::Tab => self.next_difference(),
-            KeyCode::Char('N' | 'p') | KeyCode::BackTab => self.previous_difference(),
-            _ => self.cursor,
-        }
-        .min(last);
-        Wish::None
+        self.cursor = match action {
+            Action::Interrupt => return Effect::Leave(Exit::Interrupted),
+            Action::Suspend => return Effect::Suspend,
+            Action::Quit | Action::Close => return Effect::Leave(Exit::Quit),
+            Action::NextValue | Action::SwitchPane => self.next_difference(),
+            Action::PreviousValue | Action::PreviousPane => self.previous_difference(),
+            _ => {
+                let action = if action == Action::Toggle { Action::PageDown } else { action };
+                list::moved(action, self.cursor, 1, [self.height / 2, self.height], last).unwrap_or(self.cursor)
+            }
+        };
+        Effect::None
     }
 
     fn next_difference(&self) -> usize {
@@ -117,9 +98,9 @@ fn show(beside: &mut Beside, terminal: &mut Terminal, theme: &Theme) -> io::Resu
             Input::Suspend => _ = terminal.suspend(Asker::Signal)?,
             Input::Resume => terminal.resume()?,
             Input::Key(key) => match beside.press(key) {
-                Wish::None => {}
-                Wish::Leave(exit) => return Ok(exit),
-                Wish::Suspend => _ = terminal.suspend(Asker::Key)?,
+                Effect::Leave(exit) => return Ok(exit),
+                Effect::Suspend => _ = terminal.suspend(Asker::Key)?,
+                _ => {}
             },
             Input::Paste(_) => beside.message = Some(Language::default().texts().viewer.messages.pasted_nowhere),
             Input::Mouse(_) | Input::Beat | Input::Size(..) | Input::Tick => {}

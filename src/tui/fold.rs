@@ -47,14 +47,14 @@ impl Fold {
 
     /// Opens every node around this one.
     pub fn open_around(&mut self, tree: &Tree, node: usize) {
-        tree.around(node).skip(1).for_each(|around| self.open[around] = true);
+        tree.around(node).skip(1).for_each(|at| self.open[at] = true);
     }
 
     /// The row that stands for a node: itself, or the outermost closed node around it; of one that isn't to be seen, the
     /// node around it that is.
     pub fn row_of(&self, tree: &Tree, node: usize) -> usize {
         let seen = tree.around(node).find(|at| self.visible.is(*at)).unwrap_or(0);
-        tree.around(seen).skip(1).filter(|around| !self.open[*around]).last().unwrap_or(seen)
+        tree.around(seen).skip(1).filter(|at| !self.open[*at]).last().unwrap_or(seen)
     }
 
     /// The row below a visible row.

@@ -83,8 +83,8 @@ pub enum Action {
 /// Some keys, what they do, and how the help says it.
 #[derive(Debug)]
 pub struct Row {
-    /// What it is for.
-    pub group: Group,
+    /// What they are for: the heading in the help.
+    pub group: Title,
     /// The keys: a character, `^` and a letter, two characters in a row, or a name such as `PgUp`.
     pub keys: &'static [&'static str],
     /// What they do.
@@ -95,96 +95,62 @@ pub struct Row {
 
 /// What the help says of keys, among its texts.
 type Said = fn(&Keys) -> &'static str;
+/// A heading of the help, among its texts.
+type Title = fn(&Groups) -> &'static str;
 
-const fn row(group: Group, keys: &'static [&'static str], action: Action, help: Said) -> Row {
+const fn row(group: Title, keys: &'static [&'static str], action: Action, help: Said) -> Row {
     Row { group, keys, action, help }
-}
-
-/// What keys are for: the headings of the help.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Group {
-    Step,
-    Tree,
-    Fold,
-    Picture,
-    Understand,
-    Viewer,
-    Nesting,
-    Run,
-    Find,
-    Keep,
-    Breakpoints,
-}
-
-impl Group {
-    /// The heading.
-    pub fn title(self, groups: &Groups) -> &'static str {
-        match self {
-            Group::Step => groups.step,
-            Group::Tree => groups.tree,
-            Group::Fold => groups.fold,
-            Group::Picture => groups.picture,
-            Group::Understand => groups.understand,
-            Group::Viewer => groups.viewer,
-            Group::Nesting => groups.nesting,
-            Group::Run => groups.run,
-            Group::Find => groups.find,
-            Group::Keep => groups.keep,
-            Group::Breakpoints => groups.breakpoints,
-        }
-    }
 }
 
 /// The keys that move in the panes, and those of the viewer itself.
 const TABLE: &[Row] = &[
-    row(Group::Step, &["n"], NextValue, |keys| keys.next_value),
-    row(Group::Step, &["N", "p"], PreviousValue, |keys| keys.previous_value),
-    row(Group::Step, &["]"], NextEvent, |keys| keys.next_event),
-    row(Group::Step, &["["], PreviousEvent, |keys| keys.previous_event),
-    row(Group::Step, &["}"], NextRay, |keys| keys.next_ray),
-    row(Group::Step, &["{"], PreviousRay, |keys| keys.previous_ray),
-    row(Group::Tree, &["j", "Down"], Down, |keys| keys.down),
-    row(Group::Tree, &["k", "Up"], Up, |keys| keys.up),
-    row(Group::Tree, &["h", "Left"], Out, |keys| keys.out),
-    row(Group::Tree, &["l", "Right"], In, |keys| keys.r#in),
-    row(Group::Tree, &["Enter"], Enter, |keys| keys.enter),
-    row(Group::Tree, &["J"], NextSibling, |keys| keys.next_sibling),
-    row(Group::Tree, &["K"], PreviousSibling, |keys| keys.previous_sibling),
-    row(Group::Tree, &["g", "Home"], First, |keys| keys.first),
-    row(Group::Tree, &["G", "End"], Last, |keys| keys.last),
-    row(Group::Tree, &["^d"], HalfPageDown, |keys| keys.half_page_down),
-    row(Group::Tree, &["^u"], HalfPageUp, |keys| keys.half_page_up),
-    row(Group::Tree, &["PgDn", "^f"], PageDown, |keys| keys.page_down),
-    row(Group::Tree, &["PgUp", "^b"], PageUp, |keys| keys.page_up),
-    row(Group::Tree, &["zz"], Center, |keys| keys.center),
-    row(Group::Fold, &["Space"], Toggle, |keys| keys.toggle),
-    row(Group::Fold, &["e"], OpenSiblings, |keys| keys.open_siblings),
-    row(Group::Fold, &["c"], CloseSiblings, |keys| keys.close_siblings),
-    row(Group::Fold, &["E"], OpenAll, |keys| keys.open_all),
-    row(Group::Fold, &["C"], CloseAll, |keys| keys.close_all),
-    row(Group::Picture, &["i"], ZoomIn, |keys| keys.zoom_in),
-    row(Group::Picture, &["I"], ZoomOut, |keys| keys.zoom_out),
-    row(Group::Picture, &[")"], Brighter, |keys| keys.brighter),
-    row(Group::Picture, &["("], Darker, |keys| keys.darker),
-    row(Group::Picture, &["v"], NextView, |keys| keys.next_view),
-    row(Group::Understand, &["d"], Operands, |keys| keys.operands),
-    row(Group::Understand, &["D"], Uses, |keys| keys.uses),
-    row(Group::Understand, &["^o"], Back, |keys| keys.back),
-    row(Group::Understand, &["w"], Contributions, |keys| keys.contributions),
-    row(Group::Understand, &["a"], Arithmetics, |keys| keys.arithmetics),
-    row(Group::Understand, &["Q"], Quiz, |keys| keys.quiz),
-    row(Group::Understand, &["="], Answer, |keys| keys.answer),
-    row(Group::Viewer, &["Tab"], SwitchPane, |keys| keys.switch_pane),
-    row(Group::Viewer, &["Shift-Tab"], PreviousPane, |keys| keys.previous_pane),
-    row(Group::Viewer, &["zo"], OnlyPane, |keys| keys.only_pane),
-    row(Group::Viewer, &[">"], Wider, |keys| keys.wider),
-    row(Group::Viewer, &["<"], Narrower, |keys| keys.narrower),
-    row(Group::Viewer, &["?", "F1"], Help, |keys| keys.help),
-    row(Group::Viewer, &["Esc"], Close, |keys| keys.close),
-    row(Group::Viewer, &["q"], Quit, |keys| keys.quit),
-    row(Group::Viewer, &["^c"], Interrupt, |keys| keys.interrupt),
-    row(Group::Viewer, &["^z"], Suspend, |keys| keys.suspend),
+    row(|groups| groups.step, &["n"], NextValue, |keys| keys.next_value),
+    row(|groups| groups.step, &["N", "p"], PreviousValue, |keys| keys.previous_value),
+    row(|groups| groups.step, &["]"], NextEvent, |keys| keys.next_event),
+    row(|groups| groups.step, &["["], PreviousEvent, |keys| keys.previous_event),
+    row(|groups| groups.step, &["}"], NextRay, |keys| keys.next_ray),
+    row(|groups| groups.step, &["{"], PreviousRay, |keys| keys.previous_ray),
+    row(|groups| groups.tree, &["j", "Down"], Down, |keys| keys.down),
+    row(|groups| groups.tree, &["k", "Up"], Up, |keys| keys.up),
+    row(|groups| groups.tree, &["h", "Left"], Out, |keys| keys.out),
+    row(|groups| groups.tree, &["l", "Right"], In, |keys| keys.r#in),
+    row(|groups| groups.tree, &["Enter"], Enter, |keys| keys.enter),
+    row(|groups| groups.tree, &["J"], NextSibling, |keys| keys.next_sibling),
+    row(|groups| groups.tree, &["K"], PreviousSibling, |keys| keys.previous_sibling),
+    row(|groups| groups.tree, &["g", "Home"], First, |keys| keys.first),
+    row(|groups| groups.tree, &["G", "End"], Last, |keys| keys.last),
+    row(|groups| groups.tree, &["^d"], HalfPageDown, |keys| keys.half_page_down),
+    row(|groups| groups.tree, &["^u"], HalfPageUp, |keys| keys.half_page_up),
+    row(|groups| groups.tree, &["PgDn", "^f"], PageDown, |keys| keys.page_down),
+    row(|groups| groups.tree, &["PgUp", "^b"], PageUp, |keys| keys.page_up),
+    row(|groups| groups.tree, &["zz"], Center, |keys| keys.center),
+    row(|groups| groups.fold, &["Space"], Toggle, |keys| keys.toggle),
+    row(|groups| groups.fold, &["e"], OpenSiblings, |keys| keys.open_siblings),
+    row(|groups| groups.fold, &["c"], CloseSiblings, |keys| keys.close_siblings),
+    row(|groups| groups.fold, &["E"], OpenAll, |keys| keys.open_all),
+    row(|groups| groups.fold, &["C"], CloseAll, |keys| keys.close_all),
+    row(|groups| groups.picture, &["i"], ZoomIn, |keys| keys.zoom_in),
+    row(|groups| groups.picture, &["I"], ZoomOut, |keys| keys.zoom_out),
+    row(|groups| groups.picture, &[")"], Brighter, |keys| keys.brighter),
+    row(|groups| groups.picture, &["("], Darker, |keys| keys.darker),
+    row(|groups| groups.picture, &["v"], NextView, |keys| keys.next_view),
+    row(|groups| groups.understand, &["d"], Operands, |keys| keys.operands),
+    row(|groups| groups.understand, &["D"], Uses, |keys| keys.uses),
+    row(|groups| groups.understand, &["^o"], Back, |keys| keys.back),
+    row(|groups| groups.understand, &["w"], Contributions, |keys| keys.contributions),
+    row(|groups| groups.understand, &["a"], Arithmetics, |keys| keys.arithmetics),
+    row(|groups| groups.understand, &["Q"], Quiz, |keys| keys.quiz),
+    row(|groups| groups.understand, &["="], Answer, |keys| keys.answer),
+    row(|groups| groups.viewer, &["Tab"], SwitchPane, |keys| keys.switch_pane),
+    row(|groups| groups.viewer, &["Shift-Tab"], PreviousPane, |keys| keys.previous_pane),
+    row(|groups| groups.viewer, &["zo"], OnlyPane, |keys| keys.only_pane),
+    row(|groups| groups.viewer, &[">"], Wider, |keys| keys.wider),
+    row(|groups| groups.viewer, &["<"], Narrower, |keys| keys.narrower),
+    row(|groups| groups.viewer, &["?", "F1"], Help, |keys| keys.help),
+    row(|groups| groups.viewer, &["Esc"], Close, |keys| keys.close),
+    row(|groups| groups.viewer, &["q"], Quit, |keys| keys.quit),
+    row(|groups| groups.viewer, &["^c"], Interrupt, |keys| keys.interrupt),
+    row(|groups| groups.viewer, &["^z"], Suspend, |keys| keys.suspend),
 ];
 
 /// Every key of the viewer, in the order of the help.
@@ -231,32 +197,36 @@ pub fn action(pending: &Pending, key: KeyEvent) -> Option<Action> {
     }
 }
 
+/// The names of keys that aren't characters. Of several for one key the first is shown.
+const NAMES: [(&str, KeyCode); 14] = [
+    ("Space", KeyCode::Char(' ')),
+    ("Up", KeyCode::Up),
+    ("Down", KeyCode::Down),
+    ("Left", KeyCode::Left),
+    ("Right", KeyCode::Right),
+    ("PgUp", KeyCode::PageUp),
+    ("PgDn", KeyCode::PageDown),
+    ("Home", KeyCode::Home),
+    ("End", KeyCode::End),
+    ("Enter", KeyCode::Enter),
+    ("Tab", KeyCode::Tab),
+    ("Shift-Tab", KeyCode::BackTab),
+    ("BackTab", KeyCode::BackTab),
+    ("Esc", KeyCode::Esc),
+];
+
 /// The name of a key, as the table has it.
 fn name(key: KeyEvent) -> Option<String> {
-    let is_control = key.modifiers.contains(KeyModifiers::CONTROL);
-    if key.modifiers.contains(KeyModifiers::ALT) {
-        return None;
+    let named = NAMES.iter().find(|(_, code)| *code == key.code).map(|(name, _)| (*name).to_owned());
+    match key.code {
+        _ if key.modifiers.contains(KeyModifiers::ALT) => None,
+        KeyCode::Char(letter) if key.modifiers.contains(KeyModifiers::CONTROL) => {
+            Some(format!("^{}", letter.to_ascii_lowercase()))
+        }
+        KeyCode::Char(character) => named.or_else(|| Some(character.to_string())),
+        KeyCode::F(number) => Some(format!("F{number}")),
+        _ => named,
     }
-    let name = match key.code {
-        KeyCode::Char(letter) if is_control => return Some(format!("^{}", letter.to_ascii_lowercase())),
-        KeyCode::Char(' ') => "Space",
-        KeyCode::Char(character) => return Some(character.to_string()),
-        KeyCode::F(number) => return Some(format!("F{number}")),
-        KeyCode::Up => "Up",
-        KeyCode::Down => "Down",
-        KeyCode::Left => "Left",
-        KeyCode::Right => "Right",
-        KeyCode::PageUp => "PgUp",
-        KeyCode::PageDown => "PgDn",
-        KeyCode::Home => "Home",
-        KeyCode::End => "End",
-        KeyCode::Enter => "Enter",
-        KeyCode::Tab => "Tab",
-        KeyCode::BackTab => "Shift-Tab",
-        KeyCode::Esc => "Esc",
-        _ => return None,
-    };
-    Some(name.to_owned())
 }
 
 fn digit(name: &str) -> Option<u8> {
@@ -282,22 +252,10 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
     if let Some(letter) = text.strip_prefix("C-").filter(|letter| letter.chars().count() == 1) {
         return parse(&format!("^{letter}"));
     }
-    plain(match text {
-        "Space" => KeyCode::Char(' '),
-        "Up" => KeyCode::Up,
-        "Down" => KeyCode::Down,
-        "Left" => KeyCode::Left,
-        "Right" => KeyCode::Right,
-        "PgUp" => KeyCode::PageUp,
-        "PgDn" => KeyCode::PageDown,
-        "Home" => KeyCode::Home,
-        "End" => KeyCode::End,
-        "Enter" => KeyCode::Enter,
-        "Tab" => KeyCode::Tab,
-        "Shift-Tab" | "BackTab" => KeyCode::BackTab,
-        "Esc" => KeyCode::Esc,
-        _ => KeyCode::F(text.strip_prefix('F')?.parse().ok()?),
-    })
+    match NAMES.iter().find(|(name, _)| *name == text) {
+        Some((_, code)) => plain(*code),
+        None => plain(KeyCode::F(text.strip_prefix('F')?.parse().ok()?)),
+    }
 }
 
 #[cfg(test)]

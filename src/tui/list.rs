@@ -10,8 +10,8 @@ use super::theme::Role;
 use super::understanding;
 use super::update::{Effect, Exit};
 use super::view;
-use super::{bookmarks, breakpoints, run};
-use crate::report::language::viewer::Hints;
+use super::{address, breakpoints, run};
+use crate::report::language::viewer::{Hints, List};
 
 /// What a list is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,11 +64,17 @@ pub struct Column {
     pub is_number: bool,
 }
 
-impl Column {
-    /// Columns with these titles; those with these numbers, from 0, are columns of numbers.
-    pub fn all(titles: &[&'static str], numbers: &[usize]) -> Vec<Column> {
-        let column = |(at, title): (usize, &&'static str)| Column { title, is_number: numbers.contains(&at) };
-        titles.iter().enumerate().map(column).collect()
+impl Listing {
+    /// A list with these texts. The columns with these numbers, from 0, are columns of numbers.
+    pub fn of<T, const N: usize>(
+        texts: &List<T, N>,
+        title: impl Into<String>,
+        numbers: &[usize],
+        entries: Vec<Entry>,
+    ) -> Listing {
+        let column = |(at, title)| Column { title, is_number: numbers.contains(&at) };
+        let columns = texts.columns.into_iter().enumerate().map(column).collect();
+        Listing { title: title.into(), columns, entries, nothing: texts.nothing }
     }
 }
 
@@ -114,24 +120,9 @@ impl Entry {
 pub fn listing(model: &Model, kind: Kind) -> Listing {
     let texts = &model.texts().lists;
     match kind {
-        Kind::Breakpoints => Listing {
-            title: texts.breakpoints.title.to_owned(),
-            columns: Column::all(&texts.breakpoints.columns, &[]),
-            entries: breakpoints::entries(model),
-            nothing: texts.breakpoints.nothing,
-        },
-        Kind::Stops => Listing {
-            title: texts.stops.title.to_owned(),
-            columns: Column::all(&texts.stops.columns, &[0]),
-            entries: run::entries(model),
-            nothing: texts.stops.nothing,
-        },
-        Kind::Bookmarks => Listing {
-            title: texts.bookmarks.title.to_owned(),
-            columns: Column::all(&texts.bookmarks.columns, &[]),
-            entries: bookmarks::entries(model),
-            nothing: texts.bookmarks.nothing,
-        },
+        Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints.title, &[], breakpoints::entries(model)),
+        Kind::Stops => Listing::of(&texts.stops, texts.stops.title, &[0], run::entries(model)),
+        Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks.title, &[], address::entries(model)),
         Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => understanding::listing(model, kind),
     }
 }
@@ -160,21 +151,9 @@ pub(super) fn update(
     let page = usize::from(model.size.1 / 2).max(1);
     let last = listing.entries.len().saturating_sub(1);
     let mut aside = shift;
-    let moved = match action {
-        Action::Down => selected.saturating_add(times),
-        Action::Up => selected.saturating_sub(times),
-        Action::HalfPageDown | Action::PageDown => selected.saturating_add(page),
-        Action::HalfPageUp | Action::PageUp => selected.saturating_sub(page),
-        Action::First => 0,
-        Action::Last => last,
-        Action::Wider => {
-            aside = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind));
-            selected
-        }
-        Action::Narrower => {
-            aside = shift.saturating_sub(STRIDE * times);
-            selected
-        }
+    match action {
+        Action::Wider => aside = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind)),
+        Action::Narrower => aside = shift.saturating_sub(STRIDE * times),
         Action::In | Action::Enter if kind == Kind::Breakpoints => {
             breakpoints::go_to_next(model, selected);
             return Effect::None;
@@ -201,11 +180,34 @@ pub(super) fn update(
         }
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
-        _ => selected,
-    };
-    let selected = off_headings(&listing.entries, moved.min(last), moved < selected || action == Action::Last);
+        _ => {}
+    }
+    let moved = moved(action, selected, times, [page; 2], last).unwrap_or(selected);
+    let selected = off_headings(&listing.entries, moved, moved < selected || action == Action::Last);
     model.overlay = Some(Overlay::List { kind, selected, shift: aside });
     Effect::None
+}
+
+/// The row to which an action moves from another one, by `times` rows, by half a page or a page, or to an end; `None` for other actions.
+pub(super) fn moved(
+    action: Action,
+    from: usize,
+    times: usize,
+    [half_page, page]: [usize; 2],
+    last: usize,
+) -> Option<usize> {
+    let row = match action {
+        Action::Down => from.saturating_add(times),
+        Action::Up => from.saturating_sub(times),
+        Action::HalfPageDown => from.saturating_add(half_page),
+        Action::HalfPageUp => from.saturating_sub(half_page),
+        Action::PageDown => from.saturating_add(page),
+        Action::PageUp => from.saturating_sub(page),
+        Action::First => 0,
+        Action::Last => last,
+        _ => return None,
+    };
+    Some(row.min(last))
 }
 
 /// The entry that is selected instead of a heading: the next one, or the one before when moving backward; else the nearest other.

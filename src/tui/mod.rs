@@ -271,10 +271,7 @@ fn resized(model: &mut Model, terminal: &Terminal) -> io::Result<()> {
 }
 
 fn position(model: &Model) -> Position {
-    let pixel = model.tree.pixel(model.cursor).or(match model.log.header.subject {
-        Subject::Pixel(pixel) => Some(pixel),
-        _ => None,
-    });
+    let pixel = model.tree.pixel_around(model.cursor).or(model.pixel());
     let at = match model.log.header.subject {
         // The numbers of events begin again at each pixel; a link counts through.
         Subject::Region(_) => model.step() as u32,

@@ -12,7 +12,6 @@ use super::picture::PictureView;
 use super::prompt::Prompt;
 use super::understanding::{self, Understanding};
 use super::update::Effect;
-use crate::log::tree::Place;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
@@ -109,7 +108,7 @@ pub enum Overlay {
     /// The help, from this line on.
     Help {
         /// The first line shown.
-        top: u16,
+        top: usize,
     },
     /// A list of places and figures.
     List {
@@ -244,7 +243,7 @@ impl Model {
     /// The pixel that an event is of, in the log of a region.
     pub fn pixel_of(&self, event: usize) -> Option<[u32; 2]> {
         let Subject::Region(_) = self.log.header.subject else { return None };
-        self.tree.pixel(self.tree.owner(event))
+        self.tree.pixel_around(self.tree.owner(event))
     }
 
     /// The number of the current step, from 1; 0 in a log without events.

@@ -6,9 +6,10 @@ use super::{breakpoints, command, quiz, search};
 use crate::log::escape::escape_hidden;
 use crate::report::language::viewer::Status;
 use crate::report::words::plain;
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use crossterm::event::{Event, KeyCode, KeyEvent};
 use std::collections::HashMap;
-use tui_input::{Input, InputRequest};
+use tui_input::Input;
+use tui_input::backend::crossterm::EventHandler;
 
 /// A line that is being typed.
 #[derive(Clone, Debug)]
@@ -100,9 +101,7 @@ pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
         KeyCode::Down => recall(model, |back| back.saturating_sub(1)),
         KeyCode::Enter => return finish(model),
         _ => {
-            if let Some(request) = request(key) {
-                prompt.line.handle(request);
-            }
+            prompt.line.handle_event(&Event::Key(key));
         }
     }
     Effect::None
@@ -155,27 +154,6 @@ fn complete(model: &mut Model) {
         let some: Vec<_> = ways.iter().take(12).map(|way| plain(way.trim_end())).collect();
         model.say(&some.join("  "));
     }
-}
-
-/// What a key changes in a line: as in a shell.
-fn request(key: KeyEvent) -> Option<InputRequest> {
-    let is_control = key.modifiers.contains(KeyModifiers::CONTROL);
-    Some(match key.code {
-        KeyCode::Char('a') if is_control => InputRequest::GoToStart,
-        KeyCode::Char('e') if is_control => InputRequest::GoToEnd,
-        KeyCode::Char('u') if is_control => InputRequest::DeleteLine,
-        KeyCode::Char('w') if is_control => InputRequest::DeletePrevWord,
-        KeyCode::Char('k') if is_control => InputRequest::DeleteTillEnd,
-        KeyCode::Char(_) if is_control => return None,
-        KeyCode::Char(character) => InputRequest::InsertChar(character),
-        KeyCode::Backspace => InputRequest::DeletePrevChar,
-        KeyCode::Delete => InputRequest::DeleteNextChar,
-        KeyCode::Left => InputRequest::GoToPrevChar,
-        KeyCode::Right => InputRequest::GoToNextChar,
-        KeyCode::Home => InputRequest::GoToStart,
-        KeyCode::End => InputRequest::GoToEnd,
-        _ => return None,
-    })
 }
 
 /// Does what a finished line asks for.

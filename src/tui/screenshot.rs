@@ -113,25 +113,11 @@ impl Look {
 /// A colour as XML has it; `None` for the terminal's own.
 fn hex(color: Color) -> Option<String> {
     let (r, g, b) = match color {
-        Color::Reset => return None,
         Color::Rgb(r, g, b) => (r, g, b),
         Color::Indexed(index) => indexed(index),
-        Color::Black => indexed(0),
-        Color::Red => indexed(1),
-        Color::Green => indexed(2),
-        Color::Yellow => indexed(3),
-        Color::Blue => indexed(4),
-        Color::Magenta => indexed(5),
-        Color::Cyan => indexed(6),
-        Color::Gray => indexed(7),
+        // Of the colours with names the viewer uses this one.
         Color::DarkGray => indexed(8),
-        Color::LightRed => indexed(9),
-        Color::LightGreen => indexed(10),
-        Color::LightYellow => indexed(11),
-        Color::LightBlue => indexed(12),
-        Color::LightMagenta => indexed(13),
-        Color::LightCyan => indexed(14),
-        Color::White => indexed(15),
+        _ => return None,
     };
     Some(format!("#{r:02x}{g:02x}{b:02x}"))
 }

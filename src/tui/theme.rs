@@ -57,16 +57,18 @@ pub enum Role {
     Warning,
 }
 
+/// Declares the characters that stand for something: the usual one of each, and one for terminals and fonts that have ASCII only.
 macro_rules! glyphs {
-    ($($name:ident: $unicode:literal, $ascii:literal;)*) => {
+    ($($name:ident: $usual:literal, $ascii:literal;)*) => {
         /// Characters that stand for something.
         #[derive(Debug, PartialEq, Eq)]
         #[allow(missing_docs)]
-        pub struct Glyphs { $(pub $name: &'static str,)* }
+        pub struct Glyphs {
+            $(pub $name: &'static str,)*
+        }
 
         /// The usual characters.
-        pub const UNICODE: Glyphs = Glyphs { $($name: $unicode,)* };
-
+        pub const UNICODE: Glyphs = Glyphs { $($name: $usual,)* };
         /// Characters for terminals and fonts that have ASCII only.
         pub const ASCII: Glyphs = Glyphs { $($name: $ascii,)* };
     };
@@ -102,18 +104,6 @@ glyphs! {
     differs: "≠", "!";
 }
 
-impl Role {
-    /// That of a kind of rays.
-    pub fn of_ray(kind: RayKind) -> Role {
-        match kind {
-            RayKind::Camera => Role::Camera,
-            RayKind::Reflected => Role::Reflected,
-            RayKind::Transmitted => Role::Transmitted,
-            RayKind::Shadow { .. } => Role::Shadow,
-        }
-    }
-}
-
 impl Theme {
     /// The look with these colours, in ASCII or not.
     pub fn new(palette: Palette, ascii: bool) -> Theme {
@@ -127,22 +117,20 @@ impl Theme {
 
     /// How something with this role is written.
     pub fn style(&self, role: Role) -> Style {
-        let (indexed, rgb) = match role {
-            Role::Text | Role::Title | Role::Faint | Role::Value => (None, None),
-            Role::Camera => (Some(74), Some((0x56, 0xB4, 0xE9))),
-            Role::Reflected => (Some(36), Some((0x00, 0x9E, 0x73))),
-            Role::Transmitted => (Some(175), Some((0xCC, 0x79, 0xA7))),
-            Role::Shadow => (Some(172), Some((0xC7, 0x83, 0x00))),
-            Role::Light => (Some(214), Some((0xE6, 0x9F, 0x00))),
-            Role::Hit => (Some(36), Some((0x00, 0x9E, 0x73))),
-            Role::Blocked | Role::Warning => (Some(166), Some((0xD5, 0x5E, 0x00))),
-            Role::Current => (Some(214), Some((0xE6, 0x9F, 0x00))),
+        let color = match role {
+            Role::Text | Role::Title | Role::Faint | Role::Value => None,
+            Role::Camera => Some((74, 0x56B4E9)),
+            Role::Reflected | Role::Hit => Some((36, 0x009E73)),
+            Role::Transmitted => Some((175, 0xCC79A7)),
+            Role::Shadow => Some((172, 0xC78300)),
+            Role::Light | Role::Current => Some((214, 0xE69F00)),
+            Role::Blocked | Role::Warning => Some((166, 0xD55E00)),
         };
-        let color = match self.palette {
+        let color = color.and_then(|(index, rgb)| match self.palette {
             Palette::None => None,
-            Palette::Indexed => indexed.map(Color::Indexed),
-            Palette::True => rgb.map(|(r, g, b)| Color::Rgb(r, g, b)),
-        };
+            Palette::Indexed => Some(Color::Indexed(index)),
+            Palette::True => Some(Color::from_u32(rgb)),
+        });
         let modifier = match role {
             Role::Title | Role::Current | Role::Warning | Role::Value => Modifier::BOLD,
             Role::Faint => Modifier::DIM,
@@ -152,21 +140,23 @@ impl Theme {
         color.map_or(style, |color| style.fg(color))
     }
 
+    /// The glyph and the role of a kind of rays.
+    pub fn of_ray(&self, kind: RayKind) -> (&'static str, Role) {
+        match kind {
+            RayKind::Camera => (self.glyphs.camera, Role::Camera),
+            RayKind::Reflected => (self.glyphs.reflected, Role::Reflected),
+            RayKind::Transmitted => (self.glyphs.transmitted, Role::Transmitted),
+            RayKind::Shadow { .. } => (self.glyphs.shadow, Role::Shadow),
+        }
+    }
+
     /// The glyph and the role of a node; the root is a pixel.
     pub fn of_step(&self, step: Option<Step>) -> (&'static str, Role) {
         let glyphs = self.glyphs;
         match step {
             None | Some(Step::Pixel(_)) => (glyphs.pixel, Role::Title),
             Some(Step::Sample { .. }) => (glyphs.sample, Role::Text),
-            Some(Step::Ray { kind, .. }) => {
-                let glyph = match kind {
-                    RayKind::Camera => glyphs.camera,
-                    RayKind::Reflected => glyphs.reflected,
-                    RayKind::Transmitted => glyphs.transmitted,
-                    RayKind::Shadow { .. } => glyphs.shadow,
-                };
-                (glyph, Role::of_ray(kind))
-            }
+            Some(Step::Ray { kind, .. }) => self.of_ray(kind),
             Some(Step::Test { .. } | Step::Motion { .. }) => (glyphs.test, Role::Faint),
             Some(Step::Zone { .. }) => (glyphs.sample, Role::Text),
             Some(Step::Shade { .. }) => (glyphs.shade, Role::Text),

@@ -2,7 +2,7 @@
 //!
 //! What they say is made in `report`, once, when a list is opened; here it becomes lines.
 
-use super::list::{self, CELL_END, Column, Entry, Kind, Listing};
+use super::list::{self, CELL_END, Entry, Kind, Listing};
 use super::model::Model;
 use super::theme::Role;
 use super::update::Effect;
@@ -109,12 +109,8 @@ fn operands(model: &Model) -> Listing {
         };
         Entry::to(operand.computed.unwrap_or(operand.event), format!("{}{light}\t{value}\t{from}", operand.symbol))
     };
-    Listing {
-        title: (texts.operands.title)(&subject(model)),
-        columns: Column::all(&texts.operands.columns, &[]),
-        entries: found.iter().take(MOST).map(entry).collect(),
-        nothing: texts.operands.nothing,
-    }
+    let entries = found.iter().take(MOST).map(entry).collect();
+    Listing::of(&texts.operands, (texts.operands.title)(&subject(model)), &[], entries)
 }
 
 fn uses(model: &Model) -> Listing {
@@ -132,12 +128,7 @@ fn uses(model: &Model) -> Listing {
     };
     let found = provenance::uses(&model.log, &model.tree, model.event, MOST);
     let texts = &model.texts().lists.uses;
-    Listing {
-        title: (texts.title)(&subject(model)),
-        columns: Column::all(&texts.columns, &[]),
-        entries: found.into_iter().map(entry).collect(),
-        nothing: texts.nothing,
-    }
+    Listing::of(texts, (texts.title)(&subject(model)), &[], found.into_iter().map(entry).collect())
 }
 
 fn account(model: &Model) -> Listing {
@@ -161,8 +152,7 @@ fn account(model: &Model) -> Listing {
         false => (texts.so_far)(&color),
     };
     // What matters most comes first: the share.
-    let columns = Column::all(&texts.list.columns, &[0]);
-    Listing { title: title + &class, columns, entries, nothing: texts.list.nothing }
+    Listing::of(&texts.list, title + &class, &[0], entries)
 }
 
 /// So much of the colour, and of each of its channels, and where it comes from.
@@ -226,8 +216,7 @@ fn arithmetics(model: &Model) -> Listing {
     }
     let title = (texts.list.title)(&model.title(model.cursor));
     // The digits that can be trusted are those of f64; it is the widest, and so the last.
-    let columns = Column::all(&texts.list.columns, &[1, 2, 3, 4]);
-    Listing { title, columns, entries, nothing: texts.list.nothing }
+    Listing::of(&texts.list, title, &[1, 2, 3, 4], entries)
 }
 
 /// A line a component.

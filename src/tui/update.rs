@@ -154,30 +154,21 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
     Effect::None
 }
 
-fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> Effect {
-    let times = count.unwrap_or(1).min(1000) as u16;
-    let page = model.size.1 / 2;
-    let last = help::last_top(model);
-    let top = match action {
-        Action::Down => top.saturating_add(times),
-        Action::Up => top.saturating_sub(times),
-        Action::HalfPageDown | Action::PageDown => top.saturating_add(page),
-        Action::HalfPageUp | Action::PageUp => top.saturating_sub(page),
-        Action::First => 0,
-        Action::Last => last,
-        Action::Search => {
-            model.prompt = Some(Prompt::new(Purpose::Help));
-            0
-        }
+fn in_help(model: &mut Model, action: Action, top: usize, count: Option<u32>) -> Effect {
+    match action {
+        Action::Search => model.prompt = Some(Prompt::new(Purpose::Help)),
         Action::Close | Action::Help | Action::Quit => {
             model.overlay = None;
             return Effect::None;
         }
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
-        _ => top,
-    };
-    model.overlay = Some(Overlay::Help { top: top.min(last) });
+        _ => {}
+    }
+    let top = if action == Action::Search { 0 } else { top };
+    let (page, last) = (usize::from(model.size.1 / 2), help::last_top(model));
+    let moved = list::moved(action, top, count.unwrap_or(1) as usize, [page; 2], last);
+    model.overlay = Some(Overlay::Help { top: moved.unwrap_or(top).min(last) });
     Effect::None
 }
 

@@ -27,14 +27,14 @@ fn a_rung_has_the_error_of_the_log() {
         let found = result(&scene, arithmetic);
         let errors = [0, 1, 2].map(|k| (found[k] - exact[k]) / scene.output.white);
         let worst = errors.iter().fold(0.0, |worst: f64, error| worst.max(error.abs()));
-        assert!((rung.worst - worst).abs() <= 1e-15, "{rung:?}");
+        assert!((rung.deviation.worst - worst).abs() <= 1e-15, "{rung:?}");
         let rmse = (errors.iter().map(|error| error * error).sum::<f64>() / 3.0).sqrt();
-        assert!((rung.rmse - rmse).abs() <= 1e-15 && rung.seconds > 0.0, "{rung:?}");
-        assert_eq!(rung.visible, f64::from(u8::from(worst > 1.0 / 255.0)), "{rung:?}");
+        assert!((rung.deviation.rmse - rmse).abs() <= 1e-15 && rung.seconds > 0.0, "{rung:?}");
+        assert_eq!(rung.deviation.visible, f64::from(u8::from(worst > 1.0 / 255.0)), "{rung:?}");
     }
     // By hand with three decimals: 394.134 instead of 393.054, which is more than one level of 255.
-    assert!((rungs[1].arithmetic == "decimal:3") && rungs[1].visible == 1.0);
-    assert!(rungs[1].worst >= 1.07 / 255.0);
+    assert!((rungs[1].arithmetic == "decimal:3") && rungs[1].deviation.visible == 1.0);
+    assert!(rungs[1].deviation.worst >= 1.07 / 255.0);
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn more_digits_are_better() {
     file.camera.resolution = [24, 18];
     let scene = build(&file, &Default::default()).expect("built");
     let rungs = ladder(&scene, 0).expect("rendered");
-    let rmse = |name: &str| rungs.iter().find(|rung: &&Rung| rung.arithmetic == name).expect("a rung").rmse;
+    let rmse = |name: &str| rungs.iter().find(|rung: &&Rung| rung.arithmetic == name).expect("a rung").deviation.rmse;
     // Three decimals more are a thousand times better; a hundred times is not left to chance.
     for (few, many) in [("decimal:3", "decimal:6"), ("decimal:6", "decimal:9"), ("decimal:9", "decimal:12")] {
         assert!(rmse(many) * 100.0 < rmse(few), "{few} {} {many} {}", rmse(few), rmse(many));
@@ -65,7 +65,7 @@ fn the_command_prints_every_rung() {
     let lines: Vec<_> = text.lines().collect();
     assert_eq!(lines.len(), 1 + 16, "{text}");
     assert_eq!(lines[0], "scene,arithmetic,rmse,worst,visible,seconds");
-    assert!(lines[1].starts_with("\"textbook\",decimal:2,") && lines[16].starts_with("\"textbook\",f64,"));
+    assert!(lines[1].starts_with("textbook,decimal:2,") && lines[16].starts_with("textbook,f64,"));
     let json = bench(&["--arithmetic", "textbook", "--size", "5x4", "--format", "json"]);
     let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("JSON");
     assert_eq!(json["scenes"][0]["rungs"][14]["arithmetic"], "f32");

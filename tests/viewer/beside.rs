@@ -5,9 +5,9 @@ use raywalk::log::{Log, Tree};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::diff::{Rows, Tolerance};
 use raywalk::report::side_by_side::Run;
-use raywalk::tui::beside::{self, Beside, Wish};
+use raywalk::tui::beside::{self, Beside};
 use raywalk::tui::keys::sequence;
-use raywalk::tui::{Exit, Palette, Theme, dump::dump};
+use raywalk::tui::{Effect, Exit, Palette, Theme, dump::dump};
 
 fn textbook(arithmetic: Arithmetic) -> Log {
     record::pixel(&scene("textbook"), [160, 120], arithmetic)
@@ -21,7 +21,7 @@ fn frame_after(logs: &[Log; 2], keys: &str, (width, height): (u16, u16), theme: 
     let mut beside = Beside::new(rows, ["by hand".to_owned(), "exact".to_owned()]);
     beside.resize(height);
     for key in sequence(keys) {
-        assert_eq!(beside.press(key), Wish::None, "{key:?}");
+        assert_eq!(beside.press(key), Effect::None, "{key:?}");
     }
     dump(&beside::frame(&beside, width, height, theme))
 }
@@ -83,6 +83,6 @@ fn q_leaves() {
     let [a, b] = [0, 1].map(|k| Run { log: &logs[k], tree: &trees[k] });
     let mut beside = Beside::new(Rows::of(a, b, Tolerance::default()), [String::new(), String::new()]);
     for (key, exit) in [("q", Exit::Quit), ("<Esc>", Exit::Quit), ("<C-c>", Exit::Interrupted)] {
-        assert_eq!(sequence(key).into_iter().map(|key| beside.press(key)).collect::<Vec<_>>(), [Wish::Leave(exit)]);
+        assert_eq!(sequence(key).into_iter().map(|key| beside.press(key)).collect::<Vec<_>>(), [Effect::Leave(exit)]);
     }
 }

@@ -5,9 +5,8 @@ use super::table::{self, print_measured};
 use crate::cli::failure::Failure;
 use raywalk::scene::Scene;
 use raywalk::scene::file::escape_hidden;
-use raywalk::study::ladder::{Rung, ladder};
+use raywalk::study::ladder::{Deviation, Rung, ladder};
 use serde::Serialize;
-use std::fmt::Write;
 
 #[derive(Serialize)]
 struct Measured {
@@ -23,27 +22,23 @@ pub fn run(scenes: &[Scene], threads: usize, format: TableFormat) -> Result<(), 
 
 /// A table a scene.
 fn text(measured: &[Measured]) -> String {
-    let mut text = String::new();
-    for Measured { scene, rungs } in measured {
-        let _ = writeln!(text, "{}", escape_hidden(scene));
-        let _ =
-            writeln!(text, "  {:<10} {:>10} {:>10} {:>10} {:>9}", "arithmetic", "rmse", "worst", "visible", "seconds");
-        for Rung { arithmetic, seconds, rmse, worst, visible } in rungs {
-            let visible = visible * 100.0;
-            let _ = writeln!(text, "  {arithmetic:<10} {rmse:>10.1e} {worst:>10.1e} {visible:>9.2}% {seconds:>9.4}");
-        }
-    }
-    text.push_str(
-        "errors in units of the scene's white, against f64; that of f64 against the same moved by rounding errors\n",
-    );
-    text
+    let row = |Rung { arithmetic, seconds, deviation: Deviation { rmse, worst, visible } }: &Rung| {
+        let visible = format!("{:.2}%", visible * 100.0);
+        [arithmetic.clone(), format!("{rmse:.1e}"), format!("{worst:.1e}"), visible, format!("{seconds:.4}")]
+    };
+    let heads = ["arithmetic", "rmse", "worst", "visible", "seconds"];
+    let of_scene = |Measured { scene, rungs }: &Measured| {
+        format!("{}\n{}", escape_hidden(scene), table::text(&heads, rungs.iter().map(row)))
+    };
+    measured.iter().map(of_scene).collect::<String>()
+        + "errors in units of the scene's white, against f64; that of f64 against the same moved by rounding errors\n"
 }
 
 fn csv(measured: &[Measured]) -> String {
     let rows = measured.iter().flat_map(|Measured { scene, rungs }| {
-        let scene = escape_hidden(scene);
-        rungs.iter().map(move |Rung { arithmetic, seconds, rmse, worst, visible }| {
-            (scene.clone(), arithmetic, rmse, worst, visible, seconds)
+        rungs.iter().map(move |Rung { arithmetic, seconds, deviation: Deviation { rmse, worst, visible } }| {
+            let [rmse, worst, visible, seconds] = [rmse, worst, visible, seconds].map(f64::to_string);
+            [scene.clone(), arithmetic.clone(), rmse, worst, visible, seconds]
         })
     });
     table::csv("scene,arithmetic,rmse,worst,visible,seconds", rows)

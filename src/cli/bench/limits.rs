@@ -1,7 +1,7 @@
 //! `raywalk bench error --depths` and `--cutoffs`: what limits of the ray tree lose and save.
 
 use super::TableFormat;
-use super::table::{self, print_measured};
+use super::table::{self, or_blank, print_measured};
 use crate::cli::failure::Failure;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
@@ -9,7 +9,6 @@ use raywalk::scene::file::escape_hidden;
 use raywalk::study::bench::limits::{Ladder, Limit, Limited};
 use raywalk::study::ladder::Deviation;
 use serde::Serialize;
-use std::fmt::Write;
 
 #[derive(Serialize)]
 struct Measured {
@@ -47,51 +46,46 @@ fn text(measured: &[Measured]) -> String {
     let mut text = String::new();
     for Measured { scene, ladder } in measured {
         let (name, reference) = words(ladder.reference);
-        let head = if has_bounds(ladder) { "      bound" } else { "" };
-        let _ = writeln!(text, "{}, against {name} {reference}", escape_hidden(scene));
-        let _ = writeln!(
-            text,
-            "  {name:<10} {:>10} {:>9} {:>10} {:>10} {:>10}{head}",
-            "rays/px", "seconds", "rmse", "worst", "visible"
-        );
-        for Limited { limit, rays_per_pixel, seconds, deviation, bound } in &ladder.rungs {
+        let heads = [name, "rays/px", "seconds", "rmse", "worst", "visible", "bound"];
+        let row = |Limited { limit, rays_per_pixel, seconds, deviation, bound }: &Limited| {
             let Deviation { rmse, worst, visible } = deviation;
-            let bound = match (has_bounds(ladder), bound) {
-                (false, _) => String::new(),
-                (true, None) => format!(" {:>10}", "none"),
-                (true, Some(bound)) => format!(" {bound:>10.1e}"),
-            };
-            let _ = writeln!(
-                text,
-                "  {:<10} {rays_per_pixel:>10.2} {seconds:>9.4} {rmse:>10.1e} {worst:>10.1e} {:>9.2}%{bound}",
-                words(*limit).1,
-                visible * 100.0
-            );
-        }
+            let bound = bound.map_or("none".to_owned(), |bound| format!("{bound:.1e}"));
+            let [rmse, worst] = [rmse, worst].map(|x| format!("{x:.1e}"));
+            let [rays, seconds] = [format!("{rays_per_pixel:.2}"), format!("{seconds:.4}")];
+            [words(*limit).1, rays, seconds, rmse, worst, format!("{:.2}%", visible * 100.0), bound]
+        };
+        let columns = columns(has_bounds(ladder), heads.len());
+        let rows = ladder.rungs.iter().map(|rung| row(rung)[..columns].to_vec());
+        text += &format!("{}, against {name} {reference}\n", escape_hidden(scene));
+        text += &table::text(&heads[..columns], rows);
     }
     let is_bounded = measured.iter().any(|scene| has_bounds(&scene.ladder));
     let bound = match is_bounded {
         true => " bound: the most that a cutoff can have taken from a channel of a pixel;",
         false => "",
     };
-    let _ = writeln!(
-        text,
-        "errors in units of the scene's white;{bound} visible: pixels off by more than one of 255 levels"
-    );
-    text
+    text + &format!("errors in units of the scene's white;{bound} visible: pixels off by more than one of 255 levels\n")
 }
 
 fn csv(measured: &[Measured]) -> String {
+    let heads = "scene,limit,value,reference,rays_per_pixel,seconds,rmse,worst,visible,bound";
     let is_bounded = measured.iter().any(|scene| has_bounds(&scene.ladder));
-    let head = if is_bounded { ",bound" } else { "" };
-    let head = format!("scene,limit,value,reference,rays_per_pixel,seconds,rmse,worst,visible{head}");
+    let columns = columns(is_bounded, 10);
     let rows = measured.iter().flat_map(|Measured { scene, ladder }| {
-        let (scene, (_, reference)) = (escape_hidden(scene), words(ladder.reference));
+        let reference = words(ladder.reference).1;
         ladder.rungs.iter().map(move |Limited { limit, rays_per_pixel, seconds, deviation, bound }| {
             let Deviation { rmse, worst, visible } = deviation;
-            let bound = is_bounded.then_some(bound).into_iter().collect::<Vec<_>>();
-            (scene.clone(), words(*limit), reference.clone(), rays_per_pixel, seconds, rmse, worst, visible, bound)
+            let (name, value) = words(*limit);
+            let [rays, seconds, rmse, worst, visible] =
+                [rays_per_pixel, seconds, rmse, worst, visible].map(f64::to_string);
+            let about = [scene.clone(), name.to_owned(), value, reference.clone()];
+            [&about[..], &[rays, seconds, rmse, worst, visible, or_blank(*bound)]].concat()[..columns].to_vec()
         })
     });
-    table::csv(&head, rows)
+    table::csv(if is_bounded { heads } else { heads.trim_end_matches(",bound") }, rows)
+}
+
+/// How many columns a table has: the last one only where there are bounds.
+fn columns(has_bounds: bool, all: usize) -> usize {
+    if has_bounds { all } else { all - 1 }
 }

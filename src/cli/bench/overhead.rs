@@ -3,14 +3,13 @@
 use super::TableFormat;
 use super::machine::Machine;
 use super::scenes::{self, SceneOptions};
-use super::table;
+use super::table::{self, quartiles};
 use crate::cli::failure::Failure;
 use crate::cli::output;
 use clap::Args;
 use raywalk::scene::file::escape_hidden;
 use raywalk::study::bench::overhead::{Cost, Overhead, overhead};
 use serde::Serialize;
-use std::fmt::Write;
 
 /// What recording, counting and other arithmetic cost
 ///
@@ -64,19 +63,16 @@ fn text(machine: &Machine, measured: &[Measured]) -> String {
     let mut text = format!("{machine}\n");
     for Measured { scene, overhead } in measured {
         let Overhead { pixels, rays_per_pixel, events_per_pixel, event_bytes_per_pixel, costs } = overhead;
-        let _ = writeln!(text, "{}: {pixels} pixels, {rays_per_pixel:.2} rays a pixel", escape_hidden(scene));
-        let _ = writeln!(
-            text,
-            "  a pixel's log has {events_per_pixel:.1} events in {event_bytes_per_pixel:.0} bytes of memory"
+        text += &format!("{}: {pixels} pixels, {rays_per_pixel:.2} rays a pixel\n", escape_hidden(scene));
+        text += &format!(
+            "  a pixel's log has {events_per_pixel:.1} events in {event_bytes_per_pixel:.0} bytes of memory\n"
         );
-        let _ = writeln!(text, "  {:<18} {:>10} {:>10} {:>8}  (quartiles)", "probe", "ns/pixel", "ns/ray", "ratio");
-        for Cost { way, ns_per_pixel, ns_per_ray, ratio } in costs {
-            let _ = writeln!(
-                text,
-                "  {way:<18} {:>10.0} {ns_per_ray:>10.0} {:>8.3}  ({:.3} {:.3})",
-                ns_per_pixel.median, ratio.median, ratio.lower, ratio.upper
-            );
-        }
+        let row = |Cost { way, ns_per_pixel, ns_per_ray, ratio }: &Cost| {
+            let [pixel, ray] = [ns_per_pixel.median, *ns_per_ray].map(|ns| format!("{ns:.0}"));
+            let quartiles = format!("({:.3} {:.3})", ratio.lower, ratio.upper);
+            [(*way).to_owned(), pixel, ray, format!("{:.3}", ratio.median), quartiles]
+        };
+        text += &table::text(&["probe", "ns/pixel", "ns/ray", "ratio", "(quartiles)"], costs.iter().map(row));
     }
     text
 }
@@ -85,12 +81,14 @@ const COLUMNS: &str = "scene,probe,ns_per_pixel,ns_per_pixel_lower_quartile,ns_p
     ns_per_ray,ratio,ratio_lower_quartile,ratio_upper_quartile,pairs,events_per_pixel";
 
 fn csv(measured: &[Measured]) -> String {
+    let heads = "scene,probe,ns_per_pixel,ns_per_pixel_lower_quartile,ns_per_pixel_upper_quartile,ns_per_ray,ratio,\
+        ratio_lower_quartile,ratio_upper_quartile,pairs,events_per_pixel";
     let rows = measured.iter().flat_map(|Measured { scene, overhead }| {
-        overhead.costs.iter().map(move |Cost { way, ns_per_pixel: ns, ns_per_ray, ratio }| {
-            let ns = (ns.median, ns.lower, ns.upper);
-            let ratio = (ratio.median, ratio.lower, ratio.upper, ratio.count);
-            (escape_hidden(scene), way, ns, ns_per_ray, ratio, overhead.events_per_pixel)
+        overhead.costs.iter().map(move |Cost { way, ns_per_pixel, ns_per_ray, ratio }| {
+            let about = [scene.clone(), (*way).to_owned()];
+            let counts = [ratio.count.to_string(), overhead.events_per_pixel.to_string()];
+            [&about[..], &quartiles(ns_per_pixel), &[ns_per_ray.to_string()], &quartiles(ratio), &counts].concat()
         })
     });
-    table::csv(COLUMNS, rows)
+    table::csv(heads, rows)
 }

@@ -233,7 +233,7 @@ impl RaysBench {
     fn print_row(&self, row: &Row) -> Result<(), Failure> {
         match self.format {
             TableFormat::Json => print_json(row),
-            TableFormat::Csv => output::print(row.csv().as_bytes()),
+            TableFormat::Csv => output::print(table::csv_line(row).as_bytes()),
             TableFormat::Text => output::print(row.text().as_bytes()),
         }
     }
@@ -274,11 +274,6 @@ impl<'a> Row<'a> {
             "  {rays:<10} {mode:<6} {threads:>7} {n:>10} {hits:>9} {passes:>7} {mrays_median:>8.3}  {quartiles:<15} \
              {mrays_per_cpu_s:>11.3}\n"
         )
-    }
-
-    fn csv(&self) -> String {
-        let (scene, rays) = (escape_hidden(self.scene), escape_hidden(self.rays));
-        table::csv("", [Row { scene: &scene, rays: &rays, ..*self }])
     }
 }
 

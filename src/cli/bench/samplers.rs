@@ -2,7 +2,7 @@
 
 use super::TableFormat;
 use super::machine::Machine;
-use super::table;
+use super::table::{self, or_blank, quartiles};
 use crate::cli::failure::Failure;
 use crate::cli::inputs::Inputs;
 use crate::cli::output::{self, Output};
@@ -14,7 +14,6 @@ use raywalk::study::bench::chart::{self, Panel};
 use raywalk::study::bench::exact::{self, Exact};
 use raywalk::study::bench::samplers::{CompareError, Comparing, Comparison, Outcome, Reference, compare};
 use serde::Serialize;
-use std::fmt::Write;
 use std::path::PathBuf;
 
 /// What is asked for.
@@ -110,15 +109,8 @@ impl Request {
     fn text(&self, machine: &Machine, measured: &[Measured]) -> String {
         let mut text = format!("{machine}\n");
         for scene in measured {
-            let _ = writeln!(text, "{}", title(scene));
-            let _ = writeln!(
-                text,
-                "  {:<56} {:>10} {:>10} {:>9}  {:<19} {:>9}  {:<19} front",
-                "sampling", "samples/px", "rays/px", "seconds", "(quartiles)", "rmse", "(quartiles)"
-            );
-            for outcome in &scene.comparison.outcomes {
-                text.push_str(&row(outcome));
-            }
+            text += &format!("{}\n", title(scene));
+            text += &table::text(&HEADS, scene.comparison.outcomes.iter().map(row));
             if let Some(target) = self.target {
                 text.push_str(&told(scene, target));
             }
@@ -177,17 +169,22 @@ fn title(measured: &Measured) -> String {
     format!("{}, {width} x {height} pixels, against {against}", escape_hidden(scene))
 }
 
-fn row(outcome: &Outcome) -> String {
+const HEADS: [&str; 8] =
+    ["sampling", "samples/px", "rays/px", "seconds", "(quartiles)", "rmse", "(quartiles)", "front"];
+
+fn row(outcome: &Outcome) -> [String; 8] {
     let Outcome { sampling, samples_per_pixel, rays_per_pixel, seconds, rmse, is_on_front, .. } = outcome;
-    let front = if *is_on_front { " *" } else { "" };
-    let row = format!(
-        "  {sampling:<56} {samples_per_pixel:>10.2} {rays_per_pixel:>10.2} {:>9.4}  {:<19} {:>9.2e}  {:<19}{front}",
-        seconds.median,
+    let [samples, rays] = [samples_per_pixel, rays_per_pixel].map(|count| format!("{count:.2}"));
+    [
+        sampling.clone(),
+        samples,
+        rays,
+        format!("{:.4}", seconds.median),
         format!("({:.4} {:.4})", seconds.lower, seconds.upper),
-        rmse.median,
-        format!("({:.2e} {:.2e})", rmse.lower, rmse.upper)
-    );
-    format!("{}\n", row.trim_end())
+        format!("{:.2e}", rmse.median),
+        format!("({:.2e} {:.2e})", rmse.lower, rmse.upper),
+        if *is_on_front { "*" } else { "" }.to_owned(),
+    ]
 }
 
 /// The answer to "best setting for this scene and this error".
@@ -210,20 +207,21 @@ const COLUMNS: &str = "scene,width,height,reference,reference_error,sampling,sam
     rmse_upper_quartile,runs,front,best";
 
 fn csv(measured: &[Measured]) -> String {
+    let heads = "scene,width,height,reference,reference_error,sampling,samples_per_pixel,rays_per_pixel,seconds,\
+        seconds_lower_quartile,seconds_upper_quartile,cpu_seconds,rmse,rmse_lower_quartile,\
+        rmse_upper_quartile,runs,front,best";
     let rows = measured.iter().flat_map(|Measured { scene, size, comparison, best }| {
         let Comparison { reference, reference_error, outcomes } = comparison;
+        let [width, height] = size.map(|side| side.to_string());
+        let about = [scene.clone(), width, height, reference.clone(), or_blank(*reference_error)];
         outcomes.iter().map(move |outcome| {
-            let Outcome {
-                sampling, samples_per_pixel, rays_per_pixel, seconds, cpu_seconds, rmse, is_on_front, ..
-            } = outcome;
-            (
-                (escape_hidden(scene), size, escape_hidden(reference), reference_error),
-                (escape_hidden(sampling), samples_per_pixel, rays_per_pixel),
-                (seconds.median, seconds.lower, seconds.upper, cpu_seconds.median),
-                (rmse.median, rmse.lower, rmse.upper, rmse.count),
-                (is_on_front, best.as_ref() == Some(sampling)),
-            )
+            let Outcome { sampling, samples_per_pixel, rays_per_pixel, seconds, cpu_seconds, rmse, .. } = outcome;
+            let counts = [sampling.clone(), samples_per_pixel.to_string(), rays_per_pixel.to_string()];
+            let cpu = [cpu_seconds.median.to_string()];
+            let marks = [outcome.is_on_front, best.as_ref() == Some(sampling)].map(|mark| mark.to_string());
+            let runs = [rmse.count.to_string()];
+            [&about[..], &counts, &quartiles(seconds), &cpu, &quartiles(rmse), &runs, &marks].concat()
         })
     });
-    table::csv(COLUMNS, rows)
+    table::csv(heads, rows)
 }

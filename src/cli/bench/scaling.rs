@@ -2,16 +2,16 @@
 
 use super::TableFormat;
 use super::machine::{Machine, peak_bytes};
-use super::table;
+use super::table::{self, or_blank, quartiles};
 use crate::cli::failure::Failure;
 use crate::cli::options::{self, TracingOptions};
 use crate::cli::{output, scene_argument};
 use clap::Args;
 use raywalk::render::ask_for_memory;
+use raywalk::scene::file::escape_hidden;
 use raywalk::study::bench::Spread;
 use raywalk::study::bench::scaling::{OfSize, OfSpheres, of_size, of_spheres};
 use serde::Serialize;
-use std::fmt::Write;
 use std::path::PathBuf;
 
 /// How time and memory grow with the number of spheres and the size of a picture
@@ -108,7 +108,6 @@ impl<T> Row<T> {
         self.peak_bytes
             .map_or_else(|| "unknown".to_owned(), |bytes| format!("{:.1}", bytes as f64 / f64::from(1 << 20)))
     }
-
     fn growth(&self) -> String {
         self.growth.map_or_else(String::new, |growth| format!("{growth:.2}"))
     }
@@ -123,60 +122,45 @@ fn grown<T>(mut rows: Vec<Row<T>>, time: impl Fn(&T) -> f64) -> Vec<Row<T>> {
 }
 
 fn text(machine: &Machine, spheres: &[Row<OfSpheres>], scene: &str, sizes: &[Row<OfSize>]) -> String {
-    let mut text = format!("{machine}\nrandom spheres in a cube, one thread, processor time\n");
-    let _ = writeln!(
-        text,
-        "  {:>8} {:>9} {:>13}  {:<17} {:>13}  {:<17} {:>6} {:>9}",
-        "spheres", "build s", "ns/camera ray", "(quartiles)", "ns/random ray", "(quartiles)", "growth", "peak MiB"
-    );
-    for row in spheres {
-        let OfSpheres { spheres, build_s, ns_per_camera_ray: camera, ns_per_random_ray: random, .. } = row.measured;
-        let quartiles = |spread: Spread| format!("({:.0} {:.0})", spread.lower, spread.upper);
-        let _ = writeln!(
-            text,
-            "  {spheres:>8} {build_s:>9.4} {:>13.0}  {:<17} {:>13.0}  {:<17} {:>6} {:>9}",
-            camera.median,
-            quartiles(camera),
-            random.median,
-            quartiles(random),
-            row.growth(),
-            row.peak()
-        );
-    }
-    let _ = writeln!(text, "pictures of {}, by the clock", raywalk::scene::file::escape_hidden(scene));
-    let _ =
-        writeln!(text, "  {:>11} {:>10}  {:<17} {:>6} {:>9}", "size", "ns/pixel", "(quartiles)", "growth", "peak MiB");
-    for row in sizes {
+    let shown =
+        |Spread { median, lower, upper, .. }: Spread| [format!("{median:.0}"), format!("({lower:.0} {upper:.0})")];
+    let of_spheres = |row: &Row<OfSpheres>| {
+        let OfSpheres { spheres, build_s, ns_per_camera_ray, ns_per_random_ray, .. } = row.measured;
+        let built = [spheres.to_string(), format!("{build_s:.4}")];
+        [&built[..], &shown(ns_per_camera_ray), &shown(ns_per_random_ray), &[row.growth(), row.peak()]].concat()
+    };
+    let of_size = |row: &Row<OfSize>| {
         let OfSize { width, height, ns_per_pixel } = row.measured;
-        let quartiles = format!("({:.0} {:.0})", ns_per_pixel.lower, ns_per_pixel.upper);
-        let _ = writeln!(
-            text,
-            "  {:>11} {:>10.0}  {quartiles:<17} {:>6} {:>9}",
-            format!("{width}x{height}"),
-            ns_per_pixel.median,
-            row.growth(),
-            row.peak()
-        );
-    }
-    text.push_str(match peak_bytes() {
-        Some(_) => "peak: the most memory of the program until then\n",
-        None => "peak: this system doesn't report how much memory a program held\n",
-    });
-    text
+        [&[format!("{width}x{height}")][..], &shown(ns_per_pixel), &[row.growth(), row.peak()]].concat()
+    };
+    let heads = ["build s", "ns/camera ray", "(quartiles)", "ns/random ray", "(quartiles)", "growth", "peak MiB"];
+    let spheres = table::text(&[&["spheres"], &heads[..]].concat(), spheres.iter().map(of_spheres));
+    let heads = ["size", "ns/pixel", "(quartiles)", "growth", "peak MiB"];
+    let sizes = table::text(&heads, sizes.iter().map(of_size));
+    let scene = escape_hidden(scene);
+    let peak = match peak_bytes() {
+        Some(_) => "the most memory of the program until then",
+        None => "this system doesn't report how much memory a program held",
+    };
+    format!(
+        "{machine}\nrandom spheres in a cube, one thread, processor time\n{spheres}\
+        pictures of {scene}, by the clock\n{sizes}peak: {peak}\n"
+    )
 }
 
 fn csv(spheres: &[Row<OfSpheres>], sizes: &[Row<OfSize>]) -> String {
-    let head = "of,number,build_s,ns,ns_lower_quartile,ns_upper_quartile,growth,peak_bytes";
-    let row = |of, number: u64, build_s: Option<f64>, ns: Spread, growth: Option<f64>, peak_bytes: Option<u64>| {
-        (of, number, build_s, (ns.median, ns.lower, ns.upper), growth, peak_bytes)
+    let heads = "of,number,build_s,ns,ns_lower_quartile,ns_upper_quartile,growth,peak_bytes";
+    let row = |of: &str, number: u64, build: Option<f64>, ns: Spread, growth: Option<f64>, peak: Option<u64>| {
+        let about = [of.to_owned(), number.to_string(), or_blank(build)];
+        [&about[..], &quartiles(&ns), &[or_blank(growth), or_blank(peak)]].concat()
     };
-    let of_spheres = |Row { measured, growth, peak_bytes }: &Row<OfSpheres>| {
-        let OfSpheres { spheres, build_s, ns_per_camera_ray: camera, ns_per_random_ray: random, .. } = *measured;
-        let of = |of, ns, growth| row(of, spheres.into(), Some(build_s), ns, growth, *peak_bytes);
-        [of("camera_rays", camera, None), of("random_rays", random, *growth)]
-    };
-    let of_size = |Row { measured: OfSize { width, height, ns_per_pixel }, growth, peak_bytes }: &Row<OfSize>| {
+    let spheres = spheres.iter().flat_map(|Row { measured, growth, peak_bytes }| {
+        let OfSpheres { spheres, build_s, ns_per_camera_ray, ns_per_random_ray, .. } = *measured;
+        let of_rays = |of, ns, growth| row(of, spheres.into(), Some(build_s), ns, growth, *peak_bytes);
+        [of_rays("camera_rays", ns_per_camera_ray, None), of_rays("random_rays", ns_per_random_ray, *growth)]
+    });
+    let sizes = sizes.iter().map(|Row { measured: OfSize { width, height, ns_per_pixel }, growth, peak_bytes }| {
         row("pixels", u64::from(*width) * u64::from(*height), None, *ns_per_pixel, *growth, *peak_bytes)
-    };
-    table::csv(head, spheres.iter().flat_map(of_spheres).chain(sizes.iter().map(of_size)))
+    });
+    table::csv(heads, spheres.chain(sizes))
 }

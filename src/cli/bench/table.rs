@@ -1,10 +1,13 @@
-//! Words of tables, and how they are printed.
+//! Tables as text and as CSV, and how they are printed.
 
 use super::TableFormat;
 use crate::cli::failure::Failure;
 use crate::cli::output;
 use raywalk::render::RenderError;
+use raywalk::report::table::aligned;
 use raywalk::scene::Scene;
+use raywalk::scene::file::escape_hidden_lines;
+use raywalk::study::bench::Spread;
 use serde::Serialize;
 
 /// Measures scene after scene and prints the table; `text` and `csv` lay it out.
@@ -25,12 +28,34 @@ pub fn print_measured<M: Serialize>(
     output::print(table.as_bytes())
 }
 
-/// Rows as CSV, below the names of their columns if there are any: a row is a struct or a tuple, whose parts may be tuples and lists.
-pub fn csv(head: &str, rows: impl IntoIterator<Item = impl Serialize>) -> String {
+/// A table below its heads: the first column is text, the others are numbers.
+pub fn text<R: AsRef<[String]>>(heads: &[&str], rows: impl IntoIterator<Item = R>) -> String {
+    let heads: Vec<String> = heads.iter().map(|head| (*head).to_owned()).collect();
+    let rows = rows.into_iter().map(|row| row.as_ref().to_vec());
+    let lines = aligned(std::iter::once(heads).chain(rows), |column| column > 0);
+    lines.iter().map(|line| format!("  {line}\n")).collect()
+}
+
+/// Rows as CSV, their heads, with commas between them, in the first line.
+pub fn csv<R: AsRef<[String]>>(heads: &str, rows: impl IntoIterator<Item = R>) -> String {
+    let lines = rows.into_iter().map(|row| csv_line(&row.as_ref()));
+    format!("{heads}\n{}", lines.collect::<String>())
+}
+
+/// A row as a line of CSV.
+pub fn csv_line(row: &impl Serialize) -> String {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    let written = if head.is_empty() { Ok(()) } else { writer.write_record(head.split(',')) };
-    written.expect("memory takes what is written");
-    rows.into_iter().for_each(|row| writer.serialize(row).expect("every row has a cell for each column"));
-    let bytes = writer.into_inner().expect("memory takes what is written");
-    String::from_utf8(bytes).expect("cells are made of texts and numbers")
+    writer.serialize(row).expect("numbers and texts are written into memory");
+    let line = writer.into_inner().expect("memory takes what is written");
+    escape_hidden_lines(&String::from_utf8_lossy(&line))
+}
+
+/// The median and the quartiles of a figure, with all digits.
+pub fn quartiles(figure: &Spread) -> [String; 3] {
+    [figure.median, figure.lower, figure.upper].map(|x| x.to_string())
+}
+
+/// A figure that may be absent, with all digits.
+pub fn or_blank(figure: Option<impl ToString>) -> String {
+    figure.map(|figure| figure.to_string()).unwrap_or_default()
 }

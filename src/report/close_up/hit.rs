@@ -20,18 +20,12 @@ pub(super) fn value(log: &Log, tree: &Tree, node: usize, name: Name) -> Option<V
 
 /// A triple among them.
 pub(super) fn vector(log: &Log, tree: &Tree, node: usize, name: Name) -> Option<DVec3> {
-    match value(log, tree, node, name)? {
-        Value::Triple(xyz) => Some(DVec3::from(xyz)).filter(|vector| vector.is_finite()),
-        Value::Number(_) => None,
-    }
+    value(log, tree, node, name)?.triple().map(DVec3::from).filter(|vector| vector.is_finite())
 }
 
 /// A number among them.
 pub(super) fn number(log: &Log, tree: &Tree, node: usize, name: Name) -> Option<f64> {
-    match value(log, tree, node, name)? {
-        Value::Number(x) => Some(x).filter(|x| x.is_finite()),
-        Value::Triple(_) => None,
-    }
+    value(log, tree, node, name)?.number().filter(|x| x.is_finite())
 }
 
 /// The local model of a ray's hit.

@@ -7,6 +7,7 @@ use super::hit::{lights, number, shade, unit, value, vector};
 use super::sheet::{Ink, Piece, Place, Plane, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
 use crate::log::{Asking, Decision, Log, Name, Tree, Value, What};
+use crate::report::contributions;
 use crate::report::evaluate::term_of_light;
 use crate::report::words;
 use glam::DVec3;
@@ -52,14 +53,14 @@ pub fn light(subject: &Subject) -> Result<CloseUp, CloseUpError> {
         return Err(CloseUpError::NoRay { path: path.unwrap_or_default().to_owned(), known: known.join(", ") });
     };
     let points = points_of(log, tree, shade, number_of_light);
-    let local = local_name(log, tree, shade);
+    let local = contributions::local(log, tree, shade).map(|(_, name)| name);
     let mean = 1.0 / points.len() as f64;
     let mut pieces = outline(log, tree, points[0].node);
     let mut rows = Vec::new();
     for point in &points {
         let is_lit = point.passed.is_some_and(|passed| passed != [0.0; 3]);
         let ink = match point.passed {
-            None => Ink::Grey,
+            None => Ink::Gray,
             Some(_) if is_lit => Ink::Light,
             Some(_) => Ink::Blocked,
         };
@@ -148,14 +149,6 @@ fn passed(log: &Log, tree: &Tree, light: usize) -> Option<[f64; 3]> {
         None if tree.own_events(ray).any(is_blocked) => Some([0.0; 3]),
         None => Some([1.0; 3]),
     }
-}
-
-/// The formula of the local model.
-fn local_name(log: &Log, tree: &Tree, shade: usize) -> Option<Name> {
-    tree.own_events(shade).find_map(|event| match log.events[event].what {
-        What::Note { name, .. } if name.is(Name::ShadeLocal) => Some(name),
-        _ => None,
-    })
 }
 
 /// Where a point of the light is, and whether it lies on the far side of a sphere.

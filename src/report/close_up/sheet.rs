@@ -1,7 +1,7 @@
 //! What a figure is made of, before any format.
 
 use super::labels;
-use crate::report::drawn::Drawn;
+use crate::report::ray_group::RayGroup;
 use glam::DVec3;
 
 /// A place on a sheet: from the left and from the top, in hundredths of an inch or so.
@@ -86,7 +86,7 @@ pub enum Ink {
     /// Text and the normal.
     Black,
     /// Lines and areas behind the vectors: axes, edges, the way onward.
-    Grey,
+    Gray,
     /// The arriving ray and the way back to the viewer.
     Viewer,
     /// What is reflected.
@@ -104,20 +104,28 @@ pub enum Ink {
 impl Ink {
     /// Every one.
     pub const ALL: [Ink; 8] =
-        [Ink::Black, Ink::Grey, Ink::Viewer, Ink::Reflected, Ink::Transmitted, Ink::Light, Ink::Half, Ink::Blocked];
+        [Ink::Black, Ink::Gray, Ink::Viewer, Ink::Reflected, Ink::Transmitted, Ink::Light, Ink::Half, Ink::Blocked];
 
-    /// Its colour as six hexadecimal digits: those of the rays in the other figures.
-    pub fn hex(self) -> &'static str {
+    /// Its name in LaTeX, and its colour as six hexadecimal digits: those of the rays in the other figures.
+    fn look(self) -> (&'static str, &'static str) {
         match self {
-            Ink::Black => "1b1f27",
-            Ink::Grey => "aab2bf",
-            Ink::Viewer => Drawn::Camera.hex(),
-            Ink::Reflected => Drawn::Reflected.hex(),
-            Ink::Transmitted => Drawn::Transmitted.hex(),
-            Ink::Light => Drawn::Shadow.hex(),
-            Ink::Half => "8a3fb0",
-            Ink::Blocked => Drawn::Blocked.hex(),
+            Ink::Black => ("plain", "1b1f27"),
+            Ink::Gray => ("behind", "aab2bf"),
+            Ink::Viewer => ("viewer", RayGroup::Camera.hex()),
+            Ink::Reflected => ("reflected", RayGroup::Reflected.hex()),
+            Ink::Transmitted => ("transmitted", RayGroup::Transmitted.hex()),
+            Ink::Light => ("light", RayGroup::Shadow.hex()),
+            Ink::Half => ("halfway", "8a3fb0"),
+            Ink::Blocked => ("blocked", RayGroup::Blocked.hex()),
         }
+    }
+
+    pub(super) fn name(self) -> &'static str {
+        self.look().0
+    }
+
+    pub(super) fn hex(self) -> &'static str {
+        self.look().1
     }
 }
 
@@ -159,7 +167,7 @@ pub(super) fn arc(pieces: &mut Vec<Piece>, plane: &Plane, [a, b]: [DVec3; 2], ra
         [plane.origin[0] + radius * libm::cos(angle), plane.origin[1] - radius * libm::sin(angle)]
     };
     let points = (0..=STEPS).map(|step| at(f64::from(step) / f64::from(STEPS), radius)).collect();
-    pieces.push(Piece::Path { points, ink: Ink::Grey, is_area: false });
+    pieces.push(Piece::Path { points, ink: Ink::Gray, is_area: false });
     pieces.push(Piece::Text { at: at(0.5, radius + 17.0), text, ink: Ink::Black });
 }
 

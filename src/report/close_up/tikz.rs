@@ -13,7 +13,7 @@ pub fn latex(close_up: &CloseUp) -> String {
     out.push_str("\\documentclass[11pt]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n");
     out.push_str("\\usepackage{amsmath,longtable,tikz}\n\\usepackage[a4paper,margin=2cm]{geometry}\n");
     for ink in Ink::ALL {
-        line!(out, "\\definecolor{{{}}}{{HTML}}{{{}}}", name(ink), ink.hex().to_uppercase());
+        line!(out, "\\definecolor{{{}}}{{HTML}}{{{}}}", ink.name(), ink.hex().to_uppercase());
     }
     line!(out, "\\begin{{document}}\n\\section*{{{}}}", words(&close_up.title));
     for sheet in &close_up.sheets {
@@ -38,22 +38,22 @@ fn draw(out: &mut String, piece: &Piece) {
     match piece {
         Piece::Line { from, to, ink, dashed } => {
             let dashed = if *dashed { ", dashed" } else { "" };
-            line!(out, "\\draw[{}{dashed}] {} -- {};", name(*ink), at(*from), at(*to));
+            line!(out, "\\draw[{}{dashed}] {} -- {};", ink.name(), at(*from), at(*to));
         }
         Piece::Arrow { from, to, ink } => {
-            line!(out, "\\draw[->, thick, {}] {} -- {};", name(*ink), at(*from), at(*to));
+            line!(out, "\\draw[->, thick, {}] {} -- {};", ink.name(), at(*from), at(*to));
         }
         Piece::Path { points, ink, is_area } => {
             let points: Vec<_> = points.iter().map(|place| at(*place)).collect();
             let close = if *is_area { " -- cycle" } else { "" };
-            line!(out, "\\draw[{}] {}{close};", name(*ink), points.join(" -- "));
+            line!(out, "\\draw[{}] {}{close};", ink.name(), points.join(" -- "));
         }
         Piece::Dot { at: place, radius, ink, filled } => {
-            let fill = if *filled { name(*ink) } else { "white" };
-            line!(out, "\\filldraw[draw={}, fill={fill}] {} circle ({:.3}cm);", name(*ink), at(*place), radius / UNITS);
+            let fill = if *filled { ink.name() } else { "white" };
+            line!(out, "\\filldraw[draw={}, fill={fill}] {} circle ({:.3}cm);", ink.name(), at(*place), radius / UNITS);
         }
         Piece::Text { at: place, text, ink } => {
-            line!(out, "\\node[text={}] at {} {{{}}};", name(*ink), at(*place), words(text));
+            line!(out, "\\node[text={}] at {} {{{}}};", ink.name(), at(*place), words(text));
         }
     }
 }
@@ -70,17 +70,4 @@ fn words(text: &str) -> String {
 
 fn at([x, y]: Place) -> String {
     format!("({:.3},{:.3})", x / UNITS, -y / UNITS)
-}
-
-fn name(ink: Ink) -> &'static str {
-    match ink {
-        Ink::Black => "plain",
-        Ink::Grey => "behind",
-        Ink::Viewer => "viewer",
-        Ink::Reflected => "reflected",
-        Ink::Transmitted => "transmitted",
-        Ink::Light => "light",
-        Ink::Half => "halfway",
-        Ink::Blocked => "blocked",
-    }
 }

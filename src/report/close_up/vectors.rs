@@ -3,10 +3,10 @@
 //! The arriving ray d, the normal N, V, R and T lie in the plane of incidence; N, L and the mirrored L in that of a light; L, V and the vector
 //! halfway between them, H or H′, in a third one.
 
-use super::hit::{lights, number, shade, unit, value, vector};
+use super::hit::{lights, number, shade, unit, vector};
 use super::sheet::{Ink, Piece, Place, Plane, Sheet, arc, arrow};
 use super::{CloseUp, CloseUpError, Subject};
-use crate::log::{Name, Value};
+use crate::log::Name;
 use crate::report::words;
 use glam::DVec3;
 
@@ -87,7 +87,7 @@ impl Made<'_> {
         if let Some(transmitted) = transmitted {
             arrow(&mut pieces, &plane, transmitted, "T", Ink::Transmitted);
             let down = plane.place(-normal);
-            pieces.push(Piece::Line { from: plane.origin, to: down, ink: Ink::Grey, dashed: true });
+            pieces.push(Piece::Line { from: plane.origin, to: down, ink: Ink::Gray, dashed: true });
             self.angle(&mut pieces, &plane, [("−N", -normal), ("T", transmitted)], None);
         }
         let eta = eta.map(|eta| format!("η = {}", self.subject.language.number(eta, self.subject.style)));
@@ -136,11 +136,11 @@ impl Made<'_> {
             self.angle(&mut pieces, &plane, [("H", half), ("V", view)], Some(name));
         } else {
             let down = plane.place(-half);
-            pieces.push(Piece::Line { from: plane.origin, to: down, ink: Ink::Grey, dashed: true });
+            pieces.push(Piece::Line { from: plane.origin, to: down, ink: Ink::Gray, dashed: true });
             self.angle(&mut pieces, &plane, [("−H′", -half), ("V", view)], Some(name));
         }
         let mut caption = (language.texts().close_up.plane_of_view)(name);
-        if let Some(Value::Number(eta)) = value(log, tree, node, Name::TransmitEta) {
+        if let Some(eta) = number(log, tree, node, Name::TransmitEta) {
             caption = format!("{caption}, η = {}", language.number(eta, self.subject.style));
         }
         self.add(caption, pieces);
@@ -182,5 +182,5 @@ fn plane(up: DVec3, along: DVec3) -> Option<Plane> {
 /// The surface, where it cuts the plane.
 fn surface(plane: &Plane) -> Vec<Piece> {
     let [from, to] = [-plane.right, plane.right].map(|end| plane.place(end * 1.2));
-    vec![Piece::Line { from, to, ink: Ink::Grey, dashed: false }]
+    vec![Piece::Line { from, to, ink: Ink::Gray, dashed: false }]
 }

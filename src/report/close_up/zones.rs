@@ -37,7 +37,7 @@ pub fn zones(subject: &Subject) -> Result<CloseUp, CloseUpError> {
     let (ray, (what, exponent, zones)) = subject.first(expected, |ray| of_ray(log, tree, ray))?;
     let mut pieces = Vec::new();
     for zone in &zones {
-        pieces.push(Piece::Path { points: outline(zone), ink: Ink::Grey, is_area: true });
+        pieces.push(Piece::Path { points: outline(zone), ink: Ink::Gray, is_area: true });
     }
     for part in rings(&zones) {
         let angle = libm::acos(libm::pow(1.0 - part, 1.0 / (exponent + 1.0))).to_degrees();

@@ -140,11 +140,8 @@ impl<'a> Walk<'a> {
 
     /// The events of a ray that say how many directions of a blurred bounce were kept, and how many.
     fn kept(&self, ray: usize) -> Vec<(usize, f64)> {
-        let kept = self.tree.own_events(ray).filter_map(|event| match self.log.input(event, Name::LobeKept)? {
-            Value::Number(kept) => Some((event, kept)),
-            Value::Triple(_) => None,
-        });
-        kept.collect()
+        let kept = |event: usize| Some((event, self.log.input(event, Name::LobeKept)?.number()?));
+        self.tree.own_events(ray).filter_map(kept).collect()
     }
 
     /// A direction of a blurred bounce: of all that were kept, each has the same share.
@@ -171,11 +168,7 @@ impl<'a> Walk<'a> {
     /// The local model of a surface: its ambient light, and each of its lights.
     fn surface(&mut self, shade: usize, object: u32, way: LightPath, weight: Color) {
         let (log, tree) = (self.log, self.tree);
-        let local = tree.own_events(shade).rev().find_map(|event| match log.events[event].what {
-            What::Note { name, .. } if name.is(Name::ShadeLocal) => Some((event, name)),
-            _ => None,
-        });
-        let Some((event, name)) = local else { return };
+        let Some((event, name)) = super::local(log, tree, shade) else { return };
         let path = self.path(way.node);
         let of = |symbol| triple(scope::operand(&log.events, tree, event, symbol).map(|operand| operand.value));
         if let (Some(light), Some(part)) = (of(Name::AmbientLight.symbol()), of(Name::MaterialAmbient.symbol())) {

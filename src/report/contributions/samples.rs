@@ -1,6 +1,6 @@
 //! What part of a pixel each of its samples is.
 
-use crate::log::{Decision, Log, Name, Step, Tree, Value, What};
+use crate::log::{Decision, Log, Name, Step, Tree, What};
 use std::collections::HashMap;
 
 /// The camera rays of a pixel, each with its part of the colour.
@@ -45,10 +45,7 @@ fn of_corners(log: &Log, tree: &Tree, samples: &[usize], cells: Vec<[f64; 3]>) -
         }
     }
     let weight = |sample: &usize| {
-        let coordinate = |name: Name| match log.input(tree.nodes()[*sample].events.start, name)? {
-            Value::Number(x) => Some(x),
-            Value::Triple(_) => None,
-        };
+        let coordinate = |name: Name| log.input(tree.nodes()[*sample].events.start, name)?.number();
         let place = [coordinate(Name::SampleX)?, coordinate(Name::SampleY)?];
         by_place.get(&key(place)).copied()
     };

@@ -2,9 +2,9 @@
 
 use super::Relation;
 use crate::log::formula::{self, Formula};
-use crate::log::{Acceptance, Decision, Miss, Name, SkipReason, Split, Term};
+use crate::log::{Acceptance, Decision, Miss, SkipReason, Split, Term};
 use std::collections::HashMap;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 /// Several groups hold together; of each the first comparison counts whose quantities the log holds, and which holds for them.
 pub(super) type Groups = &'static [&'static [&'static str]];
@@ -251,11 +251,12 @@ const BESIDE_CONE: Reasons = &[
 /// Two sides, and how they are compared.
 pub(super) type Parsed = (Formula, Relation, Formula);
 
-/// The comparisons of the table, parsed.
-pub(super) fn parsed(text: &str) -> Option<&'static Parsed> {
-    static PARSED: LazyLock<HashMap<&'static str, Parsed>> =
-        LazyLock::new(|| texts().filter_map(|text| Some((text, parse(text)?))).collect());
-    PARSED.get(text)
+/// A comparison of the table, which is parsed once.
+pub(super) fn parsed(text: &'static str) -> Option<&'static Parsed> {
+    type Known = HashMap<&'static str, Option<&'static Parsed>>;
+    static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    *known.entry(text).or_insert_with(|| parse(text).map(|parsed| &*Box::leak(Box::new(parsed))))
 }
 
 fn parse(text: &str) -> Option<Parsed> {
@@ -264,39 +265,40 @@ fn parse(text: &str) -> Option<Parsed> {
     Some((formula::parse(left).ok()?, *relation, formula::parse(right).ok()?))
 }
 
-/// Every text of the table.
-fn texts() -> impl Iterator<Item = &'static str> {
-    use Term::{Reflected, Shadow, Transmitted};
-    let others = [
-        Decision::Outside,
-        Decision::Inside,
-        Decision::Hit,
-        Decision::TotalInternalReflection,
-        Decision::Skipped { what: Shadow, why: SkipReason::Behind },
-        Decision::Skipped { what: Shadow, why: SkipReason::NoLocalTerm },
-        Decision::Rejected { what: Transmitted },
-        Decision::Rejected { what: Reflected },
-        Decision::LeakGuard { what: Shadow },
-        Decision::Bent { what: Transmitted },
-        Decision::Bent { what: Reflected },
-        Decision::Undefined { quantity: Name::RayDirection },
-        Decision::Subdivided { cell: [0.0; 3], why: Split::Color, object: None },
-        Decision::Accepted { cell: Some([0.0; 3]), why: Acceptance::Alike },
-        Decision::Accepted { cell: None, why: Acceptance::Alike },
-        Decision::Accepted { cell: None, why: Acceptance::Interval },
-        Decision::Accepted { cell: None, why: Acceptance::Guided },
-        Decision::MoreSamples { from: 0, to: 0 },
-    ];
-    let of_groups = others.into_iter().flat_map(|decision| groups(&decision).iter().copied());
-    let of_misses = Miss::ALL.iter().flat_map(|why| [false, true].map(|is_cone| misses(*why, is_cone)));
-    let of_misses = of_misses.flat_map(|reasons| reasons.iter().copied());
-    let of_hits = [false, true].into_iter().flat_map(|is_cone| hits(is_cone).iter().copied());
-    of_groups.chain(of_misses).chain(of_hits).flatten().copied().chain([SETS_OFF_INWARD, PRINTED_REFLECTION])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::log::Name;
+
+    /// Every text of the table.
+    fn texts() -> impl Iterator<Item = &'static str> {
+        use Term::{Reflected, Shadow, Transmitted};
+        let others = [
+            Decision::Outside,
+            Decision::Inside,
+            Decision::Hit,
+            Decision::TotalInternalReflection,
+            Decision::Skipped { what: Shadow, why: SkipReason::Behind },
+            Decision::Skipped { what: Shadow, why: SkipReason::NoLocalTerm },
+            Decision::Rejected { what: Transmitted },
+            Decision::Rejected { what: Reflected },
+            Decision::LeakGuard { what: Shadow },
+            Decision::Bent { what: Transmitted },
+            Decision::Bent { what: Reflected },
+            Decision::Undefined { quantity: Name::RayDirection },
+            Decision::Subdivided { cell: [0.0; 3], why: Split::Color, object: None },
+            Decision::Accepted { cell: Some([0.0; 3]), why: Acceptance::Alike },
+            Decision::Accepted { cell: None, why: Acceptance::Alike },
+            Decision::Accepted { cell: None, why: Acceptance::Interval },
+            Decision::Accepted { cell: None, why: Acceptance::Guided },
+            Decision::MoreSamples { from: 0, to: 0 },
+        ];
+        let of_groups = others.into_iter().flat_map(|decision| groups(&decision).iter().copied());
+        let of_misses = Miss::ALL.iter().flat_map(|why| [false, true].map(|is_cone| misses(*why, is_cone)));
+        let of_misses = of_misses.flat_map(|reasons| reasons.iter().copied());
+        let of_hits = [false, true].into_iter().flat_map(|is_cone| hits(is_cone).iter().copied());
+        of_groups.chain(of_misses).chain(of_hits).flatten().copied().chain([SETS_OFF_INWARD, PRINTED_REFLECTION])
+    }
 
     #[test]
     fn every_comparison_of_the_table_parses() {

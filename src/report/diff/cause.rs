@@ -15,6 +15,7 @@ use crate::log::{Name, RayKind, Step, Value, What};
 use crate::report::evaluate::evaluate;
 use crate::report::provenance;
 use crate::report::side_by_side::Run;
+use serde::Serialize;
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -34,7 +35,8 @@ pub(super) struct Attribution {
 }
 
 /// What kind of cause something has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Why {
     /// Its operands differ, and this has the largest effect.
     Operands,
@@ -54,23 +56,6 @@ pub enum Why {
     NoSuchObject,
     /// The object, or the light, is of another kind in the other scene.
     OtherKind,
-}
-
-impl Why {
-    /// The word for programs.
-    pub fn word(self) -> &'static str {
-        match self {
-            Why::Operands => "operands",
-            Why::Itself => "itself",
-            Why::OtherFormula => "other_formula",
-            Why::Input => "input",
-            Why::Before => "before",
-            Why::First => "first",
-            Why::NotNeeded => "not_needed",
-            Why::NoSuchObject => "no_such_object",
-            Why::OtherKind => "other_kind",
-        }
-    }
 }
 
 /// An operand that a difference comes from.
@@ -345,8 +330,5 @@ fn is_camera_ray(step: Option<Step>) -> bool {
 /// The event with the colour of a ray that met something, and the colour.
 fn color_of(run: Run, ray: usize) -> Option<(usize, Value)> {
     let event = provenance::color_of_ray(run.log, run.tree, ray)?;
-    match run.log.events[event].what {
-        What::Note { value, .. } => Some((event, value)),
-        _ => None,
-    }
+    run.log.events[event].noted().map(|(_, value)| (event, value))
 }

@@ -4,14 +4,16 @@ use super::align::{Alignment, Item, Spot, computed};
 use super::kinds::{Kinds, kind};
 use super::telling_apart;
 use super::tolerance::Tolerance;
-use crate::log::{Decision, Header, Name, RayKind, Step, What};
+use crate::log::{Header, Name, RayKind, Step};
 use crate::report::language::Language;
+use crate::report::segments::nearest;
 use crate::report::side_by_side::Run;
 use crate::report::words;
+use serde::Serialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// An input of the scene that isn't the same in both logs.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Changed {
     /// What it is, such as `lights.F.position`, or `lights.F` where the light is of another kind.
     pub input: String,
@@ -141,10 +143,7 @@ fn met_around(run: Run, node: usize, known: &mut Met) -> Option<u32> {
             break *met;
         }
         asked.push(at);
-        let met = run.tree.own_events(at).find_map(|event| match run.log.events[event].what {
-            What::Mark(Decision::Nearest { object }) => Some(object),
-            _ => None,
-        });
+        let met = nearest(run.log, run.tree, at);
         if met.is_some() || at == 0 {
             break met;
         }

@@ -4,10 +4,11 @@ use crate::log::event::field::Id;
 use crate::log::{Event, Header, Subject};
 use crate::report::language::Language;
 use crate::report::words;
+use serde::Serialize;
 use std::collections::{HashMap, HashSet};
 
 /// Something that the headers of two logs say differently.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct HeaderDifference {
     /// What it is about, as the header calls it: `arithmetic`, `tracing.max_depth`.
     pub field: &'static str,

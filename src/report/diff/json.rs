@@ -1,7 +1,7 @@
 //! The comparison of two logs for programs: one JSON document, written piece by piece.
 
 use super::summary::{Pixel, Summary};
-use super::{Changed, Comparison, Difference, Entry, HeaderDifference, Side, Statement};
+use super::{Comparison, Difference, Entry, HeaderDifference, Side, Statement};
 use crate::log;
 use crate::log::Header;
 use serde_json::{Value, json};
@@ -25,12 +25,8 @@ impl Json {
 
     /// What the logs are, and what their headers say differently.
     pub fn begin(&self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
-        let notes: Vec<_> = differences
-            .iter()
-            .map(|HeaderDifference { field, a, b }| json!({"field": field, "a": a, "b": b}))
-            .collect();
         let about = |header: &Header| json!({"scene": header.scene.name, "arithmetic": header.arithmetic, "subject": header.subject});
-        format!("{{\"a\":{},\"b\":{},\"header\":{},\"pixels\":[", about(a), about(b), json!(notes))
+        format!("{{\"a\":{},\"b\":{},\"header\":{},\"pixels\":[", about(a), about(b), json!(differences))
     }
 
     /// A pixel that both logs have; nothing if it is the same in both.
@@ -47,14 +43,14 @@ impl Json {
             object["pixel"] = json!(pixel);
         }
         if !found.changed.is_empty() {
-            object["scene"] = found.changed.iter().map(change).collect();
+            object["scene"] = json!(found.changed);
         }
         if let (Some(first), false) = (&found.first, self.has_first) {
             self.has_first = true;
             let way: Vec<_> = first.way.iter().map(entry).collect();
-            object["first"] = json!({"way": way, "why": first.why.word()});
+            object["first"] = json!({"way": way, "why": first.why});
             if let Some(kind) = &first.kind {
-                object["first"]["changed"] = change(kind);
+                object["first"]["changed"] = json!(kind);
             }
             if let Some(computations) = &first.computations {
                 object["first"]["computations"] = json!(computations);
@@ -65,7 +61,7 @@ impl Json {
 
     /// A pixel that only one log has.
     pub fn alone(&mut self, pixel: Pixel, side: Side) -> String {
-        self.next(&json!({"pixel": pixel, "only_in": side.word()}))
+        self.next(&json!({"pixel": pixel, "only_in": side}))
     }
 
     /// The counts.
@@ -104,15 +100,6 @@ impl Json {
     }
 }
 
-impl Side {
-    fn word(self) -> &'static str {
-        match self {
-            Side::A => "a",
-            Side::B => "b",
-        }
-    }
-}
-
 fn difference(difference: &Difference) -> Value {
     let mut object = entry(&difference.entry);
     let from = difference.from.iter().map(|(from, effect)| {
@@ -122,13 +109,13 @@ fn difference(difference: &Difference) -> Value {
         }
         object
     });
-    object["why"] = difference.why.word().into();
+    object["why"] = json!(difference.why);
     object["from"] = from.collect();
     if difference.own > 0.0 {
         object["own"] = json!(difference.own);
     }
     if let Some(kind) = &difference.kind {
-        object["changed"] = change(kind);
+        object["changed"] = json!(kind);
     }
     if let Some(origin) = &difference.origin {
         object["origin"] = place(origin);
@@ -136,17 +123,12 @@ fn difference(difference: &Difference) -> Value {
     object
 }
 
-fn change(Changed { input, a, b }: &Changed) -> Value {
-    json!({"input": input, "a": a, "b": b})
-}
-
 /// An entry with its values.
 fn entry(found: &Entry) -> Value {
     let mut object = place(found);
     match &found.what {
         Statement::Value { is_input, a, b, distance, .. } => {
-            object["a"] = value(a);
-            object["b"] = value(b);
+            (object["a"], object["b"]) = (value(a), value(b));
             // JSON has no infinity: a number and a triple have no distance.
             if distance.absolute.is_finite() {
                 object["absolute"] = json!(distance.absolute);
@@ -177,7 +159,7 @@ fn place(found: &Entry) -> Value {
         Statement::Value { name: None, .. } => object["quantity"] = json!("factor"),
         Statement::Decision { .. } => object["quantity"] = json!("decision"),
         Statement::Only { side, what, .. } => {
-            object["only_in"] = json!(side.word());
+            object["only_in"] = json!(side);
             object["what"] = json!(what);
         }
     }
@@ -185,8 +167,5 @@ fn place(found: &Entry) -> Value {
 }
 
 fn value(value: &log::Value) -> Value {
-    match value {
-        log::Value::Number(x) => json!(x),
-        log::Value::Triple(triple) => json!(triple),
-    }
+    value.number().map_or_else(|| json!(value.triple()), |x| json!(x))
 }

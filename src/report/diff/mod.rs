@@ -31,6 +31,7 @@ use super::side_by_side::Run;
 use super::{Style, computation, words};
 use crate::log::{Name, Step, Value, What};
 use cause::{Causes, Contribution};
+use serde::Serialize;
 use std::rc::Rc;
 
 /// What differs in a pixel, or between two rays.
@@ -95,7 +96,8 @@ pub enum Statement {
 }
 
 /// One of the two logs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Side {
     /// The first.
     A,
@@ -269,20 +271,17 @@ fn entry_in(run: Run, item: Item, what: Statement) -> Entry {
 
 fn quantity(run: Run, item: Item) -> Option<Name> {
     match item {
-        Item::Event(event) => match run.log.events[event].what {
-            What::Note { name, .. } => Some(name),
-            _ => None,
-        },
+        Item::Event(event) => run.log.events[event].noted().map(|(name, _)| name),
         Item::Input(event, number) => Some(run.log.given(event)[number].0),
         Item::Node(_) => None,
     }
 }
 
 fn decision(run: Run, event: usize) -> String {
-    match &run.log.events[event].what {
-        What::Mark(decision) => words::decision(Language::English, &run.log.header, decision, Style::default()),
-        _ => String::new(),
-    }
+    let decision = run.log.events[event].decision();
+    decision.map_or_else(String::new, |decision| {
+        words::decision(Language::English, &run.log.header, &decision, Style::default())
+    })
 }
 
 fn alone(run: Run, side: Side, item: Item) -> Statement {

@@ -4,9 +4,10 @@ use super::summary::{Pixel, Summary};
 use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Side, Statement, Why};
 use super::{header_differences, telling_apart};
 use crate::log::Header;
-use crate::log::escape::{shortened, width};
+use crate::log::escape::shortened;
 use crate::report::language::Language;
 use crate::report::number::size;
+use crate::report::table::aligned;
 use crate::report::words;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -343,17 +344,6 @@ fn without_middle(mut rows: Vec<Row>) -> Vec<Row> {
 /// The most operands of a value that are named.
 const MOST_OPERANDS: usize = 200;
 
-/// Columns are no wider than this for the sake of one cell: every other row would be filled up with spaces.
-const MOST_COLUMNS: usize = 120;
-
 fn table(rows: Vec<Row>) -> String {
-    let widest = |column: usize| rows.iter().map(|row| width(&row[column]).min(MOST_COLUMNS)).max().unwrap_or(0);
-    let widths: [usize; 8] = std::array::from_fn(widest);
-    let line = |row: &Row| {
-        let cells = row.iter().zip(widths).filter(|(_, columns)| *columns > 0);
-        let padded: Vec<_> =
-            cells.map(|(cell, columns)| cell.clone() + &" ".repeat(columns.saturating_sub(width(cell)))).collect();
-        format!("  {}\n", padded.join("  ").trim_end())
-    };
-    rows.iter().map(line).collect()
+    aligned(rows, |_| false).iter().map(|line| format!("  {line}\n")).collect()
 }

@@ -3,31 +3,39 @@
 //! Names of a scene go into the texts as they are; whoever writes a format escapes the whole text. Spanish is that of the source
 //! text (Ramos, "Trazado de rayos"), with its terms and its decimal commas.
 
-/// Declares a table of texts and its two forms: what each text is of, its type, and what it is in English and in Spanish. A row without
-/// texts is a table of its own.
+/// Declares a table of texts and its two forms, English and Spanish. A row is a text, a text in which its parameters are put
+/// (`ray(path: &str) = "ray {path}", "rayo {path}"`), a value of another type, or, without texts, a table of its own.
 macro_rules! texts {
-    ($(#[$about:meta])* $table:ident; $($(#[$doc:meta])* $name:ident: $kind:ty $(= $english:expr, $spanish:expr)?;)*) => {
+    ($(#[$about:meta])* $table:ident; $(
+        $(#[$doc:meta])* $name:ident $(($($put_in:ident: $of:ty),*))? $(: $kind:ty)? $(= $english:expr, $spanish:expr)?;
+    )*) => {
         $(#[$about])*
         pub struct $table {
-            $($(#[$doc])* pub $name: $kind,)*
+            $($(#[$doc])* pub $name: kind_of!($(($($of),*))? $($kind)?),)*
         }
 
         impl $table {
             pub(in crate::report::language) const ENGLISH: $table =
-                $table { $($name: text_or_table!($kind, ENGLISH $(, $english)?),)* };
+                $table { $($name: in_language!(ENGLISH $(, ($($put_in: $of),*))? $(, $kind)? $(= $english)?),)* };
             pub(in crate::report::language) const SPANISH: $table =
-                $table { $($name: text_or_table!($kind, SPANISH $(, $spanish)?),)* };
+                $table { $($name: in_language!(SPANISH $(, ($($put_in: $of),*))? $(, $kind)? $(= $spanish)?),)* };
         }
     };
 }
 
-macro_rules! text_or_table {
-    ($kind:ty, $language:ident) => {
-        <$kind>::$language
-    };
-    ($kind:ty, $language:ident, $text:expr) => {
-        $text
-    };
+/// The type of a row.
+macro_rules! kind_of {
+    () => { &'static str };
+    (($($of:ty),*)) => { fn($($of),*) -> String };
+    ($kind:ty) => { $kind };
+}
+
+/// What a row is in a language.
+macro_rules! in_language {
+    ($language:ident = $text:expr) => { $text };
+    ($language:ident, ($($put_in:ident: $of:ty),*) = $text:expr) => { |$($put_in: $of),*| format!($text) };
+    ($language:ident, $kind:ty = $value:expr) => { $value };
+    ($language:ident, $table:ty) => { <$table>::$language };
 }
 
 pub mod close_up;
@@ -105,5 +113,3 @@ impl Language {
 type Text = &'static str;
 /// A text with one name in it.
 type OfName = fn(&str) -> String;
-/// A text with two names in it.
-type OfNames = fn(&str, &str) -> String;

@@ -3,18 +3,16 @@
 use super::close_up::CloseUp;
 use super::viewer::Viewer;
 use super::words::{self, EN, ES};
-use super::{Causes, Figure, OfName, OfNames, Solution, Text};
+use super::{Causes, Figure, Solution};
 use crate::log::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 
 texts! {
     /// The texts of a language.
     Texts;
-
     /// Before the decimals.
     decimal_mark: char = '.', ',';
     /// Between the numbers of a triple.
-    separator: Text = ", ", "; ";
-
+    separator = ", ", "; ";
     // What is walked through.
     /// A pixel by its column and row.
     pixel: fn([u32; 2]) -> String = |[x, y]| format!("pixel {x},{y}"), |[x, y]| format!("píxel {x},{y}");
@@ -23,9 +21,9 @@ texts! {
         |[x0, y0, x1, y1]| format!("region {x0},{y0} to {x1},{y1}"),
         |[x0, y0, x1, y1]| format!("región de {x0},{y0} a {x1},{y1}");
     /// A ray by its origin and direction.
-    ray_along: OfNames =
-        |origin, direction| format!("ray from {origin} along {direction}"),
-        |origin, direction| format!("rayo desde {origin} en la dirección {direction}");
+    ray_along(origin: &str, direction: &str) =
+        "ray from {origin} along {direction}",
+        "rayo desde {origin} en la dirección {direction}";
     /// A method of sampling or one of its parameters by its name in scene files; what isn't known stays as it is.
     sampling_word: fn(&str) -> &str =
         |word| word,
@@ -48,37 +46,32 @@ texts! {
             _ => word,
         };
     /// The depth limit, before its number.
-    depth: Text = "depth", "profundidad";
+    depth = "depth", "profundidad";
     /// Before inputs, in text.
-    given: Text = "given", "con";
+    given = "given", "con";
     /// Before the colour, in text.
-    result: Text = "result", "resultado";
+    result = "result", "resultado";
     /// A frame by its number.
-    frame: fn(u32) -> String = |number| format!("frame {number}"), |number| format!("fotograma {number}");
-
+    frame(number: u32) = "frame {number}", "fotograma {number}";
     // Nodes.
     /// A sample by its number.
-    sample: fn(u32) -> String = |number| format!("sample {number}"), |number| format!("muestra {number}");
+    sample(number: u32) = "sample {number}", "muestra {number}";
     /// A ray by its path and what it is for.
-    ray: OfNames = |path, kind| format!("ray {path}, {kind}"), |path, kind| format!("rayo {path}, {kind}");
+    ray(path: &str, kind: &str) = "ray {path}, {kind}", "rayo {path}, {kind}";
     /// The test with an object.
-    test: OfName = |object| format!("test {object}"), |object| format!("intersección con {object}");
+    test(object: &str) = "test {object}", "intersección con {object}";
     /// The test with a triangle of an object.
-    test_triangle: fn(&str, u32) -> String =
-        |object, triangle| format!("test {object}, triangle {triangle}"),
-        |object, triangle| format!("intersección con {object}, triángulo {triangle}");
+    test_triangle(object: &str, triangle: u32) =
+        "test {object}, triangle {triangle}",
+        "intersección con {object}, triángulo {triangle}";
     /// The local model on an object.
-    local_model: OfName = |object| format!("local model on {object}"), |object| format!("modelo local en {object}");
+    local_model(object: &str) = "local model on {object}", "modelo local en {object}";
     /// A light.
-    light: OfName = |light| format!("light {light}"), |light| format!("fuente {light}");
+    light(light: &str) = "light {light}", "fuente {light}";
     /// A point of an area light.
-    light_point: fn(&str, u32) -> String =
-        |light, number| format!("light {light}, point {number}"),
-        |light, number| format!("fuente {light}, punto {number}");
+    light_point(light: &str, number: u32) = "light {light}, point {number}", "fuente {light}, punto {number}";
     /// A moving object in its own frame.
-    motion: OfName =
-        |object| format!("{object} where it is at this time"),
-        |object| format!("{object} donde está en este instante");
+    motion(object: &str) = "{object} where it is at this time", "{object} donde está en este instante";
     /// A zone of a blurred bounce.
     zone: fn(Term, u32) -> String =
         |what, number| match what {
@@ -90,29 +83,28 @@ texts! {
             _ => format!("zona {number} de la reflexión"),
         };
     /// The sum of the three contributions.
-    weighted_sum: Text = "weighted sum", "suma ponderada";
+    weighted_sum = "weighted sum", "suma ponderada";
     /// A camera ray.
-    from_the_eye: Text = "from the eye", "primario";
+    from_the_eye = "from the eye", "primario";
     /// A shadow ray to a light.
-    shadow_ray_to: OfName = |light| format!("shadow ray to {light}"), |light| format!("rayo de sombra hacia {light}");
+    shadow_ray_to(light: &str) = "shadow ray to {light}", "rayo de sombra hacia {light}";
     /// A reflected ray.
-    reflected: Text = "reflected", "reflejado";
+    reflected = "reflected", "reflejado";
     /// A transmitted ray.
-    transmitted: Text = "transmitted", "transmitido";
-
+    transmitted = "transmitted", "transmitido";
     // Decisions.
     /// The object lies on the ray.
-    hit: Text = "hit", "el rayo interseca con el objeto";
+    hit = "hit", "el rayo interseca con el objeto";
     /// It doesn't, and why.
     miss: fn(Miss) -> String =
         |why| format!("miss: {}", words::miss(why)[EN]),
         |why| format!("no hay intersección: {}", words::miss(why)[ES]);
     /// The ray begins outside the solid.
-    outside: Text = "the ray begins outside", "el origen del rayo se encuentra fuera";
+    outside = "the ray begins outside", "el origen del rayo se encuentra fuera";
     /// It begins inside.
-    inside: Text = "the ray begins inside", "el origen del rayo se encuentra dentro";
+    inside = "the ray begins inside", "el origen del rayo se encuentra dentro";
     /// The nearest object.
-    nearest: OfName = |object| format!("nearest: {object}"), |object| format!("intersección más cercana: {object}");
+    nearest(object: &str) = "nearest: {object}", "intersección más cercana: {object}";
     /// An object in the same place as the nearest one, or a triangle of it.
     coincident: fn(&str, Option<u32>) -> String =
         |object, triangle| match triangle {
@@ -126,37 +118,35 @@ texts! {
             }
         };
     /// A medium that the ray begins inside.
-    immersed: OfName =
-        |object| format!("the ray begins inside {object}"),
-        |object| format!("el rayo empieza dentro de {object}");
+    immersed(object: &str) = "the ray begins inside {object}", "el rayo empieza dentro de {object}";
     /// Nothing is hit.
-    background: Text = "nothing is hit: background", "no interseca con ningún objeto: luz de fondo";
+    background = "nothing is hit: background", "no interseca con ningún objeto: luz de fondo";
     /// A shadow ray that nothing stops.
-    free: Text = "nothing stands in the way", "nada se interpone";
+    free = "nothing stands in the way", "nada se interpone";
     /// Behind a value that was computed with more digits than the others.
-    twice_the_digits: Text = "with twice the digits", "con el doble de cifras";
+    twice_the_digits = "with twice the digits", "con el doble de cifras";
     /// The object that blocks.
-    blocked_by: OfName = |object| format!("blocked by {object}"), |object| format!("bloqueado por {object}");
+    blocked_by(object: &str) = "blocked by {object}", "bloqueado por {object}";
     /// The object that a shadow ray passes, and what it keeps.
-    passes: OfNames =
-        |object, factor| format!("passes {object}, which keeps {factor}"),
-        |object, factor| format!("atraviesa {object}, que deja pasar {factor}");
+    passes(object: &str, factor: &str) =
+        "passes {object}, which keeps {factor}",
+        "atraviesa {object}, que deja pasar {factor}";
     /// A pattern that is too fine.
-    too_fine: OfName =
-        |symbol| format!("{symbol} has no value: the pattern is finer than numbers are here"),
-        |symbol| format!("{symbol} no tiene valor: el patrón es más fino que los números aquí");
+    too_fine(symbol: &str) =
+        "{symbol} has no value: the pattern is finer than numbers are here",
+        "{symbol} no tiene valor: el patrón es más fino que los números aquí";
     /// A quantity without a value.
-    undefined: OfName =
-        |symbol| format!("{symbol} has no value in this arithmetic: it would be divided by zero"),
-        |symbol| format!("{symbol} no tiene valor en esta aritmética: habría que dividir entre cero");
+    undefined(symbol: &str) =
+        "{symbol} has no value in this arithmetic: it would be divided by zero",
+        "{symbol} no tiene valor en esta aritmética: habría que dividir entre cero";
     /// Total internal reflection.
-    total_reflection: Text = "total internal reflection", "reflexión total interna";
+    total_reflection = "total internal reflection", "reflexión total interna";
     /// What the depth limit leaves out.
     depth_limit: fn(Term) -> String =
         |what| format!("depth limit: no {}", words::term(what)[EN]),
         |what| format!("profundidad máxima: no se traza {}", words::term(what)[ES]);
     /// The rest of a blocked shadow ray isn't traced.
-    rest_skipped: Text = "the rest is skipped", "se omite el resto";
+    rest_skipped = "the rest is skipped", "se omite el resto";
     /// What would come through the surface.
     leak_guard: fn(Term) -> String =
         |what| format!("no leak: the {} lies beyond the surface and brings nothing", words::term(what)[EN]),
@@ -174,15 +164,13 @@ texts! {
         |what, why| format!("skipped: {} ({})", words::term(what)[EN], words::skip_reason(why)[EN]),
         |what, why| format!("se omite {} ({})", words::term(what)[ES], words::skip_reason(why)[ES]);
     /// What a decision cost at most.
-    lost: OfName =
-        |bound| format!("at most {bound} of the sample was lost"),
-        |bound| format!("se pierde como mucho {bound} de la muestra");
+    lost(bound: &str) = "at most {bound} of the sample was lost", "se pierde como mucho {bound} de la muestra";
     /// A cell that is the whole pixel.
-    whole_pixel: Text = "the pixel", "el píxel";
+    whole_pixel = "the pixel", "el píxel";
     /// A cell by its corner and its side.
-    cell: fn(&str, &str, &str) -> String =
-        |x, y, side| format!("the cell at ({x}, {y}) with side {side}"),
-        |x, y, side| format!("la celda en ({x}; {y}) de lado {side}");
+    cell(x: &str, y: &str, side: &str) =
+        "the cell at ({x}, {y}) with side {side}",
+        "la celda en ({x}; {y}) de lado {side}";
     /// A cell that is cut in four, and why; the last name is that of an object.
     subdivided: fn(&str, Split, &str) -> String =
         |cell, why, object| match why {
@@ -198,9 +186,9 @@ texts! {
             }
         };
     /// An object without a name.
-    an_object: Text = "an object", "un objeto";
+    an_object = "an object", "un objeto";
     /// The mean of samples.
-    mean: Text = "the mean", "la media";
+    mean = "the mean", "la media";
     /// What is accepted, and why.
     accepted: fn(&str, Acceptance) -> String =
         |what, why| format!("{what} is accepted: {}", words::acceptance(why)[EN]),
@@ -228,58 +216,42 @@ texts! {
             ),
         };
     /// How many samples are too few, and how many are taken.
-    more_samples: fn(u32, u32) -> String =
-        |from, to| {
-            format!("{from} samples are too few, the interval of their mean is too wide: {to} are taken")
-        },
-        |from, to| {
-            format!("{from} muestras son pocas, el intervalo de su media es demasiado ancho: se toman {to}")
-        };
+    more_samples(from: u32, to: u32) =
+        "{from} samples are too few, the interval of their mean is too wide: {to} are taken",
+        "{from} muestras son pocas, el intervalo de su media es demasiado ancho: se toman {to}";
     /// That the pilots around ask for more samples: how many there are and will be.
-    more_asked: fn(u32, u32) -> String =
-        |from, to| {
-            format!("{from} samples are too few for what the first samples of the pixels around it saw: {to} are taken")
-        },
-        |from, to| {
-            format!(
-                "{from} muestras son pocas para lo que ven las primeras muestras de los píxeles de alrededor: se toman {to}"
-            )
-        };
+    more_asked(from: u32, to: u32) =
+        "{from} samples are too few for what the first samples of the pixels around it saw: {to} are taken",
+        "{from} muestras son pocas para lo que ven las primeras muestras de los píxeles de alrededor: se toman {to}";
     /// How many digits can be trusted; the counts, and whether they are one single digit.
     digits: fn(&str, bool) -> String =
         |counts, is_one| format!("{counts} {}", if is_one { "digit" } else { "digits" }),
         |counts, is_one| format!("{counts} {}", if is_one { "cifra" } else { "cifras" });
     /// A decision that differs between runs.
-    decision_differs: Text = "the decision differs between runs", "la decisión no es la misma en todas las ejecuciones";
+    decision_differs = "the decision differs between runs", "la decisión no es la misma en todas las ejecuciones";
     /// A value that depends on such a decision.
-    no_digits: Text =
+    no_digits =
         "0 digits: a decision differs between runs",
         "0 cifras: una decisión no es la misma en todas las ejecuciones";
-
     // Where light comes from.
     /// A light on an object.
-    light_on: OfNames = |light, object| format!("{light} on {object}"), |light, object| format!("{light} en {object}");
+    light_on(light: &str, object: &str) = "{light} on {object}", "{light} en {object}";
     /// Ambient light on an object.
-    ambient_on: OfName = |object| format!("ambient on {object}"), |object| format!("luz ambiente en {object}");
+    ambient_on(object: &str) = "ambient on {object}", "luz ambiente en {object}";
     /// The background as a source.
-    from_background: Text = "background", "luz de fondo";
+    from_background = "background", "luz de fondo";
     /// What the rounding of values adds.
-    from_rounding: Text = "rounding of the values", "redondeo de los valores";
+    from_rounding = "rounding of the values", "redondeo de los valores";
     /// What the operands that a log holds leave unexplained.
-    unexplained: Text = "not explained by this log", "este registro no lo explica";
+    unexplained = "not explained by this log", "este registro no lo explica";
     /// A light behind the surface.
-    light_behind: OfName =
-        |light| format!("{light} stands behind the surface"),
-        |light| format!("{light} está detrás de la superficie");
+    light_behind(light: &str) = "{light} stands behind the surface", "{light} está detrás de la superficie";
     /// A light that an object blocks.
-    light_blocked: OfNames =
-        |light, object| format!("{light} is blocked by {object}"),
-        |light, object| format!("{object} bloquea {light}");
+    light_blocked(light: &str, object: &str) = "{light} is blocked by {object}", "{object} bloquea {light}";
     /// The log ends within a ray.
-    log_ends: Text = "the log ends before this ray does", "el registro termina antes que este rayo";
+    log_ends = "the log ends before this ray does", "el registro termina antes que este rayo";
     /// Why a path brings nothing, where nobody knows.
-    nothing: Text = "nothing", "nada";
-
+    nothing = "nothing", "nada";
     /// What a worked solution says beyond that.
     solution: Solution;
     /// What a study of roundings says.

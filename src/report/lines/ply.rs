@@ -1,9 +1,10 @@
 //! The Polygon File Format (PLY), as text.
 
-use super::{color, far, grouped, name, number};
+use super::{far, grouped, name, number};
 use crate::log::Header;
 use crate::log::escape::escape_hidden;
 use crate::report::escape::line;
+use crate::report::ray_group::RayGroup;
 use crate::report::segments::Segment;
 use std::fmt::Write;
 
@@ -22,8 +23,7 @@ pub fn ply(header: &Header, rays: &[Segment]) -> String {
     );
     line!(out, "comment rays that meet nothing are drawn {} long", number(far));
     for (group, _) in grouped(rays) {
-        let [red, green, blue] = color(group);
-        line!(out, "comment color {red} {green} {blue}: {}", name(group));
+        line!(out, "comment color {}: {}", color(group), name(group));
     }
     line!(out, "element vertex {}", 2 * rays.len());
     ["x", "y", "z"].iter().for_each(|axis| line!(out, "property double {axis}"));
@@ -33,13 +33,19 @@ pub fn ply(header: &Header, rays: &[Segment]) -> String {
     line!(out, "property int vertex2");
     line!(out, "end_header");
     for (group, rays) in grouped(rays) {
-        let [red, green, blue] = color(group);
+        let color = color(group);
         for [x, y, z] in rays.iter().flat_map(|ray| [ray.from, ray.end(far)]) {
-            line!(out, "{} {} {} {red} {green} {blue}", number(x), number(y), number(z));
+            line!(out, "{} {} {} {color}", number(x), number(y), number(z));
         }
     }
     for ray in 0..rays.len() {
         line!(out, "{} {}", 2 * ray, 2 * ray + 1);
     }
     out
+}
+
+/// Red, green and blue, from 0 to 255.
+fn color(group: RayGroup) -> String {
+    let [_, red, green, blue] = u32::from_str_radix(group.hex(), 16).unwrap_or_default().to_be_bytes();
+    format!("{red} {green} {blue}")
 }

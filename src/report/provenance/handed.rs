@@ -8,32 +8,35 @@ use crate::log::{Log, Name, Step, Term, Tree, Value};
 pub fn origin(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -> Option<usize> {
     let node = tree.owner(event);
     let found = match name {
-        Name::RayOrigin => latest(log, tree, event, &["P"], value),
-        Name::RayDirection => latest(log, tree, event, &["D_z", "R", "T", "L"], value),
-        Name::LobeMiddle => latest(log, tree, event, &["R", "T"], value),
+        Name::RayOrigin | Name::RayDirection | Name::LobeMiddle => latest(log, tree, event, sources(name), value),
         Name::ShadeLocal => local_beside(log, tree, node, event),
         Name::IncomingReflected => brought(log, tree, tree.nodes()[node].parent, event, Term::Reflected),
         Name::IncomingTransmitted => brought(log, tree, tree.nodes()[node].parent, event, Term::Transmitted),
         Name::LobeColor => {
             let zone = scope::last_child(&log.events, tree, node, event, Child::Any)?;
-            tree.children(zone).find_map(|ray| color_of(log, tree, ray))
+            tree.children(zone).find_map(|ray| color_of_ray(log, tree, ray))
         }
         _ => None,
     }?;
     log.events[found].noted().filter(|(_, source)| source.same_bits(value)).map(|_| found)
 }
 
+/// The symbols of the quantities that may be passed on as an input.
+fn sources(input: Name) -> &'static [&'static str] {
+    match input {
+        Name::RayOrigin => &["P"],
+        Name::RayDirection => &["D_z", "R", "T", "L"],
+        Name::LobeMiddle => &["R", "T"],
+        Name::ShadeLocal => &["I_local"],
+        Name::IncomingReflected | Name::IncomingTransmitted => &["I", "m_z"],
+        Name::LobeColor => &["I"],
+        _ => &[],
+    }
+}
+
 /// Whether a quantity of this symbol may be passed on as that input: asked before anything is looked for.
 pub(super) fn may_come_from(input: Name, symbol: &str) -> bool {
-    match input {
-        Name::RayOrigin => symbol == Name::HitPoint.symbol(),
-        Name::RayDirection => ["D_z", "R", "T", "L"].contains(&symbol),
-        Name::LobeMiddle => ["R", "T"].contains(&symbol),
-        Name::ShadeLocal => symbol == Name::ShadeLocal.symbol(),
-        Name::IncomingReflected | Name::IncomingTransmitted => ["I", "m_z"].contains(&symbol),
-        Name::LobeColor => symbol == Name::CombineColor.symbol(),
-        _ => false,
-    }
+    sources(input).contains(&symbol)
 }
 
 /// The latest of several quantities in scope that has this value.
@@ -55,11 +58,11 @@ fn brought(log: &Log, tree: &Tree, ray: usize, before: usize, what: Term) -> Opt
         let end = tree.nodes()[last].events.end;
         return scope::first_note(&log.events, tree, ray, end, Name::LobeMean).filter(|at| *at < before);
     }
-    color_of(log, tree, last)
+    color_of_ray(log, tree, last)
 }
 
 /// The event with the colour of a ray that met something.
-pub(super) fn color_of(log: &Log, tree: &Tree, ray: usize) -> Option<usize> {
+pub fn color_of_ray(log: &Log, tree: &Tree, ray: usize) -> Option<usize> {
     let combine = scope::last_child(&log.events, tree, ray, usize::MAX, Child::Combine)?;
     scope::first_note(&log.events, tree, combine, 0, Name::CombineColor)
 }

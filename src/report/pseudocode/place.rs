@@ -88,7 +88,7 @@ pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
         Some(Step::Light { .. }) => in_light(happening),
         Some(Step::Zone { what, .. }) => match (happening.what == What::Leave, what) {
             (false, what) => direction(what),
-            (true, what) => colour(what),
+            (true, what) => color(what),
         },
         Some(Step::Combine) => match happening.what {
             What::Enter { .. } | What::Note { name: Name::CombineLocal, .. } => Place::CombineLocal,
@@ -124,7 +124,7 @@ fn direction(what: Term) -> Place {
     }
 }
 
-fn colour(what: Term) -> Place {
+fn color(what: Term) -> Place {
     match what {
         Term::Reflected => Place::Reflected,
         Term::Transmitted => Place::Transmitted,
@@ -143,7 +143,7 @@ fn in_ray(log: &Log, tree: &Tree, ray: usize, event: usize) -> Place {
             Decision::DepthLimit { .. } => Place::TooDeep,
             Decision::TotalInternalReflection => Place::TotalReflection,
             Decision::Skipped { what, .. } | Decision::Rejected { what } | Decision::Bent { what } => direction(*what),
-            Decision::LeakGuard { what } => colour(*what),
+            Decision::LeakGuard { what } => color(*what),
             Decision::Undefined { quantity: Name::RayDirection } => Place::Aim,
             Decision::Undefined { quantity: Name::RefractDirection } => Place::Transmission,
             Decision::Nearest { .. } | Decision::Coincident { .. } | Decision::Immersed { .. } => Place::Nearest,
@@ -161,7 +161,7 @@ fn noted_in_ray(log: &Log, tree: &Tree, ray: usize, event: usize, name: Name) ->
             let what = latest_bounce(log, tree, ray, event);
             // The sum is of colours that the rays brought; the axes are of the directions.
             if matches!(name, Name::LobeSumFirst | Name::LobeSum | Name::LobeMean) {
-                colour(what)
+                color(what)
             } else {
                 direction(what)
             }

@@ -1,6 +1,7 @@
 //! The ray tree for Graphviz.
 
-use super::{Branch, End, Figure, color};
+use super::layout::{self, Spot, name_of};
+use super::{Branch, End, Figure};
 use crate::report::escape::{self, line};
 use std::fmt::Write;
 
@@ -14,18 +15,18 @@ pub fn dot(figure: &Figure) -> String {
     line!(out, "  node [fontname=\"Helvetica\", fontsize=11, shape=ellipse, margin=\"0.06,0.03\"];");
     line!(out, "  edge [fontname=\"Helvetica\", fontsize=11, arrowsize=0.6];");
     line!(out, "  eye [label=\"{}\", shape=house, orientation=180];", escape::dot(texts.eye));
-    let mut number = 0;
-    for branch in figure.branches {
-        write_branch(&mut out, figure, branch, "eye", &mut number);
+    for (number, spot) in layout::spots(figure).0.iter().enumerate() {
+        if let Some(branch) = spot.branch {
+            write_branch(&mut out, figure, branch, spot, number);
+        }
     }
     line!(out, "}}");
     out
 }
 
-fn write_branch(out: &mut String, figure: &Figure, branch: &Branch, parent: &str, number: &mut usize) {
-    *number += 1;
-    let name = format!("n{number}");
-    let label = escape::dot(&figure.end(branch));
+fn write_branch(out: &mut String, figure: &Figure, branch: &Branch, spot: &Spot, number: usize) {
+    let (name, parent) = (name_of(number), name_of(spot.parent));
+    let label = escape::dot(&spot.text);
     let shape = match branch.end {
         End::Object(_) => "",
         End::Background | End::TooDeep | End::Unknown => ", shape=plaintext, fontcolor=\"#667788\"",
@@ -35,14 +36,11 @@ fn write_branch(out: &mut String, figure: &Figure, branch: &Branch, parent: &str
     line!(out, "  {name} [label=\"{label}\"{shape}, tooltip=\"{tip}\"];");
     let blocked = if branch.is_blocked() { ", style=dashed, arrowhead=tee" } else { "" };
     let mark = if branch.is_blocked() { " ✗" } else { "" };
-    let (width, color) = (1.0 + 5.0 * branch.width(), color(branch));
+    let (width, color) = (1.0 + 5.0 * branch.width(), branch.group().hex());
     line!(
         out,
-        "  {parent} -> {name} [label=\" {}{mark}\", color=\"{color}\", fontcolor=\"{color}\", penwidth={width:.2}{blocked}, \
+        "  {parent} -> {name} [label=\" {}{mark}\", color=\"#{color}\", fontcolor=\"#{color}\", penwidth={width:.2}{blocked}, \
          tooltip=\"{tip}\"];",
         escape::dot(&branch.label)
     );
-    for child in &branch.children {
-        write_branch(out, figure, child, &name, number);
-    }
 }

@@ -34,6 +34,11 @@ pub(super) fn spots<'f>(figure: &Figure<'f>) -> (Vec<Spot<'f>>, f64) {
     (spots, right - left)
 }
 
+/// What the end with this number, in that order, is called in languages that lay out trees themselves.
+pub(super) fn name_of(number: usize) -> String {
+    if number == 0 { "eye".to_owned() } else { format!("n{number}") }
+}
+
 /// A laid out part of the tree; places are from its root's.
 struct Subtree<'f> {
     branch: Option<&'f Branch>,

@@ -1,6 +1,7 @@
 //! The ray tree for Mermaid, which many places draw where they show Markdown.
 
-use super::{Branch, End, Figure, color};
+use super::layout::{self, Spot, name_of};
+use super::{Branch, End, Figure};
 use crate::report::escape::{self, line};
 use std::fmt::Write;
 
@@ -10,8 +11,11 @@ pub fn mermaid(figure: &Figure) -> String {
     line!(out, "flowchart TD");
     line!(out, "  eye([\"{}\"])", escape::mermaid(figure.language.texts().figure.eye));
     let mut styles = Vec::new();
-    for branch in figure.branches {
-        write_branch(&mut out, figure, branch, "eye", &mut styles);
+    for (number, spot) in layout::spots(figure).0.iter().enumerate() {
+        if let Some(branch) = spot.branch {
+            let style = write_branch(&mut out, branch, spot, number);
+            styles.push(style);
+        }
     }
     for (number, style) in styles.iter().enumerate() {
         line!(out, "  linkStyle {number} {style}");
@@ -20,9 +24,9 @@ pub fn mermaid(figure: &Figure) -> String {
     out
 }
 
-fn write_branch(out: &mut String, figure: &Figure, branch: &Branch, parent: &str, styles: &mut Vec<String>) {
-    let name = format!("n{}", styles.len() + 1);
-    let label = escape::mermaid(&figure.end(branch));
+/// Writes a ray and its end; gives the style of its line.
+fn write_branch(out: &mut String, branch: &Branch, spot: &Spot, number: usize) -> String {
+    let (name, parent, label) = (name_of(number), name_of(spot.parent), escape::mermaid(&spot.text));
     let node = match branch.end {
         End::Object(_) => format!("{name}([\"{label}\"])"),
         _ => format!("{name}[\"{label}\"]:::leaf"),
@@ -34,8 +38,5 @@ fn write_branch(out: &mut String, figure: &Figure, branch: &Branch, parent: &str
         line!(out, "  {parent} -- \"{ray}\" --> {node}");
     }
     let dashes = if branch.is_blocked() { ",stroke-dasharray:4 3" } else { "" };
-    styles.push(format!("stroke:{},stroke-width:{:.1}px{dashes}", color(branch), 1.0 + 5.0 * branch.width()));
-    for child in &branch.children {
-        write_branch(out, figure, child, &name, styles);
-    }
+    format!("stroke:#{},stroke-width:{:.1}px{dashes}", branch.group().hex(), 1.0 + 5.0 * branch.width())
 }

@@ -19,6 +19,7 @@ pub use tikz::tikz;
 use super::contributions;
 use super::drawn::Drawn;
 use super::language::Language;
+use super::ray_group::RayGroup;
 use super::{Style, words};
 use crate::log::escape::shortened;
 use crate::log::{Decision, Log, RayKind, Term, Tree, Value};
@@ -73,6 +74,10 @@ impl Branch {
     /// Whether its light is kept off.
     pub fn is_blocked(&self) -> bool {
         matches!(self.end, End::Blocked { .. })
+    }
+
+    fn group(&self) -> RayGroup {
+        RayGroup::of(self.kind, self.is_blocked())
     }
 
     /// How wide its line is, in hundredths of the widest.
@@ -212,16 +217,6 @@ impl<'a> Figure<'a> {
         let title = if is_of_calls { texts.figure.call_tree } else { texts.figure.ray_tree };
         format!("{title}: {}, {subject}", words::plain(&self.log.header.scene.name))
     }
-}
-
-/// How a ray's line is drawn.
-fn drawn(branch: &Branch) -> Drawn {
-    Drawn::of(branch.kind, branch.is_blocked())
-}
-
-/// The colour of a ray's line.
-fn color(branch: &Branch) -> String {
-    format!("#{}", drawn(branch).hex())
 }
 
 /// The letter of a kind of rays, with the number of the light.

@@ -1,10 +1,11 @@
 //! The ray tree as SVG, by itself.
 
 use super::layout::{LETTER_AT, Spot, spots};
-use super::{End, Figure, color};
+use super::{End, Figure};
 use crate::log::escape::width;
 use crate::report::drawn::Drawn;
 use crate::report::escape::{self, line};
+use crate::report::ray_group::RayGroup;
 use crate::report::svg::{begin, file, label};
 use std::fmt::Write;
 
@@ -47,13 +48,13 @@ pub fn svg_of(figure: &Figure) -> String {
 
 fn write_ray(out: &mut String, figure: &Figure, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
     let Some(branch) = spot.branch else { return };
-    let color = color(branch);
+    let color = branch.group().hex();
     let (y1, y2) = (y1 + HALF_HEIGHT, y2 - HALF_HEIGHT);
     let width = 1.2 + 6.0 * branch.width();
     let dashes = if branch.is_blocked() { " stroke-dasharray=\"5 4\"" } else { "" };
     line!(
         out,
-        "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"{color}\" stroke-width=\"{width:.1}\" \
+        "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"#{color}\" stroke-width=\"{width:.1}\" \
          stroke-linecap=\"round\"{dashes}><title>{}</title></line>",
         escape::xml(&figure.description(branch))
     );
@@ -62,7 +63,7 @@ fn write_ray(out: &mut String, figure: &Figure, spot: &Spot, (x1, y1): (f64, f64
 /// The letter of a ray, over all lines, and the cross of a blocked one.
 fn write_label(out: &mut String, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f64, f64)) {
     let Some(branch) = spot.branch else { return };
-    let color = color(branch);
+    let color = branch.group().hex();
     let (y1, y2) = (y1 + HALF_HEIGHT, y2 - HALF_HEIGHT);
     // Nearer to the end, where the rays of one node have parted.
     let at = |part: f64| (x1 + (x2 - x1) * part, y1 + (y2 - y1) * part);
@@ -72,11 +73,11 @@ fn write_label(out: &mut String, spot: &Spot, (x1, y1): (f64, f64), (x2, y2): (f
         line!(
             out,
             "<path d=\"M{left:.1} {top:.1}L{right:.1} {bottom:.1}M{left:.1} {bottom:.1}L{right:.1} {top:.1}\" \
-             stroke=\"{color}\" stroke-width=\"2.4\"/>"
+             stroke=\"#{color}\" stroke-width=\"2.4\"/>"
         );
     }
     let (x, y) = at(LETTER_AT);
-    *out += &label([x, y], &format!("fill=\"{color}\" font-weight=\"bold\""), 4, &branch.label);
+    *out += &label([x, y], &format!("fill=\"#{color}\" font-weight=\"bold\""), 4, &branch.label);
 }
 
 fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {
@@ -103,10 +104,10 @@ fn write_node(out: &mut String, spot: &Spot, (x, y): (f64, f64)) {
 fn write_legend(out: &mut String, figure: &Figure, top: f64) {
     let texts = &figure.language.texts().figure;
     // Shadow rays are no calls.
-    let kinds = if figure.branches.iter().any(|branch| branch.call.is_some()) { 3 } else { Drawn::ALL.len() };
+    let kinds = if figure.branches.iter().any(|branch| branch.call.is_some()) { 3 } else { RayGroup::ALL.len() };
     let mut x = MARGIN;
-    for (kind, drawn) in texts.kinds.iter().zip(Drawn::ALL).take(kinds) {
-        let dashes = if drawn == Drawn::Blocked { " stroke-dasharray=\"5 4\"" } else { "" };
+    for (kind, group) in texts.kinds.iter().zip(RayGroup::ALL).take(kinds) {
+        let dashes = if group == RayGroup::Blocked { " stroke-dasharray=\"5 4\"" } else { "" };
         line!(
             out,
             "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{end:.1}\" y2=\"{y:.1}\" stroke=\"#{color}\" stroke-width=\"3\"{dashes}/>\
@@ -116,6 +117,7 @@ fn write_legend(out: &mut String, figure: &Figure, top: f64) {
             end = x + 20.0,
             text = x + 25.0,
             base = top + 12.0,
+            color = group.hex(),
             kind = escape::xml(kind)
         );
         x += 34.0 + kind.chars().count() as f64 * 6.4;

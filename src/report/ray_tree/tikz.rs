@@ -1,7 +1,7 @@
 //! The ray tree as a picture of LaTeX's TikZ.
 
 use super::layout::{LETTER_AT, Spot, spots};
-use super::{End, Figure, drawn};
+use super::{End, Figure};
 use crate::report::escape::{self, line};
 use std::fmt::Write;
 
@@ -37,7 +37,7 @@ pub fn tikz(figure: &Figure) -> String {
 /// The line of a ray, or the letter on it.
 fn write_ray(out: &mut String, spot: &Spot, number: usize, is_letter: bool) {
     let Some(branch) = spot.branch else { return };
-    let color = drawn(branch).name();
+    let color = branch.group().name();
     let (from, dashes) = (spot.parent, if branch.is_blocked() { ", dashed" } else { "" });
     if is_letter {
         let mark = if branch.is_blocked() { " $\\times$" } else { "" };

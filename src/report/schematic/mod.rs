@@ -15,9 +15,9 @@ pub use svg::svg_of;
 pub use tikz::tikz;
 
 use super::language::Language;
-use super::segments::{Segment, segments};
+use super::segments::{Segment, around, nearest, reach, segments};
 use super::words;
-use crate::log::{Decision, Log, RayKind, Tree, What};
+use crate::log::{Log, RayKind, Tree};
 use labels::Labels;
 
 /// Something in the scene.
@@ -199,20 +199,6 @@ const NEAR_LIGHT: f64 = 4.0;
 /// How large a wireframe may be to be seen whole.
 const SMALL: f64 = 0.7;
 
-/// The box around points: its lowest and its highest corner.
-fn around(points: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
-    points.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], point| {
-        [0, 1].map(|side| {
-            std::array::from_fn(|axis| if side == 0 { low[axis].min(point[axis]) } else { high[axis].max(point[axis]) })
-        })
-    })
-}
-
-/// The longest side of a box.
-fn reach([low, high]: &[[f64; 3]; 2]) -> f64 {
-    (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max)
-}
-
 /// Names of what is met, and the letters of the rays, as far as they have room.
 fn label(plan: &mut Plan, log: &Log, tree: &Tree, rays: &[Segment], language: Language) {
     let header = &log.header;
@@ -244,11 +230,4 @@ fn label(plan: &mut Plan, log: &Log, tree: &Tree, rays: &[Segment], language: La
         labels.letter(ray);
     }
     plan.labels = labels.placed();
-}
-
-fn nearest(log: &Log, tree: &Tree, ray: usize) -> Option<u32> {
-    tree.own_events(ray).find_map(|event| match log.events[event].what {
-        What::Mark(Decision::Nearest { object }) => Some(object),
-        _ => None,
-    })
 }

@@ -4,6 +4,7 @@ use super::Plan;
 use crate::log::RayKind;
 use crate::report::drawn::Drawn;
 use crate::report::escape::line;
+use crate::report::ray_group::RayGroup;
 use crate::report::svg;
 use std::fmt::Write;
 
@@ -15,7 +16,7 @@ pub fn svg_of(plan: &Plan, title: &str) -> String {
     }
     for ray in &plan.rays {
         let ([x1, y1], [x2, y2]) = (ray.from, ray.to);
-        let color = Drawn::of(ray.kind, ray.is_blocked).hex();
+        let color = RayGroup::of(ray.kind, ray.is_blocked).hex();
         let dashes = match ray.kind {
             _ if ray.is_blocked => " stroke-dasharray=\"5 4\"",
             RayKind::Shadow { .. } => " stroke-width=\"1.2\"",
@@ -38,7 +39,7 @@ pub fn svg_of(plan: &Plan, title: &str) -> String {
     }
     for label in &plan.labels {
         let (color, weight) = match label.ray {
-            Some((kind, is_blocked)) => (Drawn::of(kind, is_blocked).hex(), " font-weight=\"bold\""),
+            Some((kind, is_blocked)) => (RayGroup::of(kind, is_blocked).hex(), " font-weight=\"bold\""),
             None => ("1b1f27", ""),
         };
         out += &svg::label(label.at, &format!("fill=\"#{color}\"{weight}"), 4, &label.text);

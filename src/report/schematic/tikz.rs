@@ -3,6 +3,7 @@
 use super::Plan;
 use crate::report::drawn::Drawn;
 use crate::report::escape::{self, line};
+use crate::report::ray_group::RayGroup;
 use std::fmt::Write;
 
 /// Units of the plan in a centimetre.
@@ -19,12 +20,9 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\draw[black!25] {};", points.join(" -- "));
     }
     for ray in &plan.rays {
-        let style = format!(
-            "{}, {}",
-            Drawn::of(ray.kind, ray.is_blocked).name(),
-            if ray.is_blocked { "dashed" } else { "thick" }
-        );
-        line!(out, "\\draw[{style}] {} -- {};", at(ray.from), at(ray.to));
+        let color = RayGroup::of(ray.kind, ray.is_blocked).name();
+        let style = if ray.is_blocked { "dashed" } else { "thick" };
+        line!(out, "\\draw[{color}, {style}] {} -- {};", at(ray.from), at(ray.to));
     }
     for place in &plan.points {
         line!(out, "\\fill {} circle (2pt);", at(*place));
@@ -36,7 +34,7 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\filldraw[draw=camera, fill=white, thick] {} circle (3pt);", at(place));
     }
     for label in &plan.labels {
-        let color = label.ray.map_or("black", |(kind, is_blocked)| Drawn::of(kind, is_blocked).name());
+        let color = label.ray.map_or("black", |(kind, is_blocked)| RayGroup::of(kind, is_blocked).name());
         line!(
             out,
             "\\node[text={color}, fill=white, fill opacity=0.8, text opacity=1] at {} {{{}}};",

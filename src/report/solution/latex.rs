@@ -6,10 +6,11 @@ use super::math::{self, Tex};
 use super::{Kind, Section, Task};
 use crate::report::drawn::Drawn;
 use crate::report::escape;
+use crate::report::ray_group::RayGroup;
 use crate::report::ray_tree::{self, Figure};
 use crate::report::schematic::{self, Plan};
 
-/// What precedes the text. A figure that is wider than the page is made to fit.
+/// The packages.
 const PREAMBLE: &str = r"\documentclass[10pt,a4paper,fleqn]{article}
 \usepackage[utf8]{inputenc}
 \usepackage[margin=2cm]{geometry}
@@ -17,7 +18,9 @@ const PREAMBLE: &str = r"\documentclass[10pt,a4paper,fleqn]{article}
 \usepackage{array}
 \usepackage{longtable}
 \usepackage{tikz}
-COLORS\setlength{\parindent}{0pt}
+";
+/// What comes between the colours of rays and the text. A figure that is wider than the page is made to fit.
+const SETTINGS: &str = r"\setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
 \setlength{\mathindent}{1.5em}
 \setlength{\emergencystretch}{3em}
@@ -67,10 +70,9 @@ impl Format for Latex {
     }
 
     fn begin(_task: &Task, title: &str) -> String {
-        let define =
-            |drawn: Drawn| format!("\\definecolor{{{}}}{{HTML}}{{{}}}\n", drawn.name(), drawn.hex().to_uppercase());
-        let preamble = PREAMBLE.replace("COLORS", &Drawn::ALL.map(define).concat());
-        format!("{preamble}\\section*{{{title}}}\n")
+        let color =
+            |group: RayGroup| format!("\\definecolor{{{}}}{{HTML}}{{{}}}\n", group.name(), group.hex().to_uppercase());
+        format!("{PREAMBLE}{}{SETTINGS}\\section*{{{title}}}\n", RayGroup::ALL.map(color).concat())
     }
 
     fn ray_tree(task: &Task, figure: &Figure) -> String {

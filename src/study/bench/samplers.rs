@@ -1,15 +1,14 @@
 //! What each method of sampling makes of a scene in which time: its error against a picture with many more samples.
 
 use super::Spread;
-use super::clock::{Lap, timed};
 use super::exact::{self, NotExact};
 use crate::record::Arithmetic;
-use crate::render::{Counter, RenderError, Settings, render};
+use crate::render::RenderError;
 use crate::scene::{Color, Sampling, Scene};
+use crate::study::rendered::{counts, picture};
 use crate::threads::Threads;
 use serde::Serialize;
 use std::fmt;
-use std::sync::atomic::AtomicBool;
 
 /// The seeds of the two pictures that make the reference; those that are measured begin at 0.
 const REFERENCE_SEEDS: [u64; 2] = [1 << 40, (1 << 40) + 1];
@@ -103,7 +102,7 @@ pub fn compare(
             let mut pictures = Vec::new();
             for seed in REFERENCE_SEEDS {
                 scene.seed = own_seed.wrapping_add(seed);
-                pictures.push(picture(&scene, comparing.threads)?.0);
+                pictures.push(picture(&scene, Arithmetic::F64, comparing.threads)?.0);
                 done();
             }
             let mean = |(one, other): (&Color, &Color)| (*one + *other) / 2.0;
@@ -147,12 +146,12 @@ fn outcome(
     comparing: Comparing,
 ) -> Result<Outcome, RenderError> {
     let (mut seconds, mut cpu_seconds, mut errors) = (Vec::new(), Vec::new(), Vec::new());
-    // Counting takes time, so that it is a run of its own, which warms up too.
+    // Counting is a run of its own, which warms up too.
     scene.seed = own_seed;
     let counted = counts(scene, comparing.threads)?;
     for run in 0..comparing.runs {
         scene.seed = own_seed.wrapping_add(run as u64);
-        let (pixels, lap) = picture(scene, comparing.threads)?;
+        let (pixels, lap) = picture(scene, Arithmetic::F64, comparing.threads)?;
         seconds.push(lap.seconds);
         cpu_seconds.push(lap.cpu_seconds);
         errors.push(rmse(&pixels, reference, scene.output.white));
@@ -181,22 +180,6 @@ fn mark_front(outcomes: &mut [Outcome]) {
 fn rmse(picture: &[Color], other: &[Color], white: f64) -> f64 {
     let squares: f64 = picture.iter().zip(other).map(|(one, other)| (*one - *other).length_squared()).sum();
     (squares / (3 * picture.len()) as f64).sqrt() / white
-}
-
-fn picture(scene: &Scene, threads: usize) -> Result<(Vec<Color>, Lap), RenderError> {
-    let (rendered, lap) = timed(|| render(scene, &settings(scene, threads, false), |_| (), &AtomicBool::new(false)));
-    Ok((rendered?.film.into_pixels(), lap))
-}
-
-fn counts(scene: &Scene, threads: usize) -> Result<Counter, RenderError> {
-    let rendered = render(scene, &settings(scene, threads, true), |_| (), &AtomicBool::new(false))?;
-    Ok(rendered.counts.unwrap_or_default())
-}
-
-fn settings(scene: &Scene, threads: usize, counts_rays: bool) -> Settings {
-    let [width, height] = scene.camera.resolution;
-    let (crop, arithmetic) = ([0, 0, width, height], Arithmetic::F64);
-    Settings { crop, arithmetic, threads, counts_rays, order: Default::default() }
 }
 
 #[cfg(test)]

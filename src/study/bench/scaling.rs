@@ -6,14 +6,14 @@ use super::throughput::{Hits, Mode, Passes, measure};
 use crate::geometry::Shape;
 use crate::random::{hash, unit};
 use crate::record::Arithmetic;
-use crate::render::{RenderError, Settings, render};
+use crate::render::RenderError;
 use crate::scene::Scene;
 use crate::scene::file::raw::{Question, RawRay, RayFile};
 use crate::scene::generate::random_spheres;
+use crate::study::rendered::picture;
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::Serialize;
-use std::sync::atomic::AtomicBool;
 
 /// How many rays of each kind are shot at the spheres: the square of this.
 pub const RAYS_A_SIDE: u32 = 256;
@@ -67,17 +67,7 @@ pub fn of_spheres(spheres: u32, passes: usize) -> OfSpheres {
 pub fn of_size(scene: &Scene, threads: usize, passes: usize) -> Result<OfSize, RenderError> {
     let [width, height] = scene.camera.resolution;
     let pixels = f64::from(width) * f64::from(height);
-    let settings = Settings {
-        crop: [0, 0, width, height],
-        arithmetic: Arithmetic::F64,
-        threads,
-        counts_rays: false,
-        order: Default::default(),
-    };
-    let once = || {
-        let (rendered, lap) = timed(|| render(scene, &settings, |_| (), &AtomicBool::new(false)));
-        rendered.map(|_| lap.seconds * 1e9 / pixels)
-    };
+    let once = || picture(scene, Arithmetic::F64, threads).map(|(_, lap)| lap.seconds * 1e9 / pixels);
     // One before it counts, which warms the caches up.
     once()?;
     let times = (0..passes).map(|_| once()).collect::<Result<_, _>>()?;

@@ -129,13 +129,8 @@ fn pass(scene: &Scene, file: &RayFile, mode: Mode, threads: usize, hits: &mut Hi
     let queue = Mutex::new(file.rays.chunks(QUEUE).zip(answers));
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
     let work = || {
-        while let Some((rays, (t, primitive))) = next() {
-            match (file.question, mode) {
-                (Question::Closest, Mode::Single) => closest(scene, rays, t, primitive),
-                (Question::Closest, Mode::Batch) => closest_together(scene, rays, t, primitive),
-                (Question::Occlusion, Mode::Single) => occluded(scene, rays, t, primitive),
-                (Question::Occlusion, Mode::Batch) => occluded_together(scene, rays, t, primitive),
-            }
+        while let Some((rays, answers)) = next() {
+            answer(scene, rays, (file.question, mode), answers);
         }
     };
     let run = || {
@@ -149,46 +144,38 @@ fn pass(scene: &Scene, file: &RayFile, mode: Mode, threads: usize, hits: &mut Hi
     (lap, threads)
 }
 
-fn closest(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
-    for ((ray, t), primitive) in rays.iter().zip(t).zip(primitive) {
-        (*t, *primitive) = answer(query(ray).hit(scene));
-    }
-}
-
-fn closest_together(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
-    for ((rays, t), primitive) in rays.chunks(PACKET).zip(t.chunks_mut(PACKET)).zip(primitive.chunks_mut(PACKET)) {
-        let mut places = t.iter_mut().zip(primitive);
-        let queries: ArrayVec<Query, PACKET> = rays.iter().map(query).collect();
-        Query::hits(&queries, scene, |hit| {
-            if let Some((t, primitive)) = places.next() {
-                (*t, *primitive) = answer(hit);
-            }
-        });
-    }
-}
-
-fn answer(hit: Option<RayHit>) -> (f32, u32) {
-    match hit {
-        // The object of a mesh is the only one, and the primitive of a sphere its only part.
-        Some(hit) => (hit.t as f32, hit.object.max(hit.primitive)),
-        None => (f32::INFINITY, NOTHING),
-    }
-}
-
-fn occluded(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
-    for ((ray, t), primitive) in rays.iter().zip(t).zip(primitive) {
-        (*t, *primitive) = (0.0, if query(ray).is_occluded(scene) { 0 } else { NOTHING });
-    }
-}
-
-fn occluded_together(scene: &Scene, rays: &[RawRay], t: &mut [f32], primitive: &mut [u32]) {
-    for ((rays, t), primitive) in rays.chunks(PACKET).zip(t.chunks_mut(PACKET)).zip(primitive.chunks_mut(PACKET)) {
-        let queries: ArrayVec<Query, PACKET> = rays.iter().map(query).collect();
-        let occluded = Query::are_occluded(&queries, scene);
-        for (at, (t, primitive)) in t.iter_mut().zip(primitive).enumerate() {
-            (*t, *primitive) = (0.0, if occluded >> at & 1 == 1 { 0 } else { NOTHING });
+/// Answers some rays into their places.
+fn answer(scene: &Scene, rays: &[RawRay], how: (Question, Mode), (t, primitive): (&mut [f32], &mut [u32])) {
+    let mut places = t.iter_mut().zip(primitive);
+    let mut put = |answer: (f32, u32)| {
+        if let Some((t, primitive)) = places.next() {
+            (*t, *primitive) = answer;
         }
+    };
+    match how {
+        (Question::Closest, Mode::Single) => rays.iter().for_each(|ray| put(hit(query(ray).hit(scene)))),
+        (Question::Closest, Mode::Batch) => {
+            rays.chunks(PACKET).for_each(|rays| Query::hits(&queries(rays), scene, |found| put(hit(found))));
+        }
+        (Question::Occlusion, Mode::Single) => rays.iter().for_each(|ray| put(blocked(query(ray).is_occluded(scene)))),
+        (Question::Occlusion, Mode::Batch) => rays.chunks(PACKET).for_each(|rays| {
+            let occluded = Query::are_occluded(&queries(rays), scene);
+            (0..rays.len()).for_each(|at| put(blocked(occluded >> at & 1 == 1)));
+        }),
     }
+}
+
+fn queries(rays: &[RawRay]) -> ArrayVec<Query, PACKET> {
+    rays.iter().map(query).collect()
+}
+
+fn hit(hit: Option<RayHit>) -> (f32, u32) {
+    // The object of a mesh is the only one, and the primitive of a sphere its only part.
+    hit.map_or((f32::INFINITY, NOTHING), |hit| (hit.t as f32, hit.object.max(hit.primitive)))
+}
+
+fn blocked(is_blocked: bool) -> (f32, u32) {
+    (0.0, if is_blocked { 0 } else { NOTHING })
 }
 
 #[inline]

@@ -3,6 +3,7 @@
 use super::{Cause, Change, RUNS, Study};
 use crate::log::{Step, Tree};
 use crate::report::language::Language;
+use crate::report::table::aligned;
 use crate::report::{Style, words};
 use serde_json::{Value, json};
 
@@ -43,14 +44,7 @@ impl Study {
         let heads = language.texts().causes.columns.map(str::to_owned);
         let tree = Tree::of(&self.log.events);
         let cells = |cause: &&Cause| self.cells(&tree, cause, language, style);
-        let rows: Vec<[String; 4]> = std::iter::once(heads).chain(causes.iter().map(cells)).collect();
-        let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-        let widths: [usize; 4] = std::array::from_fn(width);
-        let line = |row: &[String; 4]| {
-            let padded = row.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}"));
-            padded.collect::<Vec<_>>().join("  ").trim_end().to_owned()
-        };
-        rows.iter().map(line).collect()
+        aligned(std::iter::once(heads).chain(causes.iter().map(cells)), |_| false)
     }
 
     fn cells(&self, tree: &Tree, cause: &Cause, language: Language, style: Style) -> [String; 4] {

@@ -69,8 +69,7 @@ fn checked_shape(case: &Map<String, Value>) -> Option<Shape> {
         (None, ShapeInput::Ellipsoid { m: rows.try_into().ok()? })
     };
     if let Some(shape) = in_file {
-        let camera = json!({"position": [0, 0, 0], "direction": [0, 0, 1]});
-        is_accepted(&camera, json!([{"shape": shape}])).then_some(())?;
+        is_accepted("objects", json!([{"shape": shape}])).then_some(())?;
     }
     let is_finite = match &shape {
         ShapeInput::Triangle { v0, v1, v2 } => [v0, v1, v2].into_iter().flatten().all(|x| x.is_finite()),
@@ -86,12 +85,14 @@ fn camera(case: &Map<String, Value>) -> &'static str {
         "position": case.get("eye"), "look_at": case.get("at"), "up": case.get("up"),
         "vertical_fov": case.get("fov"),
     });
-    if is_accepted(&camera, json!([])) { FINITE } else { INVALID }
+    if is_accepted("camera", camera) { FINITE } else { INVALID }
 }
 
-/// Whether a scene file with these parts is accepted. What JSON has no number for is there as a text.
-fn is_accepted(camera: &Value, objects: Value) -> bool {
-    let scene = json!({"format": "raywalk-scene/1", "camera": camera, "objects": objects});
+/// Whether a scene file with this part is accepted. What JSON has no number for is there as a text.
+fn is_accepted(key: &str, part: Value) -> bool {
+    let camera = json!({"position": [0, 0, 0], "direction": [0, 0, 1]});
+    let mut scene = json!({"format": "raywalk-scene/1", "camera": camera, "objects": []});
+    scene[key] = part;
     file::check(scene.to_string().as_bytes(), "case.json").is_ok()
 }
 
@@ -131,9 +132,7 @@ fn power(case: &Map<String, Value>) -> Result<&'static str, String> {
 }
 
 fn is_material(material: &Value) -> bool {
-    let camera = json!({"position": [0, 0, 0], "direction": [0, 0, 1]});
-    let scene = json!({"format": "raywalk-scene/1", "camera": camera, "materials": {"m": material}, "objects": []});
-    file::check(scene.to_string().as_bytes(), "case.json").is_ok()
+    is_accepted("materials", json!({"m": material}))
 }
 
 /// The half vectors of a light straight behind the surface.

@@ -12,6 +12,12 @@ use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
+#[derive(Deserialize)]
+struct Ball {
+    c: Triple,
+    r: f64,
+}
+
 /// `sphere`, `plane`, `triangle`, `ellipsoid`: one ray at one shape.
 pub(super) fn one_shape(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
     #[derive(Deserialize)]
@@ -60,11 +66,6 @@ pub(super) fn spheres(way: &Way, case: &Map<String, Value>) -> Result<Value, Str
     #[derive(Deserialize)]
     struct Spheres {
         s: Vec<Ball>,
-    }
-    #[derive(Deserialize)]
-    struct Ball {
-        c: Triple,
-        r: f64,
     }
     let Spheres { s } = input(case)?;
     let scene = stage::scene_of(way, s.iter().map(|ball| stage::sphere(way, ball.c, ball.r)).collect());
@@ -129,11 +130,6 @@ pub(super) fn spawn(way: &Way, case: &Map<String, Value>) -> Result<Value, Strin
         plane: Option<[f64; 4]>,
         triangle: Option<[Triple; 3]>,
         w: Vec<Triple>,
-    }
-    #[derive(Deserialize)]
-    struct Ball {
-        c: Triple,
-        r: f64,
     }
     let spawn: Spawn = input(case)?;
     let shape = match (spawn.sphere, spawn.plane, spawn.triangle) {

@@ -6,11 +6,10 @@ use super::question::{
 use super::watch::Watch;
 use super::way::Way;
 use crate::geometry::shape::{Ellipsoid, Plane, Sphere, Triangle, TriangleMesh};
-use crate::geometry::{Intersect, Leaving, Ray, Shape, Surface};
-use crate::scene::{
-    Algorithm, AroundEye, Camera, Effects, Index, Light, LightKind, Material, Object, Output, ReflectedScale, Sampling,
-    Scene, Shadows, Skip, Specular, Tracing, Transfer, Weights,
-};
+use crate::geometry::{Leaving, Ray, Shape, Surface};
+use crate::log::{Name, RayKind, Step, Value};
+use crate::probe::{Probe, Quantity};
+use crate::scene::{Light, LightKind, Material, Scene, Shadows, Specular, Weights};
 use crate::trace::query::Query;
 use crate::trace::{Hit, closest_hit};
 use glam::DVec3;
@@ -18,49 +17,11 @@ use std::sync::Arc;
 
 /// A scene of these shapes, of a plain material, without lights.
 pub(super) fn scene_of(way: &Way, shapes: Vec<Shape>) -> Scene {
-    let plain = material(&MaterialInput::default());
-    let objects: Vec<_> = shapes
-        .into_iter()
-        .enumerate()
-        .map(|(number, shape)| Object {
-            slack: shape.slack(),
-            name: number.to_string().into(),
-            shape,
-            material: 0,
-            one_sided: false,
-            inside: None,
-        })
-        .collect();
-    Scene {
-        name: "stress".to_owned(),
-        digest: String::new(),
-        camera: Camera::new(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 45.0, [1, 1]),
-        ambient: DVec3::ZERO,
-        background: DVec3::ZERO,
-        effects: Effects::default(),
-        lights: Vec::new(),
-        materials: vec![plain],
-        ceilings: Default::default(),
-        index: Index::new(&objects),
-        around_eye: AroundEye::Nothing,
-        objects,
-        tracing: Tracing {
-            algorithm: Algorithm::Recursive,
-            max_depth: 4,
-            specular: Specular::HalfVector,
-            formulas: way.formulas(),
-            sphere_method: way.sphere_method(),
-            reflected_scale: ReflectedScale::Weight,
-            cutoff: 0.0,
-            two_sided: true,
-            shadows: Shadows::PerSurface,
-            skip: Skip::ALL,
-        },
-        sampling: Sampling::Center,
-        seed: 0,
-        frame: None,
-        output: Output { white: 1.0, transfer: Transfer::Linear, exposure: 0.0 },
-    }
+    let mut scene = Scene::of_shapes("stress", shapes);
+    scene.materials = vec![material(&MaterialInput::default())];
+    scene.tracing.formulas = way.formulas();
+    scene.tracing.sphere_method = way.sphere_method();
+    scene
 }
 
 /// A whole scene as a case describes it.

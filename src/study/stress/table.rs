@@ -4,8 +4,8 @@ use super::case::Family;
 use super::judge::Outcome;
 use super::requirement::{Unit, requirement};
 use super::way::Way;
+use crate::report::table::aligned;
 use serde::Serialize;
-use std::fmt::Write;
 
 /// The report.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -137,37 +137,20 @@ impl Table {
 
     /// For people. `shown` makes text from a file safe to print.
     pub fn text(&self, shown: impl Fn(&str) -> String) -> String {
-        let names: Vec<_> = self.rows.iter().map(|row| shown(&row.family)).collect();
-        let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0).max("family".len());
-        let mut text = String::new();
-        let heads = ["cases", "wrong", "worst", "median", "required", ""];
-        let [cases, wrong, worst, median, required, verdict] = heads;
-        let _ = writeln!(
-            text,
-            "{:<width$} {cases:>6} {wrong:>6} {worst:>10} {median:>10}  {required:<18} {verdict:<5}{}",
-            "family",
-            cells(self.rows.first(), |column| column.way.clone())
-        );
-        for (row, name) in self.rows.iter().zip(names) {
+        let ways = self.rows.first().into_iter().flat_map(|row| &row.columns).map(|column| column.way.clone());
+        let heads = ["family", "cases", "wrong", "worst", "median", "required", ""].map(str::to_owned);
+        let rows = self.rows.iter().map(|row| {
             let required =
                 row.required.map_or("0 wrong".to_owned(), |limit| format!("<= {} {}", bound(limit), row.unit));
             let verdict = if row.holds { "holds" } else { "FAILS" };
-            let (worst, median) = (number(row.worst), number(row.median));
-            let (cases, wrong) = (row.cases, row.wrong);
-            let padding = " ".repeat(width - name.chars().count());
-            let line =
-                format!("{name}{padding} {cases:>6} {wrong:>6} {worst:>10} {median:>10}  {required:<18} {verdict:<5}");
-            let _ = writeln!(text, "{}", format!("{line}{}", cells(Some(row), Column::text)).trim_end());
-        }
-        text.push_str(LEGEND);
-        text
+            let (cases, wrong) = (row.cases.to_string(), row.wrong.to_string());
+            let own =
+                [shown(&row.family), cases, wrong, number(row.worst), number(row.median), required, verdict.to_owned()];
+            own.into_iter().chain(row.columns.iter().map(Column::text)).collect()
+        });
+        let rows = std::iter::once(heads.into_iter().chain(ways).collect::<Vec<_>>()).chain(rows);
+        aligned(rows, |column| !matches!(column, 0 | 5 | 6)).join("\n") + "\n" + LEGEND
     }
-}
-
-/// The cells of the other ways.
-fn cells(row: Option<&Row>, text: impl Fn(&Column) -> String) -> String {
-    let columns = row.map_or(&[][..], |row| &row.columns);
-    columns.iter().map(|column| format!("  {:>18}", text(column))).collect()
 }
 
 /// What the units are, and the columns.

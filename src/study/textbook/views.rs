@@ -1,7 +1,7 @@
 //! The tables of worked examples as text, JSON and Markdown.
 
 use super::{Checked, CheckedRow, DIGITS, Example, Order, Row, Table, Verdict};
-use crate::report::{Style, number};
+use crate::report::{Style, number, table};
 use serde_json::{Value, json};
 
 const HEADS: [&str; 7] = ["step", "quantity", "printed", "following the book", "by hand", "exact", "verdict"];
@@ -146,14 +146,8 @@ fn shown(values: &[f64]) -> String {
 
 /// A table whose columns are below each other, and what is below it.
 fn aligned(heads: [&str; 7], rows: impl Iterator<Item = [String; 7]>, below: impl Iterator<Item = String>) -> String {
-    let rows: Vec<_> = [heads.map(str::to_owned)].into_iter().chain(rows).collect();
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: [usize; 7] = std::array::from_fn(width);
-    let line = |cells: &[String; 7]| {
-        let padded: Vec<_> = cells.iter().zip(widths).map(|(cell, width)| pad(cell, width)).collect();
-        padded.join("  ").trim_end().to_owned()
-    };
-    let lines: Vec<_> = rows.iter().map(line).chain([String::new()]).chain(below).collect();
+    let mut lines = table::aligned(std::iter::once(heads.map(str::to_owned)).chain(rows), |_| false);
+    lines.extend(std::iter::once(String::new()).chain(below));
     lines.join("\n") + "\n"
 }
 
@@ -207,8 +201,4 @@ fn components(values: &[f64]) -> Value {
         [number] => (*number).into(),
         several => several.into(),
     }
-}
-
-fn pad(text: &str, width: usize) -> String {
-    format!("{text}{}", " ".repeat(width.saturating_sub(text.chars().count())))
 }

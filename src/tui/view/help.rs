@@ -14,7 +14,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 /// Draws the help from line `top` on.
-pub(super) fn draw(model: &Model, top: u16, theme: &Theme, buffer: &mut Buffer) {
+pub(super) fn draw(model: &Model, top: usize, theme: &Theme, buffer: &mut Buffer) {
     let (filter, texts) = (&filter(model), model.texts());
     let area = area(filter, texts, (buffer.area.width, buffer.area.height)).intersection(buffer.area);
     clear(area, buffer);
@@ -28,18 +28,18 @@ pub(super) fn draw(model: &Model, top: u16, theme: &Theme, buffer: &mut Buffer) 
     let hint = format!(" {} ", if is_whole { texts.help.finds } else { texts.help.scrolls });
     put(buffer, inner(bottom, 0), Line::styled(hint, faint));
     let body = inner(area, 1);
-    put_all(buffer, body, lines(filter, texts, usize::from(body.width), theme).into_iter().skip(usize::from(top)));
+    put_all(buffer, body, lines(filter, texts, usize::from(body.width), theme).into_iter().skip(top));
 }
 
 /// The largest `top` that has something to show for it.
-pub fn last_top(model: &Model) -> u16 {
+pub fn last_top(model: &Model) -> usize {
     last(&filter(model), model.texts(), model.size)
 }
 
-fn last(filter: &Pattern, texts: &'static Viewer, size: (u16, u16)) -> u16 {
+fn last(filter: &Pattern, texts: &'static Viewer, size: (u16, u16)) -> usize {
     let body = inner(area(filter, texts, size), 1);
     let count = lines(filter, texts, usize::from(body.width), &Theme::new(Palette::None, true)).len();
-    (count as u16).saturating_sub(body.height)
+    count.saturating_sub(usize::from(body.height))
 }
 
 /// What the rows must contain: already while it is being typed.
@@ -67,11 +67,11 @@ fn lines(filter: &Pattern, texts: &'static Viewer, width: usize, theme: &Theme) 
     let mut lines = Vec::new();
     let mut group = None;
     for row in keys::rows() {
-        let (keys, said, title) = (names(row.keys, help), (row.help)(&help.keys), row.group.title(&help.groups));
+        let (keys, said, title) = (names(row.keys, help), (row.help)(&help.keys), (row.group)(&help.groups));
         if !(filter.is_in(&keys) || filter.is_in(said) || filter.is_in(title)) {
             continue;
         }
-        if group.replace(row.group) != Some(row.group) {
+        if group.replace(title) != Some(title) {
             lines.push(Line::from(Span::styled(shown(title, theme), theme.style(Role::Title))));
         }
         let keys = format!("{keys:column$}");

@@ -61,10 +61,7 @@ fn outcome(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let step = model.tree.nodes()[node].step;
     let is_known = |event: &usize| model.guide.is_known(*event);
-    let decision = model.facts.outcome(node).filter(is_known).and_then(|event| match model.log.events[event].what {
-        What::Mark(decision) => Some(decision),
-        _ => None,
-    });
+    let decision = model.facts.outcome(node).filter(is_known).and_then(|event| model.log.events[event].decision());
     if let Some(unknown) = unknown(model, node, theme) {
         return unknown;
     }

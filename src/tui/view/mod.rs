@@ -87,6 +87,15 @@ pub(super) fn clear(area: Rect, buffer: &mut Buffer) {
     }
 }
 
+/// Makes the dots of a canvas ASCII: the library's plainest dot isn't.
+fn only_ascii(area: Rect, buffer: &mut Buffer) {
+    for place in area.positions() {
+        if let Some(cell) = buffer.cell_mut(place).filter(|cell| cell.symbol() != " ") {
+            cell.set_symbol(".");
+        }
+    }
+}
+
 /// An area without `rows` rows above and below, and without two columns at each side.
 fn inner(area: Rect, rows: u16) -> Rect {
     Rect {

@@ -1,7 +1,7 @@
 //! The samples of a pixel as a picture: where they lie in its square, and how the square was cut.
 
-use super::{put, shown, title_rule};
-use crate::log::{Decision, Name, Step, Value, What};
+use super::{only_ascii, put, shown, title_rule};
+use crate::log::{Decision, Name, Step};
 use crate::tui::model::Model;
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
@@ -74,15 +74,6 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
 }
 
-/// The library's plainest dot isn't plain enough.
-fn only_ascii(area: Rect, buffer: &mut Buffer) {
-    for place in area.positions() {
-        if let Some(cell) = buffer.cell_mut(place).filter(|cell| cell.symbol() != " ") {
-            cell.set_symbol(".");
-        }
-    }
-}
-
 fn color(theme: &Theme, role: Role) -> Color {
     theme.style(role).fg.unwrap_or(Color::Reset)
 }
@@ -105,14 +96,8 @@ fn place(model: &Model, node: usize) -> Option<[f64; 2]> {
         model.tree.own_events(node).take(FIRST).find_map(|event| {
             let event = &model.log.events[event];
             let given = model.log.events.given(event).iter().find(|(name, _)| *name == wanted).map(|(_, value)| *value);
-            let noted = match event.what {
-                What::Note { name, value } if name == wanted => Some(value),
-                _ => None,
-            };
-            match given.or(noted)? {
-                Value::Number(number) => Some(number),
-                Value::Triple(_) => None,
-            }
+            let noted = event.noted().filter(|(name, _)| *name == wanted).map(|(_, value)| value);
+            given.or(noted)?.number()
         })
     };
     Some([number(Name::SampleX)?, number(Name::SampleY)?])
@@ -120,8 +105,9 @@ fn place(model: &Model, node: usize) -> Option<[f64; 2]> {
 
 /// The cells that were cut in four: left, top and side.
 fn cuts(model: &Model) -> impl Iterator<Item = [f64; 3]> + '_ {
-    model.tree.own_events(0).take(4 * MOST_SAMPLES).filter_map(|event| match model.log.events[event].what {
-        What::Mark(Decision::Subdivided { cell, .. }) => Some(cell),
+    let decisions = model.tree.own_events(0).take(4 * MOST_SAMPLES).map(|event| model.log.events[event].decision());
+    decisions.filter_map(|decision| match decision? {
+        Decision::Subdivided { cell, .. } => Some(cell),
         _ => None,
     })
 }

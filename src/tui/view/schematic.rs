@@ -3,10 +3,10 @@
 //! The current ray is drawn over the others and has its letter at its end; each kind has its colour and its letter: C from the
 //! eye, R reflected, T transmitted, S to a light.
 
-use super::{put, shown, title};
+use super::{only_ascii, put, shown, title};
 use crate::log::Step;
 use crate::report::schematic::clip;
-use crate::report::segments::{Segment, segment, segments};
+use crate::report::segments::{Segment, around, reach, segment, segments};
 use crate::tui::drawing::{Drawing, Projection, Wireframe};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
@@ -64,7 +64,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
             }
             canvas.layer();
             let others = rays.iter().filter(|ray| current.is_none_or(|current| current.node != ray.node));
-            others.for_each(|ray| stage.draw_ray(canvas, ray, color(Role::of_ray(ray.kind))));
+            others.for_each(|ray| stage.draw_ray(canvas, ray, color(theme.of_ray(ray.kind).1)));
             if let Some(ray) = &current {
                 canvas.layer();
                 stage.draw_ray(canvas, ray, Color::Reset);
@@ -72,7 +72,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
         })
         .render(body, buffer);
     if theme.is_ascii() {
-        plain_dots(body, buffer);
+        only_ascii(body, buffer);
     }
     label(model, theme, &stage, &rays, current.as_ref(), body, buffer);
 }
@@ -108,21 +108,12 @@ fn label(
         write(stage.project(drawing.eye), theme.glyphs.camera, theme.style(Role::Camera));
     }
     let mut mark = |ray: &Segment, style: Style| {
-        let text = if ray.is_blocked { theme.glyphs.blocked } else { ray.kind.letter() };
-        write(stage.place_of_letter(ray, body), text, style);
+        let text = if ray.is_blocked { theme.glyphs.blocked.to_owned() } else { ray.kind.letter().to_string() };
+        write(stage.place_of_letter(ray, body), &text, style);
     };
-    rays.iter().for_each(|ray| mark(ray, theme.style(Role::of_ray(ray.kind))));
+    rays.iter().for_each(|ray| mark(ray, theme.style(theme.of_ray(ray.kind).1)));
     if let Some(ray) = current {
-        mark(ray, theme.style(Role::of_ray(ray.kind)).add_modifier(Modifier::REVERSED | Modifier::BOLD));
-    }
-}
-
-/// The library's plainest dot isn't plain enough.
-fn plain_dots(area: Rect, buffer: &mut Buffer) {
-    for place in area.positions() {
-        if let Some(cell) = buffer.cell_mut(place).filter(|cell| cell.symbol() != " ") {
-            cell.set_symbol(".");
-        }
+        mark(ray, theme.style(theme.of_ray(ray.kind).1).add_modifier(Modifier::REVERSED | Modifier::BOLD));
     }
 }
 
@@ -145,7 +136,7 @@ impl<'m> Stage<'m> {
             points.push(ray.from);
             points.extend(ray.length.map(|_| ray.end(0.0)));
         }
-        let mut far = spread(&points);
+        let mut far = reach(&around(points.iter().copied()));
         if far == 0.0 {
             // Rays that hit nothing say nothing of a scale: any will do that numbers of this size can tell apart.
             far = points.iter().flatten().fold(1.0, |most: f64, number| most.max(number.abs()));
@@ -154,7 +145,7 @@ impl<'m> Stage<'m> {
         // What isn't much larger than the rays' region is seen whole.
         for wireframe in drawing.map(|drawing| drawing.objects.as_slice()).unwrap_or_default() {
             let lines = wireframe.lines.concat();
-            if spread(&lines) <= far {
+            if reach(&around(lines.iter().copied())) <= far {
                 points.extend(lines);
             }
         }
@@ -244,13 +235,4 @@ fn around_all(places: impl Iterator<Item = [f64; 2]>) -> Option<([f64; 2], [f64;
         let ([left, right], [low, high]) = around.unwrap_or(([x; 2], [y; 2]));
         Some(([left.min(x), right.max(x)], [low.min(y), high.max(y)]))
     })
-}
-
-/// The greatest extent of these points along an axis.
-fn spread(points: &[[f64; 3]]) -> f64 {
-    let along = |axis: usize| {
-        let values = points.iter().map(|point| point[axis]);
-        values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
-    };
-    (0..3).map(along).fold(0.0, f64::max)
 }

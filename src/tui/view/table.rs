@@ -85,7 +85,8 @@ fn columns_of(text: &str, begin: usize, count: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::list::{Column, Entry};
+    use crate::report::language::viewer::List;
+    use crate::tui::list::Entry;
     use crate::tui::theme::{Palette, Role};
 
     #[track_caller]
@@ -117,8 +118,8 @@ mod tests {
             Entry::heading("Others, of which there are some:".to_owned()),
             Entry::plain("10 %\t\t1".to_owned(), Role::Text),
         ];
-        let columns = Column::all(&["share", "none", "value"], &[0]);
-        let listing = Listing { columns, entries, ..Listing::default() };
+        let texts = List { title: "", columns: ["share", "none", "value"], nothing: "" };
+        let listing = Listing::of(&texts, texts.title, &[0], entries);
         let table = Table::of(&listing, &Theme::new(Palette::None, true));
         assert_eq!(table.head, "share  value");
         assert_eq!(table.rows, ["  9 %  10^-5", "Others, of which there are some:", " 10 %  1"]);

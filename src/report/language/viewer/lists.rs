@@ -5,7 +5,6 @@ use crate::report::language::{OfName, Text};
 texts! {
     /// The texts of lists.
     Lists;
-
     /// What keys do in them.
     hints: Hints;
     /// Where runs stop.
@@ -21,9 +20,9 @@ texts! {
             nothing: "ninguno: b escribe uno, x pone uno aquí",
         };
     /// A breakpoint that is on.
-    on: Text = "on", "sí";
+    on = "on", "sí";
     /// One that is off.
-    off: Text = "off", "no";
+    off = "off", "no";
     /// Where they stopped.
     stops: List<Text, 4> =
         List {
@@ -53,7 +52,7 @@ texts! {
         |[x, y], what| format!("in {x},{y}: {what}"),
         |[x, y], what| format!("en {x},{y}: {what}");
     /// A bookmark that leads nowhere.
-    not_in_this_log: Text = "(not in this log)", "(no está en este registro)";
+    not_in_this_log = "(not in this log)", "(no está en este registro)";
     /// What a value is made of.
     operands: List<OfName, 3> =
         List {
@@ -67,7 +66,7 @@ texts! {
             nothing: "este paso no toma nada que el registro nombre",
         };
     /// An input of a node.
-    given_in: OfName = |place| format!("given in {place}"), |place| format!("dato de {place}");
+    given_in(place: &str) = "given in {place}", "dato de {place}";
     /// What takes a value.
     uses: List<OfName, 2> =
         List {
@@ -81,7 +80,7 @@ texts! {
             nothing: "ningún paso posterior lo toma",
         };
     /// A step by its number.
-    step: fn(usize) -> String = |number| format!("step {number}"), |number| format!("paso {number}");
+    step(number: usize) = "step {number}", "paso {number}";
     /// Why a pixel has its colour.
     account: Account;
     /// The values of a node in several arithmetics.
@@ -103,7 +102,6 @@ pub struct List<Title, const COLUMNS: usize> {
 texts! {
     /// What keys do in lists, from the longest way to say it to the shortest.
     Hints;
-
     /// In a list of places.
     usual: [Text; 2] =
         ["j k select, Enter goes there, Esc closes", "Enter goes, Esc closes"],
@@ -113,9 +111,9 @@ texts! {
         ["j k select, < > scroll, Enter goes there, Esc closes", "< > scroll, Enter goes, Esc closes"],
         ["j k eligen, < > desplazan, Enter va allí, Esc cierra", "< > desplazan, Enter va, Esc cierra"];
     /// Where besides no line leads anywhere.
-    cut_plain: Text = "< > scroll, Esc closes", "< > desplazan, Esc cierra";
+    cut_plain = "< > scroll, Esc closes", "< > desplazan, Esc cierra";
     /// Where nothing else fits.
-    closes: Text = "Esc closes", "Esc cierra";
+    closes = "Esc closes", "Esc cierra";
     /// In that of breakpoints.
     breakpoints: [Text; 4] =
         [
@@ -135,7 +133,6 @@ texts! {
 texts! {
     /// The texts of why a pixel has its colour.
     Account;
-
     /// Its title with the colour, its columns.
     list: List<OfName, 9> =
         List {
@@ -169,11 +166,11 @@ texts! {
             nothing: "todavía no se conoce ninguna contribución",
         };
     /// Its title where the log ends before the colour.
-    so_far: OfName =
-        |color| format!("The log ends before the colour; so far {color}"),
-        |color| format!("El registro termina antes del color; hasta aquí {color}");
+    so_far(color: &str) =
+        "The log ends before the colour; so far {color}",
+        "El registro termina antes del color; hasta aquí {color}";
     /// Behind the title, the class of the path of the selected ray.
-    here: OfName = |class| format!(" - here {class}"), |class| format!(" - aquí {class}");
+    here(class: &str) = " - here {class}", " - aquí {class}";
     /// The ways of figure 14 as [`cases`](crate::report::path_class::cases) has them, with its words in the language.
     cases: fn(&str) -> &str =
         |cases| cases,
@@ -183,19 +180,14 @@ texts! {
             _ => cases,
         };
     /// Smaller contributions, this many, in one.
-    smaller: fn(usize) -> String =
-        |count| format!("{count} smaller ones together"),
-        |count| format!("otras {count} menores en total");
+    smaller(count: usize) = "{count} smaller ones together", "otras {count} menores en total";
     /// The heading of this many paths that bring nothing.
-    brings_nothing: fn(usize) -> String =
-        |count| format!("What brings nothing ({count}):"),
-        |count| format!("Lo que no aporta nada ({count}):");
+    brings_nothing(count: usize) = "What brings nothing ({count}):", "Lo que no aporta nada ({count}):";
 }
 
 texts! {
     /// The texts of the values of a node in several arithmetics.
     Arithmetics;
-
     /// Its title with the node, its columns: by hand, f32, the digits, f64.
     list: List<OfName, 5> =
         List {
@@ -209,35 +201,34 @@ texts! {
             nothing: "este nodo no calcula nada por sí mismo",
         };
     /// Shown in place of a value.
-    not_reached: Text = "not reached", "no se alcanza";
+    not_reached = "not reached", "no se alcanza";
     /// Shown in place of the number of digits.
-    decided_otherwise: Text = "0: decided otherwise", "0: se decide otra cosa";
+    decided_otherwise = "0: decided otherwise", "0: se decide otra cosa";
     /// The three arithmetics in a sentence.
     names: [Text; 3] = ["by hand", "in f32", "in f64"], ["a mano", "en f32", "en f64"];
     /// An arithmetic doesn't reach the node.
-    never_reached: OfName =
-        |arithmetic| format!("not reached {arithmetic}: it decides otherwise before"),
-        |arithmetic| format!("{arithmetic} no se llega aquí: antes se decide otra cosa");
+    never_reached(arithmetic: &str) =
+        "not reached {arithmetic}: it decides otherwise before",
+        "{arithmetic} no se llega aquí: antes se decide otra cosa";
     /// It decides otherwise in it.
-    other_decisions: OfName =
-        |arithmetic| format!("other decisions {arithmetic} in this node"),
-        |arithmetic| format!("{arithmetic} se decide otra cosa en este nodo");
+    other_decisions(arithmetic: &str) =
+        "other decisions {arithmetic} in this node",
+        "{arithmetic} se decide otra cosa en este nodo";
 }
 
 texts! {
     /// Why a list can't be shown yet while the tree grows.
     ToCome;
-
     /// The colour isn't known.
-    color: Text =
+    color =
         "the colour isn't computed yet; t shows the whole tree",
         "el color no se ha calculado aún; t muestra el árbol entero";
     /// The node isn't complete.
-    node: Text =
+    node =
         "this node isn't computed yet to its end; t shows the whole tree",
         "este nodo no se ha calculado aún hasta el final; t muestra el árbol entero";
     /// What takes a value comes after it.
-    uses: Text =
+    uses =
         "what takes a value comes after it; t shows the whole tree",
         "lo que toma un valor viene después; t muestra el árbol entero";
 }

@@ -1,47 +1,44 @@
 //! What is said at the bottom: why something can't be done, and what was done that isn't seen.
 
 use crate::log::file::Ending;
+use crate::report::language::words;
 use crate::report::language::words::{EN, ES};
-use crate::report::language::{OfName, OfNames, Text, words};
 
 texts! {
     /// What is said at the bottom.
     Messages;
-
     /// There are fewer steps than that.
-    last_step: fn(usize) -> String =
-        |count| format!("there are {count} steps; this is the last"),
-        |count| format!("hay {count} pasos; este es el último");
+    last_step(count: usize) = "there are {count} steps; this is the last", "hay {count} pasos; este es el último";
     /// There is no job control to resume the viewer.
-    no_shell: Text = "there is no shell to go to", "no hay intérprete de órdenes al que ir";
+    no_shell = "there is no shell to go to", "no hay intérprete de órdenes al que ir";
     /// A saved log can't be traced.
-    no_scene: Text = "a saved log has no scene to trace", "un registro guardado no tiene escena que trazar";
+    no_scene = "a saved log has no scene to trace", "un registro guardado no tiene escena que trazar";
     /// The key is for other panes.
-    other_pane: Text =
+    other_pane =
         "that is for the picture and the schematic; Tab goes there",
         "eso es para la imagen y el esquema; Tab va allí";
     /// The key means nothing.
-    no_key: Text = "no such key; ? shows the keys", "esa tecla no existe; ? muestra las teclas";
+    no_key = "no such key; ? shows the keys", "esa tecla no existe; ? muestra las teclas";
     /// The node has no more siblings.
-    no_siblings: Text = "no more nodes in this one's parent", "no hay más nodos del mismo padre";
+    no_siblings = "no more nodes in this one's parent", "no hay más nodos del mismo padre";
     /// The log ends.
-    no_steps: Text = "no more steps in this direction", "no hay más pasos en esta dirección";
+    no_steps = "no more steps in this direction", "no hay más pasos en esta dirección";
     /// It has no more values.
-    no_values: Text = "no more computed values in this direction", "no hay más valores calculados en esta dirección";
+    no_values = "no more computed values in this direction", "no hay más valores calculados en esta dirección";
     /// It has no more rays.
-    no_rays: Text = "no more rays in this direction", "no hay más rayos en esta dirección";
+    no_rays = "no more rays in this direction", "no hay más rayos en esta dirección";
     /// There is nothing to step over to.
-    no_step_over: Text =
+    no_step_over =
         "no more steps here or around it in this direction",
         "no hay más pasos aquí ni alrededor en esta dirección";
     /// There is nothing to step out to.
-    no_step_out: Text =
+    no_step_out =
         "nothing around it to step out to in this direction",
         "no hay nada alrededor a lo que salir en esta dirección";
     /// All of the tree is shown.
-    whole_tree: Text = "the whole tree is shown", "se muestra el árbol entero";
+    whole_tree = "the whole tree is shown", "se muestra el árbol entero";
     /// It grows.
-    tree_grows: Text =
+    tree_grows =
         "the tree grows with the steps; t shows all of it",
         "el árbol crece con los pasos; t lo muestra entero";
     /// It plays at this many steps per second, or would.
@@ -55,73 +52,67 @@ texts! {
             format!("{rate} {steps} por segundo{}", if is_playing { "" } else { "; P reproduce" })
         };
     /// There is nothing left to play.
-    nothing_to_play: Text =
+    nothing_to_play =
         "no more computed values to play; 0 goes to the first step",
         "no hay más valores calculados que reproducir; 0 va al primer paso";
     /// All was played.
-    played: Text = "played to the last computed value", "reproducido hasta el último valor calculado";
+    played = "played to the last computed value", "reproducido hasta el último valor calculado";
     /// Nothing was jumped from.
-    nowhere_back: Text = "nowhere to go back to: nothing was jumped from", "no hay adónde volver: no ha habido saltos";
+    nowhere_back = "nowhere to go back to: nothing was jumped from", "no hay adónde volver: no ha habido saltos";
     /// There was no jump.
-    no_jump: Text = "no jump to come back from", "no hay salto del que volver";
+    no_jump = "no jump to come back from", "no hay salto del que volver";
     /// A ray of one's own isn't traced again.
-    not_traced_again: Text =
+    not_traced_again =
         "where one was before the first pixel isn't traced again",
         "lo anterior al primer píxel no se vuelve a trazar";
     /// The step is only near.
-    nearest_step: Text =
+    nearest_step =
         "that step isn't in this log; this is the nearest",
         "ese paso no está en este registro; este es el más cercano";
     /// What was copied.
-    copied: OfName = |text| format!("copied: {text}"), |text| format!("copiado: {text}");
+    copied(text: &str) = "copied: {text}", "copiado: {text}";
     /// The log has no steps.
-    no_step_to_remember: Text = "no step to remember", "no hay paso que recordar";
+    no_step_to_remember = "no step to remember", "no hay paso que recordar";
     /// A bookmark, and its address.
-    bookmark: fn(char, &str) -> String =
-        |letter, address| format!("bookmark {letter}: {address}"),
-        |letter, address| format!("marcador {letter}: {address}");
+    bookmark(letter: char, address: &str) = "bookmark {letter}: {address}", "marcador {letter}: {address}";
     /// There is no such bookmark.
-    no_bookmark: fn(char) -> String =
-        |letter| format!("no bookmark {letter}; m{letter} sets it, M lists all"),
-        |letter| format!("no hay marcador {letter}; m{letter} lo pone, M los enumera");
+    no_bookmark(letter: char) =
+        "no bookmark {letter}; m{letter} sets it, M lists all",
+        "no hay marcador {letter}; m{letter} lo pone, M los enumera";
     /// The log doesn't have its address.
-    bookmark_elsewhere: fn(char, &str) -> String =
-        |letter, address| format!("bookmark {letter}: this log has no {address}"),
-        |letter, address| format!("marcador {letter}: este registro no tiene {address}");
+    bookmark_elsewhere(letter: char, address: &str) =
+        "bookmark {letter}: this log has no {address}",
+        "marcador {letter}: este registro no tiene {address}";
     /// Nothing is searched for.
-    no_search: Text = "nothing is searched for; / searches", "no se busca nada; / busca";
+    no_search = "nothing is searched for; / searches", "no se busca nada; / busca";
     /// A text wasn't found.
-    not_found: OfName = |text| format!("not found: {text}"), |text| format!("no se encuentra: {text}");
+    not_found(text: &str) = "not found: {text}", "no se encuentra: {text}";
     /// No row of the tree matches a text.
-    no_row: OfName = |text| format!("no row matches: {text}"), |text| format!("ninguna fila coincide: {text}");
+    no_row(text: &str) = "no row matches: {text}", "ninguna fila coincide: {text}";
     /// The search went on at the beginning.
-    from_the_beginning: Text = "from the beginning again", "otra vez desde el principio";
+    from_the_beginning = "from the beginning again", "otra vez desde el principio";
     /// It went on at the end.
-    from_the_end: Text = "from the end again", "otra vez desde el final";
+    from_the_end = "from the end again", "otra vez desde el final";
     /// A text was pasted where no line is typed.
-    pasted_nowhere: Text =
+    pasted_nowhere =
         "text can only be pasted into a line that is being typed, such as after / or :",
         "solo se puede pegar texto en una línea que se está escribiendo, como tras / o :";
     /// The mouse belongs to the viewer.
-    mouse_is_ours: Text =
-        "the mouse selects and scrolls; ^t gives it back",
-        "el ratón selecciona y desplaza; ^t lo devuelve";
+    mouse_is_ours = "the mouse selects and scrolls; ^t gives it back", "el ratón selecciona y desplaza; ^t lo devuelve";
     /// It belongs to the terminal.
-    mouse_is_the_terminals: Text = "the mouse is the terminal's", "el ratón es del terminal";
+    mouse_is_the_terminals = "the mouse is the terminal's", "el ratón es del terminal";
     /// The book has one pixel.
-    one_pixel_printed: Text = "the book prints one pixel only", "el libro solo imprime un píxel";
+    one_pixel_printed = "the book prints one pixel only", "el libro solo imprime un píxel";
     /// A region has too many values to be compared.
-    regions_not_compared: Text = "only pixels and rays are compared", "solo se comparan píxeles y rayos";
+    regions_not_compared = "only pixels and rays are compared", "solo se comparan píxeles y rayos";
     /// The log of a pixel would have more events than this.
-    too_long: fn(usize) -> String =
-        |most| format!("the log would have more than {most} events"),
-        |most| format!("el registro tendría más de {most} sucesos");
+    too_long(most: usize) = "the log would have more than {most} events", "el registro tendría más de {most} sucesos";
     /// There is no memory for it.
-    no_memory: Text = "not enough memory for the log", "no hay memoria para el registro";
+    no_memory = "not enough memory for the log", "no hay memoria para el registro";
     /// It is shown in this language now.
-    language: Text = "in English", "en español";
+    language = "in English", "en español";
     /// The call that leads back to where the viewer was left.
-    back_here: OfName = |call| format!("back here: {call}"), |call| format!("para volver aquí: {call}");
+    back_here(call: &str) = "back here: {call}", "para volver aquí: {call}";
     /// Warnings that stay until they are dismissed.
     warnings: Warnings;
 }
@@ -129,7 +120,6 @@ texts! {
 texts! {
     /// What to warn of before one looks.
     Warnings;
-
     /// How a saved log ends, unless it is complete.
     ending: fn(&Ending) -> Option<String> =
         |ending| ending.warning(),
@@ -151,73 +141,64 @@ texts! {
             Ending::Damaged { what } => Some(format!("el registro está dañado, esto es lo que hay antes: {what}")),
         };
     /// Adaptive sampling is biased with these effects.
-    biased: OfName =
-        |effects| {
-            format!(
-                "adaptive sampling is biased with {effects}: cells whose corners agree by chance are not cut; expected \
-                 another sampling, such as sobol:64"
-            )
-        },
-        |effects| {
-            format!(
-                "el muestreo adaptativo tiene sesgo con {effects}: las celdas cuyas esquinas coinciden por azar no se \
-                 dividen; se espera otro muestreo, como sobol:64"
-            )
-        };
+    biased(effects: &str) =
+        "adaptive sampling is biased with {effects}: cells whose corners agree by chance are not cut; expected \
+                 another sampling, such as sobol:64",
+        "el muestreo adaptativo tiene sesgo con {effects}: las celdas cuyas esquinas coinciden por azar no se \
+                 dividen; se espera otro muestreo, como sobol:64";
 }
 
 texts! {
     /// What the quiz says.
     Quiz;
-
     /// It begins.
-    begins: Text =
+    begins =
         "quiz: n goes to the next value, = answers it, Q ends",
         "cuestionario: n va al siguiente valor, = lo responde, Q termina";
     /// It ends: `right` of the `asked` values were answered rightly.
-    ends: fn(u32, u32) -> String =
-        |right, asked| format!("the quiz is over: {right} of {asked} right"),
-        |right, asked| format!("fin del cuestionario: {right} de {asked} bien");
+    ends(right: u32, asked: u32) =
+        "the quiz is over: {right} of {asked} right",
+        "fin del cuestionario: {right} de {asked} bien";
     /// There is none.
-    none: Text = "no quiz is on; Q begins one", "no hay cuestionario; Q empieza uno";
+    none = "no quiz is on; Q begins one", "no hay cuestionario; Q empieza uno";
     /// The step has nothing to answer.
-    nothing_hidden: Text =
+    nothing_hidden =
         "this step hides no result; n goes to the next",
         "este paso no oculta ningún resultado; n va al siguiente";
     /// A decision is asked for.
-    what_is_decided: Text =
+    what_is_decided =
         "what is decided? hit, miss, inside, background, an object's name, ...",
         "¿qué se decide? hit (interseca), miss (no), inside (dentro), background (fondo), un objeto, ...";
     /// The answer is right.
-    right: Text = "right", "correcto";
+    right = "right", "correcto";
     /// The value is off by so much.
-    off: OfName = |by| format!("off by {by}"), |by| format!("se desvía en {by}");
+    off(by: &str) = "off by {by}", "se desvía en {by}";
     /// The decision is another one.
-    not_it: Text = "it isn't", "no es eso";
+    not_it = "it isn't", "no es eso";
     /// How it is wrong, and what would have been right.
-    it_is: OfNames = |off, truth| format!("{off}; it is {truth}"), |off, truth| format!("{off}; es {truth}");
+    it_is(off: &str, truth: &str) = "{off}; it is {truth}", "{off}; es {truth}";
     /// How it is wrong, while it may be tried again.
-    try_again: OfName = |off| format!("{off}; try again"), |off| format!("{off}; inténtelo otra vez");
+    try_again(off: &str) = "{off}; try again", "{off}; inténtelo otra vez";
     /// The answer is no number.
-    no_number: Text = "that is no number: type it like 12.5", "eso no es un número: escríbalo como 12,5";
+    no_number = "that is no number: type it like 12.5", "eso no es un número: escríbalo como 12,5";
     /// It isn't three numbers.
-    no_triple: Text =
+    no_triple =
         "that is no triple: type three numbers, like (1, 2, 3) or 1 2 3",
         "eso no son tres números: escríbalos como (1; 2; 3) o 1 2 3";
     /// It is no decision.
-    no_decision: Text =
+    no_decision =
         "that is no decision: type it like hit, miss, nearest, background, or an object's name",
         "eso no es una decisión: escriba hit, miss, nearest, background o el nombre de un objeto";
     /// A list would tell the results.
-    tells_results: Text =
+    tells_results =
         "that would tell the results; Q ends the quiz",
         "eso diría los resultados; Q termina el cuestionario";
     /// A value would.
-    tells_result: Text =
+    tells_result =
         "that would tell the result; = answers, Q ends the quiz",
         "eso diría el resultado; = responde, Q termina el cuestionario";
     /// A name would.
-    tells_decision: Text =
+    tells_decision =
         "that would tell the decision; = answers, Q ends the quiz",
         "eso diría la decisión; = responde, Q termina el cuestionario";
 }
@@ -225,29 +206,24 @@ texts! {
 texts! {
     /// What is said of breakpoints.
     Breakpoints;
-
     /// One was set.
-    set: OfName =
-        |text| format!("breakpoint: {text}; r runs to it, B lists all"),
-        |text| format!("punto de interrupción: {text}; r va hasta él, B los enumera");
+    set(text: &str) =
+        "breakpoint: {text}; r runs to it, B lists all",
+        "punto de interrupción: {text}; r va hasta él, B los enumera";
     /// One was deleted.
-    deleted: OfName =
-        |text| format!("no breakpoint any more: {text}"),
-        |text| format!("ya no hay punto de interrupción: {text}");
+    deleted(text: &str) = "no breakpoint any more: {text}", "ya no hay punto de interrupción: {text}";
     /// The quiz hides where it stops.
-    hidden: Text = "a quiz hides where that stops; Q ends it", "un cuestionario oculta dónde se para; Q lo termina";
+    hidden = "a quiz hides where that stops; Q ends it", "un cuestionario oculta dónde se para; Q lo termina";
     /// The step can't have one.
-    nothing_here: Text = "nothing here that a run could stop at", "aquí no hay nada en lo que pararse";
+    nothing_here = "nothing here that a run could stop at", "aquí no hay nada en lo que pararse";
     /// It stops nowhere.
-    nowhere: OfName =
-        |text| format!("nowhere in this log: {text}"),
-        |text| format!("en ningún lugar de este registro: {text}");
+    nowhere(text: &str) = "nowhere in this log: {text}", "en ningún lugar de este registro: {text}";
     /// All are off.
-    all_off: Text =
+    all_off =
         "all breakpoints are off; B lists them",
         "todos los puntos de interrupción están desactivados; B los enumera";
     /// There are none.
-    none: Text = "no breakpoints; b sets one", "no hay puntos de interrupción; b pone uno";
+    none = "no breakpoints; b sets one", "no hay puntos de interrupción; b pone uno";
     /// A run ended: after some of the stops that were asked for, forward or not.
     no_more: fn(usize, usize, bool) -> String =
         |done, times, is_forward| {
@@ -260,119 +236,96 @@ texts! {
             format!("{stopped}ningún punto de interrupción {side} de este paso")
         };
     /// A run stopped: by which, and at what.
-    stopped: OfNames =
-        |breakpoint, what| format!("stopped by {breakpoint}: {what}"),
-        |breakpoint, what| format!("parado por {breakpoint}: {what}");
+    stopped(breakpoint: &str, what: &str) = "stopped by {breakpoint}: {what}", "parado por {breakpoint}: {what}";
     /// What can be typed.
-    expected: Text =
+    expected =
         "expected a breakpoint: hit, shadow, object NAME, light NAME, depth 2 or T2_A < 0",
         "se espera un punto de interrupción: hit, shadow, object NOMBRE, light NOMBRE, depth 2 o T2_A < 0";
     /// What kinds of events there are.
-    expected_kind: Text =
+    expected_kind =
         "expected a kind of event such as shadow, hit, occluded or total-internal-reflection",
         "se espera una clase de suceso, como shadow, hit, occluded o total-internal-reflection";
     /// No kind of event is called so, but so.
-    kind_like: OfNames =
-        |text, near| format!("no kind of event is called `{text}`; did you mean `{near}`?"),
-        |text, near| format!("ninguna clase de suceso se llama `{text}`; ¿quiso decir `{near}`?");
+    kind_like(text: &str, near: &str) =
+        "no kind of event is called `{text}`; did you mean `{near}`?",
+        "ninguna clase de suceso se llama `{text}`; ¿quiso decir `{near}`?";
     /// The log has no object called so, but one called so.
-    object_like: OfNames =
-        |text, near| format!("there is no object `{text}`; did you mean `{near}`?"),
-        |text, near| format!("no hay ningún objeto `{text}`; ¿quiso decir `{near}`?");
+    object_like(text: &str, near: &str) =
+        "there is no object `{text}`; did you mean `{near}`?",
+        "no hay ningún objeto `{text}`; ¿quiso decir `{near}`?";
     /// The log has no object called so, but others, and how many more.
     other_objects: fn(&str, &str, usize) -> String =
         |text, others, more| format!("there is no object `{text}`, but {others}{}", words::and_more(more)[EN]),
         |text, others, more| format!("no hay ningún objeto `{text}`, sino {others}{}", words::and_more(more)[ES]);
     /// The log has no objects.
-    no_objects: Text = "there is no object in this log", "no hay ningún objeto en este registro";
+    no_objects = "there is no object in this log", "no hay ningún objeto en este registro";
     /// The log has no light called so, but one called so.
-    light_like: OfNames =
-        |text, near| format!("there is no light `{text}`; did you mean `{near}`?"),
-        |text, near| format!("no hay ninguna fuente `{text}`; ¿quiso decir `{near}`?");
+    light_like(text: &str, near: &str) =
+        "there is no light `{text}`; did you mean `{near}`?",
+        "no hay ninguna fuente `{text}`; ¿quiso decir `{near}`?";
     /// The log has no light called so, but others, and how many more.
     other_lights: fn(&str, &str, usize) -> String =
         |text, others, more| format!("there is no light `{text}`, but {others}{}", words::and_more(more)[EN]),
         |text, others, more| format!("no hay ninguna fuente `{text}`, sino {others}{}", words::and_more(more)[ES]);
     /// The log has no lights.
-    no_lights: Text = "there is no light in this log", "no hay ninguna fuente en este registro";
+    no_lights = "there is no light in this log", "no hay ninguna fuente en este registro";
     /// What can be typed behind `depth`.
-    expected_depth: Text =
+    expected_depth =
         "expected a level of the ray tree, such as depth 2",
         "se espera un nivel del árbol de rayos, como depth 2";
     /// A number has no components.
-    no_components: OfName =
-        |symbol| format!("{symbol} is a number and has no components"),
-        |symbol| format!("{symbol} es un número y no tiene componentes");
+    no_components(symbol: &str) =
+        "{symbol} is a number and has no components",
+        "{symbol} es un número y no tiene componentes";
     /// A triple can only be compared by parts.
-    three_numbers: OfName =
-        |key| {
-            format!("{key} has three numbers: compare {key}.x, .y or .z (.r, .g or .b), or the length |{key}|")
-        },
-        |key| {
-            format!("{key} son tres números: compare {key}.x, .y o .z (.r, .g o .b), o la longitud |{key}|")
-        };
+    three_numbers(key: &str) =
+        "{key} has three numbers: compare {key}.x, .y or .z (.r, .g or .b), or the length |{key}|",
+        "{key} son tres números: compare {key}.x, .y o .z (.r, .g o .b), o la longitud |{key}|";
     /// Shown in place of a number.
-    expected_number: OfName =
-        |text| format!("expected a number such as 0 or -1.5e-3, not `{text}`"),
-        |text| format!("se espera un número como 0 o -1,5e-3, no `{text}`");
+    expected_number(text: &str) =
+        "expected a number such as 0 or -1.5e-3, not `{text}`",
+        "se espera un número como 0 o -1,5e-3, no `{text}`";
     /// Nothing is called so, but so.
-    name_like: OfNames =
-        |text, near| format!("nothing is called `{text}`; did you mean `{near}`?"),
-        |text, near| format!("nada se llama `{text}`; ¿quiso decir `{near}`?");
+    name_like(text: &str, near: &str) =
+        "nothing is called `{text}`; did you mean `{near}`?",
+        "nada se llama `{text}`; ¿quiso decir `{near}`?";
     /// Nothing is called so.
-    no_name: OfName =
-        |text| {
-            format!(
-                "nothing is called `{text}`: expected a kind of event (hit), object NAME, light NAME, depth 2 or a quantity (T2_A < 0)"
-            )
-        },
-        |text| {
-            format!(
-                "nada se llama `{text}`: se espera una clase de suceso (hit), object NOMBRE, light NOMBRE, depth 2 o una magnitud (T2_A < 0)"
-            )
-        };
+    no_name(text: &str) =
+        "nothing is called `{text}`: expected a kind of event (hit), object NAME, light NAME, depth 2 or a quantity (T2_A < 0)",
+        "nada se llama `{text}`: se espera una clase de suceso (hit), object NOMBRE, light NOMBRE, depth 2 o una magnitud (T2_A < 0)";
 }
 
 texts! {
     /// What is said of commands.
     Commands;
-
     /// What represents the letter that a command takes.
-    letter: Text = "LETTER", "LETRA";
+    letter = "LETTER", "LETRA";
     /// What represents the condition.
-    condition: Text = "CONDITION", "CONDICIÓN";
+    condition = "CONDITION", "CONDICIÓN";
     /// What represents the text.
-    text: Text = "TEXT", "TEXTO";
+    text = "TEXT", "TEXTO";
     /// That a number is one, too.
-    step: Text = ":42 (a step)", ":42 (un paso)";
+    step = ":42 (a step)", ":42 (un paso)";
     /// A command takes nothing.
-    nothing_behind: OfName =
-        |command| format!("nothing may follow :{command}"),
-        |command| format!("detrás de :{command} no va nada");
+    nothing_behind(command: &str) = "nothing may follow :{command}", "detrás de :{command} no va nada";
     /// No command is called so, but so.
-    like: OfNames =
-        |text, near| format!("no command :{text}; did you mean :{near}?"),
-        |text, near| format!("no hay orden :{text}; ¿quiso decir :{near}?");
+    like(text: &str, near: &str) =
+        "no command :{text}; did you mean :{near}?",
+        "no hay orden :{text}; ¿quiso decir :{near}?";
     /// All commands.
-    expected: OfName =
-        |commands| format!("expected a step or a command: {commands}"),
-        |commands| format!("se espera un paso o una orden: {commands}");
+    expected(commands: &str) = "expected a step or a command: {commands}", "se espera un paso o una orden: {commands}";
     /// A beginning that several have.
-    may_be: OfNames =
-        |text, commands| format!(":{text} may be {commands}"),
-        |text, commands| format!(":{text} puede ser {commands}");
+    may_be(text: &str, commands: &str) = ":{text} may be {commands}", ":{text} puede ser {commands}";
     /// How many steps there are.
-    steps: fn(usize) -> String =
-        |count| format!("there are steps 1 to {count}"),
-        |count| format!("hay pasos del 1 al {count}");
+    steps(count: usize) = "there are steps 1 to {count}", "hay pasos del 1 al {count}";
     /// What follows `bookmark`.
-    expected_letter: Text = "expected one letter, such as :bookmark a", "se espera una letra, como :bookmark a";
+    expected_letter = "expected one letter, such as :bookmark a", "se espera una letra, como :bookmark a";
     /// What follows `pixel`.
-    expected_pixel: Text =
+    expected_pixel =
         "expected a column and a row, such as :pixel 160,120",
         "se esperan una columna y una fila, como :pixel 160,120";
     /// What follows `lang`.
-    expected_language: Text = "expected a language: :lang en or :lang es", "se espera un idioma: :lang en o :lang es";
+    expected_language = "expected a language: :lang en or :lang es", "se espera un idioma: :lang en o :lang es";
     /// The first and last columns and rows of the log.
     log_has: fn([u32; 4]) -> String =
         |[left, top, right, bottom]| format!("the log has columns {left} to {right} and rows {top} to {bottom}"),

@@ -16,7 +16,6 @@ pub use panes::{Outcomes, Panes, Picture, Schematic, Status};
 texts! {
     /// The texts of the viewer.
     Viewer;
-
     /// The bottom line.
     status: Status;
     /// The panes.

@@ -1,57 +1,50 @@
 //! The panes and the bottom line.
 
-use crate::report::language::{OfName, OfNames, Text};
+use crate::report::language::Text;
 
 texts! {
     /// The texts of the bottom line.
     Status;
-
     /// The step, of how many.
-    step: fn(usize, usize) -> String =
-        |step, count| format!("step {step}/{count}"),
-        |step, count| format!("paso {step}/{count}");
+    step(step: usize, count: usize) = "step {step}/{count}", "paso {step}/{count}";
     /// The section of the source text that has a quantity.
-    section: OfName = |section| format!("section {section}"), |section| format!("sección {section}");
+    section(section: &str) = "section {section}", "sección {section}";
     /// The keys to begin with, from the longest way to say it to the shortest; the longest with those that move.
     hints: [Text; 3] =
         ["n next value  p previous  ? help  q quit", "n next  ? help  q quit", "? help"],
         ["n siguiente valor  p anterior  ? ayuda  q salir", "n siguiente  ? ayuda  q salir", "? ayuda"];
     /// All of them, around those that move.
-    all_hints: OfName =
-        |moves| format!("n next value  p previous  {moves}  ? help  q quit"),
-        |moves| format!("n siguiente valor  p anterior  {moves}  ? ayuda  q salir");
+    all_hints(moves: &str) =
+        "n next value  p previous  {moves}  ? help  q quit",
+        "n siguiente valor  p anterior  {moves}  ? ayuda  q salir";
     /// The keys that move in the tree, and in other panes.
     moves: [Text; 2] =
         ["j k move  Space fold", "j k move  Tab tree"],
         ["j k mueven  Space pliega", "j k mueven  Tab árbol"];
     /// It plays, at this many steps per second.
-    playing: fn(u32) -> String = |rate| format!("playing {rate}/s"), |rate| format!("reproduce {rate}/s");
+    playing(rate: u32) = "playing {rate}/s", "reproduce {rate}/s";
     /// The tree grows.
-    growing: Text = "growing", "crece";
+    growing = "growing", "crece";
     /// The tree is filtered.
-    filtered: Text = "filtered", "filtrado";
+    filtered = "filtered", "filtrado";
     /// The mouse is used.
-    mouse: Text = "mouse", "ratón";
+    mouse = "mouse", "ratón";
     /// A search isn't complete.
-    counting: Text = "counting matches", "contando coincidencias";
+    counting = "counting matches", "contando coincidencias";
     /// Which match, of how many.
-    matches: OfNames =
-        |number, count| format!("match {number}/{count}"),
-        |number, count| format!("coincidencia {number}/{count}");
+    matches(number: &str, count: &str) = "match {number}/{count}", "coincidencia {number}/{count}";
     /// How many were right in a quiz, of how many.
-    quiz: fn(u32, u32) -> String =
-        |right, asked| format!("quiz {right} of {asked}"),
-        |right, asked| format!("cuestionario {right} de {asked}");
+    quiz(right: u32, asked: u32) = "quiz {right} of {asked}", "cuestionario {right} de {asked}";
     /// Before a line that filters.
-    filter: Text = "filter: ", "filtro: ";
+    filter = "filter: ", "filtro: ";
     /// Before a breakpoint.
-    break_at: Text = "break at: ", "parar en: ";
+    break_at = "break at: ", "parar en: ";
     /// Before what keys are looked for by.
-    keys_with: Text = "keys with: ", "teclas con: ";
+    keys_with = "keys with: ", "teclas con: ";
     /// Before an answer.
-    answer: Text = "your answer: ", "su respuesta: ";
+    answer = "your answer: ", "su respuesta: ";
     /// Before a warning.
-    warning: Text = "warning: ", "aviso: ";
+    warning = "warning: ", "aviso: ";
     /// The terminal is too small.
     too_small: [Text; 3] = ["too small:", "needs 20x6", "(q quits)"], ["pequeño:", "mínimo 20x6", "(q sale)"];
 }
@@ -59,27 +52,26 @@ texts! {
 texts! {
     /// The texts of panes.
     Panes;
-
     /// The algorithm, by its name.
-    algorithm: OfName = |name| format!("{name} algorithm"), |name| format!("algoritmo {name}");
+    algorithm(name: &str) = "{name} algorithm", "algoritmo {name}";
     /// The calls below it.
-    calls: Text = "calls", "llamadas";
+    calls = "calls", "llamadas";
     /// A shadow ray among them.
-    shadow_ray: OfName = |path| format!("shadow ray {path}"), |path| format!("rayo de sombra {path}");
+    shadow_ray(path: &str) = "shadow ray {path}", "rayo de sombra {path}";
     /// The end of a node.
-    end: Text = "end", "fin";
+    end = "end", "fin";
     /// The end of a node, by what it is.
-    end_of: OfName = |node| format!("end of {node}"), |node| format!("fin de: {node}");
+    end_of(node: &str) = "end of {node}", "fin de: {node}";
     /// A decision that is hidden.
-    hidden_decision: Text = "decision ?", "¿decisión?";
+    hidden_decision = "decision ?", "¿decisión?";
     /// A result that is hidden.
-    hidden_result: Text = "result ?", "¿resultado?";
+    hidden_result = "result ?", "¿resultado?";
     /// What is still to come.
-    not_computed: Text = "not computed yet", "no calculado aún";
+    not_computed = "not computed yet", "no calculado aún";
     /// A colour as the result.
-    result: OfName = |color| format!("result {color}"), |color| format!("resultado {color}");
+    result(color: &str) = "result {color}", "resultado {color}";
     /// A ray by what it is for, without its path.
-    ray: OfName = |kind| format!("ray {kind}"), |kind| format!("rayo {kind}");
+    ray(kind: &str) = "ray {kind}", "rayo {kind}";
     /// How many rays a closed node hides.
     hidden_rays: fn(u32) -> String =
         |count| if count == 1 { "1 ray".to_owned() } else { format!("{count} rays") },
@@ -105,59 +97,56 @@ texts! {
 texts! {
     /// What a node came to, in a word or two.
     Outcomes;
-
     /// A shadow ray that reaches its light.
-    lit: Text = "lit", "llega la luz";
+    lit = "lit", "llega la luz";
     /// A hit.
-    hit: Text = "hit", "interseca";
+    hit = "hit", "interseca";
     /// A miss.
-    miss: Text = "miss", "no interseca";
+    miss = "miss", "no interseca";
     /// Nothing is hit.
-    background: Text = "background", "fondo";
+    background = "background", "fondo";
     /// An object blocks the light.
-    blocked_by: OfName = |object| format!("blocked by {object}"), |object| format!("bloqueado por {object}");
+    blocked_by(object: &str) = "blocked by {object}", "bloqueado por {object}";
     /// A direction on the wrong side.
-    rejected: Text = "rejected", "rechazado";
+    rejected = "rejected", "rechazado";
     /// An object weakens the light.
-    weakened_by: OfName = |object| format!("weakened by {object}"), |object| format!("atenuado por {object}");
+    weakened_by(object: &str) = "weakened by {object}", "atenuado por {object}";
     /// The depth limit.
-    depth_limit: Text = "depth limit", "profundidad máxima";
+    depth_limit = "depth limit", "profundidad máxima";
     /// Total internal reflection.
-    total_reflection: Text = "total reflection", "reflexión total";
+    total_reflection = "total reflection", "reflexión total";
 }
 
 texts! {
     /// The texts of the picture.
     Picture;
-
     /// Its layers: the colours, the depth, the rays, the samples, the error of single precision.
     layers: [Text; 5] =
         ["picture", "depth", "rays per pixel", "samples per pixel", "error of f32"],
         ["imagen", "profundidad", "rayos por píxel", "muestras por píxel", "error de f32"];
     /// The exposure in stops.
-    exposure: OfName = |stops| format!("{stops} stops"), |stops| format!("exposición {stops}");
+    exposure(stops: &str) = "{stops} stops", "exposición {stops}";
     /// The depth of a pixel.
-    depth: OfName = |depth| format!("depth {depth}"), |depth| format!("profundidad {depth}");
+    depth(depth: &str) = "depth {depth}", "profundidad {depth}";
     /// The rays of a pixel.
-    rays: fn(u32) -> String = |count| format!("rays {count}"), |count| format!("rayos {count}");
+    rays(count: u32) = "rays {count}", "rayos {count}";
     /// Its levels in a file.
     levels: fn([u8; 3]) -> String = |[r, g, b]| format!("8-bit {r} {g} {b}"), |[r, g, b]| format!("8 bits {r} {g} {b}");
     /// The cursor is at the edge.
-    ends: Text = "the picture ends here", "la imagen termina aquí";
+    ends = "the picture ends here", "la imagen termina aquí";
 }
 
 texts! {
     /// The texts of the schematic.
     Schematic;
-
     /// From where it is seen: from above, from the front, from the eye.
     views: [Text; 3] =
         ["schematic from above", "schematic from the front", "schematic from the eye"],
         ["esquema desde arriba", "esquema de frente", "esquema desde el ojo"];
     /// The key that turns it.
-    turns: Text = "v turns", "v gira";
+    turns = "v turns", "v gira";
     /// There is no ray to be drawn.
-    no_rays: Text = "the log has no rays here", "el registro no tiene rayos aquí";
+    no_rays = "the log has no rays here", "el registro no tiene rayos aquí";
     /// The rays are too long to be drawn.
-    too_far: Text = "the rays reach too far to be drawn", "los rayos llegan demasiado lejos para dibujarlos";
+    too_far = "the rays reach too far to be drawn", "los rayos llegan demasiado lejos para dibujarlos";
 }

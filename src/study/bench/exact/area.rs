@@ -16,7 +16,7 @@ pub fn of_polygon(corners: &[[f64; 2]], [left, top]: [f64; 2]) -> f64 {
 /// The part of a polygon where `inside` isn't negative.
 fn clipped(corners: &[[f64; 2]], inside: fn([f64; 2]) -> f64) -> Vec<[f64; 2]> {
     let mut kept = Vec::new();
-    for (from, to) in edges(corners) {
+    for [from, to] in edges(corners) {
         let (a, b) = (inside(from), inside(to));
         if a >= 0.0 {
             kept.push(from);
@@ -29,15 +29,15 @@ fn clipped(corners: &[[f64; 2]], inside: fn([f64; 2]) -> f64) -> Vec<[f64; 2]> {
     kept
 }
 
-/// The edges around a polygon.
-pub(super) fn edges(corners: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {
+/// The edges around a polygon, in a plane or in space.
+pub(super) fn edges<P: Copy>(corners: &[P]) -> impl Iterator<Item = [P; 2]> + '_ {
     let next = corners.iter().cycle().skip(1);
-    corners.iter().copied().zip(next.copied())
+    corners.iter().zip(next).map(|(from, to)| [*from, *to])
 }
 
 /// The area inside a polygon, positive or negative by the way in which it runs.
 fn shoelace(corners: &[[f64; 2]]) -> f64 {
-    edges(corners).map(|(from, to)| cross(from, to)).sum::<f64>() / 2.0
+    edges(corners).map(|[from, to]| cross(from, to)).sum::<f64>() / 2.0
 }
 
 fn cross([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> f64 {
@@ -49,7 +49,7 @@ fn cross([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> f64 {
 pub fn of_ellipse(ellipse: &Ellipse, [left, top]: [f64; 2]) -> f64 {
     let square = [[left, top], [left + 1.0, top], [left + 1.0, top + 1.0], [left, top + 1.0]];
     let corners = square.map(|corner| ellipse.circled(corner));
-    let in_disc: f64 = edges(&corners).map(|(from, to)| swept(from, to)).sum();
+    let in_disc: f64 = edges(&corners).map(|[from, to]| swept(from, to)).sum();
     (in_disc / std::f64::consts::PI).abs() * ellipse.area()
 }
 

@@ -1,6 +1,7 @@
 //! Where a picture of penumbras may have jumps and kinks along a straight line: at outlines, and where a shadow begins or ends. Places too many
 //! do no harm.
 
+use super::area;
 use super::quadrature::zeros;
 use crate::geometry::{Intersect, Shape};
 use crate::probe::Silent;
@@ -40,8 +41,7 @@ impl Kinks {
                 }
                 shape @ (Shape::Triangle(_) | Shape::Polygon(_)) => {
                     let all = shape.corners().unwrap_or_default();
-                    let next = all.iter().cycle().skip(1);
-                    edges.extend(all.iter().zip(next).map(|(from, to)| [*from, *to]));
+                    edges.extend(area::edges(&all));
                     corners.extend(all);
                 }
                 shape => ellipses.extend(shape.round().and_then(|round| Ellipse::seen(&scene.camera, &round))),

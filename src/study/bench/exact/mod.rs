@@ -174,13 +174,13 @@ fn drawn(scene: &Scene, object: &Object) -> Option<(Drawn, Outline)> {
 fn crosses_itself(corners: &[[f64; 2]]) -> bool {
     let turn =
         |[x, y]: [f64; 2], [b_x, b_y]: [f64; 2], [c_x, c_y]: [f64; 2]| (b_x - x) * (c_y - y) - (b_y - y) * (c_x - x);
-    let parts = |(a, b), c, d| turn(a, b, c) * turn(a, b, d) <= 0.0;
+    let parts = |[a, b]: [[f64; 2]; 2], c, d| turn(a, b, c) * turn(a, b, d) <= 0.0;
     let edges: Vec<_> = edges(corners).collect();
     let count = edges.len();
     let is_apart = |one: usize, other: usize| other > one + 1 && !(one == 0 && other == count - 1);
     let meet = |one: usize, other: usize| {
-        let ((a, b), (c, d)) = (edges[one], edges[other]);
-        is_apart(one, other) && parts((a, b), c, d) && parts((c, d), a, b)
+        let ([a, b], [c, d]) = (edges[one], edges[other]);
+        is_apart(one, other) && parts([a, b], c, d) && parts([c, d], a, b)
     };
     (0..count).any(|one| (0..count).any(|other| meet(one, other)))
 }

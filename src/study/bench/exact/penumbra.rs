@@ -2,6 +2,7 @@
 //! each pixel with an estimate of the error.
 
 use super::NotExact;
+use super::area::edges;
 use super::kinks::Kinks;
 use super::quadrature::{Estimate, Rule, in_pieces};
 use super::shadow::{Circle, Cone, mean_cosine};
@@ -174,13 +175,13 @@ impl<'a> Penumbra<'a> {
         let along = DVec3::new(-out.y, out.x, 0.0) * (3.0 * self.radius);
         let (near, far) = (center + out * (height / steep), center + out * (height / steep + 4.0 * self.radius));
         let corners = [near + along, near - along, far - along, far + along];
-        Cone::flat(sides(&corners), (near + far) / 2.0)
+        Cone::flat(edges(&corners), (near + far) / 2.0)
     }
 
     fn flat(&self, frame: &Frame, center: DVec3, corners: &[DVec3]) -> Option<Cone> {
         let corners: Vec<_> = corners.iter().map(|corner| frame.of(*corner - frame.point)).collect();
         let mut kept = Vec::new();
-        for [from, to] in sides(&corners) {
+        for [from, to] in edges(&corners) {
             let (a, b) = (center.z - from.z, center.z - to.z);
             if a >= 0.0 {
                 kept.push(from);
@@ -191,7 +192,7 @@ impl<'a> Penumbra<'a> {
         }
         let is_before = kept.iter().any(|corner| corner.z < center.z);
         let middle = kept.iter().sum::<DVec3>() / kept.len() as f64;
-        if is_before && kept.len() > 2 { Cone::flat(sides(&kept), middle) } else { None }
+        if is_before && kept.len() > 2 { Cone::flat(edges(&kept), middle) } else { None }
     }
 
     /// A box: the edges between the faces that are seen and those that aren't.
@@ -267,11 +268,6 @@ fn across(normal: DVec3) -> [DVec3; 2] {
     let first = normal.cross(least_axis(normal));
     let first = first / first.length();
     [first, normal.cross(first)]
-}
-
-fn sides(corners: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + '_ {
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(from, to)| [*from, *to])
 }
 
 /// The only light, with the centre and the radii of its disk.
