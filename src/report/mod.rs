@@ -9,7 +9,6 @@ pub mod contributions;
 pub mod decided;
 pub mod diff;
 pub mod digits;
-mod drawn;
 pub mod escape;
 pub mod evaluate;
 pub mod expression;

@@ -10,7 +10,7 @@ use super::theme::Role;
 use super::understanding;
 use super::update::{Effect, Exit};
 use super::view;
-use super::{address, breakpoints, run};
+use super::{bookmarks, breakpoints, run};
 use crate::report::language::viewer::{Hints, List};
 
 /// What a list is of.
@@ -122,7 +122,7 @@ pub fn listing(model: &Model, kind: Kind) -> Listing {
     match kind {
         Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints.title, &[], breakpoints::entries(model)),
         Kind::Stops => Listing::of(&texts.stops, texts.stops.title, &[0], run::entries(model)),
-        Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks.title, &[], address::entries(model)),
+        Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks.title, &[], bookmarks::entries(model)),
         Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => understanding::listing(model, kind),
     }
 }

@@ -12,6 +12,7 @@ use super::picture::PictureView;
 use super::prompt::Prompt;
 use super::understanding::{self, Understanding};
 use super::update::Effect;
+use crate::log::tree::Place;
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;

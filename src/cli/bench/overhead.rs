@@ -77,9 +77,6 @@ fn text(machine: &Machine, measured: &[Measured]) -> String {
     text
 }
 
-const COLUMNS: &str = "scene,probe,ns_per_pixel,ns_per_pixel_lower_quartile,ns_per_pixel_upper_quartile,\
-    ns_per_ray,ratio,ratio_lower_quartile,ratio_upper_quartile,pairs,events_per_pixel";
-
 fn csv(measured: &[Measured]) -> String {
     let heads = "scene,probe,ns_per_pixel,ns_per_pixel_lower_quartile,ns_per_pixel_upper_quartile,ns_per_ray,ratio,\
         ratio_lower_quartile,ratio_upper_quartile,pairs,events_per_pixel";

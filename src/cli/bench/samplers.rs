@@ -202,10 +202,6 @@ fn told(scene: &Measured, target: f64) -> String {
     }
 }
 
-const COLUMNS: &str = "scene,width,height,reference,reference_error,sampling,samples_per_pixel,rays_per_pixel,\
-    seconds,seconds_lower_quartile,seconds_upper_quartile,cpu_seconds,rmse,rmse_lower_quartile,\
-    rmse_upper_quartile,runs,front,best";
-
 fn csv(measured: &[Measured]) -> String {
     let heads = "scene,width,height,reference,reference_error,sampling,samples_per_pixel,rays_per_pixel,seconds,\
         seconds_lower_quartile,seconds_upper_quartile,cpu_seconds,rmse,rmse_lower_quartile,\

@@ -17,7 +17,6 @@ pub use svg::{svg, svg_of};
 pub use tikz::tikz;
 
 use super::contributions;
-use super::drawn::Drawn;
 use super::language::Language;
 use super::ray_group::RayGroup;
 use super::{Style, words};

@@ -3,7 +3,6 @@
 use super::layout::{LETTER_AT, Spot, spots};
 use super::{End, Figure};
 use crate::log::escape::width;
-use crate::report::drawn::Drawn;
 use crate::report::escape::{self, line};
 use crate::report::ray_group::RayGroup;
 use crate::report::svg::{begin, file, label};
@@ -112,7 +111,6 @@ fn write_legend(out: &mut String, figure: &Figure, top: f64) {
             out,
             "<line x1=\"{x:.1}\" y1=\"{y:.1}\" x2=\"{end:.1}\" y2=\"{y:.1}\" stroke=\"#{color}\" stroke-width=\"3\"{dashes}/>\
              <text x=\"{text:.1}\" y=\"{base:.1}\" text-anchor=\"start\" font-size=\"11\" fill=\"#3b4252\">{kind}</text>",
-            color = drawn.hex(),
             y = top + 8.0,
             end = x + 20.0,
             text = x + 25.0,

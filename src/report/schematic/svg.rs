@@ -2,7 +2,6 @@
 
 use super::Plan;
 use crate::log::RayKind;
-use crate::report::drawn::Drawn;
 use crate::report::escape::line;
 use crate::report::ray_group::RayGroup;
 use crate::report::svg;

@@ -1,7 +1,6 @@
 //! The schematic as a picture of LaTeX's TikZ.
 
 use super::Plan;
-use crate::report::drawn::Drawn;
 use crate::report::escape::{self, line};
 use crate::report::ray_group::RayGroup;
 use std::fmt::Write;

@@ -4,7 +4,6 @@ use super::figures::caption;
 use super::format::{self, Around, Format};
 use super::math::{self, Tex};
 use super::{Kind, Section, Task};
-use crate::report::drawn::Drawn;
 use crate::report::escape;
 use crate::report::ray_group::RayGroup;
 use crate::report::ray_tree::{self, Figure};

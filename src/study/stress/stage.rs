@@ -6,9 +6,7 @@ use super::question::{
 use super::watch::Watch;
 use super::way::Way;
 use crate::geometry::shape::{Ellipsoid, Plane, Sphere, Triangle, TriangleMesh};
-use crate::geometry::{Leaving, Ray, Shape, Surface};
-use crate::log::{Name, RayKind, Step, Value};
-use crate::probe::{Probe, Quantity};
+use crate::geometry::{Intersect, Leaving, Ray, Shape, Surface};
 use crate::scene::{Light, LightKind, Material, Scene, Shadows, Specular, Weights};
 use crate::trace::query::Query;
 use crate::trace::{Hit, closest_hit};
