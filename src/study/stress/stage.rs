@@ -58,7 +58,7 @@ pub(super) fn scene_of(way: &Way, shapes: Vec<Shape>) -> Scene {
             shadows: Shadows::PerSurface,
             skip: Skip::ALL,
         },
-        sampling: Sampling::Center,
+        sampling: Sampling::Center {},
         seed: 0,
         frame: None,
         output: Output { white: 1.0, transfer: Transfer::Linear, exposure: 0.0 },
