@@ -58,7 +58,7 @@ fn scene(text: &str, name: &str) -> Scene {
 }
 
 fn methods() -> Vec<Sampling> {
-    let mut methods = vec![Sampling::Center];
+    let mut methods = vec![Sampling::Center {}];
     for n in [4, 16, 64, 256] {
         let side = f64::from(n).sqrt() as u32;
         methods.extend([Sampling::Regular { n: side }, Sampling::Shared { n: side }]);

@@ -24,9 +24,9 @@ const NARROW: &[(&str, &[&str])] = &[
     ("report", &["report", "log", "probe"]),
     // The viewer shows a log and an image that it is handed; it computes no geometry.
     ("tui", &["tui", "log", "report"]),
-    // The scene file is the numbers as they are written, whatever becomes of them. Those of a mesh file are the mesh.
+    // The scene file is the numbers and words as they are written, whatever becomes of them. Those of a mesh file are the mesh.
     // What is shown of either is escaped as in logs.
-    ("scene/file", &["scene/file", "geometry/mesh", "log/escape"]),
+    ("scene/file", &["scene/file", "geometry/mesh", "geometry/shape/SphereMethod", "log/escape"]),
 ];
 
 /// Where input and output happen.

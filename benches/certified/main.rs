@@ -7,9 +7,10 @@
 //! cargo bench --bench certified
 //! ```
 
+use raywalk::geometry::shape::SphereMethod;
 use raywalk::probe::{Probe, Silent};
 use raywalk::sampling;
-use raywalk::scene::file::schema::SphereMethod;
+
 use raywalk::scene::file::{self, Source, mesh};
 use raywalk::scene::{Sampling, Scene, build, builtin, generate};
 use std::hint::black_box;
@@ -78,7 +79,7 @@ impl Contest {
             let meshes = mesh::load(&file, &source, mesh::Folder::BuiltIn(builtin::mesh));
             let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));
             let scene = build(&file, &meshes).unwrap_or_else(|unsupported| panic!("{unsupported}"));
-            Scene { sampling: Sampling::Center, ..scene }
+            Scene { sampling: Sampling::Center {}, ..scene }
         };
         Contest { scene: scene(SphereMethod::Robust), geometric: scene(SphereMethod::Geometric) }
     }

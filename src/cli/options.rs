@@ -1,19 +1,20 @@
 //! The options that every tracing command has. They override what the scene says.
 
 use super::failure::Failure;
-use super::sampling_spec::sampling;
+use super::sampling_spec::{sampling, sampling_help};
 use super::scene_argument::Loaded;
 use super::shown::ShownOptions;
 use clap::{Args, ValueEnum};
+use raywalk::geometry::shape::SphereMethod;
 use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;
 use raywalk::report::language::Language;
 use raywalk::scene::builtin;
 use raywalk::scene::file::nff::{Angle, Import};
-use raywalk::scene::file::schema::{Algorithm, Formulas, Sampling, SceneFile, SpecularForm, SphereMethod};
+use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_PIXELS, MAX_SIDE};
 use raywalk::scene::file::{self, suggest};
-use raywalk::scene::{self, Index, Scene, Skip, build_with};
+use raywalk::scene::{Algorithm, Formulas, Index, Sampling, Scene, Skip, Specular, build_with};
 use std::io::{self, IsTerminal};
 
 /// The most threads.
@@ -61,28 +62,22 @@ pub struct TracingOptions {
     /// By hand (decimal:N), round the products of every dot product too before they are added
     #[arg(long)]
     pub round_products: bool,
-    /// Which formulas: robust (which keep their digits) or notes (those that the notes print, with every new direction normalised); without
-    /// it what the scene says, else notes by hand (decimal:N, printed) and robust in any other arithmetic
-    #[arg(long, value_name = "NAME", value_parser = formulas)]
+    /// Which formulas; without it what the scene says, else notes by hand (decimal:N, printed) and robust in any other arithmetic
+    #[arg(long, value_enum, value_name = "NAME")]
     pub formulas: Option<Formulas>,
-    /// Which specular term: half_vector, reflection_vector or half_vector_compensated (with four times the exponent)
-    #[arg(long, value_name = "NAME", value_parser = specular)]
-    pub specular: Option<SpecularForm>,
-    /// How spheres are intersected: robust or geometric (as the notes do it); without it what the scene says, else as the formulas are
-    #[arg(long, value_name = "NAME", value_parser = sphere_method)]
+    /// Which specular term
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub specular: Option<Specular>,
+    /// How spheres are intersected; without it what the scene says, else as the formulas are
+    #[arg(long, value_enum, value_name = "NAME")]
     pub sphere_method: Option<SphereMethod>,
-    /// Which pseudocode: recursive, whitted or foley
-    #[arg(long, value_name = "NAME", value_parser = algorithm)]
+    /// Which pseudocode
+    #[arg(long, value_enum, value_name = "NAME")]
     pub algorithm: Option<Algorithm>,
     /// The depth limit of the algorithm
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_DEPTH)))]
     pub max_depth: Option<u32>,
-    /// Which rays make a pixel: none (one through its centre), regular:N (N x N cell centres), shared:N (the corners of
-    /// N x N cells, which neighbours share), adaptive:threshold=T,depth=D (cells cut where corners differ by more than
-    /// T of white), stochastic:N (N jittered), random:N, sobol:N,
-    /// statistical:confidence=C,tolerance=T,min=M,max=N (until the mean is within T of white), or
-    /// guided:tolerance=T,min=M,max=N (as many as the first M, here and in the pixels around, ask for)
-    #[arg(long, value_name = "SPEC", value_parser = sampling)]
+    #[arg(long, value_name = "SPEC", value_parser = sampling, help = sampling_help())]
     pub sampling: Option<Sampling>,
     /// Which random numbers samples draw; another seed gives other noise
     #[arg(long, value_name = "N", value_parser = seed, allow_hyphen_values = true)]
@@ -123,27 +118,13 @@ pub enum PixelGrid {
 pub struct NffOptions {
     /// What the angle of an NFF view lies between: the centres of the first and last pixel, or the picture's edges
     #[arg(long, value_enum, value_name = "PLACE", default_value = "centers")]
-    pub nff_angle: NffAngle,
-}
-
-/// What the angle of an NFF view lies between.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum NffAngle {
-    /// The centres of the first and last pixel.
-    #[default]
-    Centers,
-    /// The picture's edges.
-    Edges,
+    pub nff_angle: Angle,
 }
 
 impl NffOptions {
     /// How files of another format are read.
     pub fn import(self) -> Import {
-        let angle = match self.nff_angle {
-            NffAngle::Centers => Angle::Centers,
-            NffAngle::Edges => Angle::Edges,
-        };
-        Import { angle, resolution: None }
+        Import { angle: self.nff_angle, resolution: None }
     }
 }
 
@@ -207,7 +188,7 @@ impl TracingOptions {
             let message = format!("--round-products: only by hand, with --arithmetic decimal:N, found `{found}`");
             return Err(Failure::caller(message));
         }
-        self.shown.apply(&mut file.output);
+        file.output = self.shown.over(file.output);
         if self.arithmetic == Arithmetic::Printed && !is_the_numeric_example(&file) {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }
@@ -231,14 +212,14 @@ pub fn warning_of_sampling(scene: &Scene) -> Option<String> {
 /// The effects with which the scene's sampling is biased, if it is.
 pub fn biased_effects(scene: &Scene) -> Option<String> {
     let effects = scene.effects.names();
-    let is_biased = matches!(scene.sampling, scene::Sampling::Adaptive { .. }) && !effects.is_empty();
+    let is_biased = matches!(scene.sampling, Sampling::Adaptive { .. }) && !effects.is_empty();
     is_biased.then(|| effects.join(", "))
 }
 
 /// `none` becomes `shared:1`; other samplings have their own places.
 fn through_corners(sampling: Sampling) -> Result<Sampling, Failure> {
     match sampling {
-        Sampling::None {} => Ok(Sampling::Shared { n: 1 }),
+        Sampling::Center {} => Ok(Sampling::Shared { n: 1 }),
         _ => {
             let found = sampling.key();
             Err(Failure::caller(format!("--pixel-grid corners: only with the sampling `none`, found `{found}`")))
@@ -306,36 +287,6 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
 
 fn seed(text: &str) -> Result<u64, String> {
     text.parse().map_err(|_| format!("expected a whole number from 0 to {}, found `{text}`", u64::MAX))
-}
-
-fn algorithm(text: &str) -> Result<Algorithm, String> {
-    let words = [("recursive", Algorithm::Recursive), ("whitted", Algorithm::Whitted), ("foley", Algorithm::Foley)];
-    one_of("algorithm", text, &words)
-}
-
-fn formulas(text: &str) -> Result<Formulas, String> {
-    one_of("set of formulas", text, &[("robust", Formulas::Robust), ("notes", Formulas::Notes)])
-}
-
-fn specular(text: &str) -> Result<SpecularForm, String> {
-    let words = [
-        ("half_vector", SpecularForm::HalfVector),
-        ("reflection_vector", SpecularForm::ReflectionVector),
-        ("half_vector_compensated", SpecularForm::HalfVectorCompensated),
-    ];
-    one_of("specular term", text, &words)
-}
-
-fn sphere_method(text: &str) -> Result<SphereMethod, String> {
-    one_of("sphere method", text, &[("robust", SphereMethod::Robust), ("geometric", SphereMethod::Geometric)])
-}
-
-fn one_of<T: Copy>(what: &str, text: &str, words: &[(&str, T)]) -> Result<T, String> {
-    let found = words.iter().find(|(word, _)| *word == text);
-    found.map(|(_, value)| *value).ok_or_else(|| {
-        let known: Vec<_> = words.iter().map(|(word, _)| *word).collect();
-        unknown(what, text, &known)
-    })
 }
 
 fn skip(text: &str) -> Result<Skip, String> {

@@ -162,7 +162,7 @@ fn of_clipped(clipped: &Clipped, all: u64) -> Option<String> {
 
 /// Digits as numbers where the format has numbers, else in false colours, whatever white the scene has.
 fn encode_digits(digits: &Film, format: Format) -> Result<Encoded, EncodeError> {
-    let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
+    let plain = scene::Output::default();
     match format.highest() {
         None => export::encode(digits, format, &plain),
         Some(_) => export::encode(&false_colors(digits), format, &plain),

@@ -1,21 +1,17 @@
-//! `--sampling SPEC`: a method of sampling in one word, `sobol:64` or `adaptive:threshold=0.1,depth=3`.
+//! `--sampling SPEC`: a method of sampling in one word, `sobol:64` or `adaptive:threshold=0.1,depth=3`. The methods and their forms are those
+//! of [`FORMS`].
 
 use super::options::unknown;
-use raywalk::scene::file::schema::Sampling;
+use raywalk::scene::Sampling;
+use raywalk::scene::file::schema::FORMS;
 use raywalk::scene::file::validate;
+use serde_json::{Map, Value, json};
 
-/// How the methods are written.
-const FORMS: &[(&str, &str)] = &[
-    ("none", "none"),
-    ("regular", "regular:N"),
-    ("shared", "shared:N"),
-    ("adaptive", "adaptive:threshold=T,depth=D"),
-    ("stochastic", "stochastic:N"),
-    ("random", "random:N"),
-    ("sobol", "sobol:N"),
-    ("statistical", "statistical:confidence=C,tolerance=T,min=M,max=N"),
-    ("guided", "guided:tolerance=T,min=M,max=N"),
-];
+/// What `--sampling` does.
+pub fn sampling_help() -> String {
+    let forms: Vec<_> = FORMS.iter().map(|(form, what)| format!("{form} ({what})")).collect();
+    format!("Which rays make a pixel: {}", forms.join(", "))
+}
 
 /// Reads a method; the error says what was expected.
 pub fn sampling(text: &str) -> Result<Sampling, String> {
@@ -25,96 +21,70 @@ pub fn sampling(text: &str) -> Result<Sampling, String> {
 /// The same where other words are allowed instead, which the caller reads and the error names, too.
 pub fn sampling_or(others: &[&str], text: &str) -> Result<Sampling, String> {
     let (method, parameters) = text.split_once(':').map_or((text, None), |(method, rest)| (method, Some(rest)));
-    let Some((_, form)) = FORMS.iter().find(|(word, _)| *word == method) else {
-        let methods: Vec<_> = others.iter().copied().chain(FORMS.iter().map(|(word, _)| *word)).collect();
+    let mut forms = FORMS.iter().map(|(form, _)| *form);
+    let Some(form) = forms.clone().find(|form| word(form) == method) else {
+        let methods: Vec<_> = others.iter().copied().chain(forms.by_ref().map(word)).collect();
         return Err(unknown("sampling", method, &methods));
     };
-    let parameters = Parameters { form, text: parameters };
-    let sampling = match method {
-        "none" => parameters.none().map(|()| Sampling::None {})?,
-        "regular" => Sampling::Regular { n: parameters.count()? },
-        "shared" => Sampling::Shared { n: parameters.count()? },
-        "stochastic" => Sampling::Stochastic { n: parameters.count()? },
-        "random" => Sampling::Random { n: parameters.count()? },
-        "sobol" => Sampling::Sobol { n: parameters.count()? },
-        "adaptive" => {
-            let [threshold, depth] = parameters.named(["threshold", "depth"])?;
-            Sampling::Adaptive { threshold: number("threshold", threshold)?, depth: whole("depth", depth)? }
+    // A scene file has the same parameters.
+    let keys = match (form.strip_prefix(method).and_then(|rest| rest.strip_prefix(':')), parameters) {
+        (None, None) => Map::new(),
+        (None, Some(found)) => return Err(format!("expected `{form}` alone, found `:{found}`")),
+        (Some("N"), found) => {
+            let found = found.ok_or_else(|| format!("expected {form} with a number N"))?;
+            let n = value("N", "N", found);
+            let n = n.map_err(|_| format!("expected {form} with a whole number N, found `{found}`"))?;
+            Map::from_iter([("n".to_owned(), n)])
         }
-        "guided" => {
-            let [tolerance, min, max] = parameters.named(["tolerance", "min", "max"])?;
-            Sampling::Guided {
-                tolerance: number("tolerance", tolerance)?,
-                min: whole("min", min)?,
-                max: whole("max", max)?,
-            }
-        }
-        _ => {
-            let [confidence, tolerance, min, max] = parameters.named(["confidence", "tolerance", "min", "max"])?;
-            Sampling::Statistical {
-                confidence: number("confidence", confidence)?,
-                tolerance: number("tolerance", tolerance)?,
-                min: whole("min", min)?,
-                max: whole("max", max)?,
-            }
-        }
+        (Some(named), found) => self::named(form, named, found.unwrap_or_default())?,
     };
+    let sampling: Sampling = serde_json::from_value(json!({method: keys})).map_err(|error| error.to_string())?;
     match validate::sampling(&sampling).into_iter().next() {
         None => Ok(sampling),
         Some(problem) => Err(format!("{}: {}", problem.path, problem.message)),
     }
 }
 
-/// What follows the method.
-struct Parameters<'t> {
-    form: &'static str,
-    text: Option<&'t str>,
+fn word(form: &str) -> &str {
+    form.split(':').next().unwrap_or(form)
 }
 
-impl<'t> Parameters<'t> {
-    fn none(&self) -> Result<(), String> {
-        self.text.map_or(Ok(()), |found| Err(format!("expected `{}` alone, found `:{found}`", self.form)))
-    }
-
-    fn count(&self) -> Result<u64, String> {
-        let text = self.text.ok_or_else(|| format!("expected {} with a number N", self.form))?;
-        whole("N", text).map_err(|_| format!("expected {} with a whole number N, found `{text}`", self.form))
-    }
-
-    /// The values of these names, each given once in any order.
-    fn named<const N: usize>(&self, names: [&str; N]) -> Result<[&'t str; N], String> {
-        let mut values = [None; N];
-        for part in self.text.unwrap_or_default().split(',').filter(|part| !part.is_empty()) {
-            let Some((name, value)) = part.split_once('=') else {
-                return Err(format!("expected {}, found `{part}` without a value", self.form));
-            };
-            let Some(index) = names.iter().position(|known| *known == name) else {
-                return Err(unknown("parameter", name, &names));
-            };
-            if values[index].replace(value).is_some() {
-                return Err(format!("`{name}` occurs twice, expected {}", self.form));
-            }
+/// The values of these parameters, `threshold=T,depth=D`, each given once in any order.
+fn named(form: &str, named: &str, text: &str) -> Result<Map<String, Value>, String> {
+    let known: Vec<(&str, &str)> = named.split(',').filter_map(|one| one.split_once('=')).collect();
+    let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+    let mut values = Map::new();
+    for part in text.split(',').filter(|part| !part.is_empty()) {
+        let Some((name, given)) = part.split_once('=') else {
+            return Err(format!("expected {form}, found `{part}` without a value"));
+        };
+        let Some((_, letter)) = known.iter().find(|(known, _)| *known == name) else {
+            return Err(unknown("parameter", name, &names));
+        };
+        if values.insert(name.to_owned(), value(name, letter, given)?).is_some() {
+            return Err(format!("`{name}` occurs twice, expected {form}"));
         }
-        let mut found = [""; N];
-        for ((found, value), name) in found.iter_mut().zip(values).zip(names) {
-            *found = value.ok_or_else(|| format!("`{name}` is missing, expected {}", self.form))?;
-        }
-        Ok(found)
+    }
+    match names.iter().find(|name| !values.contains_key(**name)) {
+        None => Ok(values),
+        Some(missing) => Err(format!("`{missing}` is missing, expected {form}")),
     }
 }
 
-fn number(name: &str, text: &str) -> Result<f64, String> {
-    let number = text.parse().ok().filter(|x: &f64| x.is_finite());
-    number.ok_or_else(|| format!("{name}: expected a number, found `{text}`"))
-}
-
-fn whole<T: std::str::FromStr>(name: &str, text: &str) -> Result<T, String> {
-    text.parse().map_err(|_| format!("{name}: expected a whole number, found `{text}`"))
+/// A value for the letter of a form: C and T stand for any numbers, the others for whole ones.
+fn value(name: &str, letter: &str, text: &str) -> Result<Value, String> {
+    if matches!(letter, "C" | "T") {
+        let number = text.parse().ok().filter(|x: &f64| x.is_finite());
+        return number.map(Value::from).ok_or_else(|| format!("{name}: expected a number, found `{text}`"));
+    }
+    let whole = text.parse::<u32>().map(Value::from);
+    whole.map_err(|_| format!("{name}: expected a whole number, found `{text}`"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use raywalk::scene::{Guided, Statistical};
 
     #[track_caller]
     fn reads(text: &str, expected: Sampling) {
@@ -128,16 +98,16 @@ mod tests {
 
     #[test]
     fn every_method_is_read() {
-        reads("none", Sampling::None {});
+        reads("none", Sampling::Center {});
         reads("regular:3", Sampling::Regular { n: 3 });
         reads("shared:1", Sampling::Shared { n: 1 });
         reads("stochastic:7", Sampling::Stochastic { n: 7 });
         reads("random:1048576", Sampling::Random { n: 1 << 20 });
         reads("sobol:64", Sampling::Sobol { n: 64 });
         reads("adaptive:depth=3,threshold=0.1", Sampling::Adaptive { threshold: 0.1, depth: 3 });
-        let statistical = Sampling::Statistical { confidence: 0.95, tolerance: 0.05, min: 8, max: 4096 };
+        let statistical = Sampling::Statistical(Statistical { confidence: 0.95, tolerance: 0.05, min: 8, max: 4096 });
         reads("statistical:confidence=0.95,tolerance=0.05,min=8,max=4096", statistical);
-        reads("guided:tolerance=0.02,min=4,max=64", Sampling::Guided { tolerance: 0.02, min: 4, max: 64 });
+        reads("guided:tolerance=0.02,min=4,max=64", Sampling::Guided(Guided { tolerance: 0.02, min: 4, max: 64 }));
     }
 
     #[test]

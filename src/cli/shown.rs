@@ -1,9 +1,8 @@
 //! The options that say how values are shown in a picture's integer formats. They override what the scene says.
 
-use clap::{Args, ValueEnum};
-use raywalk::scene;
-use raywalk::scene::file::schema::{self, Transfer};
+use clap::Args;
 use raywalk::scene::file::validate::limits::MAX_EXPOSURE;
+use raywalk::scene::{Output, Transfer};
 
 /// How values become the numbers of a picture.
 #[derive(Args, Debug, Default, Clone, Copy, PartialEq)]
@@ -18,40 +17,16 @@ pub struct ShownOptions {
     pub white: Option<f64>,
     /// The curve from value to level
     #[arg(long, value_enum, value_name = "CURVE")]
-    pub transfer: Option<TransferChoice>,
-}
-
-/// The curve from value to level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum TransferChoice {
-    /// In proportion.
-    Linear,
-    /// The sRGB curve.
-    Srgb,
+    pub transfer: Option<Transfer>,
 }
 
 impl ShownOptions {
-    /// Puts them into a scene.
-    pub fn apply(&self, output: &mut schema::Output) {
-        output.exposure = self.exposure.unwrap_or(output.exposure);
-        output.white = self.white.unwrap_or(output.white);
-        output.transfer = match self.transfer {
-            Some(TransferChoice::Linear) => Transfer::Linear,
-            Some(TransferChoice::Srgb) => Transfer::Srgb,
-            None => output.transfer,
-        };
-    }
-
-    /// What a scene that is built says, with them.
-    pub fn over(&self, output: scene::Output) -> scene::Output {
-        scene::Output {
+    /// What a scene says, with them.
+    pub fn over(&self, output: Output) -> Output {
+        Output {
             exposure: self.exposure.unwrap_or(output.exposure),
             white: self.white.unwrap_or(output.white),
-            transfer: match self.transfer {
-                Some(TransferChoice::Linear) => scene::Transfer::Linear,
-                Some(TransferChoice::Srgb) => scene::Transfer::Srgb,
-                None => output.transfer,
-            },
+            transfer: self.transfer.unwrap_or(output.transfer),
         }
     }
 

@@ -11,7 +11,8 @@ use crate::log::header::{FORMAT, SceneId, TracingId};
 use crate::log::{Events, Header, Log, Parameter, SkipReason, Subject};
 use crate::probe::{CutOff, Outlet, Probe, Recorder, until_cut_off};
 use crate::sampling;
-use crate::scene::{Algorithm, Color, Formulas, ReflectedScale, Sampling, Scene, Skip, ray_along};
+use crate::scene::file::schema::word;
+use crate::scene::{Color, Formulas, ReflectedScale, Sampling, Scene, Skip, ray_along};
 use crate::trace::camera_ray;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -96,17 +97,12 @@ pub fn header(scene: &Scene, subject: Subject, arithmetic: Arithmetic) -> Header
         subject,
         arithmetic: arithmetic.to_string(),
         tracing: TracingId {
-            algorithm: match tracing.algorithm {
-                Algorithm::Recursive => "recursive",
-                Algorithm::Whitted => "whitted",
-                Algorithm::Foley => "foley",
-            }
-            .to_owned(),
+            algorithm: word(tracing.algorithm),
             max_depth: tracing.max_depth,
-            specular: tracing.specular.word().to_owned(),
-            formulas: (tracing.formulas != Formulas::Robust).then(|| tracing.formulas.word().to_owned()),
-            sphere_method: tracing.sphere_method.word().to_owned(),
-            reflected_scale: (tracing.reflected_scale != ReflectedScale::Weight).then(|| "specular".to_owned()),
+            specular: word(tracing.specular),
+            formulas: (tracing.formulas != Formulas::Robust).then(|| word(tracing.formulas)),
+            sphere_method: word(tracing.sphere_method),
+            reflected_scale: (tracing.reflected_scale != ReflectedScale::Weight).then(|| word(tracing.reflected_scale)),
             round_products: arithmetic.rounds_products(),
             cutoff: tracing.cutoff,
             two_sided: tracing.two_sided,
@@ -133,8 +129,9 @@ fn skip_id(skip: Skip) -> Option<String> {
 }
 
 fn sampling_id(sampling: Sampling) -> BTreeMap<String, BTreeMap<String, Parameter>> {
-    let parameters = sampling.parameters().into_iter().map(|(name, value)| (name.to_owned(), value));
-    BTreeMap::from([(sampling.word().to_owned(), parameters.collect())])
+    let (key, parameters) = sampling.parts();
+    let parameters = parameters.into_iter().map(|(name, value)| (name.to_owned(), Parameter(value)));
+    BTreeMap::from([(key.to_owned(), parameters.collect())])
 }
 
 /// The computation of a pixel.

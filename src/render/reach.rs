@@ -38,7 +38,7 @@ pub struct Reach {
 
 /// Traces a coarse picture and sees which lights have a part in it. Ends as soon as all have.
 pub fn reach(mut scene: Scene) -> Reach {
-    scene.sampling = Sampling::Center;
+    scene.sampling = Sampling::Center {};
     scene.tracing.max_depth = scene.tracing.max_depth.min(BOUNCES);
     let none = vec![false; scene.lights.len()];
     let mut probe = Lit {

@@ -24,7 +24,7 @@ use place::ray_through;
 /// The colour of a pixel, by column and row from the top left: its mean over the pixel's own square.
 pub fn pixel<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
     match scene.sampling {
-        Sampling::Center => through_center(scene, pixel, probe),
+        Sampling::Center {} => through_center(scene, pixel, probe),
         _ => mean_of_samples(scene, pixel, probe),
     }
 }
@@ -34,7 +34,7 @@ pub fn pixel<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
 #[inline(never)]
 fn mean_of_samples<P: Probe>(scene: &Scene, pixel: [u32; 2], probe: &mut P) -> Color {
     match scene.sampling {
-        Sampling::Center => through_center(scene, pixel, probe),
+        Sampling::Center {} => through_center(scene, pixel, probe),
         Sampling::Regular { n } => regular::pixel(scene, n, pixel, probe),
         Sampling::Shared { n } => shared::pixel(scene, n, pixel, probe),
         Sampling::Adaptive { threshold, depth } => adaptive::pixel(scene, threshold, depth, pixel, probe),

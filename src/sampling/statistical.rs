@@ -24,9 +24,6 @@ use crate::scene::file::validate::limits::MIN_STATISTICAL;
 use crate::scene::{Color, Scene, Statistical};
 use crate::trace::Seen;
 
-/// The fewest samples of which a variance is estimated.
-const FEWEST: u32 = MIN_STATISTICAL as u32;
-
 /// A sample that was taken: where in the pixel, and its colour.
 struct Taken {
     place: [f64; 2],
@@ -37,7 +34,7 @@ struct Taken {
 pub fn pixel<P: Probe>(scene: &Scene, wanted: Statistical, pixel: [u32; 2], probe: &mut P) -> Color {
     let mut taken = Vec::new();
     let mut sum = Sum::ZERO;
-    let mut until = wanted.min.max(FEWEST).next_power_of_two();
+    let mut until = wanted.min.max(MIN_STATISTICAL).next_power_of_two();
     let mut draws_more = scene.effects.of_the_eye();
     loop {
         let numbers = taken.len() as u32..until.min(wanted.max);

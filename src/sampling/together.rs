@@ -16,7 +16,7 @@ use std::ops::Range;
 /// How many samples each pixel has, where they are so few that those of several are traced together, and that saves time.
 pub fn few_samples(scene: &Scene) -> Option<u32> {
     let count = match scene.sampling {
-        Sampling::Center => 1,
+        Sampling::Center {} => 1,
         Sampling::Regular { n } => n.saturating_mul(n),
         Sampling::Stochastic { n } | Sampling::Random { n } | Sampling::Sobol { n } => n,
         Sampling::Shared { .. } | Sampling::Adaptive { .. } | Sampling::Statistical(_) | Sampling::Guided(_) => {
@@ -35,7 +35,7 @@ pub(super) fn pays(scene: &Scene, count: u32) -> bool {
 pub fn row(scene: &Scene, row: u32, columns: Range<u32>, count: u32, colors: &mut Vec<Color>) {
     let (mut sum, mut seen_so_far) = (Sum::ZERO, 0);
     let take = |seen: Seen| {
-        if scene.sampling == Sampling::Center {
+        if matches!(scene.sampling, Sampling::Center {}) {
             return colors.push(seen.color);
         }
         sum.add(seen.color);
@@ -99,7 +99,7 @@ mod tests {
     fn pixels_of_a_row_get_the_bits_that_they_get_alone() {
         let mut scene = Scene::built_in("mesh").expect("a scene with a mesh");
         let samplings = [
-            Sampling::Center,
+            Sampling::Center {},
             Sampling::Regular { n: 1 },
             Sampling::Regular { n: 2 },
             Sampling::Stochastic { n: 2 },

@@ -1,6 +1,6 @@
 //! Area lights that are asked only as much as they must: the rules by which the mean of one in full view is taken.
 
-use super::light_surface::{LightSurface, Spread};
+use super::light_surface::{By, LightSurface};
 use std::f64::consts::{PI, TAU};
 
 /// How a light is asked for as many of its points as it takes.
@@ -57,7 +57,7 @@ const SHARPEST: [[f64; 2]; 2] = [[0.25, 1.0], [0.0625, 0.25]];
 
 impl Adaptive {
     /// For a light of which this many points are asked at least.
-    pub fn new(surface: &LightSurface, by: Spread, least: u32) -> Adaptive {
+    pub fn new(surface: &LightSurface, by: By, least: u32) -> Adaptive {
         Adaptive { least, rules: ORDERS.map(|order| Rule::new(surface, by, order)).collect() }
     }
 
@@ -78,7 +78,7 @@ impl Rule {
     /// The rule of an order: on a rectangle Gauss and Legendre's along both sides; on a disk rings, by a rule in the square of the radius; on a
     /// sphere circles, by a rule in the height. Of the orders that are used most those with the fewest points: seven of Radon's ("Zur
     /// mechanischen Kubatur", 1948), the corners of an octahedron and of an icosahedron.
-    pub fn new(surface: &LightSurface, by: Spread, order: u32) -> Rule {
+    pub fn new(surface: &LightSurface, by: By, order: u32) -> Rule {
         let points = match surface {
             LightSurface::Rectangle { .. } if order == 3 => radon(),
             LightSurface::Rectangle { .. } => {
@@ -100,9 +100,9 @@ impl Rule {
             LightSurface::Sphere { .. } => {
                 let in_square = |[height, turn, weight]: [f64; 3]| RulePoint { at: [turn, height], weight };
                 let circles = match by {
-                    Spread::Area => parallels(order),
+                    By::Area => parallels(order),
                     // The cap that is seen is round, too: its middle is at the height 0, and its rim at 1.
-                    Spread::SolidAngle => rings(order),
+                    By::SolidAngle => rings(order),
                 };
                 circles.into_iter().map(in_square).collect()
             }
@@ -206,7 +206,7 @@ mod tests {
     fn rules_are_exact_for_polynomials() {
         for surface in SURFACES {
             for order in ORDERS {
-                let rule = Rule::new(&surface, Spread::Area, order);
+                let rule = Rule::new(&surface, By::Area, order);
                 for (a, b) in (0..2 * order as i32).flat_map(|a| (0..2 * order as i32 - a).map(move |b| (a, b))) {
                     let of = |point: &RulePoint| {
                         let [x, y] = match surface {
@@ -243,7 +243,7 @@ mod tests {
     fn a_rule_has_no_fewer_points_than_are_asked_at_least() {
         let sight = Sight { spread: 0.01, fades: false, sharpness: 0.0 };
         let order = |least: u32, sight| {
-            let adaptive = Adaptive::new(&SURFACES[0], Spread::Area, least);
+            let adaptive = Adaptive::new(&SURFACES[0], By::Area, least);
             adaptive.rule(&SURFACES[0], sight).map(|rule| rule.order)
         };
         assert_eq!(

@@ -1,7 +1,7 @@
 //! Lights with a surface, and points on them.
 
 use super::adaptive_light::Adaptive;
-use super::light_surface::{LightSurface, Spread};
+use super::light_surface::{By, LightSurface};
 use super::profile::CosineProfile;
 use super::solid_angle::{self, Seen};
 use crate::geometry::Bounds;
@@ -22,7 +22,7 @@ pub struct AreaLight {
     /// How many points of it each surface point asks, at most if it is adaptive.
     pub samples: u32,
     /// What its mean is taken by.
-    pub by: Spread,
+    pub by: By,
     /// How it is asked for no more points than it takes; `None` where all are asked.
     pub adaptive: Option<Adaptive>,
 }
@@ -45,7 +45,7 @@ impl AreaLight {
     // A call would cost a picture of penumbras 7 % more instructions.
     #[inline(always)]
     pub fn point<P: Probe>(&self, square: [f64; 2], from: DVec3, probe: &mut P) -> (DVec3, Option<f64>) {
-        let seen = if self.by == Spread::SolidAngle { self.seen_point(square, from, probe) } else { None };
+        let seen = if self.by == By::SolidAngle { self.seen_point(square, from, probe) } else { None };
         seen.unwrap_or_else(|| (self.point_by_area(square, probe), None))
     }
 
@@ -87,7 +87,7 @@ impl AreaLight {
     /// The largest weight of a shadow ray: 1 where all have the same.
     pub fn largest_weight(&self) -> f64 {
         match (&self.profile, self.by) {
-            (Some(profile), Spread::SolidAngle) => 1.0 / profile.mean(),
+            (Some(profile), By::SolidAngle) => 1.0 / profile.mean(),
             _ => 1.0,
         }
     }
@@ -184,7 +184,7 @@ mod tests {
                 1 => LightSurface::disk(vector(0), vector(3), number(6)),
                 _ => LightSurface::Sphere { center: vector(0), radius: number(6) },
             };
-            let light = AreaLight { surface, profile: None, samples: 1, by: Spread::Area, adaptive: None };
+            let light = AreaLight { surface, profile: None, samples: 1, by: By::Area, adaptive: None };
             let (Bounds { min, max }, (center, radius)) = (light.bounds(), light.ball());
             for at in 0..20 {
                 let square = [0, 1].map(|axis| unit(hash(hash(k, at), axis)));

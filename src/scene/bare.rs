@@ -1,7 +1,7 @@
 //! Scenes of shapes alone, for ray queries.
 
 use super::file::schema as file;
-use super::{AroundEye, Camera, Ceilings, Color, Effects, Formulas, Index, Object, Sampling, Scene, build};
+use super::{AroundEye, Camera, Ceilings, Color, Effects, Formulas, Index, Object, Output, Sampling, Scene, build};
 use crate::geometry::Shape;
 use crate::threads::share;
 use compact_str::CompactString;
@@ -39,10 +39,10 @@ impl Scene {
             objects,
             tracing: build::tracing(&file::Tracing::default(), Formulas::Robust),
             ceilings: Ceilings::default(),
-            sampling: Sampling::Center,
+            sampling: Sampling::default(),
             seed: 0,
             frame: None,
-            output: build::output(&file::Output::default()),
+            output: Output::default(),
         }
     }
 }

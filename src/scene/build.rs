@@ -3,13 +3,11 @@
 use super::file::converted::converted;
 use super::file::mesh::Meshes;
 use super::file::schema as file;
-use super::light_surface::Spread;
 use super::profile::CosineProfile;
 use super::unsupported::{self, Unsupported};
 use super::{
-    Adaptive, Algorithm, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Formulas, Guided, Index,
-    Lens, Light, LightKind, LightSurface, Material, Object, Output, ReflectedScale, Sampling, Scene, Shadows, Skip,
-    Specular, Statistical, Tracing, Transfer, Weights,
+    Adaptive, AreaLight, AroundEye, Camera, Ceilings, Checker, Color, Effects, Formulas, Index, Light, LightKind,
+    LightSurface, Material, Object, Scene, Shadows, Skip, Tracing, Weights,
 };
 use crate::geometry::Shape;
 use crate::geometry::mesh::Mesh;
@@ -79,10 +77,10 @@ pub fn build_with(scene: file::SceneFile, meshes: &Meshes, implied: Formulas) ->
         materials,
         tracing,
         ceilings: Ceilings::default(),
-        sampling: scene.sampling.into(),
+        sampling: scene.sampling,
         seed: scene.seed,
         frame: None,
-        output: output(&scene.output),
+        output: scene.output,
     };
     // What a cutoff may lose is only asked where there is one.
     let ceilings = if built.tracing.cutoff > 0.0 { Ceilings::of(&built) } else { Ceilings::default() };
@@ -127,7 +125,7 @@ fn camera(camera: &file::Camera, moves: bool) -> Camera {
     let resolution = camera.resolution;
     let mut built = Camera::new(camera.position.into(), direction, camera.up.into(), camera.vertical_fov, resolution);
     built.shutter = moves.then_some(camera.shutter);
-    built.lens = camera.lens.map(|file::Lens { radius, focus_distance }| Lens { radius, focus_distance });
+    built.lens = camera.lens;
     built
 }
 
@@ -158,22 +156,13 @@ fn area(surface: LightSurface, light: &file::Light) -> LightKind {
         file::Profile::CosinePower(power) if power > 0.0 => Some(CosineProfile::new(power)),
         _ => None,
     };
-    let by = match light.by {
-        file::By::Area => Spread::Area,
-        file::By::SolidAngle => Spread::SolidAngle,
-    };
     let (samples, adaptive) = match light.samples {
-        file::LightSamples::Count(samples) => (count(samples), None),
+        file::LightSamples::Count(samples) => (samples, None),
         file::LightSamples::Range(file::SampleRange { min, max }) => {
-            (count(max), Some(Adaptive::new(&surface, by, count(min))))
+            (max, Some(Adaptive::new(&surface, light.by, min)))
         }
     };
-    LightKind::Area(Box::new(AreaLight { surface, profile, samples, by, adaptive }))
-}
-
-/// The limits of counts keep them far below 2³².
-fn count(n: u64) -> u32 {
-    u32::try_from(n).unwrap_or(u32::MAX)
+    LightKind::Area(Box::new(AreaLight { surface, profile, samples, by: light.by, adaptive }))
 }
 
 pub(super) fn material(material: &file::Material) -> Material {
@@ -192,7 +181,7 @@ pub(super) fn material(material: &file::Material) -> Material {
         },
         gloss_exponent: material.gloss_exponent,
         translucency_exponent: material.translucency_exponent,
-        zones: next_square(count(material.samples)),
+        zones: next_square(material.samples),
         pattern: material.pattern.as_deref().map(|file::Pattern::Checker(checker)| {
             Box::new(Checker { a: color(checker.a), b: color(checker.b), size: checker.size })
         }),
@@ -255,63 +244,21 @@ fn shape(
 }
 
 pub(super) fn tracing(tracing: &file::Tracing, implied: Formulas) -> Tracing {
-    let formulas = tracing.formulas.map_or(implied, |formulas| match formulas {
-        file::Formulas::Robust => Formulas::Robust,
-        file::Formulas::Notes => Formulas::Notes,
-    });
-    let sphere_method = match (tracing.sphere_method, formulas) {
-        (Some(file::SphereMethod::Robust), _) | (None, Formulas::Robust) => SphereMethod::Robust,
-        (Some(file::SphereMethod::Geometric), _) | (None, Formulas::Notes) => SphereMethod::Geometric,
+    let formulas = tracing.formulas.unwrap_or(implied);
+    let implied = match formulas {
+        Formulas::Robust => SphereMethod::Robust,
+        Formulas::Notes => SphereMethod::Geometric,
     };
     Tracing {
-        algorithm: match tracing.algorithm {
-            file::Algorithm::Recursive => Algorithm::Recursive,
-            file::Algorithm::Whitted => Algorithm::Whitted,
-            file::Algorithm::Foley => Algorithm::Foley,
-        },
+        algorithm: tracing.algorithm,
         max_depth: tracing.max_depth,
-        specular: match tracing.specular {
-            file::SpecularForm::HalfVector => Specular::HalfVector,
-            file::SpecularForm::ReflectionVector => Specular::ReflectionVector,
-            file::SpecularForm::HalfVectorCompensated => Specular::HalfVectorCompensated,
-        },
+        specular: tracing.specular,
         formulas,
-        sphere_method,
-        reflected_scale: match tracing.reflected_scale {
-            file::ReflectedScale::Weight => ReflectedScale::Weight,
-            file::ReflectedScale::Specular => ReflectedScale::Specular,
-        },
+        sphere_method: tracing.sphere_method.unwrap_or(implied),
+        reflected_scale: tracing.reflected_scale,
         cutoff: tracing.cutoff,
         two_sided: tracing.two_sided,
         shadows: Shadows::PerSurface,
         skip: Skip::ALL,
     }
-}
-
-impl From<file::Sampling> for Sampling {
-    fn from(sampling: file::Sampling) -> Sampling {
-        match sampling {
-            file::Sampling::None {} => Sampling::Center,
-            file::Sampling::Regular { n } => Sampling::Regular { n: count(n) },
-            file::Sampling::Shared { n } => Sampling::Shared { n: count(n) },
-            file::Sampling::Adaptive { threshold, depth } => Sampling::Adaptive { threshold, depth },
-            file::Sampling::Stochastic { n } => Sampling::Stochastic { n: count(n) },
-            file::Sampling::Random { n } => Sampling::Random { n: count(n) },
-            file::Sampling::Sobol { n } => Sampling::Sobol { n: count(n) },
-            file::Sampling::Statistical { confidence, tolerance, min, max } => {
-                Sampling::Statistical(Statistical { confidence, tolerance, min: count(min), max: count(max) })
-            }
-            file::Sampling::Guided { tolerance, min, max } => {
-                Sampling::Guided(Guided { tolerance, min: count(min), max: count(max) })
-            }
-        }
-    }
-}
-
-pub(super) fn output(output: &file::Output) -> Output {
-    let transfer = match output.transfer {
-        file::Transfer::Linear => Transfer::Linear,
-        file::Transfer::Srgb => Transfer::Srgb,
-    };
-    Output { white: output.white, transfer, exposure: output.exposure }
 }

@@ -9,18 +9,10 @@ use crate::probe::Probe;
 use crate::random::{Dimension, Draws, warp};
 use glam::DVec3;
 
-/// A thin lens about the eye, across the direction of view.
-///
+pub use super::file::schema::Lens;
+
 /// All rays of a place of the picture meet where the pinhole's ray meets the plane in focus. A point at the depth z makes a disc with
 /// the radius r·|z − f|/z in that plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lens {
-    /// The radius r of its opening.
-    pub radius: f64,
-    /// The distance f of the plane in focus, along the direction of view.
-    pub focus_distance: f64,
-}
-
 impl Lens {
     /// The ray of a sample through the place of the picture that the vector leads to from the eye; `length` is that of the direction of view.
     // Kept out of the pinhole's way.

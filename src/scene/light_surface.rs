@@ -1,17 +1,8 @@
 //! The surfaces of area lights.
 
+pub use super::file::schema::By;
 use crate::geometry::Ray;
 use glam::DVec3;
-
-/// By what measure the points of an area light count alike.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Spread {
-    /// By the area of the surface.
-    #[default]
-    Area,
-    /// By the solid angle under which the surface point sees them: of a sphere those that face it, all of a rectangle.
-    SolidAngle,
-}
 
 /// The surface of an area light.
 #[derive(Clone, Copy, Debug, PartialEq)]

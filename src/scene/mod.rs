@@ -22,7 +22,6 @@ pub mod light_surface;
 pub mod material;
 mod open;
 pub mod profile;
-pub mod sampling;
 mod solid_angle;
 pub mod square;
 pub mod tracing;
@@ -35,14 +34,14 @@ pub use build::{build, build_with};
 pub use camera::Camera;
 pub use ceiling::Ceilings;
 pub use effects::Effects;
+pub use file::schema::{Guided, Output, Sampling, Statistical, Transfer};
 pub use immersion::AroundEye;
 pub use index::{Between, Index};
 pub use lens::Lens;
 pub use light::{Arrival, Light, LightKind};
-pub use light_surface::{LightSurface, Spread};
+pub use light_surface::{By, LightSurface};
 pub use material::{Checker, Material, Weights};
 pub use open::OpenError;
-pub use sampling::{Guided, Sampling, Statistical};
 pub use tracing::{Algorithm, Formulas, ReflectedScale, Shadows, Skip, Specular, Tracing};
 
 pub use unsupported::Unsupported;
@@ -113,26 +112,6 @@ pub struct Object {
 
 // Scenes have millions of them: docs/robustness.md has the memory per byte of a file.
 const _: () = assert!(size_of::<Object>() <= 120 && size_of::<Material>() <= 240);
-
-/// How traced values become the numbers of a picture file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Output {
-    /// The value that is shown as full white.
-    pub white: f64,
-    /// The curve of the integer formats.
-    pub transfer: Transfer,
-    /// Stops of exposure: values are multiplied by 2 to this power.
-    pub exposure: f64,
-}
-
-/// The curve from linear light to the numbers of an integer format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Transfer {
-    /// No curve.
-    Linear,
-    /// That of sRGB (IEC 61966-2-1).
-    Srgb,
-}
 
 impl Object {
     /// The object as a target of rays; `number` is its own in the scene.

@@ -3,6 +3,7 @@
 use super::{Color, Material};
 use crate::geometry::shape::SphereMethod;
 use crate::log::SkipReason;
+pub use crate::scene::file::schema::{Algorithm, Formulas, ReflectedScale, Specular};
 
 /// The options of the recursion.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,39 +30,18 @@ pub struct Tracing {
     pub skip: Skip,
 }
 
-/// The algorithms of the source text.
+/// What a semitransparent object between a light and a surface does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Algorithm {
-    /// The first pseudocode: every hit is shaded whole, rays deeper than the limit are black.
-    Recursive,
-    /// The second as printed: at the limit a hit returns its ambient term.
-    Whitted,
-    /// The second as in its source: at the limit only the bounces stop.
-    Foley,
-}
-
-/// The specular term of the local model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Specular {
-    /// (N·H)^n.
-    HalfVector,
-    /// (R·V)^n.
-    ReflectionVector,
-    /// (N·H)^4n: the angle between N and H is half of that between R and V, and cos^4n of the half falls off as cos^n of the whole.
-    HalfVectorCompensated,
+pub enum Shadows {
+    /// Each of its surfaces keeps a part of the light, as its material says.
+    PerSurface,
+    /// It throws the shadow of an opaque one.
+    Opaque,
 }
 
 impl Specular {
-    /// The word for it in scene files and logs.
-    pub fn word(self) -> &'static str {
-        match self {
-            Specular::HalfVector => "half_vector",
-            Specular::ReflectionVector => "reflection_vector",
-            Specular::HalfVectorCompensated => "half_vector_compensated",
-        }
-    }
-
-    /// The exponent of the term on a surface of this shininess, n_e.
+    /// The exponent of the term on a surface of this shininess, n_e. Of the compensated one it is 4·n_e: the angle between N and H is half of
+    /// that between R and V, and cos^4n of the half falls off as cos^n of the whole.
     #[inline]
     pub fn exponent(self, shininess: f64) -> f64 {
         match self {
@@ -76,44 +56,6 @@ impl Specular {
         const SHARP: f64 = 1024.0;
         self.exponent(material.shininess) >= SHARP || material.transmission_exponent >= SHARP
     }
-}
-
-/// Which of several formulas for the same quantity are evaluated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Formulas {
-    /// Those that keep their digits. A reflected or refracted direction isn't normalised again: in f64 its length errs by a few roundings.
-    #[default]
-    Robust,
-    /// Those that the source text prints, for a computation by hand. Every new direction is normalised (Ramos, section 1.3).
-    Notes,
-}
-
-impl Formulas {
-    /// The word for them in scene files and logs.
-    pub fn word(self) -> &'static str {
-        match self {
-            Formulas::Robust => "robust",
-            Formulas::Notes => "notes",
-        }
-    }
-}
-
-/// What scales the light that a reflected ray brings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ReflectedScale {
-    /// W_r.
-    Weight,
-    /// W_r·K_e: "scale by the specular coefficient" of the second pseudocode (Ramos, section 1.1.2).
-    Specular,
-}
-
-/// What a semitransparent object between a light and a surface does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shadows {
-    /// Each of its surfaces keeps a part of the light, as its material says.
-    PerSurface,
-    /// It throws the shadow of an opaque one.
-    Opaque,
 }
 
 impl Tracing {

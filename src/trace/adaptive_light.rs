@@ -8,7 +8,7 @@ use crate::geometry::{Intersect, Ray, Search, Target};
 use crate::log::{Asking, Decision, Name, SkipReason, Step, Term};
 use crate::probe::{Probe, Saving, Silent};
 use crate::random::{Dimension, Splits};
-use crate::scene::Spread;
+use crate::scene::By;
 use crate::scene::adaptive_light::RulePoint;
 use crate::scene::square::place_in_square;
 use crate::scene::{Adaptive, AreaLight, Arrival, Color, Light, LightSurface, Scene, Shadows, Sight, Specular};
@@ -81,7 +81,7 @@ impl Way<'_> {
     fn in_full_view<P: Probe>(&self, adaptive: &Adaptive, is_in_front: bool, mut sum: Color, probe: &mut P) -> Color {
         let Way { area, number: light, .. } = *self;
         // How far the points of a sphere are that are spread by solid angle has no derivative at its limb.
-        let has_limb = area.by == Spread::SolidAngle && matches!(area.surface, LightSurface::Sphere { .. });
+        let has_limb = area.by == By::SolidAngle && matches!(area.surface, LightSurface::Sphere { .. });
         let is_smooth = is_in_front
             && area.profile.is_none()
             && !(has_limb && self.light.attenuation.is_some())

@@ -28,7 +28,7 @@ fn layered(scene: &Scene) -> Layered {
 /// The colours are those of a rendering to the last bit, and the counts of all pixels are those of its statistics.
 #[test]
 fn layers_belong_to_the_picture() {
-    for sampling in [Sampling::Center, Sampling::Sobol { n: 4 }, Sampling::Adaptive { threshold: 0.1, depth: 2 }] {
+    for sampling in [Sampling::Center {}, Sampling::Sobol { n: 4 }, Sampling::Adaptive { threshold: 0.1, depth: 2 }] {
         let mut scene = support::scene("glass-and-mirror");
         scene.sampling = sampling;
         let layered = layered(&scene);
@@ -52,7 +52,7 @@ fn layers_belong_to_the_picture() {
 fn layers_say_what_the_log_says() {
     for name in ["glass-and-mirror", "mesh", "motion-blur"] {
         let mut scene = support::scene(name);
-        scene.sampling = Sampling::Center;
+        scene.sampling = Sampling::Center {};
         let layered = layered(&scene);
         let mut hits = 0;
         for (seen, place) in layered.pixels.iter().zip(0_u32..) {

@@ -10,7 +10,7 @@ use raywalk::scene::{Guided, Sampling, Scene, Statistical};
 use std::collections::BTreeSet;
 
 const METHODS: [Sampling; 10] = [
-    Sampling::Center,
+    Sampling::Center {},
     Sampling::Regular { n: 2 },
     Sampling::Shared { n: 2 },
     Sampling::Adaptive { threshold: 0.05, depth: 3 },
@@ -144,7 +144,7 @@ fn another_seed_gives_another_picture_only_where_numbers_are_random() {
         let other = edges::red(&edges::picture(&scene));
         let is_random = !matches!(
             sampling,
-            Sampling::Center | Sampling::Regular { .. } | Sampling::Shared { .. } | Sampling::Adaptive { .. }
+            Sampling::Center {} | Sampling::Regular { .. } | Sampling::Shared { .. } | Sampling::Adaptive { .. }
         );
         assert_eq!(first != other, is_random, "{sampling:?}");
     }

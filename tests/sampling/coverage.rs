@@ -104,7 +104,7 @@ fn samples_are_counted() {
     let pixels = u64::from(SIDE * SIDE);
     let corners = u64::from((SIDE + 1) * (SIDE + 1));
     for (sampling, rays) in [
-        (Sampling::Center, pixels),
+        (Sampling::Center {}, pixels),
         (Sampling::Regular { n: 3 }, 9 * pixels),
         (Sampling::Shared { n: 1 }, corners),
         (Sampling::Adaptive { threshold: 0.1, depth: 4 }, corners),

@@ -9,7 +9,7 @@ use raywalk::scene::{Adaptive, Guided, LightKind, Sampling, Scene, Statistical};
 use std::collections::BTreeSet;
 
 const METHODS: [Sampling; 10] = [
-    Sampling::Center,
+    Sampling::Center {},
     Sampling::Regular { n: 2 },
     Sampling::Shared { n: 1 },
     Sampling::Adaptive { threshold: 0.3, depth: 1 },

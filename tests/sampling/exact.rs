@@ -63,7 +63,7 @@ fn discs_and_edges_are_those_of_an_independent_computation() {
         edges::Shape::HalfPlane { nx: 0.6, ny: 0.8, d: 2.35 },
     ];
     for shape in shapes {
-        let found = exact(&edges::scene(shape, Sampling::Center)).picture();
+        let found = exact(&edges::scene(shape, Sampling::Center {})).picture();
         for (k, (found, expected)) in found.iter().zip(edges::coverage(shape)).enumerate() {
             assert!((found.x - expected).abs() < 1e-9, "{shape:?} {} {}: {found}", k as u32 % SIDE, k as u32 / SIDE);
         }

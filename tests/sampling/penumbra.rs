@@ -83,7 +83,7 @@ fn points_under_the_middle_of_the_lamp() {
 /// By the tracer, with 128 × 128 strata on the lamp: each on an outline errs by at most its own area, and outlines cross at most some 600.
 fn agrees(lamp: &str, objects: &str) {
     let scene = scene(lamp, objects, [8, 6], 16384);
-    let scene = Scene { sampling: Sampling::Center, ..scene };
+    let scene = Scene { sampling: Sampling::Center {}, ..scene };
     let exact = of(&scene);
     for pixel in (0..48).map(|k| [k % 8, k / 8]) {
         let found = exact.at(pixel.map(|side| f64::from(side) + 0.5));

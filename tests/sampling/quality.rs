@@ -171,8 +171,8 @@ fn adaptive_and_statistical_sampling_save_rays() {
             let [allowed, all_rays] = measure(name, reference, &exact, seeds);
             println!(
                 "{name}: {} {error:.5}, {rays:.2} rays; {} {allowed:.5}, {all_rays}",
-                sampling.word(),
-                reference.word()
+                sampling.key(),
+                reference.key()
             );
             assert!(error <= allowed, "{name}, {sampling:?}: {error} > {allowed}");
             assert!(rays <= 0.35 * all_rays, "{name}, {sampling:?}: {rays} rays of {all_rays}");
@@ -195,7 +195,7 @@ fn found(sampling: Sampling) -> Vec<&'static str> {
 
 #[test]
 fn nothing_small_is_lost_by_adaptive_sampling() {
-    assert_eq!(found(Sampling::Center), ["A", "C"], "B and D are lost between the centres");
+    assert_eq!(found(Sampling::Center {}), ["A", "C"], "B and D are lost between the centres");
     for depth in 3..6 {
         assert_eq!(found(Sampling::Adaptive { threshold: 0.05, depth }), ["A", "C", "B", "D"], "depth {depth}");
     }

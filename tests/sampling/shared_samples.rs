@@ -8,7 +8,7 @@ use raywalk::scene::{Scene, build, builtin, file};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// A built-in scene in a small size, with the corners of n × n cells a pixel.
-fn shared(name: &str, n: u64, resolution: [u32; 2]) -> Scene {
+fn shared(name: &str, n: u32, resolution: [u32; 2]) -> Scene {
     let text = builtin::text(name).expect("a built-in scene");
     let mut file = file::check(text.as_bytes(), name).expect("a good scene").scene;
     file.camera.resolution = resolution;

@@ -152,7 +152,7 @@ fn bare(name: &str, options: Options) -> Scene {
         index: Index::default(),
         around_eye: Default::default(),
         ceilings: Default::default(),
-        sampling: raywalk::scene::Sampling::Center,
+        sampling: raywalk::scene::Sampling::Center {},
         seed: 0,
         frame: None,
         tracing: Tracing {

@@ -177,7 +177,7 @@ fn a_picture_of_digits_is_the_same_in_parts_and_on_any_threads() {
 fn a_perturbed_picture_is_that_of_the_logs() {
     let never = AtomicBool::new(false);
     let mut scene = small("figure-6");
-    for sampling in [Sampling::Center, Sampling::Shared { n: 2 }] {
+    for sampling in [Sampling::Center {}, Sampling::Shared { n: 2 }] {
         scene.sampling = sampling;
         let arithmetic = Arithmetic::Perturbed(4);
         let settings = Settings { arithmetic, ..settings([10, 10, 20, 18], 2) };

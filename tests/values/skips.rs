@@ -59,7 +59,7 @@ fn no_built_in_picture_shows_what_was_skipped() {
     let mut in_all = BTreeMap::new();
     for name in builtin::names() {
         let mut scene = support::changed_scene(name, |file| file.camera.resolution = [20, 15]);
-        scene.sampling = Sampling::Center;
+        scene.sampling = Sampling::Center {};
         for (rule, count) in is_the_same_whatever_is_skipped(&mut scene) {
             *in_all.entry(rule).or_insert(0) += count;
         }
@@ -222,7 +222,7 @@ fn cutoffs_lose_no_more_than_is_said() {
     let mut most = 0.0_f64;
     for name in builtin::names() {
         for (cutoff, sampling) in
-            [(0.05, Sampling::Center), (0.3, Sampling::Regular { n: 2 }), (0.9, Sampling::Shared { n: 1 })]
+            [(0.05, Sampling::Center {}), (0.3, Sampling::Regular { n: 2 }), (0.9, Sampling::Shared { n: 1 })]
         {
             let mut scene = support::changed_scene(name, |file| file.camera.resolution = [16, 12]);
             scene.sampling = sampling;

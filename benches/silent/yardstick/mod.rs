@@ -7,7 +7,7 @@ mod reading;
 pub mod shapes;
 
 use glam::DVec3;
-use raywalk::scene::file::schema::{Algorithm, SpecularForm};
+use raywalk::scene::file::schema::{Algorithm, Specular};
 use shapes::{Crossing, ROUNDINGS, Ray, Shape};
 
 /// A scene, ready to be traced, with every option of the program that a tracer of planes and spheres has to ask for.
@@ -30,7 +30,7 @@ pub struct Yardstick {
 
 struct Rules {
     algorithm: Algorithm,
-    specular: SpecularForm,
+    specular: Specular,
     max_depth: u32,
     cutoff: f64,
     skips_zero_weight: bool,
@@ -198,7 +198,7 @@ impl Yardstick {
 
     fn specular(&self, hit: &Hit, toward: DVec3, n_dot_l: f64) -> DVec3 {
         let cosine = match self.rules.specular {
-            SpecularForm::HalfVector | SpecularForm::HalfVectorCompensated => {
+            Specular::HalfVector | Specular::HalfVectorCompensated => {
                 let half = toward + hit.view;
                 let length = half.length();
                 if length == 0.0 {
@@ -206,9 +206,9 @@ impl Yardstick {
                 }
                 hit.normal.dot(half / length)
             }
-            SpecularForm::ReflectionVector => (hit.normal * 2.0 * n_dot_l - toward).dot(hit.view),
+            Specular::ReflectionVector => (hit.normal * 2.0 * n_dot_l - toward).dot(hit.view),
         };
-        let is_compensated = self.rules.specular == SpecularForm::HalfVectorCompensated;
+        let is_compensated = self.rules.specular == Specular::HalfVectorCompensated;
         let exponent = hit.material.shininess * if is_compensated { 4.0 } else { 1.0 };
         hit.material.specular * libm::pow(cosine.clamp(0.0, 1.0), exponent)
     }

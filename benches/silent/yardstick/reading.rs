@@ -3,6 +3,7 @@
 use super::shapes::{Plane, Shape, Sphere};
 use super::{Light, Material, Object, Rules, Yardstick, unit};
 use glam::DVec3;
+use raywalk::geometry::shape::SphereMethod;
 use raywalk::scene::file::schema as file;
 
 impl Yardstick {
@@ -65,7 +66,7 @@ impl Object {
                 Shape::Plane(Plane { normal, offset: d, unit_normal: unit(normal) })
             }
             file::Shape::Sphere(file::Sphere { center, radius, inward }) => {
-                let is_geometric = scene.tracing.sphere_method == Some(file::SphereMethod::Geometric);
+                let is_geometric = scene.tracing.sphere_method == Some(SphereMethod::Geometric);
                 Shape::Sphere(Sphere {
                     center: center.into(),
                     radius,

@@ -8,7 +8,7 @@ use crate::cli::options::MAX_THREADS;
 use crate::cli::progress::ProgressOptions;
 use crate::cli::sampling_spec::{sampling, sampling_or};
 use clap::Args;
-use raywalk::scene::file::schema::Sampling;
+use raywalk::scene::Sampling;
 use raywalk::study::bench::limits as measured;
 use raywalk::study::bench::samplers::Reference;
 use std::path::PathBuf;
@@ -82,7 +82,7 @@ impl ErrorBench {
         let request = samplers::Request {
             methods: match self.sampling.is_empty() {
                 true => samplers::settings(),
-                false => self.sampling.iter().map(|sampling| (*sampling).into()).collect(),
+                false => self.sampling.clone(),
             },
             reference: self.reference,
             runs: self.runs.into(),
@@ -101,7 +101,7 @@ fn reference(text: &str) -> Result<Reference, String> {
     const EXACT: &str = "exact";
     match text {
         EXACT => Ok(Reference::Exact),
-        _ => sampling_or(&[EXACT], text).map(|sampling| Reference::Sampled(sampling.into())),
+        _ => sampling_or(&[EXACT], text).map(Reference::Sampled),
     }
 }
 

@@ -135,7 +135,7 @@ fn scenes_with_exact() -> Vec<&'static str> {
 
 /// Every method over its settings.
 pub fn settings() -> Vec<Sampling> {
-    let mut settings = vec![Sampling::Center];
+    let mut settings = vec![Sampling::Center {}];
     settings.extend([2, 3, 4, 6, 8].map(|n| Sampling::Regular { n }));
     settings.extend([1, 2, 4, 8].map(|n| Sampling::Shared { n }));
     for n in [4, 16, 64] {

@@ -1,20 +1,16 @@
 //! Which formulas intersect a sphere.
 
-/// Which formulas intersect a sphere.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SphereMethod {
-    /// Those that keep their digits.
-    Robust,
-    /// Those of the source text.
-    Geometric,
-}
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
-impl SphereMethod {
-    /// The word for it in scene files and logs.
-    pub fn word(self) -> &'static str {
-        match self {
-            SphereMethod::Robust => "robust",
-            SphereMethod::Geometric => "geometric",
-        }
-    }
+/// The two ways to intersect a sphere.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum), clap(rename_all = "snake_case"))]
+pub enum SphereMethod {
+    /// Without cancellation.
+    #[default]
+    Robust,
+    /// As the source text does it.
+    Geometric,
 }

@@ -66,7 +66,7 @@ pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Resu
             map.scale(layer, range);
         }
     }
-    let plain = scene::Output { white: 1.0, transfer: scene::Transfer::Linear, exposure: 0.0 };
+    let plain = scene::Output::default();
     Ok(export::encode(&map.film(), export::Format::Png8, &plain)?.bytes)
 }
 

@@ -159,7 +159,7 @@ fn outcome(
     let pixels = reference.len() as f64;
     Ok(Outcome {
         sampling: scene.sampling.to_string(),
-        method: scene.sampling.word(),
+        method: scene.sampling.key(),
         samples_per_pixel: counted.samples() as f64 / pixels,
         rays_per_pixel: counted.rays() as f64 / pixels,
         seconds: Spread::of(seconds),

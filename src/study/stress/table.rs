@@ -5,6 +5,7 @@ use super::judge::Outcome;
 use super::requirement::{Unit, requirement};
 use super::way::Way;
 use crate::report::table::aligned;
+use crate::scene::Formulas;
 use serde::Serialize;
 
 /// The report.
@@ -47,7 +48,7 @@ pub struct Column {
     /// Its arithmetic.
     pub arithmetic: String,
     /// Its formulas.
-    pub formulas: &'static str,
+    pub formulas: Formulas,
     /// How many cases were decided wrongly; `None`, as the other two, where the answers don't depend on the way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wrong: Option<usize>,
@@ -66,7 +67,7 @@ impl Column {
         Column {
             way: way.name(),
             arithmetic: way.arithmetic().to_string(),
-            formulas: way.formulas().word(),
+            formulas: way.formulas(),
             wrong: outcomes.map(|outcomes| wrong(outcomes)),
             worst: errors.last().copied(),
             median: errors.get(errors.len() / 2).copied(),

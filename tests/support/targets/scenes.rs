@@ -6,7 +6,7 @@ use raywalk::log::{Event, Input, Log, Subject, Value, What};
 use raywalk::record::{self, Arithmetic, region};
 use raywalk::scene::file::mesh::{self, Folder};
 use raywalk::scene::file::nff::Import;
-use raywalk::scene::file::schema::{Sampling, SceneFile};
+use raywalk::scene::file::schema::{LightSamples, SampleRange, Sampling, SceneFile};
 use raywalk::scene::file::{self, Loaded, Source};
 use raywalk::scene::{Scene, build};
 
@@ -48,8 +48,15 @@ fn traced(mut file: SceneFile) {
         return;
     }
     file.tracing.max_depth = file.tracing.max_depth.min(4);
-    file.sampling = Sampling::None {};
-    file.lights.iter_mut().for_each(|light| light.samples = light.samples.at_most(4));
+    file.sampling = Sampling::Center {};
+    for light in &mut file.lights {
+        light.samples = match light.samples {
+            LightSamples::Count(count) => LightSamples::Count(count.min(4)),
+            LightSamples::Range(SampleRange { min, max }) => {
+                LightSamples::Range(SampleRange { min: min.min(4), max: max.min(4) })
+            }
+        };
+    }
     let text = file.to_json();
     let source = Source { name: "a.json", text: text.as_bytes() };
     let Ok((meshes, _)) = mesh::load(&file, &source, Folder::BuiltIn(square)) else { return };

@@ -44,6 +44,7 @@ pub const MAX_PRIMITIVES: usize = 1 << 22;
 
 /// What a view's `angle` is measured between.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum))]
 pub enum Angle {
     /// The centres of the first and the last row of pixels.
     #[default]

@@ -50,7 +50,7 @@ pub struct Material {
     pub translucency_exponent: Option<f64>,
     /// Rays for one blurry bounce.
     #[schemars(range(min = 1, max = MAX_SAMPLES))]
-    pub samples: u64,
+    pub samples: u32,
     /// A pattern that multiplies ambient and diffuse.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pattern: Option<Box<Pattern>>,

@@ -10,6 +10,7 @@ mod light;
 mod material;
 mod objects;
 mod samples;
+mod sampling;
 mod settings;
 mod shape;
 
@@ -20,9 +21,8 @@ pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
 pub(super) use objects::digest;
 pub use objects::{MAX_DUPLICATES, MAX_LIGHTS};
 pub use samples::{LightSamples, SampleRange};
-pub use settings::{
-    Algorithm, Formulas, Frames, Output, ReflectedScale, Sampling, SpecularForm, SphereMethod, Tracing, Transfer,
-};
+pub use sampling::{FORMS, Guided, Sampling, Statistical};
+pub use settings::{Algorithm, Formulas, Frames, Output, ReflectedScale, Specular, Tracing, Transfer, word};
 pub use shape::{
     AxisBox, Cone, Cylinder, Disk, Ellipsoid, Mesh, Motion, Object, Plane, Polygon, Rotation, Shape, Sphere, Triangle,
 };

@@ -4,7 +4,7 @@ use std::fmt;
 
 use schemars::JsonSchema;
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{MapAccess, Visitor};
+use serde::de::{Error, MapAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::scene::file::validate::limits::MAX_SAMPLES;
@@ -14,7 +14,7 @@ use crate::scene::file::validate::limits::MAX_SAMPLES;
 #[serde(untagged)]
 pub enum LightSamples {
     /// This many, each with a shadow ray.
-    Count(#[schemars(range(min = 1, max = MAX_SAMPLES))] u64),
+    Count(#[schemars(range(min = 1, max = MAX_SAMPLES))] u32),
     /// As many as it takes.
     Range(SampleRange),
 }
@@ -26,23 +26,10 @@ pub enum LightSamples {
 pub struct SampleRange {
     /// The fewest points of a rule; it may have more than `max`.
     #[schemars(range(min = 1, max = MAX_SAMPLES))]
-    pub min: u64,
+    pub min: u32,
     /// How many are asked where the light may be hidden in part, or where it is in full view and no rule is good enough; `min` or more.
     #[schemars(range(min = 1, max = MAX_SAMPLES))]
-    pub max: u64,
-}
-
-impl LightSamples {
-    /// The same, but for this many at most.
-    #[must_use]
-    pub fn at_most(self, most: u64) -> LightSamples {
-        match self {
-            Self::Count(count) => Self::Count(count.min(most)),
-            Self::Range(SampleRange { min, max }) => {
-                Self::Range(SampleRange { min: min.min(most), max: max.min(most) })
-            }
-        }
-    }
+    pub max: u32,
 }
 
 impl<'de> Deserialize<'de> for LightSamples {
@@ -60,8 +47,9 @@ impl<'de> Visitor<'de> for SamplesVisitor {
         write!(formatter, "a whole number from 1 to {MAX_SAMPLES}, or an object with `min` and `max`")
     }
 
-    fn visit_u64<E>(self, count: u64) -> Result<LightSamples, E> {
-        Ok(LightSamples::Count(count))
+    fn visit_u64<E: Error>(self, count: u64) -> Result<LightSamples, E> {
+        let whole = u32::try_from(count).map(LightSamples::Count);
+        whole.map_err(|_| E::invalid_value(Unexpected::Unsigned(count), &self))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<LightSamples, A::Error> {

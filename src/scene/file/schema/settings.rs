@@ -1,11 +1,11 @@
-//! The keys of `tracing`, `sampling`, `frames` and `output`.
+//! The keys of `tracing`, `frames` and `output`. Their words are those of a log and of the command line, too.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
+use serde_json::Value;
 
-use crate::scene::file::validate::limits::{
-    MAX_ADAPTIVE_DEPTH, MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES, MAX_GRID, MAX_SAMPLES, MIN_GUIDED, MIN_STATISTICAL,
-};
+use crate::geometry::shape::SphereMethod;
+use crate::scene::file::validate::limits::{MAX_DEPTH, MAX_EXPOSURE, MAX_FRAMES};
 
 /// How rays are traced.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -17,7 +17,7 @@ pub struct Tracing {
     #[schemars(range(max = MAX_DEPTH))]
     pub max_depth: u32,
     /// Which form of the highlight.
-    pub specular: SpecularForm,
+    pub specular: Specular,
     /// Which formulas; left out, those of the notes by hand and the robust ones in any other arithmetic.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub formulas: Option<Formulas>,
@@ -39,7 +39,7 @@ impl Default for Tracing {
         Self {
             algorithm: Algorithm::default(),
             max_depth: 4,
-            specular: SpecularForm::default(),
+            specular: Specular::default(),
             formulas: None,
             sphere_method: None,
             reflected_scale: ReflectedScale::default(),
@@ -59,6 +59,7 @@ fn sphere_method_or_default<S: Serializer>(method: &Option<SphereMethod>, serial
 /// The recursion of the first pseudocode, of the second as printed, or of the second as in its source.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum), clap(rename_all = "snake_case"))]
 pub enum Algorithm {
     /// Starts at depth 0; a ray deeper than the limit is black.
     #[default]
@@ -72,7 +73,9 @@ pub enum Algorithm {
 /// The two forms of the specular term.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum SpecularForm {
+#[cfg_attr(feature = "program", derive(clap::ValueEnum), clap(rename_all = "snake_case"))]
+#[schemars(rename = "SpecularForm")]
+pub enum Specular {
     /// N·H.
     #[default]
     HalfVector,
@@ -85,6 +88,7 @@ pub enum SpecularForm {
 /// Where two formulas give the same number in exact arithmetic.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum), clap(rename_all = "snake_case"))]
 pub enum Formulas {
     /// Those that keep their digits.
     #[default]
@@ -109,114 +113,6 @@ impl ReflectedScale {
     #[allow(clippy::trivially_copy_pass_by_ref)]
     fn is_default(&self) -> bool {
         *self == Self::default()
-    }
-}
-
-/// The two ways to meet a sphere.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum SphereMethod {
-    /// Without cancellation.
-    #[default]
-    Robust,
-    /// As the source text does it.
-    Geometric,
-}
-
-/// Which rays make a pixel.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-pub enum Sampling {
-    /// One ray through the pixel's centre.
-    None {},
-    /// n × n cell centres.
-    Regular {
-        /// Cells a side.
-        #[schemars(range(min = 1, max = MAX_GRID))]
-        n: u64,
-    },
-    /// Corners of n × n cells, shared with the neighbours.
-    Shared {
-        /// Cells a side.
-        #[schemars(range(min = 1, max = MAX_GRID))]
-        n: u64,
-    },
-    /// Cells split where their corners differ.
-    Adaptive {
-        /// The difference that splits, as a fraction of `output.white`.
-        #[schemars(range(min = 0))]
-        threshold: f64,
-        /// How often a cell may be halved.
-        #[schemars(range(max = MAX_ADAPTIVE_DEPTH))]
-        depth: u32,
-    },
-    /// n in all, jittered in near-square strata.
-    Stochastic {
-        /// Rays a pixel.
-        #[schemars(range(min = 1, max = MAX_SAMPLES))]
-        n: u64,
-    },
-    /// n uniform points.
-    Random {
-        /// Rays a pixel.
-        #[schemars(range(min = 1, max = MAX_SAMPLES))]
-        n: u64,
-    },
-    /// n Owen-scrambled Sobol points.
-    Sobol {
-        /// Rays a pixel.
-        #[schemars(range(min = 1, max = MAX_SAMPLES))]
-        n: u64,
-    },
-    /// As many as the wanted quality needs.
-    Statistical {
-        /// Confidence of the interval, between 0 and 1.
-        #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1))]
-        confidence: f64,
-        /// Half-width of the interval, as a fraction of `output.white`.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        tolerance: f64,
-        /// Fewest rays per pixel.
-        #[schemars(range(min = 1, max = MAX_SAMPLES))]
-        min: u64,
-        /// Most rays per pixel.
-        #[schemars(range(min = MIN_STATISTICAL, max = MAX_SAMPLES))]
-        max: u64,
-    },
-    /// As many as a pilot in the pixel and around it asks for.
-    Guided {
-        /// The error of a sample for which one would be enough, as a fraction of `output.white`.
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        tolerance: f64,
-        /// Fewest rays per pixel, the pilot; rounded up to a power of two, and to 2.
-        #[schemars(range(min = 1, max = MAX_SAMPLES))]
-        min: u64,
-        /// Most rays per pixel.
-        #[schemars(range(min = MIN_GUIDED, max = MAX_SAMPLES))]
-        max: u64,
-    },
-}
-
-impl Sampling {
-    /// The key of this method.
-    pub fn key(&self) -> &'static str {
-        match self {
-            Self::None {} => "none",
-            Self::Regular { .. } => "regular",
-            Self::Shared { .. } => "shared",
-            Self::Adaptive { .. } => "adaptive",
-            Self::Stochastic { .. } => "stochastic",
-            Self::Random { .. } => "random",
-            Self::Sobol { .. } => "sobol",
-            Self::Statistical { .. } => "statistical",
-            Self::Guided { .. } => "guided",
-        }
-    }
-}
-
-impl Default for Sampling {
-    fn default() -> Self {
-        Self::None {}
     }
 }
 
@@ -262,10 +158,19 @@ impl Default for Output {
 /// The curve from value to number.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum), clap(rename_all = "snake_case"))]
 pub enum Transfer {
     /// In proportion.
     #[default]
     Linear,
     /// The sRGB curve.
     Srgb,
+}
+
+/// The word for a choice, as scene files and logs write it.
+pub fn word(choice: impl Serialize) -> String {
+    match serde_json::to_value(choice) {
+        Ok(Value::String(word)) => word,
+        _ => String::new(),
+    }
 }

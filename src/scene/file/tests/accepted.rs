@@ -1,6 +1,7 @@
 //! What is read, with which defaults, and that printing it and reading it again changes nothing.
 
 use super::*;
+use crate::geometry::shape::SphereMethod;
 use crate::scene::file::parse;
 use crate::scene::file::schema::*;
 
@@ -93,7 +94,7 @@ fn defaults() {
     assert_eq!(scene.camera.up, [0.0, 1.0, 0.0]);
     assert_eq!(scene.camera.vertical_fov, 45.0);
     assert_eq!(scene.camera.resolution, [320, 240]);
-    assert_eq!(scene.sampling, Sampling::None {});
+    assert_eq!(scene.sampling, Sampling::Center {});
     assert_eq!(scene.tracing.max_depth, 4);
     assert!(scene.tracing.two_sided);
     assert_eq!(scene.output.white, 1.0);

@@ -149,8 +149,7 @@ impl Checker<'_> {
     }
 
     /// A whole number from `low` to `high`.
-    pub fn count(&mut self, step: impl Into<Step>, value: impl Into<u64>, low: u64, high: u64) {
-        let value = value.into();
+    pub fn count(&mut self, step: impl Into<Step>, value: u32, low: u32, high: u32) {
         if !(low..=high).contains(&value) {
             self.at(step).error(format!("must be from {low} to {high}, found {value}"));
         }

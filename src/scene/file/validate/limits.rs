@@ -10,16 +10,16 @@ pub const MAX_PIXELS: u64 = 1 << 28;
 pub const MAX_DEPTH: u32 = 256;
 
 /// The most rays per pixel, or shadow rays per light, or rays per blurry bounce: 2²⁰.
-pub const MAX_SAMPLES: u64 = 1 << 20;
+pub const MAX_SAMPLES: u32 = 1 << 20;
 
 /// The fewest samples that tell a variance: two pairs.
-pub const MIN_STATISTICAL: u64 = 4;
+pub const MIN_STATISTICAL: u32 = 4;
 
 /// The fewest samples of a pilot: a variance needs two.
-pub const MIN_GUIDED: u64 = 2;
+pub const MIN_GUIDED: u32 = 2;
 
 /// The most cells a side of regular sampling, √[`MAX_SAMPLES`].
-pub const MAX_GRID: u64 = 1 << 10;
+pub const MAX_GRID: u32 = 1 << 10;
 
 /// How often adaptive sampling may halve a cell: the smallest cells make a grid of [`MAX_GRID`] a side.
 pub const MAX_ADAPTIVE_DEPTH: u32 = 10;
@@ -47,11 +47,11 @@ pub fn whole_numbers<'k>(mut keys: impl Iterator<Item = &'k str>) -> Option<[u64
     Some(match (keys.next()?, keys.next()) {
         ("resolution", _) => [1, MAX_SIDE.into()],
         ("max_depth", _) => [0, MAX_DEPTH.into()],
-        ("n", Some("regular" | "shared")) => [1, MAX_GRID],
+        ("n", Some("regular" | "shared")) => [1, MAX_GRID.into()],
         ("depth", Some("adaptive")) => [0, MAX_ADAPTIVE_DEPTH.into()],
-        ("n", _) | ("samples", _) | ("min", Some("statistical" | "guided")) => [1, MAX_SAMPLES],
-        ("max", Some("statistical")) => [MIN_STATISTICAL, MAX_SAMPLES],
-        ("max", Some("guided")) => [MIN_GUIDED, MAX_SAMPLES],
+        ("n", _) | ("samples", _) | ("min", Some("statistical" | "guided")) => [1, MAX_SAMPLES.into()],
+        ("max", Some("statistical")) => [MIN_STATISTICAL.into(), MAX_SAMPLES.into()],
+        ("max", Some("guided")) => [MIN_GUIDED.into(), MAX_SAMPLES.into()],
         ("count", Some("frames")) => [1, MAX_FRAMES.into()],
         _ => return None,
     })

@@ -9,7 +9,7 @@ use super::shadow::{Circle, Cone, mean_cosine};
 use crate::geometry::shape::Round;
 use crate::geometry::{Intersect, Shape};
 use crate::probe::Silent;
-use crate::scene::light_surface::{Spread, least_axis};
+use crate::scene::light_surface::{By, least_axis};
 use crate::scene::{AreaLight, Color, Light, LightKind, LightSurface, Material, Object, Scene};
 use crate::trace::{closest_hit, in_range};
 use glam::DVec3;
@@ -276,7 +276,7 @@ fn disk(scene: &Scene) -> Result<(&Light, DVec3, [DVec3; 2]), NotExact> {
     let (Some(light), None) = (shining.next(), shining.next()) else { return Err(NotExact::Lights) };
     match &light.kind {
         LightKind::Area(area) if light.attenuation.is_none() => match **area {
-            AreaLight { surface: LightSurface::Disk { center, edges }, profile: None, by: Spread::Area, .. } => {
+            AreaLight { surface: LightSurface::Disk { center, edges }, profile: None, by: By::Area, .. } => {
                 Ok((light, center, edges))
             }
             _ => Err(NotExact::Lights),
