@@ -2,6 +2,7 @@
 
 use super::follow::Bounce;
 use super::place::Place;
+use super::unseen::dead_channels;
 use super::zones::{self, Lobe};
 use super::{Meeting, Path, in_range};
 use crate::geometry::Ray;
@@ -10,7 +11,7 @@ use crate::log::{Decision, Name, RayKind, SkipReason, Term};
 use crate::probe::{Probe, Saving};
 use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Formulas, Scene};
-use glam::{BVec3, DVec3};
+use glam::DVec3;
 
 /// The colour of the reflected ray; nothing where there is none.
 // A surface without such a ray doesn't pay for a call.
@@ -256,13 +257,6 @@ fn is_left_out<P: Probe>(scene: &Scene, meeting: &Meeting, what: Term, weight: C
 #[cold]
 fn is_zero_path(scene: &Scene, path: &Path, weight: Color) -> bool {
     weight != Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroPath) && dead_channels(path, weight).all()
-}
-
-/// The channels in which some weight on a path, or the next one, is zero. The product of the weights isn't enough: it may have become
-/// too small for a number, while a light is so bright that something would be left of it.
-pub(super) fn dead_channels(path: &Path, weight: Color) -> BVec3 {
-    let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());
-    bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight.cmpeq(Color::ZERO))
 }
 
 /// What a bounce with this weight could at most add to the colour of its sample, for the log and the statistics; nothing where
