@@ -4,14 +4,14 @@ use super::checkpoint::{self, Checkpoint, Kept, Spent};
 use super::{Render, Task, failed, names_of};
 use crate::cli::failure::{Failure, shown};
 use crate::cli::output::{self, Output};
-use crate::cli::picture::{self, Rendered};
+use crate::cli::picture;
 use raywalk::log::{Shard, Subject};
 use raywalk::record;
 use raywalk::render::export::Format;
 use raywalk::render::part::{Content, PartHeader, Picture, Reader, Record, Writer};
-use raywalk::render::pieces::{Canvas, Pixels, render_pieces};
+use raywalk::render::pieces::render_pieces;
 use raywalk::render::statistics::Seconds;
-use raywalk::render::{Counter, RenderError};
+use raywalk::render::{Canvas, Counter, RenderError};
 use raywalk::scene::file::Wanted;
 use std::collections::BTreeSet;
 use std::io::{self, BufReader};
@@ -41,14 +41,13 @@ impl Render {
         }
         let mut kept = self.render_rest(task, &header, kept, Some(&mut checkpoint))?.0;
         let mut canvas =
-            Canvas::new(task.settings.crop, header.picture.content.of()).map_err(|error| failed(&error))?;
-        for (number, area) in header.pieces() {
+            Canvas::new(task.settings.crop, header.picture.content.job()).map_err(|error| failed(&error))?;
+        for (number, _) in header.pieces() {
             if let Some(pixels) = kept.remove(&number) {
-                canvas.put(task.settings.crop, area, &pixels);
+                canvas.put(&pixels);
             }
         }
-        let rendered = Rendered::of(canvas, self.layers.clone(), self.digits);
-        self.place(task, format)?.write(&rendered, &self.shown(task, &names_of(&task.scene)))?;
+        self.place(task, format)?.write(&canvas, &self.shown(task, &names_of(&task.scene)))?;
         let files = files().map_err(|error| Failure::io(&task.path, "read", &error))?;
         checkpoint.went_into(&header, &files)
     }
@@ -100,7 +99,7 @@ impl Render {
         let count = |pieces: &[(u32, [u32; 4])]| pieces.iter().map(|(_, area)| pixels(*area)).sum::<u64>();
         let progress = self.progress.start(count(&done) + count(&missing));
         progress.advance(count(&done));
-        let keep = |number: u32, found: Pixels| -> io::Result<()> {
+        let keep = |number: u32, found: Canvas| -> io::Result<()> {
             if let Some(checkpoint) = &mut checkpoint {
                 checkpoint.keep(number, &found)?;
             }
@@ -109,8 +108,8 @@ impl Render {
             Ok(())
         };
         let never = AtomicBool::new(false);
-        let of = header.picture.content.of();
-        let rendered = render_pieces(&task.scene, &task.settings, of, &missing, keep, &never);
+        let job = header.picture.content.job();
+        let rendered = render_pieces(&task.scene, &task.settings, job, &missing, keep, &never);
         progress.finish();
         match rendered {
             Ok(counts) => Ok((kept, counts)),
