@@ -1,6 +1,6 @@
 //! `--sampling SPEC`: a method of sampling in one word, `sobol:64` or `adaptive:threshold=0.1,depth=3`.
 
-use super::options::unknown;
+use super::unknown::unknown;
 use raywalk::scene::file::schema::Sampling;
 use raywalk::scene::file::validate;
 

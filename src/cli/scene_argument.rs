@@ -1,8 +1,8 @@
 //! The scene that a command names: a path, `-` for standard input, or a built-in scene. A path that exists wins.
 
+use super::color::ColorChoice;
 use super::failure::Failure;
 use super::inputs::Inputs;
-use super::options::ColorChoice;
 use super::output;
 use raywalk::log::file::is_log;
 use raywalk::render::export::is_picture;
