@@ -215,3 +215,60 @@ impl Shared {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Barrier;
+    use std::sync::atomic::{AtomicU32, Ordering};
+    use std::thread;
+
+    fn seen([column, row]: [u32; 2]) -> Seen {
+        Seen { color: Color::new(column.into(), row.into(), 1.0), object: None }
+    }
+
+    /// Threads ask for the same corners at the same time, each in an order of its own: one of them traces each, the others wait for it.
+    #[test]
+    fn each_corner_is_traced_once_whoever_asks_first() {
+        const THREADS: u32 = 8;
+        const SIDE: u32 = 24;
+        for _ in 0..20 {
+            let (shared, start) = (Shared::new(), Barrier::new(THREADS as usize));
+            let traced: Vec<AtomicU32> = (0..SIDE * SIDE).map(|_| AtomicU32::new(0)).collect();
+            let ask_for_all = |first: u32| {
+                start.wait();
+                for number in (0..SIDE * SIDE).map(|number| (number + first * SIDE) % (SIDE * SIDE)) {
+                    let place = [number % SIDE, number / SIDE];
+                    let found = shared.get(place, || {
+                        traced[number as usize].fetch_add(1, Ordering::Relaxed);
+                        thread::yield_now();
+                        seen(place)
+                    });
+                    assert_eq!(found, seen(place));
+                }
+            };
+            let ask = &ask_for_all;
+            thread::scope(|scope| {
+                (0..THREADS).for_each(|thread| _ = scope.spawn(move || ask(thread % 3)));
+            });
+            assert!(traced.iter().all(|count| count.load(Ordering::Relaxed) == 1));
+        }
+    }
+
+    #[test]
+    fn corners_above_a_row_are_forgotten_and_those_from_it_on_are_kept() {
+        let mut shared = Shared::new();
+        for row in 0..6 {
+            shared.get([7, row], || seen([7, row]));
+        }
+        shared.forget_above(3);
+        for row in 0..6 {
+            let mut is_traced = false;
+            shared.get([7, row], || {
+                is_traced = true;
+                seen([7, row])
+            });
+            assert_eq!(is_traced, row < 3, "{row}");
+        }
+    }
+}

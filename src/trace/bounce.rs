@@ -269,3 +269,14 @@ fn give_loss<P: Probe>(scene: &Scene, path: &Path, weight: Color, probe: &mut P)
     let product = Color::select(dead_channels(path, weight), Color::ZERO, product);
     probe.given(Name::CutoffLoss, rounded_up(in_range(product * ceiling)));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_no_length_is_not_normalized() {
+        assert_eq!(normalized(DVec3::ZERO), DVec3::ZERO);
+        assert_eq!(normalized(DVec3::new(3.0, 0.0, -4.0)), DVec3::new(0.6, 0.0, -0.8));
+    }
+}
