@@ -56,11 +56,12 @@ pub(super) fn from_light<P: Probe>(
     if passed == Color::ZERO {
         return Color::ZERO;
     }
+    let directions = Directions { normal, view, light: arrival.direction };
     let arriving = source.light.faded(source.color, arrival.distance, probe) * passed;
     let reflectance = if is_in_front {
-        material.diffuse * cosine(n_dot_l) + specular(scene, material, normal, view, arrival.direction, n_dot_l, probe)
+        material.diffuse * cosine(n_dot_l) + specular(scene, material, &directions, n_dot_l, probe)
     } else {
-        transmission(scene, meeting, material, view, arrival.direction, probe)
+        transmission(scene, meeting, &directions, probe)
     };
     arriving * reflectance
 }
@@ -111,13 +112,18 @@ pub(crate) fn segment_to_light(point: DVec3, arrival: &Arrival) -> Ray {
     Ray { t_max: arrival.distance, wants_distance: false, ..Ray::new(point, arrival.direction) }
 }
 
+/// The directions of the local model, of unit length.
+struct Directions {
+    normal: DVec3,
+    view: DVec3,
+    light: DVec3,
+}
+
 /// K_e ((N·H)⁺)^n_e, or K_e ((R·V)⁺)^n_e.
 fn specular<P: Probe>(
     scene: &Scene,
     material: &Material,
-    normal: DVec3,
-    view: DVec3,
-    light: DVec3,
+    &Directions { normal, view, light }: &Directions,
     n_dot_l: f64,
     probe: &mut P,
 ) -> Color {
@@ -162,11 +168,10 @@ fn specular<P: Probe>(
 fn transmission<P: Probe>(
     scene: &Scene,
     meeting: &Meeting,
-    material: &Material,
-    view: DVec3,
-    light: DVec3,
+    &Directions { normal, view, light }: &Directions,
     probe: &mut P,
 ) -> Color {
+    let material = meeting.material;
     let media = meeting.path.media;
     let exponent = material.transmission_exponent;
     let is_sharp = scene.tracing.specular.is_sharp(material);
@@ -188,7 +193,6 @@ fn transmission<P: Probe>(
         return material.transmission * height;
     }
     let Some(half) = transmitted_half(light, view, eta, scene.tracing.formulas, probe) else { return Color::ZERO };
-    let normal = meeting.surface.normal;
     let cosine = probe.note(Name::ShadeNDotTransmitted, -probe.dot(normal, half));
     let names = [Name::ShadeTransmittedPower, Name::ShadeTransmittedPowerSine];
     let lobe = Lobe { cosine, between: [-normal, half], names };
