@@ -55,6 +55,15 @@ pub struct Settings {
     pub order: TileOrder,
 }
 
+impl Settings {
+    /// The whole picture of a scene in f64, on all cores; nothing is counted.
+    pub fn whole(scene: &Scene) -> Settings {
+        let [width, height] = scene.camera.resolution;
+        let (arithmetic, order) = (Arithmetic::F64, TileOrder::Rows);
+        Settings { crop: [0, 0, width, height], arithmetic, threads: 0, counts_rays: false, order }
+    }
+}
+
 /// What was rendered.
 #[derive(Clone, Debug)]
 pub struct Rendered<T = Film> {

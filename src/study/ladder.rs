@@ -96,9 +96,7 @@ fn timed(scene: &Scene, arithmetic: Arithmetic, threads: usize) -> Result<(Vec<C
 }
 
 fn once(scene: &Scene, arithmetic: Arithmetic, threads: usize) -> Result<(Vec<Color>, f64), RenderError> {
-    let [width, height] = scene.camera.resolution;
-    let settings =
-        Settings { crop: [0, 0, width, height], arithmetic, threads, counts_rays: false, order: Default::default() };
+    let settings = Settings { arithmetic, threads, ..Settings::whole(scene) };
     let begun = Instant::now();
     let rendered = render(scene, &settings, |_| (), &AtomicBool::new(false))?;
     Ok((rendered.film.into_pixels(), begun.elapsed().as_secs_f64()))

@@ -1,12 +1,11 @@
 //! What a picture loses with every level less of its ray tree, and by cutoffs, and what that saves.
 
-use super::clock::timed;
-use crate::record::Arithmetic;
-use crate::render::{RenderError, Settings, render};
+use super::clock::Lap;
+use super::pictures::{counts, picture};
+use crate::render::RenderError;
 use crate::scene::{Ceilings, Color, Scene};
 use crate::study::ladder::{Deviation, errors};
 use serde::Serialize;
-use std::sync::atomic::AtomicBool;
 
 /// A limit, in the scene's terms.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -77,9 +76,8 @@ fn ladder(
     let (exact, _) = picture(&under(scene, reference), threads)?;
     let rung = |limit| {
         let scene = under(scene, limit);
-        let (pixels, seconds) = picture(&scene, threads)?;
-        let counter = render(&scene, &settings(&scene, threads, true), |_| (), &AtomicBool::new(false))?.counts;
-        let counter = counter.unwrap_or_default();
+        let (pixels, Lap { seconds, .. }) = picture(&scene, threads)?;
+        let counter = counts(&scene, threads)?;
         let statistics = counter.statistics_of(scene.sampling.largest_share(), 0, Default::default(), 0);
         let bound = match (limit, statistics.lost) {
             (Limit::MaxDepth(_), _) => None,
@@ -104,15 +102,4 @@ fn under(scene: &Scene, limit: Limit) -> Scene {
     }
     scene.ceilings = if scene.tracing.cutoff > 0.0 { Ceilings::of(&scene) } else { Ceilings::default() };
     scene
-}
-
-fn picture(scene: &Scene, threads: usize) -> Result<(Vec<Color>, f64), RenderError> {
-    let (rendered, lap) = timed(|| render(scene, &settings(scene, threads, false), |_| (), &AtomicBool::new(false)));
-    Ok((rendered?.film.into_pixels(), lap.seconds))
-}
-
-fn settings(scene: &Scene, threads: usize, counts_rays: bool) -> Settings {
-    let [width, height] = scene.camera.resolution;
-    let (crop, arithmetic) = ([0, 0, width, height], Arithmetic::F64);
-    Settings { crop, arithmetic, threads, counts_rays, order: Default::default() }
 }

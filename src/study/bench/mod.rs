@@ -5,6 +5,7 @@ pub mod clock;
 pub mod exact;
 pub mod limits;
 pub mod overhead;
+mod pictures;
 pub mod samplers;
 pub mod scaling;
 pub mod spread;

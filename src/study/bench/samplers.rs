@@ -1,15 +1,13 @@
 //! What each method of sampling makes of a scene in which time: its error against a picture with many more samples.
 
 use super::Spread;
-use super::clock::{Lap, timed};
 use super::exact::{self, NotExact};
-use crate::record::Arithmetic;
-use crate::render::{Counter, RenderError, Settings, render};
+use super::pictures::{counts, picture};
+use crate::render::RenderError;
 use crate::scene::{Color, Sampling, Scene};
 use crate::threads::Threads;
 use serde::Serialize;
 use std::fmt;
-use std::sync::atomic::AtomicBool;
 
 /// The seeds of the two pictures that make the reference; those that are measured begin at 0.
 const REFERENCE_SEEDS: [u64; 2] = [1 << 40, (1 << 40) + 1];
@@ -147,7 +145,7 @@ fn outcome(
     comparing: Comparing,
 ) -> Result<Outcome, RenderError> {
     let (mut seconds, mut cpu_seconds, mut errors) = (Vec::new(), Vec::new(), Vec::new());
-    // Counting takes time, so that it is a run of its own, which warms up too.
+    // A run of its own, which warms up too.
     scene.seed = own_seed;
     let counted = counts(scene, comparing.threads)?;
     for run in 0..comparing.runs {
@@ -181,22 +179,6 @@ fn mark_front(outcomes: &mut [Outcome]) {
 fn rmse(picture: &[Color], other: &[Color], white: f64) -> f64 {
     let squares: f64 = picture.iter().zip(other).map(|(one, other)| (*one - *other).length_squared()).sum();
     (squares / (3 * picture.len()) as f64).sqrt() / white
-}
-
-fn picture(scene: &Scene, threads: usize) -> Result<(Vec<Color>, Lap), RenderError> {
-    let (rendered, lap) = timed(|| render(scene, &settings(scene, threads, false), |_| (), &AtomicBool::new(false)));
-    Ok((rendered?.film.into_pixels(), lap))
-}
-
-fn counts(scene: &Scene, threads: usize) -> Result<Counter, RenderError> {
-    let rendered = render(scene, &settings(scene, threads, true), |_| (), &AtomicBool::new(false))?;
-    Ok(rendered.counts.unwrap_or_default())
-}
-
-fn settings(scene: &Scene, threads: usize, counts_rays: bool) -> Settings {
-    let [width, height] = scene.camera.resolution;
-    let (crop, arithmetic) = ([0, 0, width, height], Arithmetic::F64);
-    Settings { crop, arithmetic, threads, counts_rays, order: Default::default() }
 }
 
 #[cfg(test)]

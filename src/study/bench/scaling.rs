@@ -5,7 +5,6 @@ use super::clock::timed;
 use super::throughput::{Hits, Mode, Passes, measure};
 use crate::geometry::Shape;
 use crate::random::{hash, unit};
-use crate::record::Arithmetic;
 use crate::render::{RenderError, Settings, render};
 use crate::scene::Scene;
 use crate::scene::file::raw::{Question, RawRay, RayFile};
@@ -67,13 +66,7 @@ pub fn of_spheres(spheres: u32, passes: usize) -> OfSpheres {
 pub fn of_size(scene: &Scene, threads: usize, passes: usize) -> Result<OfSize, RenderError> {
     let [width, height] = scene.camera.resolution;
     let pixels = f64::from(width) * f64::from(height);
-    let settings = Settings {
-        crop: [0, 0, width, height],
-        arithmetic: Arithmetic::F64,
-        threads,
-        counts_rays: false,
-        order: Default::default(),
-    };
+    let settings = Settings { threads, ..Settings::whole(scene) };
     let once = || {
         let (rendered, lap) = timed(|| render(scene, &settings, |_| (), &AtomicBool::new(false)));
         rendered.map(|_| lap.seconds * 1e9 / pixels)
