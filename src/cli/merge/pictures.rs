@@ -9,7 +9,7 @@ use crate::cli::options::ColorChoice;
 use crate::cli::picture::{Place, Shown, format_of};
 use crate::cli::render::MAX_PART_BYTES;
 use raywalk::render::Canvas;
-use raywalk::render::part::{Content, PartError, PartHeader, Picture, Reader, Record};
+use raywalk::render::part::{Content, PartError, PartHeader, Picture, Reader};
 use raywalk::render::pieces::pieces;
 use raywalk::scene::file::escape_hidden;
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,7 +45,7 @@ impl Merge {
         // All of them, before the first one is written.
         frames.values().try_for_each(|parts| check(parts))?;
         for path in &self.parts {
-            each_piece(path, &mut part_in(path, colors)?, |_, _| ())?;
+            each_piece(path, colors, |_| ())?;
         }
         for (frame, parts) in &frames {
             let path = match frame {
@@ -140,31 +140,19 @@ fn joined(parts: &[Part], picture: &Picture, colors: ColorChoice) -> Result<Canv
     let canvas = Canvas::new(picture.crop, picture.content.job());
     let mut canvas = canvas.map_err(|error| Failure::machine(error.to_string()))?;
     for Part { path, .. } in parts {
-        each_piece(path, &mut part_in(path, colors)?, |_, piece| canvas.put(&piece))?;
+        each_piece(path, colors, |piece| canvas.put(&piece))?;
     }
     Ok(canvas)
 }
 
 /// Hands on every piece of a part that is whole.
-fn each_piece(
-    path: &Path,
-    reader: &mut Reader<impl BufRead>,
-    mut take: impl FnMut(u32, Canvas),
-) -> Result<(), Failure> {
-    let mut missing: BTreeSet<u32> = reader.header().pieces().map(|(number, _)| number).collect();
-    loop {
-        match reader.next_record().map_err(|error| Failure::io(path, "read", &error))? {
-            Some(Record::Piece(number, pixels)) => {
-                missing.remove(&number);
-                take(number, pixels);
-            }
-            Some(Record::End) if missing.is_empty() => return Ok(()),
-            _ => {
-                return Err(Failure::caller(format!(
-                    "{}: was cut off or damaged; expected a whole part, which the same `render --shard` writes again",
-                    shown(path)
-                )));
-            }
-        }
+fn each_piece(path: &Path, colors: ColorChoice, take: impl FnMut(Canvas)) -> Result<(), Failure> {
+    match part_in(path, colors)?.each_piece(take) {
+        Ok(true) => Ok(()),
+        Ok(false) => Err(Failure::caller(format!(
+            "{}: was cut off or damaged; expected a whole part, which the same `render --shard` writes again",
+            shown(path)
+        ))),
+        Err(error) => Err(Failure::io(path, "read", &error)),
     }
 }

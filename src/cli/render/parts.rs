@@ -8,12 +8,11 @@ use crate::cli::picture;
 use raywalk::log::{Shard, Subject};
 use raywalk::record;
 use raywalk::render::export::Format;
-use raywalk::render::part::{Content, PartHeader, Picture, Reader, Record, Writer};
+use raywalk::render::part::{Content, PartHeader, Picture, Reader, Writer};
 use raywalk::render::pieces::render_pieces;
 use raywalk::render::statistics::Seconds;
 use raywalk::render::{Canvas, Counter, RenderError};
 use raywalk::scene::file::Wanted;
-use std::collections::BTreeSet;
 use std::io::{self, BufReader};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -151,17 +150,5 @@ fn is_whole(path: &Path, header: &PartHeader) -> bool {
     }
     let Ok(opened) = (Wanted { what: "a part", max_bytes: MAX_PART_BYTES }).open(path) else { return false };
     let Ok(mut reader) = Reader::open(BufReader::new(opened.stream(MAX_PART_BYTES))) else { return false };
-    if reader.header() != header {
-        return false;
-    }
-    let mut missing: BTreeSet<u32> = header.pieces().map(|(number, _)| number).collect();
-    loop {
-        match reader.next_record() {
-            Ok(Some(Record::Piece(number, _))) => {
-                missing.remove(&number);
-            }
-            Ok(Some(Record::End)) => return missing.is_empty(),
-            _ => return false,
-        }
-    }
+    reader.header() == header && reader.each_piece(|_| ()).unwrap_or(false)
 }

@@ -6,6 +6,7 @@ use crate::render::Canvas;
 use crate::render::pieces::PIECE;
 use crate::scene::file::validate::limits::{MAX_PIXELS, MAX_SIDE};
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use std::io::{self, BufRead, ErrorKind, Read};
 
 /// The longest header: one with the names of many objects.
@@ -140,6 +141,24 @@ impl<R: BufRead> Reader<R> {
             self.good += record.len() as u64;
         }
         Ok(found)
+    }
+
+    /// Hands on every piece that follows; whether the part is whole.
+    ///
+    /// # Errors
+    /// When the input can't be read.
+    pub fn each_piece(&mut self, mut take: impl FnMut(Canvas)) -> io::Result<bool> {
+        let mut missing: BTreeSet<u32> = self.header.pieces().map(|(number, _)| number).collect();
+        loop {
+            match self.next_record()? {
+                Some(Record::Piece(number, piece)) => {
+                    missing.remove(&number);
+                    take(piece);
+                }
+                Some(Record::End) => return Ok(missing.is_empty()),
+                Some(Record::WentInto(_)) | None => return Ok(false),
+            }
+        }
     }
 
     /// Whether nothing follows, nor anything that was packed badly.
