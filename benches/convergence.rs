@@ -4,7 +4,6 @@
 //! cargo bench --bench convergence
 //! ```
 
-use raywalk::record::Arithmetic;
 use raywalk::render::{Settings, render};
 use raywalk::scene::{Guided, Sampling, Scene, Statistical, build, builtin, file};
 use std::sync::atomic::AtomicBool;
@@ -75,14 +74,7 @@ fn methods() -> Vec<Sampling> {
 /// The red of each pixel, and the camera rays.
 fn picture(scene: &Scene, sampling: Sampling, seed: u64) -> (Vec<f64>, u64) {
     let scene = Scene { sampling, seed, ..scene.clone() };
-    let [width, height] = scene.camera.resolution;
-    let settings = Settings {
-        crop: [0, 0, width, height],
-        arithmetic: Arithmetic::F64,
-        threads: 0,
-        counts_rays: true,
-        order: Default::default(),
-    };
+    let settings = Settings { counts_rays: true, ..Settings::whole(&scene) };
     let rendered = render(&scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture that fits into memory");
     let statistics = rendered.counts.map(|counts| counts.statistics(0, Default::default(), 0));
     let rays = statistics.map_or(0, |statistics| statistics.samples);

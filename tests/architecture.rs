@@ -2,10 +2,12 @@
 //! code of ours does. `docs/architecture.md` says why.
 
 mod support {
+    pub mod circles;
     pub mod source;
 }
 
 use std::collections::BTreeSet;
+use support::circles::circles;
 use support::source::{SourceFile, files_below, program};
 
 /// The top-level modules, lowest first: each may import those before it.
@@ -28,6 +30,9 @@ const NARROW: &[(&str, &[&str])] = &[
     // What is shown of either is escaped as in logs.
     ("scene/file", &["scene/file", "geometry/mesh", "geometry/shape/SphereMethod", "log/escape"]),
 ];
+
+/// Where files still import each other: each state of the viewer knows the model, which holds all of them.
+const KNOTS: &[&str] = &["log/file/", "log/", "report/close_up/", "report/d", "report/", "scene/file/", "tui/"];
 
 /// Where input and output happen.
 const DOORS: &[&str] = &["main.rs", "cli/", "scene/file/", "log/file/", "render/export/", "tui/terminal.rs"];
@@ -121,6 +126,34 @@ fn narrow_modules_import_only_what_they_may_know() {
         }
     }
     assert_none("imports that a module must not know", &wrong);
+}
+
+#[test]
+fn no_two_files_import_each_other() {
+    let mut wrong = circles(&program());
+    for knot in KNOTS {
+        let is_knot = |circle: &String| circle.lines().all(|arrow| arrow.starts_with(knot));
+        let before = wrong.len();
+        wrong.retain(|circle| !is_knot(circle));
+        assert!(wrong.len() < before, "no circle is left in {knot}: take it from the list");
+    }
+    assert_none("circles of imports", &wrong);
+}
+
+#[test]
+fn the_scanner_sees_circles() {
+    let file = |path: &str, text: &str| SourceFile::new(path.to_owned(), text);
+    let room = file("room/mod.rs", "mod a; mod b; mod c; pub use a::A; pub use c::C; use b::B; fn f(b: B) {}");
+    let files = [
+        file("lib.rs", "mod room;"),
+        room,
+        file("room/a.rs", "use super::b::B; pub struct A; fn f() { super::f() }"),
+        file("room/b.rs", "use crate::room::{C, f}; pub struct B;"),
+        file("room/c.rs", "pub struct C; impl C { fn f(a: super::A) {} }"),
+        file("room/d.rs", "use super::{A, b};"),
+    ];
+    assert_eq!(circles(&files), ["room/a.rs -> room/b.rs: B\nroom/b.rs -> room/c.rs: C\nroom/c.rs -> room/a.rs: A"]);
+    assert!(circles(&files[..4]).is_empty(), "without the third file there is no circle");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod bench;
 mod causes;
+mod color;
 mod diff;
 mod failure;
 mod frames;
@@ -29,6 +30,7 @@ mod stress;
 mod textbook;
 mod trace;
 mod unfinished;
+mod unknown;
 mod usage;
 mod views;
 mod walk;

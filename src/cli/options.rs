@@ -1,52 +1,26 @@
 //! The options that every tracing command has. They override what the scene says.
 
+pub use super::color::ColorChoice;
+
 use super::failure::Failure;
 use super::sampling_spec::{sampling, sampling_help};
 use super::scene_argument::Loaded;
 use super::shown::ShownOptions;
+use super::unknown::unknown;
 use clap::{Args, ValueEnum};
 use raywalk::geometry::shape::SphereMethod;
 use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;
 use raywalk::report::language::Language;
 use raywalk::scene::builtin;
+use raywalk::scene::file;
 use raywalk::scene::file::nff::{Angle, Import};
 use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_PIXELS, MAX_SIDE};
-use raywalk::scene::file::{self, suggest};
-use raywalk::scene::{Algorithm, Formulas, Index, Sampling, Scene, Skip, Specular, build_with};
-use std::io::{self, IsTerminal};
+use raywalk::scene::{Algorithm, Around, Formulas, Sampling, Scene, Skip, Specular, build_with};
 
 /// The most threads.
 pub const MAX_THREADS: i64 = 4096;
-
-/// Whether to use colours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ColorChoice {
-    /// Where the output is a terminal and NO_COLOR isn't set.
-    Auto,
-    /// Always.
-    Always,
-    /// Never.
-    Never,
-}
-
-impl ColorChoice {
-    /// Messages are made with colours: from here on standard error leaves them out unless they are wanted there.
-    pub fn choose_for_messages(self) {
-        let is_colored = self.applies_to(&io::stderr());
-        if is_colored { anstream::ColorChoice::AlwaysAnsi } else { anstream::ColorChoice::Never }.write_global();
-    }
-
-    /// Whether output to this stream is coloured.
-    pub fn applies_to(self, stream: &impl IsTerminal) -> bool {
-        match self {
-            ColorChoice::Always => true,
-            ColorChoice::Never => false,
-            ColorChoice::Auto => stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|set| set.is_empty()),
-        }
-    }
-}
 
 /// How rays are traced.
 #[derive(Args, Debug, Default, Clone, PartialEq)]
@@ -193,14 +167,13 @@ impl TracingOptions {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }
         file.tracing.formulas = self.formulas.or(file.tracing.formulas);
-        let built = build_with(file, &meshes, self.arithmetic.implied_formulas());
-        let mut scene = built.map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
-        scene.frame = frame;
-        scene.tracing.skip = self.skip.unwrap_or(Skip::ALL);
-        if self.tests == TestsChoice::All {
-            scene.index = Index::of_all(&scene.objects);
-        }
-        Ok(scene)
+        let around = Around {
+            formulas: self.arithmetic.implied_formulas(),
+            skip: self.skip.unwrap_or(Skip::ALL),
+            shows_all_tests: self.tests == TestsChoice::All,
+            frame,
+        };
+        build_with(file, &meshes, around).map_err(|unsupported| Failure::caller(unsupported.to_string()))
     }
 }
 
@@ -302,10 +275,4 @@ fn skip(text: &str) -> Result<Skip, String> {
         })?;
         Ok(skip.with(rule))
     })
-}
-
-/// The message about a word that isn't among the known ones.
-pub fn unknown(what: &str, found: &str, known: &[&str]) -> String {
-    let near = suggest(found, known.iter().copied()).map(|near| format!("; did you mean `{near}`?"));
-    format!("unknown {what} `{found}`, expected {}{}", known.join(", "), near.unwrap_or_default())
 }

@@ -4,24 +4,12 @@ use super::failure::{Failure, shown};
 use super::inputs::Inputs;
 use super::layers::{Files, Layers};
 use super::output::{self, Output};
-use raywalk::render::Film;
 use raywalk::render::digits::{Summary, false_colors};
 use raywalk::render::export::{self, Clipped, EncodeError, Encoded, Format};
-use raywalk::render::layers::Layered;
-use raywalk::render::pieces::Canvas;
+use raywalk::render::{Canvas, Film};
 use raywalk::scene;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
-
-/// What was rendered.
-pub enum Rendered {
-    /// Colours.
-    Colors(Film),
-    /// How many digits of each pixel can be trusted.
-    Digits(Film),
-    /// Colours with layers.
-    Layers(Layered, Layers),
-}
 
 /// How it is shown.
 pub struct Shown<'s> {
@@ -44,28 +32,9 @@ pub struct Place {
     path: PathBuf,
     format: Format,
     output: Output,
+    layers: Option<Layers>,
     /// What is beside it.
     files: Files,
-}
-
-impl Rendered {
-    /// What was put together from pieces.
-    pub fn of(canvas: Canvas, layers: Option<Layers>, is_digits: bool) -> Rendered {
-        match (canvas, layers) {
-            (Canvas::Layers(layered), Some(layers)) => Rendered::Layers(layered, layers),
-            (Canvas::Layers(layered), None) => Rendered::Colors(layered.film()),
-            (Canvas::Colors(film), _) if is_digits => Rendered::Digits(film),
-            (Canvas::Colors(film), _) => Rendered::Colors(film),
-        }
-    }
-
-    /// How many pixels it has.
-    fn pixels(&self) -> u64 {
-        match self {
-            Rendered::Colors(film) | Rendered::Digits(film) => film.pixels().len() as u64,
-            Rendered::Layers(layered, _) => layered.pixels.len() as u64,
-        }
-    }
 }
 
 /// The digest of a picture's files in this format, those of layers beside it among them.
@@ -110,7 +79,7 @@ impl Place {
         }
         let output = Output::create(Some(path), inputs)?;
         let files = layers.map_or_else(|| Ok(Files::none()), |layers| layers.files(path, format, inputs))?;
-        Ok(Place { path: path.to_owned(), format, output, files })
+        Ok(Place { path: path.to_owned(), format, output, layers: layers.cloned(), files })
     }
 
     /// Whether the picture is a file that nobody sees before it is whole.
@@ -119,24 +88,24 @@ impl Place {
     }
 
     /// Writes a picture, and says what there is to say about it.
-    pub fn write(self, rendered: &Rendered, how: &Shown) -> Result<Written, Failure> {
-        let encoded = match rendered {
-            Rendered::Colors(film) => export::encode(film, self.format, &how.output),
-            Rendered::Digits(film) => encode_digits(film, self.format),
-            Rendered::Layers(layered, layers) if self.format == Format::Exr => layers.encode(layered),
-            Rendered::Layers(layered, _) => export::encode(&layered.film(), self.format, &how.output),
+    pub fn write(self, rendered: &Canvas, how: &Shown) -> Result<Written, Failure> {
+        let encoded = match (rendered, &self.layers) {
+            (Canvas::Colors(film), _) => export::encode(film, self.format, &how.output),
+            (Canvas::Digits(film), _) => encode_digits(film, self.format),
+            (Canvas::Layers(film), Some(layers)) if self.format == Format::Exr => layers.encode(film),
+            (Canvas::Layers(film), _) => export::encode(&film.film(), self.format, &how.output),
         };
         let cannot_encode = |error| Failure::machine(format!("{}: cannot encode: {error}", shown(&self.path)));
         let Encoded { bytes, clipped } = encoded.map_err(cannot_encode)?;
         // The layers first: where the picture is, they are.
-        if let Rendered::Layers(layered, _) = rendered {
-            self.files.write(layered, how.objects)?;
+        if let Canvas::Layers(film) = rendered {
+            self.files.write(film, how.objects)?;
         }
         self.output.commit(&bytes)?;
-        if let (Some(text), false) = (of_clipped(&clipped, rendered.pixels()), how.is_quiet) {
+        if let (Some(text), false) = (of_clipped(&clipped, rendered.count()), how.is_quiet) {
             output::tell(&text);
         }
-        if let (Rendered::Digits(film), false) = (rendered, how.is_quiet) {
+        if let (Canvas::Digits(film), false) = (rendered, how.is_quiet) {
             let Summary { fewest, median, without } = Summary::of(film);
             output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
         }

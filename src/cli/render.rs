@@ -13,17 +13,15 @@ use super::inputs::Inputs;
 use super::layers::Layers;
 use super::options::{TracingOptions, numbers, region_in, warning_of_sampling};
 use super::output;
-use super::picture::{Place, Rendered, Shown, format_of};
+use super::picture::{Place, Shown, format_of};
 use super::progress::ProgressOptions;
 use super::scene_argument::{self, Loaded};
 use clap::{Args, ValueEnum};
 use raywalk::log::Shard;
 use raywalk::record::Arithmetic;
-use raywalk::render::digits::render_digits;
 use raywalk::render::export::Format;
-use raywalk::render::layers::render_layers;
 use raywalk::render::statistics::{Seconds, Statistics};
-use raywalk::render::{Counter, RenderError, Settings, TileOrder, render};
+use raywalk::render::{Canvas, Counter, Job, RenderError, Rendered, Settings, TileOrder, render_job};
 use raywalk::scene::Scene;
 use raywalk::scene::file::escape_hidden;
 use std::path::PathBuf;
@@ -161,29 +159,30 @@ impl Render {
     fn whole_picture(&self, task: &Task, format: Format, mut seconds: Seconds) -> Result<(), Failure> {
         let place = self.place(task, format)?;
         let start = Instant::now();
-        let (rendered, counts) = self.rendered(task)?;
+        let Rendered { film, counts } = self.rendered(task)?;
         seconds.render = start.elapsed().as_secs_f64();
-        let written = place.write(&rendered, &self.shown(task, &names_of(&task.scene)))?;
+        let written = place.write(&film, &self.shown(task, &names_of(&task.scene)))?;
         // Of an earlier run that was killed when the picture was there.
         checkpoint::remove_left_of(&task.path, &task.inputs, || self.header(task, Shard::WHOLE))?;
         self.print_statistics(task, counts, seconds, written.clipped_pixels)
     }
 
     /// The picture of colours, of digits, or with layers.
-    fn rendered(&self, Task { scene, settings, .. }: &Task) -> Result<(Rendered, Option<Counter>), Failure> {
+    fn rendered(&self, Task { scene, settings, .. }: &Task) -> Result<Rendered<Canvas>, Failure> {
         let [left, top, right, bottom] = settings.crop;
         let progress = self.progress.start(u64::from(right - left) * u64::from(bottom - top));
         let (advance, never) = (|pixels| progress.advance(pixels), AtomicBool::new(false));
-        let rendered = match (&self.layers, self.digits_seed()?) {
-            (Some(layers), _) => render_layers(scene, settings, advance, &never)
-                .map(|layered| (Rendered::Layers(layered, layers.clone()), None)),
-            (None, Some(seed)) => render_digits(scene, settings, seed, advance, &never)
-                .map(|rendered| (Rendered::Digits(rendered.film), rendered.counts)),
-            (None, None) => render(scene, settings, advance, &never)
-                .map(|rendered| (Rendered::Colors(rendered.film), rendered.counts)),
-        };
+        let rendered = render_job(self.job()?, scene, settings, advance, &never);
         progress.finish();
         rendered.map_err(|error| failed(&error))
+    }
+
+    fn job(&self) -> Result<Job, Failure> {
+        Ok(match (&self.layers, self.digits_seed()?) {
+            (Some(_), _) => Job::Layers,
+            (None, Some(seed)) => Job::Digits { seed },
+            (None, None) => Job::Colors,
+        })
     }
 
     fn place(&self, task: &Task, format: Format) -> Result<Place, Failure> {

@@ -1,7 +1,7 @@
 //! `--sampling SPEC`: a method of sampling in one word, `sobol:64` or `adaptive:threshold=0.1,depth=3`. The methods and their forms are those
 //! of [`FORMS`].
 
-use super::options::unknown;
+use super::unknown::unknown;
 use raywalk::scene::Sampling;
 use raywalk::scene::file::schema::FORMS;
 use raywalk::scene::file::validate;

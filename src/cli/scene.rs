@@ -9,7 +9,7 @@ use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
 use raywalk::scene::file::{SceneFile, escape_hidden, schema};
-use raywalk::scene::{Formulas, build_with, builtin, generate};
+use raywalk::scene::{Around, build_with, builtin, generate};
 use std::path::{Path, PathBuf};
 
 /// Check, show, convert, list or generate scenes.
@@ -93,7 +93,7 @@ impl SceneCommand {
                     counted(file.materials.len(), "material"),
                 ];
                 let counts = counts.join(", ");
-                let built = build_with(file, &meshes, Formulas::Robust);
+                let built = build_with(file, &meshes, Around::default());
                 let built = built.map_err(|unsupported| Failure::caller(unsupported.to_string()))?;
                 lights::tell(&input, built);
                 output::print(format!("{name}: ok, {counts}\n").as_bytes())

@@ -12,7 +12,7 @@ use super::output::{self, Output, Sink};
 use super::progress::ProgressOptions;
 use super::region;
 use super::scene_argument::{self, Input, Named};
-use super::views::{Lang, TreeOf, View};
+use super::views::{Lang, TraceFormat, TreeOf, View};
 use clap::{Args, ValueEnum};
 use close_up::CloseUpOf;
 use glam::DVec3;
@@ -90,32 +90,6 @@ pub struct Subject {
     /// A ray: its origin and its direction
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", value_parser = finite_ray, allow_hyphen_values = true)]
     pub ray: Option<[f64; 6]>,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum TraceFormat {
-    /// One event per line.
-    Ndjson,
-    /// One document.
-    Json,
-    /// The walk as text.
-    Text,
-    /// A worked solution: numbered steps, formulas in TeX's notation, figures as Mermaid and text.
-    Markdown,
-    /// A worked solution for pdflatex.
-    Latex,
-    /// A worked solution as one page by itself, its steps to be folded, its values linked.
-    Html,
-    /// The ray tree for Graphviz.
-    Dot,
-    /// The ray tree as a picture.
-    Svg,
-    /// The ray tree for Mermaid.
-    Mermaid,
-    /// The rays as lines in space, for 3D viewers (Wavefront OBJ).
-    Obj,
-    /// The same in the colours of their kinds (Polygon File Format).
-    Ply,
 }
 
 impl TraceFormat {

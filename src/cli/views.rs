@@ -1,7 +1,6 @@
 //! A log in the formats of `raywalk trace`.
 
 use super::live::drawing;
-use super::trace::TraceFormat;
 use clap::ValueEnum;
 use raywalk::log::{Log, Tree, file as log_file};
 use raywalk::report::language::Language;
@@ -38,6 +37,33 @@ pub enum TreeOf {
     Rays,
     /// Calls of the algorithm.
     Calls,
+}
+
+/// What a log is written as.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TraceFormat {
+    /// One event per line.
+    Ndjson,
+    /// One document.
+    Json,
+    /// The walk as text.
+    Text,
+    /// A worked solution: numbered steps, formulas in TeX's notation, figures as Mermaid and text.
+    Markdown,
+    /// A worked solution for pdflatex.
+    Latex,
+    /// A worked solution as one page by itself, its steps to be folded, its values linked.
+    Html,
+    /// The ray tree for Graphviz.
+    Dot,
+    /// The ray tree as a picture.
+    Svg,
+    /// The ray tree for Mermaid.
+    Mermaid,
+    /// The rays as lines in space, for 3D viewers (Wavefront OBJ).
+    Obj,
+    /// The same in the colours of their kinds (Polygon File Format).
+    Ply,
 }
 
 /// How a log is to be seen.

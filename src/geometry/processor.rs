@@ -22,3 +22,19 @@ pub(crate) fn avx2() -> Option<V3> {
         LazyLock::new(|| if IS_PLAIN.load(Ordering::Relaxed) { None } else { V3::try_new() });
     *AVX2
 }
+
+/// Methods that are one instruction each, such as `add(a, b) = avx._mm256_add_ps`: the proof that the processor has it is `self.0`.
+#[cfg(target_arch = "x86_64")]
+macro_rules! instructions {
+    ($lanes:ty: $($method:ident($($x:ident),*) = $set:ident.$instruction:ident$(::<$kind:ident>)?;)*) => {
+        $(
+            #[inline(always)]
+            fn $method(self, $($x: $lanes),*) -> $lanes {
+                self.0.$set.$instruction$(::<$kind>)?($($x),*)
+            }
+        )*
+    };
+}
+
+#[cfg(target_arch = "x86_64")]
+pub(crate) use instructions;

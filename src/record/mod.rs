@@ -181,7 +181,7 @@ pub struct PartOf<'s> {
 impl Computation for PartOf<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
         match self.part {
-            Part::Pixel(pixel) => Pixel { scene: self.scene, pixel }.run(probe),
+            Part::Pixel(pixel) => sampling::pixel(self.scene, pixel, probe),
             Part::Ray { origin, direction } => {
                 let time = self.scene.camera.opening();
                 let aim = |probe: &mut P| Some(Ray { time, ..ray_along(origin, direction, probe)? });

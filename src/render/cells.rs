@@ -4,7 +4,8 @@
 //! whoever needs it first traces it, and others wait for that. What a corner sees depends on its place alone, so that it
 //! doesn't matter who was first, and every corner is counted once.
 
-use super::{Counter, Film, Progress, Settings, TILE, color_of, tiles_of};
+use super::task::{TILE, Task};
+use super::{Counter, Film};
 use crate::probe::{Probe, Saving};
 use crate::random::hash;
 use crate::record::Computation;
@@ -12,44 +13,29 @@ use crate::sampling::adaptive::{Cutting, rectangle};
 use crate::sampling::outline::Rectangle;
 use crate::sampling::shared::Corners;
 use crate::sampling::small_objects::{self, SmallObject};
-use crate::scene::{Color, Scene};
+use crate::scene::Color;
 use crate::trace::Seen;
-use rayon::prelude::*;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// How many tiles high a strip is. What lies between tiles is kept for one strip.
 const TILES_IN_STRIP: u32 = 4;
 
 /// The picture; `None` when the work is to stop.
-pub(super) fn by_cells(
-    scene: &Scene,
-    settings: &Settings,
-    (threshold, depth): (f64, u32),
-    progress: Progress,
-    stop: &AtomicBool,
-) -> Option<(Film, Counter)> {
-    let [left, top, right, bottom] = settings.crop;
-    let small = small_objects::of(scene);
+pub(super) fn by_cells(task: &Task, (threshold, depth): (f64, u32)) -> Option<(Film, Counter)> {
+    let [left, top, right, bottom] = task.settings.crop;
+    let small = small_objects::of(task.scene);
     let mut between_tiles = Shared::new();
-    let mut film = Film::new(settings.crop);
+    let mut film = Film::new(task.settings.crop);
     let mut counter = Counter::default();
     for strip_top in (top..bottom).step_by((TILE * TILES_IN_STRIP) as usize) {
         let strip = [left, strip_top, right, bottom.min(strip_top + TILE * TILES_IN_STRIP)];
         let small = small_objects::within(&small, in_picture(strip));
-        let tiles = tiles_of(strip, settings.order);
-        let of_tile = |area: &[u32; 4]| {
-            let small = small_objects::within(small.iter().copied(), in_picture(*area));
-            let tile = Tile { scene, settings, threshold, depth, area: *area, small, between_tiles: &between_tiles };
-            tile.render(progress, stop)
-        };
-        let rendered = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
-        for (tile, (colors, counted)) in tiles.iter().zip(rendered) {
-            film.put(*tile, &colors);
-            counter.add(&counted);
-        }
+        task.fill(&mut film, strip, &mut counter, |area, counter| {
+            let small = small_objects::within(small.iter().copied(), in_picture(area));
+            Tile { task, threshold, depth, area, small, between_tiles: &between_tiles }.render(counter)
+        })?;
         between_tiles.forget_above(strip[3] << depth);
     }
     Some((film, counter))
@@ -60,44 +46,34 @@ fn in_picture(area: [u32; 4]) -> Rectangle {
 }
 
 /// A part of the picture that one thread renders.
-struct Tile<'s> {
-    scene: &'s Scene,
-    settings: &'s Settings,
+struct Tile<'t> {
+    task: &'t Task<'t>,
     threshold: f64,
     depth: u32,
     /// Left, top, right, bottom.
     area: [u32; 4],
-    small: Vec<&'s SmallObject>,
-    between_tiles: &'s Shared,
+    small: Vec<&'t SmallObject>,
+    between_tiles: &'t Shared,
 }
 
 impl Tile<'_> {
     /// The pixels row by row; `None` when the work is to stop.
-    fn render(&self, progress: Progress, stop: &AtomicBool) -> Option<(Vec<Color>, Counter)> {
-        let [left, top, right, bottom] = self.area;
-        let mut counter = Counter::default();
-        let mut colors = Vec::with_capacity(((right - left) * (bottom - top)) as usize);
+    fn render(&self, counter: &mut Counter) -> Option<Vec<Color>> {
         let mut known = Known::of(self.area);
         let mut alone = 0;
-        for row in top..bottom {
-            for column in left..right {
-                if stop.load(Ordering::Relaxed) {
-                    return None;
-                }
-                let pixel = [column, row];
-                let small = small_objects::within(self.small.iter().copied(), rectangle(pixel));
-                known.inside.clear();
-                let computation = Pixel { tile: self, pixel, small: &small, known: &mut known };
-                colors.push(color_of(self.settings, computation, &mut counter));
-                alone += known.asked.len() as u64;
-                known.asked.clear();
-            }
-        }
-        if self.settings.counts_rays {
+        let colors = self.task.each(self.area, |pixel| {
+            let small = small_objects::within(self.small.iter().copied(), rectangle(pixel));
+            known.inside.clear();
+            let computation = Pixel { tile: self, pixel, small: &small, known: &mut known };
+            let color = self.task.color_of(computation, counter);
+            alone += known.asked.len() as u64;
+            known.asked.clear();
+            color
+        })?;
+        if self.task.settings.counts_rays {
             counter.rays_saved(Saving::Shared, alone - counter.samples());
         }
-        progress(colors.len() as u64);
-        Some((colors, counter))
+        Some(self.task.done(colors))
     }
 
     /// What a corner sees that other pixels have, too: those of other tiles, if it lies on the edge.
@@ -154,12 +130,12 @@ struct Pixel<'t> {
 
 impl Computation for Pixel<'_> {
     fn run<P: Probe>(self, probe: &mut P) -> Color {
-        let Tile { scene, threshold, depth, .. } = *self.tile;
+        let Tile { task: Task { scene, settings, .. }, threshold, depth, .. } = *self.tile;
         let cutting = Cutting { scene, threshold, depth, pixel: self.pixel, small: self.small };
         let n = 1_u32 << depth;
         cutting.color(probe, |within, probe| {
             let place = [0, 1].map(|axis| self.pixel[axis] * n + within[axis]);
-            if self.tile.settings.counts_rays {
+            if settings.counts_rays {
                 self.known.asked.insert(place, ());
             }
             let trace = || Corners::Nested { depth }.seen(scene, place, probe);
@@ -236,6 +212,63 @@ impl Shared {
     fn forget_above(&mut self, first: u32) {
         for shard in &mut self.shards {
             shard.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|[_, row], _| *row >= first);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Barrier;
+    use std::sync::atomic::{AtomicU32, Ordering};
+    use std::thread;
+
+    fn seen([column, row]: [u32; 2]) -> Seen {
+        Seen { color: Color::new(column.into(), row.into(), 1.0), object: None }
+    }
+
+    /// Threads ask for the same corners at the same time, each in an order of its own: one of them traces each, the others wait for it.
+    #[test]
+    fn each_corner_is_traced_once_whoever_asks_first() {
+        const THREADS: u32 = 8;
+        const SIDE: u32 = 24;
+        for _ in 0..20 {
+            let (shared, start) = (Shared::new(), Barrier::new(THREADS as usize));
+            let traced: Vec<AtomicU32> = (0..SIDE * SIDE).map(|_| AtomicU32::new(0)).collect();
+            let ask_for_all = |first: u32| {
+                start.wait();
+                for number in (0..SIDE * SIDE).map(|number| (number + first * SIDE) % (SIDE * SIDE)) {
+                    let place = [number % SIDE, number / SIDE];
+                    let found = shared.get(place, || {
+                        traced[number as usize].fetch_add(1, Ordering::Relaxed);
+                        thread::yield_now();
+                        seen(place)
+                    });
+                    assert_eq!(found, seen(place));
+                }
+            };
+            let ask = &ask_for_all;
+            thread::scope(|scope| {
+                (0..THREADS).for_each(|thread| _ = scope.spawn(move || ask(thread % 3)));
+            });
+            assert!(traced.iter().all(|count| count.load(Ordering::Relaxed) == 1));
+        }
+    }
+
+    #[test]
+    fn corners_above_a_row_are_forgotten_and_those_from_it_on_are_kept() {
+        let mut shared = Shared::new();
+        for row in 0..6 {
+            shared.get([7, row], || seen([7, row]));
+        }
+        shared.forget_above(3);
+        for row in 0..6 {
+            let mut is_traced = false;
+            shared.get([7, row], || {
+                is_traced = true;
+                seen([7, row])
+            });
+            assert_eq!(is_traced, row < 3, "{row}");
         }
     }
 }

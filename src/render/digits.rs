@@ -1,57 +1,30 @@
 //! Pictures of how many digits of each pixel can be trusted.
 
 use super::scale::inferno;
-use super::{Counter, Film, Progress, RenderError, Rendered, Settings, by_pixels, on_threads};
+use super::task::Task;
+use super::{Counter, Film};
 use crate::probe::Silent;
 use crate::record::Pixel;
 use crate::record::digits::{ALL_DIGITS, of_color};
-use crate::scene::{Color, Scene};
-use std::sync::atomic::AtomicBool;
+use crate::scene::Color;
 
-/// Renders the number of significant digits of each pixel's final colour, in all three channels, as
-/// [`of_color`] has it from runs perturbed by `seed` and its successors. The arithmetic of the settings is ignored.
-///
-/// Where pixels share samples, each pixel traces its own, as its log does. Rays of all runs are counted.
-///
-/// # Errors
-/// As [`render`](super::render).
-pub fn render_digits(
-    scene: &Scene,
-    settings: &Settings,
-    seed: u64,
-    progress: impl Fn(u64) + Sync,
-    stop: &AtomicBool,
-) -> Result<Rendered, RenderError> {
-    on_threads(settings, || digits_in(scene, settings, seed, &progress, stop))
-}
-
-/// The same on the threads of the pool that this is called in; `None` when the work is to stop.
-pub(super) fn digits_in(
-    scene: &Scene,
-    settings: &Settings,
-    seed: u64,
-    progress: Progress,
-    stop: &AtomicBool,
-) -> Option<(Film, Counter)> {
-    let of_pixel = |pixel: [u32; 2], counter: &mut Counter| {
-        let pixel = Pixel { scene, pixel };
-        if !settings.counts_rays {
+/// The number of significant digits of each pixel's final colour, in all three channels, as [`of_color`] has it.
+pub(super) fn digits(task: &Task, seed: u64) -> Option<(Film, Counter)> {
+    task.by_pixels(|pixel, counter| {
+        let pixel = Pixel { scene: task.scene, pixel };
+        if !task.settings.counts_rays {
             return Color::splat(of_color(pixel, seed, Silent).0);
         }
         let (digits, counted) = of_color(pixel, seed, std::mem::take(counter));
         *counter = counted;
         Color::splat(digits)
-    };
-    by_pixels(settings, of_pixel, progress, stop)
+    })
 }
 
 /// A picture of digits in false colours, from 0 to 1: bright yellow is none, then orange, red, violet, and black all digits. The place on
 /// the scale is the square root of the digits lost, so that it tells 15 from 14 as well as 8 from 3.
 pub fn false_colors(digits: &Film) -> Film {
-    let mut film = Film::new([0, 0, digits.width(), digits.height()]);
-    let colors: Vec<_> = digits.pixels().iter().map(|pixel| false_color(pixel.x)).collect();
-    film.put([0, 0, digits.width(), digits.height()], &colors);
-    film
+    digits.map(|pixel| false_color(pixel.x))
 }
 
 fn false_color(digits: f64) -> Color {

@@ -1,22 +1,33 @@
-//! The picture as it was traced: linear, unbounded, in f64.
+//! Pictures in memory: colours as they were traced, linear, unbounded, in f64, or whatever else is known of pixels.
 
 use crate::scene::Color;
 
 /// A rectangle of pixels, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Film {
+pub struct Film<T = Color> {
     left: u32,
     top: u32,
     width: u32,
     height: u32,
-    pixels: Vec<Color>,
+    pixels: Vec<T>,
 }
 
-impl Film {
+impl<T: Copy + Default> Film<T> {
     /// A black picture of the rectangle left, top, right, bottom (the last two exclusive).
-    pub fn new([left, top, right, bottom]: [u32; 4]) -> Film {
-        let (width, height) = (right - left, bottom - top);
-        Film { left, top, width, height, pixels: vec![Color::ZERO; width as usize * height as usize] }
+    pub fn new(area: [u32; 4]) -> Film<T> {
+        Film::filled(area, T::default())
+    }
+}
+
+impl<T: Copy> Film<T> {
+    /// A picture of the rectangle in which all pixels are this one.
+    pub fn filled(area @ [left, top, right, bottom]: [u32; 4], pixel: T) -> Film<T> {
+        Film::of(area, vec![pixel; (right - left) as usize * (bottom - top) as usize])
+    }
+
+    /// A picture of the rectangle with these pixels, row by row.
+    pub fn of([left, top, right, bottom]: [u32; 4], pixels: Vec<T>) -> Film<T> {
+        Film { left, top, width: right - left, height: bottom - top, pixels }
     }
 
     /// Pixels across.
@@ -29,22 +40,32 @@ impl Film {
         self.height
     }
 
+    /// Its rectangle in the whole picture.
+    pub fn area(&self) -> [u32; 4] {
+        [self.left, self.top, self.left + self.width, self.top + self.height]
+    }
+
     /// The pixels, row by row from the top.
-    pub fn pixels(&self) -> &[Color] {
+    pub fn pixels(&self) -> &[T] {
         &self.pixels
     }
 
     /// The pixels themselves.
-    pub fn into_pixels(self) -> Vec<Color> {
+    pub fn into_pixels(self) -> Vec<T> {
         self.pixels
     }
 
     /// Puts the pixels of a rectangle, row by row, into the picture.
-    pub fn put(&mut self, [left, top, right, _]: [u32; 4], colors: &[Color]) {
+    pub fn put(&mut self, [left, top, right, _]: [u32; 4], pixels: &[T]) {
         let tile_width = (right - left) as usize;
-        for (row, line) in (top..).zip(colors.chunks(tile_width.max(1))) {
+        for (row, line) in (top..).zip(pixels.chunks(tile_width.max(1))) {
             let start = (row - self.top) as usize * self.width as usize + (left - self.left) as usize;
             self.pixels[start..start + line.len()].copy_from_slice(line);
         }
+    }
+
+    /// The same rectangle with something made of each pixel.
+    pub fn map<U: Copy>(&self, of_pixel: impl Fn(&T) -> U) -> Film<U> {
+        Film::of(self.area(), self.pixels.iter().map(of_pixel).collect())
     }
 }

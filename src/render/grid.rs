@@ -1,14 +1,12 @@
 //! Pixels from corners that they share: each corner of the grid is traced once.
 
-use super::{Progress, Settings, TILE, color_of, tiles_of};
+use super::task::Task;
+use super::{Counter, Film, Settings};
 use crate::probe::{Probe, Saving};
 use crate::record::{Computation, Corner};
-use crate::render::{Counter, Film};
 use crate::sampling::mean::Sum;
 use crate::sampling::shared::{add_cells, mean};
-use crate::scene::{Color, Scene};
-use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
+use crate::scene::Color;
 
 /// About how many corners are held at a time.
 const CORNERS_AT_A_TIME: usize = 1 << 17;
@@ -17,28 +15,23 @@ const CORNERS_AT_A_TIME: usize = 1 << 17;
 ///
 /// Corners are traced strip by strip, so that memory doesn't grow with the picture's height, and pixels add them in the
 /// order of [`pixel`](crate::sampling::shared::pixel).
-pub(super) fn by_corners(
-    scene: &Scene,
-    settings: &Settings,
-    n: u32,
-    progress: Progress,
-    stop: &AtomicBool,
-) -> Option<(Film, Counter)> {
-    let [left, top, right, bottom] = settings.crop;
+pub(super) fn by_corners(task: &Task, n: u32) -> Option<(Film, Counter)> {
+    let [left, top, right, bottom] = task.settings.crop;
     // The grid's columns and rows that bound the crop, both ends included.
     let (first, last) = ([left * n, top * n], [right * n, bottom * n]);
     let across = (last[0] - first[0]) as usize + 1;
     let strip_height = (CORNERS_AT_A_TIME / across).max(1) as u32;
-    let grid = Grid { scene, settings, n, first };
-    let mut pixels = Pixels::new(settings, n);
+    let grid = Grid { task, n, first };
+    let mut pixels = Pixels::new(task.settings, n);
     let mut counter = Counter::default();
     let mut upper: Vec<Color> = Vec::new();
     let mut row = first[1];
     while row <= last[1] {
         let end = (row + strip_height).min(last[1] + 1);
         let strip = [first[0], row, last[0] + 1, end];
-        let corners = grid.trace(strip, &mut counter, progress, stop)?;
-        for (row, lower) in (row..).zip(corners.chunks(across)) {
+        let mut corners = Film::new(strip);
+        task.fill(&mut corners, strip, &mut counter, |tile, counter| grid.tile(tile, counter))?;
+        for (row, lower) in (row..).zip(corners.pixels().chunks(across)) {
             if row > first[1] {
                 pixels.add(row, &upper, lower);
             }
@@ -47,7 +40,7 @@ pub(super) fn by_corners(
         }
         row = end;
     }
-    if settings.counts_rays {
+    if task.settings.counts_rays {
         let of_a_pixel = u64::from(n + 1) * u64::from(n + 1);
         let alone = u64::from(right - left) * u64::from(bottom - top) * of_a_pixel;
         counter.rays_saved(Saving::Shared, alone - counter.samples());
@@ -56,53 +49,21 @@ pub(super) fn by_corners(
 }
 
 /// The grid of corners.
-struct Grid<'s> {
-    scene: &'s Scene,
-    settings: &'s Settings,
+struct Grid<'t> {
+    task: &'t Task<'t>,
     n: u32,
     /// The crop's top left corner.
     first: [u32; 2],
 }
 
 impl Grid<'_> {
-    /// The corners of a strip, row by row, in the picture's grid: left, top, right and bottom, the last two exclusive.
-    fn trace(
-        &self,
-        strip: [u32; 4],
-        counter: &mut Counter,
-        progress: Progress,
-        stop: &AtomicBool,
-    ) -> Option<Vec<Color>> {
-        let tiles = tiles_of(strip, self.settings.order);
-        let of_tile = |tile: &[u32; 4]| self.tile(*tile, progress, stop);
-        let traced = tiles.par_iter().map(of_tile).collect::<Option<Vec<_>>>()?;
-        let mut film = Film::new(strip);
-        for (tile, (colors, counted)) in tiles.iter().zip(traced) {
-            film.put(*tile, &colors);
-            counter.add(&counted);
-        }
-        Some(film.into_pixels())
-    }
-
-    fn tile(
-        &self,
-        tile @ [left, top, right, bottom]: [u32; 4],
-        progress: Progress,
-        stop: &AtomicBool,
-    ) -> Option<(Vec<Color>, Counter)> {
-        let mut counter = Counter::default();
-        let mut colors = Vec::with_capacity((TILE * TILE) as usize);
-        for row in top..bottom {
-            for column in left..right {
-                if stop.load(Ordering::Relaxed) {
-                    return None;
-                }
-                let corner = Corner { scene: self.scene, n: self.n, corner: [column, row] };
-                colors.push(color_of(self.settings, corner, &mut counter));
-            }
-        }
+    /// The corners of a rectangle of the picture's grid, row by row.
+    fn tile(&self, tile: [u32; 4], counter: &mut Counter) -> Option<Vec<Color>> {
+        let Task { scene, progress, .. } = *self.task;
+        let corners =
+            self.task.each(tile, |corner| self.task.color_of(Corner { scene, n: self.n, corner }, counter))?;
         progress(self.pixels_completed_by(tile));
-        Some((colors, counter))
+        Some(corners)
     }
 
     /// How many pixels have their bottom right corner in a tile; over all tiles that is every pixel once.

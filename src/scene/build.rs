@@ -15,21 +15,41 @@ use crate::geometry::motion::{Motion, Turn};
 use crate::geometry::shape::{
     Cone, Cuboid, Cylinder, Disk, Ellipsoid, Moving, Plane, Polygon, Sphere, SphereMethod, Triangle, TriangleMesh,
 };
+use crate::log::FrameId;
 use glam::DVec3;
 use std::collections::HashMap;
 use std::io::{BufWriter, Write};
 use std::sync::Arc;
 
-/// Makes a checked scene file and the meshes that it names ready to be traced, with the robust formulas unless it names others.
-pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsupported> {
-    build_with(scene.clone(), meshes, Formulas::Robust)
+/// What no scene file says of how a scene is traced.
+#[derive(Clone, Copy, Debug)]
+pub struct Around {
+    /// The formulas that the computation implies where the scene names none: one by hand implies those of the notes.
+    pub formulas: Formulas,
+    /// What is left out because it can't change the picture.
+    pub skip: Skip,
+    /// Whether every ray is tested with all objects in the order of the scene, as a log of every test wants it.
+    pub shows_all_tests: bool,
+    /// Which frame of an animation it is; `None` where there is one only.
+    pub frame: Option<FrameId>,
 }
 
-/// The same for a computation that implies these formulas, as one by hand does those of the notes. What the scene file holds is given back while the
-/// scene grows: both have room for as many objects, and they aren't there at once.
-pub fn build_with(scene: file::SceneFile, meshes: &Meshes, implied: Formulas) -> Result<Scene, Unsupported> {
+impl Default for Around {
+    fn default() -> Around {
+        Around { formulas: Formulas::Robust, skip: Skip::ALL, shows_all_tests: false, frame: None }
+    }
+}
+
+/// Makes a checked scene file and the meshes that it names ready to be traced, with the robust formulas unless it names others.
+pub fn build(scene: &file::SceneFile, meshes: &Meshes) -> Result<Scene, Unsupported> {
+    build_with(scene.clone(), meshes, Around::default())
+}
+
+/// The same with what the file doesn't say. What the scene file holds is given back while the scene grows: both have room for as many objects, and
+/// they aren't there at once.
+pub fn build_with(scene: file::SceneFile, meshes: &Meshes, around: Around) -> Result<Scene, Unsupported> {
     let digest = digest(&scene, meshes);
-    let tracing = tracing(&scene.tracing, implied);
+    let tracing = Tracing { skip: around.skip, ..tracing(&scene.tracing, around.formulas) };
     let sphere_method = tracing.sphere_method;
     let (names, of_file) = scene.materials.into_parts();
     // Materials that are one piece of memory in the file are one here, too.
@@ -72,14 +92,14 @@ pub fn build_with(scene: file::SceneFile, meshes: &Meshes, implied: Formulas) ->
         ambient: color(scene.ambient),
         background: color(scene.background),
         lights,
-        index: Index::new(&objects),
+        index: if around.shows_all_tests { Index::of_all(&objects) } else { Index::new(&objects) },
         objects,
         materials,
         tracing,
         ceilings: Ceilings::default(),
         sampling: scene.sampling,
         seed: scene.seed,
-        frame: None,
+        frame: around.frame,
         output: scene.output,
     };
     // What a cutoff may lose is only asked where there is one.

@@ -30,7 +30,7 @@ pub mod unsupported;
 pub use adaptive_light::{Adaptive, Rule, Sight};
 pub use aim::ray_along;
 pub use area_light::AreaLight;
-pub use build::{build, build_with};
+pub use build::{Around, build, build_with};
 pub use camera::Camera;
 pub use ceiling::Ceilings;
 pub use effects::Effects;

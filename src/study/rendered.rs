@@ -18,8 +18,6 @@ pub(super) fn counts(scene: &Scene, threads: usize) -> Result<Counter, RenderErr
 }
 
 fn whole(scene: &Scene, arithmetic: Arithmetic, threads: usize, counts_rays: bool) -> Result<Rendered, RenderError> {
-    let [width, height] = scene.camera.resolution;
-    let settings =
-        Settings { crop: [0, 0, width, height], arithmetic, threads, counts_rays, order: Default::default() };
+    let settings = Settings { arithmetic, threads, counts_rays, ..Settings::whole(scene) };
     render(scene, &settings, |_| (), &AtomicBool::new(false))
 }

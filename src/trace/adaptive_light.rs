@@ -1,10 +1,9 @@
 //! Area lights that get only as many shadow rays as they need: where nothing can lie between, a rule of quadrature without shadow rays;
 //! where one object hides all of the light, a single point; else all.
 
-use super::light_points::{OneSide, on_one_side};
-use super::shade::{Source, from_light, segment_to_light};
+use super::one_light::{Source, from_light, segment_to_light};
 use super::{Meeting, unseen};
-use crate::geometry::{Intersect, Ray, Search, Target};
+use crate::geometry::{Intersect, Leaving, Ray, Search, Shaft, Target};
 use crate::log::{Asking, Decision, Name, SkipReason, Step, Term};
 use crate::probe::{Probe, Saving, Silent};
 use crate::random::{Dimension, Splits};
@@ -249,5 +248,33 @@ impl Way<'_> {
             ray.t_max
         });
         found
+    }
+}
+
+/// A light that is all on one side of the surface.
+pub(super) struct OneSide {
+    /// The ways to it.
+    pub shaft: Shaft,
+    /// How they leave the surface.
+    pub leaving: Leaving,
+    /// Whether it is the viewer's side.
+    pub is_in_front: bool,
+}
+
+/// On which side of the surface all of the light is; `None` where it may be on both.
+#[inline(always)]
+pub(super) fn on_one_side(meeting: &Meeting, area: &AreaLight) -> Option<OneSide> {
+    let surface = &meeting.surface;
+    let shaft = Shaft::new(surface.point, area.bounds(), area.ball());
+    let normal = surface.geometric_normal();
+    let [least, most] = shaft.rise_along(normal);
+    let [shown_least, shown_most] = surface.beneath.map_or([least, most], |_| shaft.rise_along(surface.normal));
+    if least > 0.0 && shown_least > 0.0 {
+        Some(OneSide { shaft: shaft.rising(normal, least), leaving: meeting.leaving_here(), is_in_front: true })
+    } else if most < 0.0 && shown_most < 0.0 {
+        let shaft = shaft.rising(-normal, -most);
+        Some(OneSide { shaft, leaving: meeting.leaving_beyond(), is_in_front: false })
+    } else {
+        None
     }
 }

@@ -2,6 +2,7 @@
 
 use super::follow::Bounce;
 use super::place::Place;
+use super::unseen::dead_channels;
 use super::zones::{self, Lobe};
 use super::{Meeting, Path, in_range};
 use crate::geometry::Ray;
@@ -10,7 +11,7 @@ use crate::log::{Decision, Name, RayKind, SkipReason, Term};
 use crate::probe::{Probe, Saving};
 use crate::scene::ceiling::rounded_up;
 use crate::scene::{Color, Formulas, Scene};
-use glam::{BVec3, DVec3};
+use glam::DVec3;
 
 /// The colour of the reflected ray; nothing where there is none.
 // A surface without such a ray doesn't pay for a call.
@@ -258,13 +259,6 @@ fn is_zero_path(scene: &Scene, path: &Path, weight: Color) -> bool {
     weight != Color::ZERO && scene.tracing.skip.has(SkipReason::ZeroPath) && dead_channels(path, weight).all()
 }
 
-/// The channels in which some weight on a path, or the next one, is zero. The product of the weights isn't enough: it may have become
-/// too small for a number, while a light is so bright that something would be left of it.
-pub(super) fn dead_channels(path: &Path, weight: Color) -> BVec3 {
-    let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());
-    bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight.cmpeq(Color::ZERO))
-}
-
 /// What a bounce with this weight could at most add to the colour of its sample, for the log and the statistics; nothing where
 /// there is no bound.
 #[cold]
@@ -274,4 +268,15 @@ fn give_loss<P: Probe>(scene: &Scene, path: &Path, weight: Color, probe: &mut P)
     let product = (path.weight * weight).max(Color::splat(f64::MIN_POSITIVE));
     let product = Color::select(dead_channels(path, weight), Color::ZERO, product);
     probe.given(Name::CutoffLoss, rounded_up(in_range(product * ceiling)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_no_length_is_not_normalized() {
+        assert_eq!(normalized(DVec3::ZERO), DVec3::ZERO);
+        assert_eq!(normalized(DVec3::new(3.0, 0.0, -4.0)), DVec3::new(0.6, 0.0, -0.8));
+    }
 }

@@ -1,7 +1,7 @@
 //! The ray of a bounce, followed one level deeper.
 
+use super::one_light::give_ray;
 use super::place::Place;
-use super::shade::give_ray;
 use super::{Media, Meeting, Path, Via, radiance};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{RayKind, Step};

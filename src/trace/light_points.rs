@@ -1,9 +1,9 @@
 //! Area lights: points of their surface, each with a shadow ray of its own (Ramos, section 1.5; Cook, Porter and Carpenter,
 //! "Distributed ray tracing", 1984).
 
-use super::shade::{Source, from_light};
+use super::adaptive_light::{OneSide, on_one_side};
+use super::one_light::{Source, from_light};
 use super::{Meeting, adaptive_light};
-use crate::geometry::{Leaving, Shaft};
 use crate::log::{Name, Step};
 use crate::probe::Probe;
 use crate::random::{Dimension, Splits};
@@ -80,32 +80,4 @@ fn pays(scene: &Scene, meeting: &Meeting, samples: u32, among: Option<&[u32]>) -
 fn in_shaft(scene: &Scene, meeting: &Meeting, area: &AreaLight, among: Option<&[u32]>) -> Option<Between> {
     let OneSide { shaft, leaving, .. } = on_one_side(meeting, area)?;
     scene.index.in_shaft(&scene.objects, &shaft, leaving, among)
-}
-
-/// A light that is all on one side of the surface.
-pub(super) struct OneSide {
-    /// The ways to it.
-    pub shaft: Shaft,
-    /// How they leave the surface.
-    pub leaving: Leaving,
-    /// Whether it is the viewer's side.
-    pub is_in_front: bool,
-}
-
-/// On which side of the surface all of the light is; `None` where it may be on both.
-#[inline(always)]
-pub(super) fn on_one_side(meeting: &Meeting, area: &AreaLight) -> Option<OneSide> {
-    let surface = &meeting.surface;
-    let shaft = Shaft::new(surface.point, area.bounds(), area.ball());
-    let normal = surface.geometric_normal();
-    let [least, most] = shaft.rise_along(normal);
-    let [shown_least, shown_most] = surface.beneath.map_or([least, most], |_| shaft.rise_along(surface.normal));
-    if least > 0.0 && shown_least > 0.0 {
-        Some(OneSide { shaft: shaft.rising(normal, least), leaving: meeting.leaving_here(), is_in_front: true })
-    } else if most < 0.0 && shown_most < 0.0 {
-        let shaft = shaft.rising(-normal, -most);
-        Some(OneSide { shaft, leaving: meeting.leaving_beyond(), is_in_front: false })
-    } else {
-        None
-    }
 }

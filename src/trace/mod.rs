@@ -7,6 +7,7 @@ mod bounce;
 mod follow;
 mod light_points;
 mod media;
+mod one_light;
 mod pattern;
 mod place;
 pub mod query;
@@ -18,8 +19,9 @@ mod zones;
 pub use crate::geometry::Hit;
 pub(crate) use bounce::{printed_cosine, refract, transmitted_cosine};
 pub use media::Media;
+pub(crate) use one_light::{power, power_between, segment_to_light, transmitted_half};
 pub use place::{Layer, Place};
-pub(crate) use shade::{local_intensity, power, power_between, segment_to_light, transmitted_half};
+pub(crate) use shade::local_intensity;
 pub(crate) use visibility::all_crossings;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
 

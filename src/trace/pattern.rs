@@ -1,7 +1,6 @@
 //! What a pattern makes of the surface's coefficients.
 
 use super::Meeting;
-use super::shade::from_all_lights;
 use crate::geometry::Shape;
 use crate::geometry::motion::Pose;
 use crate::log::{Decision, Name};
@@ -9,16 +8,8 @@ use crate::probe::{Probe, Silent};
 use crate::scene::{Checker, Color, Material, Scene};
 use glam::DVec3;
 
-/// The local intensity where a pattern multiplies ambient and diffuse.
-// Kept out of the shading of materials that have no pattern.
-#[inline(never)]
-pub(super) fn local_intensity<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, probe: &mut P) -> Color {
-    let material = multiplied(scene, meeting, pattern, probe);
-    from_all_lights(scene, &Meeting { material: &material, ..*meeting }, probe)
-}
-
 /// The material as the pattern leaves it at this point.
-fn multiplied<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, probe: &mut P) -> Material {
+pub(super) fn material<P: Probe>(scene: &Scene, meeting: &Meeting, pattern: &Checker, probe: &mut P) -> Material {
     let plain = meeting.material;
     let color = color(scene, meeting, pattern, probe);
     probe.given(Name::MaterialAmbientPlain, plain.ambient);

@@ -4,10 +4,10 @@
 //! other side. The *factors* are asked, not their product, which may be too small for a number although a bright light would leave
 //! something of it. A product above zero is proof enough that no factor is zero, and in most scenes that of the first channel is enough.
 
-use super::Meeting;
-use super::bounce::dead_channels;
+use super::{Meeting, Path};
 use crate::log::SkipReason;
 use crate::scene::{Color, LightKind, Material, Scene};
+use glam::BVec3;
 
 /// The rule by which the local model is left out, if one does.
 #[inline(always)]
@@ -74,4 +74,11 @@ pub(super) fn shadow_rays(scene: &Scene, meeting: &Meeting) -> u64 {
     }
     let points = |kind: &LightKind| if let LightKind::Area(area) = kind { area.samples.into() } else { 1 };
     scene.lights.iter().map(|light| points(&light.kind)).sum()
+}
+
+/// The channels in which some weight on a path, or the next one, is zero. The product of the weights isn't enough: it may have become
+/// too small for a number, while a light is so bright that something would be left of it.
+pub(super) fn dead_channels(path: &Path, weight: Color) -> BVec3 {
+    let bounces = std::iter::successors(path.via.as_ref(), |via| via.path.via.as_ref());
+    bounces.fold(weight.cmpeq(Color::ZERO), |dead, via| dead | via.weight.cmpeq(Color::ZERO))
 }

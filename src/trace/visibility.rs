@@ -268,3 +268,63 @@ fn attenuation<P: Probe>(scene: &Scene, mut crossed: Vec<(f64, u32)>, probe: &mu
     }
     in_range(part)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Side;
+    use crate::geometry::shape::{Plane, Sphere, SphereMethod};
+    use crate::probe::{Altered, Silent, Single};
+    use glam::DVec3;
+
+    /// The order of two hits at these distances as f64 has them, with planes across a ray along z at these true distances.
+    #[track_caller]
+    fn is_ordered<P: Probe>(planes: [f64; 2], found: [f64; 2], mut probe: P, expected: Ordering) {
+        let plane = |distance: f64| Shape::Plane(Plane::new([0.0, 0.0, 1.0, -distance]));
+        let scene = Scene::of_shapes("planes", planes.map(plane));
+        let hit = |object: u32| {
+            let crossing = Crossing { t: found[object as usize], side: Side::Back, primitive: 0 };
+            Hit { object, crossing }
+        };
+        let ray = Ray::new(DVec3::ZERO, DVec3::Z);
+        assert_eq!(order(&scene, &ray, hit(0), hit(1), &mut probe), expected, "{planes:?} {found:?}");
+        assert_eq!(order(&scene, &ray, hit(1), hit(0), &mut probe), expected.reverse(), "{planes:?} {found:?}");
+    }
+
+    /// Far from 1, so that a part of the distance isn't taken for a distance.
+    const FAR: f64 = 1024.0;
+    const ULP: f64 = FAR * f64::EPSILON;
+
+    #[test]
+    fn near_ties_are_decided_by_what_the_shapes_know() {
+        is_ordered([FAR, FAR + ULP], [FAR + ULP, FAR], Silent, Ordering::Less);
+        is_ordered([FAR + ULP, FAR], [FAR, FAR + ULP], Silent, Ordering::Greater);
+        is_ordered([FAR + ULP, FAR], [FAR, FAR], Silent, Ordering::Greater);
+        // Eight parts of the distance still are a tie.
+        is_ordered([FAR + ULP, FAR], [FAR, FAR + 7.0 * ULP], Silent, Ordering::Greater);
+        // In the same place the first object is the nearer one.
+        is_ordered([FAR, FAR], [FAR + ULP, FAR], Silent, Ordering::Less);
+    }
+
+    #[test]
+    fn distances_that_are_no_near_tie_decide_themselves() {
+        is_ordered([FAR + ULP, FAR], [FAR, FAR + 16.0 * ULP], Silent, Ordering::Less);
+        is_ordered([FAR + 1.0, FAR], [FAR, FAR + 1.0], Silent, Ordering::Less);
+    }
+
+    #[test]
+    fn other_arithmetics_go_on_with_their_distances() {
+        let single = Altered { alteration: Single, probe: Silent };
+        is_ordered([FAR + ULP, FAR], [FAR, FAR + ULP], single, Ordering::Less);
+    }
+
+    /// Both ends of the chord of a ball are hits of one object, however near they are to each other.
+    #[test]
+    fn hits_of_one_object_are_in_the_order_of_their_distances() {
+        let ball = Shape::Sphere(Sphere::new(DVec3::Z * FAR, 1.0, false, SphereMethod::Robust));
+        let scene = Scene::of_shapes("ball", [ball]);
+        let hit = |t: f64| Hit { object: 0, crossing: Crossing { t, side: Side::Front, primitive: 0 } };
+        let ray = Ray::new(DVec3::ZERO, DVec3::Z);
+        assert_eq!(order(&scene, &ray, hit(FAR), hit(FAR + ULP), &mut Silent), Ordering::Less);
+    }
+}

@@ -8,8 +8,8 @@ use crate::support;
 use exr::prelude::*;
 use raywalk::log::{Decision, What};
 use raywalk::record::{self, Arithmetic};
-use raywalk::render::layers::{Layer, Layered, render_layers};
-use raywalk::render::{Settings, TileOrder, render};
+use raywalk::render::layers::{Layer, Layered};
+use raywalk::render::{Canvas, Job, Settings, TileOrder, render, render_job};
 use raywalk::scene::{Sampling, Scene};
 use std::fs;
 use std::path::Path;
@@ -21,8 +21,12 @@ fn settings() -> Settings {
     Settings { crop: CROP, arithmetic: Arithmetic::F64, threads: 2, counts_rays: true, order: TileOrder::Rows }
 }
 
-fn layered(scene: &Scene) -> Layered {
-    render_layers(scene, &settings(), |_| (), &AtomicBool::new(false)).unwrap()
+fn layered(scene: &Scene, crop: [u32; 4]) -> Layered {
+    let settings = Settings { crop, ..settings() };
+    match render_job(Job::Layers, scene, &settings, |_| (), &AtomicBool::new(false)).unwrap().film {
+        Canvas::Layers(layered) => layered,
+        other => panic!("layers, not {other:?}"),
+    }
 }
 
 /// The colours are those of a rendering to the last bit, and the counts of all pixels are those of its statistics.
@@ -31,7 +35,7 @@ fn layers_belong_to_the_picture() {
     for sampling in [Sampling::Center {}, Sampling::Sobol { n: 4 }, Sampling::Adaptive { threshold: 0.1, depth: 2 }] {
         let mut scene = support::scene("glass-and-mirror");
         scene.sampling = sampling;
-        let layered = layered(&scene);
+        let layered = layered(&scene, CROP);
         let rendered = render(&scene, &settings(), |_| (), &AtomicBool::new(false)).unwrap();
         assert_eq!(layered.film().pixels(), rendered.film.pixels(), "{sampling:?}");
         if matches!(sampling, Sampling::Adaptive { .. }) {
@@ -39,7 +43,7 @@ fn layers_belong_to_the_picture() {
             continue;
         }
         let counts = rendered.counts.unwrap();
-        let sum = |of: fn(&raywalk::render::layers::Seen) -> u64| layered.pixels.iter().map(of).sum::<u64>();
+        let sum = |of: fn(&raywalk::render::layers::Seen) -> u64| layered.pixels().iter().map(of).sum::<u64>();
         assert_eq!(sum(|seen| seen.rays), counts.rays());
         assert_eq!(sum(|seen| seen.samples), counts.samples());
         assert_eq!(sum(|seen| seen.primitive_tests), counts.primitive_tests());
@@ -53,9 +57,9 @@ fn layers_say_what_the_log_says() {
     for name in ["glass-and-mirror", "mesh", "motion-blur"] {
         let mut scene = support::scene(name);
         scene.sampling = Sampling::Center {};
-        let layered = layered(&scene);
+        let layered = layered(&scene, CROP);
         let mut hits = 0;
-        for (seen, place) in layered.pixels.iter().zip(0_u32..) {
+        for (seen, place) in layered.pixels().iter().zip(0_u32..) {
             let width = CROP[2] - CROP[0];
             let pixel = [CROP[0] + place % width, CROP[1] + place / width];
             let log = record::pixel(&scene, pixel, Arithmetic::F64);
@@ -85,8 +89,8 @@ fn depth_and_error_are_those_of_geometry() {
         "objects": [{"name": "half", "material": "black", "shape": {"box": {"min": [-9, -9, -1], "max": [0.0002, 9, 0]}}}]}"#;
     let scene = support::scene_of(text.as_bytes(), "half");
     let crop = [99, 100, 101, 101];
-    let layered = render_layers(&scene, &Settings { crop, ..settings() }, |_| (), &AtomicBool::new(false)).unwrap();
-    let [left, right] = [layered.pixels[0], layered.pixels[1]];
+    let layered = layered(&scene, crop);
+    let [left, right] = [layered.pixels()[0], layered.pixels()[1]];
     assert!((left.depth.unwrap() - 5.0).abs() < 1e-3 && left.error == Some(0.0), "{left:?}");
     assert!(right.error.unwrap() > 0.0, "{right:?}");
     // Of n samples a part p sees white: s/√n is √(p(1 − p)/(n − 1)).
@@ -119,7 +123,7 @@ fn an_exr_file_holds_the_picture_and_its_layers() {
     assert_eq!(channel(&exr, "R"), red);
     assert_eq!(channel(&plain, "R"), red);
     let scene = support::scene("glass-and-mirror");
-    let layer = layered(&scene).layer(Layer::Normal);
+    let layer = layered(&scene, CROP).layer(Layer::Normal);
     for (name, expected) in ["normal.X", "normal.Y", "normal.Z"].into_iter().zip(layer.channels) {
         assert_eq!(channel(&exr, name), expected.values, "{name}");
     }

@@ -4,7 +4,6 @@ use crate::shared::shared;
 use assert_cmd::Command;
 use flate2::{Compression, write::GzEncoder};
 use glam::DVec3;
-use raywalk::record::Arithmetic;
 use raywalk::render::{Settings, render};
 use raywalk::scene::build;
 use raywalk::scene::file::nff::Import;
@@ -104,14 +103,7 @@ fn eye_rays(mut file: SceneFile) -> (u64, u64) {
     file.tracing.max_depth = 0;
     file.sampling = Sampling::Shared { n: 1 };
     let scene = build(&file, &Default::default()).expect("a supported scene");
-    let [width, height] = file.camera.resolution;
-    let settings = Settings {
-        crop: [0, 0, width, height],
-        arithmetic: Arithmetic::F64,
-        threads: 2,
-        counts_rays: true,
-        order: Default::default(),
-    };
+    let settings = Settings { threads: 2, counts_rays: true, ..Settings::whole(&scene) };
     let rendered = render(&scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture");
     let counts = rendered.counts.expect("counts").statistics(0, Default::default(), 0);
     let json = serde_json::to_value(counts).expect("JSON");

@@ -3,7 +3,6 @@
 use crate::bitmap::Bitmap;
 use crate::shared::shared;
 use glam::DVec3;
-use raywalk::record::Arithmetic;
 use raywalk::render::{Film, Settings, render};
 use raywalk::scene::build;
 use raywalk::scene::file::{self, schema::Sampling};
@@ -47,15 +46,8 @@ impl Picture {
 fn rendered(path: &Path) -> Picture {
     let mut scene = file::read(path).unwrap_or_else(|error| panic!("{}", error.report(false))).scene;
     scene.sampling = Sampling::Shared { n: 1 };
-    let [width, height] = scene.camera.resolution;
-    let settings = Settings {
-        crop: [0, 0, width, height],
-        arithmetic: Arithmetic::F64,
-        threads: 2,
-        counts_rays: false,
-        order: Default::default(),
-    };
     let scene = build(&scene, &Default::default()).expect("a supported scene");
+    let settings = Settings { threads: 2, ..Settings::whole(&scene) };
     Picture::of_film(&render(&scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture").film)
 }
 

@@ -21,14 +21,7 @@ fn built(file: &SceneFile) -> Scene {
 }
 
 fn whole(scene: &Scene) -> Settings {
-    let [width, height] = scene.camera.resolution;
-    Settings {
-        crop: [0, 0, width, height],
-        arithmetic: Arithmetic::F64,
-        threads: 2,
-        counts_rays: true,
-        order: Default::default(),
-    }
+    Settings { threads: 2, counts_rays: true, ..Settings::whole(scene) }
 }
 
 fn rendered(scene: &Scene, settings: &Settings) -> Rendered {

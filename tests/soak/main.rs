@@ -11,7 +11,7 @@ use random::Random;
 use raywalk::log::file::{self, Ending};
 use raywalk::log::{Log, What};
 use raywalk::record::{self, Arithmetic, Part};
-use raywalk::render::{Settings, TileOrder, render};
+use raywalk::render::{Settings, render};
 use raywalk::report::diff::{self, Numbering, Tolerance};
 use raywalk::report::language::Language;
 use raywalk::report::side_by_side::Run;
@@ -60,11 +60,10 @@ fn soak(seed: u64, tally: &mut Tally) {
     let arithmetic = [Arithmetic::F64, Arithmetic::F64, Arithmetic::F32, Arithmetic::Decimal(4)][random.below(4)];
     let [width, height] = scene.camera.resolution;
     let settings = Settings {
-        crop: [0, 0, width, height],
         arithmetic,
         threads: 1 + random.below(2),
         counts_rays: random.below(2) == 0,
-        order: TileOrder::Rows,
+        ..Settings::whole(&scene)
     };
     let rendered = render(&scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture");
     tally.pixels += rendered.film.pixels().len() as u64;

@@ -7,7 +7,7 @@ use insta::Settings;
 use raywalk::record::Arithmetic;
 use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::{self, Source, mesh};
-use raywalk::scene::{Formulas, Scene, build_with, builtin};
+use raywalk::scene::{Around, Formulas, Scene, build_with, builtin};
 
 /// A built-in scene, ready to be traced.
 #[track_caller]
@@ -48,7 +48,8 @@ fn built(text: &[u8], name: &str, formulas: Formulas, change: impl FnOnce(&mut S
     let source = Source { name, text };
     let meshes = mesh::load(&loaded.scene, &source, mesh::Folder::BuiltIn(builtin::mesh));
     let (meshes, _) = meshes.unwrap_or_else(|error| panic!("{}", error.report(false)));
-    build_with(loaded.scene, &meshes, formulas).unwrap_or_else(|unsupported| panic!("{unsupported}"))
+    build_with(loaded.scene, &meshes, Around { formulas, ..Around::default() })
+        .unwrap_or_else(|unsupported| panic!("{unsupported}"))
 }
 
 /// The middle pixel of a scene.

@@ -113,15 +113,46 @@ impl SourceFile {
     pub fn imports(&self) -> Vec<(usize, Vec<String>)> {
         let module = self.module();
         let parent = &module[..module.len().saturating_sub(1)];
-        let roots = ["crate", "raywalk", "super"].map(|root| self.find(root).map(move |at| (at, root)));
-        let mut starts: Vec<_> = roots.into_iter().flatten().collect();
+        self.paths_through(&[("crate", &[]), ("raywalk", &[]), ("super", parent)])
+    }
+
+    /// The same, and what the code names through the modules that it declares.
+    pub fn named_paths(&self) -> Vec<(usize, Vec<String>)> {
+        let mut paths = self.imports();
+        for at in self.find("mod") {
+            let declared = self.code[at + "mod".len()..].split_once(';').map_or("", |(name, _)| name.trim());
+            if !declared.is_empty() && declared.chars().all(|c| c.is_alphanumeric() || c == '_') {
+                let module = [&self.module()[..], &[declared]].concat();
+                let is_path = |(at, _): &(usize, Vec<String>)| {
+                    self.code[at + declared.len()..].starts_with("::") && !self.code[..*at].ends_with("::")
+                };
+                paths.extend(self.paths_through(&[(declared, &module)]).into_iter().filter(is_path));
+            }
+        }
+        paths
+    }
+
+    /// Whether the path that begins here is that of a `use`.
+    pub fn is_use(&self, at: usize) -> bool {
+        self.code[..at].trim_end().ends_with("use")
+    }
+
+    /// The same of one that others may name, too.
+    pub fn is_public_use(&self, at: usize) -> bool {
+        let before = self.code[..at].trim_end().strip_suffix("use").map(str::trim_end);
+        self.is_use(at) && before.is_some_and(|before| before.ends_with("pub") || before.ends_with(')'))
+    }
+
+    /// The paths that begin with one of these words, each of which stands for a module.
+    fn paths_through(&self, roots: &[(&str, &[&str])]) -> Vec<(usize, Vec<String>)> {
+        let of_root = |(root, base)| self.find(root).map(move |at| (at, root, base)).collect::<Vec<_>>();
+        let mut starts: Vec<(usize, &str, &[&str])> = roots.iter().copied().flat_map(of_root).collect();
         starts.sort_unstable();
         let mut imports = Vec::new();
         let mut done = 0;
-        for (at, root) in starts {
+        for (at, root, base) in starts {
             // A path may have taken the next `super` already.
             if at >= done {
-                let base = if root == "super" { parent } else { &[] };
                 let base: Vec<_> = base.iter().map(|part| (*part).to_owned()).collect();
                 done = self.paths_from(at + root.len(), &base, at, &mut imports);
             }

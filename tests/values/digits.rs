@@ -5,8 +5,8 @@ use raywalk::log::{Decision, Digits, Event, Log, Value, What, file};
 use raywalk::probe::Perturbed;
 use raywalk::record::digits::{ALL_DIGITS, RUNS};
 use raywalk::record::{self, Arithmetic, Part};
-use raywalk::render::digits::{Summary, render_digits};
-use raywalk::render::{Settings, render};
+use raywalk::render::digits::Summary;
+use raywalk::render::{Canvas, Job, Settings, render, render_job};
 use raywalk::report::language::Language;
 use raywalk::report::{Style, text};
 use raywalk::scene::{Index, Sampling, Scene, Skip};
@@ -155,8 +155,13 @@ fn a_picture_of_digits_is_the_same_in_parts_and_on_any_threads() {
     // Figure 16 is sampled until the mean is certain, and a perturbed run may need another number of samples.
     for (name, has_doubts) in [("figure-6", false), ("figure-16", true)] {
         let scene = small(name);
-        let picture =
-            |crop, threads| render_digits(&scene, &settings(crop, threads), 9, |_| {}, &never).expect("it runs").film;
+        let picture = |crop, threads| {
+            let job = Job::Digits { seed: 9 };
+            match render_job(job, &scene, &settings(crop, threads), |_| {}, &never).expect("it runs").film {
+                Canvas::Digits(film) => film,
+                other => panic!("digits, not {other:?}"),
+            }
+        };
         let whole = picture([0, 0, 40, 30], 1);
         assert_eq!(whole, picture([0, 0, 40, 30], 3), "{name}");
         let part = picture([7, 11, 30, 29], 2);

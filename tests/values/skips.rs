@@ -14,14 +14,7 @@ use std::sync::atomic::AtomicBool;
 
 /// The picture of a scene, and what was counted.
 pub fn picture(scene: &Scene) -> (Vec<Color>, Counter) {
-    let [width, height] = scene.camera.resolution;
-    let settings = Settings {
-        crop: [0, 0, width, height],
-        arithmetic: Arithmetic::F64,
-        threads: 2,
-        counts_rays: true,
-        order: Default::default(),
-    };
+    let settings = Settings { threads: 2, counts_rays: true, ..Settings::whole(scene) };
     let rendered = render(scene, &settings, |_| (), &AtomicBool::new(false)).expect("a picture");
     (rendered.film.into_pixels(), rendered.counts.expect("counts"))
 }

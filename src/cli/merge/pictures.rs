@@ -5,10 +5,11 @@ use crate::cli::failure::{Failure, shown};
 use crate::cli::frames::numbered;
 use crate::cli::inputs::Inputs;
 use crate::cli::layers::Layers;
-use crate::cli::picture::{Place, Rendered, Shown, format_of};
+use crate::cli::picture::{Place, Shown, format_of};
 use crate::cli::render::MAX_PART_BYTES;
-use raywalk::render::part::{Content, PartError, PartHeader, Picture, Reader, Record};
-use raywalk::render::pieces::{Canvas, Pixels, pieces};
+use raywalk::render::Canvas;
+use raywalk::render::part::{Content, PartError, PartHeader, Picture, Reader};
+use raywalk::render::pieces::pieces;
 use raywalk::scene::file::escape_hidden;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead, BufReader};
@@ -43,7 +44,7 @@ impl Merge {
         // All of them, before the first one is written.
         frames.values().try_for_each(|parts| check(parts))?;
         for path in &self.parts {
-            each_piece(path, &mut part_in(path)?, |_, _| ())?;
+            each_piece(path, |_| ())?;
         }
         for (frame, parts) in &frames {
             let path = match frame {
@@ -64,7 +65,7 @@ impl Merge {
             let [left, top, right, bottom] = picture.crop;
             let size = [right - left, bottom - top];
             let place = Place::create(&path, format, size, layers.as_ref(), &Inputs::of(&self.parts))?;
-            let rendered = joined(parts, picture, layers)?;
+            let rendered = joined(parts, picture)?;
             let shown = Shown { output: self.shown.over(picture.output.into()), objects, is_quiet: self.quiet };
             place.write(&rendered, &shown)?;
         }
@@ -133,39 +134,24 @@ fn missing(parts: &[Part], owners: &[Option<&Part>]) -> String {
     some_of(&shards.iter().map(|number| format!("{number}/{of}")).collect::<Vec<_>>())
 }
 
-/// The picture of parts that were checked.
-fn joined(parts: &[Part], picture: &Picture, layers: Option<Layers>) -> Result<Rendered, Failure> {
-    let canvas = Canvas::new(picture.crop, picture.content.of());
+/// The picture that the parts are of.
+fn joined(parts: &[Part], picture: &Picture) -> Result<Canvas, Failure> {
+    let canvas = Canvas::new(picture.crop, picture.content.job());
     let mut canvas = canvas.map_err(|error| Failure::machine(error.to_string()))?;
-    let areas: Vec<[u32; 4]> = pieces(picture.crop).collect();
     for Part { path, .. } in parts {
-        let mut reader = part_in(path)?;
-        each_piece(path, &mut reader, |number, pixels| canvas.put(picture.crop, areas[number as usize], &pixels))?;
+        each_piece(path, |piece| canvas.put(&piece))?;
     }
-    let is_digits = matches!(picture.content, Content::Digits { .. });
-    Ok(Rendered::of(canvas, layers, is_digits))
+    Ok(canvas)
 }
 
 /// Hands on every piece of a part that is whole.
-fn each_piece(
-    path: &Path,
-    reader: &mut Reader<impl BufRead>,
-    mut take: impl FnMut(u32, Pixels),
-) -> Result<(), Failure> {
-    let mut missing: BTreeSet<u32> = reader.header().pieces().map(|(number, _)| number).collect();
-    loop {
-        match reader.next_record().map_err(|error| Failure::io(path, "read", &error))? {
-            Some(Record::Piece(number, pixels)) => {
-                missing.remove(&number);
-                take(number, pixels);
-            }
-            Some(Record::End) if missing.is_empty() => return Ok(()),
-            _ => {
-                return Err(Failure::caller(format!(
-                    "{}: was cut off or damaged; expected a whole part, which the same `render --shard` writes again",
-                    shown(path)
-                )));
-            }
-        }
+fn each_piece(path: &Path, take: impl FnMut(Canvas)) -> Result<(), Failure> {
+    match part_in(path)?.each_piece(take) {
+        Ok(true) => Ok(()),
+        Ok(false) => Err(Failure::caller(format!(
+            "{}: was cut off or damaged; expected a whole part, which the same `render --shard` writes again",
+            shown(path)
+        ))),
+        Err(error) => Err(Failure::io(path, "read", &error)),
     }
 }

@@ -4,8 +4,8 @@ use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::{Claim, Inputs, place_of};
 use crate::cli::lock::{Lock, is_at, lock};
 use crate::cli::unfinished::sync_folder;
+use raywalk::render::Canvas;
 use raywalk::render::part::{PartError, PartHeader, Reader, Record, Writer};
-use raywalk::render::pieces::Pixels;
 use raywalk::scene::file::escape_hidden;
 use raywalk_guard::retried;
 use std::collections::BTreeMap;
@@ -32,7 +32,7 @@ pub struct Checkpoint {
 }
 
 /// The pixels of pieces by their numbers.
-pub type Kept = BTreeMap<u32, Pixels>;
+pub type Kept = BTreeMap<u32, Canvas>;
 
 impl Checkpoint {
     /// The checkpoint of a picture's file, and what it has of it: nothing if it is begun now.
@@ -55,7 +55,7 @@ impl Checkpoint {
     }
 
     /// Keeps a piece.
-    pub fn keep(&mut self, number: u32, pixels: &Pixels) -> io::Result<()> {
+    pub fn keep(&mut self, number: u32, pixels: &Canvas) -> io::Result<()> {
         self.writer.piece(number, pixels)?;
         if self.synced.elapsed() >= SYNCED_EVERY {
             retried(|| self.file.sync_data())?;

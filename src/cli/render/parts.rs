@@ -4,16 +4,15 @@ use super::checkpoint::{self, Checkpoint, Kept, Spent};
 use super::{Render, Task, failed, names_of};
 use crate::cli::failure::{Failure, shown};
 use crate::cli::output::{self, Output};
-use crate::cli::picture::{self, Rendered};
+use crate::cli::picture;
 use raywalk::log::{Shard, Subject};
 use raywalk::record;
 use raywalk::render::export::Format;
-use raywalk::render::part::{Content, PartHeader, Picture, Reader, Record, Writer};
-use raywalk::render::pieces::{Canvas, Pixels, render_pieces};
+use raywalk::render::part::{Content, PartHeader, Picture, Reader, Writer};
+use raywalk::render::pieces::render_pieces;
 use raywalk::render::statistics::Seconds;
-use raywalk::render::{Counter, RenderError};
+use raywalk::render::{Canvas, Counter, RenderError};
 use raywalk::scene::file::Wanted;
-use std::collections::BTreeSet;
 use std::io::{self, BufReader};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -41,14 +40,13 @@ impl Render {
         }
         let mut kept = self.render_rest(task, &header, kept, Some(&mut checkpoint))?.0;
         let mut canvas =
-            Canvas::new(task.settings.crop, header.picture.content.of()).map_err(|error| failed(&error))?;
-        for (number, area) in header.pieces() {
+            Canvas::new(task.settings.crop, header.picture.content.job()).map_err(|error| failed(&error))?;
+        for (number, _) in header.pieces() {
             if let Some(pixels) = kept.remove(&number) {
-                canvas.put(task.settings.crop, area, &pixels);
+                canvas.put(&pixels);
             }
         }
-        let rendered = Rendered::of(canvas, self.layers.clone(), self.digits);
-        self.place(task, format)?.write(&rendered, &self.shown(task, &names_of(&task.scene)))?;
+        self.place(task, format)?.write(&canvas, &self.shown(task, &names_of(&task.scene)))?;
         let files = files().map_err(|error| Failure::io(&task.path, "read", &error))?;
         checkpoint.went_into(&header, &files)
     }
@@ -100,7 +98,7 @@ impl Render {
         let count = |pieces: &[(u32, [u32; 4])]| pieces.iter().map(|(_, area)| pixels(*area)).sum::<u64>();
         let progress = self.progress.start(count(&done) + count(&missing));
         progress.advance(count(&done));
-        let keep = |number: u32, found: Pixels| -> io::Result<()> {
+        let keep = |number: u32, found: Canvas| -> io::Result<()> {
             if let Some(checkpoint) = &mut checkpoint {
                 checkpoint.keep(number, &found)?;
             }
@@ -109,8 +107,8 @@ impl Render {
             Ok(())
         };
         let never = AtomicBool::new(false);
-        let of = header.picture.content.of();
-        let rendered = render_pieces(&task.scene, &task.settings, of, &missing, keep, &never);
+        let job = header.picture.content.job();
+        let rendered = render_pieces(&task.scene, &task.settings, job, &missing, keep, &never);
         progress.finish();
         match rendered {
             Ok(counts) => Ok((kept, counts)),
@@ -152,17 +150,5 @@ fn is_whole(path: &Path, header: &PartHeader) -> bool {
     }
     let Ok(opened) = (Wanted { what: "a part", max_bytes: MAX_PART_BYTES }).open(path) else { return false };
     let Ok(mut reader) = Reader::open(BufReader::new(opened.stream(MAX_PART_BYTES))) else { return false };
-    if reader.header() != header {
-        return false;
-    }
-    let mut missing: BTreeSet<u32> = header.pieces().map(|(number, _)| number).collect();
-    loop {
-        match reader.next_record() {
-            Ok(Some(Record::Piece(number, _))) => {
-                missing.remove(&number);
-            }
-            Ok(Some(Record::End)) => return missing.is_empty(),
-            _ => return false,
-        }
-    }
+    reader.header() == header && reader.each_piece(|_| ()).unwrap_or(false)
 }

@@ -4,10 +4,6 @@
 //! eight operations. Both give the same bits, but for the fused operations, which round once where the processor can and twice where it
 //! can't: margins are for two roundings. The lesser of two numbers is found by one comparison.
 
-mod unfused;
-
-pub(super) use unfused::Unfused;
-
 /// Eight numbers, as they lie in memory.
 pub(super) type Eight = [f32; 8];
 
@@ -157,7 +153,7 @@ fn each(a: Eight, b: Eight, f: impl Fn(f32, f32) -> f32) -> Eight {
 pub(super) enum Instructions {
     /// Eight lanes at once.
     #[cfg(target_arch = "x86_64")]
-    Avx2(avx2::Avx2),
+    Avx2(avx2::Avx2<true>),
     /// One lane after the other.
     Plain(Plain),
 }
@@ -184,28 +180,33 @@ pub(super) mod avx2 {
     //! The instructions of processors with AVX2. The crate `pulp` vouches that they are there.
 
     use super::{Eight, Lanes, SIGN};
-    use crate::geometry::processor;
+    use crate::geometry::processor::{self, instructions};
     use pulp::x86::V3;
     use std::arch::x86_64::{__m256, _CMP_GE_OQ};
 
-    /// The proof that the processor has them.
+    /// The proof that the processor has them. Operations that may be fused are so if `FUSED`: without, results are the same on every machine.
     #[derive(Clone, Copy, Debug)]
-    pub(in crate::geometry::bvh) struct Avx2(V3);
+    pub(in crate::geometry::bvh) struct Avx2<const FUSED: bool>(V3);
 
-    impl PartialEq for Avx2 {
-        fn eq(&self, _: &Avx2) -> bool {
+    impl<const FUSED: bool> PartialEq for Avx2<FUSED> {
+        fn eq(&self, _: &Avx2<FUSED>) -> bool {
             true
         }
     }
 
-    impl Avx2 {
+    impl Avx2<true> {
         /// The proof, if there is one.
-        pub fn detected() -> Option<Avx2> {
+        pub fn detected() -> Option<Avx2<true>> {
             processor::avx2().map(Avx2)
+        }
+
+        /// The same without fused operations.
+        pub fn unfused(self) -> Avx2<false> {
+            Avx2(self.0)
         }
     }
 
-    impl Lanes for Avx2 {
+    impl<const FUSED: bool> Lanes for Avx2<FUSED> {
         type Eight = __m256;
 
         #[inline(always)]
@@ -223,49 +224,28 @@ pub(super) mod avx2 {
             pulp::cast(eight)
         }
 
-        #[inline(always)]
-        fn add(self, a: __m256, b: __m256) -> __m256 {
-            self.0.avx._mm256_add_ps(a, b)
-        }
-
-        #[inline(always)]
-        fn sub(self, a: __m256, b: __m256) -> __m256 {
-            self.0.avx._mm256_sub_ps(a, b)
-        }
-
-        #[inline(always)]
-        fn mul(self, a: __m256, b: __m256) -> __m256 {
-            self.0.avx._mm256_mul_ps(a, b)
+        instructions! { __m256:
+            add(a, b) = avx._mm256_add_ps;
+            sub(a, b) = avx._mm256_sub_ps;
+            mul(a, b) = avx._mm256_mul_ps;
+            min(a, b) = avx._mm256_min_ps;
+            max(a, b) = avx._mm256_max_ps;
+            sqrt(a) = avx._mm256_sqrt_ps;
         }
 
         #[inline(always)]
         fn times_plus(self, a: __m256, b: __m256, c: __m256) -> __m256 {
-            self.0.fma._mm256_fmadd_ps(a, b, c)
+            if FUSED { self.0.fma._mm256_fmadd_ps(a, b, c) } else { self.add(self.mul(a, b), c) }
         }
 
         #[inline(always)]
         fn times_minus(self, a: __m256, b: __m256, c: __m256) -> __m256 {
-            self.0.fma._mm256_fmsub_ps(a, b, c)
+            if FUSED { self.0.fma._mm256_fmsub_ps(a, b, c) } else { self.sub(self.mul(a, b), c) }
         }
 
         #[inline(always)]
         fn less_times(self, c: __m256, a: __m256, b: __m256) -> __m256 {
-            self.0.fma._mm256_fnmadd_ps(a, b, c)
-        }
-
-        #[inline(always)]
-        fn min(self, a: __m256, b: __m256) -> __m256 {
-            self.0.avx._mm256_min_ps(a, b)
-        }
-
-        #[inline(always)]
-        fn max(self, a: __m256, b: __m256) -> __m256 {
-            self.0.avx._mm256_max_ps(a, b)
-        }
-
-        #[inline(always)]
-        fn sqrt(self, a: __m256) -> __m256 {
-            self.0.avx._mm256_sqrt_ps(a)
+            if FUSED { self.0.fma._mm256_fnmadd_ps(a, b, c) } else { self.sub(c, self.mul(a, b)) }
         }
 
         #[inline(always)]
@@ -332,11 +312,11 @@ mod tests {
             let all = [lanes.times_plus(x, x, one), lanes.times_minus(x, x, one), lanes.less_times(one, x, x)];
             all.map(|eight| lanes.store(eight))
         }
-        let plain = rounded(Unfused(Plain)).map(bits);
+        let plain = rounded(Plain).map(bits);
         assert_eq!(plain[1], [(2.0 * f32::EPSILON).to_bits(); 8]);
         #[cfg(target_arch = "x86_64")]
         if let Instructions::Avx2(avx2) = Instructions::detected() {
-            assert_eq!(avx2.run(|| rounded(Unfused(avx2))).map(bits), plain);
+            assert_eq!(avx2.run(|| rounded(avx2.unfused())).map(bits), plain);
         }
     }
 }

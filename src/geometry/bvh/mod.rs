@@ -21,7 +21,7 @@ use super::line::RaySource;
 use crate::probe::Probe;
 use block::{SphereBlock, TriangleBlock};
 use glam::DVec3;
-use lanes::{Instructions, Lanes, Plain, Unfused};
+use lanes::{Instructions, Lanes, Plain};
 use node::{Child, Node};
 use packet::PacketWalk;
 pub use packet_lines::{PACKET, PerRay, RayMask, each};
@@ -199,7 +199,7 @@ impl Bvh {
                 #[inline(always)]
                 || match P::IS_SILENT {
                     true => walk.run(avx2, root, rays, limits),
-                    false => walk.run(Unfused(avx2), root, rays, limits),
+                    false => walk.run(avx2.unfused(), root, rays, limits),
                 },
             );
         }
@@ -225,7 +225,7 @@ impl Bvh {
                 #[inline(always)]
                 || match P::IS_SILENT {
                     true => walk.run(avx2, root, t_max),
-                    false => walk.run(Unfused(avx2), root, t_max),
+                    false => walk.run(avx2.unfused(), root, t_max),
                 },
             );
         }

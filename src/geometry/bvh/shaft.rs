@@ -4,7 +4,7 @@
 mod lanes;
 
 use super::block::Block;
-use super::lanes::{Instructions, Lanes, Unfused};
+use super::lanes::{Instructions, Lanes};
 use super::node::{Child, Content};
 use super::space::{Space, U, up};
 use super::{Bounds, Bvh};
@@ -75,7 +75,7 @@ impl Bvh {
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2(avx2) => avx2.run(
                 #[inline(always)]
-                || self.walk_shaft(Unfused(avx2), root, &local, found),
+                || self.walk_shaft(avx2.unfused(), root, &local, found),
             ),
             Instructions::Plain(plain) => self.walk_shaft(plain, root, &local, found),
         }

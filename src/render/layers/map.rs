@@ -44,7 +44,7 @@ struct Range {
 /// # Errors
 /// Those of the encoder.
 pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Result<Vec<u8>, export::EncodeError> {
-    let mut map = Map::new(layered.width);
+    let mut map = Map::new(layered.width());
     match layer {
         Layer::Normal => {
             let half = Color::splat(0.5);
@@ -57,10 +57,10 @@ pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Resu
         }
         _ => {
             let number = |seen: &Seen| number_of(layer, seen).filter(|number| number.is_finite());
-            let mut range = Range::of(layered.pixels.iter().filter_map(number));
+            let mut range = Range::of(layered.pixels().iter().filter_map(number));
             if layer == Layer::Time {
                 // Now and then the system does something else for a while.
-                range.most = percentile(layered.pixels.iter().filter_map(number).collect(), MOST_TIMES);
+                range.most = percentile(layered.pixels().iter().filter_map(number).collect(), MOST_TIMES);
             }
             map.picture(layered, |seen| number(seen).map_or(GRAY, |number| inferno(range.part(number))));
             map.scale(layer, range);
@@ -125,9 +125,9 @@ impl Map {
 
     /// The rows of the layer; a narrow one has black beside it.
     fn picture(&mut self, layered: &Layered, color: impl Fn(&Seen) -> Color) {
-        for row in layered.pixels.chunks(layered.width.max(1) as usize) {
+        for row in layered.pixels().chunks(layered.width().max(1) as usize) {
             self.colors.extend(row.iter().map(&color));
-            self.colors.extend((layered.width..self.width).map(|_| Color::ZERO));
+            self.colors.extend((layered.width()..self.width).map(|_| Color::ZERO));
         }
     }
 
@@ -168,7 +168,7 @@ impl Map {
     /// The objects that most pixels show, each with its colour.
     fn named(&mut self, layered: &Layered, objects: &[String]) {
         let mut pixels: BTreeMap<u32, u64> = BTreeMap::new();
-        for object in layered.pixels.iter().filter_map(|seen| seen.object) {
+        for object in layered.pixels().iter().filter_map(|seen| seen.object) {
             *pixels.entry(object).or_default() += 1;
         }
         let mut most: Vec<(u32, u64)> = pixels.into_iter().collect();
@@ -250,8 +250,8 @@ mod tests {
     #[test]
     fn a_narrow_picture_has_room_for_its_legend() {
         let pixels = vec![Seen { rays: 3, ..Seen::default() }; 4];
-        let layered = Layered { width: 2, height: 2, pixels };
-        let mut map = Map::new(layered.width);
+        let layered = Layered::of([0, 0, 2, 2], pixels);
+        let mut map = Map::new(layered.width());
         map.picture(&layered, |_| Color::ONE);
         map.scale(Layer::Rays, Range { least: 0.0, most: 3.0 });
         let film = map.film();

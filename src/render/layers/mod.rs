@@ -6,15 +6,12 @@ mod observer;
 pub use map::false_colors;
 
 use super::export::{Channel, ExrLayer};
-use super::{Film, Progress, RenderError, Settings, TILE, ask_for_memory, tiles};
+use super::task::Task;
+use super::{Counter, Film, Settings};
 use crate::record::Pixel;
 use crate::scene::{Color, Scene};
-use crate::threads::Threads;
 use observer::Observer;
-use rayon::prelude::*;
-use raywalk_guard::has_room_for;
 use std::str::FromStr;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 /// What a layer shows of each pixel.
@@ -103,62 +100,11 @@ pub struct Seen {
 }
 
 /// A picture with what is known of its pixels.
-#[derive(Clone, Debug)]
-pub struct Layered {
-    /// Pixels across.
-    pub width: u32,
-    /// Pixels down.
-    pub height: u32,
-    /// The pixels, row by row from the top.
-    pub pixels: Vec<Seen>,
-}
+pub type Layered = Film<Seen>;
 
-/// Renders a picture with its layers: the same colours as [`render`](super::render) gives, bit for bit. Where pixels share samples, each
-/// traces its own, as its log does, and costs what it would cost by itself.
-///
-/// # Errors
-/// As [`render`](super::render).
-pub fn render_layers(
-    scene: &Scene,
-    settings: &Settings,
-    progress: impl Fn(u64) + Sync,
-    stop: &AtomicBool,
-) -> Result<Layered, RenderError> {
-    let [left, top, right, bottom] = settings.crop;
-    ask_for_memory(settings.crop)?;
-    let (width, height) = (right - left, bottom - top);
-    if !has_room_for(width as usize * height as usize * size_of::<Seen>()) {
-        return Err(RenderError::Memory(width, height));
-    }
-    let threads = Threads::of(settings.threads, tiles(settings.crop).len());
-    let pixels = threads.run(|| layers_in(scene, settings, &progress, stop)).ok_or(RenderError::Interrupted)?;
-    Ok(Layered { width, height, pixels })
-}
-
-/// The pixels on the threads of the pool that this is called in; `None` when the work is to stop.
-pub(super) fn layers_in(
-    scene: &Scene,
-    settings: &Settings,
-    progress: Progress,
-    stop: &AtomicBool,
-) -> Option<Vec<Seen>> {
-    let [left, top, right, bottom] = settings.crop;
-    let width = right - left;
-    let mut pixels = vec![Seen::default(); width as usize * (bottom - top) as usize];
-    let band = width.max(1) as usize * TILE as usize;
-    let of_band = |(number, band): (usize, &mut [Seen])| {
-        for (place, seen) in (0_u32..).zip(band.iter_mut()) {
-            if stop.load(Ordering::Relaxed) {
-                return None;
-            }
-            let row = top + number as u32 * TILE + place / width;
-            *seen = see(scene, settings, [left + place % width, row]);
-        }
-        progress(band.len() as u64);
-        Some(())
-    };
-    pixels.par_chunks_mut(band).enumerate().try_for_each(of_band)?;
-    Some(pixels)
+/// The pixels with what they cost and see; `None` when the work is to stop.
+pub(super) fn layers(task: &Task) -> Option<(Layered, Counter)> {
+    task.by_pixels(|pixel, _| see(task.scene, task.settings, pixel))
 }
 
 fn see(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Seen {
@@ -167,20 +113,17 @@ fn see(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Seen {
     observer.seen(color, scene.output.white, start.elapsed().as_secs_f64())
 }
 
-impl Layered {
+impl Film<Seen> {
     /// The picture.
     pub fn film(&self) -> Film {
-        let mut film = Film::new([0, 0, self.width, self.height]);
-        let colors: Vec<Color> = self.pixels.iter().map(|pixel| pixel.color).collect();
-        film.put([0, 0, self.width, self.height], &colors);
-        film
+        self.map(|pixel| pixel.color)
     }
 
     /// A layer as numbers, by channel. What isn't known isn't a number (NaN), and the depth of the background is infinite.
     pub fn layer(&self, layer: Layer) -> ExrLayer {
         let channel = |name: &'static str, of: &dyn Fn(&Seen) -> f64| Channel {
             name,
-            values: self.pixels.iter().map(|pixel| of(pixel) as f32).collect(),
+            values: self.pixels().iter().map(|pixel| of(pixel) as f32).collect(),
         };
         let channels = match layer {
             Layer::Rays => vec![channel("count", &|seen| seen.rays as f64)],

@@ -12,7 +12,8 @@ mod write;
 pub use read::{PartError, Reader, Record, is_part};
 pub use write::Writer;
 
-use super::pieces::{Of, pieces_of};
+use super::Job;
+use super::pieces::pieces_of;
 use crate::log::header::{SceneId, TracingId};
 use crate::log::{FrameId, Header, Shard};
 use crate::scene::{Output, Transfer};
@@ -152,11 +153,11 @@ impl Picture {
 
 impl Content {
     /// What is to be rendered for it.
-    pub fn of(&self) -> Of {
+    pub fn job(&self) -> Job {
         match self {
-            Content::Colors => Of::Colors,
-            Content::Digits { seed } => Of::Digits { seed: *seed },
-            Content::Layers { .. } => Of::Layers,
+            Content::Colors => Job::Colors,
+            Content::Digits { seed } => Job::Digits { seed: *seed },
+            Content::Layers { .. } => Job::Layers,
         }
     }
 

@@ -2,9 +2,11 @@
 
 use super::{CHECK, END, FORMAT, PartHeader, Picture, WENT_INTO, check, words};
 use crate::log::escape::shortened;
-use crate::render::pieces::{PIECE, Pixels};
+use crate::render::Canvas;
+use crate::render::pieces::PIECE;
 use crate::scene::file::validate::limits::{MAX_PIXELS, MAX_SIDE};
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use std::io::{self, BufRead, ErrorKind, Read};
 
 /// The longest header: one with the names of many objects.
@@ -28,7 +30,7 @@ pub enum PartError {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Record {
     /// The pixels of a piece.
-    Piece(u32, Pixels),
+    Piece(u32, Canvas),
     /// It went into a picture with this digest.
     WentInto(blake3::Hash),
     /// It is whole.
@@ -121,14 +123,14 @@ impl<R: BufRead> Reader<R> {
                 Record::WentInto(digest.into())
             }),
             _ => match self.area(number) {
-                Some([left, top, right, bottom]) => {
+                Some(area @ [left, top, right, bottom]) => {
                     let pixels = (right - left) as usize * (bottom - top) as usize;
                     let content = &self.header.picture.content;
                     let length = pixels * words::count(content) * size_of::<u64>();
                     let is_whole = self.content(&mut record, length)?;
                     is_whole.then(|| {
                         let content = &self.header.picture.content;
-                        Record::Piece(number, words::from_bytes(content, &record[4..4 + length]))
+                        Record::Piece(number, words::from_bytes(content, area, &record[4..4 + length]))
                     })
                 }
                 None => None,
@@ -139,6 +141,24 @@ impl<R: BufRead> Reader<R> {
             self.good += record.len() as u64;
         }
         Ok(found)
+    }
+
+    /// Hands on every piece that follows; whether the part is whole.
+    ///
+    /// # Errors
+    /// When the input can't be read.
+    pub fn each_piece(&mut self, mut take: impl FnMut(Canvas)) -> io::Result<bool> {
+        let mut missing: BTreeSet<u32> = self.header.pieces().map(|(number, _)| number).collect();
+        loop {
+            match self.next_record()? {
+                Some(Record::Piece(number, piece)) => {
+                    missing.remove(&number);
+                    take(piece);
+                }
+                Some(Record::End) => return Ok(missing.is_empty()),
+                Some(Record::WentInto(_)) | None => return Ok(false),
+            }
+        }
     }
 
     /// Whether nothing follows, nor anything that was packed badly.

@@ -2,7 +2,7 @@
 
 use super::Content;
 use crate::render::layers::Seen;
-use crate::render::pieces::Pixels;
+use crate::render::{Canvas, Film};
 use crate::scene::Color;
 
 /// The words of a colour.
@@ -23,22 +23,26 @@ pub fn count(content: &Content) -> usize {
 }
 
 /// Pixels as bytes.
-pub fn to_bytes(pixels: &Pixels) -> Vec<u8> {
+pub fn to_bytes(pixels: &Canvas) -> Vec<u8> {
     match pixels {
-        Pixels::Colors(colors) => colors.iter().flat_map(|color| bytes(&of_color(*color))).collect(),
-        Pixels::Layers(seen) => seen.iter().flat_map(|seen| bytes(&of_seen(seen))).collect(),
+        Canvas::Colors(film) | Canvas::Digits(film) => {
+            film.pixels().iter().flat_map(|color| bytes(&of_color(*color))).collect()
+        }
+        Canvas::Layers(film) => film.pixels().iter().flat_map(|seen| bytes(&of_seen(seen))).collect(),
     }
 }
 
-/// Pixels of a part with this content from bytes, whose number is right.
-pub fn from_bytes(content: &Content, bytes: &[u8]) -> Pixels {
+/// A piece of a part with this content from bytes, whose number is right.
+pub fn from_bytes(content: &Content, area: [u32; 4], bytes: &[u8]) -> Canvas {
     let (words, _) = bytes.as_chunks::<8>();
     let words: Vec<u64> = words.iter().map(|word| u64::from_le_bytes(*word)).collect();
+    let colors = || Film::of(area, words.as_chunks::<OF_COLOR>().0.iter().map(|words| color(*words)).collect());
     match content {
-        Content::Colors | Content::Digits { .. } => {
-            Pixels::Colors(words.as_chunks::<OF_COLOR>().0.iter().map(|words| color(*words)).collect())
+        Content::Colors => Canvas::Colors(colors()),
+        Content::Digits { .. } => Canvas::Digits(colors()),
+        Content::Layers { .. } => {
+            Canvas::Layers(Film::of(area, words.as_chunks::<OF_SEEN>().0.iter().map(seen).collect()))
         }
-        Content::Layers { .. } => Pixels::Layers(words.as_chunks::<OF_SEEN>().0.iter().map(seen).collect()),
     }
 }
 
@@ -108,15 +112,17 @@ mod tests {
     #[test]
     fn pixels_come_back_bit_for_bit() {
         let color = Color::new(-0.0, 5e-324, 1e300);
-        let colors = Pixels::Colors(vec![color, Color::ONE]);
-        assert_eq!(from_bytes(&Content::Colors, &to_bytes(&colors)), colors);
+        let area = [5, 6, 7, 7];
+        let colors = Canvas::Colors(Film::of(area, vec![color, Color::ONE]));
+        assert_eq!(from_bytes(&Content::Colors, area, &to_bytes(&colors)), colors);
         let seen =
             Seen { color, rays: u64::MAX, primitive_tests: 2, bounds_tests: 3, depth: Some(0.1), ..Seen::default() };
         let other = Seen { object: Some(u32::MAX), error: Some(0.0), seconds: 1e-9, samples: 7, ..seen };
-        let layers = Pixels::Layers(vec![seen, other, Seen::default()]);
+        let area = [0, 0, 1, 3];
+        let layers = Canvas::Layers(Film::of(area, vec![seen, other, Seen::default()]));
         let content = Content::Layers { names: Vec::new(), objects: Vec::new() };
         let bytes = to_bytes(&layers);
         assert_eq!(bytes.len(), 3 * 8 * count(&content));
-        assert_eq!(from_bytes(&content, &bytes), layers);
+        assert_eq!(from_bytes(&content, area, &bytes), layers);
     }
 }

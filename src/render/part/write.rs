@@ -1,7 +1,7 @@
 //! Writing parts.
 
 use super::{END, PartHeader, WENT_INTO, check, words};
-use crate::render::pieces::Pixels;
+use crate::render::Canvas;
 use std::io::{self, Write};
 
 /// Writes a part piece by piece. What is there at any time can be read.
@@ -26,7 +26,7 @@ impl<W: Write> Writer<W> {
     }
 
     /// Writes a piece.
-    pub fn piece(&mut self, number: u32, pixels: &Pixels) -> io::Result<()> {
+    pub fn piece(&mut self, number: u32, pixels: &Canvas) -> io::Result<()> {
         self.record(number, &words::to_bytes(pixels))
     }
 

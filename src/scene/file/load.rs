@@ -56,8 +56,8 @@ pub fn check_as(text: &[u8], file_name: &str, import: &Import) -> Result<Loaded,
         return nff::check(text, file_name, import);
     }
     ask_for_memory(text, JSON_GROWTH, file_name)?;
-    let scene = parse(text, file_name)?;
     let (source, text) = decode(text, file_name)?;
+    let scene = scene_in(&source, text)?;
     let (warnings, more_warnings) = judge(validate(&scene), |findings| place(findings, &source, text))?;
     Ok(Loaded { scene, warnings, more_warnings })
 }
@@ -124,7 +124,11 @@ pub(super) fn judge(
 /// [`SceneError::Invalid`], with every problem; of a text that isn't JSON, with the first.
 pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, SceneError> {
     let (source, text) = decode(text, file_name)?;
-    read_scene(text, file_name).map_err(|refused| all_problems(&source, text, file_name, &refused))
+    scene_in(&source, text)
+}
+
+fn scene_in(source: &Source, text: &str) -> Result<SceneFile, SceneError> {
+    read_scene(text, source.name).map_err(|refused| all_problems(source, text, source.name, &refused))
 }
 
 /// Reads a scene; the error is the first mistake in the text.

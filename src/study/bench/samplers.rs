@@ -146,7 +146,7 @@ fn outcome(
     comparing: Comparing,
 ) -> Result<Outcome, RenderError> {
     let (mut seconds, mut cpu_seconds, mut errors) = (Vec::new(), Vec::new(), Vec::new());
-    // Counting is a run of its own, which warms up too.
+    // A run of its own, which warms up too.
     scene.seed = own_seed;
     let counted = counts(scene, comparing.threads)?;
     for run in 0..comparing.runs {

@@ -4,7 +4,7 @@
 
 use super::{Corners, OfFour, Quick, RayLanes};
 use crate::geometry::bvh::{PerRay, RayMask};
-use crate::geometry::processor;
+use crate::geometry::processor::{self, instructions};
 use crate::geometry::ray::{Ray, Side};
 use crate::geometry::shape::edge::{LEAST_SIZE, OF_EDGE};
 use crate::geometry::shape::flat::{LEAST_KEPT, PlaneHit, margin_of};
@@ -41,29 +41,15 @@ impl Lanes {
         self.0.avx._mm256_set1_pd(x)
     }
 
-    #[inline(always)]
-    fn sub(self, a: __m256d, b: __m256d) -> __m256d {
-        self.0.avx._mm256_sub_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn add(self, a: __m256d, b: __m256d) -> __m256d {
-        self.0.avx._mm256_add_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn mul(self, a: __m256d, b: __m256d) -> __m256d {
-        self.0.avx._mm256_mul_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn min(self, a: __m256d, b: __m256d) -> __m256d {
-        self.0.avx._mm256_min_pd(a, b)
-    }
-
-    #[inline(always)]
-    fn max(self, a: __m256d, b: __m256d) -> __m256d {
-        self.0.avx._mm256_max_pd(a, b)
+    instructions! { __m256d:
+        add(a, b) = avx._mm256_add_pd;
+        sub(a, b) = avx._mm256_sub_pd;
+        mul(a, b) = avx._mm256_mul_pd;
+        min(a, b) = avx._mm256_min_pd;
+        max(a, b) = avx._mm256_max_pd;
+        and(a, b) = avx._mm256_and_pd;
+        less(a, b) = avx._mm256_cmp_pd::<_CMP_LT_OQ>;
+        at_most(a, b) = avx._mm256_cmp_pd::<_CMP_LE_OQ>;
     }
 
     #[inline(always)]
@@ -244,21 +230,6 @@ impl Lanes {
     #[inline(always)]
     fn edge(self, direction: &Vectors, p: &Vectors, q: &Vectors) -> __m256d {
         self.sum(&self.terms(direction, &self.product(p, q)))
-    }
-
-    #[inline(always)]
-    fn less(self, a: __m256d, b: __m256d) -> __m256d {
-        self.0.avx._mm256_cmp_pd::<_CMP_LT_OQ>(a, b)
-    }
-
-    #[inline(always)]
-    fn at_most(self, a: __m256d, b: __m256d) -> __m256d {
-        self.0.avx._mm256_cmp_pd::<_CMP_LE_OQ>(a, b)
-    }
-
-    #[inline(always)]
-    fn and(self, a: __m256d, b: __m256d) -> __m256d {
-        self.0.avx._mm256_and_pd(a, b)
     }
 
     #[inline(always)]
