@@ -66,8 +66,8 @@ pub struct Column {
 
 impl Listing {
     /// A list with these texts. The columns with these numbers, from 0, are columns of numbers.
-    pub fn of<T, const N: usize>(
-        texts: &List<T, N>,
+    pub fn of<const N: usize>(
+        texts: &List<N>,
         title: impl Into<String>,
         numbers: &[usize],
         entries: Vec<Entry>,
@@ -120,9 +120,9 @@ impl Entry {
 pub fn listing(model: &Model, kind: Kind) -> Listing {
     let texts = &model.texts().lists;
     match kind {
-        Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints.title, &[], breakpoints::entries(model)),
-        Kind::Stops => Listing::of(&texts.stops, texts.stops.title, &[0], run::entries(model)),
-        Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks.title, &[], address::entries(model)),
+        Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints_title, &[], breakpoints::entries(model)),
+        Kind::Stops => Listing::of(&texts.stops, texts.stops_title, &[0], run::entries(model)),
+        Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks_title, &[], address::entries(model)),
         Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => understanding::listing(model, kind),
     }
 }

@@ -6,7 +6,7 @@ use super::guide::{self, Walk};
 use super::jumps::{self, Spot};
 use super::keys::Action;
 use super::list;
-use super::model::{Item, Model, Overlay, Pane};
+use super::model::{Model, Overlay, Pane};
 use super::panes;
 use super::picture;
 use super::prompt::{self, Prompt, Purpose};
@@ -14,6 +14,7 @@ use super::quiz;
 use super::steps::{self, Stop};
 use super::understanding;
 use super::view::help;
+use crate::log::tree::Item;
 
 /// What is left to do outside the model.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -15,11 +15,9 @@ texts! {
     separator = ", ", "; ";
     // What is walked through.
     /// A pixel by its column and row.
-    pixel: fn([u32; 2]) -> String = |[x, y]| format!("pixel {x},{y}"), |[x, y]| format!("píxel {x},{y}");
+    pixel([x, y]: [u32; 2]) = "pixel {x},{y}", "píxel {x},{y}";
     /// A region by its sides.
-    region: fn([u32; 4]) -> String =
-        |[x0, y0, x1, y1]| format!("region {x0},{y0} to {x1},{y1}"),
-        |[x0, y0, x1, y1]| format!("región de {x0},{y0} a {x1},{y1}");
+    region([x0, y0, x1, y1]: [u32; 4]) = "region {x0},{y0} to {x1},{y1}", "región de {x0},{y0} a {x1},{y1}";
     /// A ray by its origin and direction.
     ray_along(origin: &str, direction: &str) =
         "ray from {origin} along {direction}",

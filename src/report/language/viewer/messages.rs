@@ -327,13 +327,11 @@ texts! {
     /// What follows `lang`.
     expected_language = "expected a language: :lang en or :lang es", "se espera un idioma: :lang en o :lang es";
     /// The first and last columns and rows of the log.
-    log_has: fn([u32; 4]) -> String =
-        |[left, top, right, bottom]| format!("the log has columns {left} to {right} and rows {top} to {bottom}"),
-        |[left, top, right, bottom]| {
-            format!("el registro tiene las columnas {left} a {right} y las filas {top} a {bottom}")
-        };
+    log_has([left, top, right, bottom]: [u32; 4]) =
+        "the log has columns {left} to {right} and rows {top} to {bottom}",
+        "el registro tiene las columnas {left} a {right} y las filas {top} a {bottom}";
     /// The last column and row of the picture.
-    picture_has: fn([u32; 2]) -> String =
-        |[column, row]| format!("the picture has columns 0 to {column} and rows 0 to {row}"),
-        |[column, row]| format!("la imagen tiene las columnas 0 a {column} y las filas 0 a {row}");
+    picture_has([column, row]: [u32; 2]) =
+        "the picture has columns 0 to {column} and rows 0 to {row}",
+        "la imagen tiene las columnas 0 a {column} y las filas 0 a {row}";
 }
