@@ -6,6 +6,7 @@ use super::layers::{Files, Layers};
 use super::output::{self, Output};
 use raywalk::render::digits::{Summary, false_colors};
 use raywalk::render::export::{self, Clipped, EncodeError, Encoded, Format};
+use raywalk::render::layers::Layer;
 use raywalk::render::{Canvas, Film};
 use raywalk::scene;
 use std::path::{Path, PathBuf};
@@ -108,6 +109,12 @@ impl Place {
         if let (Canvas::Digits(film), false) = (rendered, how.is_quiet) {
             let Summary { fewest, median, without } = Summary::of(film);
             output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
+        }
+        if let (Canvas::Layers(film), Some(layers), false) = (rendered, &self.layers, how.is_quiet)
+            && layers.has(Layer::Error)
+            && film.pixels().iter().all(|seen| seen.error.is_none())
+        {
+            output::tell("note: layer error: a single sample has no error, and no pixel has more");
         }
         Ok(Written { clipped_pixels: clipped.pixels })
     }

@@ -152,6 +152,21 @@ impl Tree {
         std::iter::successors(first, move |child| Some(self.nodes[*child].subtree_end).filter(|next| *next < end))
     }
 
+    /// What a node holds, in order: its own events, and the nodes inside it where they are between them.
+    pub fn items(&self, node: usize) -> impl Iterator<Item = Item> + '_ {
+        let Range { mut start, end } = self.nodes[node].events.clone();
+        std::iter::from_fn(move || {
+            let event = Some(start).filter(|event| *event < end)?;
+            let owner = self.owner(event);
+            let (item, next) = match owner == node {
+                true => (Item::Event(event), event + 1),
+                false => (Item::Node(owner), self.nodes[owner].events.end),
+            };
+            start = next;
+            Some(item)
+        })
+    }
+
     /// The events of a node itself, without those of the nodes inside it, in order.
     pub fn own_events(&self, node: usize) -> OwnEvents<'_> {
         self.own_list(node).iter().map(|event| *event as usize)
@@ -179,6 +194,15 @@ impl Tree {
     pub(super) fn index(&self, events: &Events) -> &Index {
         self.index.get_or_init(|| Index::of(events, self))
     }
+}
+
+/// What is directly in a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Item {
+    /// An event of the node itself.
+    Event(usize),
+    /// A node inside it.
+    Node(usize),
 }
 
 /// The events of a node itself, in order.

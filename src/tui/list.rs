@@ -66,8 +66,8 @@ pub struct Column {
 
 impl Listing {
     /// A list with these texts. The columns with these numbers, from 0, are columns of numbers.
-    pub fn of<T, const N: usize>(
-        texts: &List<T, N>,
+    pub fn of<const N: usize>(
+        texts: &List<N>,
         title: impl Into<String>,
         numbers: &[usize],
         entries: Vec<Entry>,
@@ -120,9 +120,9 @@ impl Entry {
 pub fn listing(model: &Model, kind: Kind) -> Listing {
     let texts = &model.texts().lists;
     match kind {
-        Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints.title, &[], breakpoints::entries(model)),
-        Kind::Stops => Listing::of(&texts.stops, texts.stops.title, &[0], run::entries(model)),
-        Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks.title, &[], bookmarks::entries(model)),
+        Kind::Breakpoints => Listing::of(&texts.breakpoints, texts.breakpoints_title, &[], breakpoints::entries(model)),
+        Kind::Stops => Listing::of(&texts.stops, texts.stops_title, &[0], run::entries(model)),
+        Kind::Bookmarks => Listing::of(&texts.bookmarks, texts.bookmarks_title, &[], bookmarks::entries(model)),
         Kind::Operands | Kind::Uses | Kind::Contributions | Kind::Arithmetics => understanding::listing(model, kind),
     }
 }
@@ -148,43 +148,35 @@ pub(super) fn update(
 ) -> Effect {
     let listing = listing(model, kind);
     let times = count.unwrap_or(1) as usize;
-    let page = usize::from(model.size.1 / 2).max(1);
-    let last = listing.entries.len().saturating_sub(1);
-    let mut aside = shift;
-    match action {
-        Action::Wider => aside = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind)),
-        Action::Narrower => aside = shift.saturating_sub(STRIDE * times),
-        Action::In | Action::Enter if kind == Kind::Breakpoints => {
-            breakpoints::go_to_next(model, selected);
-            return Effect::None;
-        }
-        Action::Toggle if kind == Kind::Breakpoints => {
-            breakpoints::turn(model, selected);
-            return Effect::None;
-        }
-        Action::Walk(Walk::Delete) if kind == Kind::Breakpoints => {
-            breakpoints::delete(model, selected);
-            return Effect::None;
-        }
-        Action::In | Action::Enter if kind == Kind::Stops => return run::go_to(model, selected),
-        Action::In | Action::Enter => {
+    match (action, kind) {
+        (Action::In | Action::Enter, Kind::Breakpoints) => breakpoints::go_to_next(model, selected),
+        (Action::Toggle, Kind::Breakpoints) => breakpoints::turn(model, selected),
+        (Action::Walk(Walk::Delete), Kind::Breakpoints) => breakpoints::delete(model, selected),
+        (Action::In | Action::Enter, Kind::Stops) => return run::go_to(model, selected),
+        (Action::In | Action::Enter, _) => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;
                 guide::jump(model, target);
             }
-            return Effect::None;
         }
-        Action::Close | Action::Quit | Action::Out => {
-            model.overlay = None;
-            return Effect::None;
+        (Action::Close | Action::Quit | Action::Out, _) => model.overlay = None,
+        (Action::Interrupt, _) => return Effect::Leave(Exit::Interrupted),
+        (Action::Suspend, _) => return Effect::Suspend,
+        (Action::Wider, _) => {
+            let shift = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind));
+            model.overlay = Some(Overlay::List { kind, selected, shift });
         }
-        Action::Interrupt => return Effect::Leave(Exit::Interrupted),
-        Action::Suspend => return Effect::Suspend,
-        _ => {}
+        (Action::Narrower, _) => {
+            let shift = shift.saturating_sub(STRIDE * times);
+            model.overlay = Some(Overlay::List { kind, selected, shift });
+        }
+        _ => {
+            let (page, last) = (usize::from(model.size.1 / 2).max(1), listing.entries.len().saturating_sub(1));
+            let row = moved(action, selected, times, [page; 2], last).unwrap_or(selected);
+            let selected = off_headings(&listing.entries, row, row < selected || action == Action::Last);
+            model.overlay = Some(Overlay::List { kind, selected, shift });
+        }
     }
-    let moved = moved(action, selected, times, [page; 2], last).unwrap_or(selected);
-    let selected = off_headings(&listing.entries, moved, moved < selected || action == Action::Last);
-    model.overlay = Some(Overlay::List { kind, selected, shift: aside });
     Effect::None
 }
 

@@ -55,7 +55,7 @@ pub use jumps::Spot;
 pub use keys::Action;
 pub use list::{Entry, Kind, Listing};
 pub use live::{Live, Refusal};
-pub use model::{Item, Message, Model, Overlay, Pane, Pending};
+pub use model::{Message, Model, Overlay, Pane, Pending};
 pub use picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
 pub use prompt::{Prompt, Purpose};
 pub use quiz::Quiz;

@@ -12,7 +12,7 @@ use super::picture::PictureView;
 use super::prompt::Prompt;
 use super::understanding::{self, Understanding};
 use super::update::Effect;
-use crate::log::tree::Place;
+use crate::log::tree::{Item, Place};
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
@@ -299,28 +299,10 @@ impl Model {
 
     /// The events of the selected node itself, in order, and the nodes inside it, where they are between them.
     pub fn items(&self) -> Vec<Item> {
-        let range = self.tree.nodes()[self.cursor].events.clone();
-        let mut items = Vec::new();
-        let mut event = range.start;
-        while event < range.end && self.guide.is_known(event) {
-            let owner = self.tree.owner(event);
-            if owner == self.cursor {
-                items.push(Item::Event(event));
-                event += 1;
-            } else {
-                items.push(Item::Node(owner));
-                event = self.tree.nodes()[owner].events.end;
-            }
-        }
-        items
+        let begins_at = |item: &Item| match *item {
+            Item::Event(event) => event,
+            Item::Node(node) => self.tree.nodes()[node].events.start,
+        };
+        self.tree.items(self.cursor).take_while(|item| self.guide.is_known(begins_at(item))).collect()
     }
-}
-
-/// A line of the selected node's computation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Item {
-    /// An event of the node itself.
-    Event(usize),
-    /// A node inside it.
-    Node(usize),
 }

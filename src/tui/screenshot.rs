@@ -1,6 +1,7 @@
 //! A frame as a picture: a self-contained SVG of monospace text on a dark background.
 
 use super::dump::rows;
+use super::theme::of_index;
 use crate::report::escape::xml_of_visible;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier, Style};
@@ -112,35 +113,14 @@ impl Look {
 
 /// A colour as XML has it; `None` for the terminal's own.
 fn hex(color: Color) -> Option<String> {
-    let (r, g, b) = match color {
-        Color::Rgb(r, g, b) => (r, g, b),
-        Color::Indexed(index) => indexed(index),
+    let [r, g, b] = match color {
+        Color::Rgb(r, g, b) => [r, g, b],
+        Color::Indexed(index) => of_index(index),
         // Of the colours with names the viewer uses this one.
-        Color::DarkGray => indexed(8),
+        Color::DarkGray => of_index(8),
         _ => return None,
     };
     Some(format!("#{r:02x}{g:02x}{b:02x}"))
-}
-
-/// The colours of a terminal with 256 of them: 16 with names, a cube of 6 × 6 × 6, and greys.
-fn indexed(index: u8) -> (u8, u8, u8) {
-    match index {
-        0..=15 => {
-            let strong = if index < 8 { 0xaa } else { 0xff };
-            let weak = if index < 8 { 0x00 } else { 0x55 };
-            let channel = |bit: u8| if index >> bit & 1 == 1 { strong } else { weak };
-            (channel(0), channel(1), channel(2))
-        }
-        16..=231 => {
-            let level = |digit: u8| if digit == 0 { 0 } else { 55 + 40 * digit };
-            let cube = index - 16;
-            (level(cube / 36), level(cube / 6 % 6), level(cube % 6))
-        }
-        232..=255 => {
-            let grey = 8 + 10 * (index - 232);
-            (grey, grey, grey)
-        }
-    }
 }
 
 #[cfg(test)]

@@ -165,3 +165,21 @@ impl Theme {
         }
     }
 }
+
+/// The colours of a terminal with 256 of them: 16 with names, a cube of 6 × 6 × 6, and greys.
+pub fn of_index(index: u8) -> [u8; 3] {
+    match index {
+        0..=15 => {
+            let strong = if index < 8 { 0xaa } else { 0xff };
+            let weak = if index < 8 { 0x00 } else { 0x55 };
+            let channel = |bit: u8| if index >> bit & 1 == 1 { strong } else { weak };
+            [0, 1, 2].map(channel)
+        }
+        16..=231 => {
+            let level = |digit: u8| if digit == 0 { 0 } else { 55 + 40 * digit };
+            let cube = index - 16;
+            [cube / 36, cube / 6 % 6, cube % 6].map(level)
+        }
+        232..=255 => [8 + 10 * (index - 232); 3],
+    }
+}

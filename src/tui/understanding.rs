@@ -110,7 +110,7 @@ fn operands(model: &Model) -> Listing {
         Entry::to(operand.computed.unwrap_or(operand.event), format!("{}{light}\t{value}\t{from}", operand.symbol))
     };
     let entries = found.iter().take(MOST).map(entry).collect();
-    Listing::of(&texts.operands, (texts.operands.title)(&subject(model)), &[], entries)
+    Listing::of(&texts.operands, (texts.operands_title)(&subject(model)), &[], entries)
 }
 
 fn uses(model: &Model) -> Listing {
@@ -127,8 +127,8 @@ fn uses(model: &Model) -> Listing {
         Entry::to(event, format!("{shown}\t{}", whereabouts(model, event)))
     };
     let found = provenance::uses(&model.log, &model.tree, model.event, MOST);
-    let texts = &model.texts().lists.uses;
-    Listing::of(texts, (texts.title)(&subject(model)), &[], found.into_iter().map(entry).collect())
+    let texts = &model.texts().lists;
+    Listing::of(&texts.uses, (texts.uses_title)(&subject(model)), &[], found.into_iter().map(entry).collect())
 }
 
 fn account(model: &Model) -> Listing {
@@ -148,7 +148,7 @@ fn account(model: &Model) -> Listing {
     let class = path_class::of_ray(&model.log, &model.tree, model.cursor);
     let class = class.map_or(String::new(), |class| (texts.here)(&class));
     let title = match account.is_whole {
-        true => (texts.list.title)(&color),
+        true => (texts.title)(&color),
         false => (texts.so_far)(&color),
     };
     // What matters most comes first: the share.
@@ -181,8 +181,8 @@ fn cells<const N: usize>(cells: [String; N]) -> String {
 
 /// A weight, as one number where the channels have the same.
 fn triple(model: &Model, weight: &[f64; 3]) -> String {
-    let is_grey = weight[0] == weight[1] && weight[1] == weight[2];
-    let value = if is_grey { Value::Number(weight[0]) } else { Value::Triple(*weight) };
+    let is_gray = weight[0] == weight[1] && weight[1] == weight[2];
+    let value = if is_gray { Value::Number(weight[0]) } else { Value::Triple(*weight) };
     model.value(&value)
 }
 
@@ -214,7 +214,7 @@ fn arithmetics(model: &Model) -> Listing {
             entries.push(Entry::plain((texts.other_decisions)(name), Role::Blocked));
         }
     }
-    let title = (texts.list.title)(&model.title(model.cursor));
+    let title = (texts.title)(&model.title(model.cursor));
     // The digits that can be trusted are those of f64; it is the widest, and so the last.
     Listing::of(&texts.list, title, &[1, 2, 3, 4], entries)
 }

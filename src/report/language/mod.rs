@@ -7,7 +7,7 @@
 /// (`ray(path: &str) = "ray {path}", "rayo {path}"`), a value of another type, or, without texts, a table of its own.
 macro_rules! texts {
     ($(#[$about:meta])* $table:ident; $(
-        $(#[$doc:meta])* $name:ident $(($($put_in:ident: $of:ty),*))? $(: $kind:ty)? $(= $english:expr, $spanish:expr)?;
+        $(#[$doc:meta])* $name:ident $(($($put_in:tt: $of:ty),*))? $(: $kind:ty)? $(= $english:expr, $spanish:expr)?;
     )*) => {
         $(#[$about])*
         pub struct $table {
@@ -33,7 +33,7 @@ macro_rules! kind_of {
 /// What a row is in a language.
 macro_rules! in_language {
     ($language:ident = $text:expr) => { $text };
-    ($language:ident, ($($put_in:ident: $of:ty),*) = $text:expr) => { |$($put_in: $of),*| format!($text) };
+    ($language:ident, ($($put_in:tt: $of:ty),*) = $text:expr) => { |$($put_in: $of),*| format!($text) };
     ($language:ident, $kind:ty = $value:expr) => { $value };
     ($language:ident, $table:ty) => { <$table>::$language };
 }
@@ -111,5 +111,3 @@ impl Language {
 
 /// A text without anything put in.
 type Text = &'static str;
-/// A text with one name in it.
-type OfName = fn(&str) -> String;

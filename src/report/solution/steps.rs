@@ -2,6 +2,7 @@
 
 use super::data::Data;
 use super::{Item, Kind, Section, Task, capitalized};
+use crate::log::tree::Item as Held;
 use crate::log::{Decision, Event, Name, Step, Term, What};
 use crate::report::{provenance, words};
 
@@ -44,17 +45,17 @@ impl Maker<'_> {
         let is_ray = matches!(tree.nodes()[node].step, Some(Step::Ray { .. }));
         let mut phase = if is_ray { Phase::Aim } else { Phase::Sampling };
         let mut open: Option<(Phase, Section)> = None;
-        let mut at = tree.nodes()[node].events.start;
-        while at < tree.nodes()[node].events.end {
-            let owner = tree.owner(at);
-            if owner != node {
-                section.items.extend(open.take().map(|(_, step)| Item::Section(step)));
-                section.items.push(Item::Section(self.child(owner)));
-                at = tree.nodes()[owner].events.end;
-                continue;
-            }
-            let items = self.items(at);
-            phase = next_phase(phase, &self.task.log.events[at]);
+        for held in tree.items(node) {
+            let event = match held {
+                Held::Event(event) => event,
+                Held::Node(inside) => {
+                    section.items.extend(open.take().map(|(_, step)| Item::Section(step)));
+                    section.items.push(Item::Section(self.child(inside)));
+                    continue;
+                }
+            };
+            let items = self.items(event);
+            phase = next_phase(phase, &self.task.log.events[event]);
             if !items.is_empty() {
                 if open.as_ref().is_some_and(|(of, _)| *of != phase) {
                     section.items.extend(open.take().map(|(_, step)| Item::Section(step)));
@@ -62,7 +63,6 @@ impl Maker<'_> {
                 let (_, step) = open.get_or_insert_with(|| (phase, self.numbered(phase)));
                 items.into_iter().for_each(|item| step.push(item));
             }
-            at += 1;
         }
         section.items.extend(open.map(|(_, step)| Item::Section(step)));
         section
@@ -103,19 +103,15 @@ impl Maker<'_> {
 
     /// A step, or a part of one, with all that is inside.
     fn part(&mut self, node: usize, kind: Kind, title: String) -> Section {
-        let (task, tree) = (self.task, self.task.tree);
         let mut section = Section { kind, title, items: Vec::new() };
-        let mut at = tree.nodes()[node].events.start;
-        while at < tree.nodes()[node].events.end {
-            let owner = tree.owner(at);
-            if owner == node {
-                self.items(at).into_iter().for_each(|item| section.push(item));
-                at += 1;
-                continue;
+        for held in self.task.tree.items(node) {
+            match held {
+                Held::Event(event) => self.items(event).into_iter().for_each(|item| section.push(item)),
+                Held::Node(inside) => {
+                    let title = titled(self.task, inside);
+                    section.items.push(Item::Section(self.part(inside, Kind::Part, title)));
+                }
             }
-            let title = titled(task, owner);
-            section.items.push(Item::Section(self.part(owner, Kind::Part, title)));
-            at = tree.nodes()[owner].events.end;
         }
         section
     }
@@ -128,7 +124,7 @@ impl Maker<'_> {
         let needed = log.events.given(happening).iter().filter(|(name, _)| !self.data.has(tree, event, *name));
         let needed: Vec<_> = needed.filter(|(name, _)| *name != Name::CutoffLoss).copied().collect();
         if !needed.is_empty() {
-            let source = |name: Name, value| (name, value, provenance::origin(log, tree, event, name, &value));
+            let source = |name: Name, value| (name, value, provenance::handed_on_from(log, tree, event, name, &value));
             items.push(Item::Given(needed.into_iter().map(|(name, value)| source(name, value)).collect()));
         }
         match happening.what {

@@ -42,27 +42,20 @@ impl Spread {
     /// The spread of `whole` over each of the values, such as that of speeds from that of times.
     #[must_use]
     pub fn under(self, whole: f64) -> Spread {
-        Spread {
-            median: whole / self.median,
-            lower: whole / self.upper,
-            upper: whole / self.lower,
-            least: whole / self.greatest,
-            greatest: whole / self.least,
-            count: self.count,
-        }
+        let Spread { median, lower, upper, least, greatest, count } = self.map(|value| whole / value);
+        Spread { median, lower: upper, upper: lower, least: greatest, greatest: least, count }
     }
 
     /// The spread of the values times a positive number.
     #[must_use]
     pub fn times(self, factor: f64) -> Spread {
-        Spread {
-            median: self.median * factor,
-            lower: self.lower * factor,
-            upper: self.upper * factor,
-            least: self.least * factor,
-            greatest: self.greatest * factor,
-            count: self.count,
-        }
+        self.map(|value| value * factor)
+    }
+
+    fn map(self, f: impl Fn(f64) -> f64) -> Spread {
+        let Spread { median, lower, upper, least, greatest, count } = self;
+        let [median, lower, upper, least, greatest] = [median, lower, upper, least, greatest].map(f);
+        Spread { median, lower, upper, least, greatest, count }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Cases of input that is no input: what the readers of the program say to it, and what comes out.
 
-use super::question::{ShapeInput, Triple, any, any_number, input};
+use super::question::{ShapeInput, Triple, any, any_number, field, fields};
 use super::stage;
 use super::watch::Watch;
 use super::way::Way;
@@ -12,7 +12,6 @@ use crate::scene::{Color, Formulas, Light, LightKind};
 use crate::trace::query::Query;
 use crate::trace::{refract, transmitted_half};
 use glam::DVec3;
-use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 /// `invalid`: whether the input is refused (`invalid`), or what becomes of it (`miss`, `hit`, `finite`).
@@ -97,14 +96,8 @@ fn is_accepted(key: &str, part: Value) -> bool {
 }
 
 fn refraction(case: &Map<String, Value>) -> Result<&'static str, String> {
-    #[derive(Deserialize)]
-    struct Interface {
-        d: Triple,
-        n: Triple,
-        #[serde(deserialize_with = "any_number")]
-        eta: f64,
-    }
-    let Interface { d, n, eta } = input(case)?;
+    let [d, n]: [Triple; 2] = fields(case, ["d", "n"])?;
+    let eta = any_number(case, "eta")?;
     let normal = DVec3::from(n);
     // Materials are refused by scene files unless their index is positive, and shapes have unit normals.
     let material = json!({"ior": if eta.is_finite() { json!(eta) } else { Value::Null }});
@@ -116,14 +109,7 @@ fn refraction(case: &Map<String, Value>) -> Result<&'static str, String> {
 }
 
 fn power(case: &Map<String, Value>) -> Result<&'static str, String> {
-    #[derive(Deserialize)]
-    struct Power {
-        #[serde(deserialize_with = "any_number")]
-        x: f64,
-        #[serde(deserialize_with = "any_number")]
-        n: f64,
-    }
-    let Power { x, n } = input(case)?;
+    let (x, n) = (any_number(case, "x")?, any_number(case, "n")?);
     let material = json!({"shininess": if n.is_finite() { json!(n) } else { Value::Null }});
     if !is_material(&material) || x.is_nan() {
         return Ok(INVALID);
@@ -137,18 +123,8 @@ fn is_material(material: &Value) -> bool {
 
 /// The half vectors of a light straight behind the surface.
 fn half(case: &Map<String, Value>) -> Result<&'static str, String> {
-    #[derive(Deserialize)]
-    #[allow(non_snake_case)]
-    struct Half {
-        L: Triple,
-        V: Triple,
-        #[serde(default = "one")]
-        eta: f64,
-    }
-    fn one() -> f64 {
-        1.0
-    }
-    let Half { L: light, V: view, eta } = input(case)?;
+    let [light, view]: [Triple; 2] = fields(case, ["L", "V"])?;
+    let eta = field::<Option<f64>>(case, "eta")?.unwrap_or(1.0);
     let mut case = case.clone();
     for (key, value) in [("N", json!(view)), ("kd", json!(1)), ("ke", json!(1)), ("kt", json!(1))] {
         case.insert(key.to_owned(), value);
@@ -177,12 +153,7 @@ fn has_numbers(value: &Value) -> bool {
 }
 
 fn light_at_point(case: &Map<String, Value>) -> Result<&'static str, String> {
-    #[derive(Deserialize)]
-    struct Segment {
-        p: Triple,
-        light: Triple,
-    }
-    let Segment { p, light } = input(case)?;
+    let [p, light]: [Triple; 2] = fields(case, ["p", "light"])?;
     let kind = LightKind::Point { position: light.into() };
     let light = Light { name: "light".into(), kind, color: Color::ONE, attenuation: None };
     let arrival = light.seen_from(p.into(), &mut Silent);

@@ -1,6 +1,6 @@
 //! Cases of light at a surface: refraction, the local model, whole scenes, means.
 
-use super::question::{MaterialInput, RayInput, SceneInput, Triple, input};
+use super::question::{MaterialInput, RayInput, Triple, field, fields, input};
 use super::stage;
 use super::watch::Watch;
 use super::way::Way;
@@ -25,13 +25,8 @@ fn along(vector: Triple) -> Ray {
 
 /// `refract`: cos φ₂ and T, or a total internal reflection.
 pub(super) fn refraction(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
-    #[derive(Deserialize)]
-    struct Interface {
-        d: Triple,
-        n: Triple,
-        eta: f64,
-    }
-    let Interface { d, n, eta } = input(case)?;
+    let [d, n]: [Triple; 2] = fields(case, ["d", "n"])?;
+    let eta = field(case, "eta")?;
     let (ray, normal) = (along(d), DVec3::from(n));
     let ray = way.ray(ray);
     let k = way.computed(|probe| {
@@ -52,16 +47,8 @@ pub(super) fn refraction(way: &Way, case: &Map<String, Value>) -> Result<Value, 
 
 /// `refract_hprime`: T, and H′ for two directions.
 pub(super) fn refraction_and_half(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
-    #[derive(Deserialize)]
-    #[allow(non_snake_case)]
-    struct Interface {
-        d: Triple,
-        n: Triple,
-        eta: f64,
-        L: Triple,
-        V: Triple,
-    }
-    let Interface { d, n, eta, L: light, V: view } = input(case)?;
+    let [d, n, light, view]: [Triple; 4] = fields(case, ["d", "n", "L", "V"])?;
+    let eta = field(case, "eta")?;
     let (ray, normal) = (along(d), DVec3::from(n));
     let ray = way.ray(ray);
     let (direction, refracted) = way.watched(|probe| refract(&ray, normal, [1.0, eta], way.formulas(), probe));
@@ -162,20 +149,8 @@ fn through_spheres(way: &Way, input: &RayInput, radii: &[f64], iors: &[f64]) -> 
 
 /// `local`: the three parts of the local model, in the channels of one colour.
 pub(super) fn local(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
-    #[derive(Deserialize)]
-    #[allow(non_snake_case)]
-    struct Local {
-        N: Triple,
-        L: Triple,
-        V: Triple,
-        kd: f64,
-        ke: f64,
-        kt: f64,
-        n: f64,
-        nt: f64,
-        eta: f64,
-    }
-    let Local { N: normal, L: light, V: view, kd, ke, kt, n, nt, eta } = input(case)?;
+    let [normal, light, view]: [Triple; 3] = fields(case, ["N", "L", "V"])?;
+    let [kd, ke, kt, n, nt, eta] = fields(case, ["kd", "ke", "kt", "n", "nt", "eta"])?;
     let none = MaterialInput::default();
     let parts = MaterialInput { kd: [kd, 0.0, 0.0], ke: [0.0, ke, 0.0], kt: [0.0, 0.0, kt], n, nt, ior: 1.0, ..none };
     let mut scene = stage::scene_of(way, vec![stage::sphere(way, [0.0; 3], 1.0)]);
@@ -210,13 +185,8 @@ fn local_parts(way: &Way, scene: &Scene, normal: Triple, view: Triple, media: &M
 
 /// `scene`: the colours that single rays bring.
 pub(super) fn colors(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
-    #[derive(Deserialize)]
-    struct Shots {
-        scene: SceneInput,
-        rays: Vec<RayInput>,
-    }
-    let Shots { scene, rays } = input(case)?;
-    let scene = stage::whole_scene(way, &scene)?;
+    let rays: Vec<RayInput> = field(case, "rays")?;
+    let scene = stage::whole_scene(way, &field(case, "scene")?)?;
     let color = |input: &RayInput| {
         let ray = stage::ray(way, &scene, input);
         json!({"rgb": way.computed(|probe| camera_ray(&scene, |_| Some(ray), probe)).to_array()})

@@ -3,7 +3,7 @@
 use crate::geometry::Mesh;
 use glam::DVec3;
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, Error};
+use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 /// A triple of numbers.
@@ -16,6 +16,27 @@ pub(super) fn input<T: DeserializeOwned>(input: &Map<String, Value>) -> Result<T
         "." => format!("in: {}", error.inner()),
         path => format!("in.{path}: {}", error.inner()),
     })
+}
+
+/// What goes into a case under this key. What is absent is null.
+pub(super) fn field<T: DeserializeOwned>(case: &Map<String, Value>, key: &str) -> Result<T, String> {
+    let value = case.get(key).cloned().unwrap_or_default();
+    serde_path_to_error::deserialize(value).map_err(|error| match error.path().to_string().as_str() {
+        "." => format!("in.{key}: {}", error.inner()),
+        path => format!("in.{key}.{path}: {}", error.inner()),
+    })
+}
+
+/// What goes into it under each of these keys, all of one type.
+pub(super) fn fields<T: Copy + Default + DeserializeOwned, const N: usize>(
+    case: &Map<String, Value>,
+    keys: [&str; N],
+) -> Result<[T; N], String> {
+    let mut found = [T::default(); N];
+    for (found, key) in found.iter_mut().zip(keys) {
+        *found = field(case, key)?;
+    }
+    Ok(found)
 }
 
 /// A ray: from `o` along `d`, of any length.
@@ -123,8 +144,8 @@ pub(super) enum ShadowInput {
 }
 
 /// A number that JSON may have no way to write: `"nan"`, `"inf"` and `"-inf"` are read too.
-pub(super) fn any_number<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
-    any(&Value::deserialize(deserializer)?).ok_or_else(|| D::Error::custom("expected a number"))
+pub(super) fn any_number(case: &Map<String, Value>, key: &str) -> Result<f64, String> {
+    case.get(key).and_then(any).ok_or_else(|| format!("in.{key}: expected a number"))
 }
 
 /// As [`any_number`], of a value.

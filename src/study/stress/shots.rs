@@ -1,6 +1,6 @@
 //! Cases that shoot rays at shapes.
 
-use super::question::{MeshData, ObjectInput, RayInput, ShapeInput, Triple, input};
+use super::question::{MeshData, ObjectInput, RayInput, ShapeInput, Triple, field, fields, input};
 use super::stage;
 use super::watch::Watch;
 use super::way::Way;
@@ -63,11 +63,7 @@ fn relative_gap(watch: &Watch, radius: f64) -> Value {
 
 /// `spheres`: all crossings with several spheres, in order.
 pub(super) fn spheres(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
-    #[derive(Deserialize)]
-    struct Spheres {
-        s: Vec<Ball>,
-    }
-    let Spheres { s } = input(case)?;
+    let s: Vec<Ball> = field(case, "s")?;
     let scene = stage::scene_of(way, s.iter().map(|ball| stage::sphere(way, ball.c, ball.r)).collect());
     let ray = stage::ray(way, &scene, &input(case)?);
     let crossings = way.computed(|probe| all_crossings(&scene, &ray, probe));
@@ -105,12 +101,7 @@ pub(super) fn mesh_scene(way: &Way, data: &MeshData) -> Result<Scene, String> {
 
 /// `visible`: whether a light is seen from a point.
 pub(super) fn visible(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
-    #[derive(Deserialize)]
-    struct Segment {
-        p: Triple,
-        light: Triple,
-    }
-    let Segment { p, light } = input(case)?;
+    let [p, light]: [Triple; 2] = fields(case, ["p", "light"])?;
     let scene = objects(way, case)?;
     let kind = LightKind::Point { position: light.into() };
     let light = Light { name: "light".into(), kind, color: Color::ONE, attenuation: None };
@@ -124,24 +115,17 @@ pub(super) fn visible(way: &Way, case: &Map<String, Value>) -> Result<Value, Str
 
 /// `spawn`: rays that leave the point where a first ray has met a shape.
 pub(super) fn spawn(way: &Way, case: &Map<String, Value>) -> Result<Value, String> {
-    #[derive(Deserialize)]
-    struct Spawn {
-        sphere: Option<Ball>,
-        plane: Option<[f64; 4]>,
-        triangle: Option<[Triple; 3]>,
-        w: Vec<Triple>,
-    }
-    let spawn: Spawn = input(case)?;
-    let shape = match (spawn.sphere, spawn.plane, spawn.triangle) {
+    let shape = match (field(case, "sphere")?, field(case, "plane")?, field::<Option<[Triple; 3]>>(case, "triangle")?) {
         (Some(Ball { c, r }), None, None) => ShapeInput::Sphere { c, r },
         (None, Some(abcd), None) => ShapeInput::Plane { abcd },
         (None, None, Some([v0, v1, v2])) => ShapeInput::Triangle { v0, v1, v2 },
         _ => return Err("in: expected one of `sphere`, `plane`, `triangle`".to_owned()),
     };
+    let directions: Vec<Triple> = field(case, "w")?;
     let scene = stage::scene_of(way, vec![stage::shape(way, &shape)?]);
     let ray = stage::ray(way, &scene, &input(case)?);
     let Some((hit, surface)) = stage::meet(way, &scene, &ray).0 else {
-        return Ok(json!({"t": null, "exit": vec![Value::Null; spawn.w.len()]}));
+        return Ok(json!({"t": null, "exit": vec![Value::Null; directions.len()]}));
     };
     let exit = |w: &Triple| {
         let ray = stage::ray(way, &scene, &RayInput { o: surface.point.to_array(), d: *w });
@@ -149,15 +133,11 @@ pub(super) fn spawn(way: &Way, case: &Map<String, Value>) -> Result<Value, Strin
         let ray = Ray { leaving: Some(stage::leaving(&hit, &surface, on_this_side)), ..ray };
         way.computed(|probe| closest_hit(&scene, &ray, probe)).map(|hit| hit.crossing.t)
     };
-    let exits: Vec<_> = spawn.w.iter().map(exit).collect();
+    let exits: Vec<_> = directions.iter().map(exit).collect();
     Ok(json!({"t": hit.crossing.t, "exit": exits}))
 }
 
 fn objects(way: &Way, case: &Map<String, Value>) -> Result<Scene, String> {
-    #[derive(Deserialize)]
-    struct Objects {
-        objects: Vec<ObjectInput>,
-    }
-    let Objects { objects } = input(case)?;
+    let objects: Vec<ObjectInput> = field(case, "objects")?;
     Ok(stage::scene_of(way, stage::shapes(way, &objects)?))
 }

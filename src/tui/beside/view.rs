@@ -3,7 +3,7 @@
 use super::Beside;
 use crate::report::diff::Row;
 use crate::tui::theme::{Role, Theme};
-use crate::tui::view::{clear, put, put_all, shown, wrap};
+use crate::tui::view::{clear, draw_rule, put, put_all, shown, wrap};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
@@ -72,11 +72,7 @@ fn draw_row(beside: &Beside, row: &Row, theme: &Theme, [left, right]: [Rect; 2],
 /// The rule, the current row in full, and the bottom line.
 fn draw_below(beside: &Beside, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let faint = theme.style(Role::Faint);
-    put(
-        buffer,
-        Rect { height: 1, ..area },
-        Span::styled(theme.glyphs.horizontal.repeat(usize::from(area.width)), faint).into(),
-    );
+    draw_rule(theme, Rect { height: 1, ..area }, buffer);
     let body = Rect { y: area.y + 1, height: explanation_height(buffer.area.height), ..area };
     let rows = beside.rows.rows();
     let lines = rows.get(beside.cursor).map_or_else(Vec::new, |row| beside.rows.explanation(row));

@@ -1,7 +1,7 @@
 //! The help: the table of keys, over everything else.
 
 use super::text::{shown, width_of, wrap};
-use super::{clear, inner, put, put_all};
+use super::{clear, draw_frame, inner, put_all};
 use crate::report::language::viewer::{Help, Viewer};
 use crate::tui::model::Model;
 use crate::tui::prompt::{Prompt, Purpose};
@@ -18,15 +18,9 @@ pub(super) fn draw(model: &Model, top: usize, theme: &Theme, buffer: &mut Buffer
     let (filter, texts) = (&filter(model), model.texts());
     let area = area(filter, texts, (buffer.area.width, buffer.area.height)).intersection(buffer.area);
     clear(area, buffer);
-    let faint = theme.style(Role::Faint);
-    let rule = theme.glyphs.horizontal;
-    put(buffer, area, Line::styled(rule.repeat(usize::from(area.width)), faint));
-    put(buffer, inner(area, 0), Line::styled(format!(" {} ", texts.help.title), theme.style(Role::Title)));
-    let bottom = Rect { y: area.bottom().saturating_sub(1), height: 1, ..area };
-    put(buffer, bottom, Line::styled(rule.repeat(usize::from(area.width)), faint));
     let is_whole = last(filter, texts, (buffer.area.width, buffer.area.height)) == 0;
-    let hint = format!(" {} ", if is_whole { texts.help.finds } else { texts.help.scrolls });
-    put(buffer, inner(bottom, 0), Line::styled(hint, faint));
+    let hint = if is_whole { texts.help.finds } else { texts.help.scrolls };
+    draw_frame(texts.help.title, hint, theme, area, buffer);
     let body = inner(area, 1);
     put_all(buffer, body, lines(filter, texts, usize::from(body.width), theme).into_iter().skip(top));
 }

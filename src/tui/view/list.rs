@@ -2,7 +2,7 @@
 
 use super::table::{Table, cut};
 use super::text::{shown, width_of};
-use super::{clear, inner, put, put_all};
+use super::{clear, draw_frame, inner, put, put_all};
 use crate::report::language::viewer::Hints;
 use crate::tui::list::{Kind, Listing, listing};
 use crate::tui::model::Model;
@@ -59,18 +59,6 @@ pub(super) fn draw(model: &Model, kind: Kind, (selected, shift): (usize, usize),
         let place = Rect { y: row, height: 1, ..body }.intersection(body).intersection(buffer.area);
         buffer.set_style(place, Style::new().add_modifier(Modifier::REVERSED));
     }
-}
-
-/// The rules above and below, with the title and what the keys do.
-fn draw_frame(title: &str, hint: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let faint = theme.style(Role::Faint);
-    let rule = theme.glyphs.horizontal.repeat(usize::from(area.width));
-    let bottom = Rect { y: area.bottom().saturating_sub(1), height: 1, ..area };
-    put(buffer, area, Line::styled(rule.clone(), faint));
-    let title = cut(&shown(title, theme), 0, usize::from(inner(area, 0).width).saturating_sub(2), theme);
-    put(buffer, inner(area, 0), Line::styled(format!(" {title} "), theme.style(Role::Title)));
-    put(buffer, bottom, Line::styled(rule, faint));
-    put(buffer, inner(bottom, 0), Line::styled(format!(" {} ", shown(hint, theme)), faint));
 }
 
 /// What to say about keys.

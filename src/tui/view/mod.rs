@@ -106,13 +106,28 @@ fn inner(area: Rect, rows: u16) -> Rect {
     }
 }
 
+/// A rule from side to side, in the first row of an area.
+pub(super) fn draw_rule(theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    put(buffer, area, Line::styled(theme.glyphs.horizontal.repeat(usize::from(area.width)), theme.style(Role::Faint)));
+}
+
+/// The rules above and below, with the title and what the keys do.
+fn draw_frame(title: &str, hint: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let faint = theme.style(Role::Faint);
+    let bottom = Rect { y: area.bottom().saturating_sub(1), height: 1, ..area };
+    draw_rule(theme, area, buffer);
+    let title = table::cut(&shown(title, theme), 0, usize::from(inner(area, 0).width).saturating_sub(2), theme);
+    put(buffer, inner(area, 0), Line::styled(format!(" {title} "), theme.style(Role::Title)));
+    draw_rule(theme, bottom, buffer);
+    put(buffer, inner(bottom, 0), Line::styled(format!(" {} ", shown(hint, theme)), faint));
+}
+
 /// The title above a pane: its name in a rule, with a mark when the keys move in it, and a remark at the right.
 fn title(model: &Model, pane: Pane, name: String, remark: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let faint = theme.style(Role::Faint);
-    let rule = theme.glyphs.horizontal;
-    put(buffer, area, Span::styled(rule.repeat(usize::from(area.width)), faint).into());
+    draw_rule(theme, area, buffer);
     let has_focus = model.focus == pane;
-    let mark = if has_focus { theme.glyphs.current } else { rule };
+    let mark = if has_focus { theme.glyphs.current } else { theme.glyphs.horizontal };
     let style = if has_focus { theme.style(Role::Title) } else { faint };
     let heading = Line::from(vec![Span::styled(mark, style), Span::styled(format!(" {name} "), style)]);
     let used = heading.width() as u16;
@@ -126,10 +141,9 @@ fn title(model: &Model, pane: Pane, name: String, remark: &str, theme: &Theme, a
 
 /// The title above a part of a pane: its name in a rule.
 fn title_rule(name: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let faint = theme.style(Role::Faint);
-    let rule = theme.glyphs.horizontal;
-    put(buffer, area, Span::styled(rule.repeat(usize::from(area.width)), faint).into());
-    put(buffer, area, Span::styled(format!("{rule} {name} "), faint).into());
+    draw_rule(theme, area, buffer);
+    let name = format!("{} {name} ", theme.glyphs.horizontal);
+    put(buffer, area, Span::styled(name, theme.style(Role::Faint)).into());
 }
 
 fn too_small(model: &Model, theme: &Theme, screen: Rect, buffer: &mut Buffer) {

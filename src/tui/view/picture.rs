@@ -6,7 +6,7 @@ use crate::log::Value;
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
 use crate::tui::picture::{Dot, Layer, PictureView};
-use crate::tui::theme::{Palette, Theme};
+use crate::tui::theme::{Palette, Theme, of_index};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
@@ -175,17 +175,9 @@ fn luminance([r, g, b]: [u8; 3]) -> f64 {
 
 /// The nearest of the 256 colours that terminals have: of the cube of 6 × 6 × 6, or of the greys.
 fn indexed(color: [u8; 3]) -> u8 {
-    const LEVELS: [u8; 6] = [0, 95, 135, 175, 215, 255];
-    let nearest = |value: u8| (0..6_u8).min_by_key(|at| LEVELS[usize::from(*at)].abs_diff(value)).unwrap_or(0);
-    let cube = color.map(nearest);
-    let grey = ((color.iter().map(|value| u32::from(*value)).sum::<u32>() / 3).saturating_sub(3) / 10).min(23) as u8;
     let distance = |other: [u8; 3]| -> u32 { (0..3).map(|at| u32::from(color[at].abs_diff(other[at])).pow(2)).sum() };
-    let in_cube = cube.map(|at| LEVELS[usize::from(at)]);
-    if distance([8 + 10 * grey; 3]) < distance(in_cube) {
-        232 + grey
-    } else {
-        16 + 36 * cube[0] + 6 * cube[1] + cube[2]
-    }
+    // The first sixteen look different in every terminal.
+    (16..=255).min_by_key(|index| distance(of_index(*index))).unwrap_or_default()
 }
 
 /// A colour for a number from 0 to 1 whose lightness grows evenly, so that it reads in grey and for colour-blind eyes too: the

@@ -118,8 +118,8 @@ mod tests {
             Entry::heading("Others, of which there are some:".to_owned()),
             Entry::plain("10 %\t\t1".to_owned(), Role::Text),
         ];
-        let texts = List { title: "", columns: ["share", "none", "value"], nothing: "" };
-        let listing = Listing::of(&texts, texts.title, &[0], entries);
+        let texts = List { columns: ["share", "none", "value"], nothing: "" };
+        let listing = Listing::of(&texts, "", &[0], entries);
         let table = Table::of(&listing, &Theme::new(Palette::None, true));
         assert_eq!(table.head, "share  value");
         assert_eq!(table.rows, ["  9 %  10^-5", "Others, of which there are some:", " 10 %  1"]);

@@ -1,6 +1,6 @@
 //! The lists that lie over the panes: their titles, their columns, and what keys do in them.
 
-use crate::report::language::{OfName, Text};
+use crate::report::language::Text;
 
 texts! {
     /// The texts of lists.
@@ -8,77 +8,45 @@ texts! {
     /// What keys do in them.
     hints: Hints;
     /// Where runs stop.
-    breakpoints: List<Text, 2> =
-        List {
-            title: "Breakpoints",
-            columns: ["state", "stops at"],
-            nothing: "none: b types one, x sets one here",
-        },
-        List {
-            title: "Puntos de interrupción",
-            columns: ["estado", "se para en"],
-            nothing: "ninguno: b escribe uno, x pone uno aquí",
-        };
+    breakpoints_title = "Breakpoints", "Puntos de interrupción";
+    /// Its columns, and what is said where it has no entries.
+    breakpoints: List<2> =
+        list(["state", "stops at"], "none: b types one, x sets one here"),
+        list(["estado", "se para en"], "ninguno: b escribe uno, x pone uno aquí");
     /// A breakpoint that is on.
     on = "on", "sí";
     /// One that is off.
     off = "off", "no";
     /// Where they stopped.
-    stops: List<Text, 4> =
-        List {
-            title: "Where runs stopped",
-            columns: ["step", "pixel", "stopped at", "what is there"],
-            nothing: "nowhere yet: r runs to a breakpoint",
-        },
-        List {
-            title: "Dónde se ha parado la ejecución",
-            columns: ["paso", "píxel", "parado por", "qué hay allí"],
-            nothing: "en ningún sitio: r va a un punto de interrupción",
-        };
+    stops_title = "Where runs stopped", "Dónde se ha parado la ejecución";
+    /// Its columns, and what is said where it has no entries.
+    stops: List<4> =
+        list(["step", "pixel", "stopped at", "what is there"], "nowhere yet: r runs to a breakpoint"),
+        list(["paso", "píxel", "parado por", "qué hay allí"], "en ningún sitio: r va a un punto de interrupción");
     /// The bookmarks.
-    bookmarks: List<Text, 3> =
-        List {
-            title: "Bookmarks",
-            columns: ["key", "address", "what is there"],
-            nothing: "none: m and a letter set one",
-        },
-        List {
-            title: "Marcadores",
-            columns: ["letra", "dirección", "qué hay allí"],
-            nothing: "ninguno: m y una letra ponen uno",
-        };
+    bookmarks_title = "Bookmarks", "Marcadores";
+    /// Its columns, and what is said where it has no entries.
+    bookmarks: List<3> =
+        list(["key", "address", "what is there"], "none: m and a letter set one"),
+        list(["letra", "dirección", "qué hay allí"], "ninguno: m y una letra ponen uno");
     /// A bookmark in a pixel of a region, and what is there.
-    in_pixel: fn([u32; 2], &str) -> String =
-        |[x, y], what| format!("in {x},{y}: {what}"),
-        |[x, y], what| format!("en {x},{y}: {what}");
+    in_pixel([x, y]: [u32; 2], what: &str) = "in {x},{y}: {what}", "en {x},{y}: {what}";
     /// A bookmark that leads nowhere.
     not_in_this_log = "(not in this log)", "(no está en este registro)";
     /// What a value is made of.
-    operands: List<OfName, 3> =
-        List {
-            title: |value| format!("What {value} is made of"),
-            columns: ["operand", "value", "from"],
-            nothing: "this step takes nothing that the log names",
-        },
-        List {
-            title: |value| format!("De qué se compone {value}"),
-            columns: ["operando", "valor", "procedencia"],
-            nothing: "este paso no toma nada que el registro nombre",
-        };
+    operands_title(value: &str) = "What {value} is made of", "De qué se compone {value}";
+    /// Its columns, and what is said where it has no entries.
+    operands: List<3> =
+        list(["operand", "value", "from"], "this step takes nothing that the log names"),
+        list(["operando", "valor", "procedencia"], "este paso no toma nada que el registro nombre");
     /// An input of a node.
     given_in(place: &str) = "given in {place}", "dato de {place}";
     /// What takes a value.
-    uses: List<OfName, 2> =
-        List {
-            title: |value| format!("What takes {value}"),
-            columns: ["value", "computed in"],
-            nothing: "no later step takes it",
-        },
-        List {
-            title: |value| format!("Qué pasos toman {value}"),
-            columns: ["valor", "se calcula en"],
-            nothing: "ningún paso posterior lo toma",
-        };
+    uses_title(value: &str) = "What takes {value}", "Qué pasos toman {value}";
+    /// Its columns, and what is said where it has no entries.
+    uses: List<2> =
+        list(["value", "computed in"], "no later step takes it"),
+        list(["valor", "se calcula en"], "ningún paso posterior lo toma");
     /// A step by its number.
     step(number: usize) = "step {number}", "paso {number}";
     /// Why a pixel has its colour.
@@ -89,14 +57,16 @@ texts! {
     to_come: ToCome;
 }
 
-/// The texts of a list, with a title and this many columns.
-pub struct List<Title, const COLUMNS: usize> {
-    /// What it is of.
-    pub title: Title,
+/// The texts of a list with this many columns.
+pub struct List<const COLUMNS: usize> {
     /// What is in its columns.
     pub columns: [&'static str; COLUMNS],
     /// What is said where it has no entries.
     pub nothing: &'static str,
+}
+
+const fn list<const COLUMNS: usize>(columns: [&'static str; COLUMNS], nothing: &'static str) -> List<COLUMNS> {
+    List { columns, nothing }
 }
 
 texts! {
@@ -134,37 +104,17 @@ texts! {
     /// The texts of why a pixel has its colour.
     Account;
     /// Its title with the colour, its columns.
-    list: List<OfName, 9> =
-        List {
-            title: |color| format!("Why the colour is {color}"),
-            columns: [
-                "share",
-                "path",
-                "times",
-                "from",
-                "class",
-                "figure 14",
-                "% of r g b",
-                "brings",
-                "= own colour * weight",
-            ],
-            nothing: "no light is accounted for yet",
-        },
-        List {
-            title: |color| format!("Por qué el color es {color}"),
-            columns: [
-                "parte",
-                "camino",
-                "veces",
-                "procedencia",
-                "clase",
-                "figura 14",
-                "% de r g b",
-                "aporta",
-                "= color propio * peso",
-            ],
-            nothing: "todavía no se conoce ninguna contribución",
-        };
+    title(color: &str) = "Why the colour is {color}", "Por qué el color es {color}";
+    /// Its columns, and what is said where it has no entries.
+    list: List<9> =
+        list(
+            ["share", "path", "times", "from", "class", "figure 14", "% of r g b", "contributes", "= own colour * weight"],
+            "no light is accounted for yet",
+        ),
+        list(
+            ["parte", "camino", "veces", "procedencia", "clase", "figura 14", "% de r g b", "aporta", "= color propio * peso"],
+            "todavía no se conoce ninguna contribución",
+        );
     /// Its title where the log ends before the colour.
     so_far(color: &str) =
         "The log ends before the colour; so far {color}",
@@ -182,24 +132,18 @@ texts! {
     /// Smaller contributions, this many, in one.
     smaller(count: usize) = "{count} smaller ones together", "otras {count} menores en total";
     /// The heading of this many paths that bring nothing.
-    brings_nothing(count: usize) = "What brings nothing ({count}):", "Lo que no aporta nada ({count}):";
+    brings_nothing(count: usize) = "What contributes nothing ({count}):", "Lo que no aporta nada ({count}):";
 }
 
 texts! {
     /// The texts of the values of a node in several arithmetics.
     Arithmetics;
     /// Its title with the node, its columns: by hand, f32, the digits, f64.
-    list: List<OfName, 5> =
-        List {
-            title: |node| format!("{node} in three arithmetics"),
-            columns: ["", "by hand", "f32", "digits", "f64"],
-            nothing: "this node computes nothing itself",
-        },
-        List {
-            title: |node| format!("{node} en tres aritméticas"),
-            columns: ["", "a mano", "f32", "cifras", "f64"],
-            nothing: "este nodo no calcula nada por sí mismo",
-        };
+    title(node: &str) = "{node} in three arithmetics", "{node} en tres aritméticas";
+    /// Its columns, and what is said where it has no entries.
+    list: List<5> =
+        list(["", "by hand", "f32", "digits", "f64"], "this node computes nothing itself"),
+        list(["", "a mano", "f32", "cifras", "f64"], "este nodo no calcula nada por sí mismo");
     /// Shown in place of a value.
     not_reached = "not reached", "no se alcanza";
     /// Shown in place of the number of digits.

@@ -1,8 +1,7 @@
 //! What is said at the bottom: why something can't be done, and what was done that isn't seen.
 
 use crate::log::file::Ending;
-use crate::report::language::words;
-use crate::report::language::words::{EN, ES};
+use crate::report::language::Language;
 
 texts! {
     /// What is said at the bottom.
@@ -255,8 +254,8 @@ texts! {
         "no hay ningún objeto `{text}`; ¿quiso decir `{near}`?";
     /// The log has no object called so, but others, and how many more.
     other_objects: fn(&str, &str, usize) -> String =
-        |text, others, more| format!("there is no object `{text}`, but {others}{}", words::and_more(more)[EN]),
-        |text, others, more| format!("no hay ningún objeto `{text}`, sino {others}{}", words::and_more(more)[ES]);
+        |text, others, more| format!("there is no object `{text}`, but {others}{}", Language::English.and_more(more)),
+        |text, others, more| format!("no hay ningún objeto `{text}`, sino {others}{}", Language::Spanish.and_more(more));
     /// The log has no objects.
     no_objects = "there is no object in this log", "no hay ningún objeto en este registro";
     /// The log has no light called so, but one called so.
@@ -265,8 +264,8 @@ texts! {
         "no hay ninguna fuente `{text}`; ¿quiso decir `{near}`?";
     /// The log has no light called so, but others, and how many more.
     other_lights: fn(&str, &str, usize) -> String =
-        |text, others, more| format!("there is no light `{text}`, but {others}{}", words::and_more(more)[EN]),
-        |text, others, more| format!("no hay ninguna fuente `{text}`, sino {others}{}", words::and_more(more)[ES]);
+        |text, others, more| format!("there is no light `{text}`, but {others}{}", Language::English.and_more(more)),
+        |text, others, more| format!("no hay ninguna fuente `{text}`, sino {others}{}", Language::Spanish.and_more(more));
     /// The log has no lights.
     no_lights = "there is no light in this log", "no hay ninguna fuente en este registro";
     /// What can be typed behind `depth`.
@@ -327,13 +326,11 @@ texts! {
     /// What follows `lang`.
     expected_language = "expected a language: :lang en or :lang es", "se espera un idioma: :lang en o :lang es";
     /// The first and last columns and rows of the log.
-    log_has: fn([u32; 4]) -> String =
-        |[left, top, right, bottom]| format!("the log has columns {left} to {right} and rows {top} to {bottom}"),
-        |[left, top, right, bottom]| {
-            format!("el registro tiene las columnas {left} a {right} y las filas {top} a {bottom}")
-        };
+    log_has([left, top, right, bottom]: [u32; 4]) =
+        "the log has columns {left} to {right} and rows {top} to {bottom}",
+        "el registro tiene las columnas {left} a {right} y las filas {top} a {bottom}";
     /// The last column and row of the picture.
-    picture_has: fn([u32; 2]) -> String =
-        |[column, row]| format!("the picture has columns 0 to {column} and rows 0 to {row}"),
-        |[column, row]| format!("la imagen tiene las columnas 0 a {column} y las filas 0 a {row}");
+    picture_has([column, row]: [u32; 2]) =
+        "the picture has columns 0 to {column} and rows 0 to {row}",
+        "la imagen tiene las columnas 0 a {column} y las filas 0 a {row}";
 }

@@ -131,7 +131,7 @@ texts! {
     /// The rays of a pixel.
     rays(count: u32) = "rays {count}", "rayos {count}";
     /// Its levels in a file.
-    levels: fn([u8; 3]) -> String = |[r, g, b]| format!("8-bit {r} {g} {b}"), |[r, g, b]| format!("8 bits {r} {g} {b}");
+    levels([r, g, b]: [u8; 3]) = "8-bit {r} {g} {b}", "8 bits {r} {g} {b}";
     /// The cursor is at the edge.
     ends = "the picture ends here", "la imagen termina aquí";
 }
