@@ -1,6 +1,6 @@
 //! The keys: one row each, from which the keyboard is read and the help is made.
 //!
-//! Adding a key is one row here and one arm in [`super::update`]. The rows of [`Walk`] have a file of their own.
+//! Adding a key is one row here, of which the action follows, and one arm in [`super::update`]. The rows of [`Walk`] have a file of their own.
 
 mod script;
 mod walk;
@@ -14,70 +14,87 @@ use crate::report::language::viewer::{Groups, Keys};
 use Action::*;
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
-/// What can be done in the viewer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Action {
-    Down,
-    Up,
-    HalfPageDown,
-    HalfPageUp,
-    PageDown,
-    PageUp,
-    First,
-    Last,
-    Out,
-    In,
-    Enter,
-    NextSibling,
-    PreviousSibling,
-    Center,
-    Toggle,
-    OpenSiblings,
-    CloseSiblings,
-    OpenAll,
-    CloseAll,
-    NextValue,
-    PreviousValue,
-    NextEvent,
-    PreviousEvent,
-    NextRay,
-    PreviousRay,
-    SwitchPane,
-    PreviousPane,
-    OnlyPane,
-    Wider,
-    Narrower,
-    ZoomIn,
-    ZoomOut,
-    Brighter,
-    Darker,
-    NextView,
-    Operands,
-    Uses,
-    Back,
-    Contributions,
-    Arithmetics,
-    Quiz,
-    Answer,
-    Search,
-    Help,
-    Close,
-    Quit,
-    Interrupt,
-    Suspend,
-    /// Getting about by steps, breakpoints, searches, bookmarks and commands.
-    Walk(Walk),
-    /// A digit of a count.
-    Digit(u8),
-    /// The first of two keys.
-    Prefix(char),
-    /// A key that means nothing.
-    Unknown,
-    /// The terminal has this many columns and rows now.
-    Resize(u16, u16),
-    /// A key in the line that is being typed.
-    Typed(KeyEvent),
+macro_rules! keys {
+    ($($group:ident [$($key:literal)+] $action:ident $help:ident;)*) => {
+        /// What can be done in the viewer.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(missing_docs)]
+        pub enum Action {
+            $($action,)*
+            Search,
+            /// Getting about by steps, breakpoints, searches, bookmarks and commands.
+            Walk(Walk),
+            /// A digit of a count.
+            Digit(u8),
+            /// The first of two keys.
+            Prefix(char),
+            /// A key that means nothing.
+            Unknown,
+            /// The terminal has this many columns and rows now.
+            Resize(u16, u16),
+            /// A key in the line that is being typed.
+            Typed(KeyEvent),
+        }
+
+        /// The keys that move in the panes, and those of the viewer itself.
+        const TABLE: &[Row] = &[$(row(Group::$group, &[$($key),+], Action::$action, |keys| keys.$help),)*];
+    };
+}
+
+// What a key is for, the keys, what they do, and the text of the help.
+keys! {
+    Step ["n"] NextValue next_value;
+    Step ["N" "p"] PreviousValue previous_value;
+    Step ["]"] NextEvent next_event;
+    Step ["["] PreviousEvent previous_event;
+    Step ["}"] NextRay next_ray;
+    Step ["{"] PreviousRay previous_ray;
+
+    Tree ["j" "Down"] Down down;
+    Tree ["k" "Up"] Up up;
+    Tree ["h" "Left"] Out out;
+    Tree ["l" "Right"] In r#in;
+    Tree ["Enter"] Enter enter;
+    Tree ["J"] NextSibling next_sibling;
+    Tree ["K"] PreviousSibling previous_sibling;
+    Tree ["g" "Home"] First first;
+    Tree ["G" "End"] Last last;
+    Tree ["^d"] HalfPageDown half_page_down;
+    Tree ["^u"] HalfPageUp half_page_up;
+    Tree ["PgDn" "^f"] PageDown page_down;
+    Tree ["PgUp" "^b"] PageUp page_up;
+    Tree ["zz"] Center center;
+
+    Fold ["Space"] Toggle toggle;
+    Fold ["e"] OpenSiblings open_siblings;
+    Fold ["c"] CloseSiblings close_siblings;
+    Fold ["E"] OpenAll open_all;
+    Fold ["C"] CloseAll close_all;
+
+    Picture ["i"] ZoomIn zoom_in;
+    Picture ["I"] ZoomOut zoom_out;
+    Picture [")"] Brighter brighter;
+    Picture ["("] Darker darker;
+    Picture ["v"] NextView next_view;
+
+    Understand ["d"] Operands operands;
+    Understand ["D"] Uses uses;
+    Understand ["^o"] Back back;
+    Understand ["w"] Contributions contributions;
+    Understand ["a"] Arithmetics arithmetics;
+    Understand ["Q"] Quiz quiz;
+    Understand ["="] Answer answer;
+
+    Viewer ["Tab"] SwitchPane switch_pane;
+    Viewer ["Shift-Tab"] PreviousPane previous_pane;
+    Viewer ["zo"] OnlyPane only_pane;
+    Viewer [">"] Wider wider;
+    Viewer ["<"] Narrower narrower;
+    Viewer ["?" "F1"] Help help;
+    Viewer ["Esc"] Close close;
+    Viewer ["q"] Quit quit;
+    Viewer ["^c"] Interrupt interrupt;
+    Viewer ["^z"] Suspend suspend;
 }
 
 /// Some keys, what they do, and how the help says it.
@@ -100,92 +117,35 @@ const fn row(group: Group, keys: &'static [&'static str], action: Action, help: 
     Row { group, keys, action, help }
 }
 
-/// What keys are for: the headings of the help.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Group {
-    Step,
-    Tree,
-    Fold,
-    Picture,
-    Understand,
-    Viewer,
-    Nesting,
-    Run,
-    Find,
-    Keep,
-    Breakpoints,
-}
+macro_rules! groups {
+    ($($group:ident $title:ident,)*) => {
+        /// What keys are for: the headings of the help.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(missing_docs)]
+        pub enum Group { $($group,)* }
 
-impl Group {
-    /// The heading.
-    pub fn title(self, groups: &Groups) -> &'static str {
-        match self {
-            Group::Step => groups.step,
-            Group::Tree => groups.tree,
-            Group::Fold => groups.fold,
-            Group::Picture => groups.picture,
-            Group::Understand => groups.understand,
-            Group::Viewer => groups.viewer,
-            Group::Nesting => groups.nesting,
-            Group::Run => groups.run,
-            Group::Find => groups.find,
-            Group::Keep => groups.keep,
-            Group::Breakpoints => groups.breakpoints,
+        impl Group {
+            /// The heading.
+            pub fn title(self, groups: &Groups) -> &'static str {
+                match self { $(Group::$group => groups.$title,)* }
+            }
         }
-    }
+    };
 }
 
-/// The keys that move in the panes, and those of the viewer itself.
-const TABLE: &[Row] = &[
-    row(Group::Step, &["n"], NextValue, |keys| keys.next_value),
-    row(Group::Step, &["N", "p"], PreviousValue, |keys| keys.previous_value),
-    row(Group::Step, &["]"], NextEvent, |keys| keys.next_event),
-    row(Group::Step, &["["], PreviousEvent, |keys| keys.previous_event),
-    row(Group::Step, &["}"], NextRay, |keys| keys.next_ray),
-    row(Group::Step, &["{"], PreviousRay, |keys| keys.previous_ray),
-    row(Group::Tree, &["j", "Down"], Down, |keys| keys.down),
-    row(Group::Tree, &["k", "Up"], Up, |keys| keys.up),
-    row(Group::Tree, &["h", "Left"], Out, |keys| keys.out),
-    row(Group::Tree, &["l", "Right"], In, |keys| keys.r#in),
-    row(Group::Tree, &["Enter"], Enter, |keys| keys.enter),
-    row(Group::Tree, &["J"], NextSibling, |keys| keys.next_sibling),
-    row(Group::Tree, &["K"], PreviousSibling, |keys| keys.previous_sibling),
-    row(Group::Tree, &["g", "Home"], First, |keys| keys.first),
-    row(Group::Tree, &["G", "End"], Last, |keys| keys.last),
-    row(Group::Tree, &["^d"], HalfPageDown, |keys| keys.half_page_down),
-    row(Group::Tree, &["^u"], HalfPageUp, |keys| keys.half_page_up),
-    row(Group::Tree, &["PgDn", "^f"], PageDown, |keys| keys.page_down),
-    row(Group::Tree, &["PgUp", "^b"], PageUp, |keys| keys.page_up),
-    row(Group::Tree, &["zz"], Center, |keys| keys.center),
-    row(Group::Fold, &["Space"], Toggle, |keys| keys.toggle),
-    row(Group::Fold, &["e"], OpenSiblings, |keys| keys.open_siblings),
-    row(Group::Fold, &["c"], CloseSiblings, |keys| keys.close_siblings),
-    row(Group::Fold, &["E"], OpenAll, |keys| keys.open_all),
-    row(Group::Fold, &["C"], CloseAll, |keys| keys.close_all),
-    row(Group::Picture, &["i"], ZoomIn, |keys| keys.zoom_in),
-    row(Group::Picture, &["I"], ZoomOut, |keys| keys.zoom_out),
-    row(Group::Picture, &[")"], Brighter, |keys| keys.brighter),
-    row(Group::Picture, &["("], Darker, |keys| keys.darker),
-    row(Group::Picture, &["v"], NextView, |keys| keys.next_view),
-    row(Group::Understand, &["d"], Operands, |keys| keys.operands),
-    row(Group::Understand, &["D"], Uses, |keys| keys.uses),
-    row(Group::Understand, &["^o"], Back, |keys| keys.back),
-    row(Group::Understand, &["w"], Contributions, |keys| keys.contributions),
-    row(Group::Understand, &["a"], Arithmetics, |keys| keys.arithmetics),
-    row(Group::Understand, &["Q"], Quiz, |keys| keys.quiz),
-    row(Group::Understand, &["="], Answer, |keys| keys.answer),
-    row(Group::Viewer, &["Tab"], SwitchPane, |keys| keys.switch_pane),
-    row(Group::Viewer, &["Shift-Tab"], PreviousPane, |keys| keys.previous_pane),
-    row(Group::Viewer, &["zo"], OnlyPane, |keys| keys.only_pane),
-    row(Group::Viewer, &[">"], Wider, |keys| keys.wider),
-    row(Group::Viewer, &["<"], Narrower, |keys| keys.narrower),
-    row(Group::Viewer, &["?", "F1"], Help, |keys| keys.help),
-    row(Group::Viewer, &["Esc"], Close, |keys| keys.close),
-    row(Group::Viewer, &["q"], Quit, |keys| keys.quit),
-    row(Group::Viewer, &["^c"], Interrupt, |keys| keys.interrupt),
-    row(Group::Viewer, &["^z"], Suspend, |keys| keys.suspend),
-];
+groups! {
+    Step step,
+    Tree tree,
+    Fold fold,
+    Picture picture,
+    Understand understand,
+    Viewer viewer,
+    Nesting nesting,
+    Run run,
+    Find find,
+    Keep keep,
+    Breakpoints breakpoints,
+}
 
 /// Every key of the viewer, in the order of the help.
 pub fn rows() -> impl Iterator<Item = &'static Row> {
@@ -237,27 +197,33 @@ fn name(key: KeyEvent) -> Option<String> {
     if key.modifiers.contains(KeyModifiers::ALT) {
         return None;
     }
-    let name = match key.code {
-        KeyCode::Char(letter) if is_control => return Some(format!("^{}", letter.to_ascii_lowercase())),
-        KeyCode::Char(' ') => "Space",
-        KeyCode::Char(character) => return Some(character.to_string()),
-        KeyCode::F(number) => return Some(format!("F{number}")),
-        KeyCode::Up => "Up",
-        KeyCode::Down => "Down",
-        KeyCode::Left => "Left",
-        KeyCode::Right => "Right",
-        KeyCode::PageUp => "PgUp",
-        KeyCode::PageDown => "PgDn",
-        KeyCode::Home => "Home",
-        KeyCode::End => "End",
-        KeyCode::Enter => "Enter",
-        KeyCode::Tab => "Tab",
-        KeyCode::BackTab => "Shift-Tab",
-        KeyCode::Esc => "Esc",
-        _ => return None,
-    };
-    Some(name.to_owned())
+    match key.code {
+        KeyCode::Char(letter) if is_control => Some(format!("^{}", letter.to_ascii_lowercase())),
+        KeyCode::F(number) => Some(format!("F{number}")),
+        code => match NAMES.iter().find(|(_, named)| *named == code) {
+            Some((name, _)) => Some((*name).to_owned()),
+            None => code.as_char().map(String::from),
+        },
+    }
 }
+
+/// The keys that have names; a later name of a key is only read.
+const NAMES: &[(&str, KeyCode)] = &[
+    ("Space", KeyCode::Char(' ')),
+    ("Up", KeyCode::Up),
+    ("Down", KeyCode::Down),
+    ("Left", KeyCode::Left),
+    ("Right", KeyCode::Right),
+    ("PgUp", KeyCode::PageUp),
+    ("PgDn", KeyCode::PageDown),
+    ("Home", KeyCode::Home),
+    ("End", KeyCode::End),
+    ("Enter", KeyCode::Enter),
+    ("Tab", KeyCode::Tab),
+    ("Shift-Tab", KeyCode::BackTab),
+    ("BackTab", KeyCode::BackTab),
+    ("Esc", KeyCode::Esc),
+];
 
 fn digit(name: &str) -> Option<u8> {
     name.parse().ok().filter(|_| name.len() == 1)
@@ -282,21 +248,10 @@ pub fn parse(text: &str) -> Option<KeyEvent> {
     if let Some(letter) = text.strip_prefix("C-").filter(|letter| letter.chars().count() == 1) {
         return parse(&format!("^{letter}"));
     }
-    plain(match text {
-        "Space" => KeyCode::Char(' '),
-        "Up" => KeyCode::Up,
-        "Down" => KeyCode::Down,
-        "Left" => KeyCode::Left,
-        "Right" => KeyCode::Right,
-        "PgUp" => KeyCode::PageUp,
-        "PgDn" => KeyCode::PageDown,
-        "Home" => KeyCode::Home,
-        "End" => KeyCode::End,
-        "Enter" => KeyCode::Enter,
-        "Tab" => KeyCode::Tab,
-        "Shift-Tab" | "BackTab" => KeyCode::BackTab,
-        "Esc" => KeyCode::Esc,
-        _ => KeyCode::F(text.strip_prefix('F')?.parse().ok()?),
+    let named = NAMES.iter().find(|(name, _)| *name == text).map(|(_, code)| *code);
+    plain(match named {
+        Some(code) => code,
+        None => KeyCode::F(text.strip_prefix('F')?.parse().ok()?),
     })
 }
 

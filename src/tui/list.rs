@@ -147,6 +147,19 @@ pub(super) fn open(model: &mut Model, kind: Kind) {
 /// How many columns of the screen a list is scrolled at once.
 const STRIDE: usize = 8;
 
+/// The row that an action leads to from one, in what has this last row; `None` if it is no movement.
+pub(super) fn moved(action: Action, row: usize, times: usize, page: usize, last: usize) -> Option<usize> {
+    Some(match action {
+        Action::Down => row.saturating_add(times),
+        Action::Up => row.saturating_sub(times),
+        Action::HalfPageDown | Action::PageDown => row.saturating_add(page),
+        Action::HalfPageUp | Action::PageUp => row.saturating_sub(page),
+        Action::First => 0,
+        Action::Last => last,
+        _ => return None,
+    })
+}
+
 /// Moves in a list, goes to the place of its selected entry, or closes it.
 pub(super) fn update(
     model: &mut Model,
@@ -161,12 +174,6 @@ pub(super) fn update(
     let last = listing.entries.len().saturating_sub(1);
     let mut aside = shift;
     let moved = match action {
-        Action::Down => selected.saturating_add(times),
-        Action::Up => selected.saturating_sub(times),
-        Action::HalfPageDown | Action::PageDown => selected.saturating_add(page),
-        Action::HalfPageUp | Action::PageUp => selected.saturating_sub(page),
-        Action::First => 0,
-        Action::Last => last,
         Action::Wider => {
             aside = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind));
             selected
@@ -201,7 +208,7 @@ pub(super) fn update(
         }
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
-        _ => selected,
+        action => self::moved(action, selected, times, page, last).unwrap_or(selected),
     };
     let selected = off_headings(&listing.entries, moved.min(last), moved < selected || action == Action::Last);
     model.overlay = Some(Overlay::List { kind, selected, shift: aside });

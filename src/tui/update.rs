@@ -155,16 +155,8 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
 }
 
 fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> Effect {
-    let times = count.unwrap_or(1).min(1000) as u16;
-    let page = model.size.1 / 2;
     let last = help::last_top(model);
     let top = match action {
-        Action::Down => top.saturating_add(times),
-        Action::Up => top.saturating_sub(times),
-        Action::HalfPageDown | Action::PageDown => top.saturating_add(page),
-        Action::HalfPageUp | Action::PageUp => top.saturating_sub(page),
-        Action::First => 0,
-        Action::Last => last,
         Action::Search => {
             model.prompt = Some(Prompt::new(Purpose::Help));
             0
@@ -175,7 +167,10 @@ fn in_help(model: &mut Model, action: Action, top: u16, count: Option<u32>) -> E
         }
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
-        _ => top,
+        action => {
+            let (times, page) = (count.unwrap_or(1).min(1000) as usize, usize::from(model.size.1 / 2));
+            list::moved(action, top.into(), times, page, last.into()).map_or(top, |row| row.min(last.into()) as u16)
+        }
     };
     model.overlay = Some(Overlay::Help { top: top.min(last) });
     Effect::None

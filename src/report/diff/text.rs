@@ -4,7 +4,7 @@ use super::summary::{Pixel, Summary};
 use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Side, Statement, Why};
 use super::{header_differences, telling_apart};
 use crate::log::Header;
-use crate::log::escape::{shortened, width};
+use crate::log::escape::{aligned, shortened};
 use crate::report::language::Language;
 use crate::report::number::size;
 use crate::report::words;
@@ -103,14 +103,15 @@ impl Text {
             let [place, quantity, symbol, a, b, absolute, relative] = self.cells(&difference.entry);
             [place, quantity, symbol, a, b, absolute, relative, self.cause(difference)]
         });
-        out += &table([heads].into_iter().chain(rows).collect());
+        let rows: Vec<_> = [heads].into_iter().chain(rows).collect();
+        out += &aligned(&rows, MOST_COLUMNS);
         if found.way.len() > 1 {
             out += &format!("\nThe way to the colour{of_pixel}, along the largest effect of an operand\n");
             let rows = found.way.iter().map(|entry| {
                 let [place, quantity, symbol, a, b, absolute, relative] = self.cells(entry);
                 [place, quantity, symbol, a, b, absolute, relative, String::new()]
             });
-            out += &table(without_middle(rows.collect()));
+            out += &aligned(&without_middle(rows.collect()), MOST_COLUMNS);
         }
         out
     }
@@ -345,15 +346,3 @@ const MOST_OPERANDS: usize = 200;
 
 /// Columns are no wider than this for the sake of one cell: every other row would be filled up with spaces.
 const MOST_COLUMNS: usize = 120;
-
-fn table(rows: Vec<Row>) -> String {
-    let widest = |column: usize| rows.iter().map(|row| width(&row[column]).min(MOST_COLUMNS)).max().unwrap_or(0);
-    let widths: [usize; 8] = std::array::from_fn(widest);
-    let line = |row: &Row| {
-        let cells = row.iter().zip(widths).filter(|(_, columns)| *columns > 0);
-        let padded: Vec<_> =
-            cells.map(|(cell, columns)| cell.clone() + &" ".repeat(columns.saturating_sub(width(cell)))).collect();
-        format!("  {}\n", padded.join("  ").trim_end())
-    };
-    rows.iter().map(line).collect()
-}
