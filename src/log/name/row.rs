@@ -24,13 +24,21 @@ macro_rules! names {
 }
 
 macro_rules! unit {
-    ([$unit:ident; 3]) => { Unit::$unit };
-    ($unit:ident) => { Unit::$unit };
+    ([$unit:ident; 3]) => {
+        Unit::$unit
+    };
+    ($unit:ident) => {
+        Unit::$unit
+    };
 }
 
 macro_rules! is_triple {
-    ([$unit:ident; 3]) => { true };
-    ($unit:ident) => { false };
+    ([$unit:ident; 3]) => {
+        true
+    };
+    ($unit:ident) => {
+        false
+    };
 }
 
 /// A row of the table.
