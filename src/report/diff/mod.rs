@@ -255,10 +255,9 @@ pub fn telling_apart(a: &Value, b: &Value, digits: Option<u32>) -> Style {
 fn entry_in(run: Run, item: Item, what: Statement) -> Entry {
     let nodes = run.tree.nodes();
     let node = match item {
-        Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),
         // A node is in the one around it; a ray says its own path.
-        Item::Node(node) if matches!(nodes[node].step, Some(Step::Ray { .. })) => node,
-        Item::Node(node) => nodes[node].parent,
+        Item::Node(node) if !matches!(nodes[node].step, Some(Step::Ray { .. })) => nodes[node].parent,
+        item => item.owner(run),
     };
     let title = match nodes[node].step {
         None | Some(Step::Ray { .. } | Step::Sample { .. }) => String::new(),
@@ -269,10 +268,7 @@ fn entry_in(run: Run, item: Item, what: Statement) -> Entry {
 
 fn quantity(run: Run, item: Item) -> Option<Name> {
     match item {
-        Item::Event(event) => match run.log.events[event].what {
-            What::Note { name, .. } => Some(name),
-            _ => None,
-        },
+        Item::Event(event) => run.log.events[event].noted().map(|(name, _)| name),
         Item::Input(event, number) => Some(run.log.given(event)[number].0),
         Item::Node(_) => None,
     }
