@@ -1,7 +1,7 @@
 //! The comparison of two logs for programs: one JSON document, written piece by piece.
 
 use super::summary::{Pixel, Summary};
-use super::{Changed, Comparison, Difference, Entry, HeaderDifference, Side, Statement};
+use super::{Changed, Comparison, Difference, Entry, Format, HeaderDifference, Side, Statement};
 use crate::log;
 use crate::log::Header;
 use serde_json::{Value, json};
@@ -17,14 +17,8 @@ pub struct Json {
     has_pixel: bool,
 }
 
-impl Json {
-    /// Begins a comparison; a brief one leaves out all differences but the first.
-    pub fn new(is_brief: bool) -> Json {
-        Json { is_brief, has_first: false, has_pixel: false }
-    }
-
-    /// What the logs are, and what their headers say differently.
-    pub fn begin(&self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
+impl Format for Json {
+    fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
         let notes: Vec<_> = differences
             .iter()
             .map(|HeaderDifference { field, a, b }| json!({"field": field, "a": a, "b": b}))
@@ -33,8 +27,7 @@ impl Json {
         format!("{{\"a\":{},\"b\":{},\"header\":{},\"pixels\":[", about(a), about(b), json!(notes))
     }
 
-    /// A pixel that both logs have; nothing if it is the same in both.
-    pub fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
+    fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
         if found.differences.is_empty() || (self.is_brief && self.has_first) {
             return String::new();
         }
@@ -63,13 +56,11 @@ impl Json {
         self.next(&object)
     }
 
-    /// A pixel that only one log has.
-    pub fn alone(&mut self, pixel: Pixel, side: Side) -> String {
+    fn alone(&mut self, pixel: Pixel, side: Side) -> String {
         self.next(&json!({"pixel": pixel, "only_in": side.word()}))
     }
 
-    /// The counts.
-    pub fn end(&self, summary: &Summary) -> String {
+    fn end(&self, summary: &Summary) -> String {
         let largest = |largest: &Option<(Pixel, Entry)>| {
             largest.as_ref().map(|(pixel, found)| {
                 let mut object = entry(found);
@@ -95,6 +86,13 @@ impl Json {
             }
         }
         format!("],\"summary\":{object}}}\n")
+    }
+}
+
+impl Json {
+    /// Begins a comparison; a brief one leaves out all differences but the first.
+    pub fn new(is_brief: bool) -> Json {
+        Json { is_brief, has_first: false, has_pixel: false }
     }
 
     fn next(&mut self, object: &Value) -> String {

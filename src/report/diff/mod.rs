@@ -29,7 +29,7 @@ pub use tolerance::{Distance, Tolerance, distance};
 use super::language::Language;
 use super::side_by_side::Run;
 use super::{Style, computation, words};
-use crate::log::{Name, Step, Value, What};
+use crate::log::{Header, Name, Step, Value, What};
 use cause::{Causes, Contribution};
 use std::rc::Rc;
 
@@ -131,6 +131,21 @@ pub struct First {
     pub why: Why,
     /// The object or light that is of another kind, if that is why.
     pub kind: Option<Changed>,
+}
+
+/// A format of comparisons, which is written piece by piece.
+pub trait Format {
+    /// What the logs are, and what their headers say differently.
+    fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String;
+
+    /// A pixel that both logs have; nothing if it is the same in both.
+    fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String;
+
+    /// A pixel that only one log has.
+    fn alone(&mut self, pixel: Pixel, side: Side) -> String;
+
+    /// The counts.
+    fn end(&self, summary: &Summary) -> String;
 }
 
 /// Compares the logs of a pixel or ray. Their objects and lights must have the same numbers, see [`Numbering`].
