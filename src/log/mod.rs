@@ -18,6 +18,7 @@ pub mod shard;
 pub mod tree;
 pub mod value;
 mod whole;
+pub(crate) mod words;
 
 pub use event::{
     Acceptance, Asking, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Split, Step, Term, What,

@@ -70,7 +70,7 @@ const MOST_SUMS: [usize; 2] = [64, 4];
 /// Whether the formula of a quantity goes over samples, cells, surfaces or lights.
 fn adds_up(name: Name) -> bool {
     static ADDING: LazyLock<Vec<bool>> = LazyLock::new(|| {
-        let signs = || Several::ALL.map(Several::sign).into_iter().chain(["Σ"]);
+        let signs = || Several::ALL.map(Several::word).into_iter().chain(["Σ"]);
         let adds_up = |name: Name| name.formula().is_some_and(|formula| signs().any(|sign| formula.contains(sign)));
         Name::all().map(adds_up).collect()
     });

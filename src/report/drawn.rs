@@ -1,21 +1,20 @@
 //! How rays are drawn: by kind, each with a name and a colour that all figures and files of lines have in common.
 
 use crate::log::RayKind;
+use crate::log::words::words;
 
-/// What a drawn ray is distinguished by: where it comes from, and whether it reaches what it is sent to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Drawn {
-    Camera,
-    Reflected,
-    Transmitted,
-    Shadow,
-    Blocked,
+words! {
+    /// What a drawn ray is distinguished by: where it comes from, and whether it reaches what it is sent to.
+    pub(super) Drawn {
+        Camera = "camera",
+        Reflected = "reflected",
+        Transmitted = "transmitted",
+        Shadow = "shadow",
+        Blocked = "blocked",
+    }
 }
 
 impl Drawn {
-    /// In the order of legends and files.
-    pub const ALL: [Drawn; 5] = [Drawn::Camera, Drawn::Reflected, Drawn::Transmitted, Drawn::Shadow, Drawn::Blocked];
-
     pub fn of(kind: RayKind, is_blocked: bool) -> Drawn {
         match kind {
             _ if is_blocked => Drawn::Blocked,
@@ -23,17 +22,6 @@ impl Drawn {
             RayKind::Reflected => Drawn::Reflected,
             RayKind::Transmitted => Drawn::Transmitted,
             RayKind::Shadow { .. } => Drawn::Shadow,
-        }
-    }
-
-    /// What its colour is called in documents.
-    pub fn name(self) -> &'static str {
-        match self {
-            Drawn::Camera => "camera",
-            Drawn::Reflected => "reflected",
-            Drawn::Transmitted => "transmitted",
-            Drawn::Shadow => "shadow",
-            Drawn::Blocked => "blocked",
         }
     }
 

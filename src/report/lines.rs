@@ -12,7 +12,7 @@ use crate::log::{Log, Tree};
 
 /// The name of a group of rays.
 fn name(group: Drawn) -> &'static str {
-    if group == Drawn::Blocked { "shadow_blocked" } else { group.name() }
+    if group == Drawn::Blocked { "shadow_blocked" } else { group.word() }
 }
 
 /// Red, green and blue of a group.

@@ -11,6 +11,7 @@ use super::kinds::Kinds;
 use super::operands::{Pair, Substitution};
 use super::tolerance::distance;
 use crate::log::scope::Operand;
+use crate::log::words::words;
 use crate::log::{Name, RayKind, Step, Value, What};
 use crate::report::evaluate::evaluate;
 use crate::report::provenance;
@@ -33,43 +34,27 @@ pub(super) struct Attribution {
     pub kind: Option<Changed>,
 }
 
-/// What kind of cause something has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Why {
-    /// Its operands differ, and this has the largest effect.
-    Operands,
-    /// The quantity itself: its rounding, or there is no formula that tells.
-    Itself,
-    /// The two logs compute it by different formulas.
-    OtherFormula,
-    /// It is an input, which no step of the logs computed.
-    Input,
-    /// What was decided, or computed, before it.
-    Before,
-    /// Nothing before it differs.
-    First,
-    /// A test that only one log has: the other's tracer didn't need it.
-    NotNeeded,
-    /// A test with an object that the other scene doesn't have.
-    NoSuchObject,
-    /// The object, or the light, is of another kind in the other scene.
-    OtherKind,
-}
-
-impl Why {
-    /// The word for programs.
-    pub fn word(self) -> &'static str {
-        match self {
-            Why::Operands => "operands",
-            Why::Itself => "itself",
-            Why::OtherFormula => "other_formula",
-            Why::Input => "input",
-            Why::Before => "before",
-            Why::First => "first",
-            Why::NotNeeded => "not_needed",
-            Why::NoSuchObject => "no_such_object",
-            Why::OtherKind => "other_kind",
-        }
+words! {
+    /// What kind of cause something has.
+    pub Why {
+        /// Its operands differ, and this has the largest effect.
+        Operands = "operands",
+        /// The quantity itself: its rounding, or there is no formula that tells.
+        Itself = "itself",
+        /// The two logs compute it by different formulas.
+        OtherFormula = "other_formula",
+        /// It is an input, which no step of the logs computed.
+        Input = "input",
+        /// What was decided, or computed, before it.
+        Before = "before",
+        /// Nothing before it differs.
+        First = "first",
+        /// A test that only one log has: the other's tracer didn't need it.
+        NotNeeded = "not_needed",
+        /// A test with an object that the other scene doesn't have.
+        NoSuchObject = "no_such_object",
+        /// The object, or the light, is of another kind in the other scene.
+        OtherKind = "other_kind",
     }
 }
 

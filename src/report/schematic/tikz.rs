@@ -21,7 +21,7 @@ pub fn tikz(plan: &Plan) -> String {
     for ray in &plan.rays {
         let style = format!(
             "{}, {}",
-            Drawn::of(ray.kind, ray.is_blocked).name(),
+            Drawn::of(ray.kind, ray.is_blocked).word(),
             if ray.is_blocked { "dashed" } else { "thick" }
         );
         line!(out, "\\draw[{style}] {} -- {};", at(ray.from), at(ray.to));
@@ -36,7 +36,7 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\filldraw[draw=camera, fill=white, thick] {} circle (3pt);", at(place));
     }
     for label in &plan.labels {
-        let color = label.ray.map_or("black", |(kind, is_blocked)| Drawn::of(kind, is_blocked).name());
+        let color = label.ray.map_or("black", |(kind, is_blocked)| Drawn::of(kind, is_blocked).word());
         line!(
             out,
             "\\node[text={color}, fill=white, fill opacity=0.8, text opacity=1] at {} {{{}}};",

@@ -68,7 +68,7 @@ impl Format for Latex {
 
     fn begin(_task: &Task, title: &str) -> String {
         let define =
-            |drawn: Drawn| format!("\\definecolor{{{}}}{{HTML}}{{{}}}\n", drawn.name(), drawn.hex().to_uppercase());
+            |drawn: Drawn| format!("\\definecolor{{{}}}{{HTML}}{{{}}}\n", drawn.word(), drawn.hex().to_uppercase());
         let preamble = PREAMBLE.replace("COLORS", &Drawn::ALL.map(define).concat());
         format!("{preamble}\\section*{{{title}}}\n")
     }

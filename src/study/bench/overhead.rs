@@ -3,6 +3,7 @@
 use super::Spread;
 use super::clock::timed;
 use crate::log::Event;
+use crate::log::words::words;
 use crate::probe::{CutOff, Recorder, Silent, until_cut_off};
 use crate::record::{Arithmetic, Computation, MAX_EVENTS, Pixel};
 use crate::render::Counter;
@@ -10,23 +11,24 @@ use crate::scene::Scene;
 use serde::Serialize;
 use std::hint::black_box;
 
-/// A way to compute a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
-    /// Only the colour.
-    Silent,
-    /// Rays and tests are counted.
-    Counter,
-    /// Every event is kept.
-    Recorder,
-    /// In single precision.
-    F32,
-    /// By hand, with three decimals.
-    Decimal,
-    /// By hand, and every event is kept.
-    DecimalRecorder,
-    /// Every quantity moved by an ulp.
-    Perturbed,
+words! {
+    /// A way to compute a pixel.
+    pub Way {
+        /// Only the colour.
+        Silent = "silent",
+        /// Rays and tests are counted.
+        Counter = "counter",
+        /// Every event is kept.
+        Recorder = "recorder",
+        /// In single precision.
+        F32 = "f32",
+        /// By hand, with three decimals.
+        Decimal = "decimal:3",
+        /// By hand, and every event is kept.
+        DecimalRecorder = "decimal:3+recorder",
+        /// Every quantity moved by an ulp.
+        Perturbed = "perturbed",
+    }
 }
 
 /// What a way costs.
@@ -58,23 +60,6 @@ pub struct Overhead {
 }
 
 impl Way {
-    /// All of them, the first being what the others are compared with.
-    pub const ALL: [Way; 7] =
-        [Way::Silent, Way::Counter, Way::Recorder, Way::F32, Way::Decimal, Way::DecimalRecorder, Way::Perturbed];
-
-    /// The way in a word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Way::Silent => "silent",
-            Way::Counter => "counter",
-            Way::Recorder => "recorder",
-            Way::F32 => "f32",
-            Way::Decimal => "decimal:3",
-            Way::DecimalRecorder => "decimal:3+recorder",
-            Way::Perturbed => "perturbed",
-        }
-    }
-
     /// Computes a pixel; how many events that has where they are kept.
     fn run(self, pixel: Pixel) -> Result<usize, CutOff> {
         match self {
