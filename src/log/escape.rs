@@ -8,11 +8,20 @@ use unicode_width::UnicodeWidthStr;
 /// The text with what would not be seen as itself escaped (`\u{1b}`): control characters, invisible ones, characters that change the
 /// direction of writing, and joiners where no script is spelt with them.
 pub fn escape_hidden(text: &str) -> Cow<'_, str> {
+    replaced(text, hidden(text), |escaped, character| escaped.extend(character.escape_unicode()))
+}
+
+/// The text with these characters, in order, written otherwise.
+fn replaced<'t>(
+    text: &'t str,
+    characters: impl Iterator<Item = (usize, char)>,
+    write: impl Fn(&mut String, char),
+) -> Cow<'t, str> {
     let mut escaped = String::new();
     let mut copied = 0;
-    for (at, character) in hidden(text) {
+    for (at, character) in characters {
         escaped.push_str(&text[copied..at]);
-        escaped.extend(character.escape_unicode());
+        write(&mut escaped, character);
         copied = at + character.len_utf8();
     }
     if copied == 0 {
@@ -32,21 +41,11 @@ pub fn escape_hidden_json(text: &str) -> Cow<'_, str> {
     if text.is_ascii() && !text.contains('\u{7f}') {
         return Cow::Borrowed(text);
     }
-    let mut escaped = String::new();
-    let mut copied = 0;
     // Between strings JSON has no such characters but the ends of lines.
-    for (at, character) in hidden(text).filter(|(_, character)| !matches!(character, '\n' | '\r' | '\t')) {
-        escaped.push_str(&text[copied..at]);
-        for unit in character.encode_utf16(&mut [0; 2]) {
-            escaped.push_str(&format!("\\u{unit:04x}"));
-        }
-        copied = at + character.len_utf8();
-    }
-    if copied == 0 {
-        return Cow::Borrowed(text);
-    }
-    escaped.push_str(&text[copied..]);
-    Cow::Owned(escaped)
+    let characters = hidden(text).filter(|(_, character)| !matches!(character, '\n' | '\r' | '\t'));
+    replaced(text, characters, |escaped, character| {
+        character.encode_utf16(&mut [0; 2]).iter().for_each(|unit| *escaped += &format!("\\u{unit:04x}"));
+    })
 }
 
 /// What a person takes for the characters of a text, each with the columns that it takes on a terminal.

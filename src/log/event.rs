@@ -110,6 +110,15 @@ pub enum What {
 }
 
 impl What {
+    /// The value of a quantity, or the colour of the pixel.
+    pub fn value(&self) -> Option<Value> {
+        match *self {
+            What::Note { value, .. } => Some(value),
+            What::Result { color } => Some(Value::Triple(color)),
+            What::Enter { .. } | What::Mark(_) | What::Leave => None,
+        }
+    }
+
     /// Hands on the objects and lights that it names.
     pub fn each_id(&mut self, take: &mut impl FnMut(Id)) {
         match self {

@@ -41,6 +41,7 @@ mod words;
 pub use words::{Function, QUANTILE, Several};
 
 use super::name::Name;
+use crate::log::words::words;
 use parser::Parser;
 use std::sync::LazyLock;
 
@@ -88,22 +89,13 @@ pub enum Unary {
     ExtremeComponent(Extreme),
 }
 
-/// Which of several numbers.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Extreme {
-    /// The least.
-    Min,
-    /// The greatest.
-    Max,
-}
-
-impl Extreme {
-    /// What it is called in formulas.
-    pub fn word(self) -> &'static str {
-        match self {
-            Extreme::Min => "min",
-            Extreme::Max => "max",
-        }
+words! {
+    /// Which of several numbers.
+    pub Extreme {
+        /// The least.
+        Min = "min",
+        /// The greatest.
+        Max = "max",
     }
 }
 

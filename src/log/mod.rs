@@ -15,9 +15,11 @@ pub mod rounding;
 pub mod schema;
 pub mod scope;
 pub mod shard;
+pub mod table;
 pub mod tree;
 pub mod value;
 mod whole;
+pub(crate) mod words;
 
 pub use event::{
     Acceptance, Asking, Decision, Digits, Event, Given, Miss, RayKind, SkipReason, Split, Step, Term, What,

@@ -70,7 +70,7 @@ const MOST_SUMS: [usize; 2] = [64, 4];
 /// Whether the formula of a quantity goes over samples, cells, surfaces or lights.
 fn adds_up(name: Name) -> bool {
     static ADDING: LazyLock<Vec<bool>> = LazyLock::new(|| {
-        let signs = || Several::ALL.map(Several::sign).into_iter().chain(["Σ"]);
+        let signs = || Several::ALL.map(Several::word).into_iter().chain(["Σ"]);
         let adds_up = |name: Name| name.formula().is_some_and(|formula| signs().any(|sign| formula.contains(sign)));
         Name::all().map(adds_up).collect()
     });
@@ -187,7 +187,7 @@ pub fn size_before(events: &Events, tree: &Tree, node: usize, before: usize) -> 
 
 /// The largest of a number and those that an event notes or has among its inputs.
 fn size_of(events: &Events, event: usize, size: f64) -> f64 {
-    let noted = if let What::Note { value, .. } = events[event].what { Some(value) } else { None };
+    let noted = events[event].noted().map(|(_, value)| value);
     let values = noted.into_iter().chain(events.given(&events[event]).iter().map(|(_, value)| *value));
     values.fold(size, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
 }

@@ -198,7 +198,7 @@ impl Evaluator<'_> {
                 map(self.part(angle)?, |degrees| functions::of_degrees(function, degrees))
             }
             (Unary::OverLights, term) => self.over_lights(Part::Zero, term),
-            (Unary::Over(several), _) => Err(format!("{} stands in another formula", several.sign())),
+            (Unary::Over(several), _) => Err(format!("{} stands in another formula", several.word())),
             (Unary::Grouped, _) => part(),
             (Unary::Negated, _) => map(part()?, |x| -x),
             (Unary::Positive, _) => map(part()?, |x| x.clamp(0.0, 1.0)),

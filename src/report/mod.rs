@@ -29,7 +29,6 @@ pub mod segments;
 pub mod side_by_side;
 pub mod solution;
 mod svg;
-pub mod table;
 pub mod tag;
 pub mod text;
 pub mod words;

@@ -175,7 +175,7 @@ impl Notation for Plain {
             Unary::Length => format!("|{inner}|"),
             Unary::Floor => format!("⌊{inner}⌋"),
             Unary::OverLights => format!("Σ({inner})"),
-            Unary::Over(several) => format!("{}({inner})", several.sign()),
+            Unary::Over(several) => format!("{}({inner})", several.word()),
             Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => Self::grouped(inner),
         }
     }

@@ -21,11 +21,7 @@ pub(super) fn value(model: &mut Model) -> Effect {
         What::Enter { .. } | What::Leave => of_node().map_or(&event.what, |event| &model.log.events[event].what),
         what => what,
     };
-    let text = match what {
-        What::Note { value, .. } => in_full(value),
-        What::Result { color } => in_full(&Value::Triple(*color)),
-        _ => describe::event(model, model.event),
-    };
+    let text = what.value().map_or_else(|| describe::event(model, model.event), |value| in_full(&value));
     copied(model, text)
 }
 

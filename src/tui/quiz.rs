@@ -93,11 +93,10 @@ pub(super) fn answer(model: &mut Model, line: &str) -> Result<(), String> {
     let event = model.event;
     let Some(what) = model.log.events.get(event).map(|event| &event.what) else { return Ok(()) };
     let Some(mut quiz) = model.understanding.quiz else { return Ok(()) };
-    let judged = match what {
-        What::Note { value, .. } => judged_value(model, line, value)?,
-        What::Result { color } => judged_value(model, line, &Value::Triple(*color))?,
-        What::Mark(decision) => judged_decision(model, line, decision)?,
-        What::Enter { .. } | What::Leave => return Ok(()),
+    let judged = match (what, what.value()) {
+        (_, Some(value)) => judged_value(model, line, &value)?,
+        (What::Mark(decision), _) => judged_decision(model, line, decision)?,
+        _ => return Ok(()),
     };
     let pixel = model.pixel();
     if quiz.missed != (pixel, event) {

@@ -9,7 +9,7 @@ use raywalk::record::{self, Arithmetic};
 use raywalk::render::Film;
 use raywalk::render::difference::difference;
 use raywalk::render::export::{Format, Picture, encode, read};
-use raywalk::report::diff::{Numbering, Summary, Text, Tolerance, compare};
+use raywalk::report::diff::{Format as _, Numbering, Summary, Text, Tolerance, compare};
 use raywalk::report::side_by_side::Run;
 use raywalk::scene::{Color, Output, Transfer};
 use std::sync::LazyLock;

@@ -1,39 +1,48 @@
 //! The plates of the gallery in `docs/pictures/` show what the program renders. `UPDATE_GALLERY=1 cargo test --test program gallery` makes
 //! them again.
 
-use crate::bitmap::Bitmap;
+use crate::bitmap::open;
+use image::imageops::{FilterType, replace, resize};
+use image::{Rgb, RgbImage};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The picture of a scene by the program.
-fn picture(folder: &Path, scene: &str, options: &[&str]) -> Bitmap {
+fn picture(folder: &Path, scene: &str, options: &[&str]) -> RgbImage {
     let file = folder.join("plate.png");
     let mut command = Command::new(env!("CARGO_BIN_EXE_raywalk"));
     command.args(["render", scene, "-q", "-o"]).arg(&file).args(options);
     assert!(command.status().expect("it runs").success(), "{scene} {options:?}");
-    Bitmap::open(&file)
+    open(&file)
+}
+
+/// Each pixel as a square of this side, so that it can be seen.
+fn enlarged(picture: &RgbImage, side: u32) -> RgbImage {
+    resize(picture, picture.width() * side, picture.height() * side, FilterType::Nearest)
 }
 
 /// Pictures of one size, from left to right and from top to bottom, on white.
-fn plate(pictures: &[Bitmap], across: u32) -> Bitmap {
+fn plate(pictures: &[RgbImage], across: u32) -> RgbImage {
     const GAP: u32 = 6;
-    let [width, height] = pictures[0].size();
+    let (width, height) = pictures[0].dimensions();
     let down = (pictures.len() as u32).div_ceil(across);
-    let mut plate = Bitmap::filled([across * (width + GAP) - GAP, down * (height + GAP) - GAP], [255; 3]);
+    let size = [across * (width + GAP) - GAP, down * (height + GAP) - GAP];
+    let mut plate = RgbImage::from_pixel(size[0], size[1], Rgb([255; 3]));
     for (number, picture) in (0..).zip(pictures) {
-        plate.put(picture, [number % across * (width + GAP), number / across * (height + GAP)]);
+        let [left, top] = [number % across * (width + GAP), number / across * (height + GAP)];
+        replace(&mut plate, picture, left.into(), top.into());
     }
     plate
 }
 
 /// Compares a plate with the one in the gallery, or puts it there.
 #[track_caller]
-fn is_in_gallery(name: &str, plate: &Bitmap) {
+fn is_in_gallery(name: &str, plate: &RgbImage) {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/pictures").join(format!("{name}.png"));
     if std::env::var_os("UPDATE_GALLERY").is_some() {
-        plate.save(&path);
+        plate.save(&path).expect("a place for it");
     }
-    let shown = Bitmap::open(&path);
+    let shown = open(&path);
     assert!(shown == *plate, "{name} isn't what is rendered: UPDATE_GALLERY=1 makes it anew");
 }
 
@@ -41,7 +50,7 @@ fn is_in_gallery(name: &str, plate: &Bitmap) {
 fn figures_16_to_20() {
     let folder = tempfile::tempdir().expect("a folder");
     for figure in ["figure-16", "figure-17", "figure-18", "figure-19", "figure-20"] {
-        let by = |sampling: &str| picture(folder.path(), figure, &["--sampling", sampling]).enlarged(4);
+        let by = |sampling: &str| enlarged(&picture(folder.path(), figure, &["--sampling", sampling]), 4);
         is_in_gallery(figure, &plate(&[by("none"), by("adaptive:threshold=0.02,depth=4")], 2));
     }
 }
@@ -50,9 +59,13 @@ fn figures_16_to_20() {
 #[test]
 fn equal_luminance() {
     let folder = tempfile::tempdir().expect("a folder");
-    let by = |sampling: &str| picture(folder.path(), "equal-luminance", &["--sampling", sampling]).enlarged(4);
+    let by = |sampling: &str| enlarged(&picture(folder.path(), "equal-luminance", &["--sampling", sampling]), 4);
     let colours = [by("none"), by("adaptive:threshold=0.02,depth=4")];
-    let greys = colours.clone().map(|picture| picture.map(|pixel| [crate::equal_luminance::level(pixel); 3]));
+    let mut greys = colours.clone();
+    greys
+        .iter_mut()
+        .flat_map(RgbImage::pixels_mut)
+        .for_each(|pixel| pixel.0 = [crate::equal_luminance::level(pixel.0); 3]);
     is_in_gallery("equal-luminance", &plate(&[colours, greys].concat(), 2));
 }
 
@@ -89,7 +102,7 @@ fn samples_of_a_pixel() {
     let folder = tempfile::tempdir().expect("a folder");
     let options = ["--sampling", "guided:tolerance=0.002,min=4,max=256", "--layers", "samples"];
     picture(folder.path(), "penumbra", &options);
-    is_in_gallery("samples", &Bitmap::open(&folder.path().join("plate.samples.png")).enlarged(2));
+    is_in_gallery("samples", &enlarged(&open(&folder.path().join("plate.samples.png")), 2));
 }
 
 /// The scene is the numeric example with another camera and another light, and nothing else.
@@ -112,8 +125,7 @@ fn the_numeric_example_from_the_side() {
     let shown = picture(folder.path(), scene, &["--sampling", "regular:3", "--exposure", "-1.3"]);
     is_in_gallery("numeric-example", &shown);
     // What the README says is in it: the wall, its part in the shadow, the ball, and the ball in the mirror.
-    let luminance =
-        |x: usize, y: usize| shown.pixels[y * shown.width as usize + x].iter().map(|c| u32::from(*c)).sum::<u32>();
+    let luminance = |x, y| shown.get_pixel(x, y).0.map(u32::from).iter().sum::<u32>();
     assert!(luminance(200, 200) > luminance(120, 150) + 60, "the shadow on the wall");
     assert!(luminance(270, 110) > luminance(225, 75) + 200, "the lit and the other side of the ball");
     assert!(luminance(110, 60) + 100 < luminance(160, 50), "the dark ball in the mirror");

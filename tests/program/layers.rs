@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use crate::bitmap::Bitmap;
+use crate::bitmap::open;
 use crate::calls::{prints, raywalk, says};
 use crate::support;
 use exr::prelude::*;
@@ -144,7 +144,7 @@ fn png_files_of_layers_stand_beside_the_picture() {
     expected.push("out.png".to_owned());
     expected.sort();
     assert_eq!(files, expected);
-    let [width, height] = Bitmap::open(&folder.path().join("out.depth.png")).size();
+    let (width, height) = open(&folder.path().join("out.depth.png")).dimensions();
     assert!(width >= 20 && height > 18, "a legend stands below");
     says(2, &["render", "textbook", "-o", "x.pfm", "--layers", "depth"], "expected a picture in .exr");
     says(2, &["render", "textbook", "-o", "x.png", "--layers", "deep"], "unknown layer `deep`");

@@ -1,6 +1,6 @@
 //! Pictures of the Standard Procedural Databases beside those of their authors, where they are at hand.
 
-use crate::bitmap::Bitmap;
+use crate::bitmap::open;
 use crate::shared::shared;
 use glam::DVec3;
 use raywalk::render::{Film, Settings, render};
@@ -20,9 +20,9 @@ struct Picture {
 
 impl Picture {
     fn of_png(path: &Path) -> Picture {
-        let Bitmap { width, pixels } = Bitmap::open(path);
-        let color = |pixel: &[u8; 3]| DVec3::from(pixel.map(f64::from)) / 255.0;
-        Picture { width: width as usize, colors: pixels.iter().map(color).collect() }
+        let picture = open(path);
+        let colors = picture.pixels().map(|pixel| DVec3::from(pixel.0.map(f64::from)) / 255.0);
+        Picture { width: picture.width() as usize, colors: colors.collect() }
     }
 
     fn of_film(film: &Film) -> Picture {

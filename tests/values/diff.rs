@@ -4,7 +4,7 @@ use crate::support;
 use raywalk::log::{Event, Log, Name, Tree, Value, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::diff::{
-    Comparison, Difference, Entry, Json, Numbering, Side, Statement, Summary, Text, Tolerance, Why, compare,
+    Comparison, Difference, Entry, Format, Json, Numbering, Side, Statement, Summary, Text, Tolerance, Why, compare,
     header_differences, telling_apart,
 };
 use raywalk::report::side_by_side::Run;

@@ -1,6 +1,6 @@
 //! What other programs say of the views. A program that isn't installed is reported, and its test is skipped.
 
-use crate::bitmap::Bitmap;
+use crate::bitmap::open;
 use crate::calls::prints;
 use crate::shared::skipped;
 use crate::{log, nasty_log, solution, tree};
@@ -68,8 +68,8 @@ fn librsvg_draws_ray_trees() {
     for log in examples() {
         fs::write(folder.path().join("tree.svg"), tree(&log, Language::English, svg)).expect("written");
         takes(folder.path(), "rsvg-convert", &["tree.svg", "-o", "tree.png"]);
-        let picture = Bitmap::open(&folder.path().join("tree.png"));
-        let dark = picture.pixels.iter().filter(|pixel| pixel.iter().all(|channel| *channel < 100)).count();
+        let picture = open(&folder.path().join("tree.png"));
+        let dark = picture.pixels().filter(|pixel| pixel.0.iter().all(|channel| *channel < 100)).count();
         assert!(dark > 100, "something is drawn: {dark}");
     }
 }

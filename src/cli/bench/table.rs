@@ -3,8 +3,8 @@
 use super::TableFormat;
 use crate::cli::failure::Failure;
 use crate::cli::output;
+use raywalk::log::table::aligned;
 use raywalk::render::RenderError;
-use raywalk::report::table::aligned;
 use raywalk::scene::Scene;
 use raywalk::scene::file::escape_hidden_lines;
 use raywalk::study::bench::Spread;

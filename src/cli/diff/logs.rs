@@ -8,9 +8,7 @@ use crate::cli::saved_log::{self, MAX_LOG_BYTES};
 use crate::cli::walk::{left, palette};
 use raywalk::log::file::{PixelEvents, PixelReader};
 use raywalk::log::{Events, Header, Log, Subject, Tree};
-use raywalk::report::diff::{
-    self, Comparison, HeaderDifference, Json, Numbering, Pixel, Rows, Side, Summary, Text, header_differences,
-};
+use raywalk::report::diff::{self, Format, Json, Numbering, Pixel, Rows, Side, Summary, Text, header_differences};
 use raywalk::report::side_by_side::Run;
 use raywalk::report::words;
 use raywalk::report::{Language, forms};
@@ -112,10 +110,10 @@ impl Diff {
         left(exit).and(is_whole).map(|()| is_same)
     }
 
-    fn view(&self) -> View {
+    fn view(&self) -> Box<dyn Format> {
         match self.format {
-            DiffFormat::Text => View::Text(Text::new(self.digits, self.brief)),
-            DiffFormat::Json => View::Json(Json::new(self.brief)),
+            DiffFormat::Text => Box::new(Text::new(self.digits, self.brief)),
+            DiffFormat::Json => Box::new(Json::new(self.brief)),
         }
     }
 }
@@ -259,41 +257,5 @@ impl Source {
             output::tell(&format!("warning: {}: {warning}", self.name));
         }
         (!ending.is_whole()).then_some(self.name.as_str())
-    }
-}
-
-/// How the comparison is written.
-enum View {
-    Text(Text),
-    Json(Json),
-}
-
-impl View {
-    fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
-        match self {
-            View::Text(text) => text.begin(a, b, differences),
-            View::Json(json) => json.begin(a, b, differences),
-        }
-    }
-
-    fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
-        match self {
-            View::Text(text) => text.pixel(pixel, found),
-            View::Json(json) => json.pixel(pixel, found),
-        }
-    }
-
-    fn alone(&mut self, pixel: Pixel, side: Side) -> String {
-        match self {
-            View::Text(text) => text.alone(pixel, side),
-            View::Json(json) => json.alone(pixel, side),
-        }
-    }
-
-    fn end(&self, summary: &Summary) -> String {
-        match self {
-            View::Text(text) => text.end(summary),
-            View::Json(json) => json.end(summary),
-        }
     }
 }

@@ -1,39 +1,22 @@
 //! What decisions and nodes say in words: enums whose variants are written as words in a log.
 
 use super::field::{FieldKind, Of};
+use crate::log::words::words;
 
-/// Declares an enum whose variants stand as words in a log.
-macro_rules! words {
-    ($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $word:literal,)* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-        pub enum $name { $($(#[$variant_doc])* $variant,)* }
-
+macro_rules! fields {
+    ($($name:ident)*) => {$(
         impl FieldKind for $name {
             type Value = $name;
             const OF: Of = Of::Words(|| $name::ALL.iter().map(|value| value.word()).collect());
         }
-
-        impl $name {
-            /// Every value.
-            pub const ALL: &[$name] = &[$($name::$variant,)*];
-
-            /// The word in a log.
-            pub fn word(self) -> &'static str {
-                match self { $($name::$variant => $word,)* }
-            }
-
-            /// The value that a word stands for.
-            pub fn find(word: &str) -> Option<$name> {
-                Self::ALL.iter().copied().find(|value| value.word() == word)
-            }
-        }
-    };
+    )*};
 }
+
+fields!(Miss Term SkipReason Split Asking Acceptance);
 
 words! {
     /// Why a ray misses an object.
-    Miss {
+    pub Miss {
         /// The ray runs parallel to the surface.
         Parallel = "parallel",
         /// The object lies behind the ray's origin.
@@ -51,7 +34,7 @@ words! {
 
 words! {
     /// What may be left out, or count as black.
-    Term {
+    pub Term {
         /// The reflected ray.
         Reflected = "reflected",
         /// The transmitted ray.
@@ -68,7 +51,7 @@ words! {
 words! {
     /// The rule by which work is left out; `docs/skipping.md` has the proof of each. Each but [`SkipReason::Behind`], which is the
     /// algorithm's own, can be switched off (`--skip`).
-    SkipReason {
+    pub SkipReason {
         /// A bounce whose weight is zero in all channels.
         ZeroWeight = "zero_weight",
         /// A shadow ray to a light that no coefficient of the surface could use.
@@ -97,7 +80,7 @@ words! {
 
 words! {
     /// Why a cell of a pixel is cut in four.
-    Split {
+    pub Split {
         /// The colours at its corners differ by more than the threshold.
         Color = "color",
         /// Its corners see different objects.
@@ -109,7 +92,7 @@ words! {
 
 words! {
     /// Why this many points of an area light are asked.
-    Asking {
+    pub Asking {
         /// Nothing can lie between, and the light is smooth: the points of a rule, without shadow rays.
         Rule = "rule",
         /// Nothing can lie between: all random points, without shadow rays.
@@ -123,7 +106,7 @@ words! {
 
 words! {
     /// Why the samples so far are enough.
-    Acceptance {
+    pub Acceptance {
         /// They agree.
         Alike = "alike",
         /// The cell may not be cut further.

@@ -90,7 +90,7 @@ impl<'t> Parser<'t> {
 
     fn atom(&mut self) -> Result<Formula, String> {
         // Before symbols, as a word may begin with the letter of one.
-        if let Some(several) = Several::ALL.into_iter().find(|several| self.eat_call(several.sign())) {
+        if let Some(several) = Several::ALL.into_iter().find(|several| self.eat_call(several.word())) {
             return self.around(Unary::Over(several), ")");
         }
         if let Some(function) = Function::ALL.into_iter().find(|function| self.eat_call(function.word())) {

@@ -1,12 +1,12 @@
 //! What a row of the table of names is: the macro that declares it, and how a name gives what is in it.
 
-use super::{Name, ROWS};
+use super::{Name, ROWS, Unit};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-/// Declares [`Name`] from rows `Variant: key, form, symbol, formula, source section`.
+/// Declares [`Name`] from rows `Variant: key, form, symbol, formula, source section, unit`; of a triple `[unit; 3]`.
 macro_rules! names {
-    ($($variant:ident: $key:literal, $form:literal, $symbol:literal, $formula:literal, $section:literal;)*) => {
+    ($($variant:ident: $key:literal, $form:literal, $symbol:literal, $formula:literal, $section:literal, $unit:tt;)*) => {
         /// A named quantity of the computation.
         ///
         /// Several names may share a key: they are the same quantity computed by different formulas, distinguished in the
@@ -18,8 +18,26 @@ macro_rules! names {
         }
 
         const ROWS: &[(Name, Row)] = &[$((Name::$variant, Row {
-            key: $key, form: $form, symbol: $symbol, formula: $formula, section: $section,
+            key: $key, form: $form, symbol: $symbol, formula: $formula, section: $section, unit: unit!($unit), is_triple: is_triple!($unit),
         }),)*];
+    };
+}
+
+macro_rules! unit {
+    ([$unit:ident; 3]) => {
+        Unit::$unit
+    };
+    ($unit:ident) => {
+        Unit::$unit
+    };
+}
+
+macro_rules! is_triple {
+    ([$unit:ident; 3]) => {
+        true
+    };
+    ($unit:ident) => {
+        false
     };
 }
 
@@ -30,6 +48,8 @@ pub(super) struct Row {
     pub symbol: &'static str,
     pub formula: &'static str,
     pub section: &'static str,
+    pub unit: Unit,
+    pub is_triple: bool,
 }
 
 impl Name {
@@ -85,6 +105,16 @@ impl Name {
     /// The section of the source text (Ramos, "Trazado de rayos") that has the quantity; empty where the text has no formula for it.
     pub fn section(self) -> &'static str {
         self.row().section
+    }
+
+    /// What the quantity is measured in.
+    pub fn unit(self) -> Unit {
+        self.row().unit
+    }
+
+    /// Whether its values are triples (points, vectors, colours) and not numbers.
+    pub fn is_triple(self) -> bool {
+        self.row().is_triple
     }
 
     /// Whether the quantity was computed with twice the digits of f64, its operands too, and rounded once in the end.

@@ -23,21 +23,12 @@ fn key_and_form_tell_every_name_apart() {
 }
 
 #[test]
-fn names_of_one_key_share_their_symbol() {
+fn names_of_one_key_share_their_symbol_and_unit() {
     for name in Name::all() {
         let first = ROWS.iter().find(|(_, row)| row.key == name.key()).unwrap().0;
-        assert_eq!(name.symbol(), first.symbol(), "{}", name.key());
+        let facts = |name: Name| (name.symbol(), name.unit(), name.is_triple());
+        assert_eq!(facts(name), facts(first), "{}", name.key());
     }
-}
-
-#[test]
-fn every_key_has_a_unit() {
-    let keys: HashSet<_> = Name::all().map(Name::key).collect();
-    let listed: Vec<_> = unit::pairs().map(|(key, _)| key).collect();
-    let once: HashSet<_> = listed.iter().copied().collect();
-    assert_eq!(once.len(), listed.len(), "a key occurs twice");
-    assert_eq!(keys.difference(&once).collect::<Vec<_>>(), [] as [&&str; 0], "without a unit: `name/unit.rs`");
-    assert_eq!(once.difference(&keys).collect::<Vec<_>>(), [] as [&&str; 0], "no quantity has this key");
 }
 
 /// The exponents of a formula's value; `None` for a literal 0, which has any unit.

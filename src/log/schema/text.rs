@@ -2,8 +2,8 @@
 
 use super::keys;
 use super::kinds::{Field, Kind, MARKS, Of, STEPS};
-use crate::log::escape::width;
 use crate::log::header::FORMAT;
+use crate::log::table;
 
 const LINES: &[[&str; 2]] = &[
     ["{\"log\":…}", "the header: what was traced, how, and the names of objects and lights"],
@@ -84,16 +84,14 @@ impl Field {
     }
 }
 
-/// Rows whose columns are below each other; a row whose first column is very wide pushes none of the others aside.
 fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
-    const WIDEST: usize = 90;
-    let widest = |column: usize| rows.iter().map(|row| width(&row[column])).filter(|width| *width <= WIDEST).max();
-    let widths: [usize; N] = std::array::from_fn(|column| widest(column).unwrap_or(0));
-    let line = |row: &[String; N]| {
-        let cells = row.iter().zip(widths);
-        let padded: Vec<_> =
-            cells.map(|(cell, columns)| format!("{cell}{}", " ".repeat(columns.saturating_sub(width(cell))))).collect();
-        format!("  {}\n", padded.join("  ").trim_end())
-    };
-    rows.iter().map(line).collect()
+    table::aligned(rows, |_| false)
+        .iter()
+        .map(|line| {
+            format!(
+                "  {line}
+"
+            )
+        })
+        .collect()
 }

@@ -118,13 +118,9 @@ impl Alignment<'_> {
 
 /// The value of an event; zeros for those that have none.
 pub(super) fn components(what: &What) -> [f64; 3] {
-    match what {
-        What::Note { value, .. } => {
-            let mut components = [0.0; 3];
-            components.iter_mut().zip(value.components()).for_each(|(component, x)| *component = *x);
-            components
-        }
-        What::Result { color } => *color,
-        _ => [0.0; 3],
+    let mut components = [0.0; 3];
+    if let Some(value) = what.value() {
+        components.iter_mut().zip(value.components()).for_each(|(component, x)| *component = *x);
     }
+    components
 }

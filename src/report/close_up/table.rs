@@ -2,7 +2,7 @@
 
 use super::CloseUp;
 use crate::log::escape::escape_hidden;
-use crate::report::table::aligned;
+use crate::log::table::aligned;
 
 /// Title, table and note as plain text.
 pub fn text(close_up: &CloseUp) -> String {

@@ -21,6 +21,16 @@ pub enum Item {
     Node(usize),
 }
 
+impl Item {
+    /// The node in which it is; of a node itself.
+    pub(super) fn owner(self, run: Run) -> usize {
+        match self {
+            Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),
+            Item::Node(node) => node,
+        }
+    }
+}
+
 /// An item of either log, or both: the first is that of A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Spot {
@@ -103,10 +113,7 @@ impl Alignment {
     }
 
     fn pair(&mut self, a: Run, ours: Item, b: Run, theirs: Item) {
-        let home = match ours {
-            Item::Event(event) | Item::Input(event, _) => a.tree.owner(event),
-            Item::Node(node) => node,
-        };
+        let home = ours.owner(a);
         match (ours, theirs) {
             (Item::Node(ours), Item::Node(theirs)) => self.node(a, ours, b, theirs),
             (Item::Event(event_a), Item::Event(event_b)) => {

@@ -274,11 +274,9 @@ pub(super) fn values_of(a: Run, b: Run, spot: Spot) -> Option<(Value, Value)> {
 /// The value of an item, if it has one.
 pub(super) fn value(run: Run, item: Item) -> Option<Value> {
     match item {
-        Item::Event(event) => match run.log.events[event].what {
-            What::Note { value, .. } => Some(value),
-            What::Result { color } => Some(Value::Triple(color)),
-            What::Mark(Decision::Attenuated { factor, .. }) => Some(Value::Triple(factor)),
-            _ => None,
+        Item::Event(event) => match &run.log.events[event].what {
+            What::Mark(Decision::Attenuated { factor, .. }) => Some(Value::Triple(*factor)),
+            what => what.value(),
         },
         Item::Input(event, number) => Some(run.log.given(event)[number].1),
         Item::Node(_) => None,

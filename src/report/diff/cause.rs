@@ -243,7 +243,7 @@ impl<'a> Causes<'a> {
             // From different places: from a part that only one log has, or another quantity of the same part, or chosen by a decision.
             (Some(ours), Some(theirs)) => {
                 let part = self.part_of_a(ours).or_else(|| self.part_of_b(theirs));
-                let is_of_same_part = self.partner(owner(self.a, ours)) == Some(owner(self.b, theirs));
+                let is_of_same_part = self.partner(ours.owner(self.a)) == Some(theirs.owner(self.b));
                 let instead = || Some(Spot::OnlyA(ours)).filter(|spot| is_of_same_part && self.before.has(*spot));
                 part.or_else(instead).or_else(|| self.before.decision_before(spot))
             }
@@ -310,17 +310,9 @@ fn source(run: Run, event: usize, operand: &Operand, symbol: &str) -> Item {
     }
 }
 
-/// The node in which an item is.
-fn owner(run: Run, item: Item) -> usize {
-    match item {
-        Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),
-        Item::Node(node) => node,
-    }
-}
-
 /// The outermost node around a item that isn't shared, if there is one.
 fn outermost(run: Run, item: Item, is_shared: impl Fn(usize) -> bool) -> Option<usize> {
-    run.tree.around(owner(run, item)).take_while(|node| !is_shared(*node)).last()
+    run.tree.around(item.owner(run)).take_while(|node| !is_shared(*node)).last()
 }
 
 fn is_camera_ray(step: Option<Step>) -> bool {

@@ -1,7 +1,7 @@
 //! The comparison of two logs for programs: one JSON document, written piece by piece.
 
 use super::summary::{Pixel, Summary};
-use super::{Comparison, Difference, Entry, HeaderDifference, Side, Statement};
+use super::{Comparison, Difference, Entry, Format, HeaderDifference, Side, Statement};
 use crate::log;
 use crate::log::Header;
 use serde_json::{Value, json};
@@ -17,20 +17,13 @@ pub struct Json {
     has_pixel: bool,
 }
 
-impl Json {
-    /// Begins a comparison; a brief one leaves out all differences but the first.
-    pub fn new(is_brief: bool) -> Json {
-        Json { is_brief, has_first: false, has_pixel: false }
-    }
-
-    /// What the logs are, and what their headers say differently.
-    pub fn begin(&self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
+impl Format for Json {
+    fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
         let about = |header: &Header| json!({"scene": header.scene.name, "arithmetic": header.arithmetic, "subject": header.subject});
         format!("{{\"a\":{},\"b\":{},\"header\":{},\"pixels\":[", about(a), about(b), json!(differences))
     }
 
-    /// A pixel that both logs have; nothing if it is the same in both.
-    pub fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
+    fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
         if found.differences.is_empty() || (self.is_brief && self.has_first) {
             return String::new();
         }
@@ -59,13 +52,11 @@ impl Json {
         self.next(&object)
     }
 
-    /// A pixel that only one log has.
-    pub fn alone(&mut self, pixel: Pixel, side: Side) -> String {
+    fn alone(&mut self, pixel: Pixel, side: Side) -> String {
         self.next(&json!({"pixel": pixel, "only_in": side}))
     }
 
-    /// The counts.
-    pub fn end(&self, summary: &Summary) -> String {
+    fn end(&self, summary: &Summary) -> String {
         let largest = |largest: &Option<(Pixel, Entry)>| {
             largest.as_ref().map(|(pixel, found)| {
                 let mut object = entry(found);
@@ -91,6 +82,13 @@ impl Json {
             }
         }
         format!("],\"summary\":{object}}}\n")
+    }
+}
+
+impl Json {
+    /// Begins a comparison; a brief one leaves out all differences but the first.
+    pub fn new(is_brief: bool) -> Json {
+        Json { is_brief, has_first: false, has_pixel: false }
     }
 
     fn next(&mut self, object: &Value) -> String {

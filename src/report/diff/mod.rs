@@ -29,7 +29,7 @@ pub use tolerance::{Distance, Tolerance, distance};
 use super::language::Language;
 use super::side_by_side::Run;
 use super::{Style, computation, words};
-use crate::log::{Name, Step, Value, What};
+use crate::log::{Header, Name, Step, Value, What};
 use cause::{Causes, Contribution};
 use serde::Serialize;
 use std::rc::Rc;
@@ -133,6 +133,21 @@ pub struct First {
     pub why: Why,
     /// The object or light that is of another kind, if that is why.
     pub kind: Option<Changed>,
+}
+
+/// A format of comparisons, which is written piece by piece.
+pub trait Format {
+    /// What the logs are, and what their headers say differently.
+    fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String;
+
+    /// A pixel that both logs have; nothing if it is the same in both.
+    fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String;
+
+    /// A pixel that only one log has.
+    fn alone(&mut self, pixel: Pixel, side: Side) -> String;
+
+    /// The counts.
+    fn end(&self, summary: &Summary) -> String;
 }
 
 /// Compares the logs of a pixel or ray. Their objects and lights must have the same numbers, see [`Numbering`].
@@ -254,10 +269,9 @@ pub fn telling_apart(a: &Value, b: &Value, digits: Option<u32>) -> Style {
 fn entry_in(run: Run, item: Item, what: Statement) -> Entry {
     let nodes = run.tree.nodes();
     let node = match item {
-        Item::Event(event) | Item::Input(event, _) => run.tree.owner(event),
         // A node is in the one around it; a ray says its own path.
-        Item::Node(node) if matches!(nodes[node].step, Some(Step::Ray { .. })) => node,
-        Item::Node(node) => nodes[node].parent,
+        Item::Node(node) if !matches!(nodes[node].step, Some(Step::Ray { .. })) => nodes[node].parent,
+        item => item.owner(run),
     };
     let title = match nodes[node].step {
         None | Some(Step::Ray { .. } | Step::Sample { .. }) => String::new(),

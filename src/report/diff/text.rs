@@ -1,13 +1,13 @@
 //! The comparison of two logs for people.
 
 use super::summary::{Pixel, Summary};
-use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Side, Statement, Why};
+use super::{Changed, Comparison, Difference, Entry, First, Format, HeaderDifference, Side, Statement, Why};
 use super::{header_differences, telling_apart};
 use crate::log::Header;
 use crate::log::escape::shortened;
+use crate::log::table::aligned;
 use crate::report::language::Language;
 use crate::report::number::size;
-use crate::report::table::aligned;
 use crate::report::words;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -38,36 +38,8 @@ const MOST_ALONE: u64 = 8;
 /// The columns of a table: where, which quantity, its symbol, A, B, the absolute and the relative difference, the cause.
 type Row = [String; 8];
 
-impl Text {
-    /// Begins a comparison. Values are shown with `digits` decimals, or with as many as tell them apart; a brief comparison has no
-    /// tables.
-    pub fn new(digits: Option<u32>, is_brief: bool) -> Text {
-        Text {
-            digits,
-            is_brief,
-            has_first: false,
-            is_rounded_otherwise: false,
-            headers: Vec::new(),
-            told: BTreeSet::new(),
-            alone: [0; 2],
-        }
-    }
-
-    /// The same between these logs.
-    pub fn between(self, a: &Header, b: &Header) -> Text {
-        // What is traced, by what and in which arithmetic, is no change of the scene.
-        const NONE: [&str; 5] = ["subject", "version", "scene.name", "arithmetic", "shard"];
-        let differing = header_differences(a, b).into_iter().map(|said| said.field);
-        let mut headers: Vec<_> = differing.filter(|field| !NONE.contains(field)).collect();
-        // The digest covers the others.
-        if headers.len() > 1 {
-            headers.retain(|field| *field != "scene.digest");
-        }
-        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, headers, ..self }
-    }
-
-    /// What the logs are, and what their headers say differently.
-    pub fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
+impl Format for Text {
+    fn begin(&mut self, a: &Header, b: &Header, differences: &[HeaderDifference]) -> String {
         *self = self.clone().between(a, b);
         let mut out = String::new();
         for (letter, header) in [("A", a), ("B", b)] {
@@ -86,8 +58,7 @@ impl Text {
         out
     }
 
-    /// A pixel that both logs have; nothing if it is the same in both.
-    pub fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
+    fn pixel(&mut self, pixel: Pixel, found: &Comparison) -> String {
         let mut out = String::new();
         if let (Some(first), false) = (&found.first, self.has_first) {
             self.has_first = true;
@@ -104,7 +75,8 @@ impl Text {
             let [place, quantity, symbol, a, b, absolute, relative] = self.cells(&difference.entry);
             [place, quantity, symbol, a, b, absolute, relative, self.cause(difference)]
         });
-        out += &table([heads].into_iter().chain(rows).collect());
+        let rows: Vec<_> = [heads].into_iter().chain(rows).collect();
+        out += &table(rows);
         if found.way.len() > 1 {
             out += &format!("\nThe way to the colour{of_pixel}, along the largest effect of an operand\n");
             let rows = found.way.iter().map(|entry| {
@@ -116,19 +88,7 @@ impl Text {
         out
     }
 
-    /// The inputs of the scene that differ, each in the first pixel that has it.
-    fn changed(&mut self, changed: &[Changed]) -> String {
-        let mut lines = String::new();
-        for made in changed {
-            if self.told.insert(made.input.clone()) {
-                lines += &format!("  {}\n", change(made));
-            }
-        }
-        if lines.is_empty() { lines } else { format!("\nChanged in the scene\n{lines}") }
-    }
-
-    /// A pixel that only one log has.
-    pub fn alone(&mut self, pixel: Pixel, side: Side) -> String {
+    fn alone(&mut self, pixel: Pixel, side: Side) -> String {
         if self.is_brief {
             return String::new();
         }
@@ -142,8 +102,7 @@ impl Text {
         }
     }
 
-    /// The counts.
-    pub fn end(&self, summary: &Summary) -> String {
+    fn end(&self, summary: &Summary) -> String {
         if summary.is_same() {
             let pixels = if summary.pixels > 1 { format!(" in {} pixels", summary.pixels) } else { String::new() };
             return format!("\nThe same: {} values compared{pixels}, none differs\n", summary.values);
@@ -173,6 +132,46 @@ impl Text {
             out += &format!("  {called}: {size} ({}{})\n", label(entry), in_place(&place));
         }
         out
+    }
+}
+
+impl Text {
+    /// Begins a comparison. Values are shown with `digits` decimals, or with as many as tell them apart; a brief comparison has no
+    /// tables.
+    pub fn new(digits: Option<u32>, is_brief: bool) -> Text {
+        Text {
+            digits,
+            is_brief,
+            has_first: false,
+            is_rounded_otherwise: false,
+            headers: Vec::new(),
+            told: BTreeSet::new(),
+            alone: [0; 2],
+        }
+    }
+
+    /// The same between these logs.
+    pub fn between(self, a: &Header, b: &Header) -> Text {
+        // What is traced, by what and in which arithmetic, is no change of the scene.
+        const NONE: [&str; 5] = ["subject", "version", "scene.name", "arithmetic", "shard"];
+        let differing = header_differences(a, b).into_iter().map(|said| said.field);
+        let mut headers: Vec<_> = differing.filter(|field| !NONE.contains(field)).collect();
+        // The digest covers the others.
+        if headers.len() > 1 {
+            headers.retain(|field| *field != "scene.digest");
+        }
+        Text { is_rounded_otherwise: a.arithmetic != b.arithmetic, headers, ..self }
+    }
+
+    /// The inputs of the scene that differ, each in the first pixel that has it.
+    fn changed(&mut self, changed: &[Changed]) -> String {
+        let mut lines = String::new();
+        for made in changed {
+            if self.told.insert(made.input.clone()) {
+                lines += &format!("  {}\n", change(made));
+            }
+        }
+        if lines.is_empty() { lines } else { format!("\nChanged in the scene\n{lines}") }
     }
 
     fn first(&self, pixel: Pixel, first: &First) -> String {

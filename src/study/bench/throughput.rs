@@ -4,6 +4,7 @@ use super::Spread;
 use super::clock::{Lap, timed};
 use crate::geometry::shape::{Sphere, SphereMethod, TriangleMesh};
 use crate::geometry::{PACKET, Shape};
+use crate::log::words::words;
 use crate::scene::Scene;
 use crate::scene::file::raw::{Primitives, Question, RawRay, RayFile};
 use crate::threads::Threads;
@@ -29,25 +30,13 @@ pub enum Passes {
     Seconds(f64),
 }
 
-/// How rays are asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
-    /// Each by itself.
-    Single,
-    /// Eight that follow each other in the file at a time.
-    Batch,
-}
-
-impl Mode {
-    /// Both.
-    pub const ALL: [Mode; 2] = [Mode::Single, Mode::Batch];
-
-    /// Its name.
-    pub fn word(self) -> &'static str {
-        match self {
-            Mode::Single => "single",
-            Mode::Batch => "batch",
-        }
+words! {
+    /// How rays are asked.
+    pub Mode {
+        /// Each by itself.
+        Single = "single",
+        /// Eight that follow each other in the file at a time.
+        Batch = "batch",
     }
 }
 

@@ -1,9 +1,9 @@
 //! The study of roundings as text and JSON.
 
 use super::{Cause, Change, RUNS, Study};
+use crate::log::table::aligned;
 use crate::log::{Step, Tree};
 use crate::report::language::Language;
-use crate::report::table::aligned;
 use crate::report::{Style, words};
 use serde_json::{Value, json};
 

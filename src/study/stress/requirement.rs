@@ -1,30 +1,20 @@
 //! What is required of each family.
 
-/// How errors are measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
-    /// In the distance of two neighbouring f64 at the exact answer.
-    Ulp,
-    /// In k: the error over 2⁻⁵³ times the answer times the case's condition number.
-    K,
-    /// In 2⁻⁵², of vectors of unit length.
-    Epsilon,
-    /// As a part of the answer.
-    Relative,
-    /// There is nothing to measure: only decisions count.
-    None,
-}
+use crate::log::words::words;
 
-impl Unit {
-    /// Its word in tables.
-    pub fn word(self) -> &'static str {
-        match self {
-            Unit::Ulp => "ulp",
-            Unit::K => "k",
-            Unit::Epsilon => "2^-52",
-            Unit::Relative => "relative",
-            Unit::None => "",
-        }
+words! {
+    /// How errors are measured.
+    pub Unit {
+        /// In the distance of two neighbouring f64 at the exact answer.
+        Ulp = "ulp",
+        /// In k: the error over 2⁻⁵³ times the answer times the case's condition number.
+        K = "k",
+        /// In 2⁻⁵², of vectors of unit length.
+        Epsilon = "2^-52",
+        /// As a part of the answer.
+        Relative = "relative",
+        /// There is nothing to measure: only decisions count.
+        None = "",
     }
 }
 

@@ -4,7 +4,7 @@ use super::case::Family;
 use super::judge::Outcome;
 use super::requirement::{Unit, requirement};
 use super::way::Way;
-use crate::report::table::aligned;
+use crate::log::table::aligned;
 use crate::scene::Formulas;
 use serde::Serialize;
 

@@ -1,7 +1,8 @@
 //! The tables of worked examples as text, JSON and Markdown.
 
 use super::{Checked, CheckedRow, DIGITS, Example, Row, Table, Verdict};
-use crate::report::{Style, number, table};
+use crate::log::table;
+use crate::report::{Style, number};
 use serde_json::{Value, json};
 
 const HEADS: [&str; 7] = ["step", "quantity", "printed", "following the book", "by hand", "exact", "verdict"];

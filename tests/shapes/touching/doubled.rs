@@ -5,6 +5,7 @@ use crate::random::Random;
 use glam::DVec3;
 use raywalk::geometry::Mesh;
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 
 pub enum Form {
     Shape(Value),
@@ -114,6 +115,21 @@ pub fn with(world: &World, frame: &Frame, form: &Form, material: &str, times: us
     let first = if times == 0 { world.clone() } else { add(world.clone()) };
     let world = first.object("matt", frame.plane([0.0, 0.0, -1.9], [0.0, 0.1, 1.0]));
     (1..times).fold(world, |world, _| add(world))
+}
+
+/// What is tested here is the bound of its roundings: a shape that isn't tested has none.
+#[test]
+fn every_shape_of_a_scene_file_is_tested() {
+    let schema = raywalk::scene::file::schema::json_schema();
+    let shapes = schema["$defs"]["Shape"]["oneOf"].as_array().expect("the shapes").iter();
+    let shapes: BTreeSet<_> = shapes.filter_map(|shape| shape["required"][0].as_str()).map(str::to_owned).collect();
+    let forms = forms(&Frame::upright(DVec3::ZERO, 1.0));
+    let key = |form: &Form| match form {
+        Form::Shape(shape) => shape.as_object().and_then(|shape| shape.keys().next().cloned()).expect("a shape"),
+        Form::Mesh(_) => "mesh".to_owned(),
+    };
+    let tested: BTreeSet<String> = forms.iter().map(|(_, form)| key(form)).collect();
+    assert_eq!(tested, shapes, "the shapes of `forms`, and those of the schema");
 }
 
 const FRAMES: [(f64, f64); 5] = [(0.0, 1.0), (1e3, 1.0), (1e6, 1.0), (3.0, 1e-4), (1e4, 1e5)];

@@ -3,7 +3,7 @@
 use super::is_short;
 use raywalk::log::file::{Ending, PixelReader, read, to_json, to_ndjson};
 use raywalk::log::{Events, Log, Tree};
-use raywalk::report::diff::{self, Json, Numbering, Rows, Summary, Text, Tolerance};
+use raywalk::report::diff::{self, Format, Json, Numbering, Rows, Summary, Text, Tolerance};
 use raywalk::report::language::Language;
 use raywalk::report::ray_tree::{self, Figure};
 use raywalk::report::schematic::Stage;

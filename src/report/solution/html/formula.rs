@@ -67,7 +67,7 @@ impl Notation for Formulas {
             Unary::Length => format!("|{inner}|"),
             Unary::Floor => format!("⌊{inner}⌋"),
             Unary::OverLights => format!("Σ<sub>i</sub> ({inner})"),
-            Unary::Over(several) => format!("{} ({inner})", symbol(several.sign())),
+            Unary::Over(several) => format!("{} ({inner})", symbol(several.word())),
             Unary::Grouped | Unary::Function(_) | Unary::ExtremeComponent(_) => Self::grouped(inner),
         }
     }

@@ -1,11 +1,11 @@
 //! Tables as text, their columns below each other.
 
-use crate::log::escape::width;
+use super::escape::width;
 
-/// Columns are no wider than this for the sake of one cell: every other row would be filled up with spaces.
-const MOST_COLUMNS: usize = 120;
+/// A cell that is wider pushes no other row aside: they would be filled up with spaces.
+const WIDEST: usize = 90;
 
-/// The lines of a table. Each column is as wide as its widest cell, and an empty one is left out; columns of numbers end below each
+/// The lines of a table. Each column is as wide as its widest cell, and one without any is left out; columns of numbers end below each
 /// other, the others begin so.
 pub fn aligned<R: AsRef<[String]>>(
     rows: impl IntoIterator<Item = R>,
@@ -14,11 +14,12 @@ pub fn aligned<R: AsRef<[String]>>(
     let rows: Vec<R> = rows.into_iter().collect();
     let widest = |column: usize| {
         let widths = rows.iter().filter_map(|row| row.as_ref().get(column)).map(|cell| width(cell));
-        widths.max().unwrap_or(0).min(MOST_COLUMNS)
+        widths.filter(|width| *width <= WIDEST).max().unwrap_or(0)
     };
     let widths: Vec<usize> = (0..rows.first().map_or(0, |row| row.as_ref().len())).map(widest).collect();
     let line = |row: &R| {
-        let cells = row.as_ref().iter().zip(&widths).enumerate().filter(|(_, (_, widest))| **widest > 0);
+        let cells = row.as_ref().iter().zip(&widths).enumerate();
+        let cells = cells.filter(|(_, (cell, widest))| **widest > 0 || !cell.is_empty());
         let padded = cells.map(|(column, (cell, widest))| {
             let blank = " ".repeat(widest.saturating_sub(width(cell)));
             if is_number(column) { blank + cell } else { cell.clone() + &blank }
