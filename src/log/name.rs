@@ -1,7 +1,7 @@
 //! The named quantities: their keys in a log, their symbols and formulas on paper, and where the source text has them.
 //!
-//! One row a quantity; those of the shapes are in `name/shapes.rs`, those of distributed effects in `name/effects.rs`. Adding a logged quantity is one row here and one `note` in the kernel that computes it. A formula
-//! is written with the symbols of this same table (see [`super::formula`] for its grammar), and a test evaluates every
+//! One row a quantity; those of the shapes are in `name/shapes.rs`, those of distributed effects in `name/effects.rs`. Adding a
+//! logged quantity is one row here and one `note` in the kernel that computes it. A formula is written with the symbols of this same table (see [`super::formula`] for its grammar), and a test evaluates every
 //! formula on the logged operands and must get the logged value. An event has its inputs in the order of this table, so that
 //! their order in a file doesn't matter: a row is behind those of the inputs that are given before it.
 

@@ -33,10 +33,10 @@ fn is_the_same_whatever_is_skipped(scene: &mut Scene) -> BTreeMap<&'static str, 
     let (expected, nothing_skipped) = with(Skip::NONE);
     let bits = |pixels: &[Color]| pixels.iter().map(|color| color.to_array().map(f64::to_bits)).collect::<Vec<_>>();
     for rule in SkipReason::ALL {
-        for skip in [Skip::ALL.without(*rule), Skip::NONE.with(*rule)] {
+        for skip in [Skip::ALL.without(rule), Skip::NONE.with(rule)] {
             let (found, counter) = with(skip);
             assert_eq!(bits(&found), bits(&expected), "{rule:?} {skip:?}");
-            let is_off = !skip.has(*rule) && *rule != SkipReason::Behind;
+            let is_off = !skip.has(rule) && rule != SkipReason::Behind;
             assert!(!is_off || skipped(&counter)[rule.word()] == 0, "{rule:?}");
         }
     }
@@ -163,7 +163,7 @@ fn no_set_of_rules_changes_a_bit() {
     let rules = SkipReason::ALL;
     let set = |mask: u64| {
         let chosen = (0..).zip(rules).filter(|(k, _)| mask >> k & 1 == 1);
-        chosen.fold(Skip::NONE, |skip, (_, rule)| skip.with(*rule))
+        chosen.fold(Skip::NONE, |skip, (_, rule)| skip.with(rule))
     };
     let compares = |scene: &mut Scene, masks: &mut dyn Iterator<Item = u64>| {
         scene.tracing.skip = Skip::NONE;

@@ -11,6 +11,7 @@ use crate::log::header::Header;
 use crate::log::name::Name;
 use crate::log::whole;
 use serde::Deserialize;
+use std::io::Write;
 
 /// How a field is read and written.
 pub(super) trait InFile: FieldKind {
@@ -61,7 +62,8 @@ impl<const LEAST: u32> InFile for Whole<LEAST> {
     }
 
     fn write(out: &mut Vec<u8>, _: &Header, number: &u32) {
-        text(out, &number.to_string());
+        // Writing to memory can't fail.
+        let _ = write!(out, "{number}");
     }
 }
 
@@ -163,8 +165,7 @@ fn field<K: InFile>(out: &mut Vec<u8>, header: &Header, key: &str, value: &K::Va
     }
 }
 
-/// The line of a node that has no row in the table.
-/// How it is read and written.
+/// How a node is read and written that has no row in the table.
 pub(super) trait OwnLine {
     /// As it is read.
     type Read<'t>;
@@ -208,11 +209,8 @@ impl OwnLine for RayLine {
     type Read<'t> = ReadRay<'t>;
 
     fn resolve(read: ReadRay, reader: &Reader) -> Result<Step, String> {
-        let light = read
-            .light
-            .filter(|_| *read.kind == *RayKind::Shadow { light: 0 }.word())
-            .map(|light| reader.light(&light))
-            .transpose()?;
+        let is_shadow = *read.kind == *RayKind::Shadow { light: 0 }.word();
+        let light = read.light.filter(|_| is_shadow).map(|light| reader.light(&light)).transpose()?;
         let kind = RayKind::find(&read.kind, light).ok_or_else(|| unknown("kind of ray", &read.kind))?;
         Ok(Step::Ray { kind, depth: read.depth.0, split: Numbered::resolve(read.split, reader)? })
     }
