@@ -99,15 +99,11 @@ fn answers_as_by_force(shape: &TriangleMesh, rays: usize, seed: u64) {
             ray.leaving = Some(Leaving { object: 0, primitive, side: Side::Front });
         }
         let expected = all_by_force(shape, one_sided, &ray);
-        let first = shape.first_crossing(Target { object: 0, one_sided: one_sided }, &ray, &mut Silent);
+        let first = shape.first_crossing(Target { object: 0, one_sided }, &ray, &mut Silent);
         assert_eq!(first.as_ref().map(bits), expected.first().map(bits), "{ray:?}");
-        assert_eq!(
-            shape.is_crossed(Target { object: 0, one_sided: one_sided }, &ray, &mut Silent),
-            first.is_some(),
-            "{ray:?}"
-        );
+        assert_eq!(shape.is_crossed(Target { object: 0, one_sided }, &ray, &mut Silent), first.is_some(), "{ray:?}");
         let mut all = Vec::new();
-        shape.all_crossings(Target { object: 0, one_sided: one_sided }, &ray, &mut all, &mut Silent);
+        shape.all_crossings(Target { object: 0, one_sided }, &ray, &mut all, &mut Silent);
         assert_eq!(all.iter().map(bits).collect::<Vec<_>>(), expected.iter().map(bits).collect::<Vec<_>>(), "{ray:?}");
         hits += usize::from(first.is_some());
         misses += usize::from(first.is_none());
