@@ -26,7 +26,7 @@ const LOGS: &str = "\
 Logs are aligned by the paths of their rays. The first divergence is reported with its cause, then every value, decision and step that \
 differs with the operands that it comes from, and how the difference grows on its way to the colour.";
 
-const MORE: &str = ". The layers that an OpenEXR has beside its colours are compared, too.
+const MORE: &str = ". The layers that an OpenEXR (.exr) has beside its colours are compared, too.
 
 A component of a value differs when it exceeds each tolerance that is given: |A - B| > E with --abs, |A - B| > E*s with --rel, s \
 being the largest component of both values. Without any, every difference counts.
@@ -46,7 +46,7 @@ Examples:
 #[derive(Args)]
 #[command(after_long_help = more())]
 pub struct Diff {
-    /// A log or a picture, also compressed with gzip or zstd; `-` for standard input
+    /// A log, or a picture such as .png or .exr, also compressed with gzip or zstd; `-` for standard input
     a: PathBuf,
     /// The one that it is compared with
     b: PathBuf,

@@ -39,6 +39,11 @@ impl Layers {
         if names.is_empty() { Some(Layers(Vec::new())) } else { names.join(",").parse().ok() }
     }
 
+    /// Whether this one is wanted.
+    pub fn has(&self, layer: Layer) -> bool {
+        self.0.contains(&layer)
+    }
+
     /// Their names.
     pub fn names(&self) -> Vec<String> {
         self.0.iter().map(|layer| layer.word().to_owned()).collect()

@@ -7,7 +7,7 @@ use super::output::{self, Output};
 use raywalk::render::Film;
 use raywalk::render::digits::{Summary, false_colors};
 use raywalk::render::export::{self, Clipped, EncodeError, Encoded, Format};
-use raywalk::render::layers::Layered;
+use raywalk::render::layers::{Layer, Layered};
 use raywalk::render::pieces::Canvas;
 use raywalk::scene;
 use std::path::{Path, PathBuf};
@@ -139,6 +139,12 @@ impl Place {
         if let (Rendered::Digits(film), false) = (rendered, how.is_quiet) {
             let Summary { fewest, median, without } = Summary::of(film);
             output::tell(&format!("note: digits: at least {fewest}, median {median}; {without} pixels have none"));
+        }
+        if let (Rendered::Layers(layered, layers), false) = (rendered, how.is_quiet)
+            && layers.has(Layer::Error)
+            && layered.pixels.iter().all(|seen| seen.error.is_none())
+        {
+            output::tell("note: layer error: a single sample has no error, and no pixel has more");
         }
         Ok(Written { clipped_pixels: clipped.pixels })
     }

@@ -147,6 +147,23 @@ fn png_files_of_layers_stand_beside_the_picture() {
     says(2, &["render", "textbook", "-o", "x.png", "--layers", "depth,depth"], "occurs twice");
 }
 
+/// A picture of errors that are all unknown is grey throughout; the program says why.
+#[test]
+fn the_layer_of_errors_says_that_single_samples_have_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("out.png");
+    let note = "note: layer error: a single sample has no error";
+    for (sampling, layers, is_noted) in
+        [("none", "rays,error", true), ("regular:2", "rays,error", false), ("none", "rays", false)]
+    {
+        let call =
+            ["render", "textbook", "--crop", "150,110,154,114", "--sampling", sampling, "--layers", layers, "-o"];
+        let output = raywalk(&call).arg(&picture).output().unwrap();
+        assert!(output.status.success(), "{output:?}");
+        assert_eq!(String::from_utf8_lossy(&output.stderr).contains(note), is_noted, "{output:?}");
+    }
+}
+
 /// A log in a `.zst` file is the log, byte for byte, and every command reads it.
 #[test]
 fn what_is_named_zst_is_packed_and_read() {
