@@ -237,9 +237,9 @@ fn without_colours_there_are_none() {
     typed(&mut model, "20n");
     let plain = frame(&model, 120, 40, &Theme::new(Palette::None, false));
     assert!(plain.content().iter().all(|cell| cell.fg == ratatui::style::Color::Reset));
-    let coloured = frame(&model, 120, 40, &Theme::new(Palette::True, false));
+    let colored = frame(&model, 120, 40, &Theme::new(Palette::True, false));
     let text = |buffer: &Buffer| buffer.content().iter().map(|cell| cell.symbol().to_owned()).collect::<String>();
-    assert_eq!(text(&plain), text(&coloured));
+    assert_eq!(text(&plain), text(&colored));
 }
 
 #[test]

@@ -181,8 +181,8 @@ fn cells<const N: usize>(cells: [String; N]) -> String {
 
 /// A weight, as one number where the channels have the same.
 fn triple(model: &Model, weight: &[f64; 3]) -> String {
-    let is_grey = weight[0] == weight[1] && weight[1] == weight[2];
-    let value = if is_grey { Value::Number(weight[0]) } else { Value::Triple(*weight) };
+    let is_gray = weight[0] == weight[1] && weight[1] == weight[2];
+    let value = if is_gray { Value::Number(weight[0]) } else { Value::Triple(*weight) };
     model.value(&value)
 }
 

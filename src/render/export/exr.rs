@@ -155,8 +155,8 @@ pub(super) fn colors_of(layers: &[Header]) -> Result<(usize, &'static [&'static 
     // The decoder takes every channel to have as many samples as the picture has pixels.
     let is_whole = |layer: &Header| layer.channels.list.iter().all(|channel| channel.sampling == Vec2(1, 1));
     // With chroma beside it a luminance is half of a coloured picture.
-    let is_coloured = |layer: &Header| has(layer, "RY") || has(layer, "BY");
-    let is_read = |part: usize, names| is_whole(&layers[part]) && (names == RGB || !is_coloured(&layers[part]));
+    let is_colored = |layer: &Header| has(layer, "RY") || has(layer, "BY");
+    let is_read = |part: usize, names| is_whole(&layers[part]) && (names == RGB || !is_colored(&layers[part]));
     if let Some(found) = found.filter(|(part, names)| is_read(*part, *names)) {
         return Ok(found);
     }

@@ -164,10 +164,10 @@ fn place(log: &Log, tree: &Tree, node: usize) -> Option<(Place, bool)> {
 
 /// The plane across the line from the centre of a sphere to the hit.
 fn sphere(log: &Log, tree: &Tree, node: usize) -> Option<Plane> {
-    let centre = vector(log, tree, node, Name::LightCenter)?;
+    let center = vector(log, tree, node, Name::LightCenter)?;
     let position = vector(log, tree, node, Name::LightPositionOnSphere)?;
     let hit = position - vector(log, tree, node, Name::LightVector)?;
-    let toward_viewer = unit(hit - centre)?;
+    let toward_viewer = unit(hit - center)?;
     let (right, up) = toward_viewer.any_orthonormal_pair();
     let right = if right.cross(up).dot(toward_viewer) < 0.0 { -right } else { right };
     Some(Plane { origin: MIDDLE, right, up, unit: RADIUS })

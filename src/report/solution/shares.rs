@@ -48,8 +48,8 @@ fn row(task: &Task, Group { sum, count }: &Group) -> [String; 7] {
     let triple = |color: &[f64; 3]| task.language.value(&Value::Triple(*color), task.style);
     let times = if *count == 1 { String::new() } else { format!(" ×{count}") };
     let is_alone = *count == 1 && sum.event.is_some();
-    let is_grey = sum.weight[0] == sum.weight[1] && sum.weight[1] == sum.weight[2];
-    let weight = if is_grey { task.language.number(sum.weight[0], task.style) } else { triple(&sum.weight) };
+    let is_gray = sum.weight[0] == sum.weight[1] && sum.weight[1] == sum.weight[2];
+    let weight = if is_gray { task.language.number(sum.weight[0], task.style) } else { triple(&sum.weight) };
     [
         format!("{}{times}", sum.path),
         words::origin(task.language, &task.log.header, sum.origin),

@@ -55,12 +55,12 @@ impl SceneError {
     }
 
     /// All problems as they are shown to a person, each with its source line; ends without a newline.
-    pub fn report(&self, colour: bool) -> String {
-        let label = Severity::Error.label(colour);
+    pub fn report(&self, color: bool) -> String {
+        let label = Severity::Error.label(color);
         match self {
             Self::Invalid { problems, omitted } => {
                 let mut reports: Vec<String> =
-                    problems.iter().map(|problem| problem.report(Severity::Error, colour)).collect();
+                    problems.iter().map(|problem| problem.report(Severity::Error, color)).collect();
                 reports.extend((*omitted > 0).then(|| format!("{label}: {}", and_more(*omitted))));
                 reports.join("\n")
             }
@@ -76,8 +76,8 @@ impl From<Problem> for SceneError {
 }
 
 /// What is said of warnings that are not shown; `None` where there are none.
-pub fn more_warnings(count: usize, colour: bool) -> Option<String> {
-    (count > 0).then(|| format!("{}: and {count} more warnings, not shown", Severity::Warning.label(colour)))
+pub fn more_warnings(count: usize, color: bool) -> Option<String> {
+    (count > 0).then(|| format!("{}: and {count} more warnings, not shown", Severity::Warning.label(color)))
 }
 
 fn in_lines(problems: &[Problem], omitted: usize) -> String {
@@ -100,20 +100,20 @@ pub enum Severity {
 }
 
 impl Severity {
-    fn label(self, colour: bool) -> String {
+    fn label(self, color: bool) -> String {
         let word = match self {
             Self::Error => "error",
             Self::Warning => "warning",
         };
-        self.paint(word, colour)
+        self.paint(word, color)
     }
 
-    fn paint(self, text: &str, colour: bool) -> String {
+    fn paint(self, text: &str, color: bool) -> String {
         let code = match self {
             Self::Error => "1;31",
             Self::Warning => "1;33",
         };
-        if colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() }
+        if color { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() }
     }
 }
 
@@ -138,8 +138,8 @@ pub struct Problem {
 
 impl Problem {
     /// The problem as it is shown to a person, with its source line underlined; ends without a newline.
-    pub fn report(&self, severity: Severity, colour: bool) -> String {
-        let first_line = format!("{}: {}", severity.label(colour), escape_hidden_lines(&self.to_string()));
+    pub fn report(&self, severity: Severity, color: bool) -> String {
+        let first_line = format!("{}: {}", severity.label(color), escape_hidden_lines(&self.to_string()));
         let Some(excerpt) = &self.excerpt else {
             return first_line;
         };
@@ -147,7 +147,7 @@ impl Problem {
         let margin = " ".repeat(number.len());
         let columns =
             |from: usize, count: usize| width(&excerpt.line.chars().skip(from).take(count).collect::<String>());
-        let underline = severity.paint(&"^".repeat(columns(excerpt.before, excerpt.width).max(1)), colour);
+        let underline = severity.paint(&"^".repeat(columns(excerpt.before, excerpt.width).max(1)), color);
         let indent = " ".repeat(columns(0, excerpt.before));
         let line = &excerpt.line;
         format!("{first_line}\n{margin} |\n{number} | {line}\n{margin} | {indent}{underline}")

@@ -51,14 +51,14 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
     let color = |role: Role| theme.style(role).fg.unwrap_or(Color::Reset);
     // Objects are grey: a canvas can't dim them.
-    let grey = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };
+    let gray = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };
     Canvas::default()
         .marker(if theme.is_ascii() { Marker::Dot } else { Marker::Braille })
         .x_bounds(stage.x)
         .y_bounds(stage.y)
         .paint(|canvas| {
             if let Some(drawing) = &model.drawing {
-                drawing.objects.iter().for_each(|wireframe| stage.draw_wireframe(canvas, wireframe, grey));
+                drawing.objects.iter().for_each(|wireframe| stage.draw_wireframe(canvas, wireframe, gray));
                 canvas.layer();
                 drawing.lights.iter().for_each(|wireframe| stage.draw_wireframe(canvas, wireframe, color(Role::Light)));
             }

@@ -162,7 +162,7 @@ impl Checker<'_> {
     }
 
     /// Channels from 0 to the limit of all numbers.
-    pub fn colour(&mut self, step: impl Into<Step>, value: Rgb) {
+    pub fn color(&mut self, step: impl Into<Step>, value: Rgb) {
         self.each(step, value, |check, channel, value| check.not_negative(channel, value));
     }
 

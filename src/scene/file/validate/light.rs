@@ -9,8 +9,8 @@ use super::vector::{are_parallel, dot, length};
 /// Checks a light, all but its name.
 pub fn light(check: &mut Checker<'_>, light: &Light) {
     kind(check.at(light.kind.key()), &light.kind);
-    check.colour("color", light.color);
-    check.colour("attenuation", light.attenuation);
+    check.color("color", light.color);
+    check.color("attenuation", light.attenuation);
     if light.attenuation == [0.0; 3] {
         let message = "must not be zero throughout, found [0, 0, 0] (no attenuation is [1, 0, 0])";
         check.at("attenuation").error(message.to_string());

@@ -12,10 +12,10 @@ const LISTED: usize = 8;
 
 /// Checks a material, all but its name.
 pub fn material(check: &mut Checker<'_>, material: &Material) {
-    check.colour("ambient", material.ambient);
-    check.colour("diffuse", material.diffuse);
-    check.colour("specular", material.specular);
-    check.colour("transmission", material.transmission);
+    check.color("ambient", material.ambient);
+    check.color("diffuse", material.diffuse);
+    check.color("specular", material.specular);
+    check.color("transmission", material.transmission);
     check.not_negative("shininess", material.shininess);
     check.not_negative("transmission_exponent", material.transmission_exponent);
     check.ratio("ior", material.ior);
@@ -35,8 +35,8 @@ pub fn material(check: &mut Checker<'_>, material: &Material) {
     if let Some(Pattern::Checker(checker)) = material.pattern.as_deref() {
         let mut check = check.at("pattern");
         let mut check = check.at("checker");
-        check.colour("a", checker.a);
-        check.colour("b", checker.b);
+        check.color("a", checker.a);
+        check.color("b", checker.b);
         check.positive("size", checker.size);
     }
 }
@@ -55,7 +55,7 @@ fn refraction(mut check: Checker<'_>, material: &Material) {
 fn weight(check: &mut Checker<'_>, key: &'static str, weight: Weight) {
     match weight {
         Weight::Scalar(weight) => check.not_negative(key, weight),
-        Weight::Rgb(weights) => check.colour(key, weights),
+        Weight::Rgb(weights) => check.color(key, weights),
     }
 }
 

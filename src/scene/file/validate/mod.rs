@@ -54,8 +54,8 @@ pub fn validate(scene: &SceneFile) -> Findings {
     }
     name(check.at("name"), &scene.name);
     camera::camera(check.at("camera"), &scene.camera);
-    check.colour("ambient", scene.ambient);
-    check.colour("background", scene.background);
+    check.color("ambient", scene.ambient);
+    check.color("background", scene.background);
     lights(check.at("lights"), scene);
     materials(check.at("materials"), scene);
     objects(check.at("objects"), scene);
