@@ -6,11 +6,11 @@ use super::scenes::{self, SceneOptions};
 use super::table::{self, quartiles};
 use crate::cli::failure::Failure;
 use crate::cli::options::ColorChoice;
-use crate::cli::output;
 use clap::Args;
 use raywalk::scene::file::escape_hidden;
 use raywalk::study::bench::overhead::{Cost, Overhead, overhead};
 use serde::Serialize;
+use serde_json::json;
 
 /// What recording, counting and other arithmetic cost
 ///
@@ -48,14 +48,8 @@ impl OverheadBench {
             Ok(Measured { scene: scene.name, overhead })
         };
         let measured = self.scenes.names(&scenes::FEW).iter().map(measure).collect::<Result<Vec<_>, Failure>>()?;
-        let text = match self.format {
-            TableFormat::Text => text(&machine, &measured),
-            TableFormat::Csv => csv(&measured),
-            TableFormat::Json => {
-                format!("{:#}\n", serde_json::json!({ "machine": machine, "scenes": measured }))
-            }
-        };
-        output::print(text.as_bytes())
+        let json = || json!({ "machine": machine, "scenes": measured });
+        table::print(self.format, || text(&machine, &measured), || csv(&measured), json)
     }
 }
 

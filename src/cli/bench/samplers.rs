@@ -5,7 +5,7 @@ use super::machine::Machine;
 use super::table::{self, or_blank, quartiles};
 use crate::cli::failure::Failure;
 use crate::cli::inputs::Inputs;
-use crate::cli::output::{self, Output};
+use crate::cli::output::Output;
 use crate::cli::progress::{Progress, ProgressOptions};
 use raywalk::scene::builtin;
 use raywalk::scene::file::escape_hidden;
@@ -14,6 +14,7 @@ use raywalk::study::bench::chart::{self, Panel};
 use raywalk::study::bench::exact::{self, Exact};
 use raywalk::study::bench::samplers::{CompareError, Comparing, Comparison, Outcome, Reference, compare};
 use serde::Serialize;
+use serde_json::json;
 use std::path::PathBuf;
 
 /// What is asked for.
@@ -65,25 +66,19 @@ impl Request {
         let measured = scenes.iter().map(|scene| self.measure(scene, &progress)).collect::<Result<Vec<_>, _>>();
         progress.finish();
         let measured = measured?;
-        let text = match self.format {
-            TableFormat::Text => self.text(&machine, &measured),
-            TableFormat::Csv => csv(&measured),
-            TableFormat::Json => {
-                let mut all = serde_json::json!({
-                    "machine": machine, "runs": self.runs, "threads": self.threads, "scenes": measured,
-                });
-                if let Some(target) = self.target {
-                    all["target"] = target.into();
-                }
-                format!("{all:#}\n")
-            }
-        };
         if let Some(chart) = chart {
             let panels: Vec<_> = measured.iter().map(Measured::panel).collect();
             let about = format!("{machine}; medians of {} runs with their quartiles", self.runs);
             chart.commit(chart::svg(&panels, &about).as_bytes())?;
         }
-        output::print(text.as_bytes())
+        let json = || {
+            let mut all = json!({ "machine": machine, "runs": self.runs, "threads": self.threads, "scenes": measured });
+            if let Some(target) = self.target {
+                all["target"] = target.into();
+            }
+            all
+        };
+        table::print(self.format, || self.text(&machine, &measured), || csv(&measured), json)
     }
 
     fn measure(&self, scene: &Scene, progress: &Progress) -> Result<Measured, Failure> {

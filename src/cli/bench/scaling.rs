@@ -5,13 +5,14 @@ use super::machine::{Machine, peak_bytes};
 use super::table::{self, or_blank, quartiles};
 use crate::cli::failure::Failure;
 use crate::cli::options::{self, ColorChoice, TracingOptions};
-use crate::cli::{output, scene_argument};
+use crate::cli::scene_argument;
 use clap::Args;
 use raywalk::render::ask_for_memory;
 use raywalk::scene::file::escape_hidden;
 use raywalk::study::bench::Spread;
 use raywalk::study::bench::scaling::{OfSize, OfSpheres, of_size, of_spheres};
 use serde::Serialize;
+use serde_json::json;
 use std::path::PathBuf;
 
 /// How time and memory grow with the number of spheres and the size of a picture
@@ -85,16 +86,9 @@ impl ScalingBench {
         let sizes = sizes.filter(|[width, height]| width * height > 0).map(of_size).collect::<Result<Vec<_>, _>>()?;
         let spheres = grown(spheres, |row| row.ns_per_random_ray.median);
         let sizes = grown(sizes, |row| row.ns_per_pixel.median);
-        let text = match self.format {
-            TableFormat::Text => text(&machine, &spheres, &name, &sizes),
-            TableFormat::Csv => csv(&spheres, &sizes),
-            TableFormat::Json => {
-                let sizes = serde_json::json!({ "scene": name, "sizes": sizes });
-                let all = serde_json::json!({ "machine": machine, "spheres": spheres, "picture": sizes });
-                format!("{all:#}\n")
-            }
-        };
-        output::print(text.as_bytes())
+        let text = || text(&machine, &spheres, &name, &sizes);
+        let json = || json!({ "machine": machine, "spheres": spheres, "picture": { "scene": name, "sizes": sizes } });
+        table::print(self.format, text, || csv(&spheres, &sizes), json)
     }
 }
 

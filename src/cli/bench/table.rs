@@ -9,6 +9,7 @@ use raywalk::scene::Scene;
 use raywalk::scene::file::escape_hidden_lines;
 use raywalk::study::bench::Spread;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 /// Measures scene after scene and prints the table; `text` and `csv` lay it out.
 pub fn print_measured<M: Serialize>(
@@ -20,10 +21,20 @@ pub fn print_measured<M: Serialize>(
 ) -> Result<(), Failure> {
     let measured: Result<Vec<_>, _> = scenes.iter().map(measure).collect();
     let measured = measured.map_err(|error| Failure::machine(error.to_string()))?;
+    print(format, || text(&measured), || csv(&measured), || json!({ "scenes": measured }))
+}
+
+/// Prints what was measured in the format that is asked for.
+pub fn print(
+    format: TableFormat,
+    text: impl FnOnce() -> String,
+    csv: impl FnOnce() -> String,
+    json: impl FnOnce() -> Value,
+) -> Result<(), Failure> {
     let table = match format {
-        TableFormat::Text => text(&measured),
-        TableFormat::Csv => csv(&measured),
-        TableFormat::Json => format!("{:#}\n", serde_json::json!({ "scenes": measured })),
+        TableFormat::Text => text(),
+        TableFormat::Csv => csv(),
+        TableFormat::Json => format!("{:#}\n", json()),
     };
     output::print(table.as_bytes())
 }

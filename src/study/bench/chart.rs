@@ -61,7 +61,7 @@ pub fn svg(panels: &[Panel], machine: &str) -> String {
         draw(&mut svg, panel);
         svg.push_str("</g>\n");
     }
-    let _ = writeln!(svg, "<text x=\"10\" y=\"{}\" fill=\"#555555\">{}</text>", height - 10.0, xml(machine));
+    text(&mut svg, [10.0, height - 10.0], " fill=\"#555555\"", &xml(machine));
     svg.push_str("</svg>\n");
     svg
 }
@@ -74,7 +74,7 @@ fn draw(svg: &mut String, panel: &Panel) {
     let floor = panel.comparison.reference_error.into_iter();
     let errors = outcomes.iter().flat_map(|outcome| [outcome.rmse.lower, outcome.rmse.upper]).chain(floor);
     let errors = Axis::of(errors, [bottom, top]);
-    let _ = writeln!(svg, "<text x=\"{left}\" y=\"22\" font-size=\"14\">{}</text>", xml(&panel.title));
+    text(svg, [left, 22.0], " font-size=\"14\"", &xml(&panel.title));
     draw_grid(svg, &times, &errors);
     draw_reference(svg, panel.comparison, &errors);
     draw_front(svg, outcomes, &times, &errors);
@@ -89,7 +89,7 @@ fn draw(svg: &mut String, panel: &Panel) {
     for (number, method) in methods.iter().enumerate() {
         let y = top + 10.0 + 20.0 * number as f64;
         svg.push_str(&sign(number, [right + 20.0, y], 4.5));
-        let _ = writeln!(svg, "<text x=\"{}\" y=\"{}\">{}</text>", right + 32.0, y + 4.0, xml(method));
+        text(svg, [right + 32.0, y + 4.0], "", &xml(method));
     }
 }
 
@@ -98,29 +98,18 @@ fn draw_grid(svg: &mut String, times: &Axis, errors: &Axis) {
     let [left, top, right, bottom] = AREA;
     for decade in times.decades() {
         let x = times.place(libm::exp10(decade.into()));
-        let _ = writeln!(svg, "<path d=\"M{x:.1} {top}V{bottom}\" stroke=\"#dddddd\"/>");
-        let _ =
-            writeln!(svg, "<text x=\"{x:.1}\" y=\"{}\" text-anchor=\"middle\">{}</text>", bottom + 16.0, power(decade));
+        path(svg, &format!("M{x:.1} {top}V{bottom}"), GRID);
+        text(svg, [x, bottom + 16.0], MIDDLE, &power(decade));
     }
     for decade in errors.decades() {
         let y = errors.place(libm::exp10(decade.into()));
-        let _ = writeln!(svg, "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#dddddd\"/>");
-        let _ = writeln!(
-            svg,
-            "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
-            left - 6.0,
-            y + 4.0,
-            power(decade)
-        );
+        path(svg, &format!("M{left} {y:.1}H{right}"), GRID);
+        text(svg, [left - 6.0, y + 4.0], END, &power(decade));
     }
-    let (middle, below) = ((left + right) / 2.0, bottom + 34.0);
-    let _ = writeln!(svg, "<text x=\"{middle}\" y=\"{below}\" text-anchor=\"middle\">seconds</text>");
-    let turned = format!("rotate(-90 16 {0})", (top + bottom) / 2.0);
+    text(svg, [(left + right) / 2.0, bottom + 34.0], MIDDLE, "seconds");
     let y = (top + bottom) / 2.0;
-    let _ = writeln!(
-        svg,
-        "<text x=\"16\" y=\"{y}\" text-anchor=\"middle\" transform=\"{turned}\">root of the mean square error (white = 1)</text>"
-    );
+    let turned = format!("{MIDDLE} transform=\"rotate(-90 16 {y})\"");
+    text(svg, [16.0, y], &turned, "root of the mean square error (white = 1)");
 }
 
 /// The error of the reference itself, below which points say nothing.
@@ -128,14 +117,9 @@ fn draw_reference(svg: &mut String, comparison: &Comparison, errors: &Axis) {
     let [left, _, right, _] = AREA;
     if let Some(error) = comparison.reference_error.filter(|error| *error > 0.0) {
         let y = errors.place(error);
-        let _ = writeln!(svg, "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#999999\" stroke-dasharray=\"4 3\"/>");
-        let _ = writeln!(
-            svg,
-            "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\" fill=\"#666666\">error of the reference, {}</text>",
-            right - 4.0,
-            y - 5.0,
-            xml(&comparison.reference)
-        );
+        path(svg, &format!("M{left} {y:.1}H{right}"), "stroke=\"#999999\" stroke-dasharray=\"4 3\"");
+        let about = format!("error of the reference, {}", xml(&comparison.reference));
+        text(svg, [right - 4.0, y - 5.0], &format!("{END} fill=\"#666666\""), &about);
     }
 }
 
@@ -150,10 +134,10 @@ fn draw_front(svg: &mut String, outcomes: &[Outcome], times: &Axis, errors: &Axi
     // Names beside the points would lie over each other: the points have numbers, and the names are below the methods.
     let [_, top, right, _] = AREA;
     for (number, outcome) in (1..).zip(front) {
-        let [x, y] = [times.place(outcome.seconds.median) + 7.0, errors.place(outcome.rmse.median) - 5.0];
-        let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"9\">{number}</text>");
-        let (below, name) = (top + 165.0 + 13.0 * f64::from(number), xml(&outcome.sampling));
-        let _ = writeln!(svg, "<text x=\"{}\" y=\"{below}\" font-size=\"9\">{number} {name}</text>", right + 14.0);
+        let at = [times.place(outcome.seconds.median) + 7.0, errors.place(outcome.rmse.median) - 5.0];
+        text(svg, at, SMALL, &number.to_string());
+        let below = [right + 14.0, top + 165.0 + 13.0 * f64::from(number)];
+        text(svg, below, SMALL, &format!("{number} {}", xml(&outcome.sampling)));
     }
 }
 
@@ -164,14 +148,10 @@ fn draw_point(svg: &mut String, method: usize, outcome: &Outcome, times: &Axis, 
     let color = COLORS[method % COLORS.len()];
     let name = xml(&outcome.sampling);
     let _ = writeln!(svg, "<g><title>{name}: {:.4} s, error {:.2e}</title>", time.median, error.median);
-    let _ = writeln!(
-        svg,
-        "<path d=\"M{:.1} {y:.1}H{:.1}M{x:.1} {:.1}V{:.1}\" stroke=\"{color}\"/>",
-        times.place(time.lower),
-        times.place(time.upper),
-        errors.place(error.lower),
-        errors.place(error.upper)
-    );
+    let [left, right] = [time.lower, time.upper].map(|value| times.place(value));
+    let [bottom, top] = [error.lower, error.upper].map(|value| errors.place(value));
+    let ends = format!("M{left:.1} {y:.1}H{right:.1}M{x:.1} {bottom:.1}V{top:.1}");
+    path(svg, &ends, &format!("stroke=\"{color}\""));
     svg.push_str(&sign(method, [x, y], if outcome.is_on_front { 6.0 } else { 3.5 }));
     svg.push_str("</g>\n");
 }
@@ -186,6 +166,24 @@ fn sign(number: usize, [x, y]: [f64; 2], half: f64) -> String {
         _ => format!("M{x:.1} {:.1}l{half} {w}h-{w}z", y - half, w = 2.0 * half),
     };
     format!("<path d=\"{shape}\" fill=\"{color}\"/>\n")
+}
+
+/// Attributes of texts: around their place, up to it, and small.
+const MIDDLE: &str = " text-anchor=\"middle\"";
+const END: &str = " text-anchor=\"end\"";
+const SMALL: &str = " font-size=\"9\"";
+
+/// Those of a line of the grid.
+const GRID: &str = "stroke=\"#dddddd\"";
+
+/// A text that XML can have, at its place.
+fn text(svg: &mut String, [x, y]: [f64; 2], attributes: &str, text: &str) {
+    let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\"{attributes}>{text}</text>");
+}
+
+/// Lines.
+fn path(svg: &mut String, places: &str, attributes: &str) {
+    let _ = writeln!(svg, "<path d=\"{places}\" {attributes}/>");
 }
 
 fn power(decade: i32) -> String {

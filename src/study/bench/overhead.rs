@@ -4,30 +4,28 @@ use super::Spread;
 use super::clock::timed;
 use crate::log::Event;
 use crate::probe::{CutOff, Recorder, Silent, until_cut_off};
-use crate::record::{Arithmetic, Computation, MAX_EVENTS, Pixel};
+use crate::record::{Arithmetic, MAX_EVENTS, Pixel};
 use crate::render::Counter;
 use crate::scene::Scene;
 use serde::Serialize;
 use std::hint::black_box;
 
-/// A way to compute a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
-    /// Only the colour.
-    Silent,
-    /// Rays and tests are counted.
-    Counter,
-    /// Every event is kept.
-    Recorder,
-    /// In single precision.
-    F32,
-    /// By hand, with three decimals.
-    Decimal,
-    /// By hand, and every event is kept.
-    DecimalRecorder,
-    /// Every quantity moved by an ulp.
-    Perturbed,
-}
+/// A way to compute a pixel: a word for it, and the computation, which tells how many events it has where they are kept.
+type Way = (&'static str, fn(Pixel) -> Result<usize, CutOff>);
+
+/// Only the colour: what the other ways are compared with.
+const SILENT: Way = ("silent", |pixel| Ok(forgotten(Arithmetic::F64, pixel)));
+
+/// All ways: rays and tests counted, every event kept, the other arithmetics, and by hand with every event kept.
+const WAYS: [Way; 7] = [
+    SILENT,
+    ("counter", |pixel| Ok(counted(pixel))),
+    ("recorder", |pixel| kept(Arithmetic::F64, pixel)),
+    ("f32", |pixel| Ok(forgotten(Arithmetic::F32, pixel))),
+    ("decimal:3", |pixel| Ok(forgotten(Arithmetic::Decimal(3), pixel))),
+    ("decimal:3+recorder", |pixel| kept(Arithmetic::Decimal(3), pixel)),
+    ("perturbed", |pixel| Ok(forgotten(Arithmetic::Perturbed(0), pixel))),
+];
 
 /// What a way costs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -57,43 +55,13 @@ pub struct Overhead {
     pub costs: Vec<Cost>,
 }
 
-impl Way {
-    /// All of them, the first being what the others are compared with.
-    pub const ALL: [Way; 7] =
-        [Way::Silent, Way::Counter, Way::Recorder, Way::F32, Way::Decimal, Way::DecimalRecorder, Way::Perturbed];
-
-    /// The way in a word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Way::Silent => "silent",
-            Way::Counter => "counter",
-            Way::Recorder => "recorder",
-            Way::F32 => "f32",
-            Way::Decimal => "decimal:3",
-            Way::DecimalRecorder => "decimal:3+recorder",
-            Way::Perturbed => "perturbed",
-        }
-    }
-
-    /// Computes a pixel; how many events that has where they are kept.
-    fn run(self, pixel: Pixel) -> Result<usize, CutOff> {
-        match self {
-            Way::Silent => Ok(forgotten(Arithmetic::F64, pixel)),
-            Way::F32 => Ok(forgotten(Arithmetic::F32, pixel)),
-            Way::Decimal => Ok(forgotten(Arithmetic::Decimal(3), pixel)),
-            Way::Perturbed => Ok(forgotten(Arithmetic::Perturbed(0), pixel)),
-            Way::Recorder => kept(Arithmetic::F64, pixel),
-            Way::DecimalRecorder => kept(Arithmetic::Decimal(3), pixel),
-            Way::Counter => {
-                black_box(Arithmetic::F64.run(Counter::default(), pixel));
-                Ok(0)
-            }
-        }
-    }
+fn forgotten(arithmetic: Arithmetic, pixel: Pixel) -> usize {
+    black_box(arithmetic.run(Silent, pixel).0);
+    0
 }
 
-fn forgotten(arithmetic: Arithmetic, pixel: impl Computation) -> usize {
-    black_box(arithmetic.run(Silent, pixel).0);
+fn counted(pixel: Pixel) -> usize {
+    black_box(Arithmetic::F64.run(Counter::default(), pixel));
     0
 }
 
@@ -105,7 +73,7 @@ fn kept(arithmetic: Arithmetic, pixel: Pixel) -> Result<usize, CutOff> {
     Ok(black_box(events).len())
 }
 
-/// Computes all pixels of the scene in every way, each way in `pairs` pairs with [`Way::Silent`], in turns first and second, so that a
+/// Computes all pixels of the scene in every way, each way in `pairs` pairs with the silent one, in turns first and second, so that a
 /// machine that slows down slows both.
 ///
 /// # Errors
@@ -116,11 +84,11 @@ pub fn overhead(scene: &Scene, pairs: usize) -> Result<Overhead, CutOff> {
     let rays = rays(scene);
     let mut events = 0;
     let mut costs = Vec::new();
-    for way in Way::ALL {
+    for way in WAYS {
         events = events.max(picture(scene, way)?);
         let (mut times, mut ratios) = (Vec::new(), Vec::new());
         for pair in 0..pairs {
-            let [first, second] = if pair % 2 == 0 { [Way::Silent, way] } else { [way, Way::Silent] };
+            let [first, second] = if pair % 2 == 0 { [SILENT, way] } else { [way, SILENT] };
             let (one, other) = (seconds(scene, first)?, seconds(scene, second)?);
             let (silent, seen) = if pair % 2 == 0 { (one, other) } else { (other, one) };
             times.push(seen);
@@ -128,7 +96,7 @@ pub fn overhead(scene: &Scene, pairs: usize) -> Result<Overhead, CutOff> {
         }
         let ns_per_pixel = Spread::of(times).times(1e9 / pixels as f64);
         let ns_per_ray = ns_per_pixel.median * pixels as f64 / rays as f64;
-        costs.push(Cost { way: way.word(), ns_per_pixel, ns_per_ray, ratio: Spread::of(ratios) });
+        costs.push(Cost { way: way.0, ns_per_pixel, ns_per_ray, ratio: Spread::of(ratios) });
     }
     let events_per_pixel = events as f64 / pixels as f64;
     Ok(Overhead {
@@ -147,10 +115,10 @@ fn seconds(scene: &Scene, way: Way) -> Result<f64, CutOff> {
 }
 
 /// All pixels; how many events they have where they are kept.
-fn picture(scene: &Scene, way: Way) -> Result<usize, CutOff> {
+fn picture(scene: &Scene, (_, compute): Way) -> Result<usize, CutOff> {
     let mut events = 0;
     for pixel in pixels(scene) {
-        events += way.run(Pixel { scene, pixel })?;
+        events += compute(Pixel { scene, pixel })?;
     }
     Ok(events)
 }

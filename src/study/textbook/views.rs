@@ -1,6 +1,6 @@
 //! The tables of worked examples as text, JSON and Markdown.
 
-use super::{Checked, CheckedRow, DIGITS, Example, Order, Row, Table, Verdict};
+use super::{Checked, CheckedRow, DIGITS, Example, Row, Table, Verdict};
 use crate::report::{Style, number, table};
 use serde_json::{Value, json};
 
@@ -9,19 +9,52 @@ const HEADS: [&str; 7] = ["step", "quantity", "printed", "following the book", "
 const SHEET_HEADS: [&str; 7] = ["step", "quantity", "sheet", "following the sheet", "by hand", "exact", "verdict"];
 const CHECKED_HEADS: [&str; 7] = ["quantity", "ray", "printed", "following the file", "by hand", "exact", "verdict"];
 
+/// A table for people: what departs is explained below it, and what there is to say of all rows.
+struct Sheet {
+    heads: [&'static str; 7],
+    rows: Vec<[String; 7]>,
+    remarks: Vec<String>,
+    summary: Option<String>,
+}
+
+impl Sheet {
+    fn text(self) -> String {
+        let mut lines = table::aligned(std::iter::once(self.heads.map(str::to_owned)).chain(self.rows), |_| false);
+        lines.extend(std::iter::once(String::new()).chain(self.remarks).chain(self.summary));
+        lines.join("\n") + "\n"
+    }
+
+    fn markdown(self) -> String {
+        let heads = [format!("| {} |", self.heads.join(" | ")), "|---".repeat(self.heads.len()) + "|"];
+        // A length's bars would end the cell.
+        let row = |cells: [String; 7]| format!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
+        let mut lines: Vec<_> =
+            heads.into_iter().chain(self.rows.into_iter().map(row)).chain([String::new()]).collect();
+        lines.extend(self.remarks.iter().map(|remark| format!("- {remark}")));
+        lines.extend(self.summary.into_iter().flat_map(|summary| [String::new(), summary]));
+        lines.join("\n") + "\n"
+    }
+}
+
 impl Table {
     /// The table for people, with the departures explained below.
     pub fn text(&self) -> String {
-        let below = self.departures().map(|(row, why)| format!("{} departs: {why}.", row.called));
-        let below = below.chain(self.with_rounded_products());
-        aligned(self.heads(), self.steps.iter().map(cells), below)
+        self.sheet().text()
     }
 
     /// The table for documents.
     pub fn markdown(&self) -> String {
-        let below = self.departures().map(|(row, why)| format!("- {} departs: {why}.", row.called));
-        let below = below.chain(self.with_rounded_products().map(|products| format!("- {products}")));
-        piped(self.heads(), self.steps.iter().map(cells), below)
+        self.sheet().markdown()
+    }
+
+    fn sheet(&self) -> Sheet {
+        let heads = if self.example == Example::Textbook { HEADS } else { SHEET_HEADS };
+        let departures = self.steps.iter().filter_map(|row| match row.verdict {
+            Verdict::Departs { why } => Some(format!("{} departs: {why}.", row.called)),
+            _ => None,
+        });
+        let remarks = departures.chain(self.with_rounded_products()).collect();
+        Sheet { heads, rows: self.steps.iter().map(cells).collect(), remarks, summary: None }
     }
 
     /// The table for programs.
@@ -50,54 +83,39 @@ impl Table {
         let products = format!("By hand with the products of dot products rounded too (`{call}`){book}");
         (!values.is_empty()).then(|| format!("{products}: {}.", values.join(", ")))
     }
-
-    fn heads(&self) -> [&'static str; 7] {
-        if self.example == Example::Textbook { HEADS } else { SHEET_HEADS }
-    }
-
-    fn departures(&self) -> impl Iterator<Item = (&Row, &'static str)> {
-        self.steps.iter().filter_map(|row| match row.verdict {
-            Verdict::Departs { why } => Some((row, why)),
-            _ => None,
-        })
-    }
 }
 
 impl Checked {
     /// The table for people, with the departures explained below.
     pub fn text(&self) -> String {
-        let below = self.departures().map(|row| format!("{}.", departure(row))).chain([self.summary()]);
-        aligned(CHECKED_HEADS, self.rows.iter().map(checked_cells), below)
+        self.sheet().text()
     }
 
     /// The table for documents.
     pub fn markdown(&self) -> String {
-        let below = self.departures().map(|row| format!("- {}.", departure(row)));
-        let below = below.chain([String::new(), self.summary()]);
-        piped(CHECKED_HEADS, self.rows.iter().map(checked_cells), below)
+        self.sheet().markdown()
+    }
+
+    fn sheet(&self) -> Sheet {
+        let remarks = self.departures().map(|row| format!("{}.", departure(row))).collect();
+        let rows = self.rows.iter().map(checked_cells).collect();
+        Sheet { heads: CHECKED_HEADS, rows, remarks, summary: Some(self.summary()) }
     }
 
     /// The table for programs.
     pub fn json(&self) -> String {
         let steps: Vec<Value> = self.rows.iter().map(checked_object).collect();
-        let order = match self.order {
-            Order::Book => "book",
-            Order::Walk => "walk",
-        };
-        format!("{}\n", json!({ "order": order, "steps": steps, "departures": self.departures().count() }))
+        format!("{}\n", json!({ "order": self.order.word(), "steps": steps, "departures": self.departures().count() }))
     }
 
     fn summary(&self) -> String {
-        let order = match self.order {
-            Order::Book => "book",
-            Order::Walk => "walk",
-        };
         let departures = self.departures().count();
         let values = if self.rows.len() == 1 { "value" } else { "values" };
         let depart = if departures == 1 { "departs" } else { "depart" };
         format!(
-            "{} {values} checked, {departures} {depart}; rows of one name in the order of the {order}.",
-            self.rows.len()
+            "{} {values} checked, {departures} {depart}; rows of one name in the order of the {}.",
+            self.rows.len(),
+            self.order.word()
         )
     }
 }
@@ -142,22 +160,6 @@ fn shown(values: &[f64]) -> String {
     }
     let numbers: Vec<_> = values.iter().map(|x| number::number(*x, Style { digits: DIGITS })).collect();
     if numbers.len() == 1 { numbers.concat() } else { format!("({})", numbers.join(", ")) }
-}
-
-/// A table whose columns are below each other, and what is below it.
-fn aligned(heads: [&str; 7], rows: impl Iterator<Item = [String; 7]>, below: impl Iterator<Item = String>) -> String {
-    let mut lines = table::aligned(std::iter::once(heads.map(str::to_owned)).chain(rows), |_| false);
-    lines.extend(std::iter::once(String::new()).chain(below));
-    lines.join("\n") + "\n"
-}
-
-/// The same in Markdown.
-fn piped(heads: [&str; 7], rows: impl Iterator<Item = [String; 7]>, below: impl Iterator<Item = String>) -> String {
-    let heads = [format!("| {} |", heads.join(" | ")), "|---".repeat(heads.len()) + "|"];
-    // A length's bars would end the cell.
-    let row = |cells: [String; 7]| format!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
-    let lines: Vec<_> = heads.into_iter().chain(rows.map(row)).chain([String::new()]).chain(below).collect();
-    lines.join("\n") + "\n"
 }
 
 fn checked_object(row: &CheckedRow) -> Value {

@@ -16,6 +16,9 @@ pub const MAX_TABLE_BYTES: u64 = 1 << 20;
 /// The largest number in one: its square is finite.
 pub const MAX_PRINTED: f64 = 1e100;
 
+/// What a printed value may be.
+const VALUES: &str = "expected a number such as 6.377 or a triple such as \"(14.139, 9.376, 8.847)\"";
+
 /// The most rows of one.
 pub const MAX_ROWS: usize = 4096;
 
@@ -45,67 +48,22 @@ pub enum TableError {
     /// It can't be read as a table.
     #[error("{0}")]
     Csv(String),
-    /// A column is missing.
-    #[error("line 1: expected the columns `quantity` and `printed`, found {found}")]
-    Columns {
-        /// The columns that are there.
-        found: String,
-    },
     /// There is nothing in it to check.
     #[error("expected at least one row with a printed value below the heads `quantity,printed`")]
     Empty,
-    /// There are too many rows.
-    #[error("line {line}: expected at most {MAX_ROWS} rows")]
-    Rows {
-        /// The line of the first that is too many.
+    /// A line can't be used.
+    #[error("line {line}: {what}")]
+    Line {
+        /// Which one.
         line: u64,
+        /// Why.
+        what: String,
     },
-    /// There is no quantity of this name.
-    #[error("line {line}: unknown quantity `{found}`{hint}")]
-    Unknown {
-        /// The line.
-        line: u64,
-        /// What is there.
-        found: String,
-        /// What may have been meant.
-        hint: String,
-    },
-    /// It isn't a number or a triple.
-    #[error(
-        "line {line}: `{found}` is no value, expected a number such as 6.377 or a triple such as \"(14.139, 9.376, 8.847)\""
-    )]
-    Value {
-        /// The line.
-        line: u64,
-        /// What is there.
-        found: String,
-    },
-    /// A number for a triple, or the other way round.
-    #[error("line {line}: `{quantity}` is {expected}, found {found}")]
-    Components {
-        /// The line.
-        line: u64,
-        /// The quantity.
-        quantity: &'static str,
-        /// What it is.
-        expected: &'static str,
-        /// What is there.
-        found: String,
-    },
-    /// The walk has no such quantity, or fewer than rows.
-    #[error("line {line}: the walk has {count} of `{quantity}`{place}, and this row is number {number}")]
-    Occurrence {
-        /// The line.
-        line: u64,
-        /// The quantity.
-        quantity: &'static str,
-        /// Of which ray, if the table says it.
-        place: String,
-        /// How many there are.
-        count: usize,
-        /// Which the row asks for, from 1.
-        number: usize,
-    },
+}
+
+/// What is wrong with a line.
+fn wrong(line: u64, what: String) -> TableError {
+    TableError::Line { line, what }
 }
 
 /// In which order the rows of a name go through its occurrences.
@@ -115,6 +73,16 @@ pub enum Order {
     Book,
     /// As the walk comes to them.
     Walk,
+}
+
+impl Order {
+    /// Whose order it is.
+    pub fn word(self) -> &'static str {
+        match self {
+            Order::Book => "book",
+            Order::Walk => "walk",
+        }
+    }
 }
 
 /// A table with what its rows should be.
@@ -162,7 +130,8 @@ impl Worked {
         let column = |name: &str| heads.iter().position(|head| head.eq_ignore_ascii_case(name));
         let (Some(quantity), Some(printed)) = (column("quantity"), column("printed")) else {
             let found: Vec<_> = heads.iter().map(|head| format!("`{head}`")).collect();
-            return Err(TableError::Columns { found: found.join(", ") });
+            let found = found.join(", ");
+            return Err(wrong(1, format!("expected the columns `quantity` and `printed`, found {found}")));
         };
         let path = column("path");
         let mut rows: Vec<Stated> = Vec::new();
@@ -170,12 +139,12 @@ impl Worked {
             let record = record.map_err(unreadable)?;
             let line = record.position().map_or(0, csv::Position::line);
             if rows.len() == MAX_ROWS {
-                return Err(TableError::Rows { line });
+                return Err(wrong(line, format!("expected at most {MAX_ROWS} rows")));
             }
             let path = path.and_then(|column| record.get(column)).filter(|path| !path.is_empty()).map(str::to_owned);
             let key = key(record.get(quantity).unwrap_or_default(), line)?;
             let text = record.get(printed).unwrap_or_default().to_owned();
-            let components = components(&text).ok_or_else(|| TableError::Value { line, found: text.clone() })?;
+            let components = components(&text).ok_or_else(|| wrong(line, format!("`{text}` is no value, {VALUES}")))?;
             let nth = rows.iter().filter(|row| row.key == key && row.path == path).count();
             rows.push(Stated { line, key, path, nth, text, components });
         }
@@ -253,19 +222,18 @@ impl Stated {
             let rank = |place: &Place| Printed::all().iter().position(|printed| place_of(printed) == *place);
             places.sort_by_key(|place| rank(place).unwrap_or(usize::MAX));
         }
-        let place = places.get(self.nth).ok_or_else(|| TableError::Occurrence {
-            line: self.line,
-            quantity: self.key,
-            place: self.path.as_ref().map(|path| format!(" on the ray `{path}`")).unwrap_or_default(),
-            count: places.len(),
-            number: self.nth + 1,
-        })?;
+        let Some(place) = places.get(self.nth) else {
+            let ray = self.path.as_ref().map(|path| format!(" on the ray `{path}`")).unwrap_or_default();
+            let (count, key, number) = (places.len(), self.key, self.nth + 1);
+            let what = format!("the walk has {count} of `{key}`{ray}, and this row is number {number}");
+            return Err(wrong(self.line, what));
+        };
         match (values.at(place), self.components.len()) {
             (_, 0) | (Some(Value::Number(_)), 1) | (Some(Value::Triple(_)), 3) => Ok(place.clone()),
             (Some(Value::Triple(_)), 1) if is_intensity(self.key) => Ok(place.clone()),
             (value, _) => {
                 let expected = if let Some(Value::Number(_)) = value { "a number" } else { "a triple" };
-                Err(TableError::Components { line: self.line, quantity: self.key, expected, found: self.text.clone() })
+                Err(wrong(self.line, format!("`{}` is {expected}, found {}", self.key, self.text)))
             }
         }
     }
@@ -284,7 +252,7 @@ fn key(found: &str, line: u64) -> Result<&'static str, TableError> {
     Name::all().map(Name::key).find(|key| *key == found).ok_or_else(|| {
         let meant = suggest(found, Name::all().map(Name::key));
         let hint = meant.map(|meant| format!(", did you mean `{meant}`?")).unwrap_or_default();
-        TableError::Unknown { line, found: found.to_owned(), hint }
+        wrong(line, format!("unknown quantity `{found}`{hint}"))
     })
 }
 
