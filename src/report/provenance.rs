@@ -7,12 +7,12 @@
 mod handed;
 mod uses;
 
-pub use handed::{color_of_ray, origin};
+pub use handed::{color_of_ray, origin as handed_on_from};
 pub use uses::uses;
 
 use crate::log::formula::{self, Formula, Unary};
 use crate::log::scope;
-use crate::log::{Event, Log, Name, Tree, Value, What};
+use crate::log::{Event, Log, Tree, Value, What};
 use std::collections::HashSet;
 
 /// A value that a step takes.
@@ -80,12 +80,6 @@ fn inputs(log: &Log, tree: &Tree, event: usize) -> Vec<Operand> {
         light: None,
     });
     inputs.collect()
-}
-
-/// The event that computed the input `name` of `event`, which has this value; `None` if no step of the log did, as for what the
-/// scene states.
-pub fn handed_on_from(log: &Log, tree: &Tree, event: usize, name: Name, value: &Value) -> Option<usize> {
-    handed::origin(log, tree, event, name, value)
 }
 
 /// The event that computed an input.

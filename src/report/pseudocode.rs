@@ -27,11 +27,7 @@ pub struct Line {
 impl Line {
     /// What it says in a language.
     pub fn text(&self, language: Language) -> &'static str {
-        let [english, spanish] = self.texts;
-        match language {
-            Language::English => english,
-            Language::Spanish => spanish,
-        }
+        self.texts[language as usize]
     }
 }
 

@@ -3,7 +3,9 @@
 use super::Style;
 use super::contributions::{Ended, Origin, Why};
 use super::language::Language;
-use crate::log::{Decision, Header, Input, Log, Name, Parameter, RayKind, SkipReason, Step, Subject, Tree, Value};
+use crate::log::{
+    Asking, Decision, Header, Input, Log, Name, Parameter, RayKind, SkipReason, Split, Step, Subject, Term, Tree, Value,
+};
 
 /// What a node is, such as `ray C R, reflected` or `test sphere`.
 pub fn title(language: Language, log: &Log, tree: &Tree, node: usize) -> String {
@@ -22,7 +24,8 @@ pub fn title(language: Language, log: &Log, tree: &Tree, node: usize) -> String 
         Some(Step::Light { light, split: 0 }) => (texts.light)(&plain(header.light(light))),
         Some(Step::Light { light, split }) => (texts.light_point)(&plain(header.light(light)), split),
         Some(Step::Motion { object: moving }) => (texts.motion)(&object(moving)),
-        Some(Step::Zone { what, number }) => (texts.zone)(what, number),
+        Some(Step::Zone { what: Term::Transmitted, number }) => (texts.zone_of_transmission)(number),
+        Some(Step::Zone { number, .. }) => (texts.zone_of_reflection)(number),
         Some(Step::Combine) => texts.weighted_sum.to_owned(),
     }
 }
@@ -71,16 +74,21 @@ pub fn ray_kind(language: Language, header: &Header, kind: RayKind) -> String {
 pub fn decision(language: Language, header: &Header, decision: &Decision, style: Style) -> String {
     let texts = language.texts();
     let object = |object: &u32| plain(header.object(*object));
+    let an_object = |known: &Option<u32>| known.as_ref().map_or_else(|| texts.an_object.to_owned(), object);
+    let light = |light: &u32| plain(header.light(*light));
     let cell = |cell: &[f64; 3]| self::cell(language, cell, style);
     match decision {
         Decision::Hit => texts.hit.to_owned(),
-        Decision::Miss { why } => (texts.miss)(*why),
+        Decision::Miss { why } => (texts.miss)(language.miss(*why)),
         Decision::Outside => texts.outside.to_owned(),
         Decision::Inside => texts.inside.to_owned(),
         Decision::Nearest { object: nearest } => (texts.nearest)(&object(nearest)),
-        Decision::Coincident { object: other, triangle } => (texts.coincident)(&object(other), *triangle),
+        Decision::Coincident { object: other, triangle: None } => (texts.coincident)(&object(other)),
+        Decision::Coincident { object: other, triangle: Some(triangle) } => {
+            (texts.coincident)(&(texts.triangle_of)(*triangle, &object(other)))
+        }
         Decision::Immersed { object: medium } => (texts.immersed)(&object(medium)),
-        Decision::Bent { what } => (texts.bent)(*what),
+        Decision::Bent { what } => (texts.bent)(language.term(*what)),
         Decision::Background => texts.background.to_owned(),
         Decision::Free => texts.free.to_owned(),
         Decision::Occluded { object: blocking } => (texts.blocked_by)(&object(blocking)),
@@ -90,22 +98,26 @@ pub fn decision(language: Language, header: &Header, decision: &Decision, style:
         Decision::Undefined { quantity: Name::PatternCell } => (texts.too_fine)(Name::PatternCell.symbol()),
         Decision::Undefined { quantity } => (texts.undefined)(quantity.symbol()),
         Decision::TotalInternalReflection => texts.total_reflection.to_owned(),
-        Decision::DepthLimit { what } => (texts.depth_limit)(*what),
+        Decision::DepthLimit { what } => (texts.depth_limit)(language.term(*what)),
         Decision::Skipped { why: SkipReason::Blocked, .. } => texts.rest_skipped.to_owned(),
-        Decision::LeakGuard { what } => (texts.leak_guard)(*what),
-        Decision::Rejected { what } => (texts.rejected)(*what),
-        Decision::Skipped { what, why } => (texts.skipped)(*what, *why),
-        Decision::Subdivided { cell: cut, why, object: small } => {
-            let small = small.map_or(texts.an_object, |small| header.object(small));
-            (texts.subdivided)(&cell(cut), *why, &plain(small))
+        Decision::LeakGuard { what } => (texts.leak_guard)(language.term(*what)),
+        Decision::Rejected { what } => (texts.rejected)(language.term(*what)),
+        Decision::Skipped { what, why } => (texts.skipped)(language.term(*what), language.skip_reason(*why)),
+        Decision::Subdivided { cell: cut, why: Split::Color, .. } => (texts.subdivided_by_color)(&cell(cut)),
+        Decision::Subdivided { cell: cut, why: Split::Objects, .. } => (texts.subdivided_by_objects)(&cell(cut)),
+        Decision::Subdivided { cell: cut, why: Split::SmallObject, object: small } => {
+            (texts.subdivided_by_one)(&cell(cut), &an_object(small))
         }
         Decision::Accepted { cell: kept, why } => {
-            (texts.accepted)(&kept.as_ref().map_or(texts.mean.to_owned(), cell), *why)
+            let what = kept.as_ref().map_or(texts.mean.to_owned(), cell);
+            (texts.accepted)(&what, language.acceptance(*why))
         }
-        Decision::Asked { light, why, points, object: hiding } => {
-            let hiding = hiding.map_or(texts.an_object, |hiding| header.object(hiding));
-            (texts.asked)(&plain(header.light(*light)), *why, *points, &plain(hiding))
-        }
+        Decision::Asked { light: asked, why, points, object: hiding } => match why {
+            Asking::Rule => (texts.asked_by_rule)(&light(asked), *points),
+            Asking::InView => (texts.asked_in_view)(&light(asked), *points),
+            Asking::Hidden => (texts.hidden)(&light(asked), &an_object(hiding)),
+            Asking::All => (texts.all_asked)(&light(asked), *points),
+        },
         Decision::MoreSamples { from, to } if header.sampling.contains_key("guided") => (texts.more_asked)(*from, *to),
         Decision::MoreSamples { from, to } => (texts.more_samples)(*from, *to),
     }

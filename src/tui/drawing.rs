@@ -46,12 +46,7 @@ impl fmt::Debug for Drawing {
 impl Projection {
     /// What the schematic is called that is seen so.
     pub fn title(self, language: Language) -> &'static str {
-        let [top, front, camera] = language.texts().viewer.panes.schematic.views;
-        match self {
-            Projection::Top => top,
-            Projection::Front => front,
-            Projection::Camera => camera,
-        }
+        language.texts().viewer.panes.schematic.views[self as usize]
     }
 
     fn next(self) -> Projection {

@@ -148,43 +148,35 @@ pub(super) fn update(
 ) -> Effect {
     let listing = listing(model, kind);
     let times = count.unwrap_or(1) as usize;
-    let page = usize::from(model.size.1 / 2).max(1);
-    let last = listing.entries.len().saturating_sub(1);
-    let mut aside = shift;
-    match action {
-        Action::Wider => aside = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind)),
-        Action::Narrower => aside = shift.saturating_sub(STRIDE * times),
-        Action::In | Action::Enter if kind == Kind::Breakpoints => {
-            breakpoints::go_to_next(model, selected);
-            return Effect::None;
-        }
-        Action::Toggle if kind == Kind::Breakpoints => {
-            breakpoints::turn(model, selected);
-            return Effect::None;
-        }
-        Action::Walk(Walk::Delete) if kind == Kind::Breakpoints => {
-            breakpoints::delete(model, selected);
-            return Effect::None;
-        }
-        Action::In | Action::Enter if kind == Kind::Stops => return run::go_to(model, selected),
-        Action::In | Action::Enter => {
+    match (action, kind) {
+        (Action::In | Action::Enter, Kind::Breakpoints) => breakpoints::go_to_next(model, selected),
+        (Action::Toggle, Kind::Breakpoints) => breakpoints::turn(model, selected),
+        (Action::Walk(Walk::Delete), Kind::Breakpoints) => breakpoints::delete(model, selected),
+        (Action::In | Action::Enter, Kind::Stops) => return run::go_to(model, selected),
+        (Action::In | Action::Enter, _) => {
             if let Some(target) = listing.entries.get(selected).and_then(|entry| entry.target) {
                 model.overlay = None;
                 guide::jump(model, target);
             }
-            return Effect::None;
         }
-        Action::Close | Action::Quit | Action::Out => {
-            model.overlay = None;
-            return Effect::None;
+        (Action::Close | Action::Quit | Action::Out, _) => model.overlay = None,
+        (Action::Interrupt, _) => return Effect::Leave(Exit::Interrupted),
+        (Action::Suspend, _) => return Effect::Suspend,
+        (Action::Wider, _) => {
+            let shift = shift.saturating_add(STRIDE * times).min(view::last_shift(model, &listing, kind));
+            model.overlay = Some(Overlay::List { kind, selected, shift });
         }
-        Action::Interrupt => return Effect::Leave(Exit::Interrupted),
-        Action::Suspend => return Effect::Suspend,
-        _ => {}
+        (Action::Narrower, _) => {
+            let shift = shift.saturating_sub(STRIDE * times);
+            model.overlay = Some(Overlay::List { kind, selected, shift });
+        }
+        _ => {
+            let (page, last) = (usize::from(model.size.1 / 2).max(1), listing.entries.len().saturating_sub(1));
+            let row = moved(action, selected, times, [page; 2], last).unwrap_or(selected);
+            let selected = off_headings(&listing.entries, row, row < selected || action == Action::Last);
+            model.overlay = Some(Overlay::List { kind, selected, shift });
+        }
     }
-    let moved = moved(action, selected, times, [page; 2], last).unwrap_or(selected);
-    let selected = off_headings(&listing.entries, moved, moved < selected || action == Action::Last);
-    model.overlay = Some(Overlay::List { kind, selected, shift: aside });
     Effect::None
 }
 

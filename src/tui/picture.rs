@@ -133,14 +133,7 @@ impl Layer {
 
     /// What it is called.
     pub fn word(self, language: Language) -> &'static str {
-        let [colors, depth, rays, samples, error] = language.texts().viewer.panes.picture.layers;
-        match self {
-            Layer::Colors => colors,
-            Layer::Depth => depth,
-            Layer::Rays => rays,
-            Layer::Samples => samples,
-            Layer::Error => error,
-        }
+        language.texts().viewer.panes.picture.layers[self as usize]
     }
 
     /// The value of a dot; `None` for a colour and for what isn't known.
@@ -192,8 +185,12 @@ impl PictureView {
 
     /// Another layer.
     fn next_layer(&mut self) {
-        let at = Layer::ALL.iter().position(|layer| *layer == self.layer).unwrap_or(0);
-        self.layer = Layer::ALL[(at + 1) % Layer::ALL.len()];
+        self.layer = Layer::ALL[(self.layer as usize + 1) % Layer::ALL.len()];
+    }
+
+    /// Brighter by these half stops.
+    fn expose(&mut self, half_stops: i64) {
+        self.exposure = (i64::from(self.exposure) + half_stops).clamp(-60, 60) as i32;
     }
 }
 
@@ -205,9 +202,24 @@ pub(super) fn update(model: &mut Model, action: Action, count: Option<u32>) -> O
     if model.focus != Pane::Picture {
         return None;
     }
-    let page = model.page() as i64;
     let view = model.picture.as_mut()?;
     let times = i64::from(count.unwrap_or(1));
+    match action {
+        Action::Enter => model.focus_on(Pane::Tree),
+        Action::ZoomIn => view.zoom = (view.zoom + 1).min(MOST_ZOOM),
+        Action::ZoomOut => view.zoom = view.zoom.saturating_sub(1),
+        Action::Brighter => view.expose(times),
+        Action::Darker => view.expose(-times),
+        Action::NextView => view.next_layer(),
+        _ => return moved(model, action, count),
+    }
+    Some(Effect::None)
+}
+
+/// Moves the cursor by an action for it.
+fn moved(model: &mut Model, action: Action, count: Option<u32>) -> Option<Effect> {
+    let (page, times) = (model.page() as i64, i64::from(count.unwrap_or(1)));
+    let view = model.picture.as_ref()?;
     let by = match action {
         Action::Down => [0, times],
         Action::Up => [0, -times],
@@ -219,27 +231,6 @@ pub(super) fn update(model: &mut Model, action: Action, count: Option<u32>) -> O
         Action::First => [i64::MIN / 2, 0],
         // With a count it is the step of this number, as everywhere.
         Action::Last if count.is_none() => [i64::MAX / 2, 0],
-        Action::Enter => {
-            model.focus_on(Pane::Tree);
-            return Some(Effect::None);
-        }
-        Action::ZoomIn => {
-            view.zoom = (view.zoom + 1).min(MOST_ZOOM);
-            return Some(Effect::None);
-        }
-        Action::ZoomOut => {
-            view.zoom = view.zoom.saturating_sub(1);
-            return Some(Effect::None);
-        }
-        Action::Brighter | Action::Darker => {
-            let half_stops = if action == Action::Brighter { times } else { -times };
-            view.exposure = (i64::from(view.exposure) + half_stops).clamp(-60, 60) as i32;
-            return Some(Effect::None);
-        }
-        Action::NextView => {
-            view.next_layer();
-            return Some(Effect::None);
-        }
         _ => return None,
     };
     let moved = |at: u32, by: i64, size: u32| (i64::from(at) + by).clamp(0, i64::from(size) - 1) as u32;

@@ -50,48 +50,37 @@ pub enum Exit {
 
 /// Does an action.
 pub fn update(model: &mut Model, action: Action) -> Effect {
+    let mut effect = Effect::None;
     match action {
         Action::Digit(digit) => {
             let count = model.pending.count.unwrap_or(0).saturating_mul(10).saturating_add(u32::from(digit));
             model.pending.count = Some(count.min(MOST));
-            return Effect::None;
         }
-        Action::Prefix(first) => {
-            model.pending.prefix = Some(first);
-            return Effect::None;
-        }
-        Action::Resize(width, height) => {
-            model.size = (width, height);
-            keep_in_view(model);
-            return Effect::None;
-        }
-        Action::Walk(Walk::Tick) => {
-            guide::tick(model);
-            keep_in_view(model);
-            return Effect::None;
-        }
-        Action::Typed(key) => {
-            let effect = prompt::typed(model, key);
-            keep_in_view(model);
-            return effect;
-        }
-        _ => {}
+        Action::Prefix(first) => model.pending.prefix = Some(first),
+        Action::Resize(width, height) => model.size = (width, height),
+        Action::Walk(Walk::Tick) => guide::tick(model),
+        Action::Typed(key) => effect = prompt::typed(model, key),
+        _ => effect = by_key(model, action),
     }
-    let count = std::mem::take(&mut model.pending).count;
-    if action != Action::Close && model.message.as_ref().is_some_and(|message| !message.is_warning) {
-        model.message = None;
-    }
-    let effect = match model.overlay {
-        Some(Overlay::Help { top }) => in_help(model, action, top, count),
-        Some(Overlay::List { kind, selected, shift }) => list::update(model, action, kind, (selected, shift), count),
-        None => in_panes(model, action, count),
-    };
     keep_in_view(model);
     effect
 }
 
 /// The largest count.
 const MOST: u32 = 1_000_000_000;
+
+/// Does the action of a whole key, with the count typed before it.
+fn by_key(model: &mut Model, action: Action) -> Effect {
+    let count = std::mem::take(&mut model.pending).count;
+    if action != Action::Close && model.message.as_ref().is_some_and(|message| !message.is_warning) {
+        model.message = None;
+    }
+    match model.overlay {
+        Some(Overlay::Help { top }) => in_help(model, action, top, count),
+        Some(Overlay::List { kind, selected, shift }) => list::update(model, action, kind, (selected, shift), count),
+        None => in_panes(model, action, count),
+    }
+}
 
 fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
     let special = picture::update(model, action, count).or_else(|| drawing::update(model, action));

@@ -228,18 +228,15 @@ impl Comparing<'_> {
         let (a, b) = (self.causes.a, self.causes.b);
         match spot {
             Spot::Both(ours, theirs) => {
-                let what = match (before::values_of(a, b, spot), ours, theirs) {
-                    (Some((value_a, value_b)), ..) => Statement::Value {
+                let what = match before::values_of(a, b, spot) {
+                    Some((value_a, value_b)) => Statement::Value {
                         name: quantity(a, ours),
                         is_input: matches!((ours, theirs), (Item::Input(..), Item::Input(..))),
                         a: value_a,
                         b: value_b,
                         distance: distance(&value_a, &value_b),
                     },
-                    (None, Item::Event(ours), Item::Event(theirs)) => {
-                        Statement::Decision { a: decision(a, ours), b: decision(b, theirs) }
-                    }
-                    (None, ..) => Statement::Decision { a: String::new(), b: String::new() },
+                    None => Statement::Decision { a: decision(a, ours), b: decision(b, theirs) },
                 };
                 entry_in(a, ours, what)
             }
@@ -277,7 +274,9 @@ fn quantity(run: Run, item: Item) -> Option<Name> {
     }
 }
 
-fn decision(run: Run, event: usize) -> String {
+/// A decision as a sentence; nothing for what is none.
+fn decision(run: Run, item: Item) -> String {
+    let Item::Event(event) = item else { return String::new() };
     let decision = run.log.events[event].decision();
     decision.map_or_else(String::new, |decision| {
         words::decision(Language::English, &run.log.header, &decision, Style::default())
@@ -303,6 +302,6 @@ fn only(run: Run, item: Item) -> (String, usize) {
         (Item::Event(event), ..) if matches!(run.log.events[event].what, What::Result { .. }) => {
             ("result".to_owned(), 1)
         }
-        (Item::Event(event) | Item::Input(event, _), ..) => (decision(run, event), 0),
+        _ => (decision(run, item), 0),
     }
 }

@@ -74,7 +74,7 @@ impl<'a> Rows<'a> {
                     let style = self.style(row, &value_a, &value_b);
                     [Some(named(a, ours, &value_a, style)), Some(named(b, theirs, &value_b, style))]
                 }
-                None => [Some(decision_of(a, ours)), Some(decision_of(b, theirs))],
+                None => [Some(decision(a, ours)), Some(decision(b, theirs))],
             },
             Place::Item(Spot::OnlyA(item)) => [Some(alone(a, item)), None],
             Place::Item(Spot::OnlyB(item)) => [None, Some(alone(b, item))],
@@ -124,7 +124,7 @@ fn named(run: Run, item: Item, value: &Value, style: Style) -> String {
     match quantity(run, item) {
         Some(name) => format!("{} = {shown}", name.symbol()),
         None => match item {
-            Item::Event(event) if is_filter(run, event) => decision_of(run, item),
+            Item::Event(event) if is_filter(run, event) => decision(run, item),
             _ => format!("result: {shown}"),
         },
     }
@@ -137,11 +137,4 @@ fn alone(run: Run, item: Item) -> String {
 
 fn is_filter(run: Run, event: usize) -> bool {
     matches!(run.log.events[event].what, What::Mark(Decision::Attenuated { .. }))
-}
-
-fn decision_of(run: Run, item: Item) -> String {
-    match item {
-        Item::Event(event) => decision(run, event),
-        Item::Input(..) | Item::Node(_) => String::new(),
-    }
 }

@@ -2,9 +2,7 @@
 
 use super::close_up::CloseUp;
 use super::viewer::Viewer;
-use super::words::{self, EN, ES};
 use super::{Causes, Figure, Solution};
-use crate::log::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 
 texts! {
     /// The texts of a language.
@@ -71,15 +69,9 @@ texts! {
     /// A moving object in its own frame.
     motion(object: &str) = "{object} where it is at this time", "{object} donde está en este instante";
     /// A zone of a blurred bounce.
-    zone: fn(Term, u32) -> String =
-        |what, number| match what {
-            Term::Transmitted => format!("zone {number} of the transmission"),
-            _ => format!("zone {number} of the reflection"),
-        },
-        |what, number| match what {
-            Term::Transmitted => format!("zona {number} de la transmisión"),
-            _ => format!("zona {number} de la reflexión"),
-        };
+    zone_of_reflection(number: u32) = "zone {number} of the reflection", "zona {number} de la reflexión";
+    /// The same of the other bounce.
+    zone_of_transmission(number: u32) = "zone {number} of the transmission", "zona {number} de la transmisión";
     /// The sum of the three contributions.
     weighted_sum = "weighted sum", "suma ponderada";
     /// A camera ray.
@@ -94,27 +86,19 @@ texts! {
     /// The object lies on the ray.
     hit = "hit", "el rayo interseca con el objeto";
     /// It doesn't, and why.
-    miss: fn(Miss) -> String =
-        |why| format!("miss: {}", words::miss(why)[EN]),
-        |why| format!("no hay intersección: {}", words::miss(why)[ES]);
+    miss(why: &str) = "miss: {why}", "no hay intersección: {why}";
     /// The ray begins outside the solid.
     outside = "the ray begins outside", "el origen del rayo se encuentra fuera";
     /// It begins inside.
     inside = "the ray begins inside", "el origen del rayo se encuentra dentro";
     /// The nearest object.
     nearest(object: &str) = "nearest: {object}", "intersección más cercana: {object}";
-    /// An object in the same place as the nearest one, or a triangle of it.
-    coincident: fn(&str, Option<u32>) -> String =
-        |object, triangle| match triangle {
-            None => format!("{object} is in the same place and counts as just behind"),
-            Some(triangle) => format!("triangle {triangle} of {object} is in the same place and counts as just behind"),
-        },
-        |object, triangle| match triangle {
-            None => format!("{object} está en el mismo lugar y cuenta como justo detrás"),
-            Some(triangle) => {
-                format!("el triángulo {triangle} de {object} está en el mismo lugar y cuenta como justo detrás")
-            }
-        };
+    /// An object in the same place as the nearest one.
+    coincident(object: &str) =
+        "{object} is in the same place and counts as just behind",
+        "{object} está en el mismo lugar y cuenta como justo detrás";
+    /// A triangle of an object.
+    triangle_of(triangle: u32, object: &str) = "triangle {triangle} of {object}", "el triángulo {triangle} de {object}";
     /// A medium that the ray begins inside.
     immersed(object: &str) = "the ray begins inside {object}", "el rayo empieza dentro de {object}";
     /// Nothing is hit.
@@ -140,27 +124,23 @@ texts! {
     /// Total internal reflection.
     total_reflection = "total internal reflection", "reflexión total interna";
     /// What the depth limit leaves out.
-    depth_limit: fn(Term) -> String =
-        |what| format!("depth limit: no {}", words::term(what)[EN]),
-        |what| format!("profundidad máxima: no se traza {}", words::term(what)[ES]);
+    depth_limit(what: &str) = "depth limit: no {what}", "profundidad máxima: no se traza {what}";
     /// The rest of a blocked shadow ray isn't traced.
     rest_skipped = "the rest is skipped", "se omite el resto";
     /// What would come through the surface.
-    leak_guard: fn(Term) -> String =
-        |what| format!("no leak: the {} lies beyond the surface and brings nothing", words::term(what)[EN]),
-        |what| format!("{} queda al otro lado de la superficie y no aporta nada", words::term(what)[ES]);
+    leak_guard(what: &str) =
+        "no leak: the {what} lies beyond the surface and brings nothing",
+        "{what} queda al otro lado de la superficie y no aporta nada";
     /// A direction that was bent up above the surface.
-    bent: fn(Term) -> String =
-        |what| format!("the {} would run below the surface and is bent up", words::term(what)[EN]),
-        |what| format!("{} iría por debajo de la superficie y se dobla hacia arriba", words::term(what)[ES]);
+    bent(what: &str) =
+        "the {what} would run below the surface and is bent up",
+        "{what} iría por debajo de la superficie y se dobla hacia arriba";
     /// A direction on the wrong side.
-    rejected: fn(Term) -> String =
-        |what| format!("rejected: the {} would run on the wrong side", words::term(what)[EN]),
-        |what| format!("rechazado: {} iría por el lado equivocado", words::term(what)[ES]);
+    rejected(what: &str) =
+        "rejected: the {what} would run on the wrong side",
+        "rechazado: {what} iría por el lado equivocado";
     /// What is left out, and why.
-    skipped: fn(Term, SkipReason) -> String =
-        |what, why| format!("skipped: {} ({})", words::term(what)[EN], words::skip_reason(why)[EN]),
-        |what, why| format!("se omite {} ({})", words::term(what)[ES], words::skip_reason(why)[ES]);
+    skipped(what: &str, why: &str) = "skipped: {what} ({why})", "se omite {what} ({why})";
     /// What a decision cost at most.
     lost(bound: &str) = "at most {bound} of the sample was lost", "se pierde como mucho {bound} de la muestra";
     /// A cell that is the whole pixel.
@@ -169,50 +149,40 @@ texts! {
     cell(x: &str, y: &str, side: &str) =
         "the cell at ({x}, {y}) with side {side}",
         "la celda en ({x}; {y}) de lado {side}";
-    /// A cell that is cut in four, and why; the last name is that of an object.
-    subdivided: fn(&str, Split, &str) -> String =
-        |cell, why, object| match why {
-            Split::Color => format!("{cell} is subdivided: the colours at its corners differ by more than the threshold"),
-            Split::Objects => format!("{cell} is subdivided: its corners see different objects"),
-            Split::SmallObject => format!("{cell} is subdivided: {object} may lie in it, and no corner sees that"),
-        },
-        |cell, why, object| match why {
-            Split::Color => format!("se subdivide {cell}: los colores de sus esquinas difieren más que el umbral"),
-            Split::Objects => format!("se subdivide {cell}: sus esquinas ven objetos distintos"),
-            Split::SmallObject => {
-                format!("se subdivide {cell}: {object} puede estar en su interior y ninguna esquina lo ve")
-            }
-        };
+    /// A cell that is cut in four because of its colours.
+    subdivided_by_color(cell: &str) =
+        "{cell} is subdivided: the colours at its corners differ by more than the threshold",
+        "se subdivide {cell}: los colores de sus esquinas difieren más que el umbral";
+    /// Because of the objects.
+    subdivided_by_objects(cell: &str) =
+        "{cell} is subdivided: its corners see different objects",
+        "se subdivide {cell}: sus esquinas ven objetos distintos";
+    /// Because of a small object.
+    subdivided_by_one(cell: &str, object: &str) =
+        "{cell} is subdivided: {object} may lie in it, and no corner sees that",
+        "se subdivide {cell}: {object} puede estar en su interior y ninguna esquina lo ve";
     /// An object without a name.
     an_object = "an object", "un objeto";
     /// The mean of samples.
     mean = "the mean", "la media";
     /// What is accepted, and why.
-    accepted: fn(&str, Acceptance) -> String =
-        |what, why| format!("{what} is accepted: {}", words::acceptance(why)[EN]),
-        |what, why| format!("se acepta {what}: {}", words::acceptance(why)[ES]);
-    /// How many points of a light are asked, and why; the last name is that of an object.
-    asked: fn(&str, Asking, u32, &str) -> String =
-        |light, why, points, object| match why {
-            Asking::Rule => {
-                format!("{light} is in full view: a rule of {points} points gives its mean, without shadow rays")
-            }
-            Asking::InView => format!("{light} is in full view: {points} points of it need no shadow rays"),
-            Asking::Hidden => format!("{light} is hidden as a whole by {object}"),
-            Asking::All => {
-                format!("{light} may be hidden or behind the surface in part: all its {points} points are asked")
-            }
-        },
-        |light, why, points, object| match why {
-            Asking::Rule => {
-                format!("{light} está a plena vista: una regla de {points} puntos da su media, sin rayos de sombra")
-            }
-            Asking::InView => format!("{light} está a plena vista: {points} de sus puntos no necesitan rayos de sombra"),
-            Asking::Hidden => format!("{object} tapa {light} por entero"),
-            Asking::All => format!(
-                "{light} puede estar en parte tapada o detrás de la superficie: se preguntan todos sus {points} puntos"
-            ),
-        };
+    accepted(what: &str, why: &str) = "{what} is accepted: {why}", "se acepta {what}: {why}";
+    /// A light in full view whose mean a rule gives.
+    asked_by_rule(light: &str, points: u32) =
+        "{light} is in full view: a rule of {points} points gives its mean, without shadow rays",
+        "{light} está a plena vista: una regla de {points} puntos da su media, sin rayos de sombra";
+    /// A light in full view.
+    asked_in_view(light: &str, points: u32) =
+        "{light} is in full view: {points} points of it need no shadow rays",
+        "{light} está a plena vista: {points} de sus puntos no necesitan rayos de sombra";
+    /// A light that an object hides.
+    hidden(light: &str, object: &str) =
+        "{light} is hidden as a whole by {object}",
+        "{object} tapa {light} por entero";
+    /// A light all of whose points are asked.
+    all_asked(light: &str, points: u32) =
+        "{light} may be hidden or behind the surface in part: all its {points} points are asked",
+        "{light} puede estar en parte tapada o detrás de la superficie: se preguntan todos sus {points} puntos";
     /// How many samples are too few, and how many are taken.
     more_samples(from: u32, to: u32) =
         "{from} samples are too few, the interval of their mean is too wide: {to} are taken",

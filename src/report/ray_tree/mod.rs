@@ -198,7 +198,7 @@ impl<'a> Figure<'a> {
             End::Blocked { object, .. } => (texts.figure.blocked)(&words::plain(self.log.header.object(object))),
             End::TooDeep => {
                 let what = if branch.kind == RayKind::Transmitted { Term::Transmitted } else { Term::Reflected };
-                (texts.depth_limit)(what)
+                (texts.depth_limit)(self.language.term(what))
             }
             _ => {
                 let color = self.language.value(&Value::Triple(branch.color), self.style);

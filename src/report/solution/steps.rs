@@ -124,7 +124,7 @@ impl Maker<'_> {
         let needed = log.events.given(happening).iter().filter(|(name, _)| !self.data.has(tree, event, *name));
         let needed: Vec<_> = needed.filter(|(name, _)| *name != Name::CutoffLoss).copied().collect();
         if !needed.is_empty() {
-            let source = |name: Name, value| (name, value, provenance::origin(log, tree, event, name, &value));
+            let source = |name: Name, value| (name, value, provenance::handed_on_from(log, tree, event, name, &value));
             items.push(Item::Given(needed.into_iter().map(|(name, value)| source(name, value)).collect()));
         }
         match happening.what {

@@ -1,8 +1,7 @@
 //! What is said at the bottom: why something can't be done, and what was done that isn't seen.
 
 use crate::log::file::Ending;
-use crate::report::language::words;
-use crate::report::language::words::{EN, ES};
+use crate::report::language::Language;
 
 texts! {
     /// What is said at the bottom.
@@ -255,8 +254,8 @@ texts! {
         "no hay ningún objeto `{text}`; ¿quiso decir `{near}`?";
     /// The log has no object called so, but others, and how many more.
     other_objects: fn(&str, &str, usize) -> String =
-        |text, others, more| format!("there is no object `{text}`, but {others}{}", words::and_more(more)[EN]),
-        |text, others, more| format!("no hay ningún objeto `{text}`, sino {others}{}", words::and_more(more)[ES]);
+        |text, others, more| format!("there is no object `{text}`, but {others}{}", Language::English.and_more(more)),
+        |text, others, more| format!("no hay ningún objeto `{text}`, sino {others}{}", Language::Spanish.and_more(more));
     /// The log has no objects.
     no_objects = "there is no object in this log", "no hay ningún objeto en este registro";
     /// The log has no light called so, but one called so.
@@ -265,8 +264,8 @@ texts! {
         "no hay ninguna fuente `{text}`; ¿quiso decir `{near}`?";
     /// The log has no light called so, but others, and how many more.
     other_lights: fn(&str, &str, usize) -> String =
-        |text, others, more| format!("there is no light `{text}`, but {others}{}", words::and_more(more)[EN]),
-        |text, others, more| format!("no hay ninguna fuente `{text}`, sino {others}{}", words::and_more(more)[ES]);
+        |text, others, more| format!("there is no light `{text}`, but {others}{}", Language::English.and_more(more)),
+        |text, others, more| format!("no hay ninguna fuente `{text}`, sino {others}{}", Language::Spanish.and_more(more));
     /// The log has no lights.
     no_lights = "there is no light in this log", "no hay ninguna fuente en este registro";
     /// What can be typed behind `depth`.
