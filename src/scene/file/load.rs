@@ -1,17 +1,16 @@
 //! From bytes to a checked scene: decode, read, fill in names, validate, and give every problem its place.
 
 use std::io::ErrorKind;
+use std::ops::Range;
 use std::path::Path;
 
 use serde::Deserialize;
-use serde_path_to_error::Track;
 
 use super::error::{Problem, SceneError};
-use super::explain::{NoScene, key_path};
+use super::form::all_problems;
 use super::input::{display_name, read_bytes};
 use super::key_path::KeyPath;
-use super::locate::locate_all;
-use super::mend::all_problems;
+use super::locate::{Place, locate_all};
 use super::names::fill_in_names;
 use super::nff::{self, Import};
 use super::schema::SceneFile;
@@ -127,14 +126,11 @@ pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, SceneError> {
     read_scene(text, file_name).map_err(|refused| all_problems(&source, text, file_name, &refused))
 }
 
-/// Reads a scene; the error is the first mistake in the text.
-pub(super) fn read_scene(text: &str, file_name: &str) -> Result<SceneFile, NoScene> {
+/// Reads a scene; of the error only the place and sentences of our own are of use.
+pub(super) fn read_scene(text: &str, file_name: &str) -> serde_json::Result<SceneFile> {
     let mut json = serde_json::Deserializer::from_str(text);
-    let mut track = Track::new();
-    let tracked = serde_path_to_error::Deserializer::new(Strict(&mut json), &mut track);
-    let mut scene = SceneFile::deserialize(tracked)
-        .and_then(|scene| json.end().map(|()| scene))
-        .map_err(|error| NoScene { error, path: key_path(&track.path()) })?;
+    let mut scene = SceneFile::deserialize(Strict(&mut json))?;
+    json.end()?;
     fill_in_names(&mut scene, file_name);
     Ok(scene)
 }
@@ -160,15 +156,21 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), S
     }
 }
 
-pub(super) fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
+fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
+    let placed = findings.iter().zip(spans(findings, text));
+    placed.map(|(finding, span)| source.problem(span, finding.path.clone(), finding.message.clone())).collect()
+}
+
+/// Where in a text these findings are.
+pub(super) fn spans(findings: &[Finding], text: &str) -> Vec<Range<usize>> {
     if findings.is_empty() {
         return Vec::new();
     }
     let paths: Vec<KeyPath> = findings.iter().map(|finding| finding.path.clone()).collect();
-    let places = locate_all(text, &paths);
-    let problems = findings.iter().zip(places).map(|(finding, place)| {
-        let span = if finding.is_about_key { place.key.unwrap_or(place.value) } else { place.value };
-        source.problem(span, finding.path.clone(), finding.message.clone())
-    });
-    problems.collect()
+    let places = findings.iter().zip(locate_all(text, &paths));
+    let span = |(finding, Place { key, value, .. }): (&Finding, Place)| match key {
+        Some(key) if finding.is_about_key => key,
+        _ => value,
+    };
+    places.map(span).collect()
 }

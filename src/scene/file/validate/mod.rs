@@ -17,7 +17,7 @@ use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
 use super::escape::{hidden, look, shortened};
-use super::explain::unknown_format;
+use super::form::unknown_format;
 use super::key_path::KeyPath;
 use super::schema::{FORMAT, Sampling, SceneFile, digest};
 use checker::Checker;
