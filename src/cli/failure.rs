@@ -1,6 +1,6 @@
 //! What goes wrong, as a message and an exit code.
 
-use raywalk::scene::file::{SceneError, escape_hidden, escape_hidden_lines};
+use raywalk::files::{FileError, escape_hidden, escape_hidden_lines};
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -49,7 +49,7 @@ impl Failure {
     }
 
     /// A scene that can't be had.
-    pub fn scene(error: &SceneError, colored: bool) -> Failure {
+    pub fn scene(error: &FileError, colored: bool) -> Failure {
         Failure { code: error.exit_code(), message: error.report(colored) }
     }
 

@@ -5,6 +5,7 @@ use super::sampling_spec::{sampling, sampling_help};
 use super::scene_argument::Loaded;
 use super::shown::ShownOptions;
 use clap::{Args, ValueEnum};
+use raywalk::files::suggest;
 use raywalk::geometry::shape::SphereMethod;
 use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;
@@ -13,7 +14,7 @@ use raywalk::scene::builtin;
 use raywalk::scene::file::nff::{Angle, Import};
 use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::validate::limits::{MAX_DEPTH, MAX_PIXELS, MAX_SIDE};
-use raywalk::scene::file::{self, suggest};
+use raywalk::scene::file::{self};
 use raywalk::scene::{Algorithm, Formulas, Index, Sampling, Scene, Skip, Specular, build_with};
 use std::io::IsTerminal;
 

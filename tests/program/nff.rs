@@ -4,12 +4,13 @@ use crate::shared::shared;
 use assert_cmd::Command;
 use flate2::{Compression, write::GzEncoder};
 use glam::DVec3;
+use raywalk::files::FileError;
 use raywalk::record::Arithmetic;
 use raywalk::render::{Settings, render};
 use raywalk::scene::build;
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::{Sampling, SceneFile, Shape};
-use raywalk::scene::file::{self, Loaded, SceneError};
+use raywalk::scene::file::{self, Loaded};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -19,7 +20,7 @@ fn databases() -> Option<PathBuf> {
     shared("nff")
 }
 
-fn load(path: &Path) -> Result<Loaded, SceneError> {
+fn load(path: &Path) -> Result<Loaded, FileError> {
     file::read(path)
 }
 

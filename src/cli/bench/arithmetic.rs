@@ -24,7 +24,7 @@ pub fn run(scenes: &[Scene], threads: usize, format: TableFormat) -> Result<(), 
 fn text(measured: &[Measured]) -> String {
     let mut text = String::new();
     for Measured { scene, rungs } in measured {
-        let _ = writeln!(text, "{}", raywalk::scene::file::escape_hidden(scene));
+        let _ = writeln!(text, "{}", raywalk::files::escape_hidden(scene));
         let _ =
             writeln!(text, "  {:<10} {:>10} {:>10} {:>10} {:>9}", "arithmetic", "rmse", "worst", "visible", "seconds");
         for Rung { arithmetic, seconds, rmse, worst, visible } in rungs {

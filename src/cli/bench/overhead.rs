@@ -8,7 +8,7 @@ use crate::cli::failure::Failure;
 use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use clap::Args;
-use raywalk::scene::file::escape_hidden;
+use raywalk::files::escape_hidden;
 use raywalk::study::bench::overhead::{Cost, Overhead, overhead};
 use serde::Serialize;
 use std::fmt::Write;

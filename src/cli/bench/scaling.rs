@@ -142,7 +142,7 @@ fn text(machine: &Machine, spheres: &[Row<OfSpheres>], scene: &str, sizes: &[Row
             row.peak()
         );
     }
-    let _ = writeln!(text, "pictures of {}, by the clock", raywalk::scene::file::escape_hidden(scene));
+    let _ = writeln!(text, "pictures of {}, by the clock", raywalk::files::escape_hidden(scene));
     let _ =
         writeln!(text, "  {:>11} {:>10}  {:<17} {:>6} {:>9}", "size", "ns/pixel", "(quartiles)", "growth", "peak MiB");
     for row in sizes {

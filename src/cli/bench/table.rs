@@ -3,9 +3,9 @@
 use super::TableFormat;
 use crate::cli::failure::Failure;
 use crate::cli::output;
+use raywalk::files::escape_hidden;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
-use raywalk::scene::file::escape_hidden;
 use serde::Serialize;
 
 /// Measures scene after scene and prints the table; `text` and `csv` lay it out.

@@ -6,6 +6,7 @@ use crate::cli::options::ColorChoice;
 use crate::cli::output;
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
 use crate::cli::walk::{left, palette};
+use raywalk::files::{Opened, escape_hidden};
 use raywalk::log::file::{PixelEvents, PixelReader};
 use raywalk::log::{Events, Header, Log, Subject, Tree};
 use raywalk::report::diff::{
@@ -14,7 +15,6 @@ use raywalk::report::diff::{
 use raywalk::report::side_by_side::Run;
 use raywalk::report::words;
 use raywalk::report::{Language, forms};
-use raywalk::scene::file::{Opened, escape_hidden};
 use raywalk::tui::Theme;
 use raywalk::tui::beside::{self, Beside};
 use raywalk_guard::Endings;

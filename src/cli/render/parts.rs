@@ -5,6 +5,7 @@ use super::{Render, Task, failed, names_of};
 use crate::cli::failure::{Failure, shown};
 use crate::cli::output::{self, Output};
 use crate::cli::picture::{self, Rendered};
+use raywalk::files::Wanted;
 use raywalk::log::{Shard, Subject};
 use raywalk::record;
 use raywalk::render::export::Format;
@@ -12,7 +13,6 @@ use raywalk::render::part::{Content, PartHeader, Picture, Reader, Record, Writer
 use raywalk::render::pieces::{Canvas, Pixels, render_pieces};
 use raywalk::render::statistics::Seconds;
 use raywalk::render::{Counter, RenderError};
-use raywalk::scene::file::Wanted;
 use std::collections::BTreeSet;
 use std::io::{self, BufReader};
 use std::path::Path;

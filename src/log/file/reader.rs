@@ -7,7 +7,7 @@ use super::line::{End, Enter, Line};
 use super::mark::{Mark, unknown};
 use super::numbers::Numbers;
 use super::read::Ending;
-use crate::log::escape::shortened;
+use crate::files::escape::shortened;
 use crate::log::event::{Digits, Event, RayKind, Step, Term, What};
 use crate::log::events::Events;
 use crate::log::header::Header;

@@ -2,7 +2,7 @@
 
 use super::keys;
 use super::kinds::{Field, Kind, MARKS, Of, STEPS};
-use crate::log::escape::width;
+use crate::files::escape::width;
 use crate::log::header::FORMAT;
 
 const LINES: &[[&str; 2]] = &[

@@ -1,7 +1,8 @@
 //! What an OpenEXR file has beside its colours: channels in layers, as numbers to be compared.
 
 use super::exr::colors_of;
-use super::read::{EXR, PictureError, check_size, with_room_for};
+use super::read::{PictureError, check_size, with_room_for};
+use crate::files::PictureKind;
 use exr::block::samples::Sample;
 use exr::image::{AnyChannel, FlatSamples};
 use exr::meta::MetaData;
@@ -51,7 +52,7 @@ impl Numbers {
 pub fn beside(bytes: &[u8]) -> Result<Option<Vec<Beside>>, PictureError> {
     const BYTES_PER_NUMBER: usize = 4;
     const ALPHA: &str = "A";
-    if !bytes.starts_with(EXR) {
+    if PictureKind::of(bytes) != Some(PictureKind::Exr) {
         return Ok(None);
     }
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;

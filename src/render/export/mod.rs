@@ -16,7 +16,7 @@ pub use beside::{Beside, Numbers, beside};
 pub use exr::{Channel, ExrLayer};
 pub use format::{Format, MAX_WEBP_SIDE};
 pub use quantize::{Clipped, levels_of as levels};
-pub use read::{MAX_PICTURE_BYTES, Picture, PictureError, READABLE, is_picture, read};
+pub use read::{MAX_PICTURE_BYTES, Picture, PictureError, READABLE, read};
 
 use super::Film;
 use crate::scene::Output;

@@ -1,7 +1,7 @@
 //! A close-up as text: its table.
 
 use super::CloseUp;
-use crate::log::escape::{escape_hidden, width};
+use crate::files::escape::{escape_hidden, width};
 
 /// Title, table and note as plain text.
 pub fn text(close_up: &CloseUp) -> String {

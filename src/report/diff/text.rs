@@ -3,8 +3,8 @@
 use super::summary::{Pixel, Summary};
 use super::{Changed, Comparison, Difference, Entry, First, HeaderDifference, Side, Statement, Why};
 use super::{header_differences, telling_apart};
+use crate::files::escape::{shortened, width};
 use crate::log::Header;
-use crate::log::escape::{shortened, width};
 use crate::report::language::Language;
 use crate::report::number::size;
 use crate::report::words;

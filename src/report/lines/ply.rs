@@ -1,8 +1,8 @@
 //! The Polygon File Format (PLY), as text.
 
 use super::{far, grouped, number};
+use crate::files::escape::escape_hidden;
 use crate::log::Header;
-use crate::log::escape::escape_hidden;
 use crate::report::escape::line;
 use crate::report::segments::Segment;
 use std::fmt::Write;

@@ -20,7 +20,7 @@ pub use tikz::tikz;
 use super::contributions;
 use super::language::Language;
 use super::{Style, words};
-use crate::log::escape::shortened;
+use crate::files::escape::shortened;
 use crate::log::{Decision, Log, RayKind, Term, Tree, Value};
 use std::collections::{BTreeMap, HashMap};
 

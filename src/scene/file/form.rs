@@ -7,19 +7,22 @@
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::Range;
+use std::sync::LazyLock;
 
-use super::error::SceneError;
-use super::escape::shortened;
-use super::key_path::{KeyPath, Step};
+use serde_json::Value;
+
 use super::load::{read_scene, spans};
 use super::locate::locate;
 use super::part::{Part, Word, quoted};
 use super::schema::{FORMAT, json_schema};
-use super::source::Source;
-use super::suggest::suggest;
 use super::syntax::{Broken, Reader};
 use super::validate::limits::MAX_PROBLEMS;
 use super::validate::{Finding, validate};
+use crate::files::escape::shortened;
+use crate::files::{FileError, KeyPath, Source, Step, suggest};
+
+/// What a scene may be.
+static SCHEMA: LazyLock<Value> = LazyLock::new(json_schema);
 
 /// How many mistakes of form are kept, of which the first are shown. Where there are more, the numbers aren't checked.
 const MAX_MISTAKES: usize = 1 << 10;
@@ -36,10 +39,9 @@ struct Mistake {
 }
 
 /// All problems of a text that `read_scene` refused: of form, and of meaning as far as they don't depend on those.
-pub(super) fn all_problems(source: &Source, text: &str, file_name: &str, refused: &serde_json::Error) -> SceneError {
-    let schema = json_schema();
+pub(super) fn all_problems(source: &Source, text: &str, file_name: &str, refused: &serde_json::Error) -> FileError {
     let mut walk = Walk::new(text);
-    match walk.value(Part::root(&schema)).and_then(|()| walk.reader.end()) {
+    match walk.value(Part::root(&SCHEMA)).and_then(|()| walk.reader.end()) {
         // Where the text stops being JSON, the meaning is lost.
         Err(Broken { span, message }) => {
             let path = walk.path.clone();
@@ -62,13 +64,13 @@ pub(super) fn all_problems(source: &Source, text: &str, file_name: &str, refused
 }
 
 /// The problems in the order of the file, no more than are shown.
-fn together(source: &Source, mut mistakes: Vec<Mistake>, mut omitted: usize) -> SceneError {
+fn together(source: &Source, mut mistakes: Vec<Mistake>, mut omitted: usize) -> FileError {
     mistakes.sort_by_key(|mistake| mistake.span.start);
     mistakes.dedup();
     omitted += mistakes.len().saturating_sub(MAX_PROBLEMS);
     mistakes.truncate(MAX_PROBLEMS);
     let placed = mistakes.into_iter().map(|Mistake { span, path, message }| source.problem(span, path, message));
-    SceneError::Invalid { problems: placed.collect(), omitted }
+    FileError::Invalid { problems: placed.collect(), omitted }
 }
 
 /// What the reader refuses in a sentence of its own: more than it has room for.

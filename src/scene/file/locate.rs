@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use super::key_path::{KeyPath, Step};
 use super::scan::Scanner;
+use crate::files::{KeyPath, Step};
 
 /// Where a path leads in a text, in bytes.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::escape::{is_hidden, shortened};
+use crate::files::escape::{is_hidden, shortened};
 
 /// How deeply values may be nested, as in the reader of scenes.
 const DEEPEST: usize = 127;

@@ -1,13 +1,14 @@
 //! Scenes: read, printed, read again, and a pixel of them traced.
 
 use super::is_a_message;
+use raywalk::files::Source;
 use raywalk::log::file::{Ending, read, to_ndjson};
 use raywalk::log::{Event, Input, Log, Subject, Value, What};
 use raywalk::record::{self, Arithmetic, region};
 use raywalk::scene::file::mesh::{self, Folder};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::{LightSamples, Sampling, SceneFile};
-use raywalk::scene::file::{self, Loaded, Source};
+use raywalk::scene::file::{self, Loaded};
 use raywalk::scene::{Scene, build};
 
 /// A scene in JSON.
