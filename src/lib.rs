@@ -85,6 +85,7 @@
 /// Vectors and matrices, as this library's signatures have them.
 pub use glam;
 
+pub mod files;
 pub mod geometry;
 pub mod log;
 pub mod probe;

@@ -12,30 +12,40 @@ use support::source::{SourceFile, files_below, program};
 
 /// The top-level modules, lowest first: each may import those before it.
 const MODULES: &[&str] = &[
-    "threads", "log", "random", "probe", "geometry", "scene", "trace", "sampling", "record", "render", "report",
-    "study", "tui", "cli",
+    "threads", "files", "log", "random", "probe", "geometry", "scene", "trace", "sampling", "record", "render",
+    "report", "study", "tui", "cli",
 ];
 
 /// Modules that may import less than all that lies below them.
 const NARROW: &[(&str, &[&str])] = &[
-    // A log knows no geometry: it can be read by a program that has none.
-    ("log", &["log"]),
+    // Files are opened and recognised without knowing a format.
+    ("files", &["files"]),
+    // A log knows no geometry: it can be read by a program that has none. Only its files come from outside.
+    ("log", &["log", "files"]),
     // Random numbers are numbers: whoever draws them says what for.
     ("random", &["random"]),
     // A report is made of the log alone, and rounds as the probes do.
-    ("report", &["report", "log", "probe"]),
+    ("report", &["report", "log", "probe", "files/escape"]),
     // The viewer shows a log and an image that it is handed; it computes no geometry.
-    ("tui", &["tui", "log", "report"]),
+    ("tui", &["tui", "log", "report", "files/escape"]),
     // The scene file is the numbers and words as they are written, whatever becomes of them. Those of a mesh file are the mesh.
-    // What is shown of either is escaped as in logs.
-    ("scene/file", &["scene/file", "geometry/mesh", "geometry/shape/SphereMethod", "log/escape"]),
+    ("scene/file", &["scene/file", "geometry/mesh", "geometry/shape/SphereMethod", "files"]),
 ];
 
 /// Where files still import each other: each state of the viewer knows the model, which holds all of them.
 const KNOTS: &[&str] = &["log/file/", "log/", "report/close_up/", "report/d", "report/", "scene/file/", "tui/"];
 
 /// Where input and output happen.
-const DOORS: &[&str] = &["main.rs", "cli/", "scene/file/", "log/file/", "render/export/", "tui/terminal.rs"];
+const DOORS: &[&str] = &[
+    "main.rs",
+    "cli/",
+    "files/",
+    "scene/file/mesh",
+    "scene/file/raw/",
+    "log/file/",
+    "render/export/",
+    "tui/terminal.rs",
+];
 
 /// Files of the viewer with texts of their own: the comparison of two logs, which is in English throughout, pictures in SVG, and
 /// what `Debug` writes.

@@ -11,7 +11,8 @@ use raywalk::geometry::shape::SphereMethod;
 use raywalk::probe::{Probe, Silent};
 use raywalk::sampling;
 
-use raywalk::scene::file::{self, Source, mesh};
+use raywalk::files::Source;
+use raywalk::scene::file::{self, mesh};
 use raywalk::scene::{Sampling, Scene, build, builtin, generate};
 use std::hint::black_box;
 use support::{Extent, Pairs, Uncertified, instructions};

@@ -8,11 +8,10 @@ use super::inputs;
 use super::options::ColorChoice;
 use super::walk::has_terminal;
 use clap::{Args, ValueEnum};
-use raywalk::log::file::{is_log, is_utf16};
-use raywalk::render::export::{self, Beside, MAX_PICTURE_BYTES, PictureError, READABLE, is_picture};
-use raywalk::render::part::is_part;
+use raywalk::files::{KeyPath, Kind, Opened, Source, Wanted, escape_hidden};
+use raywalk::render::export::{self, Beside, MAX_PICTURE_BYTES, PictureError, READABLE};
 use raywalk::report::diff::Tolerance;
-use raywalk::scene::file::{self, KeyPath, Opened, Source, Wanted, escape_hidden};
+use raywalk::scene::file::{self};
 use raywalk_guard::Endings;
 use std::path::{Path, PathBuf};
 
@@ -145,17 +144,19 @@ fn open(path: &Path) -> Result<Compared, Failure> {
     let refused = |error| Failure::scene(&error);
     let wanted = Wanted { what: "a log or a picture", max_bytes: MAX_PICTURE_BYTES };
     let opened = wanted.open(path).map_err(refused)?;
-    if is_log(opened.beginning()) {
-        return Ok(Compared::Log(opened));
-    }
-    if is_utf16(opened.beginning())
-        && let Err(error) = file::check(opened.beginning(), opened.name())
-    {
-        return Err(refused(error));
-    }
     let name = escape_hidden(opened.name()).into_owned();
-    if !is_picture(opened.beginning()) {
-        return Err(Failure::caller(format!("{name}: expected a log or a picture, {}", found(opened.beginning()))));
+    match Kind::of(opened.beginning()) {
+        Kind::Log(_) => return Ok(Compared::Log(opened)),
+        Kind::Picture(_) => {}
+        kind => {
+            if kind == Kind::Utf16
+                && let Err(error) = file::check(opened.beginning(), opened.name())
+            {
+                return Err(refused(error));
+            }
+            let found = found(kind, opened.beginning());
+            return Err(Failure::caller(format!("{name}: expected a log or a picture, {found}")));
+        }
     }
     let bytes = opened.bytes().map_err(refused)?;
     let read = export::read(&bytes).and_then(|picture| Ok((picture, export::beside(&bytes)?)));
@@ -171,11 +172,11 @@ fn open(path: &Path) -> Result<Compared, Failure> {
 }
 
 /// What begins like this, and what would help.
-fn found(beginning: &[u8]) -> String {
+fn found(kind: Kind, beginning: &[u8]) -> String {
     let is_scene = String::from_utf8_lossy(beginning).contains("\"raywalk-scene/");
     match beginning.trim_ascii().is_empty() {
         true => "found an empty file".to_owned(),
-        false if is_part(beginning) => "found a part of a picture; `raywalk merge` joins parts".to_owned(),
+        false if kind == Kind::Part => "found a part of a picture; `raywalk merge` joins parts".to_owned(),
         false if is_scene => "found a scene; `raywalk trace` writes the log of one of its pixels".to_owned(),
         false => {
             let start: String =

@@ -1,6 +1,6 @@
 //! What goes wrong, as a message and an exit code.
 
-use raywalk::scene::file::{SceneError, escape_hidden, escape_hidden_lines};
+use raywalk::files::{FileError, escape_hidden, escape_hidden_lines};
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;

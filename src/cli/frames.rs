@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::scene_argument::Loaded;
-use raywalk::scene::file::escape_hidden;
+use raywalk::files::escape_hidden;
 use raywalk::scene::file::schema::SceneFile;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;

@@ -1,7 +1,7 @@
 //! The files that a run reads, and those that it writes: a result is never one of its inputs, and no two results are one file.
 
 use super::failure::{Failure, shown};
-use raywalk::scene::file::is_callers_fault;
+use raywalk::files::is_callers_fault;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, Metadata};
 use std::io;

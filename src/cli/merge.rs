@@ -48,13 +48,6 @@ pub struct Merge {
     quiet: bool,
 }
 
-/// What can be joined.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Part,
-    Log,
-}
-
 impl Merge {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
@@ -62,9 +55,8 @@ impl Merge {
         for path in &self.parts {
             kinds.push(kind(path, &open(path)?)?);
         }
-        let other = kinds.iter().position(|kind| *kind != kinds[0]);
-        match (kinds[0], other) {
-            (_, Some(other)) => {
+        match are_logs.iter().position(|is_log| *is_log != are_logs[0]) {
+            Some(other) => {
                 let [first, other] = [&self.parts[0], &self.parts[other]].map(|path| shown(path));
                 Err(Failure::caller(format!("{first} and {other}: a part of a picture and a log; expected one kind")))
             }
@@ -84,10 +76,11 @@ fn open(path: &Path) -> Result<Opened, Failure> {
     wanted.open(path).map_err(|error| Failure::scene(&error))
 }
 
-fn kind(path: &Path, opened: &Opened) -> Result<Kind, Failure> {
-    match opened.beginning() {
-        beginning if is_part(beginning) => Ok(Kind::Part),
-        beginning if is_log(beginning) => Ok(Kind::Log),
+/// Whether it is a log, and not a part.
+fn is_log(path: &Path, opened: &Opened) -> Result<bool, Failure> {
+    match Kind::of(opened.beginning()) {
+        Kind::Part => Ok(false),
+        Kind::Log(_) => Ok(true),
         _ => Err(Failure::caller(format!(
             "{}: expected a part that `render --shard` wrote, or the log of a shard",
             shown(path)

@@ -6,7 +6,7 @@ use super::unfinished::{self, Beside};
 use super::zstd;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use raywalk::scene::file::Packing;
+use raywalk::files::Packing;
 use raywalk_guard::{Patient, stdout_was_closed};
 use std::fs;
 use std::io::{self, BufWriter, StdoutLock, Write};
@@ -163,7 +163,7 @@ pub fn tell(message: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use raywalk::scene::file::{Opened, Wanted};
+    use raywalk::files::{Opened, Wanted};
     use std::sync::{Arc, Mutex};
 
     /// Is interrupted at every other call.

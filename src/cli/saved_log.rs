@@ -2,10 +2,10 @@
 
 use super::failure::Failure;
 use super::progress::ProgressOptions;
+use raywalk::files::{Opened, Wanted, escape_hidden};
 use raywalk::log::file::{self, Ending, LogError, PixelReader};
 use raywalk::log::{Header, Log};
 use raywalk::report::forms;
-use raywalk::scene::file::{Opened, Wanted, escape_hidden};
 use std::io::{self, ErrorKind};
 use std::path::Path;
 

@@ -3,14 +3,12 @@
 use super::failure::Failure;
 use super::inputs::Inputs;
 use super::output;
-use raywalk::log::file::is_log;
-use raywalk::render::export::is_picture;
-use raywalk::render::part::is_part;
+use raywalk::files::{FileError, Kind, Problem, Source, escape_hidden};
 use raywalk::scene::builtin;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self, Problem, SceneError, Source, escape_hidden};
+use raywalk::scene::file::{self};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -68,7 +66,7 @@ pub enum Named {
     /// A scene, or what was meant to be one.
     Scene(Input),
     /// A log, which is read by the way.
-    Log(file::Opened),
+    Log(raywalk::files::Opened),
 }
 
 /// Opens what the argument names: a scene or a log.
@@ -76,7 +74,7 @@ pub fn open(argument: &Path) -> Result<Named, Failure> {
     let Some(opened) = opened(argument)? else {
         return built_in(&argument.to_string_lossy()).map(Named::Scene);
     };
-    Ok(match is_log(opened.beginning()) {
+    Ok(match Kind::of(opened.beginning()).is_log() {
         true => Named::Log(opened),
         false => Named::Scene(whole(opened, argument)?),
     })
@@ -95,9 +93,9 @@ fn opened(argument: &Path) -> Result<Option<file::Opened>, Failure> {
     let refused = |error: SceneError| Failure::scene(&error);
     // What may be a file is no built-in scene.
     let is_path = argument == Path::new("-")
-        || file::is_there(argument).map_err(|source| {
+        || raywalk::files::is_there(argument).map_err(|source| {
             let file = argument.to_string_lossy().into_owned();
-            refused(SceneError::Unreadable { file, source })
+            refused(FileError::Unreadable { file, source })
         })?;
     is_path.then(|| file::open(argument)).transpose().map_err(refused)
 }
@@ -113,14 +111,11 @@ fn whole(opened: file::Opened, argument: &Path) -> Result<Input, Failure> {
 
 /// What else of ours begins like this, and what to do with it.
 fn no_scene(beginning: &[u8]) -> Option<&'static str> {
-    if is_part(beginning) {
-        Some("a part of a picture; `raywalk merge` joins parts")
-    } else if is_log(beginning) {
-        Some("a log; `raywalk walk` and `raywalk trace` show it")
-    } else if is_picture(beginning) {
-        Some("a picture; `raywalk diff` compares two")
-    } else {
-        None
+    match Kind::of(beginning) {
+        Kind::Part => Some("a part of a picture; `raywalk merge` joins parts"),
+        Kind::Log(_) => Some("a log; `raywalk walk` and `raywalk trace` show it"),
+        Kind::Picture(_) => Some("a picture; `raywalk diff` compares two"),
+        Kind::Utf16 | Kind::Other => None,
     }
 }
 
@@ -154,7 +149,7 @@ pub fn warn(warnings: &[Problem], more: usize) {
 }
 
 fn nothing_of(name: &str) -> Failure {
-    let hint = match file::suggest(name, builtin::names()) {
+    let hint = match raywalk::files::suggest(name, builtin::names()) {
         Some(near) => format!("; did you mean the built-in scene `{near}`?"),
         // The name of a file.
         None if name.contains(['.', '/', '\\']) => String::new(),

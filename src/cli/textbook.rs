@@ -5,10 +5,10 @@ use super::inputs;
 use super::options::TracingOptions;
 use super::{output, scene_argument};
 use clap::{Args, ValueEnum};
+use raywalk::files::{Wanted, escape_hidden, escape_hidden_json, escape_hidden_lines};
 use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
 use raywalk::scene::file::nff::Import;
-use raywalk::scene::file::{Wanted, escape_hidden, escape_hidden_json, escape_hidden_lines};
 use raywalk::study::textbook::{self, Checked, Example, MAX_TABLE_BYTES, TableError, Worked};
 use std::path::{Path, PathBuf};
 

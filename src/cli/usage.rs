@@ -5,7 +5,7 @@ use super::{Cli, output};
 use clap::builder::{StyledStr, Styles};
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Error, Parser};
-use raywalk::scene::file::{escape_hidden, escape_hidden_lines};
+use raywalk::files::{escape_hidden, escape_hidden_lines};
 use std::error::Error as _;
 use std::io::{self, Write};
 use std::process::ExitCode;

@@ -3,13 +3,11 @@
 //! This module knows no geometry: objects and lights are numbers that the header names, and what a quantity means is found
 //! in the table of [`Name`].
 
-pub mod escape;
 pub mod event;
 pub mod events;
 pub mod file;
 pub mod formula;
 pub mod header;
-mod hidden;
 pub mod name;
 pub mod rounding;
 pub mod schema;

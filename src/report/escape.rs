@@ -3,7 +3,7 @@
 //! Each function takes plain text and gives what represents it in one format. What can't be seen is escaped first (`\u{1b}`).
 
 use super::number::unraised;
-use crate::log::escape::escape_hidden;
+use crate::files::escape::escape_hidden;
 
 /// In running text of Markdown (CommonMark: a backslash before any punctuation stands for it alone).
 pub fn markdown(text: &str) -> String {
@@ -141,7 +141,7 @@ mod tests {
     fn what_cannot_be_seen_is_reported() {
         for escape in [markdown, dot, mermaid, xml, latex] {
             let escaped = escape(NASTY);
-            assert_eq!(crate::log::escape::hidden(&escaped).next(), None, "{escaped}");
+            assert_eq!(crate::files::escape::hidden(&escaped).next(), None, "{escaped}");
         }
         assert_eq!(latex("球 é"), "[U+7403] é");
         assert_eq!(xml("\u{ffff}"), "\u{fffd}");

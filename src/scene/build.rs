@@ -173,16 +173,16 @@ fn light(light: file::Light) -> Light {
 
 fn area(surface: LightSurface, light: &file::Light) -> LightKind {
     let profile = match light.profile {
-        file::Profile::CosinePower(power) if power > 0.0 => Some(CosineProfile::new(power)),
+        Some(file::Profile::CosinePower(power)) if power > 0.0 => Some(CosineProfile::new(power)),
         _ => None,
     };
+    let by = light.by.unwrap_or_default();
     let (samples, adaptive) = match light.samples {
-        file::LightSamples::Count(samples) => (samples, None),
-        file::LightSamples::Range(file::SampleRange { min, max }) => {
-            (max, Some(Adaptive::new(&surface, light.by, min)))
-        }
+        None => (1, None),
+        Some(file::LightSamples::Count(samples)) => (samples, None),
+        Some(file::LightSamples::Range { min, max }) => (max, Some(Adaptive::new(&surface, by, min))),
     };
-    LightKind::Area(Box::new(AreaLight { surface, profile, samples, by: light.by, adaptive }))
+    LightKind::Area(Box::new(AreaLight { surface, profile, samples, by, adaptive }))
 }
 
 pub(super) fn material(material: &file::Material) -> Material {

@@ -1,17 +1,18 @@
 //! From a file to a scene that can be traced, in one step.
 
 use super::file::mesh::{self, Folder};
-use super::file::{self, SceneError, SceneFile, Source};
+use super::file::{self, SceneFile};
 use super::{Scene, Unsupported, build, builtin};
+use crate::files::{FileError, Source};
 use std::path::Path;
 use std::str::FromStr;
 
 /// Why there is no scene.
 #[derive(Debug, thiserror::Error)]
 pub enum OpenError {
-    /// Its file, or that of a mesh, can't be read or isn't right. [`SceneError::report`] shows where.
+    /// Its file, or that of a mesh, can't be read or isn't right. [`FileError::report`] shows where.
     #[error(transparent)]
-    File(#[from] SceneError),
+    File(#[from] FileError),
     /// It asks for something that isn't there.
     #[error(transparent)]
     Unsupported(#[from] Unsupported),

@@ -1,6 +1,7 @@
 //! What scene files may ask for and can't be traced.
 
-use super::file::{Finding, KeyPath};
+use super::file::Finding;
+use crate::files::KeyPath;
 
 /// Something that a scene file asks for and that isn't there.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,6 +1,6 @@
 //! A frame as text, with its styles below: what snapshot tests keep, because the text alone has no colours.
 
-use crate::log::escape::width;
+use crate::files::escape::width;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::Style;
 use std::fmt::Write;

@@ -3,7 +3,7 @@
 use super::model::{Message, Model};
 use super::update::Effect;
 use super::{breakpoints, command, quiz, search};
-use crate::log::escape::escape_hidden;
+use crate::files::escape::escape_hidden;
 use crate::report::language::viewer::Status;
 use crate::report::words::plain;
 use crossterm::event::{Event, KeyCode, KeyEvent};

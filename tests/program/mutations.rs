@@ -3,17 +3,18 @@
 use crate::mutator::{changed, changes};
 use crate::support::scene;
 use proptest::prelude::*;
+use raywalk::files::FileError;
 use raywalk::log::file::{read, to_json, to_ndjson};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::file::mesh::{self, Meshes};
 use raywalk::scene::file::raw::{self, Primitives};
-use raywalk::scene::file::{self, SceneError};
+use raywalk::scene::file::{self};
 use raywalk::scene::{build, builtin};
 use raywalk::study::bench::throughput::{self, Hits, Mode, Passes};
 use std::sync::LazyLock;
 
 /// Every message is short, and holds nothing that would do something to a terminal.
-fn is_a_message(error: &SceneError) -> Result<(), TestCaseError> {
+fn is_a_message(error: &FileError) -> Result<(), TestCaseError> {
     prop_assert_eq!(error.exit_code(), 2);
     let report = error.report(false);
     let has_control = report.chars().any(|c| c.is_control() && c != '\n');

@@ -8,7 +8,7 @@ use raywalk::render::{Settings, render};
 use raywalk::scene::build;
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::{Sampling, SceneFile, Shape};
-use raywalk::scene::file::{self, Loaded, SceneError};
+use raywalk::scene::file::{self, Loaded};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -18,7 +18,7 @@ fn databases() -> Option<PathBuf> {
     shared("nff")
 }
 
-fn load(path: &Path) -> Result<Loaded, SceneError> {
+fn load(path: &Path) -> Result<Loaded, FileError> {
     file::read(path)
 }
 

@@ -4,6 +4,7 @@
 #![allow(dead_code)]
 
 use insta::Settings;
+use raywalk::files::Source;
 use raywalk::record::Arithmetic;
 use raywalk::scene::file::schema::SceneFile;
 use raywalk::scene::file::{self, Source, mesh};

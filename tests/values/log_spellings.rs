@@ -2,7 +2,8 @@
 
 use crate::random::Random;
 use crate::support::{middle, scene, scene_of};
-use raywalk::log::file::{Ending, PixelReader, is_log, read, to_json, to_ndjson};
+use raywalk::files::Kind;
+use raywalk::log::file::{Ending, PixelReader, read, to_json, to_ndjson};
 use raywalk::log::{self, Log};
 use raywalk::record::{self, Arithmetic};
 use raywalk::scene::builtin;
@@ -160,7 +161,7 @@ fn a_log_is_the_same_and_whole_in_every_spelling() {
         for seed in (0..6).map(|seed| 6 * number + seed) {
             for original in [&lines, &document] {
                 let text = respelt(&values(original), seed);
-                assert!(is_log(&text.as_bytes()[..text.len().min(512)]), "{seed}: {text:.600}");
+                assert!(Kind::of(&text.as_bytes()[..text.len().min(512)]).is_log(), "{seed}: {text:.600}");
                 let found = read(text.as_bytes()).unwrap_or_else(|error| panic!("{seed}: {error}: {text:.600}"));
                 assert_eq!(found.ending, Ending::Complete, "{seed}: {}", log.header.scene.name);
                 assert!(to_ndjson(&found.log).expect("memory") == lines, "{seed}: {}", log.header.scene.name);

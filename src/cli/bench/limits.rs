@@ -3,9 +3,9 @@
 use super::TableFormat;
 use super::table::{self, or_blank, print_measured};
 use crate::cli::failure::Failure;
+use raywalk::files::escape_hidden;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
-use raywalk::scene::file::escape_hidden;
 use raywalk::study::bench::limits::{Ladder, Limit, Limited};
 use raywalk::study::ladder::Deviation;
 use serde::Serialize;

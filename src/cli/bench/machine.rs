@@ -1,6 +1,6 @@
 //! The machine that was measured on, without which times mean nothing.
 
-use raywalk::scene::file::escape_hidden;
+use raywalk::files::escape_hidden;
 use serde::Serialize;
 use std::fmt;
 use std::fs;

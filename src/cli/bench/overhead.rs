@@ -6,7 +6,7 @@ use super::scenes::{self, SceneOptions};
 use super::table::{self, quartiles};
 use crate::cli::failure::Failure;
 use clap::Args;
-use raywalk::scene::file::escape_hidden;
+use raywalk::files::escape_hidden;
 use raywalk::study::bench::overhead::{Cost, Overhead, overhead};
 use serde::Serialize;
 use serde_json::json;

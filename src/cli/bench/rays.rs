@@ -8,9 +8,9 @@ use crate::cli::inputs::{Claim, Inputs, place_of};
 use crate::cli::options::MAX_THREADS;
 use crate::cli::output::{self, Output};
 use clap::Args;
+use raywalk::files::{FileError, escape_hidden, escape_hidden_json, is_callers_fault};
 use raywalk::scene::Scene;
 use raywalk::scene::file::raw::{self, Primitives, RayFile};
-use raywalk::scene::file::{SceneError, escape_hidden, escape_hidden_json, is_callers_fault};
 use raywalk::study::bench::throughput::{self, Hits, Mode, Passes, Throughput, measure};
 use serde::Serialize;
 use std::fs;
@@ -85,10 +85,10 @@ struct Files {
 
 impl Files {
     /// All of them, so that nothing is measured before all are known to be good.
-    fn read(stem: &Path) -> Result<Files, SceneError> {
+    fn read(stem: &Path) -> Result<Files, FileError> {
         let primitives = raw::read_primitives(stem)?;
         let read = |(kind, path): (String, PathBuf)| Ok((kind, raw::read_rays(&path)?));
-        let rays = raw::find_rays(stem)?.into_iter().map(read).collect::<Result<_, SceneError>>()?;
+        let rays = raw::find_rays(stem)?.into_iter().map(read).collect::<Result<_, FileError>>()?;
         Ok(Files { name: Files::name(stem), primitives, rays })
     }
 
@@ -148,7 +148,7 @@ impl RaysBench {
         })
     }
 
-    fn dumps(&self, refused: impl Fn(SceneError) -> Failure) -> Result<Dumps, Failure> {
+    fn dumps(&self, refused: impl Fn(FileError) -> Failure) -> Result<Dumps, Failure> {
         let Some(folder) = &self.dump else {
             return Ok(Dumps { paths: vec![Vec::new(); self.stems.len()], inputs: Inputs::none() });
         };

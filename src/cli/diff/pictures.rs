@@ -4,11 +4,11 @@ use super::{Diff, DiffFormat};
 use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::Inputs;
 use crate::cli::output::{self, Output};
+use raywalk::files::{escape_hidden, escape_hidden_json};
 use raywalk::log::Value;
 use raywalk::render::difference::{Difference, LargestOfLayer, LayerDifference, LayerDifferences, difference};
 use raywalk::render::export::{Beside, Format, Picture};
 use raywalk::report::number::size;
-use raywalk::scene::file::{escape_hidden, escape_hidden_json};
 use serde_json::json;
 
 impl Diff {

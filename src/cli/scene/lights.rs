@@ -2,9 +2,10 @@
 
 use crate::cli::output;
 use crate::cli::scene_argument::{self, Input};
+use raywalk::files::KeyPath;
 use raywalk::render::reach::{Reach, reach};
 use raywalk::scene::file::validate::limits::MAX_PROBLEMS;
-use raywalk::scene::file::{self, Finding, KeyPath};
+use raywalk::scene::file::{self, Finding};
 use raywalk::scene::{Color, Light, LightKind, Material, Scene};
 
 /// Warns of lights that light nothing in view, and of those that light it from outside the field of view.

@@ -6,8 +6,8 @@ use crate::cli::inputs::Inputs;
 use crate::cli::options::TracingOptions;
 use crate::cli::output::{self, Output};
 use crate::cli::saved_log;
+use raywalk::files::Opened;
 use raywalk::log;
-use raywalk::scene::file::Opened;
 
 impl Trace {
     /// Writes a saved log in another format, or as another file.

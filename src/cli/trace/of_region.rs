@@ -7,13 +7,13 @@ use crate::cli::options::{region_in, warning_of_sampling};
 use crate::cli::output::{self, Output};
 use crate::cli::region::Traced;
 use crate::cli::saved_log;
+use raywalk::files::escape_hidden;
 use raywalk::log::{Header, Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, MAX_EVENTS};
 use raywalk::report::lines;
 use raywalk::report::segments::Segment;
 use raywalk::scene::Scene;
-use raywalk::scene::file::escape_hidden;
 use raywalk::threads::Threads;
 use std::io;
 

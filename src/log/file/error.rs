@@ -1,7 +1,7 @@
 //! What can be wrong with a log.
 
 use super::reader::MAX_SAVED_EVENTS;
-use crate::log::escape::shortened;
+use crate::files::escape::shortened;
 use crate::log::header::FORMAT;
 
 /// Why a log can't be read.

@@ -1,14 +1,12 @@
 //! The lines of a log as they come: little more of its text is held than a block.
 
+use crate::files::without_mark;
 use memchr::memchr;
 use raywalk_guard::attempt;
 use std::io::{self, ErrorKind, Read};
 
 /// How much is read at a time: enough for a fast digest, and soon gone from the cache again.
 const BLOCK: usize = 256 << 10;
-
-/// What some programs begin a text in UTF-8 with.
-pub(super) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// The longest line of a log behind its header, also where it is broken into several: some thousand times as long as those of raywalk.
 pub const MAX_LOG_LINE: usize = 1 << 20;
@@ -70,8 +68,8 @@ impl<R: Read> Lines<R> {
         while !self.is_at_end && self.block.trim_ascii_start().len() < 512 {
             self.read_more()?;
         }
-        if self.number == 0 && self.block.starts_with(BYTE_ORDER_MARK) {
-            self.block.drain(..BYTE_ORDER_MARK.len());
+        if self.number == 0 {
+            self.block.drain(..self.block.len() - without_mark(&self.block).len());
         }
         Ok(self.block.trim_ascii_start())
     }

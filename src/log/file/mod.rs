@@ -10,11 +10,9 @@ mod numbers;
 mod pixels;
 mod read;
 mod reader;
-mod sniff;
 mod write;
 
 pub use error::LogError;
 pub use pixels::{PixelEvents, PixelReader};
 pub use read::{Ending, ReadLog, read, read_from};
-pub use sniff::{is_log, is_utf16};
 pub use write::{Lines, Writer, to_json, to_ndjson};

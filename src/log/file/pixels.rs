@@ -5,8 +5,8 @@ use super::line::{self, Line};
 use super::lines::Lines;
 use super::read::{self, Ending, ReadLog};
 use super::reader::Reader;
-use super::sniff::is_document;
 use super::{LogError, Writer};
+use crate::files::{Kind, LogForm};
 use crate::log::event::{Event, Step, What};
 use crate::log::events::Events;
 use crate::log::header::{Header, Subject};
@@ -57,7 +57,7 @@ impl<R: Read> PixelReader<R> {
     /// Those of [`super::read_from`].
     pub fn open(input: R) -> Result<PixelReader<R>, LogError> {
         let mut lines = Lines::of(input);
-        if is_document(lines.beginning()?) {
+        if Kind::of(lines.beginning()?) == Kind::Log(LogForm::Document) {
             let ReadLog { log, ending } = document::read(&lines.whole()?)?;
             let header = Box::new(log.header);
             return Ok(PixelReader::of(Source::Document { header, rest: log.events, taken: 0, ending }));

@@ -5,9 +5,9 @@ use super::document;
 use super::line::{Line, from_text};
 use super::lines::{Lines, TextLine};
 use super::reader::Reader;
-use super::sniff::{is_document, is_log};
+use crate::files::escape::{escape_hidden, hidden, shortened};
+use crate::files::{Kind, LogForm};
 use crate::log::Log;
-use crate::log::escape::{escape_hidden, hidden, shortened};
 use crate::log::header::{FORMAT, Header};
 use serde::Deserialize;
 use std::io::{ErrorKind, Read};
@@ -96,7 +96,7 @@ pub fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
 /// no memory for the log.
 pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
     let mut lines = Lines::of(input);
-    if is_document(lines.beginning()?) {
+    if Kind::of(lines.beginning()?) == Kind::Log(LogForm::Document) {
         return document::read(&lines.whole()?);
     }
     let mut reader = Reader::new(header(&mut lines)?);
@@ -169,7 +169,7 @@ fn header_in(&TextLine { text: line, number, is_terminated }: &TextLine) -> Resu
         log: String,
     }
     let Ok(version) = from_text::<Version>(line) else {
-        if !is_terminated && is_log(line) {
+        if !is_terminated && Kind::of(line).is_log() {
             return Err(LogError::NoWholeHeader);
         }
         let found: String = String::from_utf8_lossy(line).chars().take(40).flat_map(char::escape_default).collect();
@@ -229,7 +229,7 @@ mod tests {
     #[track_caller]
     fn reads(before: &[u8], bytes: &[u8]) {
         let bytes = [before, bytes].concat();
-        assert!(is_log(&bytes));
+        assert!(Kind::of(&bytes).is_log());
         let found = read(&bytes).unwrap();
         assert_eq!((found.ending, found.log), (Ending::Complete, textbook()));
     }

@@ -51,7 +51,7 @@ impl Numbers {
 pub fn beside(bytes: &[u8]) -> Result<Option<Vec<Beside>>, PictureError> {
     const BYTES_PER_NUMBER: usize = 4;
     const ALPHA: &str = "A";
-    if !bytes.starts_with(EXR) {
+    if PictureKind::of(bytes) != Some(PictureKind::Exr) {
         return Ok(None);
     }
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), false)?.headers;

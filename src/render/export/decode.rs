@@ -13,18 +13,6 @@ use image::{ImageDecoder, ImageError, Limits};
 use std::error::Error;
 use std::io::Cursor;
 
-/// The formats that are read here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Png,
-    Bmp,
-    Tga,
-    Qoi,
-    Tiff,
-    Jpeg,
-    Webp,
-}
-
 /// The most bytes that a picture may have unpacked: what one of the greatest size needs.
 const MOST: u64 = MAX_PICTURE_BYTES * 2;
 
@@ -42,65 +30,17 @@ const PIXELS_PER_BYTE: u64 = 1 << 12;
 /// What decoders take beside the pixels themselves, as a multiple of those: JPEG has coefficients of two bytes, twice.
 const BYTES_BESIDE: usize = 4;
 
-impl Kind {
-    /// The format of what begins like this.
-    pub fn of(beginning: &[u8]) -> Option<Kind> {
-        const MAGIC: [(&[u8], Kind); 5] = [
-            (b"\x89PNG", Kind::Png),
-            (b"\xff\xd8\xff", Kind::Jpeg),
-            (b"qoif", Kind::Qoi),
-            (b"II*\0", Kind::Tiff),
-            (b"MM\0*", Kind::Tiff),
-        ];
-        let of_magic = MAGIC.iter().find(|(magic, _)| beginning.starts_with(magic)).map(|(_, kind)| *kind);
-        of_magic
-            .or_else(|| (beginning.starts_with(b"RIFF") && at(beginning, 8) == Some(*b"WEBP")).then_some(Kind::Webp))
-            .or_else(|| is_bmp(beginning).then_some(Kind::Bmp))
-            .or_else(|| is_tga(beginning).then_some(Kind::Tga))
-    }
-}
-
 /// This many bytes from there on.
 fn at<const N: usize>(bytes: &[u8], place: usize) -> Option<[u8; N]> {
     bytes.get(place..).and_then(|rest| rest.first_chunk()).copied()
 }
 
-/// A text may begin with `BM`, too: behind it is the length of one of the headers that there are.
-fn is_bmp(beginning: &[u8]) -> bool {
-    const LENGTHS: [u32; 7] = [12, 40, 52, 56, 64, 108, 124];
-    beginning.starts_with(b"BM")
-        && at(beginning, 14).is_some_and(|length| LENGTHS.contains(&u32::from_le_bytes(length)))
-}
-
-/// TGA begins with no word of its own, but few files have a header that makes sense as one.
-fn is_tga(beginning: &[u8]) -> bool {
-    let Some([_, map, kind, map_rest @ .., width_low, width_high, height_low, height_high, depth, descriptor]) =
-        at::<18>(beginning, 0)
-    else {
-        return false;
-    };
-    let [_, _, _, _, map_depth, ..]: [u8; 9] = map_rest;
-    let is_map_right = match map {
-        0 => map_rest[..5] == [0; 5] && !matches!(kind, 1 | 9),
-        1 => matches!(map_depth, 15 | 16 | 24 | 32),
-        _ => false,
-    };
-    let is_depth_right = match kind {
-        1 | 9 => matches!(depth, 8 | 16),
-        2 | 10 => matches!(depth, 15 | 16 | 24 | 32),
-        3 | 11 => matches!(depth, 8 | 16),
-        _ => false,
-    };
-    let has_size = (width_low | width_high) != 0 && (height_low | height_high) != 0;
-    is_map_right && is_depth_right && has_size && descriptor & 0xc0 == 0
-}
-
 /// Reads a picture of this format: palettes and fewer than 8 bits are expanded, transparency is left out, and of an animation the picture
 /// is taken that readers without animations show.
-pub(super) fn read(bytes: &[u8], kind: Kind) -> Result<Picture, PictureError> {
+pub(super) fn read(bytes: &[u8], kind: ImageKind) -> Result<Picture, PictureError> {
     let file = Cursor::new(bytes);
     match kind {
-        Kind::Png => {
+        ImageKind::Png => {
             let bytes = &critical(bytes)?;
             let file = Cursor::new(&**bytes);
             // What is unpacked by the way is bounded by what the pixels need, which is checked as soon as the header itself is.
@@ -110,16 +50,16 @@ pub(super) fn read(bytes: &[u8], kind: Kind) -> Result<Picture, PictureError> {
             check_png(bytes)?;
             picture(Ok(decoder), bytes, kind)
         }
-        Kind::Bmp => picture(BmpDecoder::new(file), bytes, kind),
-        Kind::Tga => picture(TgaDecoder::new(file), bytes, kind),
-        Kind::Qoi => {
+        ImageKind::Bmp => picture(BmpDecoder::new(file), bytes, kind),
+        ImageKind::Tga => picture(TgaDecoder::new(file), bytes, kind),
+        ImageKind::Qoi => {
             // Its decoder knows a limit of its own, and says nothing of it.
             check_size([4, 8].map(|place| at(bytes, place).map_or(0, u32::from_be_bytes).into()))?;
             picture(QoiDecoder::new(file), bytes, kind)
         }
-        Kind::Tiff => picture(TiffDecoder::new(file), bytes, kind),
-        Kind::Jpeg => picture(JpegDecoder::new(file), bytes, kind),
-        Kind::Webp => picture(WebPDecoder::new(file), bytes, kind),
+        ImageKind::Tiff => picture(TiffDecoder::new(file), bytes, kind),
+        ImageKind::Jpeg => picture(JpegDecoder::new(file), bytes, kind),
+        ImageKind::Webp => picture(WebPDecoder::new(file), bytes, kind),
     }
 }
 
@@ -130,7 +70,11 @@ fn limits(bytes: u64) -> Limits {
 }
 
 /// Reads the picture of a decoder, if its file can hold it.
-fn picture<D: ImageDecoder>(decoder: Result<D, ImageError>, bytes: &[u8], kind: Kind) -> Result<Picture, PictureError> {
+fn picture<D: ImageDecoder>(
+    decoder: Result<D, ImageError>,
+    bytes: &[u8],
+    kind: ImageKind,
+) -> Result<Picture, PictureError> {
     let mut decoder = decoder.map_err(damaged)?;
     let ((width, height), color) = (decoder.dimensions(), decoder.color_type());
     let (pixels, needed) = (u64::from(width) * u64::from(height), decoder.total_bytes());
@@ -180,24 +124,24 @@ impl Count {
 }
 
 /// The most pixels that a file of this format and length can hold.
-fn most_pixels(bytes: &[u8], kind: Kind) -> u64 {
+fn most_pixels(bytes: &[u8], kind: ImageKind) -> u64 {
     let length = bytes.len() as u64;
     let of_any_file = PIXELS_OF_ANY_FILE.max(length.saturating_mul(PIXELS_PER_BYTE));
     length.saturating_mul(match kind {
         // With one bit a pixel; `check_png` knows how many there are.
-        Kind::Png => 8 * DEFLATE_RATIO,
+        ImageKind::Png => 8 * DEFLATE_RATIO,
         // A run of up to 62 pixels takes a byte.
-        Kind::Qoi => 62,
+        ImageKind::Qoi => 62,
         // A run of up to 128 pixels takes a byte and a level.
-        Kind::Tga => 64,
+        ImageKind::Tga => 64,
         // A block of 64 levels takes a bit or more, and the finest levels have one a pixel.
-        Kind::Jpeg => 8 * 64,
+        ImageKind::Jpeg => 8 * 64,
         // Packed, a row's end leaves the rest of it out; else a pixel takes a bit.
-        Kind::Bmp => match at(bytes, 30).map(u32::from_le_bytes) {
+        ImageKind::Bmp => match at(bytes, 30).map(u32::from_le_bytes) {
             Some(1 | 2) => return of_any_file,
             _ => 8,
         },
-        Kind::Tiff | Kind::Webp => return of_any_file,
+        ImageKind::Tiff | ImageKind::Webp => return of_any_file,
     })
 }
 

@@ -5,43 +5,10 @@ use crate::log::escape::shortened;
 use std::ops::Range;
 use std::str::FromStr;
 
-/// A format: how many channels it has, and how they are written.
-#[derive(Clone, Copy)]
-pub(super) struct Kind {
-    channels: Channels,
-    notation: Notation,
-}
-
-#[derive(Clone, Copy)]
-enum Notation {
-    Ascii,
-    Binary,
-    Float,
-}
-
-/// What editors on some systems begin a text with.
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
-
-/// The format of what begins like this.
-pub(super) fn kind(beginning: &[u8]) -> Option<Kind> {
-    let beginning = beginning.strip_prefix(BYTE_ORDER_MARK).unwrap_or(beginning);
-    let (magic, rest) = beginning.split_at_checked(2)?;
-    let (channels, notation) = match magic {
-        b"P2" => (Channels::Grey, Notation::Ascii),
-        b"P3" => (Channels::Rgb, Notation::Ascii),
-        b"P5" => (Channels::Grey, Notation::Binary),
-        b"P6" => (Channels::Rgb, Notation::Binary),
-        b"Pf" => (Channels::Grey, Notation::Float),
-        b"PF" => (Channels::Rgb, Notation::Float),
-        _ => return None,
-    };
-    let is_word = rest.first().is_none_or(|byte| is_space(*byte) || *byte == b'#');
-    is_word.then_some(Kind { channels, notation })
-}
-
 /// Reads a picture of this format.
-pub(super) fn read(bytes: &[u8], Kind { channels, notation }: Kind) -> Result<Picture, PictureError> {
-    let mut words = Words { bytes, at: bytes.strip_prefix(BYTE_ORDER_MARK).map_or(2, |_| 2 + BYTE_ORDER_MARK.len()) };
+pub(super) fn read(bytes: &[u8], Netpbm { is_colored, notation }: Netpbm) -> Result<Picture, PictureError> {
+    let channels = if is_colored { Channels::Rgb } else { Channels::Grey };
+    let mut words = Words { bytes, at: bytes.len() - without_mark(bytes).len() + 2 };
     let mut side =
         |what: &str| words.number(|side: &u32| *side > 0, || format!("the {what} of the picture, 1 or more"));
     let (width, height) = (side("width")?, side("height")?);
@@ -179,6 +146,7 @@ impl<'b> Words<'b> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
+    use crate::files::PictureKind;
     use crate::render::export;
     use proptest::prelude::*;
     use proptest::sample::select;
@@ -273,7 +241,7 @@ mod tests {
         #[test]
         fn a_picture_is_the_same_in_every_spelling(spelled in spelled()) {
             let bytes = spelled.bytes();
-            prop_assert!(export::is_picture(&bytes));
+            prop_assert!(PictureKind::of(&bytes).is_some());
             let picture = export::read(&bytes).unwrap();
             prop_assert_eq!((picture.size(), picture.is_float()), (spelled.size, spelled.is_float()));
             let [width, height] = spelled.size;
@@ -285,7 +253,7 @@ mod tests {
 
     #[track_caller]
     fn refuses(bytes: &[u8], message: &str) {
-        assert!(export::is_picture(bytes));
+        assert!(PictureKind::of(bytes).is_some());
         assert_eq!(export::read(bytes).unwrap_err().to_string(), message);
     }
 
@@ -315,7 +283,7 @@ mod tests {
     #[test]
     fn words_that_begin_like_a_picture_are_none() {
         for other in ["P", "P31 1", "P4 1 1\n", "PFM", "p3 1 1 1", "v 0 0 0"] {
-            assert!(!export::is_picture(other.as_bytes()), "{other}");
+            assert!(PictureKind::of(other.as_bytes()).is_none(), "{other}");
         }
     }
 }

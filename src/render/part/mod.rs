@@ -9,7 +9,7 @@ mod read;
 mod words;
 mod write;
 
-pub use read::{PartError, Reader, Record, is_part};
+pub use read::{PartError, Reader, Record};
 pub use write::Writer;
 
 use super::Job;

@@ -48,14 +48,6 @@ pub struct Reader<R> {
     pieces: u32,
 }
 
-/// What a part begins with.
-const BEGINNING: &[u8] = b"{\"part\":\"raywalk-part/";
-
-/// Whether what begins like this is a part.
-pub fn is_part(beginning: &[u8]) -> bool {
-    beginning.starts_with(BEGINNING)
-}
-
 impl<R: BufRead> Reader<R> {
     /// Reads the header.
     ///
@@ -64,11 +56,12 @@ impl<R: BufRead> Reader<R> {
     pub fn open(mut input: R) -> Result<Reader<R>, PartError> {
         let mut line = Vec::new();
         input.by_ref().take(MAX_PART_HEADER).read_until(b'\n', &mut line)?;
-        let is_beginning = !line.is_empty() && BEGINNING.starts_with(&line);
-        if is_beginning || (is_part(&line) && !line.ends_with(b"\n")) {
+        let is_part = line.starts_with(PART);
+        let is_beginning = !line.is_empty() && PART.starts_with(&line);
+        if is_beginning || (is_part && !line.ends_with(b"\n")) {
             return Err(PartError::CutOff);
         }
-        if !is_part(&line) {
+        if !is_part {
             return Err(PartError::NotAPart("it begins otherwise".to_owned()));
         }
         const LONGEST: usize = 200;

@@ -1,7 +1,7 @@
 //! The places of texts on a sheet: where two would cover each other, the later one moves.
 
 use super::{Piece, Place};
-use crate::log::escape::width;
+use crate::files::escape::width;
 
 /// Half of the room of a letter, and of a line of text.
 const HALF_LETTER: f64 = 3.6;

@@ -2,7 +2,6 @@
 
 use super::{far, grouped, name, number};
 use crate::log::Header;
-use crate::log::escape::escape_hidden;
 use crate::report::escape::line;
 use crate::report::ray_group::RayGroup;
 use crate::report::segments::Segment;

@@ -2,7 +2,7 @@
 //! Tilford, "Tidier drawings of trees", 1981).
 
 use super::{Branch, Figure};
-use crate::log::escape::width;
+use crate::files::escape::width;
 
 /// The place of a ray's end.
 pub(super) struct Spot<'f> {

@@ -20,7 +20,7 @@ use super::contributions;
 use super::language::Language;
 use super::ray_group::RayGroup;
 use super::{Style, words};
-use crate::log::escape::shortened;
+use crate::files::escape::shortened;
 use crate::log::{Decision, Log, RayKind, Term, Tree, Value};
 use std::collections::{BTreeMap, HashMap};
 

@@ -1,7 +1,7 @@
 //! The schematic as text: lines of braille dots, letters and names over them.
 
 use super::{Place, Plan};
-use crate::log::escape::{cells, escape_hidden};
+use crate::files::escape::{cells, escape_hidden};
 
 /// The size of a character, in units of the plan: labels that don't cover each other there don't here.
 const CELL: [f64; 2] = [7.4, 15.4];

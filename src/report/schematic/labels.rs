@@ -1,7 +1,7 @@
 //! Where the texts of the schematic are: each where it covers no other, the first of some places that is free.
 
 use super::{Label, Place, Ray, clip};
-use crate::log::escape::{shortened, width};
+use crate::files::escape::{shortened, width};
 use crate::report::ray_tree::short;
 use std::collections::HashSet;
 

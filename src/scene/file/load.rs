@@ -1,23 +1,19 @@
 //! From bytes to a checked scene: decode, read, fill in names, validate, and give every problem its place.
 
 use std::io::ErrorKind;
+use std::ops::Range;
 use std::path::Path;
 
 use serde::Deserialize;
-use serde_path_to_error::Track;
 
-use super::error::{Problem, SceneError};
-use super::explain::{NoScene, key_path};
-use super::input::{display_name, read_bytes};
-use super::key_path::KeyPath;
-use super::locate::locate_all;
-use super::mend::all_problems;
+use super::form::all_problems;
+use super::locate::{Place, locate_all};
 use super::names::fill_in_names;
 use super::nff::{self, Import};
 use super::schema::SceneFile;
-use super::source::Source;
 use super::strict::Strict;
 use super::validate::{Finding, Findings, validate};
+use crate::files::{FileError, KeyPath, Opened, Problem, Source, Wanted, display_name, without_mark};
 
 /// A scene that may be traced.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,19 +26,41 @@ pub struct Loaded {
     pub more_warnings: usize,
 }
 
+/// The largest scene file: 256 MiB.
+pub const MAX_BYTES: u64 = 256 << 20;
+
+/// What a scene is read from.
+const SCENE: Wanted = Wanted { what: "a scene file", max_bytes: MAX_BYTES };
+
+/// Opens a regular file, or standard input for `-`, which is a scene or a log.
+///
+/// # Errors
+/// Those of [`Wanted::open`].
+pub fn open(path: &Path) -> Result<Opened, FileError> {
+    SCENE.open(path)
+}
+
+/// Reads a scene file, or standard input for `-`, up to [`MAX_BYTES`].
+///
+/// # Errors
+/// Those of [`Wanted::read`].
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    SCENE.read(path)
+}
+
 /// Reads and checks a scene file, or standard input for `-`.
 ///
 /// # Errors
-/// [`SceneError`], with every problem; of a text that isn't JSON, with the first.
-pub fn read(path: &Path) -> Result<Loaded, SceneError> {
+/// [`FileError`], with every problem; of a text that isn't JSON, with the first.
+pub fn read(path: &Path) -> Result<Loaded, FileError> {
     check(&read_bytes(path)?, &display_name(path))
 }
 
 /// Parses and validates the text of a scene file, JSON or [`nff`].
 ///
 /// # Errors
-/// [`SceneError::Invalid`], with every problem; of a text that isn't JSON, with the first.
-pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, SceneError> {
+/// [`FileError::Invalid`], with every problem; of a text that isn't JSON, with the first.
+pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, FileError> {
     check_as(text, file_name, &Import::default())
 }
 
@@ -50,7 +68,7 @@ pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, SceneError> {
 ///
 /// # Errors
 /// Those of [`check`].
-pub fn check_as(text: &[u8], file_name: &str, import: &Import) -> Result<Loaded, SceneError> {
+pub fn check_as(text: &[u8], file_name: &str, import: &Import) -> Result<Loaded, FileError> {
     if nff::is_nff(text, file_name) {
         ask_for_memory(text, NFF_GROWTH, file_name)?;
         return nff::check(text, file_name, import);
@@ -68,19 +86,19 @@ const JSON_GROWTH: usize = 12;
 const NFF_GROWTH: usize = 25;
 
 /// Makes sure, as far as that goes, that there is memory for a scene: in the middle of the work it could only abort.
-fn ask_for_memory(text: &[u8], growth: usize, file_name: &str) -> Result<(), SceneError> {
+fn ask_for_memory(text: &[u8], growth: usize, file_name: &str) -> Result<(), FileError> {
     if raywalk_guard::has_room_for(text.len().saturating_mul(growth)) {
         return Ok(());
     }
-    Err(SceneError::Unreadable { file: file_name.to_owned(), source: ErrorKind::OutOfMemory.into() })
+    Err(FileError::Unreadable { file: file_name.to_owned(), source: ErrorKind::OutOfMemory.into() })
 }
 
 /// Validates a scene that did not come from JSON text as it is: from another format, or changed by options. Gives the
 /// warnings; its problems have paths but no lines.
 ///
 /// # Errors
-/// [`SceneError::Invalid`], with every problem.
-pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, SceneError> {
+/// [`FileError::Invalid`], with every problem.
+pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, FileError> {
     let unplaced = |findings: &[Finding]| findings.iter().map(|finding| unplaced(finding, file_name)).collect();
     judge(validate(scene), unplaced).map(|(warnings, _)| warnings)
 }
@@ -110,19 +128,19 @@ fn unplaced(finding: &Finding, file_name: &str) -> Problem {
 pub(super) fn judge(
     findings: Findings,
     place: impl Fn(&[Finding]) -> Vec<Problem>,
-) -> Result<(Vec<Problem>, usize), SceneError> {
+) -> Result<(Vec<Problem>, usize), FileError> {
     if findings.errors.is_empty() {
         return Ok((place(&findings.warnings), findings.omitted_warnings));
     }
-    Err(SceneError::Invalid { problems: place(&findings.errors), omitted: findings.omitted })
+    Err(FileError::Invalid { problems: place(&findings.errors), omitted: findings.omitted })
 }
 
 /// Parses the text of a scene file: syntax, keys and types, but not whether the numbers make sense. A byte-order mark is
 /// skipped and missing names are filled in.
 ///
 /// # Errors
-/// [`SceneError::Invalid`], with every problem; of a text that isn't JSON, with the first.
-pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, SceneError> {
+/// [`FileError::Invalid`], with every problem; of a text that isn't JSON, with the first.
+pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, FileError> {
     let (source, text) = decode(text, file_name)?;
     scene_in(&source, text)
 }
@@ -131,22 +149,18 @@ fn scene_in(source: &Source, text: &str) -> Result<SceneFile, SceneError> {
     read_scene(text, source.name).map_err(|refused| all_problems(source, text, source.name, &refused))
 }
 
-/// Reads a scene; the error is the first mistake in the text.
-pub(super) fn read_scene(text: &str, file_name: &str) -> Result<SceneFile, NoScene> {
+/// Reads a scene; of the error only the place and sentences of our own are of use.
+pub(super) fn read_scene(text: &str, file_name: &str) -> serde_json::Result<SceneFile> {
     let mut json = serde_json::Deserializer::from_str(text);
-    let mut track = Track::new();
-    let tracked = serde_path_to_error::Deserializer::new(Strict(&mut json), &mut track);
-    let mut scene = SceneFile::deserialize(tracked)
-        .and_then(|scene| json.end().map(|()| scene))
-        .map_err(|error| NoScene { error, path: key_path(&track.path()) })?;
+    let mut scene = SceneFile::deserialize(Strict(&mut json))?;
+    json.end()?;
     fill_in_names(&mut scene, file_name);
     Ok(scene)
 }
 
 /// The text without a byte-order mark.
-fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), SceneError> {
-    const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
-    let body = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), FileError> {
+    let body = without_mark(bytes);
     let skipped = bytes.len() - body.len();
     let source = Source { name, text: body };
     let problem =
@@ -164,15 +178,21 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), S
     }
 }
 
-pub(super) fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
+fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
+    let placed = findings.iter().zip(spans(findings, text));
+    placed.map(|(finding, span)| source.problem(span, finding.path.clone(), finding.message.clone())).collect()
+}
+
+/// Where in a text these findings are.
+pub(super) fn spans(findings: &[Finding], text: &str) -> Vec<Range<usize>> {
     if findings.is_empty() {
         return Vec::new();
     }
     let paths: Vec<KeyPath> = findings.iter().map(|finding| finding.path.clone()).collect();
-    let places = locate_all(text, &paths);
-    let problems = findings.iter().zip(places).map(|(finding, place)| {
-        let span = if finding.is_about_key { place.key.unwrap_or(place.value) } else { place.value };
-        source.problem(span, finding.path.clone(), finding.message.clone())
-    });
-    problems.collect()
+    let places = findings.iter().zip(locate_all(text, &paths));
+    let span = |(finding, Place { key, value, .. }): (&Finding, Place)| match key {
+        Some(key) if finding.is_about_key => key,
+        _ => value,
+    };
+    places.map(span).collect()
 }

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use super::key_path::{KeyPath, Step};
 use super::scan::Scanner;
+use crate::files::{KeyPath, Step};
 
 /// Where a path leads in a text, in bytes.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -18,23 +18,12 @@ pub struct Place {
 
 /// The place of one path, or of its longest beginning that the text holds.
 pub fn locate(text: &str, path: &KeyPath) -> Place {
-    locate_repeated(text, path, 0)
+    locate_all(text, std::slice::from_ref(path)).pop().unwrap_or_default()
 }
 
-/// The places of many paths, in one walk over the text.
+/// The places of many paths, in one walk over the text. Of a key that is there several times it is the first.
 pub fn locate_all(text: &str, paths: &[KeyPath]) -> Vec<Place> {
-    search(text, paths, vec![0; paths.len()])
-}
-
-/// The place of a path whose last key occurs several times: leaves out the first `earlier` of them.
-pub(super) fn locate_repeated(text: &str, path: &KeyPath, earlier: usize) -> Place {
-    let mut places = search(text, std::slice::from_ref(path), vec![earlier]);
-    places.pop().unwrap_or_default()
-}
-
-fn search(text: &str, paths: &[KeyPath], earlier: Vec<usize>) -> Vec<Place> {
-    let mut search =
-        Search { text, scanner: Scanner::new(text), places: vec![Place::default(); paths.len()], paths, earlier };
+    let mut search = Search { text, scanner: Scanner::new(text), places: vec![Place::default(); paths.len()], paths };
     let everything: Vec<usize> = (0..paths.len()).collect();
     search.value(0, None, &everything);
     search.places
@@ -45,7 +34,6 @@ struct Search<'s> {
     scanner: Scanner<'s>,
     paths: &'s [KeyPath],
     places: Vec<Place>,
-    earlier: Vec<usize>,
 }
 
 impl Search<'_> {
@@ -113,22 +101,9 @@ impl Search<'_> {
         }
     }
 
-    fn matching(&mut self, depth: usize, wanted: &[usize], leads_here: impl Fn(&Step) -> bool) -> Vec<usize> {
-        let mut found = Vec::new();
-        for &path in wanted {
-            let steps = self.paths[path].steps();
-            let is_taken = self.places[path].depth > depth;
-            if is_taken || !leads_here(&steps[depth]) {
-                continue;
-            }
-            let is_last = depth + 1 == steps.len();
-            if is_last && self.earlier[path] > 0 {
-                self.earlier[path] -= 1;
-            } else {
-                found.push(path);
-            }
-        }
-        found
+    fn matching(&self, depth: usize, wanted: &[usize], leads_here: impl Fn(&Step) -> bool) -> Vec<usize> {
+        let is_new = |path: &usize| self.places[*path].depth <= depth;
+        wanted.iter().copied().filter(|path| is_new(path) && leads_here(&self.paths[*path].steps()[depth])).collect()
     }
 }
 
@@ -166,12 +141,6 @@ mod tests {
     #[test]
     fn the_first_of_repeated_keys() {
         finds(&["c".into(), "d".into()], "2");
-    }
-
-    #[test]
-    fn the_second_of_repeated_keys() {
-        let place = locate_repeated(TEXT, &path(&["c".into(), "d".into()]), 1);
-        assert_eq!(&TEXT[place.value], "3");
     }
 
     #[test]

@@ -4,9 +4,8 @@ use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
-use super::escape::escape_hidden;
-use super::input::irregular;
-use super::there::is_callers_fault;
+use crate::files::escape::escape_hidden;
+use crate::files::{irregular, is_callers_fault};
 
 /// Why the path of a mesh is not followed.
 #[derive(Debug, thiserror::Error)]

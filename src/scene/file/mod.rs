@@ -1,7 +1,7 @@
 //! The scene file `raywalk-scene/1`: reading it, checking it and printing it; and scenes of another format, [`nff`].
 //!
 //! This module owns the JSON form of a scene ([`schema`]), the way from bytes to a checked [`SceneFile`] ([`read`]), and
-//! every sentence that says what is wrong with a file and where ([`SceneError`]). It must not know how a scene
+//! every sentence that says what is wrong with a scene and where. It must not know how a scene
 //! is traced: no geometry, no cameras, only the numbers as they are written.
 //!
 //! ```
@@ -17,40 +17,22 @@ pub mod schema;
 pub mod validate;
 
 pub mod converted;
-mod error;
-mod escape;
-mod explain;
 mod foreign;
-mod gzip;
-mod input;
-mod key_path;
+mod form;
 mod load;
 mod locate;
-mod mend;
 mod mesh_path;
 mod names;
-mod packed;
+mod part;
 mod print;
 mod scan;
-mod source;
 mod strict;
-mod suggest;
 mod syntax;
 #[cfg(test)]
 mod tests;
-mod there;
-mod zstd;
 
-pub use error::{Problem, SceneError, Severity, more_warnings};
-pub use escape::{escape_hidden, escape_hidden_json, escape_hidden_lines};
-pub use input::{MAX_BYTES, Opened, Wanted, open, read_bytes};
-pub use key_path::{KeyPath, Step};
-pub use load::{Loaded, check, check_as, check_scene, parse, placed, read};
+pub use load::{Loaded, MAX_BYTES, check, check_as, check_scene, open, parse, placed, read, read_bytes};
 pub use locate::{Place, locate, locate_all};
 pub use mesh_path::{MeshPathError, resolve_mesh_path};
-pub use packed::{Packing, unpacked_name};
 pub use schema::SceneFile;
-pub use source::{Excerpt, Source};
-pub use suggest::suggest;
-pub use there::{is_callers_fault, is_there};
 pub use validate::{Finding, Findings, validate};

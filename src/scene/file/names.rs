@@ -3,9 +3,9 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use super::escape::escape_hidden;
-use super::packed::unpacked_name;
 use super::schema::SceneFile;
+use crate::files::escape::escape_hidden;
+use crate::files::unpacked_name;
 use compact_str::{CompactString, format_compact};
 
 /// Fills in the scene's name (the file's stem, without `.gz` or `.zst`) and the names of objects and lights (`object-3`, `light-1`).

@@ -1,8 +1,8 @@
 //! Prints a scene as people write it: what fits on a line is on one line, and 1 is `1`, not `1.0`.
 
-use super::escape::escape_hidden_json;
 use super::scan::Scanner;
 use super::schema::{Materials, SceneFile};
+use crate::files::escape::escape_hidden_json;
 use serde::Serialize;
 use std::io::{self, Write};
 

@@ -1,54 +1,234 @@
-//! Why a text is not JSON, in words that help: the parser's message, improved by a look at the text in that place.
+//! JSON text read strictly, piece by piece: where it stops being JSON, and why, in words that help.
 
 use std::ops::Range;
 
-use super::escape::{is_hidden, shortened};
+use crate::files::escape::{is_hidden, shortened};
 
-/// The place and the message for a syntax error that the parser noticed at a byte.
-pub fn explain(text: &str, offset: usize, said: &str) -> (Range<usize>, String) {
-    let offset = floor_to_character(text, offset);
-    if text.trim().is_empty() {
-        return (0..0, "the file is empty, expected a scene, `{…}`".to_string());
-    }
-    if said.starts_with("EOF") {
-        let end = text.trim_end().len();
-        return (end..end, format!("the file ends too early, {}", wanted_at_end(said)));
-    }
-    if said == "trailing comma" {
-        let comma = text[..offset].rfind(',').unwrap_or(offset);
-        let message = "a comma before the closing bracket, expected none (JSON has no trailing commas)";
-        return (comma..comma + 1, message.to_string());
-    }
-    let start = start_of_word(text, offset);
-    let word = word_at(text, start);
-    match hint(&text[start..], word) {
-        Some(message) => (start..start + word.len().max(1), message),
-        None => {
-            let end = offset + text[offset..].chars().next().map_or(0, char::len_utf8);
-            (offset..end, reworded(said, &text[offset..]))
-        }
-    }
+/// How deeply values may be nested, as in the reader of scenes.
+const DEEPEST: usize = 127;
+
+/// Why a text isn't JSON, and where.
+pub struct Broken {
+    /// The place, in bytes.
+    pub span: Range<usize>,
+    /// What is wrong, what was expected.
+    pub message: String,
 }
 
-fn wanted_at_end(said: &str) -> &'static str {
-    match said {
-        "EOF while parsing a list" => "expected `]`",
-        "EOF while parsing an object" => "expected `}`",
-        "EOF while parsing a string" => "expected the end of a string, `\"`",
-        _ => "expected a value",
+/// A position in a text that is to be JSON.
+pub struct Reader<'t> {
+    text: &'t str,
+    /// Byte offset of the next byte.
+    pub at: usize,
+    depth: usize,
+}
+
+impl<'t> Reader<'t> {
+    /// Starts at the first byte.
+    pub fn new(text: &'t str) -> Self {
+        Self { text, at: 0, depth: 0 }
+    }
+
+    /// The next byte that is no white space, not taken.
+    pub fn peek(&mut self) -> Option<u8> {
+        let rest = &self.text.as_bytes()[self.at..];
+        let blank = rest.iter().take_while(|byte| b" \t\n\r".contains(byte)).count();
+        self.at += blank;
+        rest.get(blank).copied()
+    }
+
+    /// Takes the bracket that is next.
+    pub fn open(&mut self) -> Result<(), Broken> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(self.broken_here("nested too deeply, expected at most 128 levels".to_owned()));
+        }
+        self.at += 1;
+        Ok(())
+    }
+
+    /// Whether another item follows, or the bracket that closes the list, which is taken.
+    pub fn next(&mut self, close: u8, is_first: bool) -> Result<bool, Broken> {
+        let close_alone = format!("`{}`", char::from(close));
+        let found = self.peek();
+        if found == Some(close) {
+            self.at += 1;
+            self.depth -= 1;
+            return Ok(false);
+        }
+        if is_first {
+            return if found.is_none() { Err(self.broken(&close_alone)) } else { Ok(true) };
+        }
+        if found != Some(b',') {
+            return Err(self.broken(&if found.is_none() { close_alone } else { format!("`,` or {close_alone}") }));
+        }
+        let comma = self.at;
+        self.at += 1;
+        if self.peek() == Some(close) {
+            let message = "a comma before the closing bracket, expected none (JSON has no trailing commas)";
+            return Err(Broken { span: comma..comma + 1, message: message.to_owned() });
+        }
+        Ok(true)
+    }
+
+    /// A key with its colon; gives the place of the key, with its quotes.
+    pub fn key(&mut self) -> Result<Range<usize>, Broken> {
+        if self.peek() != Some(b'"') {
+            return Err(self.broken("a key in double quotes"));
+        }
+        let key = self.string()?;
+        if self.peek() != Some(b':') {
+            return Err(self.broken("`:`"));
+        }
+        self.at += 1;
+        Ok(key)
+    }
+
+    /// Any value, however deep; gives its place.
+    pub fn value(&mut self) -> Result<Range<usize>, Broken> {
+        let first = self.peek();
+        let start = self.at;
+        match first {
+            Some(open @ (b'{' | b'[')) => {
+                self.open()?;
+                let mut is_first = true;
+                // `{` and `[` are two before what closes them.
+                while self.next(open + 2, is_first)? {
+                    is_first = false;
+                    if open == b'{' {
+                        self.key()?;
+                    }
+                    self.value()?;
+                }
+            }
+            Some(b'"') => drop(self.string()?),
+            _ => self.word()?,
+        }
+        Ok(start..self.at)
+    }
+
+    /// The end of the text.
+    pub fn end(&mut self) -> Result<(), Broken> {
+        match self.peek() {
+            None => Ok(()),
+            Some(_) => Err(self.broken("the end of the file after the scene")),
+        }
+    }
+
+    /// A number, `true`, `false` or `null`.
+    fn word(&mut self) -> Result<(), Broken> {
+        let word = word_at(&self.text[self.at..]);
+        if matches!(word, "true" | "false" | "null") || serde_json::from_str::<f64>(word).is_ok() {
+            self.at += word.len();
+            return Ok(());
+        }
+        let is_number = word.starts_with(['-', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9']);
+        if is_number && word.parse::<f64>().is_ok_and(f64::is_infinite) {
+            let message = "the number is too large, expected at most 1.797e308 in size";
+            return Err(Broken { span: self.at..self.at + word.len(), message: message.to_owned() });
+        }
+        Err(self.broken("a value"))
+    }
+
+    /// A string that starts here; gives its place, with its quotes.
+    fn string(&mut self) -> Result<Range<usize>, Broken> {
+        let start = self.at;
+        let bytes = self.text.as_bytes();
+        self.at += 1;
+        loop {
+            match bytes.get(self.at) {
+                None => return Err(self.broken("the end of a string, `\"`")),
+                Some(b'"') => break,
+                Some(b'\\') => self.escape()?,
+                Some(0..0x20) => {
+                    let message = "in a string, expected it as an escape (\\n, \\t, \\u001b)";
+                    return Err(self.broken_here(format!("found {} {message}", self.found())));
+                }
+                Some(_) => self.at += 1,
+            }
+        }
+        self.at += 1;
+        Ok(start..self.at)
+    }
+
+    /// An escape, or the two of a surrogate pair.
+    fn escape(&mut self) -> Result<(), Broken> {
+        match self.text.as_bytes().get(self.at + 1) {
+            None => {
+                self.at += 1;
+                return Err(self.broken("the end of a string, `\"`"));
+            }
+            Some(b'"' | b'\\' | b'/' | b'b' | b'f' | b'n' | b'r' | b't') => {
+                self.at += 2;
+                return Ok(());
+            }
+            _ => {}
+        }
+        let message = match self.surrogate(self.at) {
+            None => "unknown escape in a string, expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u",
+            Some(0xd800..0xdc00) if matches!(self.surrogate(self.at + 6), Some(0xdc00..0xe000)) => {
+                self.at += 12;
+                return Ok(());
+            }
+            Some(0xd800..0xe000) => "half a surrogate pair (\\ud800 to \\udfff) in a string, expected both halves",
+            Some(_) => {
+                self.at += 6;
+                return Ok(());
+            }
+        };
+        Err(self.broken_here(message.to_owned()))
+    }
+
+    /// The number of an escape `\u0000`.
+    fn surrogate(&self, at: usize) -> Option<u32> {
+        let digits = self.text.get(at..at + 6)?.strip_prefix("\\u")?;
+        let are_digits = digits.bytes().all(|byte| byte.is_ascii_hexdigit());
+        are_digits.then(|| u32::from_str_radix(digits, 16).ok()).flatten()
+    }
+
+    /// What is wrong here, where something else was expected.
+    fn broken(&self, expected: &str) -> Broken {
+        let rest = &self.text[self.at..];
+        if self.text.trim().is_empty() {
+            return Broken { span: 0..0, message: "the file is empty, expected a scene, `{…}`".to_owned() };
+        }
+        if rest.trim().is_empty() {
+            let end = self.text.trim_end().len();
+            return Broken { span: end..end, message: format!("the file ends too early, expected {expected}") };
+        }
+        let word = word_at(rest);
+        match hint(rest, word) {
+            Some(message) => Broken { span: self.at..self.at + word.len().max(1), message },
+            None => self.broken_here(format!("expected {expected}, found {}", self.found())),
+        }
+    }
+
+    /// A mistake about the next character.
+    fn broken_here(&self, message: String) -> Broken {
+        let length = self.text[self.at..].chars().next().map_or(0, char::len_utf8);
+        Broken { span: self.at..self.at + length, message }
+    }
+
+    /// The next character, as messages show it.
+    fn found(&self) -> String {
+        match self.text[self.at..].chars().next() {
+            None => "the end of the file".to_owned(),
+            Some(character) if is_hidden(character) => character.escape_unicode().to_string(),
+            Some(character) => format!("`{character}`"),
+        }
     }
 }
 
 /// What is commonly written in the belief that it is JSON.
 fn hint(rest: &str, word: &str) -> Option<String> {
     if rest.starts_with("//") || rest.starts_with("/*") || rest.starts_with('#') {
-        return Some("comments are not part of JSON, expected none".to_string());
+        return Some("comments are not part of JSON, expected none".to_owned());
     }
     if rest.starts_with('\'') {
-        return Some("strings and keys need double quotes in JSON, found a single quote".to_string());
+        return Some("strings and keys need double quotes in JSON, found a single quote".to_owned());
     }
     if rest.starts_with('\0') {
-        return Some("found a NUL byte, expected JSON text".to_string());
+        return Some("found a NUL byte, expected JSON text".to_owned());
     }
     match word.trim_start_matches(['-', '+']).to_ascii_lowercase().as_str() {
         "nan" | "inf" | "infinity" => Some(format!("`{word}` is no number in JSON, expected a finite number")),
@@ -56,61 +236,17 @@ fn hint(rest: &str, word: &str) -> Option<String> {
         "true" | "false" if !matches!(word, "true" | "false") => {
             Some(format!("`{word}` is no value in JSON, expected `true` or `false`"))
         }
-        lower => is_odd_number(word, lower)
-            .then(|| format!("`{}` is no number in JSON, expected one like 12, -0.5 or 1e3", shortened(word, 40))),
+        // A number of another language: `.5`, `5.`, `+1`, `01`, `0x10`, `1_000`, `2f`.
+        lower => {
+            let is_like_number = lower.trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit());
+            let is_odd = is_like_number && serde_json::from_str::<f64>(word).is_err();
+            is_odd.then(|| format!("`{}` is no number in JSON, expected one like 12, -0.5 or 1e3", shortened(word, 40)))
+        }
     }
 }
 
-/// Whether a word looks like a number of another language: `.5`, `5.`, `+1`, `01`, `0x10`, `1_000`, `2f`.
-fn is_odd_number(word: &str, unsigned: &str) -> bool {
-    let begins_like_number = unsigned.trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit());
-    begins_like_number && serde_json::from_str::<serde::de::IgnoredAny>(word).is_err()
-}
-
-fn reworded(said: &str, rest: &str) -> String {
-    let found = match rest.chars().next() {
-        None => "the end of the file".to_string(),
-        Some(character) if is_hidden(character) => character.escape_unicode().to_string(),
-        Some(character) => format!("`{character}`"),
-    };
-    match said {
-        "trailing characters" => {
-            format!("expected the end of the file after the scene, found {found}")
-        }
-        "number out of range" => "the number is too large, expected at most 1.797e308 in size".to_string(),
-        "recursion limit exceeded" => "nested too deeply, expected at most 128 levels".to_string(),
-        "key must be a string" => format!("expected a key in double quotes, found {found}"),
-        "expected value" | "expected ident" => format!("expected a value, found {found}"),
-        "invalid number" => format!("expected a digit, found {found}"),
-        "lone leading surrogate in hex escape" | "unexpected end of hex escape" => {
-            "half a surrogate pair (\\ud800 to \\udfff) in a string, expected both halves".to_string()
-        }
-        "invalid escape" => {
-            "unknown escape in a string, expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u".to_string()
-        }
-        _ if said.starts_with("control character") => {
-            format!("found {found} in a string, expected it as an escape (\\n, \\t, \\u001b)")
-        }
-        _ if said.starts_with("expected ") => format!("{said}, found {found}"),
-        _ => said.to_string(),
-    }
-}
-
-/// The parser may notice a bad word only at its second or a later letter.
-fn start_of_word(text: &str, offset: usize) -> usize {
-    let before = &text[..offset];
-    before.trim_end_matches(is_in_word).len()
-}
-
-fn word_at(text: &str, start: usize) -> &str {
-    let rest = &text[start..];
-    &rest[..rest.len() - rest.trim_start_matches(is_in_word).len()]
-}
-
-fn is_in_word(character: char) -> bool {
-    character.is_alphanumeric() || matches!(character, '-' | '+' | '.' | '_')
-}
-
-fn floor_to_character(text: &str, offset: usize) -> usize {
-    (0..=offset.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
+/// The letters and digits at the beginning, with what numbers have.
+fn word_at(text: &str) -> &str {
+    let is_in_word = |character: char| character.is_alphanumeric() || matches!(character, '-' | '+' | '.' | '_');
+    &text[..text.len() - text.trim_start_matches(is_in_word).len()]
 }

@@ -3,11 +3,11 @@
 
 use super::follow::{Listed, Place, Values};
 use super::{DIGITS, Verdict, agreement, exact, middle, place_of};
+use crate::files::suggest;
 use crate::log::{Name, Value};
 use crate::probe::Printed;
 use crate::record::{self, Arithmetic};
 use crate::scene::Scene;
-use crate::scene::file::suggest;
 use std::borrow::Cow;
 
 /// The largest table that is read.

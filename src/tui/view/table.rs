@@ -1,7 +1,7 @@
 //! A list as lines: its cells in columns under their titles, and lines that are longer than their place.
 
 use super::text::{shown, width_of};
-use crate::log::escape::cells;
+use crate::files::escape::cells;
 use crate::tui::list::{CELL_END, Listing};
 use crate::tui::theme::Theme;
 

@@ -1,8 +1,8 @@
 //! Text that fits: lines broken with a hanging indent, and text in ASCII for terminals that have no more.
 
-pub(super) use crate::log::escape::width as width_of;
+pub(super) use crate::files::escape::width as width_of;
 
-use crate::log::escape::cells;
+use crate::files::escape::cells;
 use crate::report::number::unraised;
 use crate::tui::theme::Theme;
 use ratatui::style::Style;

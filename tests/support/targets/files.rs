@@ -1,10 +1,10 @@
 //! What a file may be besides: packed, or a picture.
 
 use super::{is_a_message, is_short};
-use raywalk::log::file::{is_log, read, read_from};
+use raywalk::files::{Kind, Wanted};
+use raywalk::log::file::{read, read_from};
 use raywalk::render::difference::difference;
 use raywalk::render::export;
-use raywalk::scene::file::Wanted;
 use std::io::{Cursor, Read};
 
 /// The largest file that is unpacked here: that a bomb ends at the limit needs no large one.
@@ -27,7 +27,7 @@ pub fn packed(bytes: &[u8]) {
         Ok(whole) => {
             assert_eq!(ending.ok(), Some(whole.len()));
             assert_eq!(whole, streamed);
-            if is_log(&whole) {
+            if Kind::of(&whole).is_log() {
                 let same =
                     [read(&whole), read_from(stream())].map(|found| found.map(|found| (found.log, found.ending)));
                 let [a, b] = same.map(|found| found.map_err(|error| error.to_string()));

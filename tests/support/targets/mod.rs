@@ -18,7 +18,7 @@ pub use logs::log;
 pub use meshes::{obj, ply};
 pub use scenes::{nff, scene};
 
-use raywalk::scene::file::SceneError;
+use raywalk::files::FileError;
 
 /// A target: its name, which is that of its folder in the corpus, and what it does.
 pub type Target = (&'static str, fn(&[u8]));
@@ -35,7 +35,7 @@ pub const TARGETS: [Target; 7] = [
 ];
 
 /// The message is about the input, short, and holds nothing that would do something to a terminal.
-fn is_a_message(error: &SceneError) {
+fn is_a_message(error: &FileError) {
     assert_eq!(error.exit_code(), 2, "{error}");
     is_short(&error.report(false), 20_000);
 }

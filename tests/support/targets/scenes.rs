@@ -1,13 +1,14 @@
 //! Scenes: read, printed, read again, and a pixel of them traced.
 
 use super::is_a_message;
+use raywalk::files::Source;
 use raywalk::log::file::{Ending, read, to_ndjson};
 use raywalk::log::{Event, Input, Log, Subject, Value, What};
 use raywalk::record::{self, Arithmetic, region};
 use raywalk::scene::file::mesh::{self, Folder};
 use raywalk::scene::file::nff::Import;
-use raywalk::scene::file::schema::{LightSamples, SampleRange, Sampling, SceneFile};
-use raywalk::scene::file::{self, Loaded, Source};
+use raywalk::scene::file::schema::{LightSamples, Sampling, SceneFile};
+use raywalk::scene::file::{self, Loaded};
 use raywalk::scene::{Scene, build};
 
 /// A scene in JSON.
@@ -49,12 +50,10 @@ fn traced(mut file: SceneFile) {
     }
     file.tracing.max_depth = file.tracing.max_depth.min(4);
     file.sampling = Sampling::Center {};
-    for light in &mut file.lights {
-        light.samples = match light.samples {
+    for samples in file.lights.iter_mut().filter_map(|light| light.samples.as_mut()) {
+        *samples = match *samples {
             LightSamples::Count(count) => LightSamples::Count(count.min(4)),
-            LightSamples::Range(SampleRange { min, max }) => {
-                LightSamples::Range(SampleRange { min: min.min(4), max: max.min(4) })
-            }
+            LightSamples::Range { min, max } => LightSamples::Range { min: min.min(4), max: max.min(4) },
         };
     }
     let text = file.to_json();

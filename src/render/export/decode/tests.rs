@@ -1,5 +1,6 @@
 use super::*;
-use crate::render::export::{Format, MAX_WEBP_SIDE, encode, is_picture, png_of_levels, read};
+use crate::files::PictureKind;
+use crate::render::export::{Format, MAX_WEBP_SIDE, encode, png_of_levels, read};
 use flate2::write::ZlibEncoder;
 use flate2::{Compression, Crc};
 use image::codecs::tiff::TiffEncoder;
@@ -107,18 +108,20 @@ fn a_profile_of_colours_may_be_long_but_not_unpack_to_all_memory() {
 }
 
 /// The header of each format, whose bytes say that it has this many pixels along a side.
-fn claim(kind: Kind, side: u16) -> Vec<u8> {
+fn claim(kind: ImageKind, side: u16) -> Vec<u8> {
     let ([low, high], long) = (side.to_le_bytes(), u32::from(side));
     let (le, be) = (long.to_le_bytes(), long.to_be_bytes());
     match kind {
-        Kind::Png => png_of(&[(b"IHDR", &header([long; 2], 8, RGB)), (b"IDAT", &[])]),
-        Kind::Bmp => {
+        ImageKind::Png => png_of(&[(b"IHDR", &header([long; 2], 8, RGB)), (b"IDAT", &[])]),
+        ImageKind::Bmp => {
             let dib = [&40_u32.to_le_bytes()[..], &le, &le, &[1, 0, 24, 0], &[0; 24]].concat();
             [&b"BM"[..], &[0; 8], &54_u32.to_le_bytes(), &dib, &[0; 30]].concat()
         }
-        Kind::Tga => [&[0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, low, high, low, high, 24, 0x20][..], &[0x80; 40]].concat(),
-        Kind::Qoi => [&b"qoif"[..], &be, &be, &[3, 0], &[0xfd; 40], &[0, 0, 0, 0, 0, 0, 0, 1]].concat(),
-        Kind::Tiff => {
+        ImageKind::Tga => {
+            [&[0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, low, high, low, high, 24, 0x20][..], &[0x80; 40]].concat()
+        }
+        ImageKind::Qoi => [&b"qoif"[..], &be, &be, &[3, 0], &[0xfd; 40], &[0, 0, 0, 0, 0, 0, 0, 1]].concat(),
+        ImageKind::Tiff => {
             let entry = |tag: u16, value: u32| {
                 [&tag.to_le_bytes()[..], &4_u16.to_le_bytes(), &1_u32.to_le_bytes(), &value.to_le_bytes()].concat()
             };
@@ -127,14 +130,14 @@ fn claim(kind: Kind, side: u16) -> Vec<u8> {
             let directory = tags.map(|(tag, value)| entry(tag, value)).concat();
             [&b"II*\0"[..], &8_u32.to_le_bytes(), &8_u16.to_le_bytes(), &directory, &[0; 64]].concat()
         }
-        Kind::Jpeg => {
+        ImageKind::Jpeg => {
             let good = encode::levels(&[0; 3 * 64], [8, 8], Format::Jpeg).unwrap();
             let frame = good.windows(2).position(|two| two == [0xff, 0xc0]).unwrap();
             let mut changed = good;
             changed[frame + 5..frame + 9].copy_from_slice(&[high, low, high, low]);
             changed
         }
-        Kind::Webp => {
+        ImageKind::Webp => {
             let size = u64::from(side - 1) | u64::from(side - 1) << 14;
             let bits = [&[0x2f][..], &(size as u32).to_le_bytes(), &[0; 11]].concat();
             [&b"RIFF\x1c\0\0\0WEBPVP8L"[..], &(bits.len() as u32).to_le_bytes(), &bits].concat()
@@ -144,7 +147,7 @@ fn claim(kind: Kind, side: u16) -> Vec<u8> {
 
 #[test]
 fn more_pixels_than_a_picture_may_have() {
-    for kind in [Kind::Png, Kind::Bmp, Kind::Tga, Kind::Qoi, Kind::Tiff, Kind::Jpeg] {
+    for kind in [ImageKind::Png, ImageKind::Bmp, ImageKind::Tga, ImageKind::Qoi, ImageKind::Tiff, ImageKind::Jpeg] {
         let error = read(&claim(kind, 65535)).unwrap_err();
         assert!(matches!(error, PictureError::TooManyPixels { size: [65535, 65535] }), "{kind:?}: {error}");
     }
@@ -168,9 +171,17 @@ fn more_pixels_than_a_picture_may_have() {
 
 #[test]
 fn a_header_that_asks_for_more_than_its_bytes_hold() {
-    for kind in [Kind::Png, Kind::Bmp, Kind::Tga, Kind::Qoi, Kind::Tiff, Kind::Jpeg, Kind::Webp] {
+    for kind in [
+        ImageKind::Png,
+        ImageKind::Bmp,
+        ImageKind::Tga,
+        ImageKind::Qoi,
+        ImageKind::Tiff,
+        ImageKind::Jpeg,
+        ImageKind::Webp,
+    ] {
         let bytes = claim(kind, 16_000);
-        assert_eq!(Kind::of(&bytes), Some(kind));
+        assert_eq!(PictureKind::of(&bytes), Some(PictureKind::Image(kind)));
         let error = read(&bytes).unwrap_err();
         assert!(matches!(error, PictureError::Header("a size that fits the bytes behind it")), "{kind:?}: {error}");
     }
@@ -206,7 +217,7 @@ proptest! {
         format in select(vec![Format::Png8, Format::Ppm, Format::Bmp, Format::Tga, Format::Qoi, Format::Tiff, Format::Webp]),
     ) {
         let bytes = encode::levels(&picture, size, format).unwrap();
-        prop_assert!(is_picture(&bytes[..bytes.len().min(512)]));
+        prop_assert!(PictureKind::of(&bytes[..bytes.len().min(512)]).is_some());
         let found = read(&bytes).unwrap();
         prop_assert_eq!((found.size(), found.is_float()), (size, false));
         prop_assert_eq!(levels(&bytes), (picture, 255));
@@ -266,7 +277,7 @@ fn other_files_are_no_pictures() {
         b"glTF\x02\0\0\0\0\0\0\0\0\0\0\0JSON",
     ];
     for other in others {
-        assert!(!is_picture(other), "{other:?}");
+        assert!(PictureKind::of(other).is_none(), "{other:?}");
         assert!(matches!(read(other), Err(PictureError::Unknown)));
     }
 }

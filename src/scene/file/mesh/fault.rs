@@ -4,7 +4,7 @@ use std::collections::TryReserveError;
 use std::io::{self, ErrorKind};
 use std::ops::Range;
 
-use crate::scene::file::{KeyPath, Problem, SceneError, Source};
+use crate::files::{FileError, KeyPath, Problem, Source};
 
 /// Why a mesh can't be read.
 #[derive(Debug)]
@@ -35,7 +35,7 @@ impl Fault {
     }
 
     /// The error for a file of text: its line is shown.
-    pub fn in_text(self, source: &Source) -> SceneError {
+    pub fn in_text(self, source: &Source) -> FileError {
         match self {
             Fault::Wrong { span, message } => source.problem(span, KeyPath::default(), message).into(),
             Fault::OutOfMemory => out_of_memory(source.name),
@@ -43,7 +43,7 @@ impl Fault {
     }
 
     /// The error for a file that is text up to `text_length` and then bytes, which have no lines.
-    pub fn in_binary(self, source: &Source, text_length: usize) -> SceneError {
+    pub fn in_binary(self, source: &Source, text_length: usize) -> FileError {
         match self {
             Fault::Wrong { span, message } if span.start >= text_length => {
                 let message = format!("{message} (at byte {})", span.start);
@@ -66,6 +66,6 @@ pub fn without_place(file: &str, message: String) -> Problem {
 }
 
 /// The machine has no room for what is in this file.
-pub fn out_of_memory(file: &str) -> SceneError {
-    SceneError::Unreadable { file: file.to_owned(), source: io::Error::from(ErrorKind::OutOfMemory) }
+pub fn out_of_memory(file: &str) -> FileError {
+    FileError::Unreadable { file: file.to_owned(), source: io::Error::from(ErrorKind::OutOfMemory) }
 }

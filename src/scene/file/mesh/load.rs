@@ -8,14 +8,11 @@ use std::sync::Arc;
 
 use super::limits::MAX_MESH_BYTES;
 use super::{Read, parse};
+use crate::files::{FileError, KeyPath, Problem, Source, Wanted, display_name};
 use crate::geometry::mesh::{Mesh, Winding};
-use crate::scene::file::error::{Problem, SceneError};
-use crate::scene::file::input::{Wanted, display_name};
-use crate::scene::file::key_path::KeyPath;
 use crate::scene::file::locate::locate;
 use crate::scene::file::mesh_path::{MeshPathError, resolve_mesh_path};
 use crate::scene::file::schema::{SceneFile, Shape};
-use crate::scene::file::source::Source;
 use crate::scene::file::validate::limits::MAX_PROBLEMS;
 
 /// Where the paths of meshes lead from.
@@ -60,9 +57,9 @@ impl Meshes {
 /// warnings, at most [`MAX_PROBLEMS`], with the number of further ones.
 ///
 /// # Errors
-/// [`SceneError::Invalid`] with every path that is not followed, or with the first problem of a mesh file;
-/// [`SceneError::Refused`] and [`SceneError::Unreadable`] as for a scene file.
-pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(Meshes, Warnings), SceneError> {
+/// [`FileError::Invalid`] with every path that is not followed, or with the first problem of a mesh file;
+/// [`FileError::Refused`] and [`FileError::Unreadable`] as for a scene file.
+pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(Meshes, Warnings), FileError> {
     let mut meshes = Meshes::default();
     let mut warnings = Warnings::default();
     let mut problems = Vec::new();
@@ -98,7 +95,7 @@ pub fn load(scene: &SceneFile, scene_text: &Source, folder: Folder) -> Result<(M
         read.0.warnings.into_iter().for_each(|warning| warnings.add(|| warning));
     }
     if !problems.is_empty() {
-        return Err(SceneError::Invalid { problems, omitted });
+        return Err(FileError::Invalid { problems, omitted });
     }
     for (index, message) in transmitting(scene, &meshes) {
         warnings.add(|| path_problem(scene_text, index, message.to_owned()));
@@ -155,7 +152,7 @@ enum NotRead {
     /// The scene names something that it must not, or that is not there.
     Path(String),
     /// The file is no good.
-    File(SceneError),
+    File(FileError),
 }
 
 /// A file of the machine under any of its names: its device and its number there.
@@ -187,7 +184,7 @@ fn read_one(path: &str, folder: Folder, known: &HashMap<FileId, Held>) -> Result
         }
     };
     let read = parse(&bytes, &name).map_err(|error| match error {
-        SceneError::Refused { reason, .. } => NotRead::Path(reason),
+        FileError::Refused { reason, .. } => NotRead::Path(reason),
         other => NotRead::File(other),
     })?;
     Ok(Found::Read(read, blake3::hash(&bytes), id))
@@ -197,7 +194,7 @@ fn find(scene: &Path, path: &str) -> Result<PathBuf, NotRead> {
     resolve_mesh_path(scene, path).map_err(|error| match error {
         MeshPathError::Refused(message) => NotRead::Path(message),
         MeshPathError::Unreadable { path, source } => {
-            NotRead::File(SceneError::Unreadable { file: display_name(&path), source })
+            NotRead::File(FileError::Unreadable { file: display_name(&path), source })
         }
     })
 }

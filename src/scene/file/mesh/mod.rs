@@ -23,9 +23,7 @@ mod words;
 
 pub use load::{Folder, Meshes, Warnings, load};
 
-use super::error::{Problem, SceneError};
-use super::packed::unpacked_name;
-use super::source::Source;
+use crate::files::{FileError, Problem, Source, unpacked_name};
 use crate::geometry::mesh::Mesh;
 use fault::out_of_memory;
 use limits::TREE_BYTES_PER_TRIANGLE;
@@ -42,9 +40,9 @@ pub struct Read {
 /// Reads the mesh in the bytes of an OBJ or PLY file. PLY says what it is; for OBJ the file's name has to.
 ///
 /// # Errors
-/// [`SceneError::Invalid`] with the first problem; [`SceneError::Refused`] when it is neither OBJ nor PLY;
-/// [`SceneError::Unreadable`] when there is no memory for it.
-pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, SceneError> {
+/// [`FileError::Invalid`] with the first problem; [`FileError::Refused`] when it is neither OBJ nor PLY;
+/// [`FileError::Unreadable`] when there is no memory for it.
+pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, FileError> {
     let source = Source { name: file_name, text: bytes };
     let name = unpacked_name(file_name).to_ascii_lowercase();
     let has_ending = |ending: &str| name.ends_with(ending);
@@ -54,7 +52,7 @@ pub fn parse(bytes: &[u8], file_name: &str) -> Result<Read, SceneError> {
         obj::read(&source)?
     } else {
         let reason = "unknown kind of mesh, expected a name that ends in .obj or .ply".to_owned();
-        return Err(SceneError::Refused { file: file_name.to_owned(), reason });
+        return Err(FileError::Refused { file: file_name.to_owned(), reason });
     };
     // As far as that goes, there is memory for what tracing builds over the mesh: there it could only abort.
     if !raywalk_guard::has_room_for(mesh.faces.len() * TREE_BYTES_PER_TRIANGLE) {

@@ -2,6 +2,7 @@
 //!
 //! Own code rather than the crate `tobj`, whose errors don't say the line, which is what a person with a broken file needs.
 
+use crate::files::{FileError, Problem, Source, without_mark};
 use std::num::{IntErrorKind, ParseIntError};
 use std::ops::Range;
 
@@ -12,7 +13,6 @@ use super::fault::{Fault, without_place};
 use super::words::{Syntax, Words};
 use crate::geometry::mesh::Mesh;
 use crate::scene::file::foreign::{number, without_end_mark};
-use crate::scene::file::{Problem, SceneError, Source};
 
 /// Statements that say nothing about where triangles are.
 const SKIPPED: &[&[u8]] = &[
@@ -54,12 +54,9 @@ const SKIPPED: &[&[u8]] = &[
     b"csh",
 ];
 
-/// What some editors put before a text.
-const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
-
 /// The mesh in the text of an OBJ file, and warnings.
-pub fn read(source: &Source) -> Result<(Mesh, Vec<Problem>), SceneError> {
-    let start = if source.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
+pub fn read(source: &Source) -> Result<(Mesh, Vec<Problem>), FileError> {
+    let start = source.text.len() - without_mark(source.text).len();
     let mut reader = Reader {
         words: Words::new(without_end_mark(source.text), start, Syntax::Obj),
         mesh: Collector::default(),

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::scene::file::escape::shortened;
+use crate::files::escape::shortened;
 use crate::scene::file::foreign::{is_blank, is_in_number};
 
 /// How many characters of a word a message shows.

@@ -6,8 +6,8 @@ use super::{Angle, Import};
 use crate::scene::file::converted::converted;
 use crate::scene::file::names::fill_in_names;
 use crate::scene::file::schema::{
-    self, Aim, By, Camera, FORMAT, LightKind, Material, Materials, Object, Output, PointLight, Profile, Sampling,
-    SceneFile, Shape, Tracing, Weight, Weights,
+    self, Aim, Camera, FORMAT, LightKind, Material, Materials, Object, Output, PointLight, Sampling, SceneFile, Shape,
+    Tracing, Weight, Weights,
 };
 use compact_str::{CompactString, format_compact};
 use std::convert::Infallible;
@@ -73,9 +73,9 @@ fn light(light: &Light, shared_light: f64) -> schema::Light {
         kind: LightKind::Point(PointLight { position: light.position }),
         color: light.color.unwrap_or([shared_light; 3]),
         attenuation: [1.0, 0.0, 0.0],
-        profile: Profile::Uniform,
-        samples: schema::LightSamples::Count(1),
-        by: By::Area,
+        profile: None,
+        samples: None,
+        by: None,
     }
 }
 

@@ -3,11 +3,8 @@
 use std::ops::Range;
 
 use super::tokens::Token;
-use crate::scene::file::error::Problem;
-use crate::scene::file::escape::shortened;
-use crate::scene::file::key_path::KeyPath;
-use crate::scene::file::source::Source;
-use crate::scene::file::suggest::suggest;
+use crate::files::escape::shortened;
+use crate::files::{KeyPath, Problem, Source, suggest};
 
 /// Something about a place of the text.
 #[derive(Debug, Clone, PartialEq, Eq)]

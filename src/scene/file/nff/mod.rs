@@ -30,12 +30,10 @@ mod shapes;
 mod tests;
 mod tokens;
 
-use super::error::SceneError;
 use super::load::{Loaded, judge};
-use super::packed::unpacked_name;
 use super::schema::SceneFile;
-use super::source::Source;
 use super::validate::validate;
+use crate::files::{FileError, Source, unpacked_name};
 use records::Records;
 use tokens::Tokens;
 
@@ -74,8 +72,8 @@ pub fn is_nff(bytes: &[u8], file_name: &str) -> bool {
 /// Parses and validates the bytes of an NFF file.
 ///
 /// # Errors
-/// [`SceneError::Invalid`], with every problem that validation finds, or the first that parsing finds.
-pub fn check(bytes: &[u8], file_name: &str, import: &Import) -> Result<Loaded, SceneError> {
+/// [`FileError::Invalid`], with every problem that validation finds, or the first that parsing finds.
+pub fn check(bytes: &[u8], file_name: &str, import: &Import) -> Result<Loaded, FileError> {
     let source = Source { name: file_name, text: bytes };
     let records = records(&source)?;
     let mut warnings: Vec<_> = records.passed_over.iter().map(|passed| passed.problem(&source)).collect();
@@ -89,12 +87,12 @@ pub fn check(bytes: &[u8], file_name: &str, import: &Import) -> Result<Loaded, S
 /// Parses the bytes of an NFF file; whether the numbers make sense is only asked where the format itself says.
 ///
 /// # Errors
-/// [`SceneError::Invalid`] with the first problem.
-pub fn parse(bytes: &[u8], file_name: &str, import: &Import) -> Result<SceneFile, SceneError> {
+/// [`FileError::Invalid`] with the first problem.
+pub fn parse(bytes: &[u8], file_name: &str, import: &Import) -> Result<SceneFile, FileError> {
     let records = records(&Source { name: file_name, text: bytes })?;
     Ok(mapping::scene(records, file_name, import).0)
 }
 
-fn records(source: &Source) -> Result<Records, SceneError> {
+fn records(source: &Source) -> Result<Records, FileError> {
     entities::read(source.text).map_err(|mistake| mistake.problem(source).into())
 }

@@ -4,9 +4,7 @@ use std::ops::Range;
 
 use super::records::{Records, View};
 use super::tokens::Tokens;
-use crate::scene::file::error::Problem;
-use crate::scene::file::key_path::{KeyPath, Step};
-use crate::scene::file::source::Source;
+use crate::files::{KeyPath, Problem, Source, Step};
 use crate::scene::file::validate::Finding;
 
 /// The offset of every entity.

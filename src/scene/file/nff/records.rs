@@ -3,9 +3,8 @@
 use std::ops::Range;
 
 use super::mistake::Mistake;
-use crate::scene::file::error::Problem;
+use crate::files::{Problem, Source};
 use crate::scene::file::schema::{Rgb, Shape, Vec3};
-use crate::scene::file::source::Source;
 
 /// A whole file.
 #[derive(Debug, Clone, Default)]

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::{Angle, Import, check, is_nff};
-use crate::scene::file::error::Severity;
+use crate::files::Severity;
 use crate::scene::file::load::Loaded;
 use crate::scene::file::schema::{Aim, LightKind, PointLight, SceneFile, Shape, Weight};
 

@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
+use crate::files::without_mark;
 use crate::scene::file::foreign::{self, is_blank, is_in_number, without_end_mark};
-
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// A word or number and where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +42,7 @@ impl<'t> Tokens<'t> {
     /// The tokens of this text.
     pub fn new(text: &'t [u8]) -> Self {
         let text = without_end_mark(text);
-        Self { text, at: if text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 } }
+        Self { text, at: text.len() - without_mark(text).len() }
     }
 
     /// The next token, which stays the next.

@@ -1,6 +1,6 @@
 //! The numbers of a raw file, one after the other.
 
-use crate::scene::file::{SceneError, escape_hidden};
+use crate::files::{FileError, escape_hidden};
 use std::io::{self, ErrorKind};
 
 /// A raw file that is being read, from its first byte on.
@@ -24,7 +24,7 @@ pub struct Claim {
 
 impl<'b> Fields<'b> {
     /// A file that begins with these eight letters and has a head of this many bytes, the letters included.
-    pub fn of(bytes: &'b [u8], name: &'b str, letters: &str, head: usize) -> Result<Fields<'b>, SceneError> {
+    pub fn of(bytes: &'b [u8], name: &'b str, letters: &str, head: usize) -> Result<Fields<'b>, FileError> {
         let fields = Fields { name, bytes, at: letters.len() };
         if bytes.is_empty() {
             return Err(fields.refused(format!("is empty, expected it to begin with `{letters}`")));
@@ -42,7 +42,7 @@ impl<'b> Fields<'b> {
     }
 
     /// Makes sure that what follows is exactly what the head claims.
-    pub fn must_hold(&self, claims: &[Claim]) -> Result<(), SceneError> {
+    pub fn must_hold(&self, claims: &[Claim]) -> Result<(), FileError> {
         for Claim { what, count, most, .. } in claims {
             if *count > *most as u64 {
                 return Err(self.refused(format!("too many {what}, expected at most {most}, found {count}")));
@@ -61,8 +61,8 @@ impl<'b> Fields<'b> {
     pub fn list<T>(
         &mut self,
         count: u64,
-        mut read: impl FnMut(&mut Self, u64) -> Result<T, SceneError>,
-    ) -> Result<Vec<T>, SceneError> {
+        mut read: impl FnMut(&mut Self, u64) -> Result<T, FileError>,
+    ) -> Result<Vec<T>, FileError> {
         let mut list = Vec::new();
         // The counts were compared with the length of the file.
         raywalk_guard::attempt(|| list.try_reserve_exact(count as usize)).map_err(|_| self.out_of_memory())?;
@@ -92,7 +92,7 @@ impl<'b> Fields<'b> {
     }
 
     /// Numbers that are finite.
-    pub fn finite<const N: usize>(&mut self, what: &str, number: u64) -> Result<[f32; N], SceneError> {
+    pub fn finite<const N: usize>(&mut self, what: &str, number: u64) -> Result<[f32; N], FileError> {
         let begin = self.at;
         let numbers = [(); N].map(|()| self.f32());
         match numbers.iter().position(|x| !x.is_finite()) {
@@ -105,12 +105,12 @@ impl<'b> Fields<'b> {
     }
 
     /// The file, and what is wrong with it.
-    pub fn refused(&self, reason: impl Into<String>) -> SceneError {
-        SceneError::Refused { file: self.name.to_owned(), reason: reason.into() }
+    pub fn refused(&self, reason: impl Into<String>) -> FileError {
+        FileError::Refused { file: self.name.to_owned(), reason: reason.into() }
     }
 
     /// There is no room for what the file holds.
-    pub fn out_of_memory(&self) -> SceneError {
-        SceneError::Unreadable { file: self.name.to_owned(), source: io::Error::from(ErrorKind::OutOfMemory) }
+    pub fn out_of_memory(&self) -> FileError {
+        FileError::Unreadable { file: self.name.to_owned(), source: io::Error::from(ErrorKind::OutOfMemory) }
     }
 }

@@ -2,12 +2,10 @@
 
 use super::MAX_RAW_BYTES;
 use super::fields::{Claim, Fields};
+use crate::files::{FileError, Wanted, display_name, is_there};
 use crate::geometry::mesh::Mesh;
-use crate::scene::file::SceneError;
-use crate::scene::file::input::{Wanted, display_name};
 use crate::scene::file::mesh::limits::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::scene::file::nff::MAX_PRIMITIVES;
-use crate::scene::file::there::is_there;
 use std::path::{Path, PathBuf};
 
 /// What rays are shot at.
@@ -50,13 +48,13 @@ pub fn primitive_files(stem: &Path) -> [PathBuf; 2] {
 /// Reads `STEM.mesh`, or `STEM.spheres` where there is no such file.
 ///
 /// # Errors
-/// [`SceneError::Refused`] where there is neither or the file is damaged; [`SceneError::Unreadable`] where the machine
+/// [`FileError::Refused`] where there is neither or the file is damaged; [`FileError::Unreadable`] where the machine
 /// doesn't give the bytes or has no room for them.
-pub fn read_primitives(stem: &Path) -> Result<Primitives, SceneError> {
+pub fn read_primitives(stem: &Path) -> Result<Primitives, FileError> {
     let [mesh, spheres] = primitive_files(stem);
     let wanted = |what| Wanted { what, max_bytes: MAX_RAW_BYTES };
     let is_there =
-        |path: &Path| is_there(path).map_err(|source| SceneError::Unreadable { file: display_name(path), source });
+        |path: &Path| is_there(path).map_err(|source| FileError::Unreadable { file: display_name(path), source });
     match (is_there(&mesh)?, is_there(&spheres)?) {
         (true, _) => {
             let bytes = wanted("a raw mesh").read(&mesh)?;
@@ -68,7 +66,7 @@ pub fn read_primitives(stem: &Path) -> Result<Primitives, SceneError> {
         }
         (false, false) => {
             let reason = "no such scene, expected a file of that name with .mesh or .spheres behind it".to_owned();
-            Err(SceneError::Refused { file: display_name(stem), reason })
+            Err(FileError::Refused { file: display_name(stem), reason })
         }
     }
 }
@@ -76,8 +74,8 @@ pub fn read_primitives(stem: &Path) -> Result<Primitives, SceneError> {
 /// Reads a mesh.
 ///
 /// # Errors
-/// [`SceneError::Refused`] where it is damaged; [`SceneError::Unreadable`] where there is no room for it.
-pub fn parse_mesh(bytes: &[u8], name: &str) -> Result<Mesh, SceneError> {
+/// [`FileError::Refused`] where it is damaged; [`FileError::Unreadable`] where there is no room for it.
+pub fn parse_mesh(bytes: &[u8], name: &str) -> Result<Mesh, FileError> {
     let mut fields = Fields::of(bytes, name, "RWMESH01", 24)?;
     let (vertices, triangles) = (fields.u64(), fields.u64());
     fields.must_hold(&[
@@ -102,7 +100,7 @@ pub fn parse_mesh(bytes: &[u8], name: &str) -> Result<Mesh, SceneError> {
 ///
 /// # Errors
 /// Those of [`parse_mesh`].
-pub fn parse_spheres(bytes: &[u8], name: &str) -> Result<Vec<RawSphere>, SceneError> {
+pub fn parse_spheres(bytes: &[u8], name: &str) -> Result<Vec<RawSphere>, FileError> {
     let mut fields = Fields::of(bytes, name, "RWSPHR01", 16)?;
     let count = fields.u64();
     fields.must_hold(&[Claim { what: "spheres", count, size: 16, most: MAX_PRIMITIVES }])?;

@@ -2,8 +2,7 @@
 
 use super::MAX_RAW_BYTES;
 use super::fields::{Claim, Fields};
-use crate::scene::file::SceneError;
-use crate::scene::file::input::{Wanted, display_name};
+use crate::files::{FileError, Wanted, display_name};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
@@ -44,18 +43,18 @@ pub struct RawRay {
 /// first.
 ///
 /// # Errors
-/// [`SceneError::Refused`] where there are none; [`SceneError::Unreadable`] where the folder can't be read.
-pub fn find_rays(stem: &Path) -> Result<Vec<(String, PathBuf)>, SceneError> {
+/// [`FileError::Refused`] where there are none; [`FileError::Unreadable`] where the folder can't be read.
+pub fn find_rays(stem: &Path) -> Result<Vec<(String, PathBuf)>, FileError> {
     let file = || display_name(stem);
     let none = || {
         let reason = "no rays, expected files of that name with .primary.rays or the like behind it".to_owned();
-        SceneError::Refused { file: file(), reason }
+        FileError::Refused { file: file(), reason }
     };
     let begin = stem.file_name().ok_or_else(none)?.to_string_lossy().into_owned();
     let folder = stem.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let unreadable = |source: io::Error| match source.kind() {
         ErrorKind::NotFound | ErrorKind::NotADirectory => none(),
-        _ => SceneError::Unreadable { file: file(), source },
+        _ => FileError::Unreadable { file: file(), source },
     };
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
@@ -72,9 +71,9 @@ pub fn find_rays(stem: &Path) -> Result<Vec<(String, PathBuf)>, SceneError> {
 /// Reads a file of rays.
 ///
 /// # Errors
-/// [`SceneError::Refused`] where it is missing or damaged; [`SceneError::Unreadable`] where the machine doesn't give the bytes or
+/// [`FileError::Refused`] where it is missing or damaged; [`FileError::Unreadable`] where the machine doesn't give the bytes or
 /// has no room for them.
-pub fn read_rays(path: &Path) -> Result<RayFile, SceneError> {
+pub fn read_rays(path: &Path) -> Result<RayFile, FileError> {
     let bytes = Wanted { what: "raw rays", max_bytes: MAX_RAW_BYTES }.read(path)?;
     parse_rays(&bytes, &display_name(path))
 }
@@ -82,8 +81,8 @@ pub fn read_rays(path: &Path) -> Result<RayFile, SceneError> {
 /// Reads rays.
 ///
 /// # Errors
-/// [`SceneError::Refused`] where they are damaged; [`SceneError::Unreadable`] where there is no room for them.
-pub fn parse_rays(bytes: &[u8], name: &str) -> Result<RayFile, SceneError> {
+/// [`FileError::Refused`] where they are damaged; [`FileError::Unreadable`] where there is no room for them.
+pub fn parse_rays(bytes: &[u8], name: &str) -> Result<RayFile, FileError> {
     let mut fields = Fields::of(bytes, name, "RWRAYS01", 32)?;
     let (question, width, height, reserved) = (fields.u32(), fields.u32(), fields.u32(), fields.u32());
     let question = match (question, reserved) {
@@ -103,7 +102,7 @@ pub fn parse_rays(bytes: &[u8], name: &str) -> Result<RayFile, SceneError> {
     Ok(RayFile { question, resolution: [width, height], rays })
 }
 
-fn ray(fields: &mut Fields, number: u64) -> Result<RawRay, SceneError> {
+fn ray(fields: &mut Fields, number: u64) -> Result<RawRay, FileError> {
     let [x, y, z, t_min] = fields.finite("ray", number)?;
     let direction = fields.finite("ray", number)?;
     let t_max = fields.f32();

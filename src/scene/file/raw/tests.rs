@@ -1,5 +1,5 @@
 use super::*;
-use crate::scene::file::SceneError;
+use crate::files::FileError;
 
 /// A file of these letters and numbers.
 fn file(letters: &str, head: &[u64], floats: &[f32], whole: &[u32]) -> Vec<u8> {
@@ -22,7 +22,7 @@ const CORNERS: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
 const RAY: [f32; 8] = [0.25, 0.25, 1.0, 0.0, 0.0, 0.0, -1.0, f32::INFINITY];
 
 #[track_caller]
-fn refuses<T>(read: Result<T, SceneError>, expected: &str) {
+fn refuses<T>(read: Result<T, FileError>, expected: &str) {
     match read {
         Ok(_) => panic!("read, expected {expected}"),
         Err(error) => {

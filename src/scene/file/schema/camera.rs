@@ -7,12 +7,13 @@ use super::Vec3;
 use crate::scene::file::validate::limits::MAX_SIDE;
 
 /// The camera as the file gives it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(try_from = "CameraKeys", into = "CameraKeys")]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "CameraKeys")]
 pub struct Camera {
     /// The eye.
     pub position: Vec3,
     /// Where it looks.
+    #[serde(flatten)]
     pub aim: Aim,
     /// The direction that shows upwards in the picture.
     pub up: Vec3,
@@ -21,13 +22,15 @@ pub struct Camera {
     /// Width and height in pixels.
     pub resolution: [u32; 2],
     /// A thin lens; without it everything is sharp.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<Lens>,
     /// The times at which the shutter opens and closes.
     pub shutter: [f64; 2],
 }
 
 /// The two ways of saying where a camera looks.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Aim {
     /// Along this vector, of any length.
     Direction(Vec3),
@@ -57,18 +60,18 @@ pub struct Lens {
     pub focus_distance: f64,
 }
 
-/// The keys one by one, before it is known which of `direction` and `look_at` was given.
-#[derive(Clone, Serialize, Deserialize, JsonSchema)]
+/// The camera as the file gives it.
+// The keys one by one, before it is known which of `direction` and `look_at` was given.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "Camera")]
 #[schemars(extend("oneOf" = [{"required": ["direction"]}, {"required": ["look_at"]}]))]
-struct CameraKeys {
+pub struct CameraKeys {
     /// The eye.
     position: Vec3,
     /// Along this vector it looks, of any length.
-    #[serde(skip_serializing_if = "Option::is_none")]
     direction: Option<Vec3>,
     /// At this point it looks.
-    #[serde(skip_serializing_if = "Option::is_none")]
     look_at: Option<Vec3>,
     /// The direction that shows upwards in the picture.
     #[serde(default = "default_up")]
@@ -82,7 +85,6 @@ struct CameraKeys {
     #[schemars(inner(range(min = 1, max = MAX_SIDE)))]
     resolution: [u32; 2],
     /// A thin lens; without it everything is sharp.
-    #[serde(skip_serializing_if = "Option::is_none")]
     lens: Option<Lens>,
     /// The times at which the shutter opens and closes.
     #[serde(default)]
@@ -108,10 +110,7 @@ impl TryFrom<CameraKeys> for Camera {
         let aim = match (keys.direction, keys.look_at) {
             (Some(direction), None) => Aim::Direction(direction),
             (None, Some(point)) => Aim::LookAt(point),
-            (None, None) => return Err("expected `direction` or `look_at`, found neither"),
-            (Some(_), Some(_)) => {
-                return Err("expected either `direction` or `look_at`, found both");
-            }
+            _ => return Err("expected exactly one of `direction`, `look_at`"),
         };
         Ok(Self {
             position: keys.position,
@@ -122,24 +121,5 @@ impl TryFrom<CameraKeys> for Camera {
             lens: keys.lens,
             shutter: keys.shutter,
         })
-    }
-}
-
-impl From<Camera> for CameraKeys {
-    fn from(camera: Camera) -> Self {
-        let (direction, look_at) = match camera.aim {
-            Aim::Direction(direction) => (Some(direction), None),
-            Aim::LookAt(point) => (None, Some(point)),
-        };
-        Self {
-            position: camera.position,
-            direction,
-            look_at,
-            up: camera.up,
-            vertical_fov: camera.vertical_fov,
-            resolution: camera.resolution,
-            lens: camera.lens,
-            shutter: camera.shutter,
-        }
     }
 }

@@ -7,27 +7,32 @@ use serde::{Deserialize, Serialize};
 use super::{LightSamples, Rgb, Vec3};
 
 /// One light.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(try_from = "LightKeys", into = "LightKeys")]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "LightKeys")]
 pub struct Light {
     /// Its name; left out, it is filled in on loading (`light-1`).
     pub name: CompactString,
     /// Its position and form.
+    #[serde(flatten)]
     pub kind: LightKind,
     /// Its intensity, I_i.
     pub color: Rgb,
     /// c, l and q of min(1, 1/(c + l·dist + q·dist²)); a directional light is never attenuated.
     pub attenuation: [f64; 3],
-    /// How the light is spread over its surface; `Uniform` for all but rectangles and disks.
-    pub profile: Profile,
-    /// How many shadow rays ask for an area light; 1 for the others.
-    pub samples: LightSamples,
-    /// By what measure the points of an area light count alike; `Area` for all but rectangles and spheres.
-    pub by: By,
+    /// How the light is spread over its surface: of rectangles and disks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<Profile>,
+    /// How many shadow rays ask for an area light.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub samples: Option<LightSamples>,
+    /// By what measure the points of an area light count alike.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub by: Option<By>,
 }
 
 /// The kinds of light, one key each.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum LightKind {
     /// `point`.
     Point(PointLight),
@@ -143,9 +148,11 @@ pub enum By {
     SolidAngle,
 }
 
-/// The keys one by one, before it is known which kind was given.
-#[derive(Clone, Serialize, Deserialize, JsonSchema)]
+/// One light.
+// The keys one by one, before it is known which kind was given.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "Light")]
 #[schemars(extend("oneOf" = [
     {"required": ["point"]}, {"required": ["directional"]}, {"required": ["rectangle"]}, {"required": ["disk"]},
     {"required": ["sphere"]},
@@ -157,25 +164,20 @@ pub enum By {
         {"required": ["rectangle"]}, {"required": ["sphere"]}, {"required": ["disk"], "patternProperties": {"^by$": {"const": "area"}}},
     ]},
 }))]
-struct LightKeys {
+pub struct LightKeys {
     /// Its name; left out, it is `light-1` and so on.
     #[serde(default)]
     #[schemars(with = "String")]
     name: CompactString,
     /// Light from one point.
-    #[serde(skip_serializing_if = "Option::is_none")]
     point: Option<PointLight>,
     /// Parallel light.
-    #[serde(skip_serializing_if = "Option::is_none")]
     directional: Option<DirectionalLight>,
     /// Light from a parallelogram.
-    #[serde(skip_serializing_if = "Option::is_none")]
     rectangle: Option<RectangleLight>,
     /// Light from a flat disk.
-    #[serde(skip_serializing_if = "Option::is_none")]
     disk: Option<DiskLight>,
     /// Light from the surface of a sphere.
-    #[serde(skip_serializing_if = "Option::is_none")]
     sphere: Option<SphereLight>,
     /// Its intensity, I_i.
     #[serde(default = "white")]
@@ -186,13 +188,10 @@ struct LightKeys {
     #[schemars(inner(range(min = 0)))]
     attenuation: [f64; 3],
     /// How the light is spread over its surface; `uniform` where it is left out. For rectangles and disks.
-    #[serde(skip_serializing_if = "Option::is_none")]
     profile: Option<Profile>,
     /// How many shadow rays ask for an area light: a number, or as many as it takes from `min` up to `max`; 1 where it is left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
     samples: Option<LightSamples>,
     /// By what measure the points of an area light count alike: `area` where it is left out, or `solid_angle` (rectangles and spheres).
-    #[serde(skip_serializing_if = "Option::is_none")]
     by: Option<By>,
 }
 
@@ -205,93 +204,28 @@ fn no_attenuation() -> [f64; 3] {
 }
 
 impl TryFrom<LightKeys> for Light {
-    type Error = String;
+    type Error = &'static str;
 
     fn try_from(keys: LightKeys) -> Result<Self, Self::Error> {
-        let kind = keys.the_only_kind()?;
-        if keys.profile.is_some() && !kind.has_profile() {
-            return Err(format!(
-                "`profile` is for `rectangle` and `disk` lights, found it on a `{}` light",
-                kind.key()
-            ));
-        }
-        if keys.samples.is_some() && !kind.is_area() {
-            return Err(format!(
-                "`samples` is for `rectangle`, `disk` and `sphere` lights, found it on a `{}` light",
-                kind.key()
-            ));
-        }
-        if keys.by.is_some() && !kind.is_area() {
-            return Err(format!(
-                "`by` is for `rectangle`, `disk` and `sphere` lights, found it on a `{}` light",
-                kind.key()
-            ));
-        }
-        if keys.by == Some(By::SolidAngle) && !kind.has_solid_angle() {
-            return Err(format!(
-                "`by: \"solid_angle\"` is for `rectangle` and `sphere` lights, found it on a `{}` light, whose points can be spread by \
-                 `\"area\"` alone",
-                kind.key()
-            ));
-        }
+        let kinds = [
+            keys.point.map(LightKind::Point),
+            keys.directional.map(LightKind::Directional),
+            keys.rectangle.map(LightKind::Rectangle),
+            keys.disk.map(LightKind::Disk),
+            keys.sphere.map(LightKind::Sphere),
+        ];
+        let given: Vec<LightKind> = kinds.into_iter().flatten().collect();
+        let [kind] = given[..] else {
+            return Err("expected exactly one of `point`, `directional`, `rectangle`, `disk`, `sphere`");
+        };
         Ok(Self {
             name: keys.name,
             kind,
             color: keys.color,
             attenuation: keys.attenuation,
-            profile: keys.profile.unwrap_or_default(),
-            samples: keys.samples.unwrap_or(LightSamples::Count(1)),
-            by: keys.by.unwrap_or_default(),
+            profile: keys.profile.or(kind.has_profile().then(Profile::default)),
+            samples: keys.samples.or(kind.is_area().then_some(LightSamples::Count(1))),
+            by: keys.by.or(kind.is_area().then(By::default)),
         })
-    }
-}
-
-impl LightKeys {
-    fn the_only_kind(&self) -> Result<LightKind, String> {
-        let given: Vec<LightKind> = [
-            self.point.map(LightKind::Point),
-            self.directional.map(LightKind::Directional),
-            self.rectangle.map(LightKind::Rectangle),
-            self.disk.map(LightKind::Disk),
-            self.sphere.map(LightKind::Sphere),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
-        let found = match given.as_slice() {
-            [kind] => return Ok(*kind),
-            [] => "none of them".to_string(),
-            several => {
-                let keys: Vec<String> = several.iter().map(|kind| format!("`{}`", kind.key())).collect();
-                keys.join(" and ")
-            }
-        };
-        Err(format!("expected exactly one of `point`, `directional`, `rectangle`, `disk`, `sphere`, found {found}"))
-    }
-}
-
-impl From<Light> for LightKeys {
-    fn from(light: Light) -> Self {
-        let mut keys = Self {
-            name: light.name,
-            point: None,
-            directional: None,
-            rectangle: None,
-            disk: None,
-            sphere: None,
-            color: light.color,
-            attenuation: light.attenuation,
-            profile: light.kind.has_profile().then_some(light.profile),
-            samples: light.kind.is_area().then_some(light.samples),
-            by: light.kind.is_area().then_some(light.by),
-        };
-        match light.kind {
-            LightKind::Point(point) => keys.point = Some(point),
-            LightKind::Directional(directional) => keys.directional = Some(directional),
-            LightKind::Rectangle(rectangle) => keys.rectangle = Some(rectangle),
-            LightKind::Disk(disk) => keys.disk = Some(disk),
-            LightKind::Sphere(sphere) => keys.sphere = Some(sphere),
-        }
-        keys
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use compact_str::CompactString;
 use schemars::JsonSchema;
-use serde::de::{self, DeserializeSeed, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::de::{self, MapAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -96,7 +96,7 @@ impl Default for Weights {
 }
 
 /// A weight, written as one number or as a colour.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Weight {
     /// The same in every channel.
@@ -112,49 +112,6 @@ impl Weight {
             Self::Scalar(weight) => [weight; 3],
             Self::Rgb(weights) => weights,
         }
-    }
-}
-
-impl<'de> Deserialize<'de> for Weight {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(WeightVisitor)
-    }
-}
-
-struct WeightVisitor;
-
-impl<'de> Visitor<'de> for WeightVisitor {
-    type Value = Weight;
-
-    fn expecting(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        formatter.write_str("a number or an array of 3 numbers")
-    }
-
-    fn visit_f64<E>(self, weight: f64) -> Result<Weight, E> {
-        Ok(Weight::Scalar(weight))
-    }
-
-    fn visit_u64<E>(self, weight: u64) -> Result<Weight, E> {
-        Ok(Weight::Scalar(weight as f64))
-    }
-
-    fn visit_i64<E>(self, weight: i64) -> Result<Weight, E> {
-        Ok(Weight::Scalar(weight as f64))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Weight, A::Error> {
-        let mut weights = [0.0; 3];
-        for (channel, weight) in weights.iter_mut().enumerate() {
-            *weight = seq.next_element()?.ok_or_else(|| de::Error::invalid_length(channel, &self))?;
-        }
-        let mut length = weights.len();
-        while seq.next_element::<IgnoredAny>()?.is_some() {
-            length += 1;
-        }
-        if length > weights.len() {
-            return Err(de::Error::invalid_length(length, &self));
-        }
-        Ok(Weight::Rgb(weights))
     }
 }
 
@@ -264,29 +221,16 @@ impl<'de> Visitor<'de> for MaterialsVisitor {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Materials, A::Error> {
         let mut materials = Materials::default();
-        while let Some(name) = map.next_key_seed(NewName(&materials))? {
+        while let Some(name) = map.next_key::<String>()? {
             if materials.len() == MAX_MATERIALS {
                 return Err(de::Error::custom(format!(
                     "too many materials, expected at most {MAX_MATERIALS}, found more"
                 )));
             }
-            materials.insert(&name, map.next_value()?);
+            if !materials.insert(&name, map.next_value()?) {
+                return Err(de::Error::custom("a name occurs twice"));
+            }
         }
         Ok(materials)
-    }
-}
-
-/// Reads a name that is not yet taken. A seed, so that the path of the error ends in the repeated name.
-struct NewName<'m>(&'m Materials);
-
-impl<'de> DeserializeSeed<'de> for NewName<'_> {
-    type Value = String;
-
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<String, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        if self.0.index_of(&name).is_some() {
-            return Err(de::Error::custom(format_args!("duplicate field `{name}`")));
-        }
-        Ok(name)
     }
 }

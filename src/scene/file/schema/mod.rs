@@ -20,7 +20,7 @@ pub use light::{By, DirectionalLight, DiskLight, Light, LightKind, PointLight, P
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
 pub(super) use objects::digest;
 pub use objects::{MAX_DUPLICATES, MAX_LIGHTS};
-pub use samples::{LightSamples, SampleRange};
+pub use samples::LightSamples;
 pub use sampling::{FORMS, Guided, Sampling, Statistical};
 pub use settings::{Algorithm, Formulas, Frames, Output, ReflectedScale, Specular, Tracing, Transfer, word};
 pub use shape::{
@@ -52,6 +52,7 @@ pub struct SceneFile {
     #[serde(default)]
     pub name: String,
     /// Where the picture is taken from.
+    #[schemars(with = "camera::CameraKeys")]
     pub camera: Camera,
     /// Ambient light, I_a.
     #[serde(default)]
@@ -63,6 +64,7 @@ pub struct SceneFile {
     pub background: Rgb,
     /// The lights, in the order of the file.
     #[serde(default, deserialize_with = "objects::lights")]
+    #[schemars(with = "Vec<light::LightKeys>")]
     pub lights: Vec<Light>,
     /// The materials by name, in the order of the file.
     #[serde(default)]

@@ -105,7 +105,7 @@ fn defaults_of_lights_and_materials() {
     let scene = loads(EVERYTHING).scene;
     assert_eq!(scene.lights[0].color, [1.0; 3]);
     assert_eq!(scene.lights[1].attenuation, [1.0, 0.0, 0.0]);
-    assert_eq!(scene.lights[2].profile, Profile::CosinePower(2.0));
+    assert_eq!(scene.lights[2].profile, Some(Profile::CosinePower(2.0)));
     assert_eq!(scene.materials.get("a"), Some(&Material::default()));
     assert_eq!(scene.materials.get("z").unwrap().weights.transmitted, Weight::Scalar(0.0));
 }

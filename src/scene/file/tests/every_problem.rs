@@ -120,7 +120,10 @@ fn keys_that_stand_several_times() {
 fn where_it_is_no_json_the_rest_is_silence() {
     finds(
         &textbook_with("[16, 2, 7]", "[16, 2]").replace("\"radius\": 3", "\"radius\": NaN"),
-        &["camera.position: expected an array of 3 elements", "`NaN` is no number in JSON"],
+        &[
+            "camera.position: expected an array of 3 elements",
+            "objects[1].shape.sphere.radius: `NaN` is no number in JSON",
+        ],
     );
 }
 

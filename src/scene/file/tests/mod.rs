@@ -8,9 +8,9 @@ mod every_problem;
 mod meaning;
 mod spelling;
 
-use super::error::{SceneError, Severity};
 use super::load::{Loaded, check, parse};
 use super::schema::json_schema;
+use crate::files::{FileError, Severity};
 use jsonschema::Validator;
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -80,7 +80,7 @@ fn shape(shape: &str) -> String {
 }
 
 #[track_caller]
-fn error_of(bytes: &[u8]) -> SceneError {
+fn error_of(bytes: &[u8]) -> FileError {
     let error = check(bytes, "t").unwrap_err();
     assert_eq!(error.exit_code(), 2);
     let report = error.report(false);

@@ -79,11 +79,11 @@ fn type_tag_is_refused() {
 fn direction_or_look_at() {
     refuses_value(
         textbook_with("\"direction\": [-12, 4, 1], ", ""),
-        "camera: expected `direction` or `look_at`, found neither",
+        "camera: expected exactly one of `direction`, `look_at`, found none of them",
     );
     refuses_value(
         textbook_with("\"up\"", "\"look_at\": [0, 0, 0], \"up\""),
-        "camera: expected either `direction` or `look_at`, found both",
+        "camera: expected exactly one of `direction`, `look_at`, found `direction` and `look_at`",
     );
 }
 
@@ -103,11 +103,11 @@ fn one_kind_a_light() {
 fn only_area_lights_have_samples() {
     refuses_value(
         textbook_with("\"color\": [220", "\"samples\": 4, \"color\": [220"),
-        "lights[0]: `samples` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
+        "lights[0].samples: `samples` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
     );
     refuses_value(
         textbook_with("\"color\": [220", "\"samples\": {\"min\": 1, \"max\": 4}, \"color\": [220"),
-        "lights[0]: `samples` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
+        "lights[0].samples: `samples` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
     );
     let sphere = |samples: &str| {
         let kind = format!(r#""sphere": {{"center": [0, 0, 0], "radius": 1}}, "samples": {samples}"#);
@@ -130,12 +130,12 @@ fn only_area_lights_have_samples() {
 fn by_solid_angle_for_rectangles_and_spheres() {
     refuses_value(
         textbook_with("\"color\": [220", "\"by\": \"area\", \"color\": [220"),
-        "lights[0]: `by` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
+        "lights[0].by: `by` is for `rectangle`, `disk` and `sphere` lights, found it on a `point` light",
     );
     let disk = r#""disk": {"center": [0, 0, 0], "normal": [0, 1, 0], "radius": 1}, "by": "solid_angle""#;
     refuses_value(
         textbook_with("\"point\": {\"position\": [9, 12, 16]}", disk),
-        "lights[0]: `by: \"solid_angle\"` is for `rectangle` and `sphere` lights, found it on a `disk` light, whose points can be spread by `\"area\"` alone",
+        "lights[0].by: `solid_angle` is for `rectangle` and `sphere` lights, found it on a `disk` light, whose points can be spread by `area` alone",
     );
 }
 
@@ -143,15 +143,15 @@ fn by_solid_angle_for_rectangles_and_spheres() {
 fn a_weight_is_a_number_or_a_colour() {
     refuses_value(
         textbook_with("\"local\": 1", "\"local\": \"full\""),
-        "materials.wall.weights.local: expected a number or an array of 3 numbers, found the string \"full\"",
+        "materials.wall.weights.local: expected a number, or an array of 3 numbers, found the string \"full\"",
     );
     refuses_value(
         textbook_with("\"local\": 1", "\"local\": [1, 1]"),
-        "materials.wall.weights.local: expected a number or an array of 3 numbers, found 2 elements",
+        "materials.wall.weights.local: expected a number, or an array of 3 numbers, found 2 elements",
     );
     refuses_value(
         textbook_with("\"local\": 1", "\"local\": [1, 1, 1, 1]"),
-        "materials.wall.weights.local: expected a number or an array of 3 numbers, found 4 elements",
+        "materials.wall.weights.local: expected a number, or an array of 3 numbers, found 4 elements",
     );
 }
 

@@ -1,6 +1,6 @@
 //! Collects findings while it walks down the keys.
 
-use crate::scene::file::key_path::{KeyPath, Step};
+use crate::files::{KeyPath, Step};
 use crate::scene::file::schema::{Rgb, Vec3};
 
 use super::limits::{MAX_COORDINATE, MAX_PROBLEMS, MAX_RATIO, MIN_LENGTH};

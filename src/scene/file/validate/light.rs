@@ -1,6 +1,6 @@
 //! The checks of one of the `lights`.
 
-use crate::scene::file::schema::{By, Light, LightKind, LightSamples, Profile, RectangleLight, SampleRange, Vec3};
+use crate::scene::file::schema::{By, Light, LightKind, LightSamples, Profile, RectangleLight, Vec3};
 
 use super::checker::Checker;
 use super::limits::MAX_SAMPLES;
@@ -15,23 +15,45 @@ pub fn light(check: &mut Checker<'_>, light: &Light) {
         let message = "must not be zero throughout, found [0, 0, 0] (no attenuation is [1, 0, 0])";
         check.at("attenuation").error(message.to_string());
     }
-    if let Profile::CosinePower(power) = light.profile {
+    if let Some(Profile::CosinePower(power)) = light.profile {
         check.at("profile").not_negative("cosine_power", power);
     }
-    if let (LightKind::Rectangle(RectangleLight { edge_u, edge_v, .. }), By::SolidAngle) = (light.kind, light.by)
+    surface(check, light);
+    if let (LightKind::Rectangle(RectangleLight { edge_u, edge_v, .. }), Some(By::SolidAngle)) = (light.kind, light.by)
         && !are_perpendicular(edge_u, edge_v)
     {
         let message =
             "`solid_angle` is for rectangles with perpendicular edges, found a parallelogram (`area` takes any)";
         check.at("by").error(message.to_string());
     }
-    samples(check, light.samples);
+    if let Some(points) = light.samples {
+        samples(check, points);
+    }
+}
+
+/// Checks that a light has what its keys are about: a surface, and of the right form.
+fn surface(check: &mut Checker<'_>, light: &Light) {
+    let (kind, key) = (light.kind, light.kind.key());
+    let mut is_for = |name: &'static str, is_given: bool, kinds: &str| {
+        if is_given {
+            check.at(name).error_in_key(format!("`{name}` is for {kinds} lights, found it on a `{key}` light"));
+        }
+    };
+    is_for("profile", light.profile.is_some() && !kind.has_profile(), "`rectangle` and `disk`");
+    is_for("samples", light.samples.is_some() && !kind.is_area(), "`rectangle`, `disk` and `sphere`");
+    is_for("by", light.by.is_some() && !kind.is_area(), "`rectangle`, `disk` and `sphere`");
+    if kind.is_area() && light.by == Some(By::SolidAngle) && !kind.has_solid_angle() {
+        let message = format!(
+            "`solid_angle` is for `rectangle` and `sphere` lights, found it on a `{key}` light, whose points can be spread by `area` alone"
+        );
+        check.at("by").error(message);
+    }
 }
 
 fn samples(check: &mut Checker<'_>, samples: LightSamples) {
     match samples {
         LightSamples::Count(count) => check.count("samples", count, 1, MAX_SAMPLES),
-        LightSamples::Range(SampleRange { min, max }) => {
+        LightSamples::Range { min, max } => {
             let mut check = check.at("samples");
             check.count("min", min, 1, MAX_SAMPLES);
             check.count("max", max, 1, MAX_SAMPLES);

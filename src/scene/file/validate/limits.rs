@@ -41,18 +41,3 @@ pub const MAX_RATIO: f64 = 1e50;
 
 /// How many problems are kept; further ones are counted.
 pub const MAX_PROBLEMS: usize = 20;
-
-/// The least and the greatest whole number that a key may have, of which the keys are given from the innermost outward.
-pub fn whole_numbers<'k>(mut keys: impl Iterator<Item = &'k str>) -> Option<[u64; 2]> {
-    Some(match (keys.next()?, keys.next()) {
-        ("resolution", _) => [1, MAX_SIDE.into()],
-        ("max_depth", _) => [0, MAX_DEPTH.into()],
-        ("n", Some("regular" | "shared")) => [1, MAX_GRID.into()],
-        ("depth", Some("adaptive")) => [0, MAX_ADAPTIVE_DEPTH.into()],
-        ("n", _) | ("samples", _) | ("min", Some("statistical" | "guided")) => [1, MAX_SAMPLES.into()],
-        ("max", Some("statistical")) => [MIN_STATISTICAL.into(), MAX_SAMPLES.into()],
-        ("max", Some("guided")) => [MIN_GUIDED.into(), MAX_SAMPLES.into()],
-        ("count", Some("frames")) => [1, MAX_FRAMES.into()],
-        _ => return None,
-    })
-}

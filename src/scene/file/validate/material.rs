@@ -1,8 +1,8 @@
 //! The checks of one of the `materials`, and of the names that objects call them by.
 
-use crate::scene::file::escape::shortened;
+use crate::files::escape::shortened;
+use crate::files::suggest;
 use crate::scene::file::schema::{Material, Materials, Pattern, Weight};
-use crate::scene::file::suggest::suggest;
 
 use super::checker::{Checker, number};
 use super::limits::MAX_SAMPLES;

@@ -16,10 +16,10 @@ pub(super) mod vector;
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
-use super::escape::{hidden, look, shortened};
-use super::explain::unknown_format;
-use super::key_path::KeyPath;
+use super::form::unknown_format;
 use super::schema::{FORMAT, Sampling, SceneFile, digest};
+use crate::files::KeyPath;
+use crate::files::escape::{hidden, look, shortened};
 use checker::Checker;
 
 /// Something about a value of the scene.

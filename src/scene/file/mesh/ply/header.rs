@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use crate::scene::file::escape::shortened;
+use crate::files::escape::shortened;
+use crate::files::suggest;
 use crate::scene::file::mesh::fault::Fault;
 use crate::scene::file::mesh::words::{Syntax, Words};
-use crate::scene::file::suggest;
 
 /// What the header says.
 #[derive(Debug)]

@@ -15,9 +15,9 @@ use std::ops::Range;
 
 use super::collect::{Collector, counted};
 use super::fault::{Fault, without_place};
+use crate::files::{FileError, Problem, Source};
 use crate::geometry::mesh::Mesh;
 use crate::scene::file::foreign::without_end_mark;
-use crate::scene::file::{Problem, SceneError, Source};
 use header::{Encoding, Header};
 use values::{Ascii, Binary, Lines, Order};
 
@@ -27,7 +27,7 @@ pub fn is_ply(bytes: &[u8]) -> bool {
 }
 
 /// The mesh in the bytes of a PLY file, and warnings.
-pub fn read(source: &Source) -> Result<(Mesh, Vec<Problem>), SceneError> {
+pub fn read(source: &Source) -> Result<(Mesh, Vec<Problem>), FileError> {
     let header = Header::read(source.text).map_err(|fault| fault.in_text(source))?;
     let (text, start) = (source.text, header.length);
     let collected = match header.encoding {

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use super::super::{Folder, Meshes, load};
 use super::SQUARE;
-use crate::scene::file::{Problem, SceneError, Source, check};
+use crate::files::{FileError, Problem, Source};
+use crate::scene::file::check;
 
 /// A folder with a mesh, and the text of a scene in it that names these.
 pub(super) fn folder_and_scene(paths: &[&str]) -> (tempfile::TempDir, String) {
@@ -22,7 +23,7 @@ pub(super) fn folder_and_scene(paths: &[&str]) -> (tempfile::TempDir, String) {
     (folder, scene)
 }
 
-pub(super) fn load_in(folder: &Path, text: &str) -> Result<(Meshes, Vec<Problem>), SceneError> {
+pub(super) fn load_in(folder: &Path, text: &str) -> Result<(Meshes, Vec<Problem>), FileError> {
     let scene = check(text.as_bytes(), "scene.json").unwrap().scene;
     let source = Source { name: "scene.json", text: text.as_bytes() };
     load(&scene, &source, Folder::OfScene(&folder.join("scene.json"))).map(|(meshes, warnings)| (meshes, warnings.told))

@@ -8,7 +8,7 @@ mod obj;
 mod ply;
 
 use super::{Read, parse};
-use crate::scene::file::Severity;
+use crate::files::Severity;
 
 /// The square of two triangles, as OBJ.
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";

@@ -178,7 +178,7 @@ fn o04_index_overflow() {
 fn corners_that_are_none() {
     let corner = "expected a corner such as `1`, `1/2`, `1//3` or `1/2/3`, found";
     for word in ["x", "1.5", "/", "//1", "1/2/3/4", "1/x", "1//x", "\u{1b}[2J"] {
-        let shown = crate::scene::file::escape_hidden(word);
+        let shown = crate::files::escape_hidden(word);
         wrong(&format!("f 1 2 {word}"), &format!("4:7: {corner} `{shown}`"));
     }
 }

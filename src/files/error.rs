@@ -10,7 +10,7 @@ use super::source::Excerpt;
 
 /// Why there is no scene.
 #[derive(Debug, thiserror::Error)]
-pub enum SceneError {
+pub enum FileError {
     /// The text is no good scene; at least one problem.
     #[error("{}", in_lines(problems, *omitted))]
     Invalid {
@@ -37,7 +37,7 @@ pub enum SceneError {
     },
 }
 
-impl SceneError {
+impl FileError {
     /// 2 when the caller must change something, 3 when a retry may help.
     pub fn exit_code(&self) -> u8 {
         match self {
@@ -69,7 +69,7 @@ impl SceneError {
     }
 }
 
-impl From<Problem> for SceneError {
+impl From<Problem> for FileError {
     fn from(problem: Problem) -> Self {
         Self::Invalid { problems: vec![problem], omitted: 0 }
     }
@@ -170,7 +170,7 @@ impl fmt::Display for Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::file::Source;
+    use crate::files::Source;
 
     fn problem() -> Problem {
         let source = Source { name: "a.json", text: b"{\n  \"radius\": -1\n}" };
@@ -181,7 +181,7 @@ mod tests {
     fn the_source_line_is_underlined() {
         let expected =
             "error: a.json:2:13: radius: must be positive, found -1\n  |\n2 |   \"radius\": -1\n  |             ^^";
-        assert_eq!(SceneError::from(problem()).report(false), expected);
+        assert_eq!(FileError::from(problem()).report(false), expected);
     }
 
     #[test]
@@ -199,14 +199,14 @@ mod tests {
 
     #[test]
     fn problems_that_are_not_shown_are_counted() {
-        let error = SceneError::Invalid { problems: vec![problem()], omitted: 7 };
+        let error = FileError::Invalid { problems: vec![problem()], omitted: 7 };
         assert!(error.to_string().ends_with("\nand 7 more problems, not shown"));
     }
 
     #[test]
     fn a_retry_helps_only_against_the_machine() {
         let source = io::Error::from(io::ErrorKind::PermissionDenied);
-        assert_eq!(SceneError::Unreadable { file: "a".into(), source }.exit_code(), 3);
-        assert_eq!(SceneError::from(problem()).exit_code(), 2);
+        assert_eq!(FileError::Unreadable { file: "a".into(), source }.exit_code(), 3);
+        assert_eq!(FileError::from(problem()).exit_code(), 2);
     }
 }

@@ -1,41 +1,77 @@
-//! What a file is, by its beginning: other programs put the keys of a log in another order, and blanks between them.
+//! What a file is, by its first bytes: decided here for every command.
 
-use super::lines::BYTE_ORDER_MARK;
+use super::picture_kind::PictureKind;
 use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
 use std::fmt;
 
+/// What a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A part of a picture, as `render --shard` writes it.
+    Part,
+    /// A log.
+    Log(LogForm),
+    /// A picture.
+    Picture(PictureKind),
+    /// A text in UTF-16.
+    Utf16,
+    /// A scene, a mesh, or nothing that is known.
+    Other,
+}
+
 /// How a log is written.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Shape {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LogForm {
     /// One event per line.
     Lines,
     /// One JSON document.
     Document,
 }
 
-/// Whether what begins like this is a log.
-pub fn is_log(beginning: &[u8]) -> bool {
-    shape(beginning).is_some()
+/// What a part begins with.
+pub const PART: &[u8] = b"{\"part\":\"raywalk-part/";
+
+impl Kind {
+    /// What begins like this.
+    pub fn of(beginning: &[u8]) -> Kind {
+        if beginning.starts_with(PART) {
+            Kind::Part
+        } else if let Some(form) = log(beginning) {
+            Kind::Log(form)
+        } else if let Some(kind) = PictureKind::of(beginning) {
+            Kind::Picture(kind)
+        } else if is_utf16(beginning) {
+            Kind::Utf16
+        } else {
+            Kind::Other
+        }
+    }
+
+    /// Whether it is a log.
+    pub fn is_log(self) -> bool {
+        matches!(self, Kind::Log(_))
+    }
 }
 
-/// Whether what begins like this is a log that is one JSON document.
-pub(super) fn is_document(beginning: &[u8]) -> bool {
-    shape(beginning) == Some(Shape::Document)
+/// A text without the mark that editors on some systems begin it with.
+pub fn without_mark(text: &[u8]) -> &[u8] {
+    text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)
 }
 
-/// Whether what begins like this is a text in UTF-16: by its byte order mark, or by the zero in its first letter.
-pub fn is_utf16(beginning: &[u8]) -> bool {
+/// By the byte order mark, or by the zero in its first letter.
+fn is_utf16(beginning: &[u8]) -> bool {
     matches!(beginning, [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [1..128, 0, ..] | [0, 1..128, ..])
 }
 
-fn shape(beginning: &[u8]) -> Option<Shape> {
-    let beginning = beginning.strip_prefix(BYTE_ORDER_MARK).unwrap_or(beginning);
+/// The form of a log, if it is one: other programs put its keys in another order, and blanks between them.
+fn log(beginning: &[u8]) -> Option<LogForm> {
+    let beginning = without_mark(beginning);
     let mut keys = Vec::new();
     let is_whole = serde_json::Deserializer::from_slice(beginning).deserialize_map(Keys(&mut keys)).is_ok();
     for key in &keys {
         match key.as_str() {
-            "log" => return Some(Shape::Lines),
-            "header" | "children" => return Some(Shape::Document),
+            "log" => return Some(LogForm::Lines),
+            "header" | "children" => return Some(LogForm::Document),
             // The key that every scene has.
             "format" => return None,
             _ => {}
@@ -47,7 +83,7 @@ fn shape(beginning: &[u8]) -> Option<Shape> {
             ["version", "scene", "pixel", "ray", "region", "arithmetic", "frame", "shard"].contains(&key.as_str())
         }) || ["objects", "lights"].iter().any(|key| lists_names(beginning, key))
     };
-    (!is_whole && has_key_of_header()).then_some(Shape::Lines)
+    (!is_whole && has_key_of_header()).then_some(LogForm::Lines)
 }
 
 /// Whether this key has a list of names, as in a header; in a scene it has a list of objects.
@@ -83,7 +119,7 @@ mod tests {
 
     #[track_caller]
     fn is(beginning: &str, expected: bool) {
-        assert_eq!(is_log(beginning.as_bytes()), expected, "{beginning}");
+        assert_eq!(Kind::of(beginning.as_bytes()).is_log(), expected, "{beginning}");
     }
 
     #[test]

@@ -21,7 +21,7 @@ pub enum Packing {
 impl Packing {
     /// What a file that begins like this is packed by, if it is.
     pub(super) fn of(beginning: &[u8]) -> Option<Packing> {
-        if gzip::is_packed(beginning) {
+        if beginning.starts_with(gzip::MAGIC) {
             Some(Packing::Gzip)
         } else if beginning.starts_with(zstd::MAGIC) {
             Some(Packing::Zstd)

@@ -6,28 +6,15 @@ use std::io::{self, ErrorKind, Read};
 use std::mem;
 use std::path::{Path, PathBuf};
 
-use super::error::SceneError;
+use super::error::FileError;
 use super::packed::Packing;
 use super::there::is_callers_fault;
-
-/// The largest scene file: 256 MiB.
-pub const MAX_BYTES: u64 = 256 << 20;
 
 /// How much of a file is looked at to tell what it is.
 const BEGINNING: u64 = 512;
 
 /// The name that standard input has in messages.
 pub const STANDARD_INPUT: &str = "<stdin>";
-
-/// Reads a regular file, or standard input for `-`, up to [`MAX_BYTES`]; what is compressed with gzip or zstd is
-/// unpacked.
-///
-/// # Errors
-/// [`SceneError::Refused`] when it is missing, no regular file or too large; [`SceneError::Unreadable`] when the machine
-/// did not give the bytes.
-pub fn read_bytes(path: &Path) -> Result<Vec<u8>, SceneError> {
-    Wanted { what: "a scene file", max_bytes: MAX_BYTES }.read(path)
-}
 
 /// What kind of file is read.
 #[derive(Clone, Copy, Debug)]
@@ -51,26 +38,22 @@ pub struct Opened {
     rest: Box<dyn Read>,
 }
 
-/// Opens a regular file, or standard input for `-`, which is a scene or a log.
-///
-/// # Errors
-/// Those of [`read_bytes`], but for the size.
-pub fn open(path: &Path) -> Result<Opened, SceneError> {
-    Wanted { what: "a scene file", max_bytes: MAX_BYTES }.open(path)
-}
-
 impl Wanted {
-    /// Reads such a file, or standard input for `-`, and unpacks it; errors are those of [`read_bytes`].
-    pub fn read(self, path: &Path) -> Result<Vec<u8>, SceneError> {
+    /// Reads a regular file, or standard input for `-`; what is compressed with gzip or zstd is unpacked.
+    ///
+    /// # Errors
+    /// [`FileError::Refused`] when it is missing, no regular file or too large; [`FileError::Unreadable`] when the machine
+    /// did not give the bytes.
+    pub fn read(self, path: &Path) -> Result<Vec<u8>, FileError> {
         self.open(path)?.bytes()
     }
 
-    /// Opens such a file, or standard input for `-`; errors are those of [`read_bytes`], but for the size.
-    pub fn open(self, path: &Path) -> Result<Opened, SceneError> {
+    /// Opens such a file, or standard input for `-`; errors are those of [`Wanted::read`], but for the size.
+    pub fn open(self, path: &Path) -> Result<Opened, FileError> {
         let name = display_name(path);
         if path == Path::new("-") {
             if stdin_was_closed() {
-                return Err(SceneError::Unreadable { file: name, source: io::Error::other("it is closed") });
+                return Err(FileError::Unreadable { file: name, source: io::Error::other("it is closed") });
             }
             return self.begin(io::stdin(), 0, name);
         }
@@ -88,7 +71,7 @@ impl Wanted {
     ///
     /// # Errors
     /// Those of [`Wanted::open`].
-    pub fn begin(self, input: impl Read + 'static, size: u64, name: String) -> Result<Opened, SceneError> {
+    pub fn begin(self, input: impl Read + 'static, size: u64, name: String) -> Result<Opened, FileError> {
         let mut input = Patient(input);
         let mut beginning = Vec::new();
         let read = input.by_ref().take(BEGINNING).read_to_end(&mut beginning);
@@ -112,18 +95,18 @@ impl Wanted {
         }
     }
 
-    fn failure(self, name: &str, source: io::Error) -> SceneError {
+    fn failure(self, name: &str, source: io::Error) -> FileError {
         let what = self.what;
         if source.kind() == ErrorKind::NotFound {
             refused(name, format!("no such file, expected {what}"))
         } else if is_callers_fault(&source) {
             refused(name, format!("expected {what}: {source}"))
         } else {
-            SceneError::Unreadable { file: name.to_string(), source }
+            FileError::Unreadable { file: name.to_string(), source }
         }
     }
 
-    fn too_large(self, name: &str, found: &str) -> SceneError {
+    fn too_large(self, name: &str, found: &str) -> FileError {
         refused(name, format!("too large, expected at most {} bytes, {found}", self.max_bytes))
     }
 }
@@ -135,7 +118,7 @@ impl Opened {
     }
 
     /// What opens it again, which standard input can't be.
-    pub fn again(&self) -> Option<impl FnOnce() -> Result<Opened, SceneError> + use<>> {
+    pub fn again(&self) -> Option<impl FnOnce() -> Result<Opened, FileError> + use<>> {
         let (wanted, path) = (self.wanted, self.path.clone()?);
         Some(move || wanted.open(&path))
     }
@@ -153,8 +136,8 @@ impl Opened {
     /// The whole of it, which must be no larger than a scene file may be.
     ///
     /// # Errors
-    /// Those of [`read_bytes`].
-    pub fn bytes(mut self) -> Result<Vec<u8>, SceneError> {
+    /// Those of [`Wanted::read`].
+    pub fn bytes(mut self) -> Result<Vec<u8>, FileError> {
         let most = self.wanted.max_bytes;
         if self.size > most {
             return Err(self.wanted.too_large(&self.name, &format!("found {} bytes", self.size)));
@@ -180,7 +163,7 @@ impl Opened {
         Stream { input: io::Cursor::new(beginning).chain(rest), packing, most, left: most }
     }
 
-    fn failure(&self, error: io::Error) -> SceneError {
+    fn failure(&self, error: io::Error) -> FileError {
         match self.packing.and_then(|packing| packing.damage(&error)) {
             Some(damage) => refused(&self.name, damage),
             _ => self.wanted.failure(&self.name, error),
@@ -256,8 +239,8 @@ pub fn irregular(metadata: &Metadata) -> Option<&'static str> {
     Some("something else")
 }
 
-fn refused(name: &str, reason: String) -> SceneError {
-    SceneError::Refused { file: name.to_string(), reason }
+fn refused(name: &str, reason: String) -> FileError {
+    FileError::Refused { file: name.to_string(), reason }
 }
 
 #[cfg(test)]
@@ -275,12 +258,12 @@ mod tests {
     }
 
     fn scene_file() -> Wanted {
-        Wanted { what: "a scene file", max_bytes: MAX_BYTES }
+        Wanted { what: "a scene file", max_bytes: 256 << 20 }
     }
 
     #[track_caller]
     fn refuses(path: &Path, exit_code: u8, part: &str) {
-        let error = read_bytes(path).unwrap_err();
+        let error = scene_file().read(path).unwrap_err();
         assert_eq!(error.exit_code(), exit_code);
         assert!(error.to_string().contains(part), "{error}");
     }
