@@ -49,7 +49,7 @@ impl Failure {
     }
 
     /// A scene that can't be had.
-    pub fn scene(error: &SceneError) -> Failure {
+    pub fn scene(error: &FileError) -> Failure {
         Failure { code: error.exit_code(), message: error.report(true) }
     }
 

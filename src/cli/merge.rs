@@ -7,9 +7,7 @@ use super::failure::{Failure, shown};
 use super::render::MAX_PART_BYTES;
 use super::shown::ShownOptions;
 use clap::Args;
-use raywalk::log::file::is_log;
-use raywalk::render::part::is_part;
-use raywalk::scene::file::{Opened, Wanted};
+use raywalk::files::{Kind, Opened, Wanted};
 use std::path::{Path, PathBuf};
 
 /// What `--help` says behind the options.
@@ -51,17 +49,17 @@ pub struct Merge {
 impl Merge {
     /// Runs the command.
     pub fn run(&self) -> Result<(), Failure> {
-        let mut kinds = Vec::new();
+        let mut are_logs = Vec::new();
         for path in &self.parts {
-            kinds.push(kind(path, &open(path)?)?);
+            are_logs.push(is_log(path, &open(path)?)?);
         }
         match are_logs.iter().position(|is_log| *is_log != are_logs[0]) {
             Some(other) => {
                 let [first, other] = [&self.parts[0], &self.parts[other]].map(|path| shown(path));
                 Err(Failure::caller(format!("{first} and {other}: a part of a picture and a log; expected one kind")))
             }
-            (Kind::Part, None) => self.pictures(),
-            (Kind::Log, None) => self.logs(),
+            None if are_logs[0] => self.logs(),
+            None => self.pictures(),
         }
     }
 }

@@ -8,7 +8,6 @@ use super::scene_argument::Loaded;
 use super::shown::ShownOptions;
 use super::unknown::unknown;
 use clap::{Args, ValueEnum};
-use raywalk::files::suggest;
 use raywalk::geometry::shape::SphereMethod;
 use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;

@@ -8,7 +8,8 @@ use super::options::NffOptions;
 use super::output::{self, Output};
 use super::scene_argument::{self, Loaded};
 use clap::{Args, Subcommand, ValueEnum};
-use raywalk::scene::file::{SceneFile, escape_hidden, schema};
+use raywalk::files::escape_hidden;
+use raywalk::scene::file::{SceneFile, schema};
 use raywalk::scene::{Around, build_with, builtin, generate};
 use std::path::{Path, PathBuf};
 

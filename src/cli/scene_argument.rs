@@ -3,12 +3,14 @@
 use super::failure::Failure;
 use super::inputs::Inputs;
 use super::output;
-use raywalk::files::{FileError, Kind, Problem, Source, escape_hidden};
+use raywalk::files::{
+    FileError, Kind, Opened, Problem, Severity, Source, escape_hidden, is_there, more_warnings, suggest,
+};
 use raywalk::scene::builtin;
+use raywalk::scene::file;
 use raywalk::scene::file::mesh::{self, Folder, Meshes};
 use raywalk::scene::file::nff::Import;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -89,18 +91,18 @@ pub fn read(argument: &Path) -> Result<Input, Failure> {
 }
 
 /// The file that the argument names; `None` if it names no file.
-fn opened(argument: &Path) -> Result<Option<file::Opened>, Failure> {
-    let refused = |error: SceneError| Failure::scene(&error);
+fn opened(argument: &Path) -> Result<Option<Opened>, Failure> {
+    let refused = |error: FileError| Failure::scene(&error);
     // What may be a file is no built-in scene.
     let is_path = argument == Path::new("-")
-        || raywalk::files::is_there(argument).map_err(|source| {
+        || is_there(argument).map_err(|source| {
             let file = argument.to_string_lossy().into_owned();
             refused(FileError::Unreadable { file, source })
         })?;
     is_path.then(|| file::open(argument)).transpose().map_err(refused)
 }
 
-fn whole(opened: file::Opened, argument: &Path) -> Result<Input, Failure> {
+fn whole(opened: Opened, argument: &Path) -> Result<Input, Failure> {
     let name = opened.name().to_owned();
     if let Some(what) = no_scene(opened.beginning()) {
         return Err(Failure::caller(format!("{}: expected a scene, found {what}", escape_hidden(&name))));
@@ -141,15 +143,15 @@ pub fn without_meshes(input: &Input, import: &Import) -> Result<SceneFile, Failu
 /// Prints what is odd about a scene, and how much more of it there is.
 pub fn warn(warnings: &[Problem], more: usize) {
     for warning in warnings {
-        output::tell(&warning.report(file::Severity::Warning, true));
+        output::tell(&warning.report(Severity::Warning, true));
     }
-    if let Some(more) = file::more_warnings(more, true) {
+    if let Some(more) = more_warnings(more, true) {
         output::tell(&more);
     }
 }
 
 fn nothing_of(name: &str) -> Failure {
-    let hint = match raywalk::files::suggest(name, builtin::names()) {
+    let hint = match suggest(name, builtin::names()) {
         Some(near) => format!("; did you mean the built-in scene `{near}`?"),
         // The name of a file.
         None if name.contains(['.', '/', '\\']) => String::new(),

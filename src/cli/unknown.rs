@@ -1,6 +1,6 @@
 //! Words that options don't know.
 
-use raywalk::scene::file::suggest;
+use raywalk::files::suggest;
 
 /// The message about a word that isn't among the known ones.
 pub fn unknown(what: &str, found: &str, known: &[&str]) -> String {

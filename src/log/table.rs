@@ -1,6 +1,6 @@
 //! Tables as text, their columns below each other.
 
-use super::escape::width;
+use crate::files::escape::width;
 
 /// A cell that is wider pushes no other row aside: they would be filled up with spaces.
 const WIDEST: usize = 90;

@@ -4,6 +4,7 @@ use crate::shared::shared;
 use assert_cmd::Command;
 use flate2::{Compression, write::GzEncoder};
 use glam::DVec3;
+use raywalk::files::FileError;
 use raywalk::render::{Settings, render};
 use raywalk::scene::build;
 use raywalk::scene::file::nff::Import;

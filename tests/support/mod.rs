@@ -7,7 +7,7 @@ use insta::Settings;
 use raywalk::files::Source;
 use raywalk::record::Arithmetic;
 use raywalk::scene::file::schema::SceneFile;
-use raywalk::scene::file::{self, Source, mesh};
+use raywalk::scene::file::{self, mesh};
 use raywalk::scene::{Around, Formulas, Scene, build_with, builtin};
 
 /// A built-in scene, ready to be traced.

@@ -3,8 +3,8 @@
 use super::TableFormat;
 use super::table::{self, print_measured};
 use crate::cli::failure::Failure;
+use raywalk::files::escape_hidden;
 use raywalk::scene::Scene;
-use raywalk::scene::file::escape_hidden;
 use raywalk::study::ladder::{Deviation, Rung, ladder};
 use serde::Serialize;
 

@@ -133,7 +133,7 @@ impl RaysBench {
                 }
             }
         }
-        let refused = |error: SceneError| Failure::scene(&error);
+        let refused = |error: FileError| Failure::scene(&error);
         let dumps = self.dumps(refused)?;
         // Before the work begins it is made sure that they can be written; a file begins in its scene's turn, as there may be many.
         dumps.check()?;

@@ -3,10 +3,10 @@
 use super::TableFormat;
 use crate::cli::failure::Failure;
 use crate::cli::output;
+use raywalk::files::escape_hidden_lines;
 use raywalk::log::table::aligned;
 use raywalk::render::RenderError;
 use raywalk::scene::Scene;
-use raywalk::scene::file::escape_hidden_lines;
 use raywalk::study::bench::Spread;
 use serde::Serialize;
 use serde_json::{Value, json};

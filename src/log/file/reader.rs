@@ -7,7 +7,7 @@ use super::line::{End, Line};
 use super::mark::Mark;
 use super::numbers::Numbers;
 use super::read::Ending;
-use crate::log::escape::shortened;
+use crate::files::escape::shortened;
 use crate::log::event::{Digits, Event, Step, What};
 use crate::log::events::Events;
 use crate::log::header::Header;

@@ -1,7 +1,8 @@
 //! What an OpenEXR file has beside its colours: channels in layers, as numbers to be compared.
 
 use super::exr::colors_of;
-use super::picture::{EXR, PictureError, check_size, with_room_for};
+use super::picture::{PictureError, check_size, with_room_for};
+use crate::files::PictureKind;
 use exr::block::samples::Sample;
 use exr::image::{AnyChannel, FlatSamples};
 use exr::meta::MetaData;

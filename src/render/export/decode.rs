@@ -1,7 +1,8 @@
 //! Pictures that the crate `image` reads. What a header asks for is compared with what its file can hold before anything is unpacked.
 
 use super::picture::{Channels, MAX_PICTURE_BYTES, Picture, PictureError, Samples, check_size, with_room_for};
-use crate::log::escape::shortened;
+use crate::files::ImageKind;
+use crate::files::escape::shortened;
 use image::codecs::bmp::BmpDecoder;
 use image::codecs::jpeg::JpegDecoder;
 use image::codecs::png::PngDecoder;

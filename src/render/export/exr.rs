@@ -1,7 +1,7 @@
 //! OpenEXR: the traced values as f32, and layers beside them as channels `layer.channel`.
 
 use super::picture::{Channels, Picture, PictureError, Samples, check_size};
-use crate::log::escape::shortened;
+use crate::files::escape::shortened;
 use crate::render::Film;
 use exr::meta::MetaData;
 use exr::meta::header::Header;

@@ -18,7 +18,7 @@ pub use exr::{Channel, ExrLayer};
 pub use format::{Format, MAX_WEBP_SIDE};
 pub use picture::{MAX_PICTURE_BYTES, Picture, PictureError, READABLE};
 pub use quantize::{Clipped, levels_of as levels};
-pub use read::{is_picture, read};
+pub use read::read;
 
 use super::Film;
 use crate::scene::Output;

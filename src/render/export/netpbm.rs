@@ -1,7 +1,8 @@
 //! PPM and PGM, in ASCII and binary, and PFM read back. White space and comments are those of the specification of Netpbm.
 
 use super::picture::{Channels, Picture, PictureError, Samples, check_size, with_room_for};
-use crate::log::escape::shortened;
+use crate::files::escape::shortened;
+use crate::files::{Netpbm, Notation, without_mark};
 use std::ops::Range;
 use std::str::FromStr;
 

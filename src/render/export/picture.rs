@@ -6,9 +6,6 @@ use std::ops::Range;
 /// The largest picture file that is read: 1 GiB.
 pub const MAX_PICTURE_BYTES: u64 = 1 << 30;
 
-/// What an OpenEXR file begins with.
-pub(super) const EXR: &[u8] = b"\x76\x2f\x31\x01";
-
 /// The formats that are read, as a sentence has them.
 pub const READABLE: &str = "PNG, BMP, TGA, QOI, TIFF, JPEG, WebP, PPM (P3, P6), PGM (P2, P5), PFM (PF, Pf) or OpenEXR";
 

@@ -1,7 +1,8 @@
 //! Reading parts, also such as were cut off: what is whole is read.
 
 use super::{CHECK, END, FORMAT, PartHeader, Picture, WENT_INTO, check, words};
-use crate::log::escape::shortened;
+use crate::files::PART;
+use crate::files::escape::shortened;
 use crate::render::Canvas;
 use crate::render::pieces::PIECE;
 use crate::scene::file::validate::limits::{MAX_PIXELS, MAX_SIDE};

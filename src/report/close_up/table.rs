@@ -1,7 +1,7 @@
 //! A close-up as text: its table.
 
 use super::CloseUp;
-use crate::log::escape::escape_hidden;
+use crate::files::escape::escape_hidden;
 use crate::log::table::aligned;
 
 /// Title, table and note as plain text.

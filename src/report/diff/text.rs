@@ -3,9 +3,8 @@
 use super::summary::{Pixel, Summary};
 use super::{Changed, Comparison, Difference, Entry, First, Format, HeaderDifference, Side, Statement, Why};
 use super::{header_differences, telling_apart};
-use crate::files::escape::{shortened, width};
+use crate::files::escape::shortened;
 use crate::log::Header;
-use crate::log::escape::shortened;
 use crate::log::table::aligned;
 use crate::report::language::Language;
 use crate::report::number::size;

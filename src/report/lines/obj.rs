@@ -1,6 +1,7 @@
 //! Wavefront OBJ.
 
 use super::{far, grouped, name, number};
+use crate::files::escape::escape_hidden;
 use crate::log::Header;
 use crate::report::escape::line;
 use crate::report::segments::Segment;

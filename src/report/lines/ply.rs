@@ -1,6 +1,7 @@
 //! The Polygon File Format (PLY), as text.
 
 use super::{far, grouped, name, number};
+use crate::files::escape::escape_hidden;
 use crate::log::Header;
 use crate::report::escape::line;
 use crate::report::ray_group::RayGroup;

@@ -2,7 +2,7 @@
 
 use super::layout::{LETTER_AT, Spot, spots};
 use super::{End, Figure};
-use crate::log::escape::width;
+use crate::files::escape::width;
 use crate::report::escape::{self, line};
 use crate::report::ray_group::RayGroup;
 use crate::report::svg::{begin, file, label};

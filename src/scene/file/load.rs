@@ -145,7 +145,7 @@ pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, FileError> {
     scene_in(&source, text)
 }
 
-fn scene_in(source: &Source, text: &str) -> Result<SceneFile, SceneError> {
+fn scene_in(source: &Source, text: &str) -> Result<SceneFile, FileError> {
     read_scene(text, source.name).map_err(|refused| all_problems(source, text, source.name, &refused))
 }
 
