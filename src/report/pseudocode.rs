@@ -131,12 +131,7 @@ const LIMIT: Line = line(1, "if depth < depth limit", "if prof_actual < Profundi
 const LIGHTS: &[Line] = &[
     line(1, "for each light", "for cada fuente de luz do", &[Light]),
     line(2, "ray_s := from the point to the light", "RayoS := rayo desde el punto hacia la fuente de luz", &[]),
-    line(
-        2,
-        "if it stands in front of the surface",
-        "if la dirección de la luz es positiva respecto a la normal then",
-        &[],
-    ),
+    line(2, "if it is in front of the surface", "if la dirección de la luz es positiva respecto a la normal then", &[]),
     line(3, "how much light is blocked", "cuánta luz es bloqueada", &[Shadow]),
     line(
         3,

@@ -53,7 +53,7 @@ texts! {
     blur = "Mean of the blurred bounce", "Se calcula la media de la contribución difusa de las zonas";
     /// The step of the weighted sum of a ray.
     combine(path: &str) =
-        "Intensity that ray {path} brings",
+        "Intensity that ray {path} contributes",
         "Se calcula la intensidad global que aporta el rayo {path}";
     /// The step of choosing samples.
     sampling = "Samples of the pixel", "Se eligen las muestras del píxel";
@@ -71,14 +71,14 @@ texts! {
     contributions = "Contributions", "Contribuciones";
     /// Their columns: path, origin, class, what it brings, weight, what it adds, share.
     columns: [Text; 7] =
-        ["path", "light", "class", "brings", "weight", "adds", "share"],
+        ["path", "light", "class", "intensity", "weight", "adds", "share"],
         ["camino", "procedencia", "clase", "intensidad", "peso", "aporta", "parte"];
     /// The sum of all of them.
     sum = "sum", "suma";
     /// The number of smaller ones.
     smaller(count: usize) = "{count} smaller ones together", "otras {count} menores";
     /// The heading of what brings nothing.
-    brings_nothing = "What brings nothing", "Lo que no aporta nada";
+    brings_nothing = "What contributes nothing", "Lo que no aporta nada";
     /// So many more of those.
     more(count: usize) = "and {count} more", "y {count} más";
     /// The section of the source text that has a quantity.

@@ -104,7 +104,7 @@ texts! {
     /// Nothing is hit.
     background = "nothing is hit: background", "no interseca con ningún objeto: luz de fondo";
     /// A shadow ray that nothing stops.
-    free = "nothing stands in the way", "nada se interpone";
+    free = "nothing blocks the light", "nada bloquea la luz";
     /// Behind a value that was computed with more digits than the others.
     twice_the_digits = "with twice the digits", "con el doble de cifras";
     /// The object that blocks.
@@ -129,7 +129,7 @@ texts! {
     rest_skipped = "the rest is skipped", "se omite el resto";
     /// What would come through the surface.
     leak_guard(what: &str) =
-        "no leak: the {what} lies beyond the surface and brings nothing",
+        "no leak: the {what} lies beyond the surface and contributes nothing",
         "{what} queda al otro lado de la superficie y no aporta nada";
     /// A direction that was bent up above the surface.
     bent(what: &str) =
@@ -213,12 +213,12 @@ texts! {
     /// What the operands that a log holds leave unexplained.
     unexplained = "not explained by this log", "este registro no lo explica";
     /// A light behind the surface.
-    light_behind(light: &str) = "{light} stands behind the surface", "{light} está detrás de la superficie";
+    light_behind(light: &str) = "{light} is behind the surface", "{light} está detrás de la superficie";
     /// A light that an object blocks.
     light_blocked(light: &str, object: &str) = "{light} is blocked by {object}", "{object} bloquea {light}";
     /// The log ends within a ray.
     log_ends = "the log ends before this ray does", "el registro termina antes que este rayo";
-    /// Why a path brings nothing, where nobody knows.
+    /// Why a path contributes nothing, where nobody knows.
     nothing = "nothing", "nada";
     /// What a worked solution says beyond that.
     solution: Solution;

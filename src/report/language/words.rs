@@ -42,7 +42,7 @@ impl Language {
             ],
             SkipReason::ZeroLocal => ["its weight is zero", "su peso es cero"],
             SkipReason::ZeroTerm => ["its coefficient is zero", "su coeficiente es cero"],
-            SkipReason::Behind => ["the light stands behind the surface", "la fuente está detrás de la superficie"],
+            SkipReason::Behind => ["the light is behind the surface", "la fuente está detrás de la superficie"],
             SkipReason::ZeroLight => [
                 "the light's colour and the coefficients leave nothing of any channel",
                 "el color de la fuente y los coeficientes no dejan nada de ningún color",

@@ -108,7 +108,7 @@ texts! {
     /// Its columns, and what is said where it has no entries.
     list: List<9> =
         list(
-            ["share", "path", "times", "from", "class", "figure 14", "% of r g b", "brings", "= own colour * weight"],
+            ["share", "path", "times", "from", "class", "figure 14", "% of r g b", "contributes", "= own colour * weight"],
             "no light is accounted for yet",
         ),
         list(
@@ -132,7 +132,7 @@ texts! {
     /// Smaller contributions, this many, in one.
     smaller(count: usize) = "{count} smaller ones together", "otras {count} menores en total";
     /// The heading of this many paths that bring nothing.
-    brings_nothing(count: usize) = "What brings nothing ({count}):", "Lo que no aporta nada ({count}):";
+    brings_nothing(count: usize) = "What contributes nothing ({count}):", "Lo que no aporta nada ({count}):";
 }
 
 texts! {
