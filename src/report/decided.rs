@@ -244,11 +244,8 @@ impl Decider<'_> {
 }
 
 /// Two values, if both are numbers.
-fn numbers(values: [Result<Value, String>; 2]) -> Option<[f64; 2]> {
-    match values {
-        [Ok(Value::Number(left)), Ok(Value::Number(right))] => Some([left, right]),
-        _ => None,
-    }
+fn numbers([left, right]: [Result<Value, String>; 2]) -> Option<[f64; 2]> {
+    Some([left.ok()?.number()?, right.ok()?.number()?])
 }
 
 /// A style in which a side that is less than the other looks different.

@@ -11,9 +11,7 @@ use std::fmt::Write;
 pub fn text(language: Language, log: &Log, style: Style) -> String {
     let header = &log.header;
     let mut out = String::new();
-    let subject: Vec<_> =
-        words::frame(language, header).into_iter().chain([words::subject(language, header)]).collect();
-    let subject = subject.join(", ");
+    let subject = words::subject_in_frame(language, header);
     let algorithm = format!("{}, {} {}", header.tracing.algorithm, language.texts().depth, header.tracing.max_depth);
     let sampling = words::sampling(language, header).map_or(String::new(), |sampling| format!(" · {sampling}"));
     let scene = words::plain(&header.scene.name);

@@ -59,6 +59,11 @@ pub fn frame(language: Language, header: &Header) -> Option<String> {
     header.frame.map(|frame| (language.texts().frame)(frame.number))
 }
 
+/// The subject with its frame before it, where there are several.
+pub fn subject_in_frame(language: Language, header: &Header) -> String {
+    frame(language, header).into_iter().chain([subject(language, header)]).collect::<Vec<_>>().join(", ")
+}
+
 /// What a ray is for.
 pub fn ray_kind(language: Language, header: &Header, kind: RayKind) -> String {
     let texts = language.texts();

@@ -43,11 +43,8 @@ impl Format for Text {
         *self = self.clone().between(a, b);
         let mut out = String::new();
         for (letter, header) in [("A", a), ("B", b)] {
-            let subject: Vec<_> = words::frame(Language::English, header)
-                .into_iter()
-                .chain([words::subject(Language::English, header)])
-                .collect();
-            let (scene, subject) = (words::plain(&header.scene.name), subject.join(", "));
+            let scene = words::plain(&header.scene.name);
+            let subject = words::subject_in_frame(Language::English, header);
             out += &format!("{letter}: {scene} · {subject} · {}\n", words::arithmetic(header));
         }
         for HeaderDifference { field, a, b } in differences {

@@ -31,7 +31,7 @@ pub struct Distance {
 impl Tolerance {
     /// Whether two values differ by more than is tolerated.
     pub fn tells_apart(&self, a: &Value, b: &Value) -> bool {
-        let rounded = |value: &Value| rounded(value, self.digits);
+        let rounded = |value: &Value| value.map(|x| self.digits.map_or(x, |digits| round_half_away(x, digits)));
         let (a, b) = (rounded(a), rounded(b));
         let scale = scale(&a, &b);
         let (a, b) = (a.components(), b.components());
@@ -53,14 +53,6 @@ impl Tolerance {
         };
         self.absolute.is_none_or(|tolerance| exceeds(tolerance, 1.0))
             && self.relative.is_none_or(|tolerance| exceeds(tolerance, scale))
-    }
-}
-
-fn rounded(value: &Value, digits: Option<u32>) -> Value {
-    let round = |x: f64| digits.map_or(x, |digits| round_half_away(x, digits));
-    match value {
-        Value::Number(x) => Value::Number(round(*x)),
-        Value::Triple(triple) => Value::Triple(triple.map(round)),
     }
 }
 

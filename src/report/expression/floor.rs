@@ -33,10 +33,7 @@ fn told(inner: Expression, style: Style) -> Expression {
         }
         (Some((of_above, _)), whole) => shown(above, link, &of_above, style).unwrap_or(whole),
         (None, inner) => {
-            let quotient = match above {
-                Value::Number(x) => Value::Number(x / below),
-                Value::Triple(xyz) => Value::Triple(xyz.map(|x| x / below)),
-            };
+            let quotient = above.map(|x| x / below);
             let Some((digits, _)) = telling(quotient.components(), 1.0, style) else { return inner };
             shown(quotient, None, &digits, style).unwrap_or(Expression::value(quotient, None))
         }

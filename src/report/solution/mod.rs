@@ -92,8 +92,7 @@ impl Solution {
     fn of(task: &Task) -> Solution {
         let (log, tree, texts) = (task.log, task.tree, task.language.texts());
         let header = &log.header;
-        let subject = words::frame(task.language, header).into_iter();
-        let subject = subject.chain([words::subject(task.language, header)]).collect::<Vec<_>>().join(", ");
+        let subject = words::subject_in_frame(task.language, header);
         let tracing = &header.tracing;
         let (arithmetic, algorithm) = (words::arithmetic(header), words::plain(&tracing.algorithm));
         let mut conditions = vec![(texts.solution.conditions)(&arithmetic, &algorithm, tracing.max_depth)];
