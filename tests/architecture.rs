@@ -27,7 +27,7 @@ const NARROW: &[(&str, &[&str])] = &[
     // A report is made of the log alone, and rounds as the probes do.
     ("report", &["report", "log", "probe", "files/escape"]),
     // The viewer shows a log and an image that it is handed; it computes no geometry.
-    ("tui", &["tui", "log", "report", "files/escape"]),
+    ("tui", &["tui", "log", "report", "files/escape", "files/suggest"]),
     // The scene file is the numbers and words as they are written, whatever becomes of them. Those of a mesh file are the mesh.
     ("scene/file", &["scene/file", "geometry/mesh", "geometry/shape/SphereMethod", "files"]),
 ];

@@ -2,22 +2,19 @@
 
 /// The candidate that is near enough to have been meant.
 pub fn suggest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
-    let lower = name.to_lowercase();
     // A name much longer than any key is no slip of the fingers, and the distance takes quadratic time.
-    if lower.len() > 64 {
+    const LONG: usize = 64;
+    let lower = name.to_lowercase();
+    if lower.len() > LONG {
         return None;
     }
-    candidates
-        .into_iter()
-        .filter(|candidate| candidate.len() <= 64)
-        .map(|candidate| (distance(&lower, candidate), candidate))
-        .filter(|(distance, candidate)| *distance <= 1.max(candidate.chars().count() / 3))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, candidate)| candidate)
-}
-
-fn distance(lower: &str, candidate: &str) -> usize {
-    strsim::damerau_levenshtein(lower, &candidate.to_lowercase())
+    let distance = |candidate: &str| strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
+    let known = candidates.into_iter().filter(|candidate| candidate.len() <= LONG);
+    let near = known.map(|candidate| (distance(candidate), candidate)).filter(|(distance, candidate)| {
+        // Of which nothing is left was nothing of it meant.
+        *distance <= 1.max(candidate.chars().count() / 3) && *distance < lower.chars().count()
+    });
+    near.min_by_key(|(distance, _)| *distance).map(|(_, candidate)| candidate)
 }
 
 #[cfg(test)]

@@ -5,9 +5,9 @@ use super::jumps;
 use super::keys::Action;
 use super::model::Model;
 use super::prompt::{Done, Purpose};
-use super::suggest::nearest;
 use super::update::{Effect, Exit, update};
-use super::{bookmarks, breakpoints, search};
+use super::{address, breakpoints, search};
+use crate::files::suggest;
 use crate::log::{Step, Subject};
 use crate::report::language::Language;
 use crate::report::language::viewer::Commands;
@@ -98,7 +98,7 @@ fn find(word: &str, texts: &Commands) -> Result<&'static Command, String> {
     }
     match begun[..] {
         [command] => Ok(command),
-        [] => Err(match nearest(word, COMMANDS.iter().map(|command| command.name)) {
+        [] => Err(match suggest(word, COMMANDS.iter().map(|command| command.name)) {
             Some(near) => (texts.like)(&plain(word), near),
             None => (texts.expected)(&usages(COMMANDS.iter(), texts)),
         }),

@@ -32,7 +32,6 @@ mod run;
 pub mod screenshot;
 mod search;
 mod steps;
-mod suggest;
 mod terminal;
 #[cfg(test)]
 mod testing;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::scan::Scanner;
+use super::syntax::{Broken, Reader, decoded};
 use crate::files::{KeyPath, Step};
 
 /// Where a path leads in a text, in bytes.
@@ -23,81 +23,71 @@ pub fn locate(text: &str, path: &KeyPath) -> Place {
 
 /// The places of many paths, in one walk over the text. Of a key that is there several times it is the first.
 pub fn locate_all(text: &str, paths: &[KeyPath]) -> Vec<Place> {
-    let mut search = Search { text, scanner: Scanner::new(text), places: vec![Place::default(); paths.len()], paths };
+    let mut search = Search { text, reader: Reader::new(text), places: vec![Place::default(); paths.len()], paths };
     let everything: Vec<usize> = (0..paths.len()).collect();
-    search.value(0, None, &everything);
+    // Where a text isn't JSON the search ends, with what was found until there.
+    let _ = search.value(0, None, &everything);
     search.places
 }
 
 struct Search<'s> {
     text: &'s str,
-    scanner: Scanner<'s>,
+    reader: Reader<'s>,
     paths: &'s [KeyPath],
     places: Vec<Place>,
 }
 
 impl Search<'_> {
     /// Walks over the value that is next, `depth` steps from the root, where the paths `wanted` lead through it.
-    fn value(&mut self, depth: usize, key: Option<Range<usize>>, wanted: &[usize]) {
-        let next = self.scanner.peek();
-        let start = self.scanner.at;
+    fn value(&mut self, depth: usize, key: Option<Range<usize>>, wanted: &[usize]) -> Result<(), Broken> {
+        let next = self.reader.peek();
+        let start = self.reader.at;
         for &path in wanted {
             self.places[path] = Place { key: key.clone(), value: start..start, depth };
         }
         let deeper: Vec<usize> =
             wanted.iter().copied().filter(|&path| self.paths[path].steps().len() > depth).collect();
         match next {
-            Some(b'{') if !deeper.is_empty() => self.object(depth, &deeper),
-            Some(b'[') if !deeper.is_empty() => self.array(depth, &deeper),
-            _ => {
-                self.scanner.skip_value();
-            }
+            Some(b'{') if !deeper.is_empty() => self.object(depth, &deeper)?,
+            Some(b'[') if !deeper.is_empty() => self.array(depth, &deeper)?,
+            _ => drop(self.reader.value()?),
         }
         for &path in wanted {
             if self.places[path].depth == depth {
-                self.places[path].value.end = self.scanner.at;
+                self.places[path].value.end = self.reader.at;
             }
         }
+        Ok(())
     }
 
-    fn object(&mut self, depth: usize, wanted: &[usize]) {
-        self.scanner.take(b'{');
-        while self.scanner.peek() == Some(b'"') {
-            let start = self.scanner.at;
-            self.scanner.skip_string();
-            let key = start..self.scanner.at;
-            let name = decode(&self.text[key.clone()]);
-            if !self.scanner.take(b':') {
-                return;
-            }
+    fn object(&mut self, depth: usize, wanted: &[usize]) -> Result<(), Broken> {
+        self.reader.open()?;
+        let mut is_first = true;
+        while self.reader.next(b'}', is_first)? {
+            is_first = false;
+            let key = self.reader.key()?;
+            let name = decoded(&self.text[key.clone()]);
             let found = self.matching(depth, wanted, |step| matches!(step, Step::Key(key) if *key == name));
-            self.member(depth, Some(key), &found);
-            if !self.scanner.take(b',') {
-                break;
-            }
+            self.member(depth, Some(key), &found)?;
         }
-        self.scanner.take(b'}');
+        Ok(())
     }
 
-    fn array(&mut self, depth: usize, wanted: &[usize]) {
-        self.scanner.take(b'[');
+    fn array(&mut self, depth: usize, wanted: &[usize]) -> Result<(), Broken> {
+        self.reader.open()?;
         let mut index = 0;
-        while !matches!(self.scanner.peek(), None | Some(b']')) {
+        while self.reader.next(b']', index == 0)? {
             let found = self.matching(depth, wanted, |step| *step == Step::Index(index));
-            self.member(depth, None, &found);
+            self.member(depth, None, &found)?;
             index += 1;
-            if !self.scanner.take(b',') {
-                break;
-            }
         }
-        self.scanner.take(b']');
+        Ok(())
     }
 
-    fn member(&mut self, depth: usize, key: Option<Range<usize>>, found: &[usize]) {
-        if found.is_empty() {
-            self.scanner.skip_value();
-        } else {
-            self.value(depth + 1, key, found);
+    fn member(&mut self, depth: usize, key: Option<Range<usize>>, found: &[usize]) -> Result<(), Broken> {
+        match found.is_empty() {
+            true => self.reader.value().map(drop),
+            false => self.value(depth + 1, key, found),
         }
     }
 
@@ -105,11 +95,6 @@ impl Search<'_> {
         let is_new = |path: &usize| self.places[*path].depth <= depth;
         wanted.iter().copied().filter(|path| is_new(path) && leads_here(&self.paths[*path].steps()[depth])).collect()
     }
-}
-
-/// The name that a key spells; the key as written when it is broken.
-fn decode(key: &str) -> String {
-    serde_json::from_str(key).unwrap_or_else(|_| key.trim_matches('"').to_string())
 }
 
 #[cfg(test)]

@@ -25,11 +25,11 @@ mod mesh_path;
 mod names;
 mod part;
 mod print;
-mod scan;
 mod strict;
 mod syntax;
 #[cfg(test)]
 mod tests;
+mod walk;
 
 pub use load::{Loaded, MAX_BYTES, check, check_as, check_scene, open, parse, placed, read, read_bytes};
 pub use locate::{Place, locate, locate_all};

@@ -1,7 +1,7 @@
 //! Prints a scene as people write it: what fits on a line is on one line, and 1 is `1`, not `1.0`.
 
-use super::scan::Scanner;
 use super::schema::{Materials, SceneFile};
+use super::syntax::Reader;
 use crate::files::escape::escape_hidden_json;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -71,7 +71,7 @@ impl SceneFile {
             // Written out, it would no longer follow the formulas. Inside a string the quotes would be escaped, so this is the key.
             compact = compact.replacen("\"sphere_method\":\"robust\",", "", 1);
         }
-        let mut printer = Printer { text: &compact, scanner: Scanner::new(&compact), printed: String::new() };
+        let mut printer = Printer { text: &compact, reader: Reader::new(&compact), printed: String::new() };
         printer.value(0, 0, true);
         printer.printed.push('\n');
         // The path of a mesh may hold what drives a terminal; the names of a scene may not.
@@ -88,7 +88,7 @@ fn write_item(out: &mut impl Write, number: usize, key: Option<&str>, item: &imp
     const INDENT: usize = 4;
     let compact = compact(item);
     let key = key.map(|key| format!("{}: ", self::compact(&key))).unwrap_or_default();
-    let mut printer = Printer { text: &compact, scanner: Scanner::new(&compact), printed: String::new() };
+    let mut printer = Printer { text: &compact, reader: Reader::new(&compact), printed: String::new() };
     printer.value(INDENT, INDENT + 1 + key.len(), false);
     let separator = if number == 0 { "\n" } else { ",\n" };
     let (key, value) = (escape_hidden_json(&key), escape_hidden_json(&printer.printed));
@@ -97,58 +97,46 @@ fn write_item(out: &mut impl Write, number: usize, key: Option<&str>, item: &imp
 
 struct Printer<'t> {
     text: &'t str,
-    scanner: Scanner<'t>,
+    reader: Reader<'t>,
     printed: String,
 }
 
 impl Printer<'_> {
     /// Prints the next value; `used` is what is already on its line.
     fn value(&mut self, indent: usize, used: usize, is_root: bool) {
-        let start = self.scanner.at;
-        match self.scanner.peek() {
-            Some(b'{' | b'[') => {
-                let compact = &self.text[self.scanner.skip_value()];
-                let may_fit = compact.len() <= 2 * WIDTH && !is_root;
-                match may_fit.then(|| one_line(compact)).filter(|line| line.len() + used <= WIDTH) {
-                    Some(line) => self.printed.push_str(&line),
-                    None => {
-                        self.scanner.at = start;
-                        self.container(indent);
-                    }
-                }
-            }
-            _ => {
-                let range = self.scanner.skip_value();
-                self.printed.push_str(&one_line(&self.text[range]));
+        let is_container = matches!(self.reader.peek(), Some(b'{' | b'['));
+        let start = self.reader.at;
+        let compact = &self.text[self.reader.value().expect("serde_json writes JSON alone")];
+        let may_fit = !is_container || (compact.len() <= 2 * WIDTH && !is_root);
+        match may_fit.then(|| one_line(compact)).filter(|line| !is_container || line.len() + used <= WIDTH) {
+            Some(line) => self.printed.push_str(&line),
+            None => {
+                self.reader.at = start;
+                self.container(indent);
             }
         }
     }
 
     fn container(&mut self, indent: usize) {
-        let is_object = self.scanner.take(b'{');
+        let is_object = self.reader.peek() == Some(b'{');
         let (open, close) = if is_object { ('{', '}') } else { ('[', ']') };
-        self.scanner.take(b'[');
+        self.reader.open().expect("serde_json writes JSON alone");
         self.printed.push(open);
         let inner = indent + 2;
         let mut separator = "\n";
-        while !matches!(self.scanner.peek(), None | Some(b'}' | b']')) {
+        while self.reader.next(close as u8, separator == "\n").expect("serde_json writes JSON alone") {
             self.printed.push_str(separator);
             self.printed.push_str(&" ".repeat(inner));
             let mut used = inner + 1;
             if is_object {
-                let start = self.scanner.at;
-                self.scanner.skip_string();
-                let key = &self.text[start..self.scanner.at];
-                self.scanner.take(b':');
+                let key = &self.text[self.reader.key().expect("serde_json writes JSON alone")];
                 self.printed.push_str(key);
                 self.printed.push_str(": ");
                 used += key.len() + 2;
             }
             self.value(inner, used, false);
-            self.scanner.take(b',');
             separator = ",\n";
         }
-        self.scanner.take(close as u8);
         self.printed.push('\n');
         self.printed.push_str(&" ".repeat(indent));
         self.printed.push(close);
@@ -157,25 +145,21 @@ impl Printer<'_> {
 
 /// A compact value with a space after each comma and colon, and whole numbers without `.0`.
 fn one_line(compact: &str) -> String {
-    let mut scanner = Scanner::new(compact);
+    let mut reader = Reader::new(compact);
     let mut line = String::with_capacity(compact.len() + compact.len() / 4);
-    while let Some(byte) = scanner.peek() {
-        let start = scanner.at;
+    while let Some(byte) = reader.peek() {
         match byte {
             b',' | b':' => {
-                line.push(char::from(byte));
-                line.push(' ');
-                scanner.at += 1;
+                line.extend([char::from(byte), ' ']);
+                reader.at += 1;
             }
             b'{' | b'[' | b'}' | b']' => {
                 line.push(char::from(byte));
-                scanner.at += 1;
+                reader.at += 1;
             }
             _ => {
-                scanner.skip_value();
-                let word = &compact[start..scanner.at];
-                let is_string = byte == b'"';
-                let whole = word.strip_suffix(".0").filter(|_| !is_string);
+                let word = &compact[reader.value().expect("serde_json writes JSON alone")];
+                let whole = word.strip_suffix(".0").filter(|_| byte != b'"');
                 line.push_str(whole.unwrap_or(word));
             }
         }

@@ -1,5 +1,6 @@
 //! JSON text read strictly, piece by piece: where it stops being JSON, and why, in words that help.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::files::escape::{is_hidden, shortened};
@@ -8,6 +9,7 @@ use crate::files::escape::{is_hidden, shortened};
 const DEEPEST: usize = 127;
 
 /// Why a text isn't JSON, and where.
+#[derive(Debug)]
 pub struct Broken {
     /// The place, in bytes.
     pub span: Range<usize>,
@@ -118,16 +120,18 @@ impl<'t> Reader<'t> {
     /// A number, `true`, `false` or `null`.
     fn word(&mut self) -> Result<(), Broken> {
         let word = word_at(&self.text[self.at..]);
-        if matches!(word, "true" | "false" | "null") || serde_json::from_str::<f64>(word).is_ok() {
-            self.at += word.len();
-            return Ok(());
-        }
-        let is_number = word.starts_with(['-', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9']);
-        if is_number && word.parse::<f64>().is_ok_and(f64::is_infinite) {
+        let is_number = is_number(word.as_bytes());
+        // Only a number with an exponent, or a very long one, may be too large.
+        let is_long = word.len() > 300 || word.bytes().any(|byte| byte | 0x20 == b'e');
+        if is_number && is_long && word.parse::<f64>().is_ok_and(f64::is_infinite) {
             let message = "the number is too large, expected at most 1.797e308 in size";
             return Err(Broken { span: self.at..self.at + word.len(), message: message.to_owned() });
         }
-        Err(self.broken("a value"))
+        if !is_number && !matches!(word, "true" | "false" | "null") {
+            return Err(self.broken("a value"));
+        }
+        self.at += word.len();
+        Ok(())
     }
 
     /// A string that starts here; gives its place, with its quotes.
@@ -239,7 +243,7 @@ fn hint(rest: &str, word: &str) -> Option<String> {
         // A number of another language: `.5`, `5.`, `+1`, `01`, `0x10`, `1_000`, `2f`.
         lower => {
             let is_like_number = lower.trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit());
-            let is_odd = is_like_number && serde_json::from_str::<f64>(word).is_err();
+            let is_odd = is_like_number && !is_number(word.as_bytes());
             is_odd.then(|| format!("`{}` is no number in JSON, expected one like 12, -0.5 or 1e3", shortened(word, 40)))
         }
     }
@@ -249,4 +253,33 @@ fn hint(rest: &str, word: &str) -> Option<String> {
 fn word_at(text: &str) -> &str {
     let is_in_word = |character: char| character.is_alphanumeric() || matches!(character, '-' | '+' | '.' | '_');
     &text[..text.len() - text.trim_start_matches(is_in_word).len()]
+}
+
+/// Whether a word is a number (RFC 8259, section 6).
+fn is_number(word: &[u8]) -> bool {
+    let digits_of = |text: &'_ [u8]| text.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let mut rest = word.strip_prefix(b"-").unwrap_or(word);
+    let whole = digits_of(rest);
+    let mut is_good = whole == 1 || (whole > 1 && rest[0] != b'0');
+    rest = &rest[whole..];
+    if let Some(fraction) = rest.strip_prefix(b".") {
+        let digits = digits_of(fraction);
+        is_good &= digits > 0;
+        rest = &fraction[digits..];
+    }
+    if let [b'e' | b'E', exponent @ ..] = rest {
+        let exponent = exponent.strip_prefix(b"-").or(exponent.strip_prefix(b"+")).unwrap_or(exponent);
+        let digits = digits_of(exponent);
+        is_good &= digits > 0;
+        rest = &exponent[digits..];
+    }
+    is_good && rest.is_empty()
+}
+
+/// The name that a string spells.
+pub fn decoded(string: &str) -> Cow<'_, str> {
+    match string.contains('\\') {
+        true => serde_json::from_str::<String>(string).unwrap_or_else(|_| string.to_owned()).into(),
+        false => string.trim_matches('"').into(),
+    }
 }

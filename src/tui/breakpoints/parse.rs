@@ -3,10 +3,10 @@
 
 use super::condition::{Condition, Operator, Part, Quantity};
 use super::kind;
+use crate::files::suggest;
 use crate::log::{Log, Name, Value, What};
 use crate::report::language::viewer::Breakpoints;
 use crate::report::words::plain;
-use crate::tui::suggest::nearest;
 use crate::tui::view::ascii;
 
 /// The operators, those that begin like another one before it.
@@ -66,7 +66,7 @@ pub fn words(log: &Log) -> Vec<String> {
 }
 
 fn kind_of(word: &str, texts: &Breakpoints) -> Result<Condition, String> {
-    kind::find(word).map(Condition::Kind).ok_or_else(|| match nearest(word, kind::WORDS.iter().copied()) {
+    kind::find(word).map(Condition::Kind).ok_or_else(|| match suggest(word, kind::WORDS.iter().copied()) {
         Some(near) => (texts.kind_like)(&plain(word), near),
         None => texts.expected_kind.to_owned(),
     })
@@ -91,7 +91,7 @@ fn named(names: &[String], name: &str, unknown: &Unknown) -> Result<Vec<u32>, St
         return Ok(found);
     }
     let all = names.iter().map(String::as_str);
-    Err(match nearest(name, all.clone()) {
+    Err(match suggest(name, all.clone()) {
         Some(near) => (unknown.like)(&plain(name), &plain(near)),
         None if names.is_empty() => unknown.none.to_owned(),
         None => {
@@ -161,7 +161,7 @@ fn operand_of(text: &str, texts: &Breakpoints) -> Result<(Vec<Name>, Part), Stri
     let known = Name::all().flat_map(|name| [name.key(), name.symbol()]).chain(kind::WORDS.iter().copied());
     // A kind of event has no value to compare.
     let known = known.filter(|word| *word != text);
-    Err(match nearest(text, known) {
+    Err(match suggest(text, known) {
         Some(near) => (texts.name_like)(&plain(text), near),
         None => (texts.no_name)(&plain(text)),
     })
