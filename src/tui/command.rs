@@ -6,7 +6,7 @@ use super::keys::Action;
 use super::model::Model;
 use super::prompt::{Done, Purpose};
 use super::update::{Effect, Exit, update};
-use super::{address, breakpoints, search};
+use super::{bookmarks, breakpoints, search};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
 use crate::report::language::Language;
