@@ -19,9 +19,8 @@ pub fn few_samples(scene: &Scene) -> Option<u32> {
         Sampling::Center {} => 1,
         Sampling::Regular { n } => n.saturating_mul(n),
         Sampling::Stochastic { n } | Sampling::Random { n } | Sampling::Sobol { n } => n,
-        Sampling::Shared { .. } | Sampling::Adaptive { .. } | Sampling::Statistical(_) | Sampling::Guided(_) => {
-            return None;
-        }
+        // Of all others the number, or the places, depend on the pixel or its neighbours; and a new method is right without this.
+        _ => return None,
     };
     pays(scene, count).then_some(count)
 }

@@ -50,7 +50,9 @@ impl Search<'_> {
         match next {
             Some(b'{') if !deeper.is_empty() => self.object(depth, &deeper)?,
             Some(b'[') if !deeper.is_empty() => self.array(depth, &deeper)?,
-            _ => drop(self.reader.value()?),
+            _ => {
+                self.reader.value()?;
+            }
         }
         for &path in wanted {
             if self.places[path].depth == depth {

@@ -103,7 +103,9 @@ impl<'t> Reader<'t> {
                     self.value()?;
                 }
             }
-            Some(b'"') => drop(self.string()?),
+            Some(b'"') => {
+                self.string()?;
+            }
             _ => self.word()?,
         }
         Ok(start..self.at)
