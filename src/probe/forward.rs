@@ -1,6 +1,6 @@
 //! How a probe hands on to the probe behind it what it doesn't see itself.
 
-/// The methods of `Probe` with these names, each of which calls that of another probe: `forward!(self => Probe of self.probe: mark leave)`.
+/// The methods of `Probe` with these names, each of which calls that of another probe: `forward!(self => Probe of self.probe; mark leave)`.
 macro_rules! forward {
     ($this:ident => $trait:ident of $to:expr; $($method:ident)*) => { $(forward!(@$method $this $trait $to);)* };
     (@given $this:ident $trait:ident $to:expr) => {

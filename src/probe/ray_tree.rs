@@ -4,7 +4,7 @@ use super::position::{mixed_with, words};
 use super::{Probe, Quantity, forward};
 use crate::log::{Decision, Name, Step};
 
-/// A digest of what is traced, decided and computed in which order, whatever the values are; all goes on to `probe`.
+/// A digest of what is traced, decided and computed in which order, whatever the values are; values and events go on to `probe`.
 ///
 /// What happens inside intersection tests isn't part of it: which objects are tested, and why one is missed, changes
 /// nothing by itself. What the tests come to is: the nearest object, the background, what blocks the light.

@@ -17,8 +17,8 @@ pub struct Index {
     bounds: Option<Bounds>,
     /// What is known of each object, in the order of the scene; nothing where there is a tree.
     extents: Vec<Extent>,
-    /// The index without that wish, where it was asked to show every ray all objects. What decides how a light is asked looks there, so that a log has the
-    /// picture's values.
+    /// Of an index that shows every ray all objects (`--tests all`), the one without that option. What decides how many points of a light are asked looks
+    /// there, so that a log has the picture's values.
     usual: Option<Box<Index>>,
     /// Whether there is a tree, of objects or of a mesh's triangles, in which rays save time by walking together.
     has_large_trees: bool,
@@ -180,7 +180,7 @@ impl Index {
         self.bounds.is_some_and(|bounds| bounds.is_surely_missed(origin, direction))
     }
 
-    /// Shows `meet` every object that the ray can hit, in the order that is searched in, and says whether it certainly crosses it. `meet`
+    /// Shows `meet` every object that the ray can hit, in the order of the search, and says whether it certainly crosses it. `meet`
     /// gives the distance up to which objects still matter; a negative one ends the search.
     #[inline(always)]
     pub fn visit<P: Probe>(

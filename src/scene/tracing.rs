@@ -16,7 +16,7 @@ pub struct Tracing {
     pub specular: Specular,
     /// Which formulas, where several give the same number in exact arithmetic.
     pub formulas: Formulas,
-    /// By which formulas spheres are met.
+    /// By which formulas spheres are intersected.
     pub sphere_method: SphereMethod,
     /// What scales the light that a reflected ray brings.
     pub reflected_scale: ReflectedScale,

@@ -69,7 +69,11 @@ impl Facts {
                 Decision::Asked { .. } => {}
                 Decision::Subdivided { .. } | Decision::Accepted { .. } | Decision::MoreSamples { .. } => {}
                 Decision::DepthLimit { .. } | Decision::TotalInternalReflection => fact.limit = number,
-                _ => fact.outcome = number,
+                Decision::Hit | Decision::Miss { .. } | Decision::Nearest { .. } | Decision::Background => {
+                    fact.outcome = number
+                }
+                Decision::Occluded { .. } | Decision::Attenuated { .. } => fact.outcome = number,
+                Decision::Undefined { .. } | Decision::Rejected { .. } => fact.outcome = number,
             },
             What::Leave => self.hand_up(tree, owner),
             What::Enter { .. } => {}

@@ -65,7 +65,7 @@ pub trait Kernel {
         at_an_end(ray, approach.leaving.is_none(), crossing.t, self.slope(ray, crossing), Kernel::size(self))
     }
 
-    /// Marks the only candidate of a flat shape as hit or missed.
+    /// Marks the only candidate as hit or missed.
     #[inline(always)]
     fn decide<P: Probe>(&self, ray: &Ray, approach: Approach, candidate: Crossing, probe: &mut P) -> Option<Crossing> {
         let Crossing { t, side, primitive } = candidate;
@@ -74,8 +74,8 @@ pub trait Kernel {
         decide(ray, approach, candidate, at_an_end, probe)
     }
 
-    /// [`Kernel::at_an_end`], called with what fits into registers. A crossing that is handed to a call is in memory, on the way without
-    /// the call, too; there it is written piece by piece and read in one, which waits for the pieces, longer than a plane's test takes.
+    /// [`Kernel::at_an_end`], called with what fits into registers. A `Crossing` passed to a call lives in memory even where the call
+    /// isn't taken: it would be stored field by field and loaded as a whole, a stall that takes longer than the test of a plane.
     #[cold]
     #[inline(never)]
     fn at_a_near_end(&self, ray: &Ray, approach: Approach, t: f64, side: Side, primitive: u32) -> Option<Miss> {

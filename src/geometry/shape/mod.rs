@@ -1,4 +1,4 @@
-//! The shapes. Each has its own file, which implements `Kernel`; adding one is that file, a variant and an arm here.
+//! The shapes. Each has its own file, which implements `Kernel`; CONTRIBUTING.md says what else one needs.
 
 mod axis;
 mod cone;

@@ -4,7 +4,7 @@ use super::field::{FieldKind, Id, Light, Object, Optional, Quantity, Triple, Who
 use super::{Acceptance, Asking, Miss, SkipReason, Split, Term};
 use crate::log::name::Name;
 
-/// Hands the table to a macro, behind what else is for it. A row has a variant, its word in a log, what it means, and its fields: each with its type here, and with the
+/// Passes the table to a macro, after the tokens meant for that macro alone. A row has a variant, its word in a log, what it means, and its fields: each with its type here, and with the
 /// [`FieldKind`](super::field::FieldKind) that says how files have it.
 macro_rules! decisions {
     ($with:ident $($more:tt)*) => {

@@ -3,7 +3,7 @@
 use super::Term;
 use super::field::{FieldKind, Id, Light, Numbered, Object, Optional, Whole};
 
-/// Hands the table to a macro, behind what else is for it. Its rows are those of [`decisions`](super::decision::decisions). Two nodes have no row, since their lines aren't
+/// Passes the table to a macro, after the tokens meant for that macro alone. Its rows are those of [`decisions`](super::decision::decisions). Two nodes have no row, since their lines aren't
 /// made of fields one by one: `{"pixel":[x,y]}`, and a ray, whose kind takes two fields of its line ([`RayKind`]).
 macro_rules! steps {
     ($with:ident $($more:tt)*) => {

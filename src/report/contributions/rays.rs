@@ -105,7 +105,20 @@ impl<'a> Walk<'a> {
                 | Decision::Coincident { .. }
                 | Decision::Immersed { .. }
                 | Decision::Bent { .. } => {}
-                _ => self.ended.push(Ended { path: self.path(ray), why: Why::Decided, event: *event }),
+                Decision::Hit | Decision::Miss { .. } | Decision::Outside | Decision::Inside => {}
+                Decision::Subdivided { .. } | Decision::Accepted { .. } | Decision::MoreSamples { .. } => {}
+                Decision::Free
+                | Decision::Occluded { .. }
+                | Decision::Attenuated { .. }
+                | Decision::Asked { .. }
+                | Decision::Undefined { .. }
+                | Decision::TotalInternalReflection
+                | Decision::DepthLimit { .. }
+                | Decision::LeakGuard { .. }
+                | Decision::Rejected { .. }
+                | Decision::Skipped { .. } => {
+                    self.ended.push(Ended { path: self.path(ray), why: Why::Decided, event: *event })
+                }
             }
         }
         let Some(sum) = self.sum(ray) else {

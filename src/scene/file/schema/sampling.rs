@@ -164,7 +164,7 @@ impl Sampling {
         )
     }
 
-    /// The most that a sample counts for over all pixels; 1 is a whole pixel.
+    /// The largest part of the picture that one sample makes up, in pixels: 1 where a pixel has a single one.
     pub fn largest_share(self) -> f64 {
         let one_of = |count: u32| 1.0 / f64::from(count.max(1));
         match self {
