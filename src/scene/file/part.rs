@@ -18,8 +18,8 @@ impl<'s> Part<'s> {
 
     /// Another part, or what it refers to.
     fn part(self, this: &'s Value) -> Self {
-        let pointer = this["$ref"].as_str().and_then(|reference| reference.strip_prefix('#'));
-        let this = pointer.and_then(|pointer| self.whole.pointer(pointer)).unwrap_or(this);
+        let name = this.get("$ref").and_then(Value::as_str).and_then(|reference| reference.strip_prefix("#/$defs/"));
+        let this = name.and_then(|name| self.whole["$defs"].get(name)).unwrap_or(this);
         Self { whole: self.whole, this }
     }
 
@@ -49,9 +49,14 @@ impl<'s> Part<'s> {
         }
     }
 
+    /// Whether it is one of several words.
+    pub fn is_of_words(self) -> bool {
+        self.this.get("oneOf").is_some() && self.this.get("properties").is_none()
+    }
+
     /// The words of which it is one, alone or as the only key of an object.
     pub fn words(self) -> Option<Vec<Word<'s>>> {
-        let parts = self.parts("oneOf").filter(|_| self.this.get("properties").is_none())?;
+        let parts = self.parts("oneOf").filter(|_| self.is_of_words())?;
         let word = |part: Self| match part.this["const"].as_str() {
             Some(name) => Some(Word { name, value: None }),
             None => {
@@ -132,6 +137,12 @@ impl<'s> Part<'s> {
         }
     }
 
+    /// From where to where a whole number may be, in words; `None` where it has no highest value.
+    pub fn limits_in_words(self) -> Option<String> {
+        let high = self.this.get("maximum").filter(|_| self.this["type"] == "integer")?;
+        Some(format!("from {} to {high}", self.this["minimum"]))
+    }
+
     /// What may be there, in words.
     pub fn in_words(self) -> String {
         if let Some(words) = self.words() {
@@ -149,9 +160,9 @@ impl<'s> Part<'s> {
             (Some("array"), Some(length)) => format!("an array of {length} elements"),
             (Some("string"), _) => "a string".to_owned(),
             (Some("boolean"), _) => "`true` or `false`".to_owned(),
-            (Some("integer"), _) => match [&self.this["minimum"], &self.this["maximum"]] {
-                [low, Value::Null] => format!("a whole number, {low} or more"),
-                [low, high] => format!("a whole number from {low} to {high}"),
+            (Some("integer"), _) => match self.limits_in_words() {
+                Some(limits) => format!("a whole number {limits}"),
+                None => format!("a whole number, {} or more", self.this["minimum"]),
             },
             _ => "a number".to_owned(),
         }

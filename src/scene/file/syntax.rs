@@ -43,7 +43,7 @@ impl<'t> Reader<'t> {
     pub fn open(&mut self) -> Result<(), Broken> {
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(self.broken_here("nested too deeply, expected at most 128 levels".to_owned()));
+            return Err(self.broken_here(format!("nested too deeply, expected at most {DEEPEST} levels")));
         }
         self.at += 1;
         Ok(())
@@ -51,7 +51,7 @@ impl<'t> Reader<'t> {
 
     /// Whether another item follows, or the bracket that closes the list, which is taken.
     pub fn next(&mut self, close: u8, is_first: bool) -> Result<bool, Broken> {
-        let close_alone = format!("`{}`", char::from(close));
+        let close_alone = || format!("`{}`", char::from(close));
         let found = self.peek();
         if found == Some(close) {
             self.at += 1;
@@ -59,10 +59,14 @@ impl<'t> Reader<'t> {
             return Ok(false);
         }
         if is_first {
-            return if found.is_none() { Err(self.broken(&close_alone)) } else { Ok(true) };
+            return if found.is_none() { Err(self.broken(&close_alone())) } else { Ok(true) };
         }
         if found != Some(b',') {
-            return Err(self.broken(&if found.is_none() { close_alone } else { format!("`,` or {close_alone}") }));
+            return Err(self.broken(&if found.is_none() {
+                close_alone()
+            } else {
+                format!("`,` or {}", close_alone())
+            }));
         }
         let comma = self.at;
         self.at += 1;
@@ -88,27 +92,37 @@ impl<'t> Reader<'t> {
 
     /// Any value, however deep; gives its place.
     pub fn value(&mut self) -> Result<Range<usize>, Broken> {
-        let first = self.peek();
+        self.peek();
         let start = self.at;
-        match first {
-            Some(open @ (b'{' | b'[')) => {
-                self.open()?;
-                let mut is_first = true;
-                // `{` and `[` are two before what closes them.
-                while self.next(open + 2, is_first)? {
-                    is_first = false;
-                    if open == b'{' {
+        // What closes each list and object that is open.
+        let mut open = Vec::new();
+        loop {
+            let mut is_first = false;
+            match self.peek() {
+                Some(bracket @ (b'{' | b'[')) => {
+                    self.at += 1;
+                    self.depth += 1;
+                    // They are two before what closes them.
+                    open.push(bracket + 2);
+                    is_first = true;
+                }
+                Some(b'"') => drop(self.string()?),
+                _ => self.word()?,
+            }
+            while let Some(close) = open.last().copied() {
+                if self.next(close, is_first)? {
+                    if close == b'}' {
                         self.key()?;
                     }
-                    self.value()?;
+                    break;
                 }
+                open.pop();
+                is_first = false;
             }
-            Some(b'"') => {
-                self.string()?;
+            if open.is_empty() {
+                return Ok(start..self.at);
             }
-            _ => self.word()?,
         }
-        Ok(start..self.at)
     }
 
     /// The end of the text.

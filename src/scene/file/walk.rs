@@ -58,7 +58,7 @@ impl<'t> Walk<'t> {
     pub fn value(&mut self, part: Part) -> Result<(), Broken> {
         let first = self.reader.peek();
         let start = Start { text: self.reader.at, copy: self.mended.len() };
-        if part.words().is_some() {
+        if part.is_of_words() {
             return self.word(part, start);
         }
         let of_type = part.of_type(first);
@@ -153,7 +153,6 @@ impl<'t> Walk<'t> {
 
     /// An object with the keys of a part.
     fn object(&mut self, part: Part, start: Start) -> Result<(), Broken> {
-        let keys = part.keys();
         let mut there: Vec<Cow<str>> = Vec::new();
         let mut meant = Vec::new();
         let mut is_first = true;
@@ -171,6 +170,7 @@ impl<'t> Walk<'t> {
                 there.push(name);
                 self.value(value)?;
             } else {
+                let keys = part.keys();
                 self.report(key, unknown("key", &name, &keys));
                 meant.extend(suggest(&name, keys.iter().copied()));
                 self.reader.value()?;
@@ -179,8 +179,11 @@ impl<'t> Walk<'t> {
         }
         let whole = start.text..self.reader.at;
         let misspelt = meant.len();
+        let exclusive = part.exclusive();
+        // Where one of those that exclude each other is there, no other was meant.
+        let has_one = exclusive.iter().any(|name| there.iter().any(|key| key == name));
         for (number, name) in meant.into_iter().chain(part.required()).enumerate() {
-            if there.iter().any(|key| key == name) {
+            if there.iter().any(|key| key == name) || (has_one && exclusive.contains(&name)) {
                 continue;
             }
             if number >= misspelt {
@@ -190,7 +193,6 @@ impl<'t> Walk<'t> {
             there.push(name.into());
         }
         self.mended.push('}');
-        let exclusive = part.exclusive();
         let given: Vec<&str> = exclusive.iter().copied().filter(|name| there.iter().any(|key| key == name)).collect();
         if !exclusive.is_empty() && given.len() != 1 {
             let found = if given.is_empty() { "none of them".to_owned() } else { quoted(&given).join(" and ") };
@@ -230,7 +232,6 @@ impl<'t> Walk<'t> {
 
     /// A list; `part` is what may be in its place, `of_type` the list.
     fn array(&mut self, part: Part, of_type: Part, start: Start) -> Result<(), Broken> {
-        let before = (self.mistakes.len(), self.omitted, self.stand_ins.len());
         let mut count = 0;
         self.reader.open()?;
         self.mended.push('[');
@@ -247,10 +248,6 @@ impl<'t> Walk<'t> {
         }
         self.mended.push(']');
         if of_type.length().is_some_and(|length| count as u64 != length) {
-            // What the elements are doesn't matter then.
-            self.mistakes.truncate(before.0);
-            self.omitted = before.1;
-            self.stand_ins.truncate(before.2);
             self.replace(part, start, Some(count));
         }
         Ok(())
@@ -264,7 +261,13 @@ impl<'t> Walk<'t> {
             Some(count) => format!("{count} elements"),
             None => described(&self.text[value.clone()]),
         };
-        self.report(value, format!("expected {}, found {found}", part.in_words()));
+        let message = match part.limits_in_words() {
+            Some(limits) if found.bytes().all(|byte| byte.is_ascii_digit()) => {
+                format!("must be {limits}, found {found}")
+            }
+            _ => format!("expected {}, found {found}", part.in_words()),
+        };
+        self.report(value, message);
         self.put_in(part, start.copy);
     }
 
