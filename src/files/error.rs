@@ -6,7 +6,6 @@ use std::ops::Range;
 
 use super::escape::{escape_hidden, escape_hidden_lines, width};
 use super::key_path::KeyPath;
-use super::source::Excerpt;
 
 /// Why there is no scene.
 #[derive(Debug, thiserror::Error)]
@@ -134,6 +133,17 @@ pub struct Problem {
     pub span: Option<Range<usize>>,
     /// The source line.
     pub excerpt: Option<Excerpt>,
+}
+
+/// The part of a source line that is shown below an error, ready to print.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Excerpt {
+    /// The line, or the part of it around the place.
+    pub line: String,
+    /// Characters of `line` before the place.
+    pub before: usize,
+    /// Characters of `line` to underline, 1 or more.
+    pub width: usize,
 }
 
 impl Problem {

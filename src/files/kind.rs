@@ -1,6 +1,7 @@
 //! What a file is, by its first bytes: decided here for every command.
 
 use super::picture_kind::PictureKind;
+use super::source::without_mark;
 use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
 use std::fmt;
 
@@ -51,11 +52,6 @@ impl Kind {
     pub fn is_log(self) -> bool {
         matches!(self, Kind::Log(_))
     }
-}
-
-/// A text without the mark that editors on some systems begin it with.
-pub fn without_mark(text: &[u8]) -> &[u8] {
-    text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)
 }
 
 /// By the byte order mark, or by the zero in its first letter.

@@ -20,13 +20,13 @@ mod suggest;
 mod there;
 mod zstd;
 
-pub use error::{FileError, Problem, Severity, more_warnings};
+pub use error::{Excerpt, FileError, Problem, Severity, more_warnings};
 pub use escape::{escape_hidden, escape_hidden_json, escape_hidden_lines};
 pub use key_path::{KeyPath, Step};
-pub use kind::{Kind, LogForm, PART, without_mark};
+pub use kind::{Kind, LogForm, PART};
 pub use open::{Opened, Wanted, display_name, irregular};
 pub use packed::{Packing, unpacked_name};
 pub use picture_kind::{ImageKind, Netpbm, Notation, PictureKind};
-pub use source::{Excerpt, Source};
+pub use source::{Source, without_mark};
 pub use suggest::suggest;
 pub use there::{is_callers_fault, is_there};

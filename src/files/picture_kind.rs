@@ -1,6 +1,6 @@
 //! What kind of picture a file is, by its first bytes.
 
-use super::kind::without_mark;
+use super::source::without_mark;
 
 /// The kinds of picture that are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::error::Problem;
+use super::error::{Excerpt, Problem};
 use super::escape::escape_hidden;
 use super::key_path::KeyPath;
 
@@ -16,17 +16,6 @@ pub struct Source<'t> {
     pub name: &'t str,
     /// The text; it need not be UTF-8.
     pub text: &'t [u8],
-}
-
-/// The part of a source line that is shown below an error, ready to print.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Excerpt {
-    /// The line, or the part of it around the place.
-    pub line: String,
-    /// Characters of `line` before the place.
-    pub before: usize,
-    /// Characters of `line` to underline, 1 or more.
-    pub width: usize,
 }
 
 impl Source<'_> {
@@ -89,6 +78,11 @@ impl Source<'_> {
         let skipped = rest.iter().position(|&byte| starts_character(byte));
         skipped.map_or(self.text.len(), |skipped| offset + skipped)
     }
+}
+
+/// A text without the mark that editors on some systems begin it with.
+pub fn without_mark(text: &[u8]) -> &[u8] {
+    text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)
 }
 
 /// The first characters of a text, at most `limit`.

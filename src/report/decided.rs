@@ -7,8 +7,6 @@ mod table;
 
 use super::evaluate::{doubled_value, evaluate_with};
 use super::expression::{self, Expression, Leaf};
-use super::language::Language;
-use super::notation::{self, Numbers, Plain};
 use super::{Style, number};
 use crate::log::formula::Formula;
 use crate::log::{Decision, Log, Name, Step, Tree, Value, What, scope};
@@ -253,9 +251,4 @@ fn telling(relation: Relation, values: [f64; 2], style: Style) -> Style {
     let [left, right] = values.map(Value::Number);
     let is_strict = matches!(relation, Relation::Less | Relation::Greater);
     if is_strict { number::telling(&left, &right, style) } else { style }
-}
-
-/// The comparisons of a decision in one line of plain text; nothing where there are none.
-pub fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
-    notation::comparisons::<Plain>(Numbers { language, style }, log, tree, event)
 }

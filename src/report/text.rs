@@ -2,8 +2,9 @@
 
 use super::computation;
 use super::language::Language;
+use super::notation::{Numbers, Plain, comparisons};
 use super::tag::tag;
-use super::{Style, decided, digits, words};
+use super::{Style, digits, words};
 use crate::log::{Input, Log, Tree, Value, What};
 use std::fmt::Write;
 
@@ -48,7 +49,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
         }
         What::Mark(decision) => {
             let lost = words::lost(language, log.given(event), style);
-            let numbers = decided::line(language, log, tree, event, style);
+            let numbers = comparisons::<Plain>(Numbers { language, style }, log, tree, event);
             let numbers = numbers.map_or(String::new(), |numbers| format!(" ({numbers})"));
             format!(
                 "→ {}{numbers}{lost}{}",

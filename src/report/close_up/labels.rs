@@ -1,6 +1,6 @@
 //! The places of texts on a sheet: where two would cover each other, the later one moves.
 
-use super::{Piece, Place};
+use super::{Piece, Place, Sheet};
 use crate::files::escape::width;
 
 /// Half of the room of a letter, and of a line of text.
@@ -14,9 +14,17 @@ const STEPS: i32 = 9;
 /// With more texts than these they stay where they are: there is no room for them, and each is compared with all others.
 const MOST: usize = 500;
 
+impl Sheet {
+    /// A figure whose texts don't cover each other; where one would, it moves away from the middle.
+    pub(super) fn new(caption: String, size: [f64; 2], middle: Place, mut pieces: Vec<Piece>) -> Sheet {
+        apart(&mut pieces, size, middle);
+        Sheet { caption, size, pieces }
+    }
+}
+
 /// Moves texts apart that cover each other: in the order of the pieces each takes the nearest free place, outward from `middle` or to a
 /// side, on the sheet and, if it moves, on no dot. Where there is none, it stays.
-pub(super) fn apart(pieces: &mut [Piece], size: [f64; 2], middle: Place) {
+fn apart(pieces: &mut [Piece], size: [f64; 2], middle: Place) {
     let is_text = |piece: &&Piece| matches!(piece, Piece::Text { .. });
     if pieces.iter().filter(is_text).count() > MOST {
         return;

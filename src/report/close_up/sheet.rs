@@ -1,6 +1,5 @@
 //! What a figure is made of, before any format.
 
-use super::labels;
 use crate::report::ray_group::RayGroup;
 use glam::DVec3;
 
@@ -16,14 +15,6 @@ pub struct Sheet {
     pub size: [f64; 2],
     /// What is drawn, in this order.
     pub pieces: Vec<Piece>,
-}
-
-impl Sheet {
-    /// A figure whose texts don't cover each other; where one would, it moves away from the middle.
-    pub(super) fn new(caption: String, size: [f64; 2], middle: Place, mut pieces: Vec<Piece>) -> Sheet {
-        labels::apart(&mut pieces, size, middle);
-        Sheet { caption, size, pieces }
-    }
 }
 
 /// A part of a figure.

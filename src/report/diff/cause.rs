@@ -4,9 +4,9 @@
 //! moves is the operand's effect. What the operands don't explain is the quantity's own: its rounding, or another way of computing
 //! it. The largest of these is the cause.
 
+use super::Changed;
 use super::align::{Alignment, Item, Spot, computed};
 use super::before::Before;
-use super::changed::Changed;
 use super::kinds::Kinds;
 use super::operands::{Pair, Substitution};
 use super::tolerance::distance;

@@ -2,26 +2,14 @@
 
 use super::align::{Alignment, Item, Spot, computed};
 use super::kinds::{Kinds, kind};
-use super::telling_apart;
 use super::tolerance::Tolerance;
+use super::{Changed, telling_apart};
 use crate::log::{Header, Name, RayKind, Step};
 use crate::report::language::Language;
 use crate::report::segments::nearest;
 use crate::report::side_by_side::Run;
 use crate::report::words;
-use serde::Serialize;
 use std::collections::{BTreeMap, HashMap, HashSet};
-
-/// An input of the scene that isn't the same in both logs.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Changed {
-    /// What it is, such as `lights.F.position`, or `lights.F` where the light is of another kind.
-    pub input: String,
-    /// What it is in A.
-    pub a: String,
-    /// What it is in B.
-    pub b: String,
-}
 
 /// The inputs that the scenes of two aligned logs have differently, each once, in the order of A.
 pub(super) fn changed(a: Run, b: Run, alignment: &Alignment, tolerance: &Tolerance) -> Vec<Changed> {

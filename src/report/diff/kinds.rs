@@ -1,7 +1,7 @@
 //! Objects and lights that are of another kind in the other scene: then their tests compute other quantities, and decide otherwise.
 
+use super::Changed;
 use super::align::{Alignment, Item, Spot};
-use super::changed::Changed;
 use crate::log::{Decision, Step, What};
 use crate::report::side_by_side::Run;
 use crate::report::words;

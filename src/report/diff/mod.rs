@@ -18,7 +18,6 @@ mod tolerance;
 
 pub use align::{Item, Spot};
 pub use cause::Why;
-pub use changed::Changed;
 pub use headers::{HeaderDifference, Numbering, header_differences};
 pub use json::Json;
 pub use rows::{Row, Rows};
@@ -48,6 +47,17 @@ pub struct Comparison {
     /// From where the difference of the colour comes, up to the colour: always along the largest effect. Empty if the colour is the
     /// same.
     pub way: Vec<Entry>,
+}
+
+/// An input of the scene that isn't the same in both logs.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Changed {
+    /// What it is, such as `lights.F.position`, or `lights.F` where the light is of another kind.
+    pub input: String,
+    /// What it is in A.
+    pub a: String,
+    /// What it is in B.
+    pub b: String,
 }
 
 /// Something in the logs.

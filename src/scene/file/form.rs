@@ -4,26 +4,42 @@
 //! wrong is put right in a copy, with whatever value fits, so that the copy can be read and validated, too. What then follows only from a value
 //! that was put in is not reported: such values are *stand-ins*.
 
+use std::ops::Range;
 use std::sync::LazyLock;
 
+use serde::Deserialize;
 use serde_json::Value;
 
-use super::load::{read_scene, spans};
-use super::locate::locate;
+use super::locate::{Place, locate, locate_all};
+use super::names::fill_in_names;
 use super::part::Part;
-use super::schema::{FORMAT, json_schema};
+use super::schema::{FORMAT, SceneFile, json_schema};
+use super::strict::Strict;
 use super::syntax::Broken;
 use super::validate::limits::MAX_PROBLEMS;
-use super::validate::{Finding, validate};
-use super::walk::{MAX_MISTAKES, Mistake, QUOTED, Walk};
-use crate::files::escape::shortened;
+use super::validate::{Finding, unknown_format, validate};
+use super::walk::{MAX_MISTAKES, Mistake, Walk};
 use crate::files::{FileError, KeyPath, Source, Step};
 
 /// What a scene may be.
 static SCHEMA: LazyLock<Value> = LazyLock::new(json_schema);
 
+/// Reads a scene, or says everything that is wrong with it.
+pub(super) fn scene_in(source: &Source, text: &str) -> Result<SceneFile, FileError> {
+    read_scene(text, source.name).map_err(|refused| all_problems(source, text, source.name, &refused))
+}
+
+/// Reads a scene; of the error only the place and sentences of our own are of use.
+fn read_scene(text: &str, file_name: &str) -> serde_json::Result<SceneFile> {
+    let mut json = serde_json::Deserializer::from_str(text);
+    let mut scene = SceneFile::deserialize(Strict(&mut json))?;
+    json.end()?;
+    fill_in_names(&mut scene, file_name);
+    Ok(scene)
+}
+
 /// All problems of a text that `read_scene` refused: of form, and of meaning as far as they don't depend on those.
-pub(super) fn all_problems(source: &Source, text: &str, file_name: &str, refused: &serde_json::Error) -> FileError {
+fn all_problems(source: &Source, text: &str, file_name: &str, refused: &serde_json::Error) -> FileError {
     let mut walk = Walk::new(text);
     match walk.value(Part::root(&SCHEMA)).and_then(|()| walk.reader.end()) {
         // Where the text stops being JSON, the meaning is lost.
@@ -67,6 +83,20 @@ fn limit_of_reader(text: &str, error: &serde_json::Error) -> Mistake {
     Mistake { span: at..at, path: KeyPath::default(), message }
 }
 
+/// Where in a text these findings are.
+pub(super) fn spans(findings: &[Finding], text: &str) -> Vec<Range<usize>> {
+    if findings.is_empty() {
+        return Vec::new();
+    }
+    let paths: Vec<KeyPath> = findings.iter().map(|finding| finding.path.clone()).collect();
+    let places = findings.iter().zip(locate_all(text, &paths));
+    let span = |(finding, Place { key, value, .. }): (&Finding, Place)| match key {
+        Some(key) if finding.is_about_key => key,
+        _ => value,
+    };
+    places.map(span).collect()
+}
+
 /// A file of another format has other keys, so that only its format is worth a word.
 fn other_format(text: &str) -> Option<Mistake> {
     let path = KeyPath::default().join("format");
@@ -74,11 +104,6 @@ fn other_format(text: &str) -> Option<Mistake> {
     let found: String = serde_json::from_str(&text[place.value.clone()]).ok()?;
     let is_other = place.depth == 1 && found != FORMAT;
     is_other.then(|| Mistake { span: place.value, path, message: unknown_format(&found) })
-}
-
-/// The message for another `format`.
-pub fn unknown_format(found: &str) -> String {
-    format!("this program reads `{FORMAT}`, found `{}`", shortened(found, QUOTED))
 }
 
 impl Walk<'_> {

@@ -1,30 +1,14 @@
 //! From bytes to a checked scene: decode, read, fill in names, validate, and give every problem its place.
 
 use std::io::ErrorKind;
-use std::ops::Range;
 use std::path::Path;
 
-use serde::Deserialize;
-
-use super::form::all_problems;
-use super::locate::{Place, locate_all};
-use super::names::fill_in_names;
+use super::Loaded;
+use super::form::{scene_in, spans};
 use super::nff::{self, Import};
 use super::schema::SceneFile;
-use super::strict::Strict;
-use super::validate::{Finding, Findings, validate};
+use super::validate::{Finding, judge, validate};
 use crate::files::{FileError, KeyPath, Opened, Problem, Source, Wanted, display_name, without_mark};
-
-/// A scene that may be traced.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Loaded {
-    /// The scene, every name filled in.
-    pub scene: SceneFile,
-    /// What is odd about it but does not stop anybody.
-    pub warnings: Vec<Problem>,
-    /// How many more warnings there are.
-    pub more_warnings: usize,
-}
 
 /// The largest scene file: 256 MiB.
 pub const MAX_BYTES: u64 = 256 << 20;
@@ -124,17 +108,6 @@ fn unplaced(finding: &Finding, file_name: &str) -> Problem {
     }
 }
 
-/// The warnings and how many more there are, when there are no errors.
-pub(super) fn judge(
-    findings: Findings,
-    place: impl Fn(&[Finding]) -> Vec<Problem>,
-) -> Result<(Vec<Problem>, usize), FileError> {
-    if findings.errors.is_empty() {
-        return Ok((place(&findings.warnings), findings.omitted_warnings));
-    }
-    Err(FileError::Invalid { problems: place(&findings.errors), omitted: findings.omitted })
-}
-
 /// Parses the text of a scene file: syntax, keys and types, but not whether the numbers make sense. A byte-order mark is
 /// skipped and missing names are filled in.
 ///
@@ -143,19 +116,6 @@ pub(super) fn judge(
 pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, FileError> {
     let (source, text) = decode(text, file_name)?;
     scene_in(&source, text)
-}
-
-fn scene_in(source: &Source, text: &str) -> Result<SceneFile, FileError> {
-    read_scene(text, source.name).map_err(|refused| all_problems(source, text, source.name, &refused))
-}
-
-/// Reads a scene; of the error only the place and sentences of our own are of use.
-pub(super) fn read_scene(text: &str, file_name: &str) -> serde_json::Result<SceneFile> {
-    let mut json = serde_json::Deserializer::from_str(text);
-    let mut scene = SceneFile::deserialize(Strict(&mut json))?;
-    json.end()?;
-    fill_in_names(&mut scene, file_name);
-    Ok(scene)
 }
 
 /// The text without a byte-order mark.
@@ -181,18 +141,4 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), F
 fn place(findings: &[Finding], source: &Source, text: &str) -> Vec<Problem> {
     let placed = findings.iter().zip(spans(findings, text));
     placed.map(|(finding, span)| source.problem(span, finding.path.clone(), finding.message.clone())).collect()
-}
-
-/// Where in a text these findings are.
-pub(super) fn spans(findings: &[Finding], text: &str) -> Vec<Range<usize>> {
-    if findings.is_empty() {
-        return Vec::new();
-    }
-    let paths: Vec<KeyPath> = findings.iter().map(|finding| finding.path.clone()).collect();
-    let places = findings.iter().zip(locate_all(text, &paths));
-    let span = |(finding, Place { key, value, .. }): (&Finding, Place)| match key {
-        Some(key) if finding.is_about_key => key,
-        _ => value,
-    };
-    places.map(span).collect()
 }

@@ -31,8 +31,21 @@ mod syntax;
 mod tests;
 mod walk;
 
-pub use load::{Loaded, MAX_BYTES, check, check_as, check_scene, open, parse, placed, read, read_bytes};
+pub use load::{MAX_BYTES, check, check_as, check_scene, open, parse, placed, read, read_bytes};
 pub use locate::{Place, locate, locate_all};
 pub use mesh_path::{MeshPathError, resolve_mesh_path};
 pub use schema::SceneFile;
 pub use validate::{Finding, Findings, validate};
+
+use crate::files::Problem;
+
+/// A scene that may be traced.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loaded {
+    /// The scene, every name filled in.
+    pub scene: SceneFile,
+    /// What is odd about it but does not stop anybody.
+    pub warnings: Vec<Problem>,
+    /// How many more warnings there are.
+    pub more_warnings: usize,
+}

@@ -30,9 +30,9 @@ mod shapes;
 mod tests;
 mod tokens;
 
-use super::load::{Loaded, judge};
+use super::Loaded;
 use super::schema::SceneFile;
-use super::validate::validate;
+use super::validate::{judge, validate};
 use crate::files::{FileError, Source, unpacked_name};
 use records::Records;
 use tokens::Tokens;

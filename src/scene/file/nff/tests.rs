@@ -4,7 +4,7 @@
 
 use super::{Angle, Import, check, is_nff};
 use crate::files::Severity;
-use crate::scene::file::load::Loaded;
+use crate::scene::file::Loaded;
 use crate::scene::file::schema::{Aim, LightKind, PointLight, SceneFile, Shape, Weight};
 
 /// A view, on one line, and a fill on the next.

@@ -8,7 +8,8 @@ mod every_problem;
 mod meaning;
 mod spelling;
 
-use super::load::{Loaded, check, parse};
+use super::Loaded;
+use super::load::{check, parse};
 use super::schema::json_schema;
 use crate::files::{FileError, Severity};
 use jsonschema::Validator;

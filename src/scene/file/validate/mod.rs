@@ -16,10 +16,10 @@ pub(super) mod vector;
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
-use super::form::unknown_format;
 use super::schema::{FORMAT, Sampling, SceneFile, digest};
-use crate::files::KeyPath;
+use super::walk::QUOTED;
 use crate::files::escape::{hidden, look, shortened};
+use crate::files::{FileError, KeyPath, Problem};
 use checker::Checker;
 
 /// Something about a value of the scene.
@@ -66,6 +66,22 @@ pub fn validate(scene: &SceneFile) -> Findings {
     }
     settings::output(check.at("output"), &scene.output);
     check.findings()
+}
+
+/// The message for another `format`.
+pub fn unknown_format(found: &str) -> String {
+    format!("this program reads `{FORMAT}`, found `{}`", shortened(found, QUOTED))
+}
+
+/// The warnings and how many more there are, when there are no errors.
+pub(super) fn judge(
+    findings: Findings,
+    place: impl Fn(&[Finding]) -> Vec<Problem>,
+) -> Result<(Vec<Problem>, usize), FileError> {
+    if findings.errors.is_empty() {
+        return Ok((place(&findings.warnings), findings.omitted_warnings));
+    }
+    Err(FileError::Invalid { problems: place(&findings.errors), omitted: findings.omitted })
 }
 
 /// Checks which rays make a pixel, by itself: what is wrong, with paths that begin at the method.
