@@ -25,7 +25,7 @@ fn grouped(rays: &[Segment]) -> impl Iterator<Item = (RayGroup, Vec<&Segment>)> 
 
 /// What a group is called.
 fn name(group: RayGroup) -> &'static str {
-    if group == RayGroup::Blocked { "shadow_blocked" } else { group.name() }
+    if group == RayGroup::Blocked { "shadow_blocked" } else { group.word() }
 }
 
 /// How long rays to infinity are drawn: as far as the places of all others reach, along the axis where they reach most.

@@ -1,27 +1,26 @@
 //! The kinds of rays that figures tell apart, with their names and colours in every format.
 
 use crate::log::RayKind;
+use crate::log::words::words;
 
-/// What a ray is for, and of a shadow ray whether it reaches its light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RayGroup {
-    /// From the eye.
-    Camera,
-    /// Reflected.
-    Reflected,
-    /// Transmitted.
-    Transmitted,
-    /// To a light.
-    Shadow,
-    /// To a light, and blocked.
-    Blocked,
+words! {
+    /// What a ray is for, and of a shadow ray whether it reaches its light, in the order of legends and files. A word is also the name of the
+    /// colour in documents of LaTeX.
+    pub RayGroup {
+        /// From the eye.
+        Camera = "camera",
+        /// Reflected.
+        Reflected = "reflected",
+        /// Transmitted.
+        Transmitted = "transmitted",
+        /// To a light.
+        Shadow = "shadow",
+        /// To a light, and blocked.
+        Blocked = "blocked",
+    }
 }
 
 impl RayGroup {
-    /// Every one, in the order of legends and files.
-    pub const ALL: [RayGroup; 5] =
-        [RayGroup::Camera, RayGroup::Reflected, RayGroup::Transmitted, RayGroup::Shadow, RayGroup::Blocked];
-
     /// The group of a ray.
     pub fn of(kind: RayKind, is_blocked: bool) -> RayGroup {
         match kind {
@@ -30,17 +29,6 @@ impl RayGroup {
             RayKind::Reflected => RayGroup::Reflected,
             RayKind::Transmitted => RayGroup::Transmitted,
             RayKind::Shadow { .. } => RayGroup::Shadow,
-        }
-    }
-
-    /// Its name, also that of its colour in documents of LaTeX.
-    pub fn name(self) -> &'static str {
-        match self {
-            RayGroup::Camera => "camera",
-            RayGroup::Reflected => "reflected",
-            RayGroup::Transmitted => "transmitted",
-            RayGroup::Shadow => "shadow",
-            RayGroup::Blocked => "blocked",
         }
     }
 

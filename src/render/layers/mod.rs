@@ -8,58 +8,32 @@ pub use map::false_colors;
 use super::export::{Channel, ExrLayer};
 use super::task::Task;
 use super::{Counter, Film, Settings};
+use crate::log::words::words;
 use crate::record::Pixel;
 use crate::scene::{Color, Scene};
 use observer::Observer;
 use std::str::FromStr;
 use std::time::Instant;
 
-/// What a layer shows of each pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layer {
-    /// Rays of all kinds.
-    Rays,
-    /// Tests of shapes, and of the boxes around them.
-    Tests,
-    /// The distance from the eye to what the camera's rays hit, the mean of those that meet something.
-    Depth,
-    /// The normal there that light is computed with, on the side of the eye; the mean of the same rays.
-    Normal,
-    /// Which object most of the camera's rays hit: its number in the scene from 1; 0 for none.
-    Object,
-    /// Rays from the eye.
-    Samples,
-    /// The standard error of the pixel's colour, estimated from its samples: the largest of the three channels, as a part of white.
-    Error,
-    /// Seconds that the pixel took, by the clock.
-    Time,
-}
-
-impl Layer {
-    /// All of them.
-    pub const ALL: [Layer; 8] = [
-        Layer::Rays,
-        Layer::Tests,
-        Layer::Depth,
-        Layer::Normal,
-        Layer::Object,
-        Layer::Samples,
-        Layer::Error,
-        Layer::Time,
-    ];
-
-    /// Its name.
-    pub fn word(self) -> &'static str {
-        match self {
-            Layer::Rays => "rays",
-            Layer::Tests => "tests",
-            Layer::Depth => "depth",
-            Layer::Normal => "normal",
-            Layer::Object => "object",
-            Layer::Samples => "samples",
-            Layer::Error => "error",
-            Layer::Time => "time",
-        }
+words! {
+    /// What a layer shows of each pixel.
+    pub Layer {
+        /// Rays of all kinds.
+        Rays = "rays",
+        /// Tests of shapes, and of the boxes around them.
+        Tests = "tests",
+        /// The distance from the eye to what the camera's rays hit, the mean of those that meet something.
+        Depth = "depth",
+        /// The normal there that light is computed with, on the side of the eye; the mean of the same rays.
+        Normal = "normal",
+        /// Which object most of the camera's rays hit: its number in the scene from 1; 0 for none.
+        Object = "object",
+        /// Rays from the eye.
+        Samples = "samples",
+        /// The standard error of the pixel's colour, estimated from its samples: the largest of the three channels, as a part of white.
+        Error = "error",
+        /// Seconds that the pixel took, by the clock.
+        Time = "time",
     }
 }
 
@@ -67,7 +41,7 @@ impl FromStr for Layer {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Layer, String> {
-        Layer::ALL.into_iter().find(|layer| layer.word() == text).ok_or_else(|| {
+        Layer::find(text).ok_or_else(|| {
             let known = Layer::ALL.map(Layer::word).join(", ");
             format!("unknown layer `{text}`, expected one or several of {known}, with commas between them")
         })

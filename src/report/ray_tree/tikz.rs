@@ -37,7 +37,7 @@ pub fn tikz(figure: &Figure) -> String {
 /// The line of a ray, or the letter on it.
 fn write_ray(out: &mut String, spot: &Spot, number: usize, is_letter: bool) {
     let Some(branch) = spot.branch else { return };
-    let color = branch.group().name();
+    let color = branch.group().word();
     let (from, dashes) = (spot.parent, if branch.is_blocked() { ", dashed" } else { "" });
     if is_letter {
         let mark = if branch.is_blocked() { " $\\times$" } else { "" };

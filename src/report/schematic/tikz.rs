@@ -19,7 +19,7 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\draw[black!25] {};", points.join(" -- "));
     }
     for ray in &plan.rays {
-        let color = RayGroup::of(ray.kind, ray.is_blocked).name();
+        let color = RayGroup::of(ray.kind, ray.is_blocked).word();
         let style = if ray.is_blocked { "dashed" } else { "thick" };
         line!(out, "\\draw[{color}, {style}] {} -- {};", at(ray.from), at(ray.to));
     }
@@ -33,7 +33,7 @@ pub fn tikz(plan: &Plan) -> String {
         line!(out, "\\filldraw[draw=camera, fill=white, thick] {} circle (3pt);", at(place));
     }
     for label in &plan.labels {
-        let color = label.ray.map_or("black", |(kind, is_blocked)| RayGroup::of(kind, is_blocked).name());
+        let color = label.ray.map_or("black", |(kind, is_blocked)| RayGroup::of(kind, is_blocked).word());
         line!(
             out,
             "\\node[text={color}, fill=white, fill opacity=0.8, text opacity=1] at {} {{{}}};",

@@ -70,7 +70,7 @@ impl Format for Latex {
 
     fn begin(_task: &Task, title: &str) -> String {
         let color =
-            |group: RayGroup| format!("\\definecolor{{{}}}{{HTML}}{{{}}}\n", group.name(), group.hex().to_uppercase());
+            |group: RayGroup| format!("\\definecolor{{{}}}{{HTML}}{{{}}}\n", group.word(), group.hex().to_uppercase());
         format!("{PREAMBLE}{}{SETTINGS}\\section*{{{title}}}\n", RayGroup::ALL.map(color).concat())
     }
 

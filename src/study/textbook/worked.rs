@@ -4,6 +4,7 @@
 use super::follow::{Listed, Place, Values};
 use super::{DIGITS, Verdict, agreement, exact, middle, place_of};
 use crate::files::suggest;
+use crate::log::words::words;
 use crate::log::{Name, Value};
 use crate::probe::Printed;
 use crate::record::{self, Arithmetic};
@@ -66,22 +67,13 @@ fn wrong(line: u64, what: String) -> TableError {
     TableError::Line { line, what }
 }
 
-/// In which order the rows of a name go through its occurrences.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
-    /// As the book has them: of each name first what the book prints, the mirrored ray's shading before the first surface's.
-    Book,
-    /// As the walk comes to them.
-    Walk,
-}
-
-impl Order {
-    /// Whose order it is.
-    pub fn word(self) -> &'static str {
-        match self {
-            Order::Book => "book",
-            Order::Walk => "walk",
-        }
+words! {
+    /// In which order the rows of a name go through its occurrences.
+    pub Order {
+        /// As the book has them: of each name first what the book prints, the mirrored ray's shading before the first surface's.
+        Book = "book",
+        /// As the walk comes to them.
+        Walk = "walk",
     }
 }
 
