@@ -68,7 +68,7 @@ impl Textbook {
             output::print(text.as_bytes())?;
             return Ok(checked.departures().next().is_none());
         }
-        let table = textbook::table_of(example, &scene);
+        let table = textbook::table(example, &scene);
         let text = match self.format {
             TableFormat::Text => table.text(),
             TableFormat::Json => table.json(),

@@ -58,12 +58,6 @@ impl Bounds {
         self.min.abs().max(self.max.abs()).max_element()
     }
 
-    /// Half the area of the box's surface; 0 for the empty one.
-    pub fn half_area(&self) -> f64 {
-        let side = (self.max - self.min).max(DVec3::ZERO);
-        side.x * side.y + side.y * side.z + side.z * side.x
-    }
-
     /// Whether a point lies in the box.
     pub fn contains(&self, point: DVec3) -> bool {
         self.min.cmple(point).all() && point.cmple(self.max).all()
@@ -96,14 +90,6 @@ impl Bounds {
         is_missed && along.max_element() * half.min_element() > LEAST
     }
 
-    /// Where the ray's line enters the box, if it can hit something in it before `t_max`. Errs on the side of meeting.
-    #[inline]
-    pub fn entry(&self, ray: &Slabs, t_max: f64) -> Option<f64> {
-        let [near, far] = self.interval(ray);
-        let near = near.max(ray.t_min);
-        (near <= far && near <= t_max).then_some(near)
-    }
-
     /// Where the ray's line enters and leaves the box; it passes beside the box if that is the wrong way round. Errs on the
     /// side of meeting, and the interval of a box in this box lies in this interval.
     #[inline]
@@ -124,7 +110,6 @@ pub struct Slabs {
     origin: DVec3,
     /// 1 over each component of the direction; the greatest number instead of infinity, so that 0 · ∞ doesn't occur.
     inverse: DVec3,
-    t_min: f64,
 }
 
 impl Slabs {
@@ -133,6 +118,6 @@ impl Slabs {
         let bounded = |x: f64| if x.is_finite() { x } else { f64::MAX.copysign(x) };
         let inverse = DVec3::ONE / ray.direction;
         let inverse = DVec3::new(bounded(inverse.x), bounded(inverse.y), bounded(inverse.z));
-        Slabs { origin: ray.origin, inverse, t_min: ray.t_min }
+        Slabs { origin: ray.origin, inverse }
     }
 }

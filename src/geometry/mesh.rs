@@ -1,6 +1,5 @@
 //! Meshes as data: corners and the triangles between them.
 
-use super::bounds::Bounds;
 use crate::threads::share;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -102,11 +101,6 @@ impl Mesh {
     pub fn corner_normals(&self, triangle: u32) -> Option<[DVec3; 3]> {
         let normals = self.normals.as_ref()?;
         Some(normals.faces[triangle as usize].map(|normal| normals.vectors[normal as usize]))
-    }
-
-    /// The box around a triangle.
-    pub fn bounds_of(&self, triangle: u32) -> Bounds {
-        Bounds::around(self.corners(triangle))
     }
 
     /// Whether a triangle has no area: two of its corners are one, or all three lie on a line.

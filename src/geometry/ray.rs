@@ -124,11 +124,6 @@ impl Ray {
         Ray { vector, ..Ray::new(origin, direction) }
     }
 
-    /// The same ray as an occlusion query: any hit will do.
-    pub fn without_distance(&self) -> Ray {
-        Ray { wants_distance: false, ..*self }
-    }
-
     /// How far rounding may have moved a point that was found on this ray, in units of length. The point is off by the roundings of its
     /// distance, of the product and the sum, and of the surface that it was put back onto.
     pub fn slack_at<P: Probe>(&self, point: DVec3, probe: &P) -> f64 {

@@ -173,11 +173,6 @@ impl Draws {
         self.number_under(self.key_of(dimension), self.order_of(dimension))
     }
 
-    /// A point in the unit square.
-    pub fn point(&self, dimension: Dimension) -> [f64; 2] {
-        self.pick(dimension).point()
-    }
-
     /// A point in the unit square with its stratum.
     pub fn pick(&self, dimension: Dimension) -> Pick {
         self.pick_under(self.key_of(dimension), self.order_of(dimension))
@@ -273,7 +268,7 @@ mod tests {
             for dimension in dimensions {
                 let mut taken = [false; 64];
                 for number in 0..64 {
-                    let [x, y] = draws(number, *arrangement).point(dimension);
+                    let [x, y] = draws(number, *arrangement).pick(dimension).point();
                     taken[(y * 8.0) as usize * 8 + (x * 8.0) as usize] = true;
                 }
                 assert!(taken.iter().all(|is_taken| *is_taken), "{arrangement:?} {dimension:?}");
@@ -293,8 +288,9 @@ mod tests {
                 for pixel in 0..400 {
                     for number in 0..64 {
                         let draws = Draws::of_pixel(0, [pixel, 7], number, arrangement);
-                        let other = if other == Dimension::Time { draws.number(other) } else { draws.point(other)[0] };
-                        sum += (draws.point(one)[0] - 0.5) * (other - 0.5);
+                        let other =
+                            if other == Dimension::Time { draws.number(other) } else { draws.pick(other).point()[0] };
+                        sum += (draws.pick(one).point()[0] - 0.5) * (other - 0.5);
                     }
                 }
                 let correlation = sum * 12.0 / 25_600.0;
@@ -307,13 +303,13 @@ mod tests {
     fn each_of_seed_pixel_sample_and_dimension_matters() {
         let of = |seed, pixel, number| Draws::of_pixel(seed, pixel, number, Arrangement::Independent);
         let points = [
-            of(0, [1, 2], 0).point(Dimension::Lens),
-            of(1, [1, 2], 0).point(Dimension::Lens),
-            of(0, [2, 1], 0).point(Dimension::Lens),
-            of(0, [1, 2], 1).point(Dimension::Lens),
-            of(0, [1, 2], 0).point(Dimension::Pixel),
-            Draws::of_corner(0, [1, 2], 1).point(Dimension::Lens),
-            Draws::of_corner(0, [1, 2], 2).point(Dimension::Lens),
+            of(0, [1, 2], 0).pick(Dimension::Lens).point(),
+            of(1, [1, 2], 0).pick(Dimension::Lens).point(),
+            of(0, [2, 1], 0).pick(Dimension::Lens).point(),
+            of(0, [1, 2], 1).pick(Dimension::Lens).point(),
+            of(0, [1, 2], 0).pick(Dimension::Pixel).point(),
+            Draws::of_corner(0, [1, 2], 1).pick(Dimension::Lens).point(),
+            Draws::of_corner(0, [1, 2], 2).pick(Dimension::Lens).point(),
         ];
         for (k, point) in points.iter().enumerate() {
             assert!(points[..k].iter().all(|other| other[0] != point[0] && other[1] != point[1]), "{k}");

@@ -42,13 +42,6 @@ impl<'d> Splits<'d> {
     }
 }
 
-impl Draws {
-    /// Of several points that one sample draws in a dimension, the one with this number: see [`Splits`].
-    pub fn split(&self, dimension: Dimension, part: u32, parts: u32) -> Pick {
-        Splits::new(self, dimension, parts).pick(part)
-    }
-}
-
 /// The digits of a coordinate that a shift turns: the first 32.
 const SHIFTED: u64 = !0 << 32;
 
@@ -61,6 +54,10 @@ mod tests {
     const SOBOL: Arrangement = Arrangement::Sobol { partner: Partner::Nothing };
     const JOINTLY: Arrangement = Arrangement::Sobol { partner: Partner::Surface };
 
+    fn split(draws: &Draws, dimension: Dimension, part: u32, parts: u32) -> Pick {
+        Splits::new(draws, dimension, parts).pick(part)
+    }
+
     #[test]
     fn splits_have_a_stratum_each_and_share_it_among_the_samples() {
         let dimension = Dimension::Reflection { route: Route::CAMERA.reflected(0) };
@@ -68,7 +65,7 @@ mod tests {
             for part in 0..16 {
                 let mut taken = [false; 64];
                 for number in 0..64 {
-                    let [x, y] = Draws::of_pixel(5, [3, 4], number, arrangement).split(dimension, part, 16).point();
+                    let [x, y] = split(&Draws::of_pixel(5, [3, 4], number, arrangement), dimension, part, 16).point();
                     let inside = [x * 4.0 - f64::from(part % 4), y * 4.0 - f64::from(part / 4)];
                     assert!(inside.iter().all(|x| (0.0..1.0).contains(x)), "{inside:?}");
                     taken[(inside[1] * 8.0) as usize * 8 + (inside[0] * 8.0) as usize] = true;
@@ -88,7 +85,7 @@ mod tests {
                 let of_pixel = |pixel| {
                     let products = (0..16).map(|number| {
                         let draws = Draws::of_pixel(0, [pixel, 9], number, arrangement);
-                        let of = |part: usize| draws.split(dimension, part as u32, 4).jitter[axes[part]] - 0.5;
+                        let of = |part: usize| split(&draws, dimension, part as u32, 4).jitter[axes[part]] - 0.5;
                         of(0) * of(1)
                     });
                     products.sum::<f64>() / 16.0

@@ -240,7 +240,7 @@ mod tests {
 
     fn taken(n: u32, color: impl Fn([f64; 2]) -> f64) -> Vec<Taken> {
         let draws = |number| Draws::of_pixel(1, [2, 3], number, Arrangement::Sobol { partner: Partner::Nothing });
-        let place = |number| draws(number).point(Dimension::Pixel);
+        let place = |number| draws(number).pick(Dimension::Pixel).point();
         (0..n).map(|number| Taken { place: place(number), color: Color::splat(color(place(number))) }).collect()
     }
 

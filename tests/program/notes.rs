@@ -220,7 +220,7 @@ fn slips_of_the_numeric_example() {
     says("`R_d·N = (a, 0, 0)`.**", &triple(mirrored));
     says("`R_d1`", &triple(-mirrored));
     let by_the_rule = |step: &str, quantity: &str| {
-        let table = textbook::table(&scene("textbook"));
+        let table = textbook::table(textbook::Example::Textbook, &scene("textbook"));
         let row = table.steps.iter().find(|row| row.step == step && row.quantity == quantity).expect("a row");
         row.recomputed.clone()
     };

@@ -9,7 +9,7 @@ use std::fs;
 
 /// The book's own table, as comma-separated values.
 fn book() -> String {
-    let table = textbook::table(&support::scene("textbook"));
+    let table = textbook::table(textbook::Example::Textbook, &support::scene("textbook"));
     let rows: Vec<_> = table.steps.iter().map(|row| format!("{},\"{}\"\n", row.quantity, row.printed.text)).collect();
     format!("quantity,printed\n{}", rows.concat())
 }
@@ -29,7 +29,7 @@ fn refuses(table: &str, expected: &str) {
 #[test]
 fn the_books_own_table_has_the_books_verdicts() {
     let checked = checked(&book());
-    let table = textbook::table(&support::scene("textbook"));
+    let table = textbook::table(textbook::Example::Textbook, &support::scene("textbook"));
     assert_eq!(checked.order, Order::Book);
     assert_eq!(checked.rows.len(), table.steps.len());
     for (row, step) in checked.rows.iter().zip(&table.steps) {

@@ -10,7 +10,7 @@ fn drawn(dimension: Dimension, pixel: u32, arrangement: Arrangement, count: u32)
     let draws = |number| Draws::of_pixel(4, [pixel, 2], number, arrangement);
     let value = |number| match dimension {
         Dimension::Time => draws(number).number(dimension),
-        _ => draws(number).point(dimension)[0],
+        _ => draws(number).pick(dimension).point()[0],
     };
     (0..count).map(value).collect()
 }
@@ -70,9 +70,9 @@ fn error_of_edges(dimension: Dimension, partner: Partner, count: u32) -> f64 {
             let draws = Draws::of_pixel(6, [pixel, 1], number, Arrangement::Sobol { partner });
             let blurred = match dimension {
                 Dimension::Time => draws.number(dimension),
-                _ => draws.point(dimension)[1],
+                _ => draws.pick(dimension).point()[1],
             };
-            draws.point(Dimension::Pixel)[0] + blurred < bound
+            draws.pick(Dimension::Pixel).point()[0] + blurred < bound
         };
         let part = (0..count).filter(|number| is_before(*number)).count() as f64 / f64::from(count);
         let error = part - bound * bound / 2.0;

@@ -149,7 +149,7 @@ fn bounds_of_moving_objects_hold_them_at_all_times() {
         for number in 0..6000 {
             let draws = Draws::of_pixel(9, [number, 3], 0, Arrangement::Independent);
             let dimension = |light| raywalk::random::Dimension::Light { route: raywalk::random::Route::CAMERA, light };
-            let coordinate = |k: u32| draws.point(dimension(k)).map(|x| 12.0 * x - 6.0);
+            let coordinate = |k: u32| draws.pick(dimension(k)).point().map(|x| 12.0 * x - 6.0);
             let ([a, b], [c, d], [e, f]) = (coordinate(0), coordinate(1), coordinate(2));
             let time = shutter[0] + draws.number(raywalk::random::Dimension::Time) * (shutter[1] - shutter[0]);
             let ray = Ray { time, ..Ray::along(DVec3::new(a, b, c), DVec3::new(d, e, f) * 0.5 - DVec3::new(a, b, c)) };
@@ -219,7 +219,7 @@ fn rays_leave_moving_surfaces() {
     let mut left = vec![0; scene.objects.len()];
     for number in 0..20_000 {
         let draws = Draws::of_pixel(2, [number, 5], 0, Arrangement::Independent);
-        let point = |dimension| draws.point(dimension).map(|x| 2.0 * x - 1.0);
+        let point = |dimension| draws.pick(dimension).point().map(|x| 2.0 * x - 1.0);
         let ([a, b], [c, d]) = (point(raywalk::random::Dimension::Lens), point(raywalk::random::Dimension::Pixel));
         let time = draws.number(raywalk::random::Dimension::Time);
         let object = &scene.objects[number as usize % scene.objects.len()];

@@ -148,7 +148,7 @@ fn compare(world: &World, number: u64, ray: &Ray, tally: &Tally) -> Option<(u32,
         }
     }
     are_missed_boxes_empty(world, number, ray, &all, tally);
-    let quick = ray.without_distance();
+    let quick = Ray { wants_distance: false, ..*ray };
     let mut is_occluded = false;
     world.tree.visit::<Silent>(&quick, Search::of_any(&Silent), |primitive, is_sure| {
         let is_met = meet(primitive, &quick).is_some();

@@ -169,7 +169,7 @@ fn by_hand() -> Sheet {
 }
 
 fn table() -> Table {
-    textbook::table_of(
+    textbook::table(
         Example::Refraction,
         &changed_scene("refraction", |file| file.tracing.formulas = Some(Formulas::Notes)),
     )

@@ -141,7 +141,7 @@ fn the_f64_log_has_the_same_events_in_the_same_order() {
 
 #[test]
 fn the_book_departs_from_its_rules_in_three_places() {
-    let table = textbook::table(&scene_in("textbook", Arithmetic::Decimal(3)));
+    let table = textbook::table(textbook::Example::Textbook, &scene_in("textbook", Arithmetic::Decimal(3)));
     let departures: Vec<_> = table
         .steps
         .iter()
@@ -160,7 +160,7 @@ fn the_book_departs_from_its_rules_in_three_places() {
 
 #[test]
 fn snapshots_of_the_table() {
-    let table = textbook::table(&scene_in("textbook", Arithmetic::Decimal(3)));
+    let table = textbook::table(textbook::Example::Textbook, &scene_in("textbook", Arithmetic::Decimal(3)));
     snapshots().bind(|| {
         insta::assert_snapshot!("textbook_table", table.text());
         insta::assert_snapshot!("textbook_table_markdown", table.markdown());

@@ -161,6 +161,4 @@ texts! {
         ["C: primario", "R: reflejado", "T: transmitido", "S: de sombra", "S: bloqueado"];
     /// A ray that adds this to the pixel.
     adds(share: &str, color: &str) = "{share} of the intensity, {color}", "{share} de la intensidad, {color}";
-    /// There is no ray to be drawn.
-    no_rays = "The log has no rays that can be drawn.", "El registro no tiene rayos que se puedan dibujar.";
 }

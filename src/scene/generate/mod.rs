@@ -10,7 +10,7 @@ pub use icosphere::icosphere;
 pub use knot::knot;
 pub use obj::write_obj;
 pub use random_spheres::random_spheres;
-pub use sphere_flake::{MAX_FLAKE_LEVEL, sphere_count, sphere_flake};
+pub use sphere_flake::{MAX_FLAKE_LEVEL, sphere_flake};
 
 /// The greatest level of detail. The triangles of a mesh still count in millions there.
 pub const MAX_LEVEL: u32 = 7;

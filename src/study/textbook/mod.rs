@@ -121,13 +121,8 @@ const REASONS: &[(&str, &str, &str)] = &[
     ("C R", "shade.local", "printed with two decimals: 54 + 86.68 + 154·0.964324 = 289.186"),
 ];
 
-/// Computes the table of the numeric example on its scene, which was built for a computation by hand.
-pub fn table(scene: &Scene) -> Table {
-    table_of(Example::Textbook, scene)
-}
-
-/// The same for any example.
-pub fn table_of(example: Example, scene: &Scene) -> Table {
+/// Computes the table of an example on its scene, which was built for a computation by hand.
+pub fn table(example: Example, scene: &Scene) -> Table {
     let pixel = middle(scene);
     let by_hand = |arithmetic| Values::of(&record::pixel(scene, pixel, arithmetic));
     let strict = by_hand(Arithmetic::Decimal(DIGITS));

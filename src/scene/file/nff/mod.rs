@@ -31,7 +31,6 @@ mod tests;
 mod tokens;
 
 use super::Loaded;
-use super::schema::SceneFile;
 use super::validate::{judge, validate};
 use crate::files::{FileError, Source, unpacked_name};
 use records::Records;
@@ -82,15 +81,6 @@ pub fn check(bytes: &[u8], file_name: &str, import: &Import) -> Result<Loaded, F
     let (found, more_warnings) = judge(validate(&scene), place)?;
     warnings.extend(found);
     Ok(Loaded { scene, warnings, more_warnings })
-}
-
-/// Parses the bytes of an NFF file; whether the numbers make sense is only asked where the format itself says.
-///
-/// # Errors
-/// [`FileError::Invalid`] with the first problem.
-pub fn parse(bytes: &[u8], file_name: &str, import: &Import) -> Result<SceneFile, FileError> {
-    let records = records(&Source { name: file_name, text: bytes })?;
-    Ok(mapping::scene(records, file_name, import).0)
 }
 
 fn records(source: &Source) -> Result<Records, FileError> {
