@@ -145,6 +145,11 @@ pub fn comparisons<N: Notation>(numbers: Numbers, log: &Log, tree: &Tree, event:
     (!lines.is_empty()).then(|| lines.join("; "))
 }
 
+/// The same in one line of plain text.
+pub fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) -> Option<String> {
+    comparisons::<Plain>(Numbers { language, style }, log, tree, event)
+}
+
 /// Plain text in one line.
 pub struct Plain;
 

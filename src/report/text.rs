@@ -2,9 +2,8 @@
 
 use super::computation;
 use super::language::Language;
-use super::notation::{Numbers, Plain, comparisons};
 use super::tag::tag;
-use super::{Style, digits, words};
+use super::{Style, digits, notation, words};
 use crate::log::{Input, Log, Tree, Value, What};
 use std::fmt::Write;
 
@@ -49,7 +48,7 @@ fn line(language: Language, log: &Log, tree: &Tree, event: usize, style: Style) 
         }
         What::Mark(decision) => {
             let lost = words::lost(language, log.given(event), style);
-            let numbers = comparisons::<Plain>(Numbers { language, style }, log, tree, event);
+            let numbers = notation::line(language, log, tree, event, style);
             let numbers = numbers.map_or(String::new(), |numbers| format!(" ({numbers})"));
             format!(
                 "→ {}{numbers}{lost}{}",

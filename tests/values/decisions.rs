@@ -7,8 +7,8 @@ use glam::DVec3;
 use raywalk::log::{Decision, Log, Miss, SkipReason, Step, Tree, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::Style;
-use raywalk::report::decided;
 use raywalk::report::language::Language;
+use raywalk::report::{decided, notation};
 use raywalk::scene::builtin;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -28,7 +28,7 @@ fn comparisons_hold() {
                         assert!(comparison.relation.holds(comparison.values), "{comparison:?}");
                         shown += 1;
                     }
-                    let line = decided::line(Language::English, &log, &tree, event, Style::default());
+                    let line = notation::line(Language::English, &log, &tree, event, Style::default());
                     line.iter().flat_map(|line| line.split("; ")).for_each(|line| shown_holds(&scene.name, line));
                 }
             }
@@ -52,7 +52,7 @@ fn round_bodies_decide_by_numbers() {
                 for (event, mark) in log.events.iter().enumerate() {
                     let What::Mark(decision) = &mark.what else { continue };
                     let Some(body) = round_body(&log, &tree, event) else { continue };
-                    let line = decided::line(Language::English, &log, &tree, event, Style::default());
+                    let line = notation::line(Language::English, &log, &tree, event, Style::default());
                     let kind = match decision {
                         Decision::Miss { why: Miss::BeginsThere } => continue,
                         Decision::Miss { why: Miss::Beyond } if line.is_none() && arithmetic != Arithmetic::F64 => {
@@ -121,7 +121,7 @@ fn misses_beside_a_length_say_by_what() {
         let is_miss = |event: &usize| log.events[*event].what == What::Mark(Decision::Miss { why: Miss::Beside });
         let miss = (0..log.events.len()).find(is_miss).unwrap_or_else(|| panic!("{expected}: {:?}", log.events));
         let found = decided::comparisons(&log, &tree, miss, Style::default());
-        let line = decided::line(Language::English, &log, &tree, miss, Style::default()).expect("a comparison");
+        let line = notation::line(Language::English, &log, &tree, miss, Style::default()).expect("a comparison");
         let symbols: Vec<_> = line.split("; ").filter_map(|part| part.split(": ").next()).collect();
         assert_eq!(symbols.join("; "), expected, "{line}");
         assert!(found.iter().all(|comparison| comparison.relation.holds(comparison.values)), "{line}");
@@ -158,7 +158,7 @@ fn the_example_s_decisions_have_their_numbers() {
     let scene = support::scene("textbook");
     let log = record::pixel(&scene, [160, 120], Arithmetic::Decimal(3));
     let tree = Tree::of(&log.events);
-    let line = |event| decided::line(Language::English, &log, &tree, event, Style::default());
+    let line = |event| notation::line(Language::English, &log, &tree, event, Style::default());
     let lines: Vec<_> = (0..log.events.len()).filter_map(line).collect();
     for expected in ["L2oc > r²: 178.024 > 9", "T_A > 0: 13.244 > 0; T2_A ≥ 0: 6.380 ≥ 0; t > 0: 10.718 > 0"] {
         assert!(lines.iter().any(|line| line == expected), "{expected}: {lines:#?}");
@@ -174,7 +174,7 @@ fn total_reflection_and_lights_behind_have_their_numbers() {
             let log = record::pixel(&scene, pixel, Arithmetic::F64);
             let tree = Tree::of(&log.events);
             for (event, mark) in log.events.iter().enumerate() {
-                let line = || decided::line(Language::English, &log, &tree, event, Style::default());
+                let line = || notation::line(Language::English, &log, &tree, event, Style::default());
                 match &mark.what {
                     What::Mark(Decision::TotalInternalReflection) => {
                         let line = line().expect("a comparison");
@@ -206,7 +206,7 @@ fn total_reflection_by_hand_is_reported_by_the_printed_formula() {
                 let tree = Tree::of(&log.events);
                 for (event, mark) in log.events.iter().enumerate() {
                     if mark.what == What::Mark(Decision::TotalInternalReflection) {
-                        let line = decided::line(Language::English, &log, &tree, event, Style::default());
+                        let line = notation::line(Language::English, &log, &tree, event, Style::default());
                         let line = line.expect("a comparison");
                         assert!(line.starts_with("1 − (1 − cosφ_1²)/η² < 0: "), "{line}");
                         // The left side comes to what it says.

@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use raywalk::log::{Decision, Log, Miss, RayKind, Step, Tree, What};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::Style;
-use raywalk::report::decided;
 use raywalk::report::language::Language;
+use raywalk::report::{decided, notation};
 use raywalk::scene::Scene;
 use serde_json::{Value, json};
 
@@ -154,7 +154,7 @@ fn hits_of_transmitting_solids_say_at_which_crossing() {
                 )
         };
         let hit = (0..log.events.len()).find(is_hit).unwrap_or_else(|| panic!("{expected}: {:#?}", log.events));
-        let line = decided::line(Language::English, &log, &tree, hit, Style::default()).expect("a comparison");
+        let line = notation::line(Language::English, &log, &tree, hit, Style::default()).expect("a comparison");
         let symbols: Vec<_> = line.split("; ").filter_map(|part| part.split(": ").next()).collect();
         assert_eq!(symbols.join("; "), expected, "{line}");
     }

@@ -6,7 +6,6 @@ use super::text::{Piece, shown, width_of, wrap};
 use super::{put_all, title};
 use crate::log::tree::Item;
 use crate::log::{Decision, Event, What};
-use crate::report::notation::{Numbers, Plain, comparisons};
 use crate::report::{self, path_class};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Pane};
@@ -94,8 +93,7 @@ fn event_lines(model: &Model, event: usize, theme: &Theme, width: usize) -> Vec<
         }
         What::Mark(decision) => {
             let mut pieces = decision_pieces(model, decision, theme);
-            let numbers = Numbers { language: model.language, style: model.numbers };
-            let numbers = comparisons::<Plain>(numbers, &model.log, &model.tree, event);
+            let numbers = report::notation::line(model.language, &model.log, &model.tree, event, model.numbers);
             let faint = theme.style(Role::Faint);
             pieces.extend(numbers.map(|numbers| (format!("  {}", shown(&numbers, theme)), faint)));
             pieces.push((marker, theme.style(Role::Faint)));
