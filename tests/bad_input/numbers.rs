@@ -109,7 +109,7 @@ fn b40_huge_depth() {
 fn b41_huge_sample_count() {
     refuses_value(
         textbook_with("{\"none\": {}}", "{\"stochastic\": {\"n\": 1000000000000}}"),
-        "sampling.stochastic.n: must be from 1 to 1048576, found 1000000000000",
+        "sampling.stochastic.n: expected a whole number from 1 to 1048576, found 1000000000000",
     );
 }
 

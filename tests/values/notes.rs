@@ -180,7 +180,11 @@ fn options_and_keys_win_over_what_the_formulas_imply() {
 
 #[test]
 fn wrong_words_are_answered_with_the_right_ones() {
-    says(2, &["walk", "--formulas", "note"], "[possible values: robust, notes]\n\n  tip: a similar value exists: 'notes'");
+    says(
+        2,
+        &["walk", "--formulas", "note"],
+        "[possible values: robust, notes]\n\n  tip: a similar value exists: 'notes'",
+    );
     says(2, &["walk", "--specular", "half"], "half_vector, reflection_vector, half_vector_compensated");
     says(2, &["walk", "--sphere-method", "geometrical"], "tip: a similar value exists: 'geometric'");
 }

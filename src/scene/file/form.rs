@@ -40,6 +40,11 @@ fn read_scene(text: &str, file_name: &str) -> serde_json::Result<SceneFile> {
 
 /// All problems of a text that `read_scene` refused: of form, and of meaning as far as they don't depend on those.
 fn all_problems(source: &Source, text: &str, file_name: &str, refused: &serde_json::Error) -> FileError {
+    let limit = limit_of_reader(text, refused);
+    if !limit.path.is_root() {
+        // There is too much of it to be walked along.
+        return together(source, vec![limit], 0);
+    }
     let mut walk = Walk::new(text);
     match walk.value(Part::root(&SCHEMA)).and_then(|()| walk.reader.end()) {
         // Where the text stops being JSON, the meaning is lost.
@@ -58,7 +63,7 @@ fn all_problems(source: &Source, text: &str, file_name: &str, refused: &serde_js
         },
     }
     if walk.mistakes.is_empty() {
-        walk.mistakes.push(limit_of_reader(text, refused));
+        walk.mistakes.push(limit);
     }
     together(source, walk.mistakes, walk.omitted)
 }
@@ -73,14 +78,20 @@ fn together(source: &Source, mut mistakes: Vec<Mistake>, mut omitted: usize) -> 
     FileError::Invalid { problems: placed.collect(), omitted }
 }
 
-/// What the reader refuses in a sentence of its own: more than it has room for.
+/// What the reader refuses because there is more than it has room for, and how its sentence about it begins.
+const LIMITED: [(&str, &str); 3] =
+    [("objects", "names must be unique"), ("lights", "too many lights"), ("materials", "too many materials")];
+
+/// What the reader refuses in a sentence of its own.
 fn limit_of_reader(text: &str, error: &serde_json::Error) -> Mistake {
     let (line, column) = (error.line(), error.column());
     let mut message = error.to_string();
     message.truncate(message.strip_suffix(&format!(" at line {line} column {column}")).map_or(message.len(), str::len));
     let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
     let at = (before + column.saturating_sub(1)).min(text.len());
-    Mistake { span: at..at, path: KeyPath::default(), message }
+    let list = LIMITED.iter().find(|(_, begins)| message.starts_with(begins));
+    let path = list.map_or_else(KeyPath::default, |(list, _)| KeyPath::default().join(*list));
+    Mistake { span: at..at, path, message }
 }
 
 /// Where in a text these findings are.

@@ -137,12 +137,6 @@ impl<'s> Part<'s> {
         }
     }
 
-    /// From where to where a whole number may be, in words; `None` where it has no highest value.
-    pub fn limits_in_words(self) -> Option<String> {
-        let high = self.this.get("maximum").filter(|_| self.this["type"] == "integer")?;
-        Some(format!("from {} to {high}", self.this["minimum"]))
-    }
-
     /// What may be there, in words.
     pub fn in_words(self) -> String {
         if let Some(words) = self.words() {
@@ -160,9 +154,9 @@ impl<'s> Part<'s> {
             (Some("array"), Some(length)) => format!("an array of {length} elements"),
             (Some("string"), _) => "a string".to_owned(),
             (Some("boolean"), _) => "`true` or `false`".to_owned(),
-            (Some("integer"), _) => match self.limits_in_words() {
-                Some(limits) => format!("a whole number {limits}"),
-                None => format!("a whole number, {} or more", self.this["minimum"]),
+            (Some("integer"), _) => match [&self.this["minimum"], &self.this["maximum"]] {
+                [low, Value::Null] => format!("a whole number, {low} or more"),
+                [low, high] => format!("a whole number from {low} to {high}"),
             },
             _ => "a number".to_owned(),
         }

@@ -261,13 +261,7 @@ impl<'t> Walk<'t> {
             Some(count) => format!("{count} elements"),
             None => described(&self.text[value.clone()]),
         };
-        let message = match part.limits_in_words() {
-            Some(limits) if found.bytes().all(|byte| byte.is_ascii_digit()) => {
-                format!("must be {limits}, found {found}")
-            }
-            _ => format!("expected {}, found {found}", part.in_words()),
-        };
-        self.report(value, message);
+        self.report(value, format!("expected {}, found {found}", part.in_words()));
         self.put_in(part, start.copy);
     }
 
