@@ -106,7 +106,9 @@ impl<'t> Reader<'t> {
                     open.push(bracket + 2);
                     is_first = true;
                 }
-                Some(b'"') => drop(self.string()?),
+                Some(b'"') => {
+                    self.string()?;
+                }
                 _ => self.word()?,
             }
             while let Some(close) = open.last().copied() {

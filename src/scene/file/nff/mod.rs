@@ -1,4 +1,4 @@
-//! NFF, the Neutral File Format of Eric Haines's Standard Procedural Databases: import as a [`SceneFile`].
+//! NFF, the Neutral File Format of Eric Haines's Standard Procedural Databases: import as a [`SceneFile`](super::SceneFile).
 //!
 //! ASCII tokens separated by any white space; `#` begins a comment that ends with the line. The entities are
 //!
