@@ -33,7 +33,7 @@ const NARROW: &[(&str, &[&str])] = &[
 ];
 
 /// Where files still import each other: each state of the viewer knows the model, which holds all of them.
-const KNOTS: &[&str] = &["log/file/", "log/", "tui/"];
+const KNOTS: &[&str] = &["tui/"];
 
 /// Where input and output happen.
 const DOORS: &[&str] = &[

@@ -3,22 +3,14 @@
 //! The symbols of a formula mean the latest quantity of that symbol that the computation could see: in the node itself,
 //! in the intersection test that found the nearest hit, then in the enclosing nodes.
 
-mod children;
-mod index;
-mod memo;
-
-pub use children::Child;
-pub(super) use index::Index;
-use index::Nearest;
-
-use super::event::{Decision, Event, Step, What};
+use super::event::{Decision, Step, What};
 use super::events::Events;
 use super::formula::Several;
 use super::name::Name;
-use super::tree::Tree;
+use super::tree::index::{Nearest, given_at, noted};
+use super::tree::{Child, Tree, index};
 use super::value::Value;
 use std::mem::discriminant;
-use std::sync::LazyLock;
 
 /// A value that a formula puts in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,16 +58,6 @@ pub fn lights<'t>(events: &Events, tree: &'t Tree, event: usize) -> impl Iterato
 /// The most sums that are added up, of a pixel and of another node: raywalk has three for each doubling of a pixel's samples, and elsewhere one. In
 /// a log from elsewhere each of a hundred thousand could go over as many lights.
 const MOST_SUMS: [usize; 2] = [64, 4];
-
-/// Whether the formula of a quantity goes over samples, cells, surfaces or lights.
-fn adds_up(name: Name) -> bool {
-    static ADDING: LazyLock<Vec<bool>> = LazyLock::new(|| {
-        let signs = || Several::ALL.map(Several::word).into_iter().chain(["Σ"]);
-        let adds_up = |name: Name| name.formula().is_some_and(|formula| signs().any(|sign| formula.contains(sign)));
-        Name::all().map(adds_up).collect()
-    });
-    ADDING[name as usize]
-}
 
 /// Whether the sum that an event notes may be added up once more: it is among the first of its node.
 pub fn is_added_up(events: &Events, tree: &Tree, event: usize) -> bool {
@@ -181,15 +163,8 @@ pub fn latest_hit(events: &Events, tree: &Tree, before: usize, object: u32) -> O
 
 /// The largest number that a node noted or was given before an event.
 pub fn size_before(events: &Events, tree: &Tree, node: usize, before: usize) -> f64 {
-    let gone_through = || tree.own_events_before(node, before).fold(0.0, |size, at| size_of(events, at, size));
+    let gone_through = || tree.own_events_before(node, before).fold(0.0, |size, at| index::size_of(events, at, size));
     tree.index(events).size(node, before).unwrap_or_else(gone_through)
-}
-
-/// The largest of a number and those that an event notes or has among its inputs.
-fn size_of(events: &Events, event: usize, size: f64) -> f64 {
-    let noted = events[event].noted().map(|(_, value)| value);
-    let values = noted.into_iter().chain(events.given(&events[event]).iter().map(|(_, value)| *value));
-    values.fold(size, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
 }
 
 fn seen_from(events: &Events, tree: &Tree, node: usize, before: usize, symbol: &str) -> Option<Operand> {
@@ -219,17 +194,6 @@ pub fn nearest_test(events: &Events, tree: &Tree, node: usize, before: usize) ->
         Some(nearest) => nearest?.before(before),
         None => Nearest::of(events, tree, node, before)?.before(before),
     }
-}
-
-fn noted(event: &Event, symbol: &str) -> Option<Value> {
-    match event.what {
-        What::Note { name, value } if name.symbol() == symbol => Some(value),
-        _ => None,
-    }
-}
-
-fn given_at(events: &Events, event: usize, symbol: &str) -> Option<Value> {
-    events.given(&events[event]).iter().rev().find(|(name, _)| name.symbol() == symbol).map(|(_, value)| *value)
 }
 
 /// What `Σ_s` and `Σ_c` add over.

@@ -1,15 +1,19 @@
 //! The events as a tree: nodes in pre-order in one flat array, so that a view needs to touch only what it shows.
 
+mod children;
+pub(super) mod index;
+mod memo;
 mod path;
 mod place;
 
+pub use children::Child;
 pub(super) use path::add_step;
 pub use path::path_of_child;
 pub use place::{Held, Key, Place, Way};
 
 use super::event::{Event, RayKind, Step, What};
 use super::events::Events;
-use super::scope::Index;
+use index::Index;
 use std::iter::Map;
 use std::ops::Range;
 use std::slice;

@@ -63,34 +63,38 @@ impl<P: Probe> Probe for RayTree<P> {
     }
 }
 
+/// Above the numbers of steps and of what else a digest is made of.
+const DECISIONS: u64 = 64;
+
 /// A decision as numbers, less what it doesn't decide: see [`is_same`].
 fn words_of(decision: Decision) -> [u64; 3] {
-    match decision {
-        Decision::Hit => [30, 0, 0],
-        Decision::Miss { why } => [31, why as u64, 0],
-        Decision::Outside => [32, 0, 0],
-        Decision::Inside => [33, 0, 0],
-        Decision::Nearest { object } => [34, object.into(), 0],
-        Decision::Coincident { object, triangle } => {
-            [47, object.into(), triangle.map_or(0, |number| u64::from(number) + 1)]
+    let [one, other] = match decision {
+        Decision::Hit
+        | Decision::Outside
+        | Decision::Inside
+        | Decision::Background
+        | Decision::Free
+        | Decision::Occluded { .. }
+        | Decision::TotalInternalReflection => [0, 0],
+        Decision::Miss { why } => [why as u64, 0],
+        Decision::Nearest { object } | Decision::Immersed { object } | Decision::Attenuated { object, .. } => {
+            [object.into(), 0]
         }
-        Decision::Immersed { object } => [48, object.into(), 0],
-        Decision::Bent { what } => [49, what as u64, 0],
-        Decision::Background => [35, 0, 0],
-        Decision::Free => [50, 0, 0],
-        Decision::Occluded { .. } => [36, 0, 0],
-        Decision::Attenuated { object, .. } => [37, object.into(), 0],
-        Decision::Undefined { quantity } => [38, quantity as u64, 0],
-        Decision::TotalInternalReflection => [39, 0, 0],
-        Decision::DepthLimit { what } => [40, what as u64, 0],
-        Decision::LeakGuard { what } => [41, what as u64, 0],
-        Decision::Skipped { what, why } => [42, what as u64, why as u64],
-        Decision::Subdivided { cell, why, .. } => [43, word_of(cell), why as u64],
-        Decision::Accepted { cell, why } => [44, cell.map_or(0, word_of), why as u64],
-        Decision::Rejected { what } => [46, what as u64, 0],
-        Decision::Asked { light, why, points, .. } => [51, u64::from(light) << 32 | u64::from(points), why as u64],
-        Decision::MoreSamples { from, to } => [45, from.into(), to.into()],
-    }
+        Decision::Coincident { object, triangle } => {
+            [object.into(), triangle.map_or(0, |number| u64::from(number) + 1)]
+        }
+        Decision::Undefined { quantity } => [quantity as u64, 0],
+        Decision::Bent { what }
+        | Decision::DepthLimit { what }
+        | Decision::LeakGuard { what }
+        | Decision::Rejected { what } => [what as u64, 0],
+        Decision::Skipped { what, why } => [what as u64, why as u64],
+        Decision::Subdivided { cell, why, .. } => [word_of(cell), why as u64],
+        Decision::Accepted { cell, why } => [cell.map_or(0, word_of), why as u64],
+        Decision::Asked { light, why, points, .. } => [u64::from(light) << 32 | u64::from(points), why as u64],
+        Decision::MoreSamples { from, to } => [from.into(), to.into()],
+    };
+    [DECISIONS + decision.number(), one, other]
 }
 
 /// A cell as a number: its sides are fractions of a pixel with few digits, so that no two have the same.

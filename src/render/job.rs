@@ -1,6 +1,6 @@
 //! What can be rendered of each pixel.
 
-use super::layers::{Layered, Seen, layers};
+use super::layers::{Layered, PixelFacts, layers};
 use super::task::Task;
 use super::{BYTES_PER_PIXEL, Counter, Film, RenderError, colors, digits::digits};
 use raywalk_guard::has_room_for;
@@ -45,7 +45,7 @@ impl Job {
     /// Makes sure, as far as possible, that there is memory for a picture: in the middle of the work a failure could only abort.
     pub(super) fn ask_for_memory(self, [left, top, right, bottom]: [u32; 4]) -> Result<(), RenderError> {
         let (width, height) = (right - left, bottom - top);
-        let of_pixel = BYTES_PER_PIXEL + if self == Job::Layers { size_of::<Seen>() } else { 0 };
+        let of_pixel = BYTES_PER_PIXEL + if self == Job::Layers { size_of::<PixelFacts>() } else { 0 };
         let bytes = (width as usize).checked_mul(height as usize).and_then(|pixels| pixels.checked_mul(of_pixel));
         let is_there = bytes.is_some_and(has_room_for);
         if is_there { Ok(()) } else { Err(RenderError::Memory(width, height)) }

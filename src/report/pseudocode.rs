@@ -6,11 +6,11 @@
 
 mod place;
 
-pub use place::{Place, place};
+pub use place::{Stage, place};
 
 use super::language::Language;
 use crate::log::{Header, Log, RayKind, Step, Tree};
-use Place::*;
+use Stage::*;
 use std::sync::LazyLock;
 
 /// A line of an algorithm.
@@ -21,7 +21,7 @@ pub struct Line {
     /// What it says in English and in Spanish, there in the source text's own words as far as it has them.
     texts: [&'static str; 2],
     /// The steps that belong to it.
-    pub places: &'static [Place],
+    pub places: &'static [Stage],
 }
 
 impl Line {
@@ -31,7 +31,7 @@ impl Line {
     }
 }
 
-const fn line(indent: u8, english: &'static str, spanish: &'static str, places: &'static [Place]) -> Line {
+const fn line(indent: u8, english: &'static str, spanish: &'static str, places: &'static [Stage]) -> Line {
     Line { indent, texts: [english, spanish], places }
 }
 
@@ -174,7 +174,7 @@ pub fn lines(header: &Header) -> &'static [Line] {
 }
 
 /// The line of a place.
-pub fn line_of(header: &Header, place: Place) -> usize {
+pub fn line_of(header: &Header, place: Stage) -> usize {
     // Every place has a line in every algorithm; a test says so.
     lines(header).iter().position(|line| line.places.contains(&place)).unwrap_or(0)
 }
@@ -243,7 +243,7 @@ mod tests {
     #[test]
     fn every_place_has_one_line_in_every_algorithm() {
         for lines in [RECURSIVE, &WHITTED, &FOLEY] {
-            for place in Place::ALL {
+            for place in Stage::ALL {
                 let count = lines.iter().filter(|line| line.places.contains(place)).count();
                 assert_eq!(count, 1, "{place:?} in {}", lines[0].text(Language::English));
             }

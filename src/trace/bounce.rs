@@ -1,7 +1,7 @@
 //! The two bounces: the mirrored and the refracted ray (Ramos, section 1.2.2).
 
 use super::follow::Bounce;
-use super::place::Place;
+use super::layer_stack::LayerStack;
 use super::unseen::dead_channels;
 use super::zones::{self, Lobe};
 use super::{Meeting, Path, in_range};
@@ -30,7 +30,7 @@ fn mirrored<P: Probe>(scene: &Scene, meeting: &Meeting, probe: &mut P) -> Color 
     let Some(direction) = mirror(scene, meeting, probe) else { return Color::ZERO };
     let direction = above(meeting, direction, Term::Reflected, probe);
     // Made where it is used, so that a sharp bounce stays in registers.
-    let place = meeting.place.and_then(Place::turned_back);
+    let place = meeting.place.and_then(LayerStack::turned_back);
     let leaving = meeting.leaving_here();
     let bounce =
         || Bounce { kind: RayKind::Reflected, leaving, weight, media: meeting.path.media, place: place.as_deref() };

@@ -1,7 +1,7 @@
 //! The ray of a bounce, followed one level deeper.
 
+use super::layer_stack::LayerStack;
 use super::one_light::give_ray;
-use super::place::Place;
 use super::{Media, Meeting, Path, Via, radiance};
 use crate::geometry::{Leaving, Ray};
 use crate::log::{RayKind, Step};
@@ -17,7 +17,7 @@ pub(super) struct Bounce<'a> {
     /// The media that the ray will be inside.
     pub media: &'a Media,
     /// The surfaces at the ray's origin, if it has still to cross some of them.
-    pub place: Option<&'a Place>,
+    pub place: Option<&'a LayerStack>,
 }
 
 impl Bounce<'_> {

@@ -1,6 +1,6 @@
 //! The media that a ray is inside.
 
-use super::place::Layer;
+use super::layer_stack::Layer;
 use crate::scene::Scene;
 
 /// The stack of media around a ray: the objects it has entered and not left, each with its refractive index.

@@ -5,11 +5,11 @@
 mod adaptive_light;
 mod bounce;
 mod follow;
+mod layer_stack;
 mod light_points;
 mod media;
 mod one_light;
 mod pattern;
-mod place;
 pub mod query;
 mod shade;
 mod unseen;
@@ -18,9 +18,9 @@ mod zones;
 
 pub use crate::geometry::Hit;
 pub(crate) use bounce::{printed_cosine, refract, transmitted_cosine};
+pub use layer_stack::{Layer, LayerStack};
 pub use media::Media;
 pub(crate) use one_light::{power, power_between, segment_to_light, transmitted_half};
-pub use place::{Layer, Place};
 pub(crate) use shade::local_intensity;
 pub(crate) use visibility::all_crossings;
 pub use visibility::{closest_hit, is_any_hit, transmittance};
@@ -51,7 +51,7 @@ pub struct Path<'a> {
     /// The bounce that the ray came by; `None` for the camera's.
     pub via: Option<Via<'a>>,
     /// The surfaces at the ray's origin, if it has still to cross some of them.
-    pub place: Option<&'a Place>,
+    pub place: Option<&'a LayerStack>,
 }
 
 /// The last bounce of a path.
@@ -88,7 +88,7 @@ impl<'a> Path<'a> {
 pub(crate) struct Meeting<'a> {
     pub layer: Layer,
     /// All coincident surfaces, if there are several.
-    pub place: Option<&'a Place>,
+    pub place: Option<&'a LayerStack>,
     pub ray: &'a Ray,
     pub surface: Surface,
     pub material: &'a Material,
@@ -216,7 +216,7 @@ fn seen_at<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, nearest: Nearest, pr
     if !nearest.is_alone() {
         let hits = visibility::settled(scene, ray, nearest, probe);
         if hits.len() > 1 {
-            return in_place(scene, ray, path, &hits[0], &Place::of(&hits), probe);
+            return in_place(scene, ray, path, &hits[0], &LayerStack::of(&hits), probe);
         }
         // At the same distance the search may have found another one first.
         hit = hits[0];
@@ -238,13 +238,20 @@ fn nothing_met<P: Probe>(scene: &Scene, probe: &mut P) -> Seen {
 // Outlined, so that a single surface doesn't pay for it.
 #[cold]
 #[inline(never)]
-fn in_place<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: &Place, probe: &mut P) -> Seen {
+fn in_place<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: &LayerStack, probe: &mut P) -> Seen {
     shaded(scene, ray, path, hit, Some(place), probe)
 }
 
 /// What a ray that hits a surface sees; the surface may be one of several coincident ones.
 #[inline(always)]
-fn shaded<P: Probe>(scene: &Scene, ray: &Ray, path: &Path, hit: &Hit, place: Option<&Place>, probe: &mut P) -> Seen {
+fn shaded<P: Probe>(
+    scene: &Scene,
+    ray: &Ray,
+    path: &Path,
+    hit: &Hit,
+    place: Option<&LayerStack>,
+    probe: &mut P,
+) -> Seen {
     let surface = scene.objects[hit.object as usize].shape.surface(ray, hit.crossing, probe);
     let material = scene.material_of(hit.object);
     let merged = place.filter(|_| material.transmits()).map(|place| place.merged(&material.weights, scene));

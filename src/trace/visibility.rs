@@ -1,6 +1,6 @@
 //! What a ray hits first, and how much light a shadow ray lets through.
 
-use super::{Layer, Place, in_range};
+use super::{Layer, LayerStack, in_range};
 use crate::geometry::{
     Crossing, Hit, Intersect, Nearest, PACKET, PerRay, Ray, RayMask, RaySource, Search, Shape, each,
 };
@@ -119,7 +119,7 @@ pub(super) fn settled<P: Probe>(scene: &Scene, ray: &Ray, nearest: Nearest, prob
 
 /// The hit of a ray that begins just in front of a surface, which is therefore the nearest. There is one in a place that a ray begins in.
 #[cold]
-pub(super) fn touched<P: Probe>(scene: &Scene, ray: &Ray, place: &Place, probe: &mut P) -> Hit {
+pub(super) fn touched<P: Probe>(scene: &Scene, ray: &Ray, place: &LayerStack, probe: &mut P) -> Hit {
     let layer = place.ahead[0];
     let object = &scene.objects[layer.object as usize];
     object.shape.touch(object.target(layer.object), layer.primitive, ray, probe);

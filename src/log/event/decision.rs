@@ -103,6 +103,12 @@ macro_rules! define {
                 match self { $(Decision::$variant { .. } => $word,)* }
             }
 
+            /// Which decision it is, whatever its fields: the number of its row in the table.
+            pub fn number(&self) -> u64 {
+                enum Row { $($variant,)* }
+                match self { $(Decision::$variant { .. } => Row::$variant as u64,)* }
+            }
+
             /// Hands on the objects and lights that it names.
             pub fn each_id(&mut self, take: &mut impl FnMut(Id)) {
                 match self {

@@ -4,12 +4,12 @@
 //! times: for the places of the nodes' contents, for the header and what is no JSON, and then event by event as lines are. No more of the
 //! events is held in between than one.
 
-use super::LogError;
+use super::MAX_NESTING;
+use super::error::{Ending, LogError, error_at, message_of};
 use super::line::{End, Line, from_text};
 use super::lines::{Brackets, MAX_LOG_LINE, too_long};
-use super::read::{Ending, ReadLog, check_names, check_version, error_at, message_of};
-use super::reader::Reader;
-use crate::log::{Header, Log};
+use super::reader::{ReadLog, Reader, check_names, check_version};
+use crate::log::Header;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use std::ops::Range;
@@ -17,9 +17,6 @@ use std::ops::Range;
 mod places;
 
 use places::{Contents, Places};
-
-/// How deep the nodes of a log may nest.
-pub const MAX_NESTING: usize = 2048;
 
 /// How deep the brackets of a document may nest: two for each node and for the document itself, and a few inside an event.
 const MAX_BRACKETS: usize = 4114;
@@ -54,9 +51,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<ReadLog, LogError> {
         // The digest is that of the same log as lines.
         Some(end) => reader.check_end(&end, None),
     };
-    let mut events = reader.events;
-    events.shrink_to_fit();
-    Ok(ReadLog { log: Log { events, header: reader.header }, ending })
+    Ok(reader.finish(ending))
 }
 
 /// Reads the events, each node's before those inside it.

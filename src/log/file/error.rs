@@ -1,6 +1,6 @@
-//! What can be wrong with a log.
+//! What can be wrong with a log, and how it ends.
 
-use super::reader::MAX_SAVED_EVENTS;
+use super::MAX_SAVED_EVENTS;
 use crate::files::escape::shortened;
 use crate::log::header::FORMAT;
 
@@ -50,5 +50,72 @@ impl LogError {
     pub(super) fn damaged(line: usize, column: usize, message: &str) -> LogError {
         const LONGEST: usize = 200;
         LogError::Damaged { line, column, message: shortened(message, LONGEST) }
+    }
+}
+
+pub(super) fn error_at(line: usize, error: &serde_json::Error) -> LogError {
+    LogError::damaged(line + error.line().saturating_sub(1), error.column().max(1), &message_of(error))
+}
+
+/// What is wrong, without the place.
+pub(super) fn message_of(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    text.split(" at line ").next().unwrap_or(&text).to_owned()
+}
+
+/// How a log ends.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Ending {
+    /// With an end line that fits.
+    Complete,
+    /// Without an end line: the log was cut off, or is still being written.
+    Missing {
+        /// Whether the last line is incomplete (it was skipped).
+        incomplete_record: bool,
+    },
+    /// With an end line that fits, but the log has quantities that this program doesn't know. They were skipped.
+    Unknown {
+        /// How many there are.
+        count: usize,
+        /// What the first is called.
+        key: String,
+        /// Its line.
+        line: usize,
+    },
+    /// With an end line that doesn't fit what precedes it.
+    Mismatch {
+        /// What doesn't fit.
+        what: String,
+    },
+    /// With a record that can't be read, or with packed data that can't be unpacked: what precedes it was read.
+    Damaged {
+        /// Where and what the damage is.
+        what: String,
+    },
+}
+
+impl Ending {
+    /// Whether the log is whole, and all of it was read.
+    pub fn is_whole(&self) -> bool {
+        *self == Ending::Complete
+    }
+
+    /// A sentence for people; `None` if all is well.
+    pub fn warning(&self) -> Option<String> {
+        match self {
+            Ending::Complete => None,
+            Ending::Missing { incomplete_record: false } => Some("the log has no end line: it was cut off".into()),
+            Ending::Missing { incomplete_record: true } => {
+                Some("the log was cut off: 1 incomplete record was skipped".into())
+            }
+            Ending::Unknown { count, key, line } => Some(match count {
+                1 => format!("1 value of an unknown quantity was skipped, in line {line}: `{key}`"),
+                _ => {
+                    format!("{count} values of unknown quantities were skipped, the first in line {line}: `{key}`")
+                }
+            }),
+            Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
+            Ending::Damaged { what } => Some(format!("the log is damaged, this is what precedes the damage: {what}")),
+        }
     }
 }

@@ -1,14 +1,13 @@
 //! The serde mirror of a line of a log, as it is read. Unknown fields are skipped: a later version may add some.
 
 use super::mark::{Enter, Mark};
+use super::spelling::Word;
 use crate::log::name::Name;
 use crate::log::value::Value;
 use crate::log::whole::{Whole, whole};
-use serde::de::{Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, de};
-use std::borrow::Cow;
 use std::fmt;
-use std::ops::Deref;
 
 /// A line of a log after the header (in a nested document: an element of `children`, without its own).
 #[derive(Deserialize)]
@@ -109,67 +108,5 @@ impl<'de> Deserialize<'de> for Given {
             }
         }
         deserializer.deserialize_map(Pairs)
-    }
-}
-
-/// A word that is borrowed from the text, unless it is escaped there.
-#[derive(Default)]
-pub(super) struct Word<'t>(pub Cow<'t, str>);
-
-impl<'de: 't, 't> Deserialize<'de> for Word<'t> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Text;
-        impl<'de> Visitor<'de> for Text {
-            type Value = Word<'de>;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a string")
-            }
-            fn visit_borrowed_str<E: de::Error>(self, text: &'de str) -> Result<Word<'de>, E> {
-                Ok(Word(Cow::Borrowed(text)))
-            }
-            fn visit_str<E: de::Error>(self, text: &str) -> Result<Word<'de>, E> {
-                Ok(Word(Cow::Owned(text.to_owned())))
-            }
-        }
-        deserializer.deserialize_str(Text)
-    }
-}
-
-impl Deref for Word<'_> {
-    type Target = str;
-    fn deref(&self) -> &str {
-        &self.0
-    }
-}
-
-impl<'de> Deserialize<'de> for Value {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NumberOrTriple;
-        impl<'de> Visitor<'de> for NumberOrTriple {
-            type Value = Value;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a number or three numbers")
-            }
-            fn visit_f64<E: de::Error>(self, x: f64) -> Result<Value, E> {
-                Ok(Value::Number(x))
-            }
-            fn visit_i64<E: de::Error>(self, x: i64) -> Result<Value, E> {
-                Ok(Value::Number(x as f64))
-            }
-            fn visit_u64<E: de::Error>(self, x: u64) -> Result<Value, E> {
-                Ok(Value::Number(x as f64))
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
-                let mut triple = [0.0; 3];
-                for (index, component) in triple.iter_mut().enumerate() {
-                    *component = seq.next_element()?.ok_or_else(|| de::Error::invalid_length(index, &self))?;
-                }
-                match seq.next_element::<f64>()? {
-                    None => Ok(Value::Triple(triple)),
-                    Some(_) => Err(de::Error::invalid_length(4, &self)),
-                }
-            }
-        }
-        deserializer.deserialize_any(NumberOrTriple)
     }
 }

@@ -1,8 +1,7 @@
 //! Nodes and decisions in a line of a log, read and written as the tables of [`steps`] and [`decisions`] have them.
 
-use super::line::Word;
-use super::reader::Reader;
-use super::write::{string, text, triple};
+use super::numbers::Lookup;
+use super::spelling::{Word, string, text, triple};
 use crate::log::event::decision::decisions;
 use crate::log::event::field::{FieldKind, Light, Numbered, Object, Optional, Quantity, Triple, Whole};
 use crate::log::event::step::steps;
@@ -19,7 +18,7 @@ pub(super) trait InFile: FieldKind {
     type Read<'t>;
 
     /// What was read: names are looked up.
-    fn resolve(read: Self::Read<'_>, reader: &Reader) -> Result<Self::Value, String>;
+    fn resolve(read: Self::Read<'_>, lookup: &Lookup) -> Result<Self::Value, String>;
 
     /// Writes it, without its key.
     fn write(out: &mut Vec<u8>, header: &Header, value: &Self::Value);
@@ -33,8 +32,8 @@ pub(super) trait InFile: FieldKind {
 impl InFile for Object {
     type Read<'t> = Word<'t>;
 
-    fn resolve(name: Word, reader: &Reader) -> Result<u32, String> {
-        reader.object(&name)
+    fn resolve(name: Word, lookup: &Lookup) -> Result<u32, String> {
+        lookup.object(&name)
     }
 
     fn write(out: &mut Vec<u8>, header: &Header, object: &u32) {
@@ -45,8 +44,8 @@ impl InFile for Object {
 impl InFile for Light {
     type Read<'t> = Word<'t>;
 
-    fn resolve(name: Word, reader: &Reader) -> Result<u32, String> {
-        reader.light(&name)
+    fn resolve(name: Word, lookup: &Lookup) -> Result<u32, String> {
+        lookup.light(&name)
     }
 
     fn write(out: &mut Vec<u8>, header: &Header, light: &u32) {
@@ -57,7 +56,7 @@ impl InFile for Light {
 impl<const LEAST: u32> InFile for Whole<LEAST> {
     type Read<'t> = whole::Whole<u32>;
 
-    fn resolve(whole::Whole(number): whole::Whole<u32>, _: &Reader) -> Result<u32, String> {
+    fn resolve(whole::Whole(number): whole::Whole<u32>, _: &Lookup) -> Result<u32, String> {
         Ok(number)
     }
 
@@ -70,7 +69,7 @@ impl<const LEAST: u32> InFile for Whole<LEAST> {
 impl InFile for Triple {
     type Read<'t> = [f64; 3];
 
-    fn resolve(numbers: [f64; 3], _: &Reader) -> Result<[f64; 3], String> {
+    fn resolve(numbers: [f64; 3], _: &Lookup) -> Result<[f64; 3], String> {
         Ok(numbers)
     }
 
@@ -82,7 +81,7 @@ impl InFile for Triple {
 impl InFile for Quantity {
     type Read<'t> = Word<'t>;
 
-    fn resolve(key: Word, _: &Reader) -> Result<Name, String> {
+    fn resolve(key: Word, _: &Lookup) -> Result<Name, String> {
         Name::with_key(&key).ok_or_else(|| unknown("quantity", &key))
     }
 
@@ -94,8 +93,8 @@ impl InFile for Quantity {
 impl<K: InFile> InFile for Optional<K> {
     type Read<'t> = Option<K::Read<'t>>;
 
-    fn resolve(read: Self::Read<'_>, reader: &Reader) -> Result<Option<K::Value>, String> {
-        read.map(|read| K::resolve(read, reader)).transpose()
+    fn resolve(read: Self::Read<'_>, lookup: &Lookup) -> Result<Option<K::Value>, String> {
+        read.map(|read| K::resolve(read, lookup)).transpose()
     }
 
     fn write(out: &mut Vec<u8>, header: &Header, value: &Option<K::Value>) {
@@ -114,7 +113,7 @@ macro_rules! words {
         impl InFile for $name {
             type Read<'t> = Word<'t>;
 
-            fn resolve(word: Word, _: &Reader) -> Result<$name, String> {
+            fn resolve(word: Word, _: &Lookup) -> Result<$name, String> {
                 $name::find(&word).ok_or_else(|| unknown($called, &word))
             }
 
@@ -142,7 +141,7 @@ pub(super) fn unknown(what: &str, word: &str) -> String {
 impl InFile for Numbered {
     type Read<'t> = Option<whole::Whole<u32>>;
 
-    fn resolve(number: Option<whole::Whole<u32>>, _: &Reader) -> Result<u32, String> {
+    fn resolve(number: Option<whole::Whole<u32>>, _: &Lookup) -> Result<u32, String> {
         Ok(number.unwrap_or_default().0)
     }
 
@@ -171,7 +170,7 @@ pub(super) trait OwnLine {
     type Read<'t>;
 
     /// The node, with objects and lights by number.
-    fn resolve(read: Self::Read<'_>, reader: &Reader) -> Result<Step, String>;
+    fn resolve(read: Self::Read<'_>, lookup: &Lookup) -> Result<Step, String>;
 
     /// Writes what is behind the word of the node, which is one of these.
     fn write(out: &mut Vec<u8>, header: &Header, step: &Step);
@@ -182,7 +181,7 @@ pub(super) struct PixelLine;
 impl OwnLine for PixelLine {
     type Read<'t> = [whole::Whole<u32>; 2];
 
-    fn resolve(read: Self::Read<'_>, _: &Reader) -> Result<Step, String> {
+    fn resolve(read: Self::Read<'_>, _: &Lookup) -> Result<Step, String> {
         Ok(Step::Pixel(read.map(|whole::Whole(side)| side)))
     }
 
@@ -208,11 +207,11 @@ pub(super) struct ReadRay<'t> {
 impl OwnLine for RayLine {
     type Read<'t> = ReadRay<'t>;
 
-    fn resolve(read: ReadRay, reader: &Reader) -> Result<Step, String> {
+    fn resolve(read: ReadRay, lookup: &Lookup) -> Result<Step, String> {
         let is_shadow = *read.kind == *RayKind::Shadow { light: 0 }.word();
-        let light = read.light.filter(|_| is_shadow).map(|light| reader.light(&light)).transpose()?;
+        let light = read.light.filter(|_| is_shadow).map(|light| lookup.light(&light)).transpose()?;
         let kind = RayKind::find(&read.kind, light).ok_or_else(|| unknown("kind of ray", &read.kind))?;
-        Ok(Step::Ray { kind, depth: read.depth.0, split: Numbered::resolve(read.split, reader)? })
+        Ok(Step::Ray { kind, depth: read.depth.0, split: Numbered::resolve(read.split, lookup)? })
     }
 
     fn write(out: &mut Vec<u8>, header: &Header, step: &Step) {
@@ -248,11 +247,11 @@ macro_rules! lines {
 
         impl $read<'_> {
             /// What it says, with objects and lights by number.
-            pub fn resolve(self, reader: &Reader) -> Result<$type, String> {
+            pub fn resolve(self, lookup: &Lookup) -> Result<$type, String> {
                 Ok(match self {
-                    $($read::$own(line) => $own_line::resolve(line, reader)?,)*
+                    $($read::$own(line) => $own_line::resolve(line, lookup)?,)*
                     $($read::$variant { $($($field,)*)? } => {
-                        $type::$variant $({ $($field: <$kind as InFile>::resolve($field, reader)?,)* })?
+                        $type::$variant $({ $($field: <$kind as InFile>::resolve($field, lookup)?,)* })?
                     })*
                 })
             }

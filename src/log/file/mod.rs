@@ -10,9 +10,17 @@ mod numbers;
 mod pixels;
 mod read;
 mod reader;
+mod spelling;
 mod write;
 
-pub use error::LogError;
+pub use error::{Ending, LogError};
 pub use pixels::{PixelEvents, PixelReader};
-pub use read::{Ending, ReadLog, read, read_from};
+pub use read::{read, read_from};
+pub use reader::ReadLog;
 pub use write::{Lines, Writer, to_json, to_ndjson};
+
+/// The most events of a saved log, or of one of its pixels where it is read by pixels, that are held in memory.
+pub const MAX_SAVED_EVENTS: usize = 1 << 24;
+
+/// How deep the nodes of a log may nest.
+pub const MAX_NESTING: usize = 2048;

@@ -1,9 +1,34 @@
 //! Which number a name has: the names themselves are in the header only, of which there may be a million.
 
+use crate::log::header::Header;
 use std::hash::{BuildHasher, RandomState};
 
+/// A header, with the numbers of the names in it.
+pub(super) struct Lookup {
+    pub header: Header,
+    objects: Numbers,
+    lights: Numbers,
+}
+
+impl Lookup {
+    /// Those of a header.
+    pub fn of(header: Header) -> Lookup {
+        Lookup { objects: Numbers::of(&header.objects), lights: Numbers::of(&header.lights), header }
+    }
+
+    /// The object of this name.
+    pub fn object(&self, name: &str) -> Result<u32, String> {
+        self.objects.find(&self.header.objects, name).ok_or_else(|| format!("object `{name}` isn't in the header"))
+    }
+
+    /// The light of this name.
+    pub fn light(&self, name: &str) -> Result<u32, String> {
+        self.lights.find(&self.header.lights, name).ok_or_else(|| format!("light `{name}` isn't in the header"))
+    }
+}
+
 /// The numbers of names, found by their hashes.
-pub(super) struct Numbers {
+struct Numbers {
     /// As many as a power of two, half of them [`NONE`] or more. A name is where its hash says, or in the next places behind.
     places: Vec<u32>,
     hasher: RandomState,
@@ -14,7 +39,7 @@ const NONE: u32 = u32::MAX;
 
 impl Numbers {
     /// Those of these names. The first of equal names wins, as it does in a scene.
-    pub fn of(names: &[String]) -> Numbers {
+    fn of(names: &[String]) -> Numbers {
         let places = vec![NONE; (names.len() * 2).next_power_of_two()];
         let mut numbers = Numbers { places, hasher: RandomState::new() };
         for (number, name) in (0..).zip(names) {
@@ -28,7 +53,7 @@ impl Numbers {
 
     /// The number of one of the names.
     #[inline]
-    pub fn find(&self, names: &[String], name: &str) -> Option<u32> {
+    fn find(&self, names: &[String], name: &str) -> Option<u32> {
         Some(self.places[self.place(names, name)]).filter(|number| *number != NONE)
     }
 

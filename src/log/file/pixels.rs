@@ -1,11 +1,12 @@
 //! A log a pixel at a time, so that one of a region takes the memory of its largest pixel.
 
 use super::document;
+use super::error::{Ending, LogError};
 use super::line::{self, Line};
 use super::lines::Lines;
-use super::read::{self, Ending, ReadLog};
-use super::reader::Reader;
-use super::{LogError, Writer};
+use super::read;
+use super::reader::{ReadLog, Reader};
+use super::write::Writer;
 use crate::files::{Kind, LogForm};
 use crate::log::event::{Event, Step, What};
 use crate::log::events::Events;
@@ -87,7 +88,7 @@ impl<R: Read> PixelReader<R> {
     /// What the log says about itself.
     pub fn header(&self) -> &Header {
         match &self.source {
-            Source::Lines { reader, .. } => &reader.header,
+            Source::Lines { reader, .. } => &reader.lookup.header,
             Source::Document { header, .. } => header,
         }
     }

@@ -1,82 +1,14 @@
 //! Reading logs, also such as were cut off or damaged: what is complete is read, and what isn't is said.
 
-use super::LogError;
 use super::document;
+use super::error::{Ending, LogError, error_at};
 use super::line::{Line, from_text};
 use super::lines::{Lines, TextLine};
-use super::reader::Reader;
-use crate::files::escape::{escape_hidden, hidden, shortened};
+use super::reader::{ReadLog, Reader, check_names, check_version};
 use crate::files::{Kind, LogForm};
-use crate::log::Log;
-use crate::log::header::{FORMAT, Header};
+use crate::log::header::Header;
 use serde::Deserialize;
 use std::io::{ErrorKind, Read};
-
-/// A log as it was found.
-#[derive(Debug)]
-pub struct ReadLog {
-    /// What could be read.
-    pub log: Log,
-    /// How it ends.
-    pub ending: Ending,
-}
-
-/// How a log ends.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Ending {
-    /// With an end line that fits.
-    Complete,
-    /// Without an end line: the log was cut off, or is still being written.
-    Missing {
-        /// Whether the last line is incomplete (it was skipped).
-        incomplete_record: bool,
-    },
-    /// With an end line that fits, but the log has quantities that this program doesn't know. They were skipped.
-    Unknown {
-        /// How many there are.
-        count: usize,
-        /// What the first is called.
-        key: String,
-        /// Its line.
-        line: usize,
-    },
-    /// With an end line that doesn't fit what precedes it.
-    Mismatch {
-        /// What doesn't fit.
-        what: String,
-    },
-    /// With a record that can't be read, or with packed data that can't be unpacked: what precedes it was read.
-    Damaged {
-        /// Where and what the damage is.
-        what: String,
-    },
-}
-
-impl Ending {
-    /// Whether the log is whole, and all of it was read.
-    pub fn is_whole(&self) -> bool {
-        *self == Ending::Complete
-    }
-
-    /// A sentence for people; `None` if all is well.
-    pub fn warning(&self) -> Option<String> {
-        match self {
-            Ending::Complete => None,
-            Ending::Missing { incomplete_record: false } => Some("the log has no end line: it was cut off".into()),
-            Ending::Missing { incomplete_record: true } => {
-                Some("the log was cut off: 1 incomplete record was skipped".into())
-            }
-            Ending::Unknown { count, key, line } => Some(match count {
-                1 => format!("1 value of an unknown quantity was skipped, in line {line}: `{key}`"),
-                _ => {
-                    format!("{count} values of unknown quantities were skipped, the first in line {line}: `{key}`")
-                }
-            }),
-            Ending::Mismatch { what } => Some(format!("the log was changed after it was written: {what}")),
-            Ending::Damaged { what } => Some(format!("the log is damaged, this is what precedes the damage: {what}")),
-        }
-    }
-}
 
 /// Reads a log, NDJSON or one JSON document, from memory.
 ///
@@ -105,9 +37,7 @@ pub fn read_from(input: impl Read) -> Result<ReadLog, LogError> {
             break with_damage(ending, &lines);
         }
     };
-    let mut events = reader.events;
-    events.shrink_to_fit();
-    Ok(ReadLog { log: Log { header: reader.header, events }, ending })
+    Ok(reader.finish(ending))
 }
 
 /// Reads the next record behind the header; the ending where there is none that can be read.
@@ -181,41 +111,11 @@ fn header_in(&TextLine { text: line, number, is_terminated }: &TextLine) -> Resu
     Ok(header)
 }
 
-/// Views of a log show its names, so that none may hold control characters for a terminal. No scene has such names.
-pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
-    let tracing = &header.tracing;
-    let words = [&header.version, &header.arithmetic, &tracing.algorithm, &tracing.specular, &tracing.sphere_method];
-    let parameters = header.sampling.iter().flat_map(|(word, parameters)| [word].into_iter().chain(parameters.keys()));
-    let names = header.objects.iter().chain(&header.lights).chain([&header.scene.name, &header.scene.digest]);
-    let optional = [&tracing.formulas, &tracing.reflected_scale].into_iter().flatten();
-    match words.into_iter().chain(optional).chain(parameters).chain(names).find(|name| hidden(name).next().is_some()) {
-        None => Ok(()),
-        Some(name) => Err(LogError::damaged(
-            1,
-            1,
-            &format!("a name must not hold invisible characters, found `{}`", escape_hidden(name)),
-        )),
-    }
-}
-
-pub(super) fn check_version(found: &str) -> Result<(), LogError> {
-    if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: shortened(found, 40) }) }
-}
-
-pub(super) fn error_at(line: usize, error: &serde_json::Error) -> LogError {
-    LogError::damaged(line + error.line().saturating_sub(1), error.column().max(1), &message_of(error))
-}
-
-/// What is wrong, without the place.
-pub(super) fn message_of(error: &serde_json::Error) -> String {
-    let text = error.to_string();
-    text.split(" at line ").next().unwrap_or(&text).to_owned()
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use crate::log::Log;
     use crate::log::file::{to_json, to_ndjson};
     use crate::record::{self, Arithmetic};
     use crate::scene::{build, builtin, file};

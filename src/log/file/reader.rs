@@ -1,16 +1,16 @@
 //! From the lines of a log to its events.
 
-use super::LogError;
 use super::digest::Digest;
-use super::document::MAX_NESTING;
+use super::error::{Ending, LogError};
 use super::line::{End, Line};
 use super::mark::Mark;
-use super::numbers::Numbers;
-use super::read::Ending;
-use crate::files::escape::shortened;
+use super::numbers::Lookup;
+use super::{MAX_NESTING, MAX_SAVED_EVENTS};
+use crate::files::escape::{escape_hidden, hidden, shortened};
+use crate::log::Log;
 use crate::log::event::{Digits, Event, Step, What};
 use crate::log::events::Events;
-use crate::log::header::Header;
+use crate::log::header::{FORMAT, Header};
 use crate::log::name::Name;
 use crate::log::value::Value;
 use crate::log::whole::Whole;
@@ -18,15 +18,19 @@ use raywalk_guard::{attempt, has_room_for};
 use std::io::ErrorKind;
 use std::mem;
 
-/// The most events of a saved log, or of one of its pixels where it is read by pixels, that are held in memory.
-pub const MAX_SAVED_EVENTS: usize = 1 << 24;
+/// A log as it was found.
+#[derive(Debug)]
+pub struct ReadLog {
+    /// What could be read.
+    pub log: Log,
+    /// How it ends.
+    pub ending: Ending,
+}
 
 /// Turns lines into events: names into numbers, words into decisions.
 pub(super) struct Reader {
     /// What the log says about itself.
-    pub(super) header: Header,
-    objects: Numbers,
-    lights: Numbers,
+    pub(super) lookup: Lookup,
     /// Those that weren't passed on.
     pub(super) events: Events,
     /// How many were.
@@ -71,10 +75,8 @@ impl Unknown {
 impl Reader {
     pub(super) fn new(header: Header) -> Reader {
         Reader {
-            objects: Numbers::of(&header.objects),
-            lights: Numbers::of(&header.lights),
             digest: Some(Digest::new(&header)),
-            header,
+            lookup: Lookup::of(header),
             events: Events::new(),
             handed_on: 0,
             depth: 0,
@@ -83,10 +85,17 @@ impl Reader {
         }
     }
 
+    /// The log as far as it was read.
+    pub(super) fn finish(self, ending: Ending) -> ReadLog {
+        let mut events = self.events;
+        events.shrink_to_fit();
+        ReadLog { log: Log { header: self.lookup.header, events }, ending }
+    }
+
     /// Passes the events on.
     pub(super) fn hand_on(&mut self) -> Events {
         if let Some(digest) = &mut self.digest {
-            digest.add(&self.header, &self.events);
+            digest.add(&self.lookup.header, &self.events);
         }
         self.handed_on += self.events.len();
         mem::take(&mut self.events)
@@ -104,7 +113,7 @@ impl Reader {
         let written_anew = self.digest.take().filter(|_| self.unknown.count == 0);
         let fits_events = || {
             written_anew.is_some_and(|mut digest| {
-                digest.add(&self.header, &self.events);
+                digest.add(&self.lookup.header, &self.events);
                 end.has(digest.finish())
             })
         };
@@ -125,7 +134,7 @@ impl Reader {
         }
         line.given.unknown.iter().for_each(|key| self.unknown.add(key, number));
         let what = if let Some(enter) = line.enter {
-            let step = enter.resolve(self).map_err(damaged)?;
+            let step = enter.resolve(&self.lookup).map_err(damaged)?;
             // Nothing is around a pixel, whatever its line says.
             let parent = if matches!(step, Step::Pixel(_)) { 0 } else { line.parent.0 };
             What::Enter { parent, step }
@@ -143,7 +152,7 @@ impl Reader {
             self.carried.extend(line.given.inputs);
             return self.pass_over(quantity, number);
         } else if let Some(mark) = line.mark {
-            What::Mark(mark.resolve(self).map_err(damaged)?)
+            What::Mark(mark.resolve(&self.lookup).map_err(damaged)?)
         } else if line.leave.is_some() {
             What::Leave
         } else if let Some(result) = line.result {
@@ -196,14 +205,25 @@ impl Reader {
         let is_room = has_room_for(beside) && attempt(|| self.events.try_reserve_exact(more)).is_ok();
         if is_room { Ok(()) } else { Err(LogError::Io(ErrorKind::OutOfMemory.into())) }
     }
+}
 
-    /// The object of this name.
-    pub(super) fn object(&self, name: &str) -> Result<u32, String> {
-        self.objects.find(&self.header.objects, name).ok_or_else(|| format!("object `{name}` isn't in the header"))
-    }
+pub(super) fn check_version(found: &str) -> Result<(), LogError> {
+    if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: shortened(found, 40) }) }
+}
 
-    /// The light of this name.
-    pub(super) fn light(&self, name: &str) -> Result<u32, String> {
-        self.lights.find(&self.header.lights, name).ok_or_else(|| format!("light `{name}` isn't in the header"))
+/// Views of a log show its names, so that none may hold control characters for a terminal. No scene has such names.
+pub(super) fn check_names(header: &Header) -> Result<(), LogError> {
+    let tracing = &header.tracing;
+    let words = [&header.version, &header.arithmetic, &tracing.algorithm, &tracing.specular, &tracing.sphere_method];
+    let parameters = header.sampling.iter().flat_map(|(word, parameters)| [word].into_iter().chain(parameters.keys()));
+    let names = header.objects.iter().chain(&header.lights).chain([&header.scene.name, &header.scene.digest]);
+    let optional = [&tracing.formulas, &tracing.reflected_scale].into_iter().flatten();
+    match words.into_iter().chain(optional).chain(parameters).chain(names).find(|name| hidden(name).next().is_some()) {
+        None => Ok(()),
+        Some(name) => Err(LogError::damaged(
+            1,
+            1,
+            &format!("a name must not hold invisible characters, found `{}`", escape_hidden(name)),
+        )),
     }
 }

@@ -1,6 +1,7 @@
 //! Writing logs. A log is written while it grows, and its last line counts and digests what precedes it.
 
 use super::mark::{write_enter, write_mark};
+use super::spelling::{string, text, triple, value};
 use crate::log::event::{Digits, Event, Step, What};
 use crate::log::events::{Events, Input};
 use crate::log::header::Header;
@@ -288,41 +289,4 @@ fn note(out: &mut Vec<u8>, name: Name, noted: Value) {
     }
     text(out, ",\"value\":");
     value(out, noted);
-}
-
-fn value(out: &mut Vec<u8>, value: Value) {
-    match value {
-        Value::Number(x) => number(out, x),
-        Value::Triple(xyz) => triple(out, &xyz),
-    }
-}
-
-pub(super) fn triple(out: &mut Vec<u8>, [x, y, z]: &[f64; 3]) {
-    text(out, "[");
-    number(out, *x);
-    text(out, ",");
-    number(out, *y);
-    text(out, ",");
-    number(out, *z);
-    text(out, "]");
-}
-
-/// The shortest text that reads back as the same bits; whole numbers without a decimal point, but for `-0.0`.
-fn number(out: &mut Vec<u8>, x: f64) {
-    debug_assert!(x.is_finite(), "a log holds finite numbers only");
-    if x == x.trunc() && x.abs() < 1e15 && !(x == 0.0 && x.is_sign_negative()) {
-        text(out, &(x as i64).to_string());
-    } else if serde_json::to_writer(&mut *out, &x).is_err() {
-        // Writing to memory can't fail.
-        text(out, "0");
-    }
-}
-
-pub(super) fn string(out: &mut Vec<u8>, content: &str) {
-    // Control characters are escaped by serde_json; writing to memory can't fail.
-    let _ = serde_json::to_writer(out, content);
-}
-
-pub(super) fn text(out: &mut Vec<u8>, content: &str) {
-    out.extend_from_slice(content.as_bytes());
 }

@@ -20,8 +20,11 @@ struct Fields {
     log: String,
     version: String,
     scene: SceneId,
+    #[serde(default, deserialize_with = "present")]
     pixel: Option<[Whole<u32>; 2]>,
+    #[serde(default, deserialize_with = "present")]
     ray: Option<[f64; 6]>,
+    #[serde(default, deserialize_with = "present")]
     region: Option<[Whole<u32>; 4]>,
     arithmetic: String,
     tracing: TracingId,
@@ -58,6 +61,11 @@ impl Fields {
             only_elsewhere: Vec::new(),
         })
     }
+}
+
+/// Reads a subject that has its key: `null` is none.
+fn present<'de, T: Deserialize<'de>, D: Deserializer<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
+    T::deserialize(deserializer).map(Some)
 }
 
 fn numbers<const N: usize>(whole: [Whole<u32>; N]) -> [u32; N] {

@@ -1,6 +1,6 @@
 //! A layer as a picture for people: false colours, and below them a legend.
 
-use super::{Layer, Layered, Seen};
+use super::{Layer, Layered, PixelFacts};
 use crate::render::scale::inferno;
 use crate::render::{Film, export};
 use crate::scene::{self, Color};
@@ -56,7 +56,7 @@ pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Resu
             map.named(layered, objects);
         }
         _ => {
-            let number = |seen: &Seen| number_of(layer, seen).filter(|number| number.is_finite());
+            let number = |seen: &PixelFacts| number_of(layer, seen).filter(|number| number.is_finite());
             let mut range = Range::of(layered.pixels().iter().filter_map(number));
             if layer == Layer::Time {
                 // Now and then the system does something else for a while.
@@ -71,7 +71,7 @@ pub fn false_colors(layered: &Layered, layer: Layer, objects: &[String]) -> Resu
 }
 
 /// What a scale shows of a pixel; `None` where it isn't known.
-fn number_of(layer: Layer, seen: &Seen) -> Option<f64> {
+fn number_of(layer: Layer, seen: &PixelFacts) -> Option<f64> {
     match layer {
         Layer::Rays => Some(seen.rays as f64),
         Layer::Tests => Some(seen.primitive_tests.saturating_add(seen.bounds_tests) as f64),
@@ -124,7 +124,7 @@ impl Map {
     }
 
     /// The rows of the layer; a narrow one has black beside it.
-    fn picture(&mut self, layered: &Layered, color: impl Fn(&Seen) -> Color) {
+    fn picture(&mut self, layered: &Layered, color: impl Fn(&PixelFacts) -> Color) {
         for row in layered.pixels().chunks(layered.width().max(1) as usize) {
             self.colors.extend(row.iter().map(&color));
             self.colors.extend((layered.width()..self.width).map(|_| Color::ZERO));
@@ -249,7 +249,7 @@ mod tests {
 
     #[test]
     fn a_narrow_picture_has_room_for_its_legend() {
-        let pixels = vec![Seen { rays: 3, ..Seen::default() }; 4];
+        let pixels = vec![PixelFacts { rays: 3, ..PixelFacts::default() }; 4];
         let layered = Layered::of([0, 0, 2, 2], pixels);
         let mut map = Map::new(layered.width());
         map.picture(&layered, |_| Color::ONE);

@@ -50,7 +50,7 @@ impl FromStr for Layer {
 
 /// What is known of a pixel beside its colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Seen {
+pub struct PixelFacts {
     /// The pixel.
     pub color: Color,
     /// Rays of all kinds.
@@ -74,20 +74,20 @@ pub struct Seen {
 }
 
 /// A picture with what is known of its pixels.
-pub type Layered = Film<Seen>;
+pub type Layered = Film<PixelFacts>;
 
 /// The pixels with what they cost and see; `None` when the work is to stop.
 pub(super) fn layers(task: &Task) -> Option<(Layered, Counter)> {
     task.by_pixels(|pixel, _| see(task.scene, task.settings, pixel))
 }
 
-fn see(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> Seen {
+fn see(scene: &Scene, settings: &Settings, pixel: [u32; 2]) -> PixelFacts {
     let start = Instant::now();
     let (color, observer) = settings.arithmetic.run(Observer::new(scene), Pixel { scene, pixel });
     observer.seen(color, scene.output.white, start.elapsed().as_secs_f64())
 }
 
-impl Film<Seen> {
+impl Film<PixelFacts> {
     /// The picture.
     pub fn film(&self) -> Film {
         self.map(|pixel| pixel.color)
@@ -95,7 +95,7 @@ impl Film<Seen> {
 
     /// A layer as numbers, by channel. What isn't known isn't a number (NaN), and the depth of the background is infinite.
     pub fn layer(&self, layer: Layer) -> ExrLayer {
-        let channel = |name: &'static str, of: &dyn Fn(&Seen) -> f64| Channel {
+        let channel = |name: &'static str, of: &dyn Fn(&PixelFacts) -> f64| Channel {
             name,
             values: self.pixels().iter().map(|pixel| of(pixel) as f32).collect(),
         };

@@ -1,6 +1,6 @@
 //! What sees a pixel's computation for its layers.
 
-use super::Seen;
+use super::PixelFacts;
 use crate::log::{Decision, Name, RayKind, Step, Value};
 use crate::probe::{Probe, Quantity, forward};
 use crate::render::Counter;
@@ -54,10 +54,10 @@ impl<'s> Observer<'s> {
     }
 
     /// All that was seen of a pixel with this colour, which took so long.
-    pub fn seen(&self, color: Color, white: f64, seconds: f64) -> Seen {
+    pub fn seen(&self, color: Color, white: f64, seconds: f64) -> PixelFacts {
         let met: u64 = self.hits.values().sum();
         let most = self.hits.iter().max_by_key(|(object, count)| (**count, std::cmp::Reverse(**object)));
-        Seen {
+        PixelFacts {
             color,
             rays: self.counter.rays(),
             primitive_tests: self.counter.primitive_tests(),

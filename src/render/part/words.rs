@@ -1,7 +1,7 @@
 //! Pixels as words of 64 bits.
 
 use super::Content;
-use crate::render::layers::Seen;
+use crate::render::layers::PixelFacts;
 use crate::render::{Canvas, Film};
 use crate::scene::Color;
 
@@ -9,7 +9,7 @@ use crate::scene::Color;
 const OF_COLOR: usize = 3;
 
 /// The words of a pixel with what it costs and sees.
-const OF_SEEN: usize = 14;
+const FACTS: usize = 14;
 
 /// No object: a number that none has.
 const NONE: u64 = u64::MAX;
@@ -18,7 +18,7 @@ const NONE: u64 = u64::MAX;
 pub fn count(content: &Content) -> usize {
     match content {
         Content::Colors | Content::Digits { .. } => OF_COLOR,
-        Content::Layers { .. } => OF_SEEN,
+        Content::Layers { .. } => FACTS,
     }
 }
 
@@ -28,7 +28,7 @@ pub fn to_bytes(pixels: &Canvas) -> Vec<u8> {
         Canvas::Colors(film) | Canvas::Digits(film) => {
             film.pixels().iter().flat_map(|color| bytes(&of_color(*color))).collect()
         }
-        Canvas::Layers(film) => film.pixels().iter().flat_map(|seen| bytes(&of_seen(seen))).collect(),
+        Canvas::Layers(film) => film.pixels().iter().flat_map(|seen| bytes(&words_of_facts(seen))).collect(),
     }
 }
 
@@ -41,7 +41,7 @@ pub fn from_bytes(content: &Content, area: [u32; 4], bytes: &[u8]) -> Canvas {
         Content::Colors => Canvas::Colors(colors()),
         Content::Digits { .. } => Canvas::Digits(colors()),
         Content::Layers { .. } => {
-            Canvas::Layers(Film::of(area, words.as_chunks::<OF_SEEN>().0.iter().map(seen).collect()))
+            Canvas::Layers(Film::of(area, words.as_chunks::<FACTS>().0.iter().map(seen).collect()))
         }
     }
 }
@@ -67,7 +67,7 @@ fn option(word: u64) -> Option<f64> {
     Some(f64::from_bits(word)).filter(|known| !known.is_nan())
 }
 
-fn of_seen(seen: &Seen) -> [u64; OF_SEEN] {
+fn words_of_facts(seen: &PixelFacts) -> [u64; FACTS] {
     let [red, green, blue] = of_color(seen.color);
     let [x, y, z] = of_color(seen.normal);
     [
@@ -88,10 +88,10 @@ fn of_seen(seen: &Seen) -> [u64; OF_SEEN] {
     ]
 }
 
-fn seen(words: &[u64; OF_SEEN]) -> Seen {
+fn seen(words: &[u64; FACTS]) -> PixelFacts {
     let [red, green, blue, rays, primitive_tests, bounds_tests, depth, x, y, z, object, samples, error, seconds] =
         *words;
-    Seen {
+    PixelFacts {
         color: color([red, green, blue]),
         rays,
         primitive_tests,
@@ -115,11 +115,17 @@ mod tests {
         let area = [5, 6, 7, 7];
         let colors = Canvas::Colors(Film::of(area, vec![color, Color::ONE]));
         assert_eq!(from_bytes(&Content::Colors, area, &to_bytes(&colors)), colors);
-        let seen =
-            Seen { color, rays: u64::MAX, primitive_tests: 2, bounds_tests: 3, depth: Some(0.1), ..Seen::default() };
-        let other = Seen { object: Some(u32::MAX), error: Some(0.0), seconds: 1e-9, samples: 7, ..seen };
+        let seen = PixelFacts {
+            color,
+            rays: u64::MAX,
+            primitive_tests: 2,
+            bounds_tests: 3,
+            depth: Some(0.1),
+            ..PixelFacts::default()
+        };
+        let other = PixelFacts { object: Some(u32::MAX), error: Some(0.0), seconds: 1e-9, samples: 7, ..seen };
         let area = [0, 0, 1, 3];
-        let layers = Canvas::Layers(Film::of(area, vec![seen, other, Seen::default()]));
+        let layers = Canvas::Layers(Film::of(area, vec![seen, other, PixelFacts::default()]));
         let content = Content::Layers { names: Vec::new(), objects: Vec::new() };
         let bytes = to_bytes(&layers);
         assert_eq!(bytes.len(), 3 * 8 * count(&content));

@@ -4,7 +4,7 @@
 //! far side are hollow. What a shadow ray brings is in the table.
 
 use super::hit::{lights, number, shade, unit, value, vector};
-use super::sheet::{Ink, Piece, Place, Plane, Sheet};
+use super::sheet::{Ink, Piece, Plane, Point2, Sheet};
 use super::{CloseUp, CloseUpError, Subject};
 use crate::log::{Asking, Decision, Log, Name, Tree, Value, What};
 use crate::report::contributions;
@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 
 /// The size of the sheet, the middle and the radius of the light.
 const SIZE: [f64; 2] = [360.0, 360.0];
-const MIDDLE: Place = [180.0, 180.0];
+const MIDDLE: Point2 = [180.0, 180.0];
 const RADIUS: f64 = 145.0;
 
 /// The radius of the point of a shadow ray of mean weight.
@@ -152,7 +152,7 @@ fn passed(log: &Log, tree: &Tree, light: usize) -> Option<[f64; 3]> {
 }
 
 /// Where a point of the light is, and whether it lies on the far side of a sphere.
-fn place(log: &Log, tree: &Tree, node: usize) -> Option<(Place, bool)> {
+fn place(log: &Log, tree: &Tree, node: usize) -> Option<(Point2, bool)> {
     if let Some(outward) = vector(log, tree, node, Name::LightOutward) {
         let plane = sphere(log, tree, node)?;
         let toward_viewer = plane.right.cross(plane.up);

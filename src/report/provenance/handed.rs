@@ -1,6 +1,7 @@
 //! Inputs that are a computed value of another node, under another symbol or out of its scope.
 
-use crate::log::scope::{self, Child};
+use crate::log::scope;
+use crate::log::tree::Child;
 use crate::log::{Log, Name, Step, Term, Tree, Value};
 
 /// The event that computed the input `name` of `event`; `None` for what the scene states. A value that was passed on has the same

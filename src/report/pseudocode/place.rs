@@ -6,11 +6,11 @@ macro_rules! places {
     ($($(#[$doc:meta])* $place:ident,)*) => {
         /// A place in the algorithm of ray tracing.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum Place { $($(#[$doc])* $place,)* }
+        pub enum Stage { $($(#[$doc])* $place,)* }
 
-        impl Place {
+        impl Stage {
             /// Every place.
-            pub const ALL: &[Place] = &[$(Place::$place,)*];
+            pub const ALL: &[Stage] = &[$(Stage::$place,)*];
         }
     };
 }
@@ -65,25 +65,25 @@ places! {
 }
 
 /// Where an event is.
-pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
-    let Some(happening) = log.events.get(event) else { return Place::Pixel };
+pub fn place(log: &Log, tree: &Tree, event: usize) -> Stage {
+    let Some(happening) = log.events.get(event) else { return Stage::Pixel };
     let node = tree.owner(event);
     match tree.nodes()[node].step {
         None | Some(Step::Pixel(_)) => in_pixel(&happening.what),
         Some(Step::Sample { .. }) => {
             if happening.what == What::Leave {
-                Place::Mean
+                Stage::Mean
             } else {
-                Place::Sample
+                Stage::Sample
             }
         }
-        Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }) => Place::Shadow,
+        Some(Step::Ray { kind: RayKind::Shadow { .. }, .. }) => Stage::Shadow,
         Some(Step::Ray { .. }) => in_ray(log, tree, node, event),
         Some(Step::Test { .. } | Step::Motion { .. }) => in_test(log, tree, node, event),
         Some(Step::Shade { .. }) => match &happening.what {
-            What::Note { name, .. } if name.is(Name::ShadeLocal) && *name != Name::ShadeLocalAmbient => Place::LocalSum,
-            What::Leave => Place::LocalSum,
-            _ => Place::Ambient,
+            What::Note { name, .. } if name.is(Name::ShadeLocal) && *name != Name::ShadeLocalAmbient => Stage::LocalSum,
+            What::Leave => Stage::LocalSum,
+            _ => Stage::Ambient,
         },
         Some(Step::Light { .. }) => in_light(happening),
         Some(Step::Zone { what, .. }) => match (happening.what == What::Leave, what) {
@@ -91,72 +91,72 @@ pub fn place(log: &Log, tree: &Tree, event: usize) -> Place {
             (true, what) => color(what),
         },
         Some(Step::Combine) => match happening.what {
-            What::Enter { .. } | What::Note { name: Name::CombineLocal, .. } => Place::CombineLocal,
-            What::Note { name: Name::CombineReflected, .. } => Place::CombineReflected,
-            _ => Place::CombineTransmitted,
+            What::Enter { .. } | What::Note { name: Name::CombineLocal, .. } => Stage::CombineLocal,
+            What::Note { name: Name::CombineReflected, .. } => Stage::CombineReflected,
+            _ => Stage::CombineTransmitted,
         },
     }
 }
 
 /// The place of a call inside a ray.
-pub(super) fn of_call(inner: RayKind) -> Place {
+pub(super) fn of_call(inner: RayKind) -> Stage {
     match inner {
-        RayKind::Camera => Place::Mean,
-        RayKind::Reflected => Place::Reflected,
-        RayKind::Transmitted => Place::Transmitted,
-        RayKind::Shadow { .. } => Place::Shadow,
+        RayKind::Camera => Stage::Mean,
+        RayKind::Reflected => Stage::Reflected,
+        RayKind::Transmitted => Stage::Transmitted,
+        RayKind::Shadow { .. } => Stage::Shadow,
     }
 }
 
-fn in_pixel(what: &What) -> Place {
+fn in_pixel(what: &What) -> Stage {
     match what {
-        What::Enter { .. } => Place::Pixel,
-        _ => Place::Mean,
+        What::Enter { .. } => Stage::Pixel,
+        _ => Stage::Mean,
     }
 }
 
-fn direction(what: Term) -> Place {
+fn direction(what: Term) -> Stage {
     match what {
-        Term::Reflected => Place::Reflection,
-        Term::Transmitted => Place::Transmission,
-        Term::Shadow => Place::Shadow,
-        Term::Local | Term::Specular => Place::Terms,
+        Term::Reflected => Stage::Reflection,
+        Term::Transmitted => Stage::Transmission,
+        Term::Shadow => Stage::Shadow,
+        Term::Local | Term::Specular => Stage::Terms,
     }
 }
 
-fn color(what: Term) -> Place {
+fn color(what: Term) -> Stage {
     match what {
-        Term::Reflected => Place::Reflected,
-        Term::Transmitted => Place::Transmitted,
-        Term::Shadow => Place::Shadow,
-        Term::Local | Term::Specular => Place::Terms,
+        Term::Reflected => Stage::Reflected,
+        Term::Transmitted => Stage::Transmitted,
+        Term::Shadow => Stage::Shadow,
+        Term::Local | Term::Specular => Stage::Terms,
     }
 }
 
-fn in_ray(log: &Log, tree: &Tree, ray: usize, event: usize) -> Place {
+fn in_ray(log: &Log, tree: &Tree, ray: usize, event: usize) -> Stage {
     match &log.events[event].what {
-        What::Enter { .. } => Place::Call,
-        What::Leave | What::Result { .. } => Place::Return,
+        What::Enter { .. } => Stage::Call,
+        What::Leave | What::Result { .. } => Stage::Return,
         What::Note { name, .. } => noted_in_ray(log, tree, ray, event, *name),
         What::Mark(decision) => match decision {
-            Decision::Background => Place::Background,
-            Decision::DepthLimit { .. } => Place::TooDeep,
-            Decision::TotalInternalReflection => Place::TotalReflection,
+            Decision::Background => Stage::Background,
+            Decision::DepthLimit { .. } => Stage::TooDeep,
+            Decision::TotalInternalReflection => Stage::TotalReflection,
             Decision::Skipped { what, .. } | Decision::Rejected { what } | Decision::Bent { what } => direction(*what),
             Decision::LeakGuard { what } => color(*what),
-            Decision::Undefined { quantity: Name::RayDirection } => Place::Aim,
-            Decision::Undefined { quantity: Name::RefractDirection } => Place::Transmission,
-            Decision::Nearest { .. } | Decision::Coincident { .. } | Decision::Immersed { .. } => Place::Nearest,
-            _ if is_hit_known(log, tree, ray, event) => Place::Surface,
-            _ => Place::Nearest,
+            Decision::Undefined { quantity: Name::RayDirection } => Stage::Aim,
+            Decision::Undefined { quantity: Name::RefractDirection } => Stage::Transmission,
+            Decision::Nearest { .. } | Decision::Coincident { .. } | Decision::Immersed { .. } => Stage::Nearest,
+            _ if is_hit_known(log, tree, ray, event) => Stage::Surface,
+            _ => Stage::Nearest,
         },
     }
 }
 
-fn noted_in_ray(log: &Log, tree: &Tree, ray: usize, event: usize, name: Name) -> Place {
+fn noted_in_ray(log: &Log, tree: &Tree, ray: usize, event: usize, name: Name) -> Stage {
     match name.key().split('.').next().unwrap_or_default() {
-        "reflect" => Place::Reflection,
-        "refract" => Place::Transmission,
+        "reflect" => Stage::Reflection,
+        "refract" => Stage::Transmission,
         "lobe" => {
             let what = latest_bounce(log, tree, ray, event);
             // The sum is of colours that the rays brought; the axes are of the directions.
@@ -166,8 +166,8 @@ fn noted_in_ray(log: &Log, tree: &Tree, ray: usize, event: usize, name: Name) ->
                 direction(what)
             }
         }
-        _ if is_hit_known(log, tree, ray, event) => Place::Surface,
-        _ => Place::Aim,
+        _ if is_hit_known(log, tree, ray, event) => Stage::Surface,
+        _ => Stage::Aim,
     }
 }
 
@@ -182,11 +182,11 @@ fn is_hit_known(log: &Log, tree: &Tree, ray: usize, event: usize) -> bool {
 }
 
 /// A test belongs to the search of the ray around it; a moving object carries the hit back later.
-fn in_test(log: &Log, tree: &Tree, node: usize, event: usize) -> Place {
+fn in_test(log: &Log, tree: &Tree, node: usize, event: usize) -> Stage {
     match tree.around(node).find_map(|at| Some((at, tree.ray(at)?))) {
-        Some((_, RayKind::Shadow { .. })) => Place::Shadow,
-        Some((ray, _)) if is_moving(tree, node) && is_hit_known(log, tree, ray, event) => Place::Surface,
-        _ => Place::Nearest,
+        Some((_, RayKind::Shadow { .. })) => Stage::Shadow,
+        Some((ray, _)) if is_moving(tree, node) && is_hit_known(log, tree, ray, event) => Stage::Surface,
+        _ => Stage::Nearest,
     }
 }
 
@@ -194,20 +194,20 @@ fn is_moving(tree: &Tree, node: usize) -> bool {
     matches!(tree.nodes()[node].step, Some(Step::Motion { .. }))
 }
 
-fn in_light(happening: &Event) -> Place {
+fn in_light(happening: &Event) -> Stage {
     match &happening.what {
         What::Note { name, .. } => match name.key().split('.').next().unwrap_or_default() {
-            "half" | "mirror" | "transmit" => Place::Terms,
-            "shadow" => Place::Shadow,
+            "half" | "mirror" | "transmit" => Stage::Terms,
+            "shadow" => Stage::Shadow,
             _ => match name {
-                Name::LightAttenuation => Place::Terms,
-                Name::ShadeNDotL => Place::Light,
-                _ if name.key().starts_with("shade.") => Place::Terms,
-                _ => Place::Light,
+                Name::LightAttenuation => Stage::Terms,
+                Name::ShadeNDotL => Stage::Light,
+                _ if name.key().starts_with("shade.") => Stage::Terms,
+                _ => Stage::Light,
             },
         },
         What::Mark(Decision::Skipped { what, .. } | Decision::LeakGuard { what }) => direction(*what),
-        What::Leave => Place::Terms,
-        _ => Place::Light,
+        What::Leave => Stage::Terms,
+        _ => Stage::Light,
     }
 }

@@ -1,8 +1,8 @@
 //! What nodes deep in a tree see in the nodes around them: asked for once every few levels, and remembered there. So it doesn't take
 //! the longer, the deeper a node lies.
 
+use super::Tree;
 use crate::log::name::Name;
-use crate::log::tree::Tree;
 use std::collections::{HashMap, HashSet};
 use std::sync::{LazyLock, Mutex, PoisonError};
 
@@ -11,7 +11,7 @@ const LEVELS: usize = 16;
 
 /// What was seen so far.
 #[derive(Debug, Default)]
-pub(super) struct Memo {
+pub(in crate::log) struct Memo {
     /// The nodes at which it is remembered: those at such a level that have nodes so far below them again, so that a wide tree doesn't have many.
     stations: HashSet<usize>,
     /// By node, symbol and whether inputs count, the event that has the symbol in the nodes around.
@@ -56,19 +56,19 @@ impl Memo {
     }
 
     /// Whether it is remembered here.
-    pub(super) fn has(&self, node: usize) -> bool {
+    pub(in crate::log) fn has(&self, node: usize) -> bool {
         !self.stations.is_empty() && self.stations.contains(&node)
     }
 
     /// The event with a symbol in the nodes around this one, if that is known.
-    pub(super) fn known(&self, node: usize, symbol: &str, with_inputs: bool) -> Option<Option<usize>> {
+    pub(in crate::log) fn known(&self, node: usize, symbol: &str, with_inputs: bool) -> Option<Option<usize>> {
         let key = (node as u32, *SYMBOLS.get(symbol)?, with_inputs);
         let seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
         seen.get(&key).map(|event| event.map(|event| event as usize))
     }
 
     /// Remembers it for nodes on the way to it.
-    pub(super) fn remember(&self, nodes: &[usize], symbol: &str, with_inputs: bool, event: Option<usize>) {
+    pub(in crate::log) fn remember(&self, nodes: &[usize], symbol: &str, with_inputs: bool, event: Option<usize>) {
         let Some(number) = SYMBOLS.get(symbol).filter(|_| !nodes.is_empty()) else { return };
         let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
         seen.extend(nodes.iter().map(|node| ((*node as u32, *number, with_inputs), event.map(|event| event as u32))));

@@ -20,7 +20,7 @@ pub struct Layer {
 
 /// The surfaces in one place, as a ray sees them that is among them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct LayerStack {
     /// Those that the ray has crossed.
     pub(super) crossed: Vec<Layer>,
     /// Those that it has still to cross, the first of them next. There is one at least.
@@ -52,11 +52,11 @@ impl Layer {
     }
 }
 
-impl Place {
+impl LayerStack {
     /// The place where a ray arrives, with its hits in the order of the scene.
     #[cold]
-    pub(super) fn of(hits: &[Hit]) -> Place {
-        Place { crossed: Vec::new(), ahead: hits.iter().map(Layer::of).collect() }
+    pub(super) fn of(hits: &[Hit]) -> LayerStack {
+        LayerStack { crossed: Vec::new(), ahead: hits.iter().map(Layer::of).collect() }
     }
 
     /// The surfaces that a transmitted ray crosses at once: the next one and those that transmit right behind it.
@@ -75,17 +75,18 @@ impl Place {
 
     /// The place for the ray that was transmitted through the interface; `None` where nothing in it is ahead.
     #[cold]
-    pub fn beyond_interface(&self, scene: &Scene) -> Option<Box<Place>> {
+    pub fn beyond_interface(&self, scene: &Scene) -> Option<Box<LayerStack>> {
         let (interface, rest) = self.ahead.split_at(self.interface(scene).len());
         (!rest.is_empty())
-            .then(|| Box::new(Place { crossed: [&self.crossed, interface].concat(), ahead: rest.to_vec() }))
+            .then(|| Box::new(LayerStack { crossed: [&self.crossed, interface].concat(), ahead: rest.to_vec() }))
     }
 
     /// The place for the ray that was reflected at the next surface; `None` where nothing in it is ahead.
     #[cold]
-    pub fn turned_back(&self) -> Option<Box<Place>> {
+    pub fn turned_back(&self) -> Option<Box<LayerStack>> {
         let seen_from_behind = |layers: &[Layer]| layers.iter().map(|layer| layer.seen_from_behind()).collect();
-        (!self.crossed.is_empty())
-            .then(|| Box::new(Place { crossed: seen_from_behind(&self.ahead), ahead: seen_from_behind(&self.crossed) }))
+        (!self.crossed.is_empty()).then(|| {
+            Box::new(LayerStack { crossed: seen_from_behind(&self.ahead), ahead: seen_from_behind(&self.crossed) })
+        })
     }
 }

@@ -1,16 +1,17 @@
 //! The contents of nodes that hold much: a search there takes as many steps as the number has digits, and not as many as there are events.
 
+use super::Tree;
 use super::children::{self, Child};
 use super::memo::Memo;
-use super::{adds_up, given_at, noted, size_of};
-use crate::log::event::{Decision, Step, What};
+use crate::log::event::{Decision, Event, Step, What};
 use crate::log::events::Events;
+use crate::log::formula::Several;
 use crate::log::name::Name;
-use crate::log::tree::Tree;
 use crate::log::value::Value;
 use std::collections::HashMap;
 use std::hash::Hash;
 use std::mem::{self, Discriminant};
+use std::sync::LazyLock;
 
 /// A node with no more events of its own is gone through.
 const FEW: usize = 64;
@@ -29,7 +30,7 @@ pub(in crate::log) struct Index {
     /// By the numbers of objects, the events by which a test hits them.
     hits: HashMap<u32, Vec<u32>>,
     /// What nodes deep in the tree see around them.
-    pub(super) memo: Memo,
+    pub(in crate::log) memo: Memo,
 }
 
 /// The events of a node by symbol, in order.
@@ -85,34 +86,39 @@ impl Index {
     }
 
     /// The latest of a node's own events before one that notes a symbol; outside `None` where the node is to be gone through.
-    pub(super) fn noted(&self, node: usize, before: usize, symbol: &str) -> Option<Option<usize>> {
+    pub(in crate::log) fn noted(&self, node: usize, before: usize, symbol: &str) -> Option<Option<usize>> {
         self.symbols.get(&node).map(|symbols| last(&symbols.noted, before, &symbol))
     }
 
     /// The same with those that have it among their inputs.
-    pub(super) fn has(&self, node: usize, before: usize, symbol: &str) -> Option<Option<usize>> {
+    pub(in crate::log) fn has(&self, node: usize, before: usize, symbol: &str) -> Option<Option<usize>> {
         let of_node = self.symbols.get(&node)?;
         Some(last(&of_node.noted, before, &symbol).max(last(&of_node.given, before, &symbol)))
     }
 
     /// The same with those that note one quantity.
-    pub(super) fn names(&self, node: usize, before: usize, name: Name) -> Option<Option<usize>> {
+    pub(in crate::log) fn names(&self, node: usize, before: usize, name: Name) -> Option<Option<usize>> {
         self.symbols.get(&node).map(|symbols| last(&symbols.names, before, &name))
     }
 
     /// The same with the decisions of a kind.
-    pub(super) fn marked(&self, node: usize, before: usize, kind: Discriminant<Decision>) -> Option<Option<usize>> {
+    pub(in crate::log) fn marked(
+        &self,
+        node: usize,
+        before: usize,
+        kind: Discriminant<Decision>,
+    ) -> Option<Option<usize>> {
         self.symbols.get(&node).map(|symbols| last(&symbols.marks, before, &kind))
     }
 
     /// How many sums a node has noted before an event; `None` where they can't be many.
-    pub(super) fn sums(&self, node: usize, before: usize) -> Option<usize> {
+    pub(in crate::log) fn sums(&self, node: usize, before: usize) -> Option<usize> {
         let sums = &self.symbols.get(&node)?.sums;
         Some(sums.partition_point(|event| (*event as usize) < before))
     }
 
     /// The first of a node's own events from one on that notes a quantity; outside `None` where the node is to be gone through.
-    pub(super) fn first_name(&self, node: usize, from: usize, name: Name) -> Option<Option<usize>> {
+    pub(in crate::log) fn first_name(&self, node: usize, from: usize, name: Name) -> Option<Option<usize>> {
         let symbols = self.symbols.get(&node)?;
         let first = symbols.names.get(&name).and_then(|list| {
             list.get(list.partition_point(|event| (*event as usize) < from)).map(|event| *event as usize)
@@ -121,24 +127,24 @@ impl Index {
     }
 
     /// The latest event before one by which a test hits an object.
-    pub(super) fn hit(&self, before: usize, object: u32) -> Option<usize> {
+    pub(in crate::log) fn hit(&self, before: usize, object: u32) -> Option<usize> {
         last(&self.hits, before, &object)
     }
 
     /// The nodes of a kind directly inside a node that holds many.
-    pub(super) fn children(&self, node: usize, kind: Child) -> Option<&[u32]> {
+    pub(in crate::log) fn children(&self, node: usize, kind: Child) -> Option<&[u32]> {
         self.children.get(&(node, kind)).map(Vec::as_slice)
     }
 
     /// The largest number in a node before an event; outside `None` where the node is to be gone through.
-    pub(super) fn size(&self, node: usize, before: usize) -> Option<f64> {
+    pub(in crate::log) fn size(&self, node: usize, before: usize) -> Option<f64> {
         let sizes = &self.symbols.get(&node)?.sizes;
         let count = sizes.partition_point(|(event, _)| (*event as usize) < before);
         Some(count.checked_sub(1).map_or(0.0, |at| sizes[at].1))
     }
 
     /// The tests of the nearest object in a node; outside `None` where the node is to be gone through.
-    pub(super) fn nearest(&self, node: usize) -> Option<Option<&Nearest>> {
+    pub(in crate::log) fn nearest(&self, node: usize) -> Option<Option<&Nearest>> {
         self.nearest.get(&node).map(Option::as_ref)
     }
 }
@@ -181,7 +187,7 @@ fn last<K: Eq + Hash>(lists: &HashMap<K, Vec<u32>>, before: usize, key: &K) -> O
 
 /// The tests, directly inside a node or in a moving object's frame there, that may have found the nearest object.
 #[derive(Clone, Debug)]
-pub(super) struct Nearest {
+pub(in crate::log) struct Nearest {
     /// The event that says which object it is.
     event: usize,
     /// From the nearest on. With each is the event after which none of those up to it counts any more, because marks say that their
@@ -191,7 +197,7 @@ pub(super) struct Nearest {
 
 impl Nearest {
     /// Those of a node, if an event before this one says which object is the nearest.
-    pub(super) fn of(events: &Events, tree: &Tree, node: usize, before: usize) -> Option<Nearest> {
+    pub(in crate::log) fn of(events: &Events, tree: &Tree, node: usize, before: usize) -> Option<Nearest> {
         let (event, nearest) = tree.own_events_before(node, before).find_map(|event| match events[event].what {
             What::Mark(Decision::Nearest { object }) => Some((event, object)),
             _ => None,
@@ -231,7 +237,7 @@ impl Nearest {
     }
 
     /// The test that found the nearest object, as far as the events before one tell.
-    pub(super) fn before(&self, before: usize) -> Option<usize> {
+    pub(in crate::log) fn before(&self, before: usize) -> Option<usize> {
         let out = self.tests.partition_point(|(_, until)| *until < before);
         self.tests.get(out).filter(|_| self.event < before).map(|(test, _)| *test)
     }
@@ -248,4 +254,32 @@ fn distance(events: &Events, tree: &Tree, test: usize) -> Option<f64> {
         Value::Number(distance) => Some(distance),
         Value::Triple(_) => None,
     }
+}
+
+/// Whether the formula of a quantity goes over samples, cells, surfaces or lights.
+pub(in crate::log) fn adds_up(name: Name) -> bool {
+    static ADDING: LazyLock<Vec<bool>> = LazyLock::new(|| {
+        let signs = || Several::ALL.map(Several::word).into_iter().chain(["Σ"]);
+        let adds_up = |name: Name| name.formula().is_some_and(|formula| signs().any(|sign| formula.contains(sign)));
+        Name::all().map(adds_up).collect()
+    });
+    ADDING[name as usize]
+}
+
+/// The largest of a number and those that an event notes or has among its inputs.
+pub(in crate::log) fn size_of(events: &Events, event: usize, size: f64) -> f64 {
+    let noted = events[event].noted().map(|(_, value)| value);
+    let values = noted.into_iter().chain(events.given(&events[event]).iter().map(|(_, value)| *value));
+    values.fold(size, |size, value| value.components().iter().fold(size, |size: f64, x| size.max(x.abs())))
+}
+
+pub(in crate::log) fn noted(event: &Event, symbol: &str) -> Option<Value> {
+    match event.what {
+        What::Note { name, value } if name.symbol() == symbol => Some(value),
+        _ => None,
+    }
+}
+
+pub(in crate::log) fn given_at(events: &Events, event: usize, symbol: &str) -> Option<Value> {
+    events.given(&events[event]).iter().rev().find(|(name, _)| name.symbol() == symbol).map(|(_, value)| *value)
 }

@@ -1,9 +1,9 @@
 //! The nodes inside those that hold many, by what they are.
 
+use super::Tree;
 use crate::log::event::{RayKind, Step, Term, What};
 use crate::log::events::Events;
 use crate::log::name::Name;
-use crate::log::tree::Tree;
 
 /// What is looked for among the nodes directly inside another one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,7 +24,7 @@ pub enum Child {
 
 impl Child {
     /// Whether a node is one.
-    pub(super) fn is(self, events: &Events, tree: &Tree, node: usize) -> bool {
+    pub(in crate::log) fn is(self, events: &Events, tree: &Tree, node: usize) -> bool {
         match (self, tree.nodes()[node].step) {
             (Child::Any, _)
             | (Child::Sample, Some(Step::Sample { .. }))
