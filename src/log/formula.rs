@@ -20,7 +20,7 @@
 //! by component. `Σ` adds over the lights of a surface point, one after the other, to the sum
 //! before it; a term of which the log holds no part is zero, but `att` and `τ` that are absent count as 1 (a light that doesn't fade, a
 //! shadow ray that nothing crosses). `Σ_s` adds over the samples of a pixel so far, and `Σ_c` over its accepted
-//! cells, with twice the digits: the quotient that such a sum is in is rounded once. In them `I` is the colour that a sample brought.
+//! cells, with twice the digits: the quotient that such a sum is in is rounded once. In them `I` is the colour of a sample.
 //! `Π` multiplies, channel by channel, what the surfaces let through that a shadow ray crosses, in its order; it is zero where one lets
 //! nothing through, and no channel of it is above 10¹⁵⁰. `se_s` is the standard error of the mean of the samples so far, per channel, and `df_s` its degrees of freedom: samples that
 //! are a power of two, 2ᵏ, make 2^(k−1) pairs, in each of as many equal parts of the pixel one; with the differences δ of the pairs these are √Σδ²/2ᵏ and

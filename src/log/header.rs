@@ -137,7 +137,7 @@ pub struct TracingId {
     pub formulas: Option<String>,
     /// The sphere's formulas: `robust` or `geometric`.
     pub sphere_method: String,
-    /// `specular` where W_r·K_e scales what a reflected ray brings; not written for W_r.
+    /// `specular` where W_r·K_e scales the colour of a reflected ray; not written for W_r.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reflected_scale: Option<String>,
     /// Whether the products of dot products are rounded before they are added; only written where they are.

@@ -227,7 +227,7 @@ pub fn elements(events: &Events, tree: &Tree, event: usize, several: Several) ->
 pub fn operand_of_element(events: &Events, tree: &Tree, element: Element, symbol: &str) -> Option<Value> {
     match element {
         Element::Cell(mark) => in_node(events, tree, tree.owner(mark), mark + 1, symbol).map(|operand| operand.value),
-        Element::Sample(sample) if symbol == Name::CombineColor.symbol() => brought(events, tree, sample),
+        Element::Sample(sample) if symbol == Name::CombineColor.symbol() => camera_color(events, tree, sample),
         Element::Sample(sample) => {
             let start = tree.nodes()[sample].events.start;
             events.get(start).and_then(|_| given_at(events, start, symbol))
@@ -235,13 +235,13 @@ pub fn operand_of_element(events: &Events, tree: &Tree, element: Element, symbol
     }
 }
 
-/// The colour that the camera's ray inside a pixel or a sample brought.
-fn brought(events: &Events, tree: &Tree, around: usize) -> Option<Value> {
+/// The colour of the camera ray inside a pixel or a sample.
+fn camera_color(events: &Events, tree: &Tree, around: usize) -> Option<Value> {
     let ray = tree.children(around).find(|child| matches!(tree.nodes()[*child].step, Some(Step::Ray { .. })))?;
     color_of_ray(events, tree, ray)
 }
 
-/// The colour that a ray brought: that of what it met, or the background.
+/// The colour of a ray: that of the surface it hit, or the background.
 pub fn color_of_ray(events: &Events, tree: &Tree, ray: usize) -> Option<Value> {
     match last_child(events, tree, ray, usize::MAX, Child::Combine) {
         Some(combine) => in_node(events, tree, combine, usize::MAX, Name::CombineColor.symbol()),
@@ -250,13 +250,13 @@ pub fn color_of_ray(events: &Events, tree: &Tree, ray: usize) -> Option<Value> {
     .map(|operand| operand.value)
 }
 
-/// The colour of a pixel as the last of its computations has it: the mean of its samples, or what its one ray brought.
+/// The colour of a pixel as the last of its computations has it: the mean of its samples, or the colour of its one ray.
 pub fn color_of_pixel(events: &Events, tree: &Tree, pixel: usize) -> Option<Value> {
     let mean = tree.own_events(pixel).rev().find_map(|at| match events[at].what {
         What::Note { name, value } if name.is(Name::PixelMean) || name == Name::StatisticalMean => Some(value),
         _ => None,
     });
-    mean.or_else(|| brought(events, tree, pixel))
+    mean.or_else(|| camera_color(events, tree, pixel))
 }
 
 /// What the surfaces let through that the shadow ray of a light crosses, whose transmittance `event` notes. It is zero where one lets

@@ -53,7 +53,7 @@ macro_rules! define {
         pub enum Step {
             /// A pixel (opens the pixels of a region log).
             Pixel([u32; 2]),
-            /// A ray with everything that it brings.
+            /// A ray, with everything traced for it.
             Ray {
                 /// What the ray is for.
                 kind: RayKind,

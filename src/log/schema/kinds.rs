@@ -42,7 +42,7 @@ const RAY: Kind = kind(
         of::<Optional<Light>>("light"),
         of::<Numbered>("split"),
     ],
-    "a ray and all that it brings; depth is its level in the ray tree, light that of a shadow ray, split its number among several of a kind from one place",
+    "a ray and everything traced for it; depth is its level in the ray tree, light that of a shadow ray, split its number among several of a kind from one place",
 );
 
 macro_rules! kinds {

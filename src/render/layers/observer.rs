@@ -86,7 +86,7 @@ impl<'s> Observer<'s> {
         self.open.last().copied().unwrap_or(false)
     }
 
-    /// A camera's ray has brought all that it brings.
+    /// Everything of a camera ray is traced.
     fn add(&mut self, sample: Sample) {
         self.samples += 1;
         if let (Some(object), Some(point)) = (sample.object, sample.point) {
