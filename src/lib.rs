@@ -25,7 +25,7 @@
 //!
 //! // One pixel: every value of it. `insta::assert_snapshot!(steps)` pins it.
 //! let log = record::pixel(&scene, [1, 1], Arithmetic::F64);
-//! let steps = text::text(Language::English, &log, Style { digits: 3 });
+//! let steps = text::text(Language::English, &log, Style::default());
 //! assert!(steps.contains("nearest: ball"), "{steps}");
 //! # Ok::<(), OpenError>(())
 //! ```

@@ -160,12 +160,12 @@ impl Trace {
             return Output::create(self.output.as_deref(), &inputs)?.commit(&bytes);
         }
         let output = Output::create(self.output.as_deref(), &inputs)?;
-        let style = Style { digits: self.digits };
         let bytes = match (rounding, self.format) {
             (Some(rounding), format) => {
                 let study = causes::study_of(&scene, part, rounding)?;
                 let is_json = format == Some(TraceFormat::Json);
-                if is_json { study.json() } else { study.text(self.lang.into(), style) }.into_bytes()
+                if is_json { study.json() } else { study.text(self.lang.into(), Style::default().with(self.digits)) }
+                    .into_bytes()
             }
             (None, None | Some(TraceFormat::Ndjson)) => match arithmetic {
                 // Its runs are compared before there are digits to write.
@@ -181,7 +181,7 @@ impl Trace {
 
     /// A log that is in memory, in this format.
     fn view(&self, scene: Option<&Scene>, log: &Log, format: TraceFormat) -> Result<Vec<u8>, Failure> {
-        let style = Style { digits: self.digits };
+        let style = Style::of(&log.header, self.digits);
         let view = View { format, tree: self.tree, language: self.lang.into(), style };
         view.bytes(scene, log).map_err(|error| Failure::machine(format!("cannot write the log: {error}")))
     }

@@ -13,7 +13,7 @@ use super::trace::{Subject, short_log};
 use super::views::Lang;
 use clap::Args;
 use raywalk::files::{Opened, escape_hidden};
-use raywalk::log::Log;
+use raywalk::log::{Header, Log};
 use raywalk::report::language::Language;
 use raywalk::report::language::viewer::Warnings;
 use raywalk::report::{self, Style};
@@ -106,7 +106,7 @@ impl Walk {
         if let Some(path) = &self.screenshot {
             self.check_screenshot(path)?;
             let [width, height] = self.screen.unwrap_or(SCREEN);
-            let options = self.options(Palette::True, warning);
+            let options = self.options(&log.header, Palette::True, warning);
             let picture = tui::picture(log, &options, live, &self.keys, (width, height));
             return Output::create(Some(path), &inputs)?.commit(picture.as_bytes());
         }
@@ -116,13 +116,15 @@ impl Walk {
                 let before = Language::from(self.lang).texts().viewer.status.warning;
                 output::tell(&format!("{before}{name}: {warning}"));
             }
-            return output::print(report::text::text(self.lang.into(), &log, Style { digits: self.digits }).as_bytes());
+            let style = Style::of(&log.header, self.digits);
+            return output::print(report::text::text(self.lang.into(), &log, style).as_bytes());
         }
         // From here on the viewer minds its signals itself: it has a terminal to give back.
         if let Some(signals) = signals {
             signals.give_up();
         }
-        let outcome = tui::run(log, self.options(palette(colors), warning), live)
+        let options = self.options(&log.header, palette(colors), warning);
+        let outcome = tui::run(log, options, live)
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
         self.leave(walked, was_log, &outcome)
     }
@@ -160,8 +162,8 @@ impl Walk {
         &Language::from(self.lang).texts().viewer.messages.warnings
     }
 
-    fn options(&self, palette: Palette, warning: Option<String>) -> tui::Options {
-        let (numbers, language) = (Style { digits: self.digits }, self.lang.into());
+    fn options(&self, header: &Header, palette: Palette, warning: Option<String>) -> tui::Options {
+        let (numbers, language) = (Style::of(header, self.digits), self.lang.into());
         tui::Options { theme: Theme::new(palette, self.ascii), start: self.at, warning, note: None, numbers, language }
     }
 

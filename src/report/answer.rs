@@ -76,7 +76,10 @@ pub fn judge(answer: &Value, truth: &Value, style: Style) -> Verdict {
 /// Half a unit of the last decimal that is shown of a number.
 fn tolerance(x: f64, style: Style) -> f64 {
     let shown = number::number(x, style);
-    let unit = (0..style.digits).fold(0.5, |unit, _| unit / 10.0);
+    let mantissa = shown.split('·').next().unwrap_or_default();
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    // A whole number is exact, and has none.
+    let unit = (0..decimals.max(style.digits as usize)).fold(0.5, |unit, _| unit / 10.0);
     // Very small and large numbers have their decimals before a power of ten.
     match shown.split_once("·10") {
         Some((_, power)) => number_of(&format!("1·10{power}")).map_or(unit, |power| unit * power),
@@ -134,6 +137,8 @@ mod tests {
         is_right(2.149e-12, 2.147_038_870_254_324e-12, false);
         is_right(0.0, 2.147_038_870_254_324e-12, false);
         is_right(1.5001e30, 1.5e30, true);
+        is_right(0.002_08, 1.0 / 480.0, true);
+        is_right(0.002, 1.0 / 480.0, false);
     }
 
     #[test]

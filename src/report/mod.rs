@@ -36,22 +36,37 @@ pub mod words;
 pub use computation::{Computation, computation};
 pub use language::Language;
 
+use crate::log::Header;
+
 /// How numbers are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Style {
     /// Decimals, 3 as in the source text unless asked otherwise.
     pub digits: u32,
+    /// Whether a number below 1 that loses digits keeps as many significant ones, 3 at most: `0.00208`, not `0.002`.
+    pub keeps_small: bool,
 }
 
 impl Style {
+    /// That of a log with this header. By hand a number is what its decimals say.
+    pub fn of(header: &Header, digits: u32) -> Style {
+        let is_by_hand = header.arithmetic == "printed" || header.arithmetic.starts_with("decimal:");
+        Style { digits, keeps_small: !is_by_hand }
+    }
+
+    /// The same with this many decimals.
+    pub fn with(self, digits: u32) -> Style {
+        Style { digits, ..self }
+    }
+
     /// With this many decimals, or more where it has more.
     fn at_least(self, digits: u32) -> Style {
-        Style { digits: self.digits.max(digits) }
+        self.with(self.digits.max(digits))
     }
 }
 
 impl Default for Style {
     fn default() -> Self {
-        Style { digits: 3 }
+        Style { digits: 3, keeps_small: true }
     }
 }

@@ -17,7 +17,21 @@ pub fn number(x: f64, style: Style) -> String {
     if x == x.trunc() {
         return format!("{x:.0}");
     }
-    fixed(x, style.digits)
+    fixed(x, decimals(x, style))
+}
+
+/// How many decimals a number has that isn't whole.
+fn decimals(x: f64, style: Style) -> u32 {
+    const LEAST_SIGNIFICANT: u32 = 3;
+    let rounded = round_half_away(x, style.digits);
+    if !style.keeps_small || rounded.abs() >= 1.0 || rounded == x {
+        return style.digits;
+    }
+    // The exponent after rounding: 0.09996 is 0.100.
+    let least = style.digits.min(LEAST_SIGNIFICANT).max(1) - 1;
+    let text = format!("{x:.*e}", least as usize);
+    let exponent: i32 = text.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
+    style.digits.max(least + exponent.unsigned_abs())
 }
 
 /// Whether a number is written with a power of ten: a product, which is in parentheses under a power, a root or a fraction bar.
@@ -30,7 +44,7 @@ pub fn has_power_of_ten(x: f64, style: Style) -> bool {
 pub fn telling(a: &Value, b: &Value, style: Style) -> Style {
     // Of mantissas 17 decimals tell all; what has no power of ten even with 17 decimals is at least 10⁻¹⁷, and has 17 digits by the 34th.
     const MOST: u32 = 34;
-    let styles = (style.digits..=MOST).map(|digits| Style { digits });
+    let styles = (style.digits..=MOST).map(|digits| style.with(digits));
     let mut telling = styles.into_iter().filter(|style| {
         let pairs = a.components().iter().zip(b.components());
         pairs.into_iter().any(|(a, b)| read_back(*a, *style) != read_back(*b, *style))
@@ -82,7 +96,7 @@ pub fn size(x: f64) -> String {
     match exponent {
         _ if x == 0.0 => "0".to_owned(),
         -3..=5 => format!("{:.*}", usize::try_from(2 - exponent).unwrap_or(0), x),
-        _ => scientific(x, Style { digits: 2 }),
+        _ => scientific(x, Style { digits: 2, keeps_small: true }),
     }
 }
 
@@ -125,6 +139,24 @@ mod tests {
     }
 
     #[test]
+    fn small_ones_keep_three_significant_digits() {
+        shows(1.0 / 480.0, "0.00208");
+        shows(-0.012_345, "-0.0123");
+        shows(0.099_96, "0.100");
+        shows(0.999_96, "1.000");
+        shows(0.000_512_3, "0.000512");
+        // Nothing is lost of these.
+        shows(0.05, "0.050");
+        shows(0.002, "0.002");
+        let by_hand = Style { keeps_small: false, ..Style::default() };
+        assert_eq!(number(1.0 / 480.0, by_hand), "0.002");
+        for (digits, expected) in [(3, "0.00208"), (4, "0.00208"), (6, "0.002083")] {
+            let style = Style::default().with(digits);
+            assert_eq!(number(1.0 / 480.0, style), expected);
+        }
+    }
+
+    #[test]
     fn whole_numbers_are_bare() {
         shows(-12.0, "-12");
         shows(0.0, "0");
@@ -135,10 +167,10 @@ mod tests {
     proptest::proptest! {
         /// Neighbours among all numbers look different where they are to be distinguished.
         #[test]
-        fn neighbours_are_distinguished(bits in 0_u64..0x7fef_ffff_ffff_ffff, digits in 0_u32..6, is_negative: bool) {
+        fn neighbours_are_distinguished(bits in 0_u64..0x7fef_ffff_ffff_ffff, digits in 0_u32..6, keeps_small: bool, is_negative: bool) {
             let sign = if is_negative { -1.0 } else { 1.0 };
             let [a, b] = [bits, bits + 1].map(|bits| Value::Number(sign * f64::from_bits(bits)));
-            let style = telling(&a, &b, Style { digits });
+            let style = telling(&a, &b, Style { digits, keeps_small });
             proptest::prop_assert_ne!(Language::English.value(&a, style), Language::English.value(&b, style));
             let [a, b] = [a, b].map(|x| read_back(x.components()[0], style));
             proptest::prop_assert_ne!(a, b);
@@ -174,7 +206,7 @@ mod tests {
         assert_eq!(telling(3.0, 3.000_000_1), 7);
         assert_eq!(telling(9.0, 9.000_000_000_000_002), 15);
         // 2³³ less a bit has a mantissa of 17 digits.
-        assert_eq!(number(8_589_934_591.999_998, Style { digits: 15 }), "8.589934591999998·10⁹");
+        assert_eq!(number(8_589_934_591.999_998, Style::default().with(15)), "8.589934591999998·10⁹");
     }
 
     #[test]

@@ -120,7 +120,9 @@ fn check(log: &Log, arithmetic: Arithmetic) -> usize {
     for (language, mark) in [(Language::English, '.'), (Language::Spanish, ',')] {
         for event in 0..log.events.len() {
             for digits in [3, 1] {
-                let Some(computation) = computation(language, log, &tree, event, Style { digits }) else { continue };
+                let Some(computation) = computation(language, log, &tree, event, Style::default().with(digits)) else {
+                    continue;
+                };
                 let Some(line) = computation.substituted else { continue };
                 // What is left out of a long sum can't be read, and quantiles have tests of their own.
                 if line.contains('…') || line.starts_with(QUANTILE) {

@@ -98,8 +98,9 @@ fn the_table() {
     let textbook = scene("textbook");
     let study = study(&textbook, Rounding::Decimal(3));
     snapshots().bind(|| insta::assert_snapshot!("causes_textbook", study.text(Language::English, Style::default())));
-    snapshots()
-        .bind(|| insta::assert_snapshot!("causes_textbook_es", study.text(Language::Spanish, Style { digits: 2 })));
+    snapshots().bind(|| {
+        insta::assert_snapshot!("causes_textbook_es", study.text(Language::Spanish, Style::default().with(2)))
+    });
     let json: serde_json::Value = serde_json::from_str(&study.json()).expect("JSON");
     assert_eq!(json["causes"].as_array().expect("causes").len(), study.causes.len());
     assert_eq!(json["causes"][0]["quantity"], "ray.direction");

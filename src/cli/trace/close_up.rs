@@ -37,7 +37,7 @@ impl Trace {
             tree: &Tree::of(&log.events),
             path: self.path.as_deref(),
             language: self.lang.into(),
-            style: Style { digits: self.digits },
+            style: Style::of(&log.header, self.digits),
         };
         let made = make(&subject).map_err(|error| Failure::caller(format!("--view {}: {error}", of.word())))?;
         let text = match self.format {

@@ -242,7 +242,7 @@ impl Comparing<'_> {
         let values: Vec<_> = operands.chain([(value_a, value_b)]).collect();
         // The numbers put in must tell what the result is from.
         let digits = values.iter().map(|(a, b)| telling_apart(a, b, self.tolerance.digits).digits).max();
-        let style = digits.map_or(Style::default(), |digits| Style { digits });
+        let style = digits.map_or(Style::default(), |digits| Style::default().with(digits));
         let line = |run: Run, event| {
             computation(Language::English, run.log, run.tree, event, style).map(|computation| computation.line())
         };
@@ -273,7 +273,7 @@ impl Comparing<'_> {
 
 /// The style with the fewest decimals, at least those that are asked for, or else 3, that show two values differently.
 pub fn telling_apart(a: &Value, b: &Value, digits: Option<u32>) -> Style {
-    super::number::telling(a, b, digits.map_or(Style::default(), |digits| Style { digits }))
+    super::number::telling(a, b, digits.map_or(Style::default(), |digits| Style::default().with(digits)))
 }
 
 fn entry_in(run: Run, item: Item, what: Statement) -> Entry {

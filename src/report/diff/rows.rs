@@ -98,7 +98,7 @@ impl<'a> Rows<'a> {
         if row.differs {
             telling_apart(a, b, digits)
         } else {
-            digits.map_or(Style::default(), |digits| Style { digits })
+            digits.map_or(Style::default(), |digits| Style::default().with(digits))
         }
     }
 }

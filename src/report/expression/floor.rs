@@ -84,7 +84,7 @@ fn decimals(x: f64, style: Style) -> impl Iterator<Item = (u32, Decimal)> {
         if is_over {
             return None;
         }
-        let shown = Decimal::of(&number::number(x, Style { digits }))?;
+        let shown = Decimal::of(&number::number(x, style.with(digits)))?;
         is_over = shown.nearest() == x;
         Some((digits, shown))
     })
@@ -144,7 +144,7 @@ mod tests {
     fn line(above: [f64; 3], below: f64, digits: u32) -> String {
         let [above, below] =
             [Value::Triple(above), Value::Number(below)].map(|value| Box::new(Expression::value(value, None)));
-        let style = Style { digits };
+        let style = Style { digits, keeps_small: false };
         written::<Plain>(
             Numbers { language: Language::English, style },
             &told(Formula::Binary(Operator::Over, above, below), style),

@@ -159,7 +159,8 @@ fn shown(values: &[f64]) -> String {
     if values.is_empty() {
         return "–".to_owned();
     }
-    let numbers: Vec<_> = values.iter().map(|x| number::number(*x, Style { digits: DIGITS })).collect();
+    let numbers: Vec<_> =
+        values.iter().map(|x| number::number(*x, Style { digits: DIGITS, keeps_small: false })).collect();
     if numbers.len() == 1 { numbers.concat() } else { format!("({})", numbers.join(", ")) }
 }
 

@@ -127,7 +127,7 @@ fn near_is_as_near_as_one_can_see() {
         let near = Quantity { names: vec![Name::SphereT2a], part: Part::Whole, test: Some((Operator::Near, 2.0)) };
         let mut event = textbook().events.remove(0);
         event.what = What::Note { name: Name::SphereT2a, value: Value::Number(number) };
-        Condition::Quantity(near).holds(&event, Style { digits })
+        Condition::Quantity(near).holds(&event, Style::default().with(digits))
     };
     assert!(holds(2.000_4, 3) && holds(1.999_6, 3) && !holds(2.000_6, 3));
     assert!(holds(2.04, 1) && !holds(2.06, 1));
