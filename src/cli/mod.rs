@@ -30,7 +30,6 @@ mod stress;
 mod textbook;
 mod trace;
 mod unfinished;
-mod unknown;
 mod usage;
 mod views;
 mod walk;

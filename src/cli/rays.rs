@@ -6,7 +6,7 @@ use super::options::TracingOptions;
 use super::{output, scene_argument};
 use clap::Args;
 use glam::DVec3;
-use raywalk::files::{escape_hidden, escape_hidden_json, suggest};
+use raywalk::files::{escape_hidden, escape_hidden_json, suggest, unknown};
 use raywalk::geometry::{Leaving, Side};
 use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
@@ -217,15 +217,9 @@ fn read(line: &[u8]) -> serde_json::Result<Question<'_>> {
 fn unusable(line: &[u8], error: &serde_json::Error) -> String {
     const KEYS: [&str; 7] = ["id", "o", "d", "tmin", "tmax", "from", "from_primitive"];
     let said = error.to_string();
-    let unknown = said.strip_prefix("unknown field `").and_then(|rest| rest.split_once("`, expected"));
-    match unknown {
-        Some((name, _)) => {
-            let known = match suggest(name, KEYS) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("expected one of `{}`", KEYS.join("`, `")),
-            };
-            format!("column {}: unknown key `{}`, {known}", error.column(), escape_hidden(name))
-        }
+    let of_serde = said.strip_prefix("unknown field `").and_then(|rest| rest.split_once("`, expected"));
+    match of_serde {
+        Some((name, _)) => format!("column {}: {}", error.column(), unknown("key", name, &KEYS)),
         None if said.contains("struct Question") => {
             let found = String::from_utf8_lossy(line.trim_ascii());
             let start: String = found.chars().take(20).collect();

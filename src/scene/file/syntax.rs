@@ -235,7 +235,7 @@ impl<'t> Reader<'t> {
     fn found(&self) -> String {
         match self.text[self.at..].chars().next() {
             None => "the end of the file".to_owned(),
-            Some(character) if is_hidden(character) => character.escape_unicode().to_string(),
+            Some(character) if is_hidden(character) => character.escape_default().to_string(),
             Some(character) => format!("`{character}`"),
         }
     }

@@ -17,9 +17,8 @@ use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
 use super::schema::{FORMAT, Sampling, SceneFile, digest};
-use super::walk::QUOTED;
 use crate::files::escape::{hidden, look, shortened};
-use crate::files::{FileError, KeyPath, Problem};
+use crate::files::{FileError, KeyPath, Problem, QUOTED};
 use checker::Checker;
 
 /// Something about a value of the scene.
@@ -189,7 +188,7 @@ fn wrong_name(name: &str) -> Option<String> {
     }
     if let Some((at, hidden)) = hidden(name).next() {
         let what = if hidden.is_control() { "control" } else { "invisible" };
-        let escaped = hidden.escape_unicode();
+        let escaped = hidden.escape_default();
         let before = match at {
             0 => String::new(),
             _ => format!(" behind `{}`", shortened(&name[..at], SHOWN)),
