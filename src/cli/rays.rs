@@ -21,7 +21,7 @@ use std::path::PathBuf;
 const MORE: &str = "\
 A query is a JSON object in a line of its own: `o` the origin, `d` the direction (of any length), and where wanted `id` (comes back \
 with the answer), `tmin` and `tmax` (between which t counts; the point is o + t·d), `from` and `from_primitive` (the object that the \
-ray leaves, which it doesn't meet again there). The answer is a line, too. What can't be read is answered with an `error`, and the \
+ray leaves, which it doesn't hit again there). The answer is a line, too. A line that can't be read is answered with an `error`, and the \
 next line goes on. Moving objects are where they are when the shutter opens.
 
 Examples:
@@ -35,7 +35,7 @@ Examples:
 pub struct Rays {
     /// A scene file or a built-in scene
     scene: PathBuf,
-    /// Ask only whether anything is in the way
+    /// Report only whether anything is in the way
     #[arg(long)]
     occlusion: bool,
     #[command(flatten)]

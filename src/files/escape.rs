@@ -58,6 +58,14 @@ pub fn width(text: &str) -> usize {
     cells(text).map(|(_, width)| width).sum()
 }
 
+/// How many characters of a name or a text from outside a message repeats.
+pub const QUOTED: usize = 40;
+
+/// A name or a text from outside as a message repeats it.
+pub fn quoted(text: &str) -> String {
+    format!("`{}`", shortened(text, QUOTED))
+}
+
 /// At most `limit` characters of the text, made visible, with `…` for what was cut.
 pub fn shortened(text: &str, limit: usize) -> String {
     match text.char_indices().nth(limit) {

@@ -28,5 +28,5 @@ pub use open::{Opened, Wanted, display_name, irregular};
 pub use packed::{Packing, unpacked_name};
 pub use picture_kind::{ImageKind, Netpbm, Notation, PictureKind};
 pub use source::{Source, without_mark};
-pub use suggest::{QUOTED, one_of, suggest, unknown};
+pub use suggest::{one_of, suggest, unknown};
 pub use there::{is_callers_fault, is_there};

@@ -1,20 +1,17 @@
-//! Words that nobody knows: "did you mean …?"
+//! Unknown words: "did you mean …?"
 
-use super::escape::shortened;
-
-/// How many characters of a name or a text from outside a message repeats.
-pub const QUOTED: usize = 40;
+use super::escape::quoted;
 
 /// The message about a word that isn't among the known ones: "unknown key `x`, did you mean `b`? expected `a`, `b` or `c`".
 pub fn unknown(what: &str, found: &str, known: &[&str]) -> String {
-    let shown = shortened(found, QUOTED);
+    let shown = quoted(found);
     let expected = match known {
         [] => format!("expected no {what} here"),
         _ => format!("expected {}", one_of(known.iter().map(|word| format!("`{word}`")))),
     };
     match suggest(found, known.iter().copied()) {
-        Some(meant) => format!("unknown {what} `{shown}`, did you mean `{meant}`? {expected}"),
-        None => format!("unknown {what} `{shown}`, {expected}"),
+        Some(meant) => format!("unknown {what} {shown}, did you mean `{meant}`? {expected}"),
+        None => format!("unknown {what} {shown}, {expected}"),
     }
 }
 

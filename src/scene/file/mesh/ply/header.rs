@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::files::escape::shortened;
+use crate::files::escape::{QUOTED, shortened};
 use crate::files::unknown;
 use crate::scene::file::mesh::fault::Fault;
 use crate::scene::file::mesh::words::{Syntax, Words};
@@ -166,7 +166,7 @@ impl Header {
 
 /// A name of the header as messages show it.
 pub fn shown(name: &str) -> String {
-    shortened(name, 40)
+    shortened(name, QUOTED)
 }
 
 fn too_many(span: Range<usize>) -> Fault {
