@@ -5,9 +5,9 @@ mod pictures;
 
 use super::failure::Failure;
 use super::inputs;
-use super::options::ColorChoice;
+use super::options::{ColorChoice, ReportFormat};
 use super::walk::has_terminal;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use raywalk::files::{KeyPath, Kind, Opened, Source, Wanted, escape_hidden};
 use raywalk::render::export::{self, Beside, MAX_PICTURE_BYTES, PictureError, READABLE};
 use raywalk::report::diff::Tolerance;
@@ -46,46 +46,38 @@ Examples:
 pub struct Diff {
     /// A log, or a picture such as .png or .exr, also compressed with gzip or zstd; `-` for standard input
     a: PathBuf,
-    /// The one that it is compared with
+    /// The log or picture to compare it with
     b: PathBuf,
-    /// Compare the values of logs as rounded to N decimals, half away from zero, and show them so
+    /// Round the values of logs to N decimals, half away from zero, to compare and show them
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=15))]
     digits: Option<u32>,
-    /// The absolute difference that is tolerated; in integer pictures white is 1
+    /// The tolerated absolute difference; in integer pictures white is 1
     #[arg(long, value_name = "E", value_parser = tolerance)]
     abs: Option<f64>,
-    /// The difference that is tolerated, in proportion to the largest component of the two values
+    /// The tolerated difference in proportion to the largest component of both values
     #[arg(long, value_name = "E", value_parser = tolerance)]
     rel: Option<f64>,
-    /// Of logs, compare only what both have: one of them may lack pixels, steps or quantities
+    /// Compare only what both logs have: one of them may lack pixels, steps or quantities
     #[arg(long)]
     common: bool,
-    /// Of logs, take such as are damaged, cut off or have unknown quantities as far as they can be read
+    /// Compare damaged or truncated logs, and logs with unknown quantities, as far as they can be read
     #[arg(long)]
     allow_damaged: bool,
     /// How to print the differences
     #[arg(long, value_enum, default_value = "text")]
-    format: DiffFormat,
-    /// Of logs, show the first divergence and the counts only
+    format: ReportFormat,
+    /// Show only the first divergence of two logs and the counts
     #[arg(long)]
     brief: bool,
-    /// Walk through both logs in the terminal, side by side; of regions, through the first pixel that differs
+    /// Walk through both logs in the terminal, side by side; for regions, through the first pixel that differs
     #[arg(long, conflicts_with_all = ["format", "brief"])]
     walk: bool,
     /// Draw the walk with ASCII characters only
     #[arg(long, requires = "walk")]
     ascii: bool,
-    /// Of pictures, write where they differ as a picture: black where they don't, white where they do most
+    /// Write the differences of two pictures as a picture: black where they are equal, white where they differ most
     #[arg(long, short, value_name = "HEAT.png")]
     output: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum DiffFormat {
-    /// For people.
-    Text,
-    /// For programs.
-    Json,
 }
 
 /// What can be compared.

@@ -10,10 +10,9 @@ Examples:
   raywalk log schema | less -S
   raywalk log schema --format json > raywalk-log.schema.json";
 
-/// Say how logs are written.
+/// Describe the format of logs.
 #[derive(Subcommand)]
 pub enum LogCommand {
-    /// Print the format of logs: lines, nodes, decisions, and every quantity with its symbol, formula and unit
     Schema(Schema),
 }
 

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 /// What `--help` says behind the options.
 const MORE: &str = "\
-The parts may be named in any order. Together they must be the whole of one picture or region: what is missing, there twice, or of another \
+The parts may be named in any order. Together they must be one whole picture or region: a part that is missing, repeated, or of another \
 scene, call or version of the program is refused (exit code 2). The result has the bytes that one run without shards would have \
 written. Parts hold the traced values: --exposure, --white and --transfer set how they are displayed, and nothing is rendered again.
 
@@ -41,7 +41,7 @@ pub struct Merge {
     png16: bool,
     #[command(flatten)]
     shown: ShownOptions,
-    /// Say nothing but errors
+    /// Print errors only
     #[arg(long, short)]
     quiet: bool,
 }

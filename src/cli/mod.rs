@@ -30,7 +30,6 @@ mod stress;
 mod textbook;
 mod trace;
 mod unfinished;
-mod unknown;
 mod usage;
 mod views;
 mod walk;
@@ -58,34 +57,21 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Walk through a pixel, a ray or a saved log in the terminal
     Walk(walk::Walk),
-    /// Write the log of a pixel, a ray or a region, or a view of one
     Trace(trace::Trace),
-    /// Render a picture
     Render(render::Render),
-    /// Join the parts that shards rendered, or the logs that they traced
     Merge(merge::Merge),
-    /// Compare two logs or two pictures
     Diff(diff::Diff),
-    /// Answer ray queries from standard input
     Rays(rays::Rays),
-    /// Show the numeric example: printed, recomputed, by hand, exact
     Textbook(textbook::Textbook),
-    /// Measure numerical stability on cases with exact answers
     Stress(stress::Stress),
-    /// Measure speed, error, overhead and growth
     #[command(subcommand)]
     Bench(bench::Bench),
-    /// Say how logs are written
     #[command(subcommand)]
     Log(log::LogCommand),
-    /// Check, show, convert or list scenes
     #[command(subcommand)]
     Scene(scene::SceneCommand),
-    /// Print what a shell needs to complete commands and options
     Completions(packaging::Completions),
-    /// Print the manual page, or write those of all commands into a folder
     Man(packaging::Manual),
 }
 
@@ -105,32 +91,29 @@ pub fn run() -> ExitCode {
     let colors = cli.color;
     colors.choose_for_messages();
     let done = match cli.command {
+        Some(Command::Diff(diff)) => return exit_code(diff.run(colors, signals)),
+        Some(Command::Textbook(textbook)) => return exit_code(textbook.run()),
+        Some(Command::Stress(stress)) => return exit_code(stress.run()),
         None => walk::Walk::of_the_numeric_example().run(colors, signals),
         Some(Command::Walk(walk)) => walk.run(colors, signals),
         Some(Command::Trace(trace)) => trace.run(),
         Some(Command::Render(render)) => render.run(),
         Some(Command::Merge(merge)) => merge.run(),
-        Some(Command::Diff(diff)) => match diff.run(colors, signals) {
-            Ok(false) => return ExitCode::from(failure::NEGATIVE),
-            done => done.map(|_| ()),
-        },
         Some(Command::Rays(rays)) => rays.run(),
-        Some(Command::Textbook(textbook)) => match textbook.run() {
-            Ok(false) => return ExitCode::from(failure::NEGATIVE),
-            done => done.map(|_| ()),
-        },
-        Some(Command::Stress(stress)) => match stress.run() {
-            Ok(false) => return ExitCode::from(failure::NEGATIVE),
-            done => done.map(|_| ()),
-        },
         Some(Command::Bench(bench)) => bench.run(),
         Some(Command::Log(command)) => command.run(),
         Some(Command::Scene(command)) => command.run(),
         Some(Command::Completions(completions)) => completions.run(),
         Some(Command::Man(manual)) => manual.run(),
     };
+    exit_code(done.map(|()| true))
+}
+
+/// The exit code of a command that is done, with a positive answer or not.
+fn exit_code(done: Result<bool, Failure>) -> ExitCode {
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(failure::NEGATIVE),
         Err(failure) => failure.exit(),
     }
 }

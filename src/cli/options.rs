@@ -6,8 +6,8 @@ use super::failure::Failure;
 use super::sampling_spec::{sampling, sampling_help};
 use super::scene_argument::Loaded;
 use super::shown::ShownOptions;
-use super::unknown::unknown;
 use clap::{Args, ValueEnum};
+use raywalk::files::unknown;
 use raywalk::geometry::shape::SphereMethod;
 use raywalk::log::{FrameId, SkipReason};
 use raywalk::record::Arithmetic;
@@ -29,31 +29,31 @@ pub struct TracingOptions {
     /// Pixels across and down; the vertical field of view stays
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// In which arithmetic: f64, f32, decimal:N (by hand with N decimals), perturbed:SEED (f64 with every quantity moved by
+    /// The arithmetic: f64, f32, decimal:N (by hand with N decimals), perturbed:SEED (f64 with every quantity moved by
     /// an ulp at random, which shows how many digits can be trusted), printed (the book's own values)
     #[arg(long, value_name = "NAME", default_value = "f64")]
     pub arithmetic: Arithmetic,
     /// By hand (decimal:N), round the products of every dot product too before they are added
     #[arg(long)]
     pub round_products: bool,
-    /// Which formulas; without it what the scene says, else notes by hand (decimal:N, printed) and robust in any other arithmetic
+    /// Which formulas; by default those of the scene, otherwise notes by hand (decimal:N, printed) and robust in any other arithmetic
     #[arg(long, value_enum, value_name = "NAME")]
     pub formulas: Option<Formulas>,
-    /// Which specular term
+    /// The specular term
     #[arg(long, value_enum, value_name = "NAME")]
     pub specular: Option<Specular>,
-    /// How spheres are intersected; without it what the scene says, else as the formulas are
+    /// How to intersect spheres; by default as the scene says, otherwise as the formulas do
     #[arg(long, value_enum, value_name = "NAME")]
     pub sphere_method: Option<SphereMethod>,
-    /// Which pseudocode
+    /// The algorithm, by its pseudocode
     #[arg(long, value_enum, value_name = "NAME")]
     pub algorithm: Option<Algorithm>,
-    /// The depth limit of the algorithm
+    /// The depth limit of the ray tree
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=i64::from(MAX_DEPTH)))]
     pub max_depth: Option<u32>,
     #[arg(long, value_name = "SPEC", value_parser = sampling, help = sampling_help())]
     pub sampling: Option<Sampling>,
-    /// Which random numbers samples draw; another seed gives other noise
+    /// The seed of the samples' random numbers; another seed gives other noise
     #[arg(long, value_name = "N", value_parser = seed, allow_hyphen_values = true)]
     pub seed: Option<u64>,
     /// Where a pixel's rays go: through its centre, or through its corners, which it shares with its neighbours
@@ -61,7 +61,7 @@ pub struct TracingOptions {
     pub pixel_grid: PixelGrid,
     #[command(flatten)]
     pub nff: NffOptions,
-    /// What to leave out because it can't change the picture: all, none, or rules separated by commas
+    /// What to skip because it can't change the picture: all, none, or rules separated by commas
     #[arg(long, value_name = "RULES", value_parser = skip)]
     pub skip: Option<Skip>,
     /// Show one-sided faces from behind too
@@ -70,11 +70,20 @@ pub struct TracingOptions {
     /// Which intersection tests a log shows
     #[arg(long, value_enum, default_value = "visited")]
     pub tests: TestsChoice,
-    /// On how many threads; 0 is one per core
+    /// The number of threads; 0 is one per core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     pub threads: u16,
     #[command(flatten)]
     pub shown: ShownOptions,
+}
+
+/// How a report is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
 }
 
 /// Where the rays of a pixel go that has no other sampling.
@@ -90,7 +99,7 @@ pub enum PixelGrid {
 /// How NFF files are read.
 #[derive(Args, Debug, Default, Clone, Copy, PartialEq)]
 pub struct NffOptions {
-    /// What the angle of an NFF view lies between: the centres of the first and last pixel, or the picture's edges
+    /// What the angle of an NFF view spans: the centres of the first and last row of pixels, or the picture's edges
     #[arg(long, value_enum, value_name = "PLACE", default_value = "centers")]
     pub nff_angle: Angle,
 }

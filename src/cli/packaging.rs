@@ -21,7 +21,7 @@ Examples:
   raywalk man | man -l -
   raywalk man -o /usr/local/share/man/man1";
 
-/// Print what a shell needs to complete commands and options.
+/// Print a shell's completion script.
 #[derive(Args)]
 #[command(after_long_help = COMPLETIONS)]
 pub struct Completions {
@@ -33,7 +33,7 @@ pub struct Completions {
 #[derive(Args)]
 #[command(after_long_help = MANUAL)]
 pub struct Manual {
-    /// The folder for the pages of all commands, such as /usr/local/share/man/man1; it is made if it isn't there
+    /// The folder for the pages of all commands, such as /usr/local/share/man/man1; created if missing
     #[arg(long, short, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }

@@ -13,7 +13,7 @@ pub struct ProgressOptions {
     /// Show progress: `auto` on a terminal only, `json` as one object a line
     #[arg(long, value_enum, default_value = "auto")]
     progress: ProgressChoice,
-    /// Say nothing but errors
+    /// Print errors only
     #[arg(long, short)]
     pub quiet: bool,
 }

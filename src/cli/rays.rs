@@ -6,7 +6,7 @@ use super::options::TracingOptions;
 use super::{output, scene_argument};
 use clap::Args;
 use glam::DVec3;
-use raywalk::files::{escape_hidden, escape_hidden_json, suggest};
+use raywalk::files::{escape_hidden, escape_hidden_json, suggest, unknown};
 use raywalk::geometry::{Leaving, Side};
 use raywalk::record::Arithmetic;
 use raywalk::scene::Scene;
@@ -21,7 +21,7 @@ use std::path::PathBuf;
 const MORE: &str = "\
 A query is a JSON object in a line of its own: `o` the origin, `d` the direction (of any length), and where wanted `id` (comes back \
 with the answer), `tmin` and `tmax` (between which t counts; the point is o + t·d), `from` and `from_primitive` (the object that the \
-ray leaves, which it doesn't meet again there). The answer is a line, too. What can't be read is answered with an `error`, and the \
+ray leaves, which it doesn't hit again there). The answer is a line, too. A line that can't be read is answered with an `error`, and the \
 next line goes on. Moving objects are where they are when the shutter opens.
 
 Examples:
@@ -35,7 +35,7 @@ Examples:
 pub struct Rays {
     /// A scene file or a built-in scene
     scene: PathBuf,
-    /// Ask only whether anything is in the way
+    /// Report only whether anything is in the way
     #[arg(long)]
     occlusion: bool,
     #[command(flatten)]
@@ -217,15 +217,9 @@ fn read(line: &[u8]) -> serde_json::Result<Question<'_>> {
 fn unusable(line: &[u8], error: &serde_json::Error) -> String {
     const KEYS: [&str; 7] = ["id", "o", "d", "tmin", "tmax", "from", "from_primitive"];
     let said = error.to_string();
-    let unknown = said.strip_prefix("unknown field `").and_then(|rest| rest.split_once("`, expected"));
-    match unknown {
-        Some((name, _)) => {
-            let known = match suggest(name, KEYS) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("expected one of `{}`", KEYS.join("`, `")),
-            };
-            format!("column {}: unknown key `{}`, {known}", error.column(), escape_hidden(name))
-        }
+    let of_serde = said.strip_prefix("unknown field `").and_then(|rest| rest.split_once("`, expected"));
+    match of_serde {
+        Some((name, _)) => format!("column {}: {}", error.column(), unknown("key", name, &KEYS)),
         None if said.contains("struct Question") => {
             let found = String::from_utf8_lossy(line.trim_ascii());
             let start: String = found.chars().take(20).collect();

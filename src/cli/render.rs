@@ -11,12 +11,12 @@ use super::failure::Failure;
 use super::frames::{self, Frame, FrameRange};
 use super::inputs::Inputs;
 use super::layers::Layers;
-use super::options::{TracingOptions, numbers, region_in, warning_of_sampling};
+use super::options::{ReportFormat, TracingOptions, numbers, region_in, warning_of_sampling};
 use super::output;
 use super::picture::{Place, Shown, format_of};
 use super::progress::ProgressOptions;
 use super::scene_argument::{self, Loaded};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use raywalk::files::escape_hidden;
 use raywalk::log::Shard;
 use raywalk::record::Arithmetic;
@@ -45,7 +45,7 @@ pub struct Render {
     /// black is all 15.95 digits and bright yellow none; .pfm and .exr hold the numbers
     #[arg(long)]
     digits: bool,
-    /// What each pixel costs and sees, beside its colour: rays, tests, depth, normal, object, samples, error (the standard error
+    /// Also write what each pixel costs and sees: rays, tests, depth, normal, object, samples, error (the standard error
     /// estimated from its samples), time; several with commas between them, or all. In .exr they are channels such as depth.Z;
     /// with .png each has a file of its own, such as out.depth.png, in false colours with a legend
     #[arg(long, value_name = "LAYER,…", conflicts_with_all = ["digits", "stats"])]
@@ -53,11 +53,11 @@ pub struct Render {
     /// The frames of an animation, the last inclusive; #### in the picture's name becomes the frame's number
     #[arg(long, value_name = "A-B")]
     frames: Option<FrameRange>,
-    /// Render only the I-th of N shards into a part, from which `raywalk merge` makes the picture together with the others; one that
-    /// exists already and is complete isn't rendered again
+    /// Render only the I-th of N shards into a part; `raywalk merge` joins the parts. A part that
+    /// is already complete isn't rendered again
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
-    /// Keep what is rendered in FILE.checkpoint until the picture is there, and go on from there if the same call was ended early
+    /// Keep the rendered part in FILE.checkpoint until the picture is complete, and continue from it if the same call was interrupted
     #[arg(long, conflicts_with = "stats")]
     resume: bool,
     /// Write PNG with 16 bits a channel; for shards `raywalk merge` takes it
@@ -65,19 +65,11 @@ pub struct Render {
     png16: bool,
     /// Print counts and times to standard output
     #[arg(long, value_enum, value_name = "FORMAT")]
-    stats: Option<StatsFormat>,
+    stats: Option<ReportFormat>,
     #[command(flatten)]
     progress: ProgressOptions,
     #[command(flatten)]
     tracing: TracingOptions,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum StatsFormat {
-    /// For people.
-    Text,
-    /// For programs.
-    Json,
 }
 
 /// What is rendered: a scene with all options, and the files that no result may overwrite.
@@ -239,11 +231,11 @@ fn failed(error: &RenderError) -> Failure {
     Failure::machine(error.to_string())
 }
 
-fn print_statistics(statistics: &Statistics, format: StatsFormat) -> Result<(), Failure> {
+fn print_statistics(statistics: &Statistics, format: ReportFormat) -> Result<(), Failure> {
     let text = match format {
-        StatsFormat::Json => serde_json::to_string(statistics)
+        ReportFormat::Json => serde_json::to_string(statistics)
             .map_err(|error| Failure::machine(format!("cannot write statistics: {error}")))?,
-        StatsFormat::Text => statistics.to_string(),
+        ReportFormat::Text => statistics.to_string(),
     };
     output::print(format!("{}\n", text.trim_end()).as_bytes())
 }

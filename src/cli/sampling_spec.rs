@@ -1,16 +1,19 @@
 //! `--sampling SPEC`: a method of sampling in one word, `sobol:64` or `adaptive:threshold=0.1,depth=3`. The methods and their forms are those
 //! of [`FORMS`].
 
-use super::unknown::unknown;
+use raywalk::files::{one_of, unknown};
 use raywalk::scene::Sampling;
 use raywalk::scene::file::schema::FORMS;
 use raywalk::scene::file::validate;
 use serde_json::{Map, Value, json};
 
-/// What `--sampling` does.
+/// What `--sampling` does, with the parameters that a method has by default.
 pub fn sampling_help() -> String {
-    let forms: Vec<_> = FORMS.iter().map(|(form, what)| format!("{form} ({what})")).collect();
-    format!("Which rays make a pixel: {}", forms.join(", "))
+    let forms = FORMS.iter().map(|(form, what)| match sampling(word(form)) {
+        Ok(default) if default.key() != *form => format!("{form} ({what}; `{}` alone is {default})", default.key()),
+        _ => format!("{form} ({what})"),
+    });
+    format!("Which rays make a pixel: {}", one_of(forms))
 }
 
 /// Reads a method; the error says what was expected.
@@ -38,7 +41,8 @@ pub fn sampling_or(others: &[&str], text: &str) -> Result<Sampling, String> {
         }
         (Some(named), found) => self::named(form, named, found.unwrap_or_default())?,
     };
-    let sampling: Sampling = serde_json::from_value(json!({method: keys})).map_err(|error| error.to_string())?;
+    let sampling: Sampling =
+        serde_json::from_value(json!({method: keys})).map_err(|error| format!("{error}, expected {form}"))?;
     match validate::sampling(&sampling).into_iter().next() {
         None => Ok(sampling),
         Some(problem) => Err(format!("{}: {}", problem.path, problem.message)),
@@ -49,7 +53,7 @@ fn word(form: &str) -> &str {
     form.split(':').next().unwrap_or(form)
 }
 
-/// The values of these parameters, `threshold=T,depth=D`, each given once in any order.
+/// The values of these parameters, `threshold=T,depth=D`, each given at most once in any order.
 fn named(form: &str, named: &str, text: &str) -> Result<Map<String, Value>, String> {
     let known: Vec<(&str, &str)> = named.split(',').filter_map(|one| one.split_once('=')).collect();
     let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
@@ -65,10 +69,7 @@ fn named(form: &str, named: &str, text: &str) -> Result<Map<String, Value>, Stri
             return Err(format!("`{name}` occurs twice, expected {form}"));
         }
     }
-    match names.iter().find(|name| !values.contains_key(**name)) {
-        None => Ok(values),
-        Some(missing) => Err(format!("`{missing}` is missing, expected {form}")),
-    }
+    Ok(values)
 }
 
 /// A value for the letter of a form: C and T stand for any numbers, the others for whole ones.
@@ -110,24 +111,39 @@ mod tests {
         reads("guided:tolerance=0.02,min=4,max=64", Sampling::Guided(Guided { tolerance: 0.02, min: 4, max: 64 }));
     }
 
+    /// As a scene file has them: `{"guided": {"min": 2}}`.
+    #[test]
+    fn what_is_left_out_is_as_in_a_scene() {
+        let default: Guided = serde_json::from_str("{}").expect("every key has a default");
+        reads("guided", Sampling::Guided(default));
+        reads("guided:tolerance=0.01", Sampling::Guided(Guided { tolerance: 0.01, ..default }));
+        reads("guided:max=64,min=2", Sampling::Guided(Guided { min: 2, max: 64, ..default }));
+        reads(&Sampling::Guided(default).to_string(), Sampling::Guided(default));
+        let alone = format!("`guided` alone is {})", Sampling::Guided(default));
+        assert!(sampling_help().ends_with(&alone), "{}", sampling_help());
+        let page = include_str!("../../docs/sampling.md");
+        assert!(page.contains(&format!("`guided`, which is `{}`", Sampling::Guided(default))));
+        assert!(sampling_help().contains(") or guided:"), "{}", sampling_help());
+    }
+
     #[test]
     fn errors_say_what_was_expected() {
         refuses(
             "stocastic:4",
-            "unknown sampling `stocastic`, expected none, regular, shared, adaptive, stochastic, random, sobol, statistical, guided; \
-             did you mean `stochastic`?",
+            "unknown sampling `stocastic`, did you mean `stochastic`? expected `none`, `regular`, `shared`, `adaptive`, `stochastic`, \
+             `random`, `sobol`, `statistical` or `guided`",
         );
         refuses("none:1", "expected `none` alone, found `:1`");
         refuses("regular", "expected regular:N with a number N");
         refuses("regular:x", "expected regular:N with a whole number N, found `x`");
         refuses("regular:0", "regular.n: must be from 1 to 1024, found 0");
         refuses("sobol:1048577", "sobol.n: must be from 1 to 1048576, found 1048577");
-        refuses("adaptive", "`threshold` is missing, expected adaptive:threshold=T,depth=D");
-        refuses("adaptive:threshold=0.1", "`depth` is missing, expected adaptive:threshold=T,depth=D");
+        refuses("adaptive", "missing field `threshold`, expected adaptive:threshold=T,depth=D");
+        refuses("adaptive:threshold=0.1", "missing field `depth`, expected adaptive:threshold=T,depth=D");
         refuses("adaptive:3", "expected adaptive:threshold=T,depth=D, found `3` without a value");
         refuses(
             "adaptive:treshold=0.1,depth=3",
-            "unknown parameter `treshold`, expected threshold, depth; did you mean `threshold`?",
+            "unknown parameter `treshold`, did you mean `threshold`? expected `threshold` or `depth`",
         );
         refuses("adaptive:depth=1,depth=2,threshold=0", "`depth` occurs twice, expected adaptive:threshold=T,depth=D");
         refuses("adaptive:threshold=nan,depth=3", "threshold: expected a number, found `nan`");
@@ -139,6 +155,7 @@ mod tests {
         );
         refuses("guided:tolerance=0,min=4,max=8", "guided.tolerance: must be positive, found 0");
         refuses("guided:tolerance=1,min=1,max=1", "guided.max: must be from 2 to 1048576, found 1");
-        refuses("guided:tolerance=1,min=4", "`max` is missing, expected guided:tolerance=T,min=M,max=N");
+        refuses("guided:min=5000", "guided.max: must be `min`, 5000, or more, found 4096");
+        refuses("guided:tolerance", "expected guided:tolerance=T,min=M,max=N, found `tolerance` without a value");
     }
 }

@@ -16,11 +16,11 @@ use std::path::{Path, PathBuf};
 /// Check, show, convert, list or generate scenes.
 #[derive(Subcommand)]
 pub enum SceneCommand {
-    /// Say everything that is wrong with a scene
+    /// Report everything that is wrong with a scene
     Check(Named),
     /// Print a scene with all its defaults
     Show(Named),
-    /// Write a scene of another format (NFF) as JSON: one object a primitive, one material a fill
+    /// Convert a scene of another format (NFF) to JSON: one object per primitive, one material per fill
     Convert {
         #[command(flatten)]
         scene: Named,
@@ -32,7 +32,7 @@ pub enum SceneCommand {
     Schema,
     /// List the built-in scenes
     List,
-    /// Write a scene or mesh that is computed
+    /// Generate a scene or a mesh
     Generate {
         /// What to write
         #[arg(value_enum)]

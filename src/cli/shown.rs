@@ -8,14 +8,14 @@ use raywalk::scene::{Output, Transfer};
 #[derive(Args, Debug, Default, Clone, Copy, PartialEq)]
 #[command(next_help_heading = "Levels")]
 pub struct ShownOptions {
-    /// Stops of exposure: values are multiplied by 2 to this power before white and the transfer curve. It changes what integer
+    /// Exposure in stops: multiplies values by 2 to this power before white and the transfer curve. It changes what integer
     /// formats show, and nothing that is traced
     #[arg(long, value_name = "STOPS", value_parser = exposure, allow_hyphen_values = true)]
     pub exposure: Option<f64>,
-    /// The value shown as full white. The thresholds and tolerances of adaptive, statistical and guided sampling are parts of it
+    /// The value shown as full white. The thresholds and tolerances of adaptive, statistical and guided sampling are fractions of it
     #[arg(long, value_name = "VALUE", value_parser = white, allow_hyphen_values = true)]
     pub white: Option<f64>,
-    /// The curve from value to level
+    /// The transfer curve from values to levels
     #[arg(long, value_enum, value_name = "CURVE")]
     pub transfer: Option<Transfer>,
 }

@@ -2,8 +2,9 @@
 
 use super::failure::{Failure, shown};
 use super::inputs;
+use super::options::ReportFormat;
 use super::output;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use raywalk::files::{Wanted, escape_hidden, escape_hidden_json};
 use raywalk::scene::file::MAX_BYTES;
 use raywalk::study::stress::{self, Family, Way};
@@ -13,26 +14,18 @@ use std::path::{Path, PathBuf};
 /// Measure numerical stability on cases with exact answers
 #[derive(Args)]
 pub struct Stress {
-    /// Files of cases, `-` for standard input; a built-in sample where none is named
+    /// Files of cases, `-` for standard input; without any, a built-in sample
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Print only the answers, as NDJSON, a line a case
+    /// Print only the answers, as NDJSON, one line per case
     #[arg(long)]
     answers: bool,
-    /// How many decimals the column of arithmetic by hand has
+    /// The decimals of the column of arithmetic by hand
     #[arg(long, value_name = "N", default_value_t = 6, conflicts_with = "answers", value_parser = clap::value_parser!(u32).range(0..=15))]
     decimals: u32,
     /// How to print the report
     #[arg(long, value_enum, default_value = "text", conflicts_with = "answers")]
     format: ReportFormat,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum ReportFormat {
-    /// For people.
-    Text,
-    /// For programs.
-    Json,
 }
 
 impl Stress {

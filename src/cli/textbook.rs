@@ -12,7 +12,7 @@ use raywalk::scene::file::nff::Import;
 use raywalk::study::textbook::{self, Checked, Example, MAX_TABLE_BYTES, TableError, Worked};
 use std::path::{Path, PathBuf};
 
-/// Show a worked example, such as the numeric example of the source text, or check one of your own
+/// Show the numeric example: printed, recomputed, by hand, exact; or check a worked example of your own
 ///
 /// With `--with` a table of comma-separated values is checked: `quantity` is a name of the log such as sphere.t2_a, `printed` a number
 /// or a triple "(x, y, z)"; of colours red alone is enough. Each value is recomputed by hand, with three decimals, from the

@@ -29,7 +29,7 @@ use raywalk::study::rounding::Rounding;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Write the log of a pixel, a ray or a region, or views of it.
+/// Write the log of a pixel, a ray or a region, or a view of one.
 #[derive(Args)]
 pub struct Trace {
     /// A scene file (JSON or NFF, also compressed with gzip or zstd), a saved log, `-` for standard input, or a built-in scene

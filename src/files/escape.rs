@@ -5,10 +5,10 @@ use std::borrow::Cow;
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthStr;
 
-/// The text with what would not be seen as itself escaped (`\u{1b}`): control characters, invisible ones, characters that change the
+/// The text with what would not be seen as itself escaped (`\n`, `\u{1b}`): control characters, invisible ones, characters that change the
 /// direction of writing, and joiners where no script is spelt with them.
 pub fn escape_hidden(text: &str) -> Cow<'_, str> {
-    replaced(text, hidden(text), |escaped, character| escaped.extend(character.escape_unicode()))
+    replaced(text, hidden(text), |escaped, character| escaped.extend(character.escape_default()))
 }
 
 /// The text with these characters, in order, written otherwise.
@@ -58,6 +58,14 @@ pub fn width(text: &str) -> usize {
     cells(text).map(|(_, width)| width).sum()
 }
 
+/// How many characters of a name or a text from outside a message repeats.
+pub const QUOTED: usize = 40;
+
+/// A name or a text from outside as a message repeats it.
+pub fn quoted(text: &str) -> String {
+    format!("`{}`", shortened(text, QUOTED))
+}
+
 /// At most `limit` characters of the text, made visible, with `…` for what was cut.
 pub fn shortened(text: &str, limit: usize) -> String {
     match text.char_indices().nth(limit) {
@@ -104,14 +112,14 @@ mod tests {
 
     #[test]
     fn lines_of_a_message_stay_lines() {
-        assert_eq!(escape_hidden_lines("a\u{1b}[2J\nb\r\n"), "a\\u{1b}[2J\nb\\u{d}\n");
+        assert_eq!(escape_hidden_lines("a\u{1b}[2J\nb\r\n"), "a\\u{1b}[2J\nb\\r\n");
     }
 
     #[test]
     fn what_turns_the_writing_is_escaped_beside_letters_too() {
         for mark in "\u{61c}\u{200e}\u{200f}\u{202e}\u{2066}\u{2060}\u{200b}\u{feff}".chars() {
             let text = format!("کره{mark}ی");
-            assert_eq!(escape_hidden(&text), format!("کره{}ی", mark.escape_unicode()));
+            assert_eq!(escape_hidden(&text), format!("کره{}ی", mark.escape_default()));
         }
     }
 

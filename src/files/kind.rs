@@ -54,8 +54,8 @@ impl Kind {
     }
 }
 
-/// By the byte order mark, or by the zero in its first letter.
-fn is_utf16(beginning: &[u8]) -> bool {
+/// Whether a text is UTF-16, by its byte order mark or by the zero in its first letter.
+pub fn is_utf16(beginning: &[u8]) -> bool {
     matches!(beginning, [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [1..128, 0, ..] | [0, 1..128, ..])
 }
 

@@ -31,7 +31,7 @@ pub struct Opened {
     name: String,
     /// Where it can be opened again.
     path: Option<PathBuf>,
-    /// How many bytes the file has as it lies there; 0 where nobody knows.
+    /// How many bytes the file has before decompression; 0 where that is unknown.
     size: u64,
     packing: Option<Packing>,
     beginning: Vec<u8>,
@@ -66,7 +66,7 @@ impl Wanted {
         Ok(Opened { path: Some(path.to_owned()), ..self.begin(file, metadata.len(), name)? })
     }
 
-    /// Begins to read such a file of `size` bytes (0 where nobody knows) from anywhere: looks at the beginning, which tells what it
+    /// Begins to read such a file of `size` bytes (0 where that is unknown) from anywhere: looks at the beginning, which tells what it
     /// is.
     ///
     /// # Errors

@@ -1,4 +1,26 @@
-//! "Did you mean …?"
+//! Unknown words: "did you mean …?"
+
+use super::escape::quoted;
+
+/// The message about a word that isn't among the known ones: "unknown key `x`, did you mean `b`? expected `a`, `b` or `c`".
+pub fn unknown(what: &str, found: &str, known: &[&str]) -> String {
+    let shown = quoted(found);
+    let expected = match known {
+        [] => format!("expected no {what} here"),
+        _ => format!("expected {}", one_of(known.iter().map(|word| format!("`{word}`")))),
+    };
+    match suggest(found, known.iter().copied()) {
+        Some(meant) => format!("unknown {what} {shown}, did you mean `{meant}`? {expected}"),
+        None => format!("unknown {what} {shown}, {expected}"),
+    }
+}
+
+/// Alternatives as a sentence lists them: "a, b or c".
+pub fn one_of(alternatives: impl IntoIterator<Item = String>) -> String {
+    let mut listed: Vec<String> = alternatives.into_iter().collect();
+    let last = listed.pop().unwrap_or_default();
+    if listed.is_empty() { last } else { format!("{} or {last}", listed.join(", ")) }
+}
 
 /// The candidate that is near enough to have been meant.
 pub fn suggest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {

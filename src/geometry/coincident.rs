@@ -51,7 +51,7 @@ fn once_each<'s>(hits: &[Hit], shape: impl Fn(u32) -> &'s Shape) -> Vec<Hit> {
         let is_same = |other: &Hit| {
             other == hit
                 || other.object == hit.object
-                    && shape(hit.object).are_neighbours(other.crossing.primitive, hit.crossing.primitive)
+                    && shape(hit.object).are_neighbors(other.crossing.primitive, hit.crossing.primitive)
         };
         if !kept.iter().any(is_same) {
             kept.push(*hit);
@@ -110,9 +110,9 @@ impl Met {
         let with_corners: usize = outline.iter().filter_map(|corner| self.corners.get(corner)).sum();
         // One with two corners in common is at both; any more have one in common.
         let with_edges: usize = at_edges.iter().map(|(count, _)| 2 * count).sum();
-        let is_neighbour = with_corners > with_edges
-            || at_edges.iter().any(|(_, first)| shape(object).are_neighbours(*first, triangle));
-        if is_neighbour {
+        let is_neighbor = with_corners > with_edges
+            || at_edges.iter().any(|(_, first)| shape(object).are_neighbors(*first, triangle));
+        if is_neighbor {
             return false;
         }
         self.outlines.insert(outline);

@@ -41,7 +41,7 @@ impl Alteration for Perturbed {
         if COUNTS.contains(&name) {
             return value;
         }
-        value.map(|component, x| neighbour(x, mixed_with(key, component as u64) & 1 == 1))
+        value.map(|component, x| neighbor(x, mixed_with(key, component as u64) & 1 == 1))
     }
 
     /// An ulp up or down is twice the error of rounding to the nearest.
@@ -68,7 +68,7 @@ impl Alteration for Perturbed {
 }
 
 /// The next f64 above or below. A zero stays, and so does what has no finite neighbour there.
-fn neighbour(x: f64, above: bool) -> f64 {
+fn neighbor(x: f64, above: bool) -> f64 {
     let moved = if above { x.next_up() } else { x.next_down() };
     if x == 0.0 || !moved.is_finite() { x } else { moved }
 }
@@ -81,12 +81,12 @@ mod tests {
     #[test]
     fn zeros_and_the_greatest_numbers_stay() {
         for above in [false, true] {
-            assert_eq!(neighbour(0.0, above).to_bits(), 0.0_f64.to_bits());
-            assert_eq!(neighbour(-0.0, above).to_bits(), (-0.0_f64).to_bits());
+            assert_eq!(neighbor(0.0, above).to_bits(), 0.0_f64.to_bits());
+            assert_eq!(neighbor(-0.0, above).to_bits(), (-0.0_f64).to_bits());
         }
-        assert_eq!(neighbour(f64::MAX, true), f64::MAX);
-        assert_eq!(neighbour(1.0, true), 1.0 + f64::EPSILON);
-        assert_eq!(neighbour(1.0, false), 1.0 - f64::EPSILON / 2.0);
+        assert_eq!(neighbor(f64::MAX, true), f64::MAX);
+        assert_eq!(neighbor(1.0, true), 1.0 + f64::EPSILON);
+        assert_eq!(neighbor(1.0, false), 1.0 - f64::EPSILON / 2.0);
     }
 
     /// How many of the components of many quantities went up.

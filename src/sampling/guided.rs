@@ -61,8 +61,8 @@ pub fn pixel<P: Probe>(scene: &Scene, wanted: Guided, pixel: [u32; 2], probe: &m
 fn guide(scene: &Scene, wanted: Guided, pixel: [u32; 2]) -> Guide {
     let [left, top, right, bottom] = around(scene, [pixel[0], pixel[1], pixel[0] + 1, pixel[1] + 1]);
     let pixels = (top..bottom).flat_map(|row| (left..right).map(move |column| [column, row]));
-    let neighbours = pixels.filter(|other| *other != pixel || is_alone(scene));
-    let pilots: Vec<_> = neighbours.map(|pixel| pilot(scene, wanted, pixel, &mut Silent)).collect();
+    let neighbors = pixels.filter(|other| *other != pixel || is_alone(scene));
+    let pilots: Vec<_> = neighbors.map(|pixel| pilot(scene, wanted, pixel, &mut Silent)).collect();
     Guide::of(&pilots)
 }
 

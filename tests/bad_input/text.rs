@@ -228,6 +228,12 @@ fn b25_escape_codes() {
         textbook_with("\"name\": \"sphere\"", "\"name\": \"\u{1b}[2J\""),
         "objects[1].name: found \\u{1b} in a string, expected it as an escape (\\n, \\t, \\u001b)",
     );
+    for (raw, shown) in [('\n', "\\n"), ('\t', "\\t"), ('\r', "\\r")] {
+        refuses_value(
+            textbook_with("\"name\": \"sphere\"", &format!("\"name\": \"{raw}\"")),
+            &format!("objects[1].name: found {shown} in a string, expected it as an escape (\\n, \\t, \\u001b)"),
+        );
+    }
     refuses_value(
         textbook_with("\"ball\"}", "\"\\u001b[2J\"}"),
         "objects[1].material: no material is named `\\u{1b}[2J`, expected one of `wall`, `ball`",

@@ -160,7 +160,7 @@ fn what_is_wrong_is_said_with_the_argument_made_visible() {
     says(&[b"render", b"--\x1b]0;a\x07"], "error: unexpected argument '--\\u{1b}]0;a\\u{7}' found\n");
     says(
         &[b"trace", b"textbook", b"--pixel", "1,\u{202e}2\nerror: b".as_bytes()],
-        "error: invalid value '1,\\u{202e}2\\u{a}error: b' for '--pixel <X,Y>': ",
+        "error: invalid value '1,\\u{202e}2\\nerror: b' for '--pixel <X,Y>': ",
     );
     says(&[b"walk", b"--digits=\xc2\x9b3"], "error: invalid value '\\u{9b}3' for '--digits <N>': ");
     says(

@@ -108,13 +108,13 @@ fn first_in_place(shapes: &[Shape], all: &[(u32, Crossing)], ray: &Ray) -> Optio
         let is_close = other.1.t - nearest.1.t <= (nearest.1.t + ray.origin.abs().element_sum()) / f64::from(1 << 20);
         is_close && gap <= 32.0 * f64::EPSILON * (points + size(nearest.0) + size(other.0))
     };
-    let are_neighbours = |one: u32, other: u32| {
+    let are_neighbors = |one: u32, other: u32| {
         let in_common = corners(one).iter().filter(|corner| corners(other).contains(corner)).count();
         matches!(in_common, 1 | 2)
     };
     let mut here = vec![nearest];
     for hit in all.iter().skip(1).filter(is_here) {
-        if !here.iter().any(|kept| are_neighbours(kept.0, hit.0)) {
+        if !here.iter().any(|kept| are_neighbors(kept.0, hit.0)) {
             here.push(*hit);
         }
     }

@@ -13,11 +13,11 @@ use raywalk::study::bench::limits as measured;
 use raywalk::study::bench::samplers::Reference;
 use std::path::PathBuf;
 
-/// How far pictures are off, and how long they take
+/// Measure the error and the time of pictures
 ///
-/// Every method of sampling over its settings, against the mean of two pictures with many samples: `front` marks the settings than which
-/// none is both faster and better. With --arithmetic instead every arithmetic, against f64; with --depths or --cutoffs what limits of the
-/// ray tree lose and save.
+/// Compares every method of sampling over its settings with the mean of two pictures with many samples. `front` marks the Pareto front: no
+/// other setting is both faster and more accurate. --arithmetic compares every arithmetic with f64 instead, --depths and --cutoffs what
+/// limits of the ray tree lose and save.
 #[derive(Args)]
 pub struct ErrorBench {
     #[command(flatten)]
@@ -39,16 +39,16 @@ pub struct ErrorBench {
     /// else, otherwise sobol:1024
     #[arg(long, value_name = "SPEC", value_parser = reference)]
     reference: Option<Reference>,
-    /// How often each setting renders, each time with another seed
+    /// How many pictures each setting renders, with different seeds
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     runs: u16,
-    /// Say which setting is the fastest with no more than this error
+    /// Report the fastest setting with no more than this error
     #[arg(long, value_name = "RMSE", value_parser = error, allow_negative_numbers = true)]
     target: Option<f64>,
     /// Draw error against time into this SVG file
     #[arg(long, alias = "svg", value_name = "FILE")]
     chart: Option<PathBuf>,
-    /// On how many threads; 0 is one per core
+    /// The number of threads; 0 is one per core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_THREADS))]
     threads: u16,
     #[command(flatten)]

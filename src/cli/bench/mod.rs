@@ -15,16 +15,12 @@ use super::failure::Failure;
 use clap::{Subcommand, ValueEnum};
 pub use machine::peak_bytes;
 
-/// Measure error and time.
+/// Measure speed, error, overhead and growth.
 #[derive(Subcommand)]
 pub enum Bench {
-    /// How far pictures are off, and how long they take
     Error(error::ErrorBench),
-    /// What recording, counting and other arithmetic cost
     Overhead(overhead::OverheadBench),
-    /// How many rays per second are answered, on files of rays
     Rays(rays::RaysBench),
-    /// How time and memory grow with the number of spheres and the size of a picture
     Scaling(scaling::ScalingBench),
 }
 

@@ -11,7 +11,7 @@ use raywalk::study::bench::overhead::{Cost, Overhead, overhead};
 use serde::Serialize;
 use serde_json::json;
 
-/// What recording, counting and other arithmetic cost
+/// Measure what recording, counting and other arithmetic cost
 ///
 /// Every pixel is computed on one thread without a probe (silent), counted, recorded, in f32, by hand, by hand and recorded, and
 /// perturbed. Ratios are those of pairs of runs, one right after the other; times are processor time.

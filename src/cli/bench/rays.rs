@@ -16,17 +16,17 @@ use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// How many rays per second are answered, on files of rays
+/// Measure rays per second on files of rays
 ///
 /// A scene is STEM.mesh (one mesh) or STEM.spheres; its rays are STEM.KIND.rays, such as STEM.primary.rays. docs/benchmarks.md has the
-/// layouts. Whole passes over a file are timed, after one that isn't; threads take rays from a queue. JSON has an object a line:
-/// first how long it took to make the scene ready, then the rays.
+/// layouts. After a warm-up pass, whole passes over a file are timed; threads take rays from a queue. JSON has one object per line:
+/// first the time to prepare the scene, then the rays.
 #[derive(Args)]
 pub struct RaysBench {
     /// Scenes, each without the ending of its files
     #[arg(value_name = "STEM", required = true)]
     stems: Vec<PathBuf>,
-    /// On how many threads, one number after the other
+    /// The numbers of threads, one after the other
     #[arg(long, value_name = "N,…", value_delimiter = ',', default_value = "1,2")]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=MAX_THREADS))]
     threads: Vec<u16>,
@@ -36,7 +36,7 @@ pub struct RaysBench {
     /// How many passes, however long they take
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     passes: Option<u32>,
-    /// Write what each ray met to files in this folder: the distance as f32, the primitive as u32
+    /// Write what each ray hit to files in this folder: the distance as f32, the primitive as u32
     #[arg(long, value_name = "DIR")]
     dump: Option<PathBuf>,
     /// How to print the figures
@@ -100,7 +100,7 @@ impl Files {
 
 const ENGINE: &str = "raywalk";
 
-/// For each scene the files of what its rays met; none is a file of any of the scenes.
+/// For each scene the files of what its rays hit; none is a file of any of the scenes.
 struct Dumps {
     paths: Vec<Vec<PathBuf>>,
     inputs: Inputs,

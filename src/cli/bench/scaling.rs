@@ -15,7 +15,7 @@ use serde::Serialize;
 use serde_json::json;
 use std::path::PathBuf;
 
-/// How time and memory grow with the number of spheres and the size of a picture
+/// Measure how time and memory grow with the number of spheres and the size of a picture
 ///
 /// Random spheres in a cube, each ten times as many as before, are built and traced on one thread; then a scene is rendered, each
 /// time in twice the width and height. `growth` is how many times as long a ray, or a pixel, takes as in the row above.
@@ -33,7 +33,7 @@ pub struct ScalingBench {
     /// How many passes over the rays, and how many pictures of each size, are timed
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     passes: u16,
-    /// On how many threads pictures are rendered; 0 is one per core
+    /// The number of threads that render pictures; 0 is one per core
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=options::MAX_THREADS))]
     threads: u16,
     /// How to print the tables

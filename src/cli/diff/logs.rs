@@ -1,8 +1,9 @@
 //! Two logs, pixel by pixel.
 
-use super::{Diff, DiffFormat};
+use super::Diff;
 use crate::cli::failure::Failure;
 use crate::cli::options::ColorChoice;
+use crate::cli::options::ReportFormat;
 use crate::cli::output;
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
 use crate::cli::walk::{left, palette};
@@ -112,8 +113,8 @@ impl Diff {
 
     fn view(&self) -> Box<dyn Format> {
         match self.format {
-            DiffFormat::Text => Box::new(Text::new(self.digits, self.brief)),
-            DiffFormat::Json => Box::new(Json::new(self.brief)),
+            ReportFormat::Text => Box::new(Text::new(self.digits, self.brief)),
+            ReportFormat::Json => Box::new(Json::new(self.brief)),
         }
     }
 }

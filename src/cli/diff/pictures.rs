@@ -1,8 +1,9 @@
 //! Two pictures, pixel by pixel.
 
-use super::{Diff, DiffFormat};
+use super::Diff;
 use crate::cli::failure::{Failure, shown};
 use crate::cli::inputs::Inputs;
+use crate::cli::options::ReportFormat;
 use crate::cli::output::{self, Output};
 use raywalk::files::{escape_hidden, escape_hidden_json};
 use raywalk::log::Value;
@@ -28,11 +29,11 @@ impl Diff {
         let [size_a, size_b] = [a, b].map(|picture| picture.size());
         if size_a != size_b {
             let text = match self.format {
-                DiffFormat::Text => {
+                ReportFormat::Text => {
                     let [[aw, ah], [bw, bh]] = [size_a, size_b];
                     format!("different sizes: {a_name} has {aw} x {ah} pixels, {b_name} {bw} x {bh}\n")
                 }
-                DiffFormat::Json => format!("{}\n", json!({"same": false, "sizes": [size_a, size_b]})),
+                ReportFormat::Json => format!("{}\n", json!({"same": false, "sizes": [size_a, size_b]})),
             };
             output::print(text.as_bytes())?;
             return Ok(false);
@@ -44,8 +45,8 @@ impl Diff {
             self.heat_map(path, a, b, &found)?;
         }
         let text = match self.format {
-            DiffFormat::Text => text(size_a, &found, &layers) + &text_of_layers(&layers, [a_name, b_name]),
-            DiffFormat::Json => json(size_a, &found, &layers),
+            ReportFormat::Text => text(size_a, &found, &layers) + &text_of_layers(&layers, [a_name, b_name]),
+            ReportFormat::Json => json(size_a, &found, &layers),
         };
         output::print(text.as_bytes())?;
         Ok(found.differing == 0 && layers.is_same())

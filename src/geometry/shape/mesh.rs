@@ -92,7 +92,7 @@ impl TriangleMesh {
     }
 
     /// Whether two triangles have one or two corners in common and don't overlap.
-    pub fn are_neighbours(&self, one: u32, other: u32) -> bool {
+    pub fn are_neighbors(&self, one: u32, other: u32) -> bool {
         let (one, other) = (self.facets.get(one), self.facets.get(other));
         match corners_in_common(one.corners(), other.corners()) {
             1 => true,
@@ -121,7 +121,7 @@ impl TriangleMesh {
             let most = if compared < MOST { usize::MAX } else { 64 };
             let is_again = found[from..kept].iter().rev().take(most).take_while(is_same).any(|before| {
                 compared += 1;
-                before.side == crossing.side && self.are_neighbours(before.primitive, crossing.primitive)
+                before.side == crossing.side && self.are_neighbors(before.primitive, crossing.primitive)
             });
             if !is_again {
                 found[kept] = crossing;

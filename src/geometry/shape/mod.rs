@@ -99,9 +99,9 @@ impl Shape {
 
     /// Whether two parts of the surface touch without lying in the same place: the triangles of a mesh that share an edge or a
     /// corner. Their distances alone say which of them a ray hits first.
-    pub(in crate::geometry) fn are_neighbours(&self, one: u32, other: u32) -> bool {
+    pub(in crate::geometry) fn are_neighbors(&self, one: u32, other: u32) -> bool {
         match self.at_rest() {
-            Shape::Mesh(mesh) => mesh.are_neighbours(one, other),
+            Shape::Mesh(mesh) => mesh.are_neighbors(one, other),
             _ => true,
         }
     }

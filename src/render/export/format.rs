@@ -1,5 +1,7 @@
 //! The formats of pictures: their endings, what they hold, and how large they may be.
 
+use crate::files::one_of;
+
 /// A picture format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
@@ -57,15 +59,14 @@ impl Format {
     /// The endings that are known, one a format, as a sentence has them: `.png, .ppm … or .exr`.
     pub fn endings() -> String {
         let mut known: Vec<Format> = Vec::new();
-        let mut listed = Vec::new();
+        let mut listed: Vec<String> = Vec::new();
         for (name, format) in NAMES {
             if !known.contains(&format) {
                 known.push(format);
                 listed.push(format!(".{name}"));
             }
         }
-        let last = listed.pop().unwrap_or_default();
-        format!("{} or {last}", listed.join(", "))
+        one_of(listed)
     }
 
     /// The level of full white; `None` where a format holds the traced values themselves.

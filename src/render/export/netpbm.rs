@@ -1,7 +1,7 @@
 //! PPM and PGM, in ASCII and binary, and PFM read back. White space and comments are those of the specification of Netpbm.
 
 use super::picture::{Channels, Picture, PictureError, Samples, check_size, with_room_for};
-use crate::files::escape::shortened;
+use crate::files::escape::quoted;
 use crate::files::{Netpbm, Notation, without_mark};
 use std::ops::Range;
 use std::str::FromStr;
@@ -95,12 +95,11 @@ impl<'b> Words<'b> {
         fits: impl Fn(&T) -> bool,
         expected: impl Fn() -> String,
     ) -> Result<T, PictureError> {
-        const SHOWN: usize = 40;
         let place = self.next();
         let word = &self.bytes[place.clone()];
         let number = std::str::from_utf8(word).ok().and_then(|word| word.parse().ok()).filter(fits);
         number.ok_or_else(|| {
-            let shown = || format!("`{}`", shortened(&String::from_utf8_lossy(word), SHOWN));
+            let shown = || quoted(&String::from_utf8_lossy(word));
             let found = if word.is_empty() { "the end of the file".to_owned() } else { shown() };
             PictureError::Word { place, expected: expected(), found }
         })

@@ -8,12 +8,11 @@ use std::ops::Range;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
-use serde_json::Value;
 
 use super::locate::{Place, locate, locate_all};
 use super::names::fill_in_names;
 use super::part::Part;
-use super::schema::{FORMAT, SceneFile, json_schema};
+use super::schema::{FORMAT, SceneFile, inlined_schema};
 use super::strict::Strict;
 use super::syntax::Broken;
 use super::validate::limits::MAX_PROBLEMS;
@@ -22,7 +21,8 @@ use super::walk::{MAX_MISTAKES, Mistake, Walk};
 use crate::files::{FileError, KeyPath, Source, Step};
 
 /// What a scene may be.
-static SCHEMA: LazyLock<Value> = LazyLock::new(json_schema);
+static SCHEMA: LazyLock<Part> =
+    LazyLock::new(|| serde_json::from_value(inlined_schema()).expect("the schema of scenes consists of such parts"));
 
 /// Reads a scene, or says everything that is wrong with it.
 pub(super) fn scene_in(source: &Source, text: &str) -> Result<SceneFile, FileError> {
@@ -45,8 +45,8 @@ fn all_problems(source: &Source, text: &str, file_name: &str, refused: &serde_js
         // There is too much of it to be walked along.
         return together(source, vec![limit], 0);
     }
-    let mut walk = Walk::new(text);
-    match walk.value(Part::root(&SCHEMA)).and_then(|()| walk.reader.end()) {
+    let mut walk = Walk::new(text, limit.span.start);
+    match walk.value(&SCHEMA).and_then(|()| walk.reader.end()) {
         // Where the text stops being JSON, the meaning is lost.
         Err(Broken { span, message }) => {
             let path = walk.path.clone();

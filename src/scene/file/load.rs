@@ -8,7 +8,7 @@ use super::form::{scene_in, spans};
 use super::nff::{self, Import};
 use super::schema::SceneFile;
 use super::validate::{Finding, judge, validate};
-use crate::files::{FileError, KeyPath, Opened, Problem, Source, Wanted, display_name, without_mark};
+use crate::files::{FileError, KeyPath, Opened, Problem, Source, Wanted, display_name, is_utf16, without_mark};
 
 /// The largest scene file: 256 MiB.
 pub const MAX_BYTES: u64 = 256 << 20;
@@ -35,7 +35,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
 /// Reads and checks a scene file, or standard input for `-`.
 ///
 /// # Errors
-/// [`FileError`], with every problem; of a text that isn't JSON, with the first.
+/// Those of [`Wanted::read`] and of [`check`].
 pub fn read(path: &Path) -> Result<Loaded, FileError> {
     check(&read_bytes(path)?, &display_name(path))
 }
@@ -43,7 +43,7 @@ pub fn read(path: &Path) -> Result<Loaded, FileError> {
 /// Parses and validates the text of a scene file, JSON or [`nff`].
 ///
 /// # Errors
-/// [`FileError::Invalid`], with every problem; of a text that isn't JSON, with the first.
+/// [`FileError::Invalid`] with every problem found, or only those up to the place where the text stops being JSON.
 pub fn check(text: &[u8], file_name: &str) -> Result<Loaded, FileError> {
     check_as(text, file_name, &Import::default())
 }
@@ -81,7 +81,7 @@ fn ask_for_memory(text: &[u8], growth: usize, file_name: &str) -> Result<(), Fil
 /// warnings; its problems have paths but no lines.
 ///
 /// # Errors
-/// [`FileError::Invalid`], with every problem.
+/// [`FileError::Invalid`] with every problem.
 pub fn check_scene(scene: &SceneFile, file_name: &str) -> Result<Vec<Problem>, FileError> {
     let unplaced = |findings: &[Finding]| findings.iter().map(|finding| unplaced(finding, file_name)).collect();
     judge(validate(scene), unplaced).map(|(warnings, _)| warnings)
@@ -112,7 +112,7 @@ fn unplaced(finding: &Finding, file_name: &str) -> Problem {
 /// skipped and missing names are filled in.
 ///
 /// # Errors
-/// [`FileError::Invalid`], with every problem; of a text that isn't JSON, with the first.
+/// [`FileError::Invalid`] with every problem found, or only those up to the place where the text stops being JSON.
 pub fn parse(text: &[u8], file_name: &str) -> Result<SceneFile, FileError> {
     let (source, text) = decode(text, file_name)?;
     scene_in(&source, text)
@@ -125,7 +125,7 @@ fn decode<'t>(bytes: &'t [u8], name: &'t str) -> Result<(Source<'t>, &'t str), F
     let source = Source { name, text: body };
     let problem =
         |offset: usize, message: String| Err(source.problem(offset..offset + 1, KeyPath::default(), message).into());
-    if let [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [b'{', 0, ..] | [0, b'{', ..] = body {
+    if is_utf16(body) {
         return problem(0, "the text is UTF-16, expected UTF-8".to_string());
     }
     match std::str::from_utf8(body) {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::files::escape::{is_hidden, shortened};
+use crate::files::escape::{is_hidden, quoted};
 
 /// How deeply values may be nested, as in the reader of scenes.
 const DEEPEST: usize = 127;
@@ -18,6 +18,7 @@ pub struct Broken {
 }
 
 /// A position in a text that is to be JSON.
+#[derive(Clone, Copy)]
 pub struct Reader<'t> {
     text: &'t str,
     /// Byte offset of the next byte.
@@ -235,7 +236,7 @@ impl<'t> Reader<'t> {
     fn found(&self) -> String {
         match self.text[self.at..].chars().next() {
             None => "the end of the file".to_owned(),
-            Some(character) if is_hidden(character) => character.escape_unicode().to_string(),
+            Some(character) if is_hidden(character) => character.escape_default().to_string(),
             Some(character) => format!("`{character}`"),
         }
     }
@@ -262,7 +263,7 @@ fn hint(rest: &str, word: &str) -> Option<String> {
         lower => {
             let is_like_number = lower.trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit());
             let is_odd = is_like_number && !is_number(word.as_bytes());
-            is_odd.then(|| format!("`{}` is no number in JSON, expected one like 12, -0.5 or 1e3", shortened(word, 40)))
+            is_odd.then(|| format!("{} is no number in JSON, expected one like 12, -0.5 or 1e3", quoted(word)))
         }
     }
 }

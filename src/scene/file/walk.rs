@@ -4,16 +4,13 @@ use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::Range;
 
-use super::part::{Part, Word, quoted};
+use super::part::{Part, quoted};
 use super::syntax::{Broken, Reader, decoded};
-use crate::files::escape::shortened;
-use crate::files::{KeyPath, suggest};
+use crate::files::escape::{QUOTED, quoted as shown, shortened};
+use crate::files::{KeyPath, Step, suggest, unknown};
 
 /// How many mistakes of form are kept, of which the first are shown. Where there are more, the numbers aren't checked.
 pub const MAX_MISTAKES: usize = 1 << 10;
-
-/// How many characters of a name or string from the file a message repeats.
-pub const QUOTED: usize = 40;
 
 /// Something wrong, and where.
 #[derive(PartialEq)]
@@ -37,6 +34,8 @@ pub struct Walk<'t> {
     pub mended: String,
     /// Where it holds something that the text doesn't say.
     pub stand_ins: Vec<KeyPath>,
+    /// The reader accepted the form of the text up to here.
+    accepted: usize,
 }
 
 /// Where a value begins, in the text and in the copy.
@@ -47,15 +46,24 @@ struct Start {
 }
 
 impl<'t> Walk<'t> {
-    /// Begins at the first byte.
-    pub fn new(text: &'t str) -> Self {
+    /// Begins at the first byte of a text of which the reader accepted so much.
+    pub fn new(text: &'t str, accepted: usize) -> Self {
         let (mistakes, stand_ins) = (Vec::new(), Vec::new());
         let mended = String::with_capacity(text.len());
-        Self { text, reader: Reader::new(text), path: KeyPath::default(), mistakes, omitted: 0, mended, stand_ins }
+        Self {
+            text,
+            reader: Reader::new(text),
+            path: KeyPath::default(),
+            mistakes,
+            omitted: 0,
+            mended,
+            stand_ins,
+            accepted,
+        }
     }
 
     /// Walks over the next value, which is to be as this part of the schema says.
-    pub fn value(&mut self, part: Part) -> Result<(), Broken> {
+    pub fn value(&mut self, part: &'static Part) -> Result<(), Broken> {
         let first = self.reader.peek();
         let start = Start { text: self.reader.at, copy: self.mended.len() };
         if part.is_of_words() {
@@ -65,7 +73,7 @@ impl<'t> Walk<'t> {
         match first {
             _ if !of_type.takes(first) => self.something_else(part, start),
             Some(b'[') => self.array(part, of_type, start),
-            Some(b'{') => match of_type.of_each_name() {
+            Some(b'{') => match &of_type.of_each_name {
                 Some(of_each) => self.names(of_each),
                 None => self.object(of_type, start),
             },
@@ -81,29 +89,28 @@ impl<'t> Walk<'t> {
     }
 
     /// Walks over a value of another type than may be there.
-    fn something_else(&mut self, part: Part, start: Start) -> Result<(), Broken> {
+    fn something_else(&mut self, part: &'static Part, start: Start) -> Result<(), Broken> {
         self.reader.value()?;
         self.replace(part, start, None);
         Ok(())
     }
 
     /// A word of several, alone or as the only key of an object.
-    fn word(&mut self, part: Part, start: Start) -> Result<(), Broken> {
-        let words = part.words().unwrap_or_default();
+    fn word(&mut self, part: &'static Part, start: Start) -> Result<(), Broken> {
         let is_good = match self.reader.peek() {
             Some(b'"') => {
                 let value = self.reader.value()?;
                 let name = decoded(&self.text[value.clone()]);
                 self.mended.push_str(&self.text[value.clone()]);
-                match words.iter().find(|word| word.name == name) {
-                    Some(word) if word.value.is_none() => true,
+                match part.words().find(|(word, _)| *word == name) {
+                    Some((_, None)) => true,
                     Some(_) => {
                         self.report(value, format!("expected an object, `{{\"{name}\": …}}`, found the word alone"))
                     }
-                    None => self.report(value, unknown("word", &name, &names(&words))),
+                    None => self.report(value, unknown_word(&name, part)),
                 }
             }
-            Some(b'{') => self.key_of_several(&words, start)?,
+            Some(b'{') => self.key_of_several(part, start)?,
             _ => return self.something_else(part, start),
         };
         if !is_good {
@@ -113,7 +120,7 @@ impl<'t> Walk<'t> {
     }
 
     /// An object whose only key is a word of several; gives whether it is.
-    fn key_of_several(&mut self, words: &[Word], start: Start) -> Result<bool, Broken> {
+    fn key_of_several(&mut self, part: &'static Part, start: Start) -> Result<bool, Broken> {
         let mut count = 0;
         let mut is_good = true;
         self.reader.open()?;
@@ -123,22 +130,24 @@ impl<'t> Walk<'t> {
             let name = decoded(&self.text[key.clone()]);
             count += 1;
             if count > 1 {
-                let second = shortened(&name, QUOTED);
-                let message = format!("expected an object with exactly one key, found a second one, `{second}`");
+                let message = format!("expected an object with exactly one key, found a second one, {}", shown(&name));
                 is_good = self.report(key, message);
                 self.reader.value()?;
                 continue;
             }
-            self.path.push(name.to_string());
-            let word = words.iter().find(|word| word.name == name);
-            if let Some(value) = word.and_then(|word| word.value) {
-                self.key(&self.text[key]);
-                self.value(value)?;
+            if let Some((word, value)) = part.words().find(|(word, _)| *word == name) {
+                self.path.push(word);
+                if let Some(value) = value {
+                    self.key(&self.text[key]);
+                    self.value(value)?;
+                } else {
+                    let message = "expected the word alone, as a string, found it as a key";
+                    is_good = self.report(key, message.to_owned());
+                    self.reader.value()?;
+                }
             } else {
-                is_good = match word {
-                    Some(_) => self.report(key, "expected the word alone, as a string, found it as a key".to_owned()),
-                    None => self.report(key, unknown("word", &name, &self::names(words))),
-                };
+                self.path.push(name.to_string());
+                is_good = self.report(key, unknown_word(&name, part));
                 self.reader.value()?;
             }
             self.path.pop();
@@ -152,7 +161,7 @@ impl<'t> Walk<'t> {
     }
 
     /// An object with the keys of a part.
-    fn object(&mut self, part: Part, start: Start) -> Result<(), Broken> {
+    fn object(&mut self, part: &'static Part, start: Start) -> Result<(), Broken> {
         let mut there: Vec<Cow<str>> = Vec::new();
         let mut meant = Vec::new();
         let mut is_first = true;
@@ -162,10 +171,11 @@ impl<'t> Walk<'t> {
             is_first = false;
             let key = self.reader.key()?;
             let name = decoded(&self.text[key.clone()]);
-            self.path.push(name.to_string());
+            let known = part.key(&name);
+            self.path.push(known.map_or_else(|| name.to_string().into(), |(known, _)| Step::from(known)));
             if there.contains(&name) {
                 self.repeated(key, &name)?;
-            } else if let Some(value) = part.key(&name) {
+            } else if let Some((_, value)) = known {
                 self.key(&self.text[key]);
                 there.push(name);
                 self.value(value)?;
@@ -179,7 +189,7 @@ impl<'t> Walk<'t> {
         }
         let whole = start.text..self.reader.at;
         let misspelt = meant.len();
-        let exclusive = part.exclusive();
+        let exclusive: Vec<&str> = part.exclusive().collect();
         // Where one of those that exclude each other is there, no other was meant.
         let has_one = exclusive.iter().any(|name| there.iter().any(|key| key == name));
         for (number, name) in meant.into_iter().chain(part.required()).enumerate() {
@@ -195,15 +205,19 @@ impl<'t> Walk<'t> {
         self.mended.push('}');
         let given: Vec<&str> = exclusive.iter().copied().filter(|name| there.iter().any(|key| key == name)).collect();
         if !exclusive.is_empty() && given.len() != 1 {
-            let found = if given.is_empty() { "none of them".to_owned() } else { quoted(&given).join(" and ") };
-            self.report(whole, format!("expected exactly one of {}, found {found}", quoted(&exclusive).join(", ")));
+            let found =
+                if given.is_empty() { "none of them".to_owned() } else { quoted(given.iter().copied()).join(" and ") };
+            self.report(
+                whole,
+                format!("expected exactly one of {}, found {found}", quoted(exclusive.iter().copied()).join(", ")),
+            );
             self.put_in(part, start.copy);
         }
         Ok(())
     }
 
     /// An object whose keys are names.
-    fn names(&mut self, of_each: Part) -> Result<(), Broken> {
+    fn names(&mut self, of_each: &'static Part) -> Result<(), Broken> {
         let mut there = HashSet::new();
         self.reader.open()?;
         self.mended.push('{');
@@ -226,36 +240,52 @@ impl<'t> Walk<'t> {
 
     /// A key that was there before: the first counts.
     fn repeated(&mut self, key: Range<usize>, name: &str) -> Result<(), Broken> {
-        self.report(key, format!("the key `{}` occurs twice, expected it once", shortened(name, QUOTED)));
+        self.report(key, format!("the key {} occurs twice, expected it once", shown(name)));
         self.reader.value().map(drop)
     }
 
     /// A list; `part` is what may be in its place, `of_type` the list.
-    fn array(&mut self, part: Part, of_type: Part, start: Start) -> Result<(), Broken> {
+    fn array(&mut self, part: &'static Part, of_type: &'static Part, start: Start) -> Result<(), Broken> {
         let mut count = 0;
         self.reader.open()?;
         self.mended.push('[');
         while self.reader.next(b']', count == 0)? {
             self.path.push(count);
-            if of_type.length().is_some_and(|length| count as u64 >= length) {
+            if of_type.length.is_some_and(|length| count >= length) {
                 self.reader.value()?;
             } else {
                 self.mended.push_str(if count == 0 { "" } else { "," });
-                self.value(of_type.element())?;
+                self.element(of_type.element())?;
             }
             self.path.pop();
             count += 1;
         }
         self.mended.push(']');
-        if of_type.length().is_some_and(|length| count as u64 != length) {
+        if of_type.length.is_some_and(|length| count != length) {
             self.replace(part, start, Some(count));
         }
         Ok(())
     }
 
+    /// An element of a list. If the reader went on to the next one it has no mistakes of form and is copied as it is.
+    fn element(&mut self, part: &'static Part) -> Result<(), Broken> {
+        let mut ahead = self.reader;
+        if ahead.at < self.accepted
+            && let Ok(value) = ahead.value()
+        {
+            let end = ahead;
+            if matches!(ahead.next(b']', false), Ok(true)) && ahead.at <= self.accepted {
+                self.mended.push_str(&self.text[value]);
+                self.reader = end;
+                return Ok(());
+            }
+        }
+        self.value(part)
+    }
+
     /// Reports that the value from `start` to here isn't what was expected, and puts what fits in its place. Of a list it may be the number of
     /// elements that is wrong.
-    fn replace(&mut self, part: Part, start: Start, elements: Option<usize>) {
+    fn replace(&mut self, part: &'static Part, start: Start, elements: Option<usize>) {
         let value = start.text..self.reader.at;
         let found = match elements {
             Some(count) => format!("{count} elements"),
@@ -276,7 +306,7 @@ impl<'t> Walk<'t> {
     }
 
     /// Writes a value that fits in the place of what the copy has from here on.
-    fn put_in(&mut self, part: Part, start: usize) {
+    fn put_in(&mut self, part: &'static Part, start: usize) {
         self.mended.truncate(start);
         self.mended.push_str(&part.fitting());
         if self.stand_ins.len() < MAX_MISTAKES {
@@ -285,10 +315,10 @@ impl<'t> Walk<'t> {
     }
 
     /// Writes a key that an object of this part lacks, with a value that fits.
-    fn add(&mut self, name: &str, object: Part) {
-        let Some(value) = object.key(name) else { return };
+    fn add(&mut self, name: &str, object: &'static Part) {
+        let Some((name, value)) = object.key(name) else { return };
         self.key(&format!("\"{name}\""));
-        self.path.push(name.to_owned());
+        self.path.push(name);
         self.put_in(value, self.mended.len());
         self.path.pop();
     }
@@ -311,20 +341,6 @@ fn described(value: &str) -> String {
     }
 }
 
-fn names<'s>(words: &[Word<'s>]) -> Vec<&'s str> {
-    words.iter().map(|word| word.name).collect()
-}
-
-/// "unknown key `x`, did you mean `b`? expected `a`, `b` or `c`"
-fn unknown(what: &str, name: &str, valid: &[&str]) -> String {
-    let shown = shortened(name, QUOTED);
-    let list = match quoted(valid).as_slice() {
-        [] => return format!("unknown {what} `{shown}`, expected no {what} here"),
-        [only] => only.clone(),
-        [head @ .., last] => format!("{} or {last}", head.join(", ")),
-    };
-    match suggest(name, valid.iter().copied()) {
-        Some(meant) => format!("unknown {what} `{shown}`, did you mean `{meant}`? expected {list}"),
-        None => format!("unknown {what} `{shown}`, expected {list}"),
-    }
+fn unknown_word(name: &str, part: &Part) -> String {
+    unknown("word", name, &part.words().map(|(word, _)| word).collect::<Vec<_>>())
 }

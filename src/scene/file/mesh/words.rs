@@ -2,11 +2,8 @@
 
 use std::ops::Range;
 
-use crate::files::escape::shortened;
+use crate::files::escape::{QUOTED, shortened};
 use crate::scene::file::foreign::{is_blank, is_in_number};
-
-/// How many characters of a word a message shows.
-const SHOWN: usize = 40;
 
 /// Goes over a text word by word and line by line.
 pub struct Words<'t> {
@@ -87,8 +84,8 @@ impl<'t> Words<'t> {
     /// A word as a message shows it.
     pub fn shown(&self, word: &Range<usize>) -> String {
         // Cut first: a word may be the whole file.
-        let start = &self.text[word.start..word.end.min(word.start + 8 * SHOWN)];
-        shortened(&String::from_utf8_lossy(start), SHOWN)
+        let start = &self.text[word.start..word.end.min(word.start + 8 * QUOTED)];
+        shortened(&String::from_utf8_lossy(start), QUOTED)
     }
 
     /// The place here, for what is missing.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::tokens::Token;
-use crate::files::escape::shortened;
+use crate::files::escape;
 use crate::files::{KeyPath, Problem, Source, suggest};
 
 /// Something about a place of the text.
@@ -93,5 +93,5 @@ pub fn no_number(found: Option<&Token>, end: usize, entity: &str, what: &str) ->
 
 /// A token as a message repeats it.
 pub fn quoted(token: &Token) -> String {
-    format!("`{}`", shortened(&String::from_utf8_lossy(token.text), 40))
+    escape::quoted(&String::from_utf8_lossy(token.text))
 }

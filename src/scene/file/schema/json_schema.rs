@@ -12,8 +12,17 @@ use super::SceneFile;
 
 /// The schema of `raywalk-scene/1`, JSON Schema draft 2020-12.
 pub fn json_schema() -> Value {
-    let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(without_rust));
-    let mut schema = settings.into_generator().into_root_schema_for::<SceneFile>();
+    generated(SchemaSettings::draft2020_12())
+}
+
+/// The same without references: a part that occurs several times is in each of its places.
+pub fn inlined_schema() -> Value {
+    generated(SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true))
+}
+
+fn generated(settings: SchemaSettings) -> Value {
+    let generator = settings.with_transform(RecursiveTransform(without_rust)).into_generator();
+    let mut schema = generator.into_root_schema_for::<SceneFile>();
     schema.insert("$id".to_owned(), "raywalk-scene/1".into());
     schema.insert("title".to_owned(), "A raywalk scene".into());
     schema.to_value()

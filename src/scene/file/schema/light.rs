@@ -189,7 +189,7 @@ pub struct LightKeys {
     attenuation: [f64; 3],
     /// How the light is spread over its surface; `uniform` where it is left out. For rectangles and disks.
     profile: Option<Profile>,
-    /// How many shadow rays ask for an area light: a number, or as many as it takes from `min` up to `max`; 1 where it is left out.
+    /// The number of shadow rays to an area light, fixed or from `min` to `max` as needed; 1 by default.
     samples: Option<LightSamples>,
     /// By what measure the points of an area light count alike: `area` where it is left out, or `solid_angle` (rectangles and spheres).
     by: Option<By>,

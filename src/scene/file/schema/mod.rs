@@ -15,6 +15,7 @@ mod settings;
 mod shape;
 
 pub use camera::{Aim, Camera, Lens};
+pub(super) use json_schema::inlined_schema;
 pub use json_schema::json_schema;
 pub use light::{By, DirectionalLight, DiskLight, Light, LightKind, PointLight, Profile, RectangleLight, SphereLight};
 pub use material::{Checker, Material, Materials, Pattern, Weight, Weights};
@@ -58,7 +59,7 @@ pub struct SceneFile {
     #[serde(default)]
     #[schemars(inner(range(min = 0)))]
     pub ambient: Rgb,
-    /// What a ray brings back that hits nothing.
+    /// The colour of a ray that hits nothing.
     #[serde(default)]
     #[schemars(inner(range(min = 0)))]
     pub background: Rgb,

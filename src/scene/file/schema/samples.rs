@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::scene::file::validate::limits::MAX_SAMPLES;
 
-/// How many points of an area light are asked: always this many, or as many as it takes.
+/// How many points of an area light get a shadow ray: a fixed number, or as many as needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, deny_unknown_fields)]
 pub enum LightSamples {

@@ -16,7 +16,7 @@ pub const FORMS: &[(&str, &str)] = &[
     ("random:N", "N anywhere"),
     ("sobol:N", "N scrambled Sobol points"),
     ("statistical:confidence=C,tolerance=T,min=M,max=N", "until the mean is within T of white"),
-    ("guided:tolerance=T,min=M,max=N", "as many as the first M, here and in the pixels around, ask for"),
+    ("guided:tolerance=T,min=M,max=N", "as many as the first M of the pixels around call for"),
 ];
 
 /// Which rays make a pixel.
@@ -92,7 +92,7 @@ pub struct Statistical {
 
 /// How the first samples of a neighbourhood say how many a pixel takes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 #[schemars(inline)]
 pub struct Guided {
     /// The error of a sample for which one would be enough, as a fraction of `output.white`.
@@ -104,6 +104,12 @@ pub struct Guided {
     /// Most rays per pixel.
     #[schemars(range(min = MIN_GUIDED, max = MAX_SAMPLES))]
     pub max: u32,
+}
+
+impl Default for Guided {
+    fn default() -> Self {
+        Self { tolerance: 0.002, min: 4, max: 4096 }
+    }
 }
 
 impl Guided {

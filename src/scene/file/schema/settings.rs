@@ -24,7 +24,7 @@ pub struct Tracing {
     /// Which intersection of ray and sphere; left out, the one that the formulas imply.
     #[serde(serialize_with = "sphere_method_or_default")]
     pub sphere_method: Option<SphereMethod>,
-    /// What scales the light that a reflected ray brings.
+    /// What scales the light of a reflected ray.
     #[serde(skip_serializing_if = "ReflectedScale::is_default")]
     pub reflected_scale: ReflectedScale,
     /// A bounce is left out when the product of the weights along its path is below this in every channel; 0 is off.
@@ -97,7 +97,7 @@ pub enum Formulas {
     Notes,
 }
 
-/// What scales the light that a reflected ray brings.
+/// What scales the light of a reflected ray.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum ReflectedScale {

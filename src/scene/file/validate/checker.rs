@@ -4,7 +4,7 @@ use crate::files::{KeyPath, Step};
 use crate::scene::file::schema::{Rgb, Vec3};
 
 use super::limits::{MAX_COORDINATE, MAX_PROBLEMS, MAX_RATIO, MIN_LENGTH};
-use super::vector::{minus, size};
+use super::vector::{distance, size};
 use super::{Finding, Findings};
 
 /// Findings of a whole scene and the way to where they are being made.
@@ -193,7 +193,7 @@ impl Checker<'_> {
     pub fn point_away(&mut self, step: impl Into<Step>, point: Vec3, from: Vec3, other: &str) -> bool {
         let step = step.into();
         self.point(step.clone(), point);
-        let distance = size(minus(point, from));
+        let distance = distance(point, from);
         if !distance.is_finite() {
             return false;
         }

@@ -1,10 +1,10 @@
 //! The checks of one of the `lights`.
 
-use crate::scene::file::schema::{By, Light, LightKind, LightSamples, Profile, RectangleLight, Vec3};
+use crate::scene::file::schema::{By, Light, LightKind, LightSamples, Profile, RectangleLight};
 
 use super::checker::Checker;
 use super::limits::MAX_SAMPLES;
-use super::vector::{are_parallel, dot, length};
+use super::vector::{are_parallel, are_perpendicular};
 
 /// Checks a light, all but its name.
 pub fn light(check: &mut Checker<'_>, light: &Light) {
@@ -62,11 +62,6 @@ fn samples(check: &mut Checker<'_>, samples: LightSamples) {
             }
         }
     }
-}
-
-/// Whether two vectors are at right angles, as far as the digits of a file tell: to a millionth.
-fn are_perpendicular(u: Vec3, v: Vec3) -> bool {
-    dot(u, v).abs() <= 1e-6 * (length(u) * length(v))
 }
 
 fn kind(mut check: Checker<'_>, kind: &LightKind) {

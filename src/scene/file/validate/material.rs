@@ -1,6 +1,6 @@
 //! The checks of one of the `materials`, and of the names that objects call them by.
 
-use crate::files::escape::shortened;
+use crate::files::escape::quoted;
 use crate::files::suggest;
 use crate::scene::file::schema::{Material, Materials, Pattern, Weight};
 
@@ -68,12 +68,12 @@ pub fn reference(mut check: Checker<'_>, name: &str, materials: &Materials) {
         return check.error(String::new());
     }
     let names: Vec<&str> = materials.iter().map(|(name, _)| name).collect();
-    let listed: Vec<String> = names.iter().take(LISTED).map(|name| format!("`{}`", shortened(name, 40))).collect();
+    let listed: Vec<String> = names.iter().take(LISTED).map(|name| quoted(name)).collect();
     let more = if names.len() > LISTED { ", …" } else { "" };
     let expected = match suggest(name, names.iter().copied()) {
-        Some(meant) => format!("did you mean `{}`?", shortened(meant, 40)),
+        Some(meant) => format!("did you mean {}?", quoted(meant)),
         None if names.is_empty() => "the scene has no materials".to_string(),
         None => format!("expected one of {}{more}", listed.join(", ")),
     };
-    check.error(format!("no material is named `{}`, {expected}", shortened(name, 40)));
+    check.error(format!("no material is named {}, {expected}", quoted(name)));
 }

@@ -17,8 +17,7 @@ use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
 use super::schema::{FORMAT, Sampling, SceneFile, digest};
-use super::walk::QUOTED;
-use crate::files::escape::{hidden, look, shortened};
+use crate::files::escape::{hidden, look, quoted};
 use crate::files::{FileError, KeyPath, Problem};
 use checker::Checker;
 
@@ -70,7 +69,7 @@ pub fn validate(scene: &SceneFile) -> Findings {
 
 /// The message for another `format`.
 pub fn unknown_format(found: &str) -> String {
-    format!("this program reads `{FORMAT}`, found `{}`", shortened(found, QUOTED))
+    format!("this program reads `{FORMAT}`, found {}", quoted(found))
 }
 
 /// The warnings and how many more there are, when there are no errors.
@@ -137,9 +136,6 @@ fn objects(mut check: Checker<'_>, scene: &SceneFile) {
     }
 }
 
-/// How many characters of a name are shown in a message.
-const SHOWN: usize = 40;
-
 /// Names by what people see of them. Of a million names that all look different no more is kept than it takes to tell that.
 struct Names<'s> {
     /// What represents the looks that more than one name has, as far as digests tell.
@@ -162,10 +158,10 @@ impl<'s> Names<'s> {
             return None;
         }
         let other = self.taken.insert(look, given)?;
-        let shown = shortened(given, SHOWN);
+        let shown = quoted(given);
         Some(match other == given {
-            true => format!("names must be unique, found `{shown}` a second time"),
-            false => format!("names must not look alike, found `{shown}` beside `{}`", shortened(other, SHOWN)),
+            true => format!("names must be unique, found {shown} a second time"),
+            false => format!("names must not look alike, found {shown} beside {}", quoted(other)),
         })
     }
 }
@@ -189,10 +185,10 @@ fn wrong_name(name: &str) -> Option<String> {
     }
     if let Some((at, hidden)) = hidden(name).next() {
         let what = if hidden.is_control() { "control" } else { "invisible" };
-        let escaped = hidden.escape_unicode();
+        let escaped = hidden.escape_default();
         let before = match at {
             0 => String::new(),
-            _ => format!(" behind `{}`", shortened(&name[..at], SHOWN)),
+            _ => format!(" behind {}", quoted(&name[..at])),
         };
         return Some(format!("a name must not hold {what} characters, found {escaped}{before}"));
     }

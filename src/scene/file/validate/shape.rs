@@ -5,7 +5,7 @@ use crate::scene::file::schema::{AxisBox, Cone, Ellipsoid, Motion, Polygon, Shap
 
 use super::checker::{Checker, number};
 use super::limits::{MAX_COORDINATE, MAX_RATIO};
-use super::vector::{dot, has_area, is_proper_rotation, length, minus, over, size, twice_area};
+use super::vector::{distance, has_area, in_own_unit, is_proper_rotation, size, twice_area};
 
 /// How exactly the rows of a rotation must be orthonormal.
 const ROTATION_TOLERANCE: f64 = 1e-6;
@@ -110,14 +110,13 @@ fn polygon(mut check: Checker<'_>, polygon: &Polygon) {
 
 /// A polygon needs an area, and should be flat.
 fn flatness(mut check: Checker<'_>, vertices: &[Vec3]) {
-    let extent = vertices.iter().map(|vertex| size(minus(*vertex, vertices[0]))).fold(0.0, f64::max);
-    let corners = vertices.iter().map(|vertex| over(minus(*vertex, vertices[0]), extent));
     if !has_area(vertices) {
         return check.error("must span an area, found a polygon without".to_string());
     }
+    let (extent, corners) = in_own_unit(vertices);
     let normal = twice_area(corners.clone());
-    let area = length(normal);
-    let height = corners.map(|corner| (dot(corner, normal) / area).abs()).fold(0.0, f64::max);
+    let area = normal.length();
+    let height = corners.map(|corner| (corner.dot(normal) / area).abs()).fold(0.0, f64::max);
     if height > FLATNESS {
         check.warning(format!("should lie in one plane, found one {} away from it", number(height * extent)));
     }
@@ -143,7 +142,7 @@ fn cone(mut check: Checker<'_>, cone: &Cone) {
         check.error("`base_radius` and `apex_radius` must not both be 0".to_string());
     }
     let has_radii = radii.iter().all(|(_, radius)| (0.0..=MAX_COORDINATE).contains(radius));
-    let slope = (cone.apex_radius - cone.base_radius).abs() / size(minus(cone.apex, cone.base));
+    let slope = (cone.apex_radius - cone.base_radius).abs() / distance(cone.apex, cone.base);
     if has_axis && has_radii && slope > MAX_RATIO {
         let found = number(slope);
         check.error(format!("its radius must change by at most {MAX_RATIO:e} a unit of its axis, found {found}"));

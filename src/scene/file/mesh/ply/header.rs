@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use crate::files::escape::shortened;
-use crate::files::suggest;
+use crate::files::escape::{QUOTED, shortened};
+use crate::files::unknown;
 use crate::scene::file::mesh::fault::Fault;
 use crate::scene::file::mesh::words::{Syntax, Words};
 
@@ -82,7 +82,7 @@ pub enum Scalar {
 }
 
 /// The names of the types.
-const SCALARS: &[(&str, Scalar)] = &[
+const SCALARS: [(&str, Scalar); 16] = [
     ("char", Scalar::I8),
     ("uchar", Scalar::U8),
     ("short", Scalar::I16),
@@ -166,7 +166,7 @@ impl Header {
 
 /// A name of the header as messages show it.
 pub fn shown(name: &str) -> String {
-    shortened(name, 40)
+    shortened(name, QUOTED)
 }
 
 fn too_many(span: Range<usize>) -> Fault {
@@ -233,9 +233,7 @@ impl Lines<'_> {
         if let Some((_, scalar)) = SCALARS.iter().find(|(known, _)| *known == name) {
             return Ok(*scalar);
         }
-        let near = suggest(&name, SCALARS.iter().map(|(known, _)| *known));
-        let hint = near.map(|near| format!(", did you mean `{near}`?")).unwrap_or_default();
-        Err(Fault::wrong(word.clone(), format!("unknown type `{}`{hint}", self.words.shown(&word))))
+        Err(Fault::wrong(word, unknown("type", &name, &SCALARS.map(|(known, _)| known))))
     }
 
     fn word(&mut self, expected: &str) -> Result<Range<usize>, Fault> {

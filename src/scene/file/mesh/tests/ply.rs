@@ -165,7 +165,12 @@ fn headers() {
     wrong_header("ascii", "utf8", &format!("2:8: {encodings}, found `utf8`"));
     wrong_header("1.0", "2.0", "2:14: expected the version `1.0`, found `2.0`");
     wrong_header("format ascii 1.0\n", "", "1:1: the header has no `format`, expected such as `format ascii 1.0`");
-    wrong_header("double x", "duoble x", "5:10: unknown type `duoble`, did you mean `double`?");
+    wrong_header(
+        "double x",
+        "duoble x",
+        "5:10: unknown type `duoble`, did you mean `double`? expected `char`, `uchar`, `short`, `ushort`, `int`, `uint`, `float`, \
+         `double`, `int8`, `uint8`, `int16`, `uint16`, `int32`, `uint32`, `float32` or `float64`",
+    );
     wrong_header("double x", "double", "5:16: the line ends too early, expected the name of a property");
     wrong_header("double x", "double u", "4:1: expected the properties `x`, `y` and `z` of the element `vertex`");
     wrong_header("double y", "double x", "6:1: the property `x` occurs twice, expected it once");
