@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let log = record::pixel(&scene, pixel, Arithmetic::F64);
     // For people: the steps with three decimals.
-    println!("{}", text::text(Language::English, &log, Style { digits: 3 }));
+    println!("{}", text::text(Language::English, &log, Style::default()));
     // For programs: the same events with few digits, which every machine and compiler gives.
     println!("{}", String::from_utf8(to_ndjson(&log.rounded(6))?)?);
     Ok(())
