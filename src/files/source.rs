@@ -36,7 +36,7 @@ impl Source<'_> {
     /// Line and column of a byte, both from 1; columns count characters.
     pub fn line_and_column(&self, offset: usize) -> (usize, usize) {
         let before = &self.text[..offset.min(self.text.len())];
-        let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+        let line = memchr::memchr_iter(b'\n', before).count() + 1;
         let in_line = &before[start_of_last_line(before)..];
         let column = in_line.iter().filter(|&&byte| starts_character(byte)).count() + 1;
         (line, column)
@@ -97,7 +97,7 @@ fn last(text: &str, limit: usize) -> &str {
 }
 
 fn start_of_last_line(text: &[u8]) -> usize {
-    text.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1)
+    memchr::memrchr(b'\n', text).map_or(0, |newline| newline + 1)
 }
 
 fn starts_character(byte: u8) -> bool {

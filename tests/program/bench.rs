@@ -301,10 +301,10 @@ fn the_own_error_of_a_reference_is_spoken_of_where_it_has_one() {
     assert!(of(&["--reference", "sobol:16"]).ends_with(&format!("white; {own}\n")));
     let (code, _, errors) = bench(&["error", "figure-17", "--reference", "foo"]);
     assert_eq!(code, 2);
-    assert!(errors.contains("unknown sampling `foo`, expected exact, none, regular"), "{errors}");
+    assert!(errors.contains("unknown sampling `foo`, expected `exact`, `none`, `regular`"), "{errors}");
     // As a method to compare it is none.
     let (_, _, errors) = bench(&["error", "figure-17", "--sampling", "exact"]);
-    assert!(errors.contains("unknown sampling `exact`, expected none, regular"), "{errors}");
+    assert!(errors.contains("unknown sampling `exact`, expected `none`, `regular`"), "{errors}");
 }
 
 /// A picture without an error has a place in the chart.

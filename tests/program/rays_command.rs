@@ -116,7 +116,10 @@ fn unusable_lines_say_why() {
         r#"{"o":[16,2,7],"d":[1,0,0],"from":"sphre"}"#,
         "from: no object is called `sphre`, did you mean `sphere`?",
     );
-    refuses(r#"{"o":[16,2,7],"d":[1,0,0],"tmn":1}"#, "column 31: unknown key `tmn`, did you mean `tmin`?");
+    refuses(
+        r#"{"o":[16,2,7],"d":[1,0,0],"tmn":1}"#,
+        "column 31: unknown key `tmn`, did you mean `tmin`? expected `id`, `o`, `d`, `tmin`, `tmax`, `from` or `from_primitive`",
+    );
     refuses(
         "[1,[16,2,7],[-12,4,1],0,null,null,null]",
         r#"expected an object, {"o": [x, y, z], "d": [x, y, z]}, found an array"#,

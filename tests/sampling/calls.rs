@@ -48,7 +48,8 @@ fn a_picture_of_16_pixels_shares_25_samples() {
     says(
         folder,
         &["render", "figure-19", "-o", "out.pfm", "--sampling", "sobl:4"],
-        "unknown sampling `sobl`, expected none, regular, shared, adaptive, stochastic, random, sobol, statistical, guided; did you mean `sobol`?",
+        "unknown sampling `sobl`, did you mean `sobol`? expected `none`, `regular`, `shared`, `adaptive`, `stochastic`, `random`, `sobol`, \
+         `statistical` or `guided`",
     );
 }
 

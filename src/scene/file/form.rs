@@ -52,9 +52,9 @@ fn all_problems(source: &Source, text: &str, file_name: &str, refused: &serde_js
             let path = walk.path.clone();
             walk.mistakes.push(Mistake { span, path, message });
         }
-        Ok(()) => match (other_format(text), read_scene(&walk.mended, file_name)) {
-            (Some(other), _) => return together(source, vec![other], 0),
-            (None, Ok(scene)) if walk.mistakes.len() < MAX_MISTAKES => {
+        Ok(()) => match read_scene(&walk.mended, file_name) {
+            Ok(scene) if scene.format != FORMAT => return together(source, vec![other_format(text, &scene.format)], 0),
+            Ok(scene) if walk.mistakes.len() < MAX_MISTAKES => {
                 let findings = validate(&scene);
                 walk.omitted += findings.omitted;
                 walk.judge(findings.errors);
@@ -87,7 +87,8 @@ fn limit_of_reader(text: &str, error: &serde_json::Error) -> Mistake {
     let (line, column) = (error.line(), error.column());
     let mut message = error.to_string();
     message.truncate(message.strip_suffix(&format!(" at line {line} column {column}")).map_or(message.len(), str::len));
-    let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    let mut ends = memchr::memchr_iter(b'\n', text.as_bytes());
+    let before = line.checked_sub(2).and_then(|lines| ends.nth(lines)).map_or(0, |end| end + 1);
     let at = (before + column.saturating_sub(1)).min(text.len());
     let list = LIMITED.iter().find(|(_, begins)| message.starts_with(begins));
     let path = list.map_or_else(KeyPath::default, |(list, _)| KeyPath::default().join(*list));
@@ -109,12 +110,9 @@ pub(super) fn spans(findings: &[Finding], text: &str) -> Vec<Range<usize>> {
 }
 
 /// A file of another format has other keys, so that only its format is worth a word.
-fn other_format(text: &str) -> Option<Mistake> {
+fn other_format(text: &str, found: &str) -> Mistake {
     let path = KeyPath::default().join("format");
-    let place = locate(text, &path);
-    let found: String = serde_json::from_str(&text[place.value.clone()]).ok()?;
-    let is_other = place.depth == 1 && found != FORMAT;
-    is_other.then(|| Mistake { span: place.value, path, message: unknown_format(&found) })
+    Mistake { span: locate(text, &path).value, path, message: unknown_format(found) }
 }
 
 impl Walk<'_> {

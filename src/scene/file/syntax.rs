@@ -35,7 +35,7 @@ impl<'t> Reader<'t> {
     /// The next byte that is no white space, not taken.
     pub fn peek(&mut self) -> Option<u8> {
         let rest = &self.text.as_bytes()[self.at..];
-        let blank = rest.iter().take_while(|byte| b" \t\n\r".contains(byte)).count();
+        let blank = rest.iter().position(|byte| !matches!(byte, b' ' | b'\t' | b'\n' | b'\r')).unwrap_or(rest.len());
         self.at += blank;
         rest.get(blank).copied()
     }
@@ -271,7 +271,10 @@ fn hint(rest: &str, word: &str) -> Option<String> {
 /// The letters and digits at the beginning, with what numbers have.
 fn word_at(text: &str) -> &str {
     let is_in_word = |character: char| character.is_alphanumeric() || matches!(character, '-' | '+' | '.' | '_');
-    &text[..text.len() - text.trim_start_matches(is_in_word).len()]
+    // Nearly every word is of ASCII.
+    let is_ascii = |byte: &u8| byte.is_ascii() && is_in_word(char::from(*byte));
+    let ascii = text.as_bytes().iter().take_while(|byte| is_ascii(byte)).count();
+    &text[..text.len() - text[ascii..].trim_start_matches(is_in_word).len()]
 }
 
 /// Whether a word is a number (RFC 8259, section 6).

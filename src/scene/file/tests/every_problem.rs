@@ -134,3 +134,27 @@ fn no_more_than_twenty_are_shown_and_the_rest_is_counted() {
     assert_eq!(found.len(), 20);
     assert!(error_of(scene_of(&objects).as_bytes()).to_string().ends_with("and 40 more problems, not shown"));
 }
+
+/// The walk copies what the reader accepted before it stopped, which must not hide a mistake.
+#[test]
+fn a_mistake_is_found_wherever_it_is_in_a_list() {
+    let good = r#"{"point": {"position": [9, 12, 16]}}"#;
+    let wrong = [
+        (r#"{"color": [1, 1, 1]}"#, ": expected exactly one of"),
+        (r#"{"pont": {"position": [9, 12, 16]}}"#, ".pont: unknown key `pont`"),
+        (r#"{"point": {"position": [9, 12]}}"#, ".point.position: expected an array of 3 elements"),
+        (r#"{"point": {"position": [9, 12, "16"]}}"#, ".point.position[2]: expected a number"),
+        (r#"{"point": {"position": [9, 12, 16]}, "samples": 4}"#, ".samples: `samples` is for"),
+        ("5", ": expected an object, found 5"),
+        ("[9]", ": expected an object, found an array"),
+    ];
+    for (wrong, message) in wrong {
+        for (at, separator) in (0..4).flat_map(|at| [(at, ","), (at, " ,\n  ")]) {
+            let mut lights = [good; 4];
+            lights[at] = wrong;
+            let lights = format!("\"lights\": [{}], \"objects\"", lights.join(separator));
+            let text = scene_of("").replacen("\"objects\"", &lights, 1);
+            finds(&text, &[&format!("lights[{at}]{message}")]);
+        }
+    }
+}
