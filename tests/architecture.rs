@@ -28,12 +28,14 @@ const NARROW: &[(&str, &[&str])] = &[
     ("report", &["report", "log", "probe", "files/escape"]),
     // The viewer shows a log and an image that it is handed; it computes no geometry.
     ("tui", &["tui", "log", "report", "files/escape", "files/suggest"]),
+    // The state of the viewer knows neither what keys do nor how it is drawn.
+    ("tui/model", &["tui/model", "tui/text", "tui/theme", "log", "report", "files/suggest"]),
     // The scene file is the numbers and words as they are written, whatever becomes of them. Those of a mesh file are the mesh.
     ("scene/file", &["scene/file", "geometry/mesh", "geometry/shape/SphereMethod", "files"]),
 ];
 
-/// Where files still import each other: each state of the viewer knows the model, which holds all of them.
-const KNOTS: &[&str] = &["log/file/", "log/", "tui/"];
+/// Where files still import each other.
+const KNOTS: &[&str] = &["log/file/", "log/"];
 
 /// Where input and output happen.
 const DOORS: &[&str] = &[
@@ -49,7 +51,7 @@ const DOORS: &[&str] = &[
 
 /// Files of the viewer with texts of their own: the comparison of two logs, which is in English throughout, pictures in SVG, and
 /// what `Debug` writes.
-const OWN_PROSE: &[&str] = &["tui/beside/view.rs", "tui/screenshot.rs", "tui/picture.rs", "tui/drawing.rs"];
+const OWN_PROSE: &[&str] = &["tui/beside/view.rs", "tui/screenshot.rs", "tui/model/picture.rs", "tui/model/drawing.rs"];
 
 /// What input and output look like. Its error type may be used everywhere.
 const INPUT_AND_OUTPUT: &[&str] = &[
