@@ -9,7 +9,7 @@ use raywalk::log::file::{read_from, to_ndjson};
 use raywalk::record::{self, Arithmetic};
 use raywalk::report::Style;
 use raywalk::scene::{Sampling, Scene, build, builtin, file};
-use raywalk::tui::{Model, Options, Palette, Theme, frame, keys, opened, update};
+use raywalk::tui::{Model, Options, Palette, Theme, frame, keys, opened, show_log, update};
 use std::fs::File;
 use std::io;
 use std::path::Path;
@@ -66,7 +66,7 @@ fn main() -> io::Result<()> {
         let pixels = (1..8).flat_map(|row| (1..8).map(move |column| [column * width / 8, row * height / 8]));
         let times = pixels.map(|pixel| {
             let start = Instant::now();
-            model.show(record::pixel(&scene, pixel, Arithmetic::F64));
+            show_log(&mut model, record::pixel(&scene, pixel, Arithmetic::F64));
             let shown = frame(&model, SCREEN.0, SCREEN.1, &options().theme);
             assert_eq!(shown.area.width, SCREEN.0);
             start.elapsed()

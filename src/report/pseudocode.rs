@@ -4,9 +4,9 @@
 //! has one code path for all three runs them in its own order only where that can't be told from the log: it asks for the depth
 //! before a bounce instead of after it.
 
-mod place;
+mod stage;
 
-pub use place::{Stage, place};
+pub use stage::{Stage, stage};
 
 use super::language::Language;
 use crate::log::{Header, Log, RayKind, Step, Tree};
@@ -21,7 +21,7 @@ pub struct Line {
     /// What it says in English and in Spanish, there in the source text's own words as far as it has them.
     texts: [&'static str; 2],
     /// The steps that belong to it.
-    pub places: &'static [Stage],
+    pub stages: &'static [Stage],
 }
 
 impl Line {
@@ -31,8 +31,8 @@ impl Line {
     }
 }
 
-const fn line(indent: u8, english: &'static str, spanish: &'static str, places: &'static [Stage]) -> Line {
-    Line { indent, texts: [english, spanish], places }
+const fn line(indent: u8, english: &'static str, spanish: &'static str, stages: &'static [Stage]) -> Line {
+    Line { indent, texts: [english, spanish], stages }
 }
 
 /// The first pseudocode.
@@ -173,15 +173,15 @@ pub fn lines(header: &Header) -> &'static [Line] {
     }
 }
 
-/// The line of a place.
-pub fn line_of(header: &Header, place: Stage) -> usize {
-    // Every place has a line in every algorithm; a test says so.
-    lines(header).iter().position(|line| line.places.contains(&place)).unwrap_or(0)
+/// The line of a stage.
+pub fn line_of(header: &Header, stage: Stage) -> usize {
+    // Every stage has a line in every algorithm; a test says so.
+    lines(header).iter().position(|line| line.stages.contains(&stage)).unwrap_or(0)
 }
 
 /// The line that an event belongs to.
 pub fn current_line(log: &Log, tree: &Tree, event: usize) -> usize {
-    line_of(&log.header, place(log, tree, event))
+    line_of(&log.header, stage(log, tree, event))
 }
 
 /// A call of the tracer that isn't over: a ray on the way from the eye.
@@ -222,7 +222,7 @@ pub fn stack(language: Language, log: &Log, tree: &Tree, event: usize) -> Vec<Ca
     for (node, kind, depth) in calls {
         let line = match inner {
             None => current_line(log, tree, event),
-            Some(inner) => line_of(&log.header, place::of_call(inner)),
+            Some(inner) => line_of(&log.header, stage::of_call(inner)),
         };
         let path = tree.shown_path(node);
         let text = match kind {
@@ -241,11 +241,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_place_has_one_line_in_every_algorithm() {
+    fn every_stage_has_one_line_in_every_algorithm() {
         for lines in [RECURSIVE, &WHITTED, &FOLEY] {
-            for place in Stage::ALL {
-                let count = lines.iter().filter(|line| line.places.contains(place)).count();
-                assert_eq!(count, 1, "{place:?} in {}", lines[0].text(Language::English));
+            for stage in Stage::ALL {
+                let count = lines.iter().filter(|line| line.stages.contains(stage)).count();
+                assert_eq!(count, 1, "{stage:?} in {}", lines[0].text(Language::English));
             }
         }
     }

@@ -6,11 +6,11 @@
 mod view;
 
 use super::Theme;
+use super::effect::{Effect, Exit};
 use super::keys::{self, Action};
 use super::list;
 use super::model::Pending;
 use super::terminal::{Asker, Input, Terminal};
-use super::update::{Effect, Exit};
 use crate::report::diff::Rows;
 use crate::report::language::Language;
 use crossterm::event::KeyEvent;

@@ -1,11 +1,11 @@
 //! Bookmarks: places that outlive the tracing of another pixel. In words a place is an address: the path of its node, and the quantity or
 //! decision.
 
-use super::breakpoints::kind;
-use super::describe;
-use super::guide;
-use super::list::Entry;
+use super::jumps;
 use super::model::Model;
+use super::model::breakpoint::kind;
+use super::model::guide::Bookmark;
+use super::model::list::Entry;
 use super::theme::Role;
 use crate::log::tree::Place;
 use crate::log::{Log, Tree, What};
@@ -26,17 +26,6 @@ fn word(what: &What) -> &'static str {
     }
 }
 
-/// A place to come back to.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Bookmark {
-    /// The letter that it is called by.
-    pub letter: char,
-    place: Place,
-    address: String,
-    /// Where it is in this log, if it is there.
-    event: Option<usize>,
-}
-
 /// Sets a bookmark at the current step.
 pub(super) fn set(model: &mut Model, letter: char) {
     if model.log.events.is_empty() {
@@ -44,7 +33,7 @@ pub(super) fn set(model: &mut Model, letter: char) {
     }
     let (place, address) =
         (Place::of(&model.log, &model.tree, model.event), address(&model.log, &model.tree, model.event));
-    let text = if model.hides_name(model.event) { describe::event(model, model.event) } else { address.clone() };
+    let text = if model.hides_name(model.event) { model.describe(model.event) } else { address.clone() };
     model.say(&(model.texts().messages.bookmark)(letter, &text));
     let bookmarks = &mut model.guide.bookmarks;
     bookmarks.retain(|known| known.letter != letter);
@@ -58,7 +47,7 @@ pub(super) fn go(model: &mut Model, letter: char) {
         None => model.say(&(model.texts().messages.no_bookmark)(letter)),
         Some(Bookmark { event: Some(event), .. }) => {
             let event = *event;
-            guide::jump(model, event);
+            jumps::to_event(model, event);
         }
         Some(bookmark) => {
             let text = (model.texts().messages.bookmark_elsewhere)(letter, &bookmark.address);
@@ -80,8 +69,8 @@ pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |bookmark: &Bookmark| {
         let text = format!("{}\t{}", bookmark.letter, bookmark.address);
         let place = |event: usize| match model.pixel_of(event) {
-            Some(pixel) => (lists.in_pixel)(pixel, &describe::event(model, event)),
-            None => describe::event(model, event),
+            Some(pixel) => (lists.in_pixel)(pixel, &model.describe(event)),
+            None => model.describe(event),
         };
         match bookmark.event {
             Some(event) if model.hides_name(event) => {

@@ -1,44 +1,11 @@
-//! Where to stop: a kind of event, an object, a light, a depth, or a condition on a quantity.
+//! Setting and deleting breakpoints, and their list.
 
-mod condition;
-pub mod kind;
-mod parse;
-#[cfg(test)]
-mod tests;
-
-pub use condition::Condition;
-pub use parse::{parse, words};
-
-use super::list::Entry;
+use super::model::breakpoint::{Breakpoint, Condition, kind, parse};
+use super::model::list::Entry;
 use super::model::{Model, Overlay};
 use super::run;
 use super::theme::Role;
 use crate::log::What;
-
-/// A place to stop.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Breakpoint {
-    /// What must be so.
-    pub condition: Condition,
-    /// How it was typed.
-    pub text: String,
-    /// Whether one stops there.
-    pub is_on: bool,
-}
-
-impl Breakpoint {
-    /// Whether it stops at an event. In a quiz it doesn't where that would tell what is hidden.
-    pub fn stops_at(&self, model: &Model, event: usize) -> bool {
-        let found = &model.log.events[event];
-        let tells = || model.hides(event) && self.condition.tells(&found.what);
-        self.condition.holds(found, model.numbers) && !tells()
-    }
-
-    /// Whether a quiz may keep it from stopping somewhere, whatever the log holds.
-    pub fn is_hidden_in(&self, model: &Model) -> bool {
-        model.understanding.quiz.is_some() && self.condition.may_tell()
-    }
-}
 
 /// Sets the breakpoint that a text asks for, or says what is wrong with it.
 pub(super) fn add(model: &mut Model, text: &str) -> Result<(), String> {
@@ -115,8 +82,8 @@ pub(super) fn delete(model: &mut Model, selected: usize) {
 /// Goes to the next place of the breakpoint in this row of the list, whether it is on or off.
 pub(super) fn go_to_next(model: &mut Model, selected: usize) {
     let Some(breakpoint) = model.guide.breakpoints.get(selected) else { return };
-    let holds = |event: &usize| breakpoint.stops_at(model, *event);
-    let (text, is_hidden) = (breakpoint.text.clone(), breakpoint.is_hidden_in(model));
+    let holds = |event: &usize| run::stops_at(model, breakpoint, *event);
+    let (text, is_hidden) = (breakpoint.text.clone(), run::is_hidden(model, breakpoint));
     // Beyond the end it goes on at the beginning.
     let (count, here) = (model.log.events.len(), model.event);
     match (here + 1..count).chain(0..count.min(here + 1)).find(holds) {

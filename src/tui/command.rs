@@ -1,17 +1,18 @@
 //! The command line: what is typed behind `:`.
 
-use super::guide::{self, Walk};
-use super::jumps;
-use super::keys::Action;
-use super::model::Model;
-use super::prompt::{Done, Purpose};
-use super::update::{Effect, Exit, update};
-use super::{bookmarks, breakpoints, search};
+use super::effect::{Effect, Exit};
+use super::keys::Walk;
+use super::model::prompt::Purpose;
+use super::model::{Model, breakpoint};
+use super::{bookmarks, breakpoints, jumps, search, walk};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
 use crate::report::language::Language;
 use crate::report::language::viewer::Commands;
 use crate::report::words::plain;
+
+/// What a finished line asks for, or what is wrong with it.
+pub(super) type Done = Result<Effect, String>;
 
 /// A command.
 struct Command {
@@ -48,19 +49,19 @@ impl Argument {
 /// Every command; a beginning that only one of them has stands for it.
 const COMMANDS: &[Command] = &[
     Command { name: "bookmark", argument: Argument::Letter, run: bookmark },
-    Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Marks) },
+    Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| go(model, Walk::Marks) },
     Command { name: "break", argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
-    Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Breakpoints) },
+    Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| go(model, Walk::Breakpoints) },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
-    Command { name: "grow", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Grow) },
-    Command { name: "help", argument: Argument::Nothing, run: help },
+    Command { name: "grow", argument: Argument::Nothing, run: |model, _| go(model, Walk::Grow) },
+    Command { name: "help", argument: Argument::Nothing, run: |model, _| Ok(walk::open_help(model)) },
     Command { name: LANG, argument: Argument::Language, run: language },
-    Command { name: "mouse", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Mouse) },
+    Command { name: "mouse", argument: Argument::Nothing, run: |model, _| go(model, Walk::Mouse) },
     Command { name: "pixel", argument: Argument::Pixel, run: pixel },
-    Command { name: "play", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Play) },
+    Command { name: "play", argument: Argument::Nothing, run: |model, _| go(model, Walk::Play) },
     Command { name: "quit", argument: Argument::Nothing, run: |_, _| Ok(Effect::Leave(Exit::Quit)) },
     Command { name: "search", argument: Argument::Text, run: |model, text| plainly(search::begin(model, text)) },
-    Command { name: "stops", argument: Argument::Nothing, run: |model, _| walk(model, Walk::Stops) },
+    Command { name: "stops", argument: Argument::Nothing, run: |model, _| go(model, Walk::Stops) },
 ];
 
 /// The command for the language.
@@ -121,13 +122,8 @@ fn plainly(done: Result<(), String>) -> Done {
     done.map(|()| Effect::None)
 }
 
-fn walk(model: &mut Model, walk: Walk) -> Done {
-    Ok(update(model, Action::Walk(walk)))
-}
-
-fn help(model: &mut Model, _: &str) -> Done {
-    guide::open_help(model);
-    Ok(Effect::None)
+fn go(model: &mut Model, walk: Walk) -> Done {
+    Ok(walk::update(model, walk, None))
 }
 
 /// Goes to a step, or to the one at that end of the log beyond which the number lies.
@@ -139,7 +135,7 @@ fn step(model: &mut Model, number: f64) -> Done {
     }
     // Negative and huge numbers become the nearest that there are.
     let step = number as usize;
-    guide::jump(model, step.saturating_sub(1));
+    jumps::to_event(model, step.saturating_sub(1));
     if step == 0 || step > count {
         model.say(&what_there_is);
     }
@@ -150,7 +146,9 @@ fn step(model: &mut Model, number: f64) -> Done {
 fn language(model: &mut Model, code: &str) -> Done {
     match Language::ALL.into_iter().find(|language| language.code() == code) {
         Some(language) => {
-            model.speak(language);
+            model.language = language;
+            // What is searched for is looked for in its words and numbers.
+            search::renew(model);
             model.say(model.texts().messages.language);
             Ok(Effect::None)
         }
@@ -180,7 +178,7 @@ fn pixel(model: &mut Model, text: &str) -> Done {
         None => (model.pixel() == Some([x, y])).then_some(0),
     };
     if let Some(event) = begins_at {
-        guide::jump(model, event);
+        jumps::to_event(model, event);
         return Ok(Effect::None);
     }
     if let Subject::Region([left, top, right, bottom]) = model.log.header.subject {
@@ -201,7 +199,7 @@ fn pixel(model: &mut Model, text: &str) -> Done {
 /// How the typed text may go on, if something can go on there.
 pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<String> {
     let of_break = |before: &str, text: &str| -> Vec<String> {
-        let words = breakpoints::words(&model.log).into_iter().filter(|word| word.starts_with(text));
+        let words = breakpoint::words(&model.log).into_iter().filter(|word| word.starts_with(text));
         words.map(|word| format!("{before}{word}")).collect()
     };
     match (purpose, text.strip_prefix("break ")) {

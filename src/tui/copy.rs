@@ -1,9 +1,8 @@
 //! What is copied: a value with all its digits, or an address.
 
 use super::bookmarks::address;
-use super::describe;
+use super::effect::Effect;
 use super::model::Model;
-use super::update::Effect;
 use crate::log::{Value, What};
 use crate::report::words::plain;
 
@@ -21,7 +20,7 @@ pub(super) fn value(model: &mut Model) -> Effect {
         What::Enter { .. } | What::Leave => of_node().map_or(&event.what, |event| &model.log.events[event].what),
         what => what,
     };
-    let text = what.value().map_or_else(|| describe::event(model, model.event), |value| in_full(&value));
+    let text = what.value().map_or_else(|| model.describe(model.event), |value| in_full(&value));
     copied(model, text)
 }
 

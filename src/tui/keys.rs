@@ -6,9 +6,9 @@ mod script;
 mod walk;
 
 pub use script::{Typed, script, sequence, unknown_name};
+pub use walk::Walk;
 
-use super::guide::Walk;
-use super::list;
+use super::model::list::Kind;
 use super::model::{Model, Overlay, Pending};
 use crate::report::language::viewer::{Groups, Keys};
 use Action::*;
@@ -169,7 +169,7 @@ pub fn meant(model: &Model, key: KeyEvent) -> Option<Action> {
 
 /// What a key does only in a list.
 fn in_list(model: &Model, key: KeyEvent) -> Option<Action> {
-    let is_list = matches!(model.overlay, Some(Overlay::List { kind: list::Kind::Breakpoints, .. }));
+    let is_list = matches!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, .. }));
     let is_delete = key.code == KeyCode::Char('d') && key.modifiers.is_empty() && key.kind != KeyEventKind::Release;
     (is_list && is_delete).then_some(Walk(Walk::Delete))
 }

@@ -1,9 +1,17 @@
-//! What the viewer can ask of a scene that is traced while one looks. A saved log has nobody to ask.
+//! What the viewer can ask of a scene that is traced while one looks, and how it shows the answers. A saved log has nobody to ask.
 
-use super::drawing::Drawing;
-use super::picture::Image;
-use crate::log::{Log, Subject};
+use super::effect::Effect;
+use super::model::Model;
+use super::model::drawing::Drawing;
+use super::model::facts::Facts;
+use super::model::fold::Fold;
+use super::model::list::Kind;
+use super::model::picture::{Image, PictureView};
+use super::{bookmarks, jumps, search, understanding};
+use crate::log::tree::Place;
+use crate::log::{Log, Subject, Tree};
 use crate::report::language::Language;
+use std::mem;
 use std::sync::Arc;
 
 /// Traces the scene that the viewer shows.
@@ -56,4 +64,65 @@ impl Refusal {
             Refusal::Other(why) => why.clone(),
         }
     }
+}
+
+/// Has somebody do what is left to do outside the model, as far as it concerns the scene.
+pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut dyn Live>) {
+    let asked = match (effect, live) {
+        (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_), _) => return,
+        (_, None) => Err(Refusal::NoScene),
+        (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| show_log(model, log)),
+        (Effect::Revisit(pixel, spot), Some(live)) => live.trace(pixel).map(|log| {
+            show_log(model, log);
+            jumps::arrive(model, &spot);
+        }),
+        (Effect::Compare, Some(live)) => live.compare(model.log.header.subject).map(|logs| {
+            model.others = logs;
+            understanding::open(model, Kind::Arithmetics);
+        }),
+    };
+    if let Err(why) = asked {
+        model.say(&why.text(model.language));
+    }
+}
+
+/// Looks whether there is more of the picture; `whole` waits for all of it.
+pub(super) fn look(model: &mut Model, live: &mut Option<&mut dyn Live>, whole: bool) {
+    let Some(image) = live.as_mut().and_then(|live| live.picture(whole)) else { return };
+    if let (None, Some(live)) = (&model.drawing, live) {
+        model.drawing = live.drawing();
+    }
+    match &mut model.picture {
+        Some(view) => view.show(image),
+        None => {
+            let middle = image.size.map(|side| side / 2);
+            model.picture = Some(PictureView::new(image, model.pixel().unwrap_or(middle)));
+        }
+    }
+}
+
+/// Shows another log of the same scene, at the same place as far as the trees agree.
+pub fn show_log(model: &mut Model, log: Log) {
+    let place = Place::of(&model.log, &model.tree, model.event);
+    model.tree = Tree::of(&log.events);
+    model.facts = Facts::of(&log, &model.tree);
+    let left = model.pixel();
+    model.log = log;
+    let fold = mem::replace(&mut model.fold, Fold::of(&model.tree));
+    model.guide.folds.keep(left, fold);
+    model.guide.folds.restore(model.pixel(), &mut model.fold);
+    model.others.clear();
+    // A quiz goes on; what was opened was of the other log.
+    model.understanding.listing = None;
+    let (Ok(event) | Err(event)) = place.find(&model.log, &model.tree);
+    model.go_to_event(event);
+    if let (Some(view), Subject::Pixel(pixel)) = (&mut model.picture, model.log.header.subject) {
+        view.cursor = pixel;
+    }
+    model.guide.pace.is_playing = false;
+    bookmarks::renew(model);
+    search::renew(model);
+    // The other tree may be smaller than what was scrolled past.
+    let top = model.top.min(model.tree.nodes().len() - 1);
+    model.top = model.fold.scrolled(&model.tree, top, model.cursor, model.page());
 }

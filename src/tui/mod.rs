@@ -3,28 +3,24 @@
 //! A key becomes an [`Action`] (`keys`), an action changes the [`Model`] (`update`), and the model is drawn
 //! (`view`). Of these only the loop below and `terminal` know that there is a terminal, so that all the rest is
 //! tested without one. The module knows logs and reports; it computes no geometry and needs no scene.
+//!
+//! At the bottom is the state, in `model`; the files beside this one change it, one a concern, and `update` is above them.
 
 pub mod beside;
 mod bookmarks;
 mod breakpoints;
 mod command;
 mod copy;
-mod describe;
-mod drawing;
 pub mod dump;
-mod facts;
-mod fold;
-mod guide;
-mod history;
+mod effect;
 mod jumps;
 pub mod keys;
-mod layout;
 mod list;
+mod listing;
 mod live;
 mod model;
 mod mouse;
 mod panes;
-mod picture;
 mod play;
 mod prompt;
 mod quiz;
@@ -41,26 +37,26 @@ mod tests;
 mod tests_picture;
 #[cfg(test)]
 mod tests_understanding;
-mod texts;
+mod text;
 pub mod theme;
 mod understanding;
 mod update;
 mod view;
-mod visible;
+mod walk;
 
-pub use drawing::{Drawing, PlaceOf, Projection, Wireframe};
-pub use guide::{Guide, Walk};
-pub use jumps::Spot;
-pub use keys::Action;
-pub use list::{Entry, Kind, Listing};
-pub use live::{Live, Refusal};
-pub use model::{Message, Model, Overlay, Pane, Pending};
-pub use picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
-pub use prompt::{Prompt, Purpose};
-pub use quiz::Quiz;
+pub use effect::{Effect, Exit};
+pub use keys::{Action, Walk};
+pub use live::{Live, Refusal, show_log};
+pub use model::drawing::{Drawing, PlaceOf, Projection, Wireframe};
+pub use model::guide::Guide;
+pub use model::jumps::Spot;
+pub use model::list::{Entry, Kind, Listing};
+pub use model::picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
+pub use model::prompt::{Message, Prompt, Purpose};
+pub use model::understanding::{Quiz, Understanding};
+pub use model::{Model, Overlay, Pane, Pending};
 pub use theme::{Palette, Theme};
-pub use understanding::Understanding;
-pub use update::{Effect, Exit, update};
+pub use update::update;
 
 use crate::log::{Log, Subject};
 use crate::report::Style as Numbers;
@@ -112,7 +108,7 @@ pub struct Position {
 pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::Result<Outcome> {
     let theme = options.theme;
     let mut model = opened(log, &options);
-    model.look(&mut live, false);
+    live::look(&mut model, &mut live, false);
     let mut terminal = Terminal::enter()?;
     let exit = show(&mut model, &mut terminal, &mut live, &theme).or_else(|error| terminal.left_by(error))?;
     Ok(Outcome { exit, position: position(&model), language: model.language })
@@ -177,7 +173,7 @@ pub fn opened_with_keys(
     (width, height): (u16, u16),
 ) -> Model {
     let mut model = opened(log, options);
-    model.look(&mut live, false);
+    live::look(&mut model, &mut live, false);
     update(&mut model, Action::Resize(width, height));
     for typed in keys::script(keys) {
         let key = match typed {
@@ -188,12 +184,12 @@ pub fn opened_with_keys(
         };
         if let Some(action) = keys::meant(&model, key) {
             let effect = update(&mut model, action);
-            model.answer(effect, &mut live);
+            live::answer(&mut model, effect, &mut live);
         }
     }
     search::finish(&mut model);
     if !model.layout(model.size).area(Pane::Picture).is_empty() {
-        model.look(&mut live, true);
+        live::look(&mut model, &mut live, true);
     }
     model
 }
@@ -219,7 +215,7 @@ fn react(
     match input {
         Input::Leave(exit) => return Ok(Some(exit)),
         Input::Tick => {
-            model.look(live, false);
+            live::look(model, live, false);
             search::look_on(model);
         }
         Input::Suspend => suspend(model, terminal, Asker::Signal)?,
@@ -233,7 +229,7 @@ fn react(
         Input::Mouse(event) => {
             if let Some(action) = mouse::meant(model, event) {
                 let asked = update(model, action);
-                model.answer(asked, live);
+                live::answer(model, asked, live);
             }
         }
         Input::Paste(text) => prompt::pasted(model, &text),
@@ -243,7 +239,7 @@ fn react(
                 Some(Effect::Leave(exit)) => return Ok(Some(exit)),
                 Some(Effect::Suspend) => suspend(model, terminal, Asker::Key)?,
                 Some(Effect::Copy(text)) => terminal.copy(&text)?,
-                Some(asked) => model.answer(asked, live),
+                Some(asked) => live::answer(model, asked, live),
                 None => {}
             }
         }

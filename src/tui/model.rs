@@ -1,23 +1,38 @@
 //! The state of the viewer: the log, the place in it, and what of it is shown. It draws nothing and reads no keys.
 
-use super::drawing::{Drawing, Projection};
-use super::facts::Facts;
-use super::fold::Fold;
-use super::guide::{self, Guide};
-use super::jumps;
-use super::layout::{Arrangement, Layout};
-use super::list;
-use super::live::{Live, Refusal};
-use super::picture::PictureView;
-use super::prompt::Prompt;
-use super::understanding::{self, Understanding};
-use super::update::Effect;
+pub mod breakpoint;
+pub mod drawing;
+pub mod facts;
+pub mod fold;
+pub mod guide;
+mod hidden;
+pub mod history;
+pub mod jumps;
+pub mod layout;
+pub mod list;
+pub mod picture;
+pub mod prompt;
+pub mod search;
+pub mod understanding;
+mod visible;
+mod words;
+
+pub use layout::Pane;
+
 use crate::log::tree::{Item, Place};
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
-use std::mem;
+use drawing::{Drawing, Projection};
+use facts::Facts;
+use fold::Fold;
+use guide::Guide;
+use jumps::Spot;
+use layout::{Arrangement, Layout};
+use picture::PictureView;
+use prompt::{Message, Prompt};
 use std::sync::Arc;
+use understanding::Understanding;
 
 /// Everything that the viewer knows.
 #[derive(Clone, Debug)]
@@ -74,26 +89,6 @@ pub struct Model {
     pub understanding: Understanding,
 }
 
-/// A pane, in the order of `Tab`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pane {
-    /// The picture.
-    Picture,
-    /// The ray tree.
-    Tree,
-    /// The computation of the selected node.
-    Computation,
-    /// The algorithm as the source text writes it.
-    Code,
-    /// The scene with the rays in it.
-    Schematic,
-}
-
-impl Pane {
-    /// All panes.
-    pub const ALL: [Pane; 5] = [Pane::Picture, Pane::Tree, Pane::Computation, Pane::Code, Pane::Schematic];
-}
-
 /// The beginning of a command: a count such as the `5` of `5j`, and the first of two keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pending {
@@ -120,15 +115,6 @@ pub enum Overlay {
         /// By how many columns it is scrolled to the right.
         shift: usize,
     },
-}
-
-/// Something said at the bottom.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Message {
-    /// The words.
-    pub text: String,
-    /// Whether it stays until it is dismissed; else until the next key.
-    pub is_warning: bool,
 }
 
 impl Model {
@@ -172,8 +158,18 @@ impl Model {
     pub fn go_to_event(&mut self, event: usize) {
         self.event = event.min(self.log.events.len().saturating_sub(1));
         self.cursor = self.tree.owner(self.event);
-        guide::grow(self);
+        self.grow();
         self.fold.reveal(&self.tree, self.cursor);
+    }
+
+    /// Shows the tree as far as the current event, if it grows.
+    pub fn grow(&mut self) {
+        if let Some(grown) = &mut self.guide.grown {
+            *grown = self.event;
+            // Nodes are in the order in which they begin.
+            let begun = self.tree.nodes().partition_point(|node| node.events.start <= self.event);
+            self.fold.visible.end_before(begun);
+        }
     }
 
     /// Goes to a visible node, and to its first event.
@@ -182,69 +178,15 @@ impl Model {
         self.event = self.tree.nodes()[node].events.start.min(self.log.events.len().saturating_sub(1));
     }
 
-    /// Has somebody do what is left to do outside the model, as far as it concerns the scene.
-    pub fn answer(&mut self, effect: Effect, live: &mut Option<&mut dyn Live>) {
-        let asked = match (effect, live) {
-            (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_), _) => return,
-            (_, None) => Err(Refusal::NoScene),
-            (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| self.show(log)),
-            (Effect::Revisit(pixel, spot), Some(live)) => live.trace(pixel).map(|log| {
-                self.show(log);
-                jumps::arrive(self, &spot);
-            }),
-            (Effect::Compare, Some(live)) => live.compare(self.log.header.subject).map(|logs| {
-                self.others = logs;
-                understanding::open(self, list::Kind::Arithmetics);
-            }),
-        };
-        if let Err(why) = asked {
-            self.say(&why.text(self.language));
-        }
-    }
-
-    /// Looks whether there is more of the picture; `whole` waits for all of it.
-    pub fn look(&mut self, live: &mut Option<&mut dyn Live>, whole: bool) {
-        let Some(image) = live.as_mut().and_then(|live| live.picture(whole)) else { return };
-        if let (None, Some(live)) = (&self.drawing, live) {
-            self.drawing = live.drawing();
-        }
-        match &mut self.picture {
-            Some(view) => view.show(image),
-            None => {
-                let middle = image.size.map(|side| side / 2);
-                self.picture = Some(PictureView::new(image, self.pixel().unwrap_or(middle)));
-            }
-        }
-    }
-
-    /// Shows another log of the same scene, at the same place as far as the trees agree.
-    pub fn show(&mut self, log: Log) {
-        let place = Place::of(&self.log, &self.tree, self.event);
-        self.tree = Tree::of(&log.events);
-        self.facts = Facts::of(&log, &self.tree);
-        let left = self.pixel();
-        self.log = log;
-        let fold = mem::replace(&mut self.fold, Fold::of(&self.tree));
-        self.guide.folds.keep(left, fold);
-        self.guide.folds.restore(self.pixel(), &mut self.fold);
-        self.others.clear();
-        // A quiz goes on; what was opened was of the other log.
-        self.understanding.listing = None;
-        let (Ok(event) | Err(event)) = place.find(&self.log, &self.tree);
-        self.go_to_event(event);
-        if let (Some(view), Subject::Pixel(pixel)) = (&mut self.picture, self.log.header.subject) {
-            view.cursor = pixel;
-        }
-        guide::renew(self);
-        // The other tree may be smaller than what was scrolled past.
-        let top = self.top.min(self.tree.nodes().len() - 1);
-        self.top = self.fold.scrolled(&self.tree, top, self.cursor, self.page());
-    }
-
     /// The pixel that an event is of, in the log of a region.
     pub fn pixel_of(&self, event: usize) -> Option<[u32; 2]> {
         let Subject::Region(_) = self.log.header.subject else { return None };
         self.tree.pixel_around(self.tree.owner(event))
+    }
+
+    /// An event of the log that is shown, so that one can go back to it.
+    pub fn spot(&self, event: usize) -> Spot {
+        Spot { pixel: self.pixel(), event, place: Place::of(&self.log, &self.tree, event) }
     }
 
     /// The number of the current step, from 1; 0 in a log without events.

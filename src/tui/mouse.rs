@@ -1,12 +1,10 @@
 //! The mouse: off until it is asked for, because a terminal can't select text while the viewer has it.
 
-use super::guide::Walk;
+use super::effect::Effect;
 use super::jumps;
-use super::keys::Action;
-use super::layout::Layout;
+use super::keys::{Action, Walk};
+use super::model::layout::Layout;
 use super::model::{Model, Pane};
-use super::update::{Effect, update};
-use super::view::dots_of_picture;
 use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::Position;
 
@@ -61,7 +59,7 @@ pub(super) fn click(model: &mut Model, x: u16, y: u16) -> Effect {
 /// The pixel of the picture at a place on the screen.
 fn pixel_at(model: &Model, layout: &Layout, at: Position) -> Option<[u32; 2]> {
     let view = model.picture.as_ref()?;
-    let dots = dots_of_picture(layout.area(Pane::Picture));
+    let dots = Layout::dots(layout.area(Pane::Picture));
     if !dots.contains(at) {
         return None;
     }
@@ -69,14 +67,15 @@ fn pixel_at(model: &Model, layout: &Layout, at: Position) -> Option<[u32; 2]> {
     view.pixel_under(screen, [u32::from(at.x - dots.x), 2 * u32::from(at.y - dots.y)])
 }
 
-/// Moves by rows in the pane under the mouse; zooms where it shows a picture.
-pub(super) fn wheel(model: &mut Model, rows: i16, x: u16, y: u16) -> Effect {
+/// What the wheel means in the pane under the mouse: it moves by rows, and zooms where there is a picture.
+pub(super) fn wheel(model: &mut Model, rows: i16, x: u16, y: u16) -> Action {
     focus(model, Position { x, y });
-    if matches!(model.focus, Pane::Picture | Pane::Schematic) {
-        return update(model, if rows > 0 { Action::ZoomOut } else { Action::ZoomIn });
+    match (model.focus, rows > 0) {
+        (Pane::Picture | Pane::Schematic, true) => Action::ZoomOut,
+        (Pane::Picture | Pane::Schematic, false) => Action::ZoomIn,
+        (_, true) => Action::Down,
+        (_, false) => Action::Up,
     }
-    model.pending.count = Some(u32::from(rows.unsigned_abs()));
-    update(model, if rows > 0 { Action::Down } else { Action::Up })
 }
 
 /// Lets the keys move in the pane under the mouse.

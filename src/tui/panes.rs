@@ -1,5 +1,9 @@
-//! Going from pane to pane, and how large they are.
+//! What actions mean in the picture and in the schematic alone; going from pane to pane, and how large they are.
 
+use super::effect::Effect;
+use super::keys::Action;
+use super::model::drawing::Projection;
+use super::model::picture::MOST_ZOOM;
 use super::model::{Model, Pane};
 
 /// Moves the focus to the n-th pane after the one that has it, of those on the screen.
@@ -17,3 +21,71 @@ pub(super) fn shifted(model: &Model, steps: i64) -> i16 {
     let most = i64::from(model.size.0);
     (i64::from(model.shift) + steps * STEP).clamp(-most, most).clamp(i16::MIN.into(), i16::MAX.into()) as i16
 }
+
+/// Does in the picture what an action means there; `None` if it means the same as elsewhere.
+pub(super) fn in_picture(model: &mut Model, action: Action, count: Option<u32>) -> Option<Effect> {
+    if model.focus != Pane::Picture {
+        return None;
+    }
+    let view = model.picture.as_mut()?;
+    let times = i64::from(count.unwrap_or(1));
+    match action {
+        Action::Enter => model.focus_on(Pane::Tree),
+        Action::ZoomIn => view.zoom = (view.zoom + 1).min(MOST_ZOOM),
+        Action::ZoomOut => view.zoom = view.zoom.saturating_sub(1),
+        Action::Brighter => view.expose(times),
+        Action::Darker => view.expose(-times),
+        Action::NextView => view.next_layer(),
+        _ => return move_cursor(model, action, count),
+    }
+    Some(Effect::None)
+}
+
+/// Moves the cursor by an action for it.
+fn move_cursor(model: &mut Model, action: Action, count: Option<u32>) -> Option<Effect> {
+    let (page, times) = (model.page() as i64, i64::from(count.unwrap_or(1)));
+    let view = model.picture.as_ref()?;
+    let by = match action {
+        Action::Down => [0, times],
+        Action::Up => [0, -times],
+        Action::Out => [-times, 0],
+        Action::In if count.is_none() => [1, 0],
+        Action::In => [times, 0],
+        Action::HalfPageDown | Action::PageDown => [0, page * times],
+        Action::HalfPageUp | Action::PageUp => [0, -page * times],
+        Action::First => [i64::MIN / 2, 0],
+        // With a count it is the step of this number, as everywhere.
+        Action::Last if count.is_none() => [i64::MAX / 2, 0],
+        _ => return None,
+    };
+    let moved = |at: u32, by: i64, size: u32| (i64::from(at) + by).clamp(0, i64::from(size) - 1) as u32;
+    let target = [0, 1].map(|axis| moved(view.cursor[axis], by[axis], view.image.size[axis]));
+    if target == view.cursor && model.log.header.subject == crate::log::Subject::Pixel(target) {
+        model.say(model.texts().panes.picture.ends);
+        return Some(Effect::None);
+    }
+    // The cursor goes there with the log, if there is one.
+    Some(Effect::Trace(target))
+}
+
+/// Does in the schematic what an action means there; `None` if it means the same as elsewhere.
+pub(super) fn in_schematic(model: &mut Model, action: Action) -> Option<Effect> {
+    if model.focus != Pane::Schematic {
+        return None;
+    }
+    match action {
+        Action::NextView => {
+            model.projection = model.projection.next();
+            if model.projection == Projection::Camera && model.drawing.is_none() {
+                model.projection = Projection::Top;
+            }
+        }
+        Action::ZoomIn => model.magnification = (model.magnification + 1).min(MOST_MAGNIFICATION),
+        Action::ZoomOut => model.magnification = model.magnification.saturating_sub(1),
+        _ => return None,
+    }
+    Some(Effect::None)
+}
+
+/// The most that the schematic is enlarged, in powers of two.
+const MOST_MAGNIFICATION: u32 = 10;

@@ -3,24 +3,7 @@
 use super::model::Model;
 use super::run;
 use super::steps::{self, Stop};
-use crate::report::language::viewer::Status;
 use std::time::Duration;
-
-/// Whether it plays, and how fast.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Pace {
-    /// Whether it plays.
-    pub is_playing: bool,
-    /// How often one step a second is doubled.
-    doublings: u32,
-}
-
-impl Pace {
-    /// Steps a second: 1, 2, 4, up to 32.
-    pub fn rate(self) -> u32 {
-        1 << self.doublings
-    }
-}
 
 /// The time between two steps while it plays. It waits for what lies over the panes, and for what is being typed.
 pub(super) fn interval(model: &Model) -> Option<Duration> {
@@ -37,11 +20,10 @@ pub(super) fn toggle(model: &mut Model) {
     model.guide.pace.is_playing = !model.guide.pace.is_playing;
 }
 
-/// Changes the pace, within what the eye can follow.
+/// Changes the pace.
 pub(super) fn change(model: &mut Model, to: fn(u32) -> u32) {
-    let rate = to(model.guide.pace.rate()).clamp(1, 32);
-    model.guide.pace.doublings = rate.ilog2();
-    model.say(&(model.texts().messages.rate)(rate, model.guide.pace.is_playing));
+    model.guide.pace.change(to);
+    model.say(&(model.texts().messages.rate)(model.guide.pace.rate(), model.guide.pace.is_playing));
 }
 
 /// The next step. A breakpoint on the way stops the play.
@@ -64,9 +46,4 @@ pub(super) fn tick(model: &mut Model) {
             model.say(model.texts().messages.played);
         }
     }
-}
-
-/// Said on the bottom line while it plays.
-pub(super) fn words(pace: Pace, status: &Status) -> Option<String> {
-    pace.is_playing.then(|| (status.playing)(pace.rate()))
 }

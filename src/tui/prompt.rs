@@ -1,73 +1,16 @@
 //! The line that is typed at the bottom: a search, a filter, a command, a breakpoint, an answer.
 
-use super::model::{Message, Model};
-use super::update::Effect;
+use super::command::Done;
+use super::effect::Effect;
+use super::model::Model;
+use super::model::prompt::{Prompt, Purpose};
 use super::{breakpoints, command, quiz, search};
 use crate::files::escape::escape_hidden;
-use crate::report::language::viewer::Status;
 use crate::report::words::plain;
 use crossterm::event::{Event, KeyCode, KeyEvent};
 use std::collections::HashMap;
 use tui_input::Input;
 use tui_input::backend::crossterm::EventHandler;
-
-/// A line that is being typed.
-#[derive(Clone, Debug)]
-pub struct Prompt {
-    /// What for.
-    pub purpose: Purpose,
-    /// What has been typed.
-    pub line: Input,
-    /// How many lines before this one it was brought back from; 0 where it wasn't.
-    recalled: usize,
-    /// What was at each of these places when another line was brought back; at 0 what was being typed.
-    left: HashMap<usize, String>,
-    /// How many of the latest lines before are this one, which was wrong and is being mended.
-    tried: usize,
-    /// The warning that is hidden by what is wrong with the line.
-    warning: Option<Message>,
-}
-
-/// What a finished line asks for, or what is wrong with it.
-pub type Done = Result<Effect, String>;
-
-/// What a line is typed for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Purpose {
-    /// What to look for.
-    Search,
-    /// What the rows of the tree must match.
-    Filter,
-    /// Where to stop.
-    Break,
-    /// A command.
-    Command,
-    /// What the rows of the help must contain.
-    Help,
-    /// The result of the current step, in a quiz.
-    Answer,
-}
-
-impl Purpose {
-    /// What precedes the line.
-    pub fn sign(self, status: &Status) -> &'static str {
-        match self {
-            Purpose::Search => "/",
-            Purpose::Filter => status.filter,
-            Purpose::Break => status.break_at,
-            Purpose::Command => ":",
-            Purpose::Help => status.keys_with,
-            Purpose::Answer => status.answer,
-        }
-    }
-}
-
-impl Prompt {
-    /// An empty line.
-    pub fn new(purpose: Purpose) -> Prompt {
-        Prompt { purpose, line: Input::default(), recalled: 0, left: HashMap::new(), tried: 0, warning: None }
-    }
-}
 
 /// Puts a pasted text into the line, whatever its characters would do as keys: ends of lines become blanks, and what isn't seen is shown
 /// as messages show it. Where no line is typed it does nothing.

@@ -1,64 +1,15 @@
 //! The quiz: results and decisions from the current step on are hidden, and the user's answers are judged.
 
-use super::breakpoints::kind;
 use super::model::Model;
-use super::prompt::{Prompt, Purpose};
+use super::model::breakpoint::kind;
+use super::model::prompt::{Prompt, Purpose};
+use super::model::understanding::Quiz;
 use super::search;
 use crate::log::{Decision, Value, What};
 use crate::report::answer::{self, Unreadable, Verdict};
 
-/// A quiz that is on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Quiz {
-    /// How many answers were right.
-    pub right: u32,
-    /// How many results were asked for and are known now.
-    pub asked: u32,
-    /// How often the current step was answered wrongly.
-    misses: u32,
-    /// The step that was, and its pixel.
-    missed: (Option<[u32; 2]>, usize),
-}
-
 /// The misses after which a result is shown.
 const MOST_MISSES: u32 = 2;
-
-impl Model {
-    /// Whether the quiz hides the result or the decision of an event: it is at the current step or after it and wasn't
-    /// answered yet.
-    pub fn hides(&self, event: usize) -> bool {
-        let is_asked = || {
-            let what = self.log.events.get(event).map(|event| &event.what);
-            matches!(what, Some(What::Note { .. } | What::Result { .. } | What::Mark(_)))
-        };
-        let is_answered = || {
-            let here = self.understanding.answered.get(&self.pixel());
-            here.is_some_and(|answered| answered.contains(&event))
-        };
-        self.understanding.quiz.is_some() && event >= self.event && is_asked() && !is_answered()
-    }
-
-    /// Whether what an event is called would tell what the quiz hides: a decision is called by what was decided.
-    pub fn hides_name(&self, event: usize) -> bool {
-        self.hides(event) && matches!(self.log.events[event].what, What::Mark(_))
-    }
-
-    /// The last event that may be shown, where some may not.
-    pub fn told(&self) -> Option<usize> {
-        let current = self.event.saturating_sub(usize::from(self.hides(self.event)));
-        self.understanding.quiz.map(|_| current).or(self.guide.grown)
-    }
-
-    /// Whether the quiz hides what goes into an event: it is after the current step, and its operands would tell results.
-    pub fn hides_operands(&self, event: usize) -> bool {
-        self.understanding.quiz.is_some() && event > self.event
-    }
-
-    /// What the status line says of the quiz.
-    pub fn score(&self) -> Option<String> {
-        self.understanding.quiz.map(|quiz| (self.texts().status.quiz)(quiz.right, quiz.asked))
-    }
-}
 
 /// Begins the quiz, or ends it.
 pub(super) fn toggle(model: &mut Model) {

@@ -1,24 +1,12 @@
 //! Running to the next breakpoint, and the log of where that stopped.
 
-use super::breakpoints::Breakpoint;
-use super::describe;
-use super::guide;
-use super::jumps::{self, Spot};
-use super::list::{Entry, Kind};
+use super::effect::Effect;
+use super::jumps;
+use super::model::breakpoint::Breakpoint;
+use super::model::guide::Stopped;
+use super::model::list::{Entry, Kind};
 use super::model::{Model, Overlay};
-use super::update::Effect;
 use crate::report::words::plain;
-
-/// A place where a run stopped.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Stopped {
-    /// The step.
-    pub spot: Spot,
-    /// What was there.
-    pub what: String,
-    /// The breakpoint that stopped it, as it was typed.
-    pub breakpoint: String,
-}
 
 /// The most stops that are remembered.
 const MOST: usize = 1000;
@@ -46,12 +34,24 @@ pub(super) fn run(model: &mut Model, is_forward: bool, times: usize) {
 /// Says that no breakpoint stops any more, after `done` of `times` stops.
 fn say_no_more(model: &mut Model, is_forward: bool, (done, times): (usize, usize)) {
     let texts = &model.texts().breakpoints;
-    let hides = |one: &Breakpoint| one.is_on && one.is_hidden_in(model);
+    let hides = |one: &Breakpoint| one.is_on && is_hidden(model, one);
     if done == 0 && is_forward && model.guide.breakpoints.iter().any(hides) {
         model.say(texts.hidden);
     } else {
         model.say(&(texts.no_more)(done, times, is_forward));
     }
+}
+
+/// Whether a breakpoint stops at an event. In a quiz it doesn't where that would tell what is hidden.
+pub(super) fn stops_at(model: &Model, breakpoint: &Breakpoint, event: usize) -> bool {
+    let found = &model.log.events[event];
+    let tells = || model.hides(event) && breakpoint.condition.tells(&found.what);
+    breakpoint.condition.holds(found, model.numbers) && !tells()
+}
+
+/// Whether a quiz may keep a breakpoint from stopping somewhere, whatever the log holds.
+pub(super) fn is_hidden(model: &Model, breakpoint: &Breakpoint) -> bool {
+    model.understanding.quiz.is_some() && breakpoint.condition.may_tell()
 }
 
 /// The first of these events that a breakpoint stops at, and that breakpoint.
@@ -61,17 +61,17 @@ pub(super) fn first_stop(model: &Model, mut events: impl Iterator<Item = usize>)
         return None;
     }
     events.find_map(|event| {
-        let stops = on.iter().find(|one| one.stops_at(model, event))?;
+        let stops = on.iter().find(|one| stops_at(model, one, event))?;
         Some((event, stops.text.clone()))
     })
 }
 
 /// Stops at an event, and remembers it.
 pub(super) fn stop(model: &mut Model, event: usize, breakpoint: String) {
-    guide::jump(model, event);
-    let what = describe::event(model, event);
+    jumps::to_event(model, event);
+    let what = model.describe(event);
     model.say(&(model.texts().breakpoints.stopped)(&plain(&breakpoint), &what));
-    model.guide.stops.push(Stopped { spot: Spot::of(model, event), what, breakpoint });
+    model.guide.stops.push(Stopped { spot: model.spot(event), what, breakpoint });
     let excess = model.guide.stops.len().saturating_sub(MOST);
     model.guide.stops.drain(..excess);
 }
@@ -85,11 +85,11 @@ pub(super) fn open(model: &mut Model) {
 /// The list of the stops, with the pixels of those in a region and in pixels that aren't the one that is shown.
 pub(super) fn entries(model: &Model) -> Vec<Entry> {
     let entry = |Stopped { spot, what, breakpoint }: &Stopped| {
-        let is_shown = spot.is_shown(model);
+        let is_shown = spot.pixel == model.pixel();
         let pixel = if is_shown { model.pixel_of(spot.event) } else { spot.pixel };
         let pixel = pixel.map_or(String::new(), |[x, y]| format!("{x},{y}"));
         // What a quiz hid then may be known now.
-        let what = if is_shown { describe::event(model, spot.event) } else { what.clone() };
+        let what = if is_shown { model.describe(spot.event) } else { what.clone() };
         Entry::to(spot.event, format!("{}\t{pixel}\t{}\t{what}", spot.event + 1, plain(breakpoint)))
     };
     model.guide.stops.iter().map(entry).collect()

@@ -4,144 +4,15 @@
 //! nothing else is to be done. A text is made only where one is looked into, and what was found out about each name and node
 //! is remembered. Once all is found every question is one of a sorted list.
 
-use super::guide;
+use super::jumps;
 use super::model::Model;
-use super::view::ascii;
+use super::model::search::{Pattern, Search};
+use super::text::ascii;
 use crate::log::{Log, Name, Step, Tree, Value, What};
 use crate::report::language::Language;
-use crate::report::language::viewer::Status;
 use crate::report::number::RAISED;
 use crate::report::{Style, words};
 use std::collections::HashMap;
-
-/// A text to look for. Capitals count if it has any.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Pattern {
-    text: String,
-    is_exact: bool,
-}
-
-impl Pattern {
-    /// The pattern of a typed text.
-    pub fn of(text: &str) -> Pattern {
-        Pattern { text: text.to_owned(), is_exact: text.chars().any(char::is_uppercase) }
-    }
-
-    /// Whether a text contains it.
-    pub fn is_in(&self, text: &str) -> bool {
-        if self.is_exact { text.contains(&self.text) } else { text.to_lowercase().contains(&self.text) }
-    }
-
-    /// Where it begins and ends among the letters of a text, which are given one by one.
-    pub fn places(&self, letters: &[&str]) -> Vec<std::ops::Range<usize>> {
-        let mut text = String::new();
-        let mut begins = Vec::with_capacity(letters.len());
-        for letter in letters {
-            begins.push(text.len());
-            text += &if self.is_exact { (*letter).to_owned() } else { letter.to_lowercase() };
-        }
-        let letter = |at: usize| begins.partition_point(|begin| *begin < at);
-        let found = text.match_indices(&self.text).filter(|(_, part)| !part.is_empty());
-        found.map(|(at, part)| letter(at)..letter(at + part.len())).collect()
-    }
-
-    /// Whether it has only such characters.
-    fn is_made_of(&self, characters: &str) -> bool {
-        self.text.chars().all(|c| characters.contains(c))
-    }
-}
-
-/// A search and what it has found.
-#[derive(Clone, Debug)]
-pub struct Search {
-    /// What is looked for.
-    pub pattern: Pattern,
-    /// The event that it began with.
-    start: usize,
-    /// How many events it has looked at, from the first on and around the end.
-    looked_at: usize,
-    /// How many there are.
-    count: usize,
-    /// The events that match, in the order in which they were looked at; once it has looked at all, in theirs.
-    found: Vec<u32>,
-}
-
-impl Search {
-    /// A search that begins after the current step and hasn't looked at anything.
-    fn new(model: &Model, text: &str) -> Search {
-        let count = model.log.events.len();
-        Search {
-            pattern: Pattern::of(text),
-            start: (model.event + 1) % count.max(1),
-            looked_at: 0,
-            count,
-            found: Vec::new(),
-        }
-    }
-
-    /// Searches a whole log.
-    pub fn of(model: &Model, text: &str) -> Search {
-        let mut search = Search::new(model, text);
-        search.look(model, usize::MAX);
-        search
-    }
-
-    /// Searches this many more events.
-    fn look(&mut self, model: &Model, most: usize) {
-        let mut matcher = Matcher::new(model, &self.pattern);
-        // A search for values or decisions would find out what a quiz hides.
-        matcher.in_quiz = model.understanding.quiz.is_some().then_some(model);
-        let until = self.looked_at.saturating_add(most).min(self.count);
-        let events = (self.looked_at..until).map(|number| (self.start + number) % self.count);
-        self.found.extend(events.filter(|event| matcher.matches(*event)).map(|event| event as u32));
-        self.looked_at = until;
-        if self.is_complete() {
-            self.found.sort_unstable();
-        }
-    }
-
-    /// Whether it has looked at every event.
-    pub fn is_complete(&self) -> bool {
-        self.looked_at == self.count
-    }
-
-    /// Which of how many matches an event is, such as `match 3/17`.
-    pub fn place(&self, event: usize, status: &Status) -> String {
-        if !self.is_complete() {
-            return status.counting.to_owned();
-        }
-        let count = self.found.len().to_string();
-        let number = self.found.binary_search(&(event as u32)).map_or("-".to_owned(), |index| (index + 1).to_string());
-        (status.matches)(&number, &count)
-    }
-
-    /// The next match after an event, as far as that is known before all events were looked at.
-    fn next_known(&self, event: usize) -> Option<usize> {
-        let number = |event: usize| (event + self.count - self.start) % self.count;
-        let from = number(event + 1);
-        let index = self.found.partition_point(|found| number(*found as usize) < from);
-        let found = self.found.get(index).filter(|_| from <= self.looked_at)?;
-        Some(*found as usize)
-    }
-
-    /// The n-th match after an event, or before it, of a complete search; and whether that went around the end.
-    pub fn next(&self, event: usize, is_forward: bool, times: usize) -> Option<(usize, bool)> {
-        let count = self.found.len();
-        let event = event as u32;
-        let times = times.max(1) - 1;
-        let index = if is_forward {
-            self.found.partition_point(|found| *found <= event).saturating_add(times)
-        } else {
-            let before = self.found.partition_point(|found| *found < event);
-            // Counted from the end, so that it can't run below zero.
-            let from_end = (count - before).saturating_add(times);
-            let found = *self.found.get(count.checked_sub(1)? - from_end % count)?;
-            return Some((found as usize, from_end >= count));
-        };
-        let found = *self.found.get(index.checked_rem(count)?)?;
-        Some((found as usize, index >= count))
-    }
-}
 
 /// Tells which events match, and remembers what it was asked before.
 struct Matcher<'a> {
@@ -152,7 +23,7 @@ struct Matcher<'a> {
     pattern: &'a Pattern,
     names: HashMap<Name, bool>,
     steps: HashMap<Step, bool>,
-    /// What tells which events are hidden, if some are.
+    /// What tells which events are hidden: a search for values or decisions would find out what a quiz hides.
     in_quiz: Option<&'a Model>,
     could_be_number: bool,
     could_be_path: bool,
@@ -168,7 +39,7 @@ impl Matcher<'_> {
             pattern,
             names: HashMap::new(),
             steps: HashMap::new(),
-            in_quiz: None,
+            in_quiz: model.understanding.quiz.is_some().then_some(model),
             could_be_number: pattern.is_made_of(&format!("0123456789.-·{RAISED}(),; naNif")),
             could_be_path: pattern.is_made_of("CRTScrts0123456789. ay"),
         }
@@ -240,11 +111,23 @@ pub(super) fn begin(model: &mut Model, text: &str) -> Result<(), String> {
 
 /// A search that has looked until it found something, or at everything.
 fn begun(model: &Model, text: &str) -> Search {
-    let mut search = Search::new(model, text);
+    let mut search = new(model, text);
     while search.found.is_empty() && !search.is_complete() {
-        search.look(model, SLICE);
+        look(model, &mut search, SLICE);
     }
     search
+}
+
+/// A search that begins after the current step and hasn't looked at anything.
+fn new(model: &Model, text: &str) -> Search {
+    Search::new(text, model.event, model.log.events.len())
+}
+
+/// Searches this many more events.
+fn look(model: &Model, search: &mut Search, most: usize) {
+    let pattern = search.pattern.clone();
+    let mut matcher = Matcher::new(model, &pattern);
+    search.look(most, |event| matcher.matches(event));
 }
 
 fn not_found(model: &Model, text: &str) -> String {
@@ -266,7 +149,7 @@ pub(super) fn finish(model: &mut Model) {
 
 fn look_at(model: &mut Model, most: usize) {
     if let Some(mut search) = model.guide.search.take_if(|search| !search.is_complete()) {
-        search.look(model, most);
+        look(model, &mut search, most);
         model.guide.search = Some(search);
     }
 }
@@ -309,7 +192,7 @@ fn go_on(model: &mut Model, is_forward: bool, times: usize) {
             model.say(&text);
         }
         Some((event, goes_around)) => {
-            guide::jump(model, event);
+            jumps::to_event(model, event);
             if goes_around {
                 let messages = &model.texts().messages;
                 model.say(if is_forward { messages.from_the_beginning } else { messages.from_the_end });
@@ -324,7 +207,8 @@ pub(super) fn filter(model: &mut Model, text: &str) -> Result<(), String> {
         show_all(model);
         return Ok(());
     }
-    let search = Search::of(model, text);
+    let mut search = new(model, text);
+    look(model, &mut search, usize::MAX);
     if search.found.is_empty() {
         return Err((model.texts().messages.no_row)(&words::plain(text)));
     }
@@ -348,7 +232,7 @@ pub(super) fn show_all(model: &mut Model) {
 /// Searches and filters another log in the same way.
 pub(super) fn renew(model: &mut Model) {
     let search = model.guide.search.take();
-    model.guide.search = search.map(|search| Search::new(model, &search.pattern.text));
+    model.guide.search = search.map(|search| new(model, &search.pattern.text));
     look_on(model);
     if let Some(text) = model.guide.filter.take()
         && let Err(why) = filter(model, &text)

@@ -1,6 +1,5 @@
 //! Where stepping goes: the next and the previous event of a kind; into, over and out of nodes.
 
-use super::model::Model;
 use crate::log::{self, Event, Tree, What};
 use crate::report::language::viewer::Messages;
 use std::ops::Range;
@@ -78,7 +77,7 @@ impl Step {
     }
 
     /// What is said where it leads nowhere.
-    fn end(self, messages: &Messages) -> &'static str {
+    pub fn end(self, messages: &Messages) -> &'static str {
         match self {
             Step::Into | Step::IntoBack => messages.no_steps,
             Step::Over | Step::OverBack => messages.no_step_over,
@@ -115,15 +114,6 @@ fn own_before(tree: &Tree, mut node: usize, mut before: usize) -> Option<usize> 
         }
         before = tree.nodes()[node].events.start;
         node = tree.nodes()[node].parent;
-    }
-}
-
-/// Steps so often, or as far as that goes.
-pub(super) fn go(model: &mut Model, step: Step, times: usize) {
-    let way = std::iter::successors(Some(model.event), |event| step.from(&model.tree, *event));
-    match way.skip(1).take(times).last() {
-        Some(event) => model.go_to_event(event),
-        None => model.say(step.end(&model.texts().messages)),
     }
 }
 

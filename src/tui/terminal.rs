@@ -3,7 +3,7 @@
 //! Only this file of the module does input and output. Whatever ends the viewer (a key, an error, a panic, a signal, a
 //! terminal that is gone), the terminal gets back its screen, its cursor and its modes.
 
-use super::update::Exit;
+use super::effect::Exit;
 use crossterm::clipboard::CopyToClipboard;
 use crossterm::cursor::{Hide, Show};
 use crossterm::event::{

@@ -1,7 +1,7 @@
 //! The picture and the schematic without a terminal: a scene that somebody else traces.
 
 use super::dump::dump;
-use super::list::listing;
+use super::listing::listing;
 use super::testing::{empty, glass, nested, sized, textbook, typed};
 use super::*;
 use crate::log::{Log, Subject};
@@ -64,12 +64,12 @@ fn after(keys: &str, size: (u16, u16)) -> (Model, Vec<[u32; 2]>) {
     let mut model = sized(of_pixel(glass(), [3, 2]), size.0, size.1);
     {
         let mut live: Option<&mut dyn Live> = Some(&mut fake);
-        model.look(&mut live, false);
+        live::look(&mut model, &mut live, false);
         model.focus_on(Pane::Picture);
         for key in sequence(keys) {
             if let Some(action) = super::keys::meant(&model, key) {
                 let effect = update(&mut model, action);
-                model.answer(effect, &mut live);
+                live::answer(&mut model, effect, &mut live);
             }
         }
     }
@@ -117,9 +117,9 @@ fn the_selection_stays_where_the_trees_agree() {
     let (mut model, _) = after("", (100, 30));
     model.go_to_event(40);
     let (event, cursor) = (model.event, model.cursor);
-    model.show(of_pixel(glass(), [1, 1]));
+    live::show_log(&mut model, of_pixel(glass(), [1, 1]));
     assert_eq!((model.event, model.cursor), (event, cursor));
-    model.show(textbook());
+    live::show_log(&mut model, textbook());
     assert!(model.event < model.log.events.len());
 }
 
@@ -165,8 +165,8 @@ fn what_was_closed_stays_closed_when_one_comes_back() {
 #[test]
 fn a_step_that_is_gone_is_come_back_to_nearby() {
     let (mut model, _) = after("<Tab> $ 0", (100, 30));
-    let spot = Spot::of(&model, glass().events.len() / 2);
-    model.show(of_pixel(textbook(), [3, 2]));
+    let spot = model.spot(glass().events.len() / 2);
+    live::show_log(&mut model, of_pixel(textbook(), [3, 2]));
     assert_eq!(super::jumps::go(&mut model, spot), Effect::None);
     assert!(model.message.is_some_and(|message| message.text.contains("the nearest")));
 }

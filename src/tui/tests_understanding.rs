@@ -52,7 +52,7 @@ fn the_colour_is_accounted_for_and_leads_to_its_parts() {
 fn arithmetics_are_asked_for_and_then_shown() {
     let mut model = sized(textbook(), 100, 30);
     assert_eq!(typed(&mut model, "4n a"), Effect::Compare);
-    model.answer(Effect::Compare, &mut None);
+    live::answer(&mut model, Effect::Compare, &mut None);
     assert!(model.message.as_ref().is_some_and(|message| message.text.contains("no scene")));
     assert_eq!(model.overlay, None);
     struct Others;
@@ -65,7 +65,7 @@ fn arithmetics_are_asked_for_and_then_shown() {
         }
     }
     let mut others = Others;
-    model.answer(Effect::Compare, &mut Some(&mut others));
+    live::answer(&mut model, Effect::Compare, &mut Some(&mut others));
     assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Arithmetics, selected: 0, shift: 0 }));
     let text = dump(&frame(&model, 100, 30, &Theme::new(Palette::None, false)));
     assert!(text.contains("by hand") && text.contains("-0.946"), "{text}");
@@ -249,7 +249,7 @@ fn a_quiz_asks_for_decisions() {
     let said = |model: &Model| model.message.as_ref().map(|message| message.text.clone()).unwrap_or_default();
     let mut model = sized(textbook(), 100, 30);
     let is = |wanted: &'static str| {
-        move |event: &crate::log::Event| crate::tui::breakpoints::kind::of(&event.what).contains(&wanted)
+        move |event: &crate::log::Event| crate::tui::model::breakpoint::kind::of(&event.what).contains(&wanted)
     };
     let nearest = model.log.events.iter().position(is("nearest")).expect("a nearest hit");
     let hit = model.log.events.iter().position(is("hit")).expect("a hit");
@@ -293,15 +293,15 @@ fn a_quiz_goes_on_in_another_pixel() {
     let mut model = sized(textbook(), 100, 30);
     typed(&mut model, "Q 3n = 1 Enter");
     let asked = model.event;
-    model.show(glass());
+    live::show_log(&mut model, glass());
     assert!(model.understanding.quiz.is_some() && model.hides(model.log.events.len() - 1));
     // A miss counts for the step of its pixel alone, and an answer is one also after another pixel.
-    model.show(textbook());
+    live::show_log(&mut model, textbook());
     model.go_to_event(asked);
     typed(&mut model, "= - 0 . 9 4 6 Enter");
     assert_eq!(model.score().as_deref(), Some("quiz 1 of 1"));
-    model.show(glass());
-    model.show(textbook());
+    live::show_log(&mut model, glass());
+    live::show_log(&mut model, textbook());
     model.go_to_event(asked);
     assert!(!model.hides(asked));
     typed(&mut model, "=");

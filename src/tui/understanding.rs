@@ -2,29 +2,18 @@
 //!
 //! What they say is made in `report`, once, when a list is opened; here it becomes lines.
 
-use super::list::{self, CELL_END, Entry, Kind, Listing};
+use super::effect::Effect;
+use super::listing;
 use super::model::Model;
+use super::model::list::{CELL_END, Entry, Kind, Listing};
 use super::theme::Role;
-use super::update::Effect;
 use crate::log::{Digits, Log, Tree, Value, What};
 use crate::report::contributions::{self, Account, Ended, Group};
 use crate::report::side_by_side::{self, Row, Run};
 use crate::report::{path_class, provenance, words};
-use std::collections::{HashMap, HashSet};
 
 /// The most entries of a list: nobody reads more, and a frame must not wait for them.
 const MOST: usize = 500;
-
-/// What the viewer keeps for understanding.
-#[derive(Clone, Debug, Default)]
-pub struct Understanding {
-    /// The list that was opened last, made once.
-    pub listing: Option<(Kind, Listing)>,
-    /// The quiz, while it is on.
-    pub quiz: Option<super::quiz::Quiz>,
-    /// The steps whose results somebody answered, of each pixel: the score counts none of them twice.
-    pub answered: HashMap<Option<[u32; 2]>, HashSet<usize>>,
-}
 
 /// Opens a list of this kind, made from where the model is now.
 pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
@@ -41,7 +30,7 @@ pub(super) fn open(model: &mut Model, kind: Kind) -> Effect {
         return Effect::Compare;
     }
     model.understanding.listing = Some((kind, make(model, kind)));
-    list::open(model, kind);
+    listing::open(model, kind);
     Effect::None
 }
 
@@ -58,14 +47,6 @@ fn is_to_come(model: &Model, kind: Kind) -> Option<&'static str> {
         Kind::Arithmetics => own(model.cursor).filter(|last| !model.guide.is_known(*last)).map(|_| texts.node),
         Kind::Uses => Some(texts.uses),
         _ => None,
-    }
-}
-
-/// The list of this kind that was opened.
-pub(super) fn listing(model: &Model, kind: Kind) -> Listing {
-    match &model.understanding.listing {
-        Some((of, listing)) if *of == kind => listing.clone(),
-        _ => Listing::default(),
     }
 }
 

@@ -1,52 +1,15 @@
 //! What each action does to the model. Nothing is drawn here, and nothing read: `update(model, action)` is all.
 
-use super::drawing;
-use super::fold::previous_sibling;
-use super::guide::{self, Walk};
-use super::jumps::{self, Spot};
-use super::keys::Action;
-use super::list;
+use super::effect::{Effect, Exit};
+use super::keys::{Action, Walk};
+use super::model::fold::previous_sibling;
+use super::model::list::Kind;
+use super::model::prompt::{Prompt, Purpose};
 use super::model::{Model, Overlay, Pane};
-use super::panes;
-use super::picture;
-use super::prompt::{self, Prompt, Purpose};
-use super::quiz;
 use super::steps::{self, Stop};
-use super::understanding;
 use super::view::help;
+use super::{jumps, list, mouse, panes, play, prompt, quiz, understanding, walk};
 use crate::log::tree::Item;
-
-/// What is left to do outside the model.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Effect {
-    /// Nothing.
-    None,
-    /// Leave the viewer.
-    Leave(Exit),
-    /// Stop, until the shell lets the viewer go on.
-    Suspend,
-    /// Trace this pixel and show its log.
-    Trace([u32; 2]),
-    /// Trace this pixel and go to the step of it.
-    Revisit([u32; 2], Spot),
-    /// Trace what is shown in the other arithmetics.
-    Compare,
-    /// Put this text on the clipboard.
-    Copy(String),
-}
-
-/// Why the viewer was left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Exit {
-    /// By the key for it.
-    Quit,
-    /// By `^C` or SIGINT.
-    Interrupted,
-    /// By SIGTERM or SIGQUIT.
-    Terminated,
-    /// By SIGHUP, or because the terminal is gone.
-    HungUp,
-}
 
 /// Does an action.
 pub fn update(model: &mut Model, action: Action) -> Effect {
@@ -58,7 +21,7 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
         }
         Action::Prefix(first) => model.pending.prefix = Some(first),
         Action::Resize(width, height) => model.size = (width, height),
-        Action::Walk(Walk::Tick) => guide::tick(model),
+        Action::Walk(Walk::Tick) => play::tick(model),
         Action::Typed(key) => effect = prompt::typed(model, key),
         _ => effect = by_key(model, action),
     }
@@ -83,7 +46,7 @@ fn by_key(model: &mut Model, action: Action) -> Effect {
 }
 
 fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
-    let special = picture::update(model, action, count).or_else(|| drawing::update(model, action));
+    let special = panes::in_picture(model, action, count).or_else(|| panes::in_schematic(model, action));
     if let Some(effect) = special {
         return effect;
     }
@@ -98,7 +61,7 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::First => move_by(model, isize::MIN),
         Action::Last => match count {
             None => move_by(model, isize::MAX),
-            Some(step) => guide::jump(model, (step as usize).saturating_sub(1)),
+            Some(step) => jumps::to_event(model, (step as usize).saturating_sub(1)),
         },
         Action::Out => (0..times.min(model.tree.nodes().len())).for_each(|_| go_out(model)),
         Action::In | Action::Enter => (0..times.min(model.tree.nodes().len())).for_each(|_| go_in(model)),
@@ -121,17 +84,21 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
         Action::OnlyPane => model.is_alone = !model.is_alone,
         Action::Wider => model.shift = panes::shifted(model, times as i64),
         Action::Narrower => model.shift = panes::shifted(model, -(times as i64)),
-        Action::Operands => return understanding::open(model, list::Kind::Operands),
-        Action::Uses => return understanding::open(model, list::Kind::Uses),
-        Action::Contributions => return understanding::open(model, list::Kind::Contributions),
-        Action::Arithmetics => return understanding::open(model, list::Kind::Arithmetics),
+        Action::Operands => return understanding::open(model, Kind::Operands),
+        Action::Uses => return understanding::open(model, Kind::Uses),
+        Action::Contributions => return understanding::open(model, Kind::Contributions),
+        Action::Arithmetics => return understanding::open(model, Kind::Arithmetics),
         Action::Back => return jumps::back(model),
         Action::Quiz => quiz::toggle(model),
         Action::Answer => quiz::ask(model),
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Search)),
-        Action::Help => guide::open_help(model),
-        Action::Close => guide::close(model),
-        Action::Walk(walk) => return guide::update(model, walk, count),
+        Action::Help => return walk::open_help(model),
+        Action::Close => walk::close(model),
+        Action::Walk(Walk::Wheel(rows, x, y)) => {
+            let action = mouse::wheel(model, rows, x, y);
+            return in_panes(model, action, Some(u32::from(rows.unsigned_abs())));
+        }
+        Action::Walk(walk) => return walk::update(model, walk, count),
         Action::Quit => return Effect::Leave(Exit::Quit),
         Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
@@ -249,7 +216,7 @@ fn inside(model: &Model) -> std::ops::Range<usize> {
 
 type Find = fn(&[crate::log::Event], usize, Stop, usize) -> Option<usize>;
 
-pub(super) fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
+fn step(model: &mut Model, stop: Stop, times: usize, find: Find) {
     let here = model.event;
     if let Some(event) = find(&model.log.events, here, stop, times) {
         model.go_to_event(event);

@@ -57,7 +57,9 @@ fn floors(log: &Log) -> usize {
     for (language, mark) in [(Language::English, '.'), (Language::Spanish, ',')] {
         for event in 0..log.events.len() {
             for digits in [3, 1, 12] {
-                let Some(computation) = computation(language, log, &tree, event, Style { digits }) else { continue };
+                let Some(computation) = computation(language, log, &tree, event, Style::default().with(digits)) else {
+                    continue;
+                };
                 let Some((before, inner)) = computation.substituted.as_ref().and_then(|line| line.split_once('⌊'))
                 else {
                     continue;

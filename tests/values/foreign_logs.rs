@@ -216,7 +216,7 @@ fn own_logs_show_all_numbers() {
                 continue;
             }
             for digits in [0, 3, 12] {
-                let shown = substituted(&log, &tree, at, formula, Style { digits }, &[]);
+                let shown = substituted(&log, &tree, at, formula, Style::default().with(digits), &[]);
                 assert!(
                     shown.is_some(),
                     "{} {}: {name:?}, {digits} digits",

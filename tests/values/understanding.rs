@@ -295,19 +295,19 @@ fn operands_have_the_values_that_the_formula_puts_in() {
 
 #[test]
 fn every_event_of_every_built_in_scene_has_a_line_of_its_algorithm() {
-    use raywalk::report::pseudocode::{self, Place};
+    use raywalk::report::pseudocode::{self, Stage};
     let mut met = std::collections::HashSet::new();
     for name in builtin::names() {
         let (log, tree) = log(name, Arithmetic::F64);
         for event in 0..log.events.len() {
-            let place = pseudocode::place(&log, &tree, event);
+            let stage = pseudocode::stage(&log, &tree, event);
             let line = pseudocode::lines(&log.header)[pseudocode::current_line(&log, &tree, event)];
-            assert!(line.places.contains(&place), "{name}: {event} at {line:?}");
-            met.insert(place);
+            assert!(line.stages.contains(&stage), "{name}: {event} at {line:?}");
+            met.insert(stage);
         }
     }
-    // Every place is met somewhere; only logs of a region have events that open a pixel.
-    let unmet: Vec<_> = Place::ALL.iter().filter(|place| !met.contains(place) && **place != Place::Pixel).collect();
+    // Every stage is met somewhere; only logs of a region have events that open a pixel.
+    let unmet: Vec<_> = Stage::ALL.iter().filter(|stage| !met.contains(stage) && **stage != Stage::Pixel).collect();
     assert!(unmet.is_empty(), "{unmet:?}");
 }
 

@@ -6,7 +6,7 @@ use super::line::{End, Line};
 use super::mark::Mark;
 use super::numbers::Lookup;
 use super::{MAX_NESTING, MAX_SAVED_EVENTS};
-use crate::files::escape::{escape_hidden, hidden, shortened};
+use crate::files::escape::{QUOTED, escape_hidden, hidden, shortened};
 use crate::log::Log;
 use crate::log::event::{Digits, Event, Step, What};
 use crate::log::events::Events;
@@ -208,7 +208,7 @@ impl Reader {
 }
 
 pub(super) fn check_version(found: &str) -> Result<(), LogError> {
-    if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: shortened(found, 40) }) }
+    if found == FORMAT { Ok(()) } else { Err(LogError::OtherVersion { found: shortened(found, QUOTED) }) }
 }
 
 /// Views of a log show its names, so that none may hold control characters for a terminal. No scene has such names.

@@ -134,7 +134,7 @@ macro_rules! with_effects {
             EllipsoidTDoubledFar: "ellipsoid.t", "doubled_far", "t", "(−b + √Δ)/a", "", Length;
             CylinderTDoubledFar: "cylinder.t", "doubled_far", "t", "(−b + √Δ)/a", "", Length;
 
-            // What a ray brings that hits nothing, and what the side of a pixel is made of.
+            // The colour of a ray that hits nothing, and what the side of a pixel is made of.
             BackgroundColor: "background.color", "", "I_b", "", "", [Intensity; 3];
             CameraVerticalFov: "camera.vertical_fov", "", "θ_v", "", "", Degrees;
             CameraRows: "camera.rows", "", "n_v", "", "", Count;

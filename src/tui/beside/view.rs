@@ -2,8 +2,9 @@
 
 use super::Beside;
 use crate::report::diff::Row;
+use crate::tui::text::{shown, wrap};
 use crate::tui::theme::{Role, Theme};
-use crate::tui::view::{clear, draw_rule, put, put_all, shown, wrap};
+use crate::tui::view::{clear, draw_rule, put, put_all};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};

@@ -5,8 +5,47 @@
 
 use super::Action::{self, Search};
 use super::{Row, row};
-use crate::tui::guide::Walk;
 use crate::tui::steps::Step;
+
+/// What is done to find the way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Walk {
+    /// Step by the nesting of the nodes.
+    Step(Step),
+    FirstStep,
+    LastStep,
+    Break,
+    ToggleBreak,
+    Breakpoints,
+    Run,
+    RunBack,
+    Stops,
+    Play,
+    Faster,
+    Slower,
+    /// It is time for the next step while playing.
+    Tick,
+    Grow,
+    NextMatch,
+    PreviousMatch,
+    Filter,
+    /// Set the bookmark with this letter.
+    Mark(char),
+    /// Go to the bookmark with this letter; to before the last jump with `'`.
+    GoTo(char),
+    Marks,
+    CopyValue,
+    CopyPath,
+    Command,
+    Mouse,
+    /// A click into this column and row.
+    Click(u16, u16),
+    /// The wheel was turned by this many rows, at this column and row.
+    Wheel(i16, u16, u16),
+    /// Delete the selected entry of a list.
+    Delete,
+}
 
 /// The keys of [`Walk`].
 pub(super) const TABLE: &[Row] = &[

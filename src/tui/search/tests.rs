@@ -5,7 +5,9 @@ use crate::log::RayKind;
 use crate::tui::testing::{glass, nested, textbook};
 
 fn search(log: &Log, text: &str) -> Search {
-    Search::of(&Model::new(log.clone()), text)
+    let (model, mut search) = (Model::new(log.clone()), Search::new(text, 0, log.events.len()));
+    look(&model, &mut search, usize::MAX);
+    search
 }
 
 #[track_caller]
@@ -75,9 +77,9 @@ fn what_is_known_early_is_found_in_the_end() {
         let mut model = Model::new(log.clone());
         model.go_to_event(start);
         for slice in 1..=count {
-            let mut search = Search::new(&model, "v_d");
+            let mut search = new(&model, "v_d");
             while !search.is_complete() {
-                search.look(&model, slice);
+                look(&model, &mut search, slice);
                 for event in (0..count).filter(|_| !search.is_complete()) {
                     let known = search.next_known(event);
                     known_early += usize::from(known.is_some());

@@ -35,7 +35,7 @@ fn happens(model: &mut Model, what: &str, number: u16) {
         "TICK" => Some(Action::Walk(Walk::Tick)),
         "CLICK" => crate::tui::mouse::meant(model, mouse(MouseEventKind::Down(MouseButton::Left))),
         "WHEEL" => crate::tui::mouse::meant(model, mouse(MouseEventKind::ScrollDown)),
-        "SHOW" => return model.show(if number.is_multiple_of(2) { textbook() } else { flat() }),
+        "SHOW" => return live::show_log(model, if number.is_multiple_of(2) { textbook() } else { flat() }),
         keys => {
             typed(model, keys);
             None

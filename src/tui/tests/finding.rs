@@ -2,7 +2,7 @@
 
 use super::lines::{begin, line, said};
 use super::*;
-use crate::tui::list::{Kind, listing};
+use crate::tui::listing::listing;
 use crate::tui::mouse;
 use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
@@ -133,7 +133,7 @@ fn a_jump_that_does_not_move_hides_none_that_did() {
     let mut model = sized(textbook(), 100, 30);
     typed(&mut model, "50G");
     let refused = line(&mut model, ":", "pixel 3,4");
-    model.answer(refused, &mut None);
+    live::answer(&mut model, refused, &mut None);
     typed(&mut model, "''");
     assert_eq!(model.step(), 1);
 }
@@ -145,11 +145,11 @@ fn bookmarks_outlive_another_log() {
     typed(&mut model, "4;");
     let (there, path) = (model.event, model.tree.path(model.cursor));
     typed(&mut model, "ma");
-    model.show(textbook());
+    live::show_log(&mut model, textbook());
     typed(&mut model, "'a");
     assert!(said(&model).contains("this log has no"), "{}", said(&model));
     assert!(listing(&model, Kind::Bookmarks).entries[0].target.is_none());
-    model.show(glass());
+    live::show_log(&mut model, glass());
     typed(&mut model, "'a");
     assert_eq!((model.event, model.tree.path(model.cursor)), (there, path));
 }
@@ -204,7 +204,7 @@ fn the_mouse_selects_and_scrolls() {
         }
     };
     let press = MouseEventKind::Down(MouseButton::Left);
-    let body = crate::tui::layout::Layout::body(model.layout(model.size).area(Pane::Tree));
+    let body = crate::tui::model::layout::Layout::body(model.layout(model.size).area(Pane::Tree));
     at(&mut model, press, body.x + 5, body.y + 2);
     assert_eq!(model.cursor, 2);
     at(&mut model, press, body.x + 5, body.bottom() - 1);

@@ -195,7 +195,7 @@ fn a_pasted_text_does_nothing_where_no_line_is_typed() {
     {
         for keys in ["", "?", "M", "Tab", "12"] {
             let mut model = sized(textbook(), 100, 30);
-            model.speak(language);
+            model.language = language;
             typed(&mut model, keys);
             let frame_of = |model: &Model| dump(&frame(model, 100, 30, &Theme::new(Palette::None, false)));
             let before = (model.step(), model.cursor, frame_of(&model));

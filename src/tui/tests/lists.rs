@@ -1,7 +1,7 @@
 //! Moving in lists that lie over the panes.
 
 use super::*;
-use crate::tui::list::{Entry, listing};
+use crate::tui::listing::listing;
 
 /// The selected entry of the list that is open, and how far it is scrolled.
 fn selected(model: &Model) -> (String, usize) {
@@ -104,7 +104,8 @@ fn every_cell_has_a_column() {
         typed(&mut model, keys);
         let Some(Overlay::List { kind, .. }) = model.overlay else { panic!("no list after {keys}") };
         let listing = listing(&model, kind);
-        let counts: Vec<_> = listing.entries.iter().map(|entry| entry.text.split(list::CELL_END).count()).collect();
+        let counts: Vec<_> =
+            listing.entries.iter().map(|entry| entry.text.split(model::list::CELL_END).count()).collect();
         assert!(counts.iter().all(|count| *count == 1 || *count == listing.columns.len()), "{keys}: {counts:?}");
         assert!(counts.contains(&listing.columns.len()), "{keys}: {counts:?}");
         typed(&mut model, "Esc");

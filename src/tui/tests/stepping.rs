@@ -1,13 +1,9 @@
 //! What the keys of [`Walk`] do: stepping, breakpoints, playing, growing.
 
+use super::lines::said;
 use super::*;
 use crate::log::RayKind;
-use crate::tui::list::{Kind, listing};
-
-/// What is said at the bottom.
-fn said(model: &Model) -> &str {
-    model.message.as_ref().map_or("", |message| &message.text)
-}
+use crate::tui::listing::listing;
 
 /// Types `keys` at a model; the current step is then this one, from 1.
 #[track_caller]
@@ -140,7 +136,7 @@ fn breakpoints_are_listed() {
     assert_eq!(model.overlay, Some(Overlay::List { kind: Kind::Breakpoints, selected: 1, shift: 0 }));
     // Enter goes to the next place of one that is off, too, and around the end.
     let places = |model: &Model, text: &str| {
-        let condition = crate::tui::breakpoints::parse(text, &model.log, &model.texts().breakpoints)
+        let condition = crate::tui::model::breakpoint::parse(text, &model.log, &model.texts().breakpoints)
             .unwrap_or_else(|why| panic!("{why}"));
         let holds = |event: &&crate::log::Event| condition.holds(event, model.numbers);
         let held = model.log.events.iter().filter(holds);

@@ -1,11 +1,11 @@
 //! The algorithm of the source text with the current line marked, and the calls that it is in (figure 9).
 
-use super::text::{shown, wrap};
 use super::{put_all, title, title_rule};
 use crate::report::pseudocode::{current_line, lines, stack};
 use crate::report::words;
-use crate::tui::layout::Layout;
+use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
+use crate::tui::text::{shown, wrap};
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

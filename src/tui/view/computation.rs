@@ -2,13 +2,13 @@
 
 use super::highlight;
 use super::label::label;
-use super::text::{Piece, shown, width_of, wrap};
 use super::{put_all, title};
 use crate::log::tree::Item;
 use crate::log::{Decision, Event, What};
 use crate::report::{self, path_class};
-use crate::tui::layout::Layout;
+use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
+use crate::tui::text::{Piece, shown, width_of, wrap};
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -1,11 +1,11 @@
 //! The help: the table of keys, over everything else.
 
-use super::text::{shown, width_of, wrap};
 use super::{clear, draw_frame, inner, put_all};
 use crate::report::language::viewer::{Help, Viewer};
 use crate::tui::model::Model;
-use crate::tui::prompt::{Prompt, Purpose};
-use crate::tui::search::Pattern;
+use crate::tui::model::prompt::{Prompt, Purpose};
+use crate::tui::model::search::Pattern;
+use crate::tui::text::{shown, width_of, wrap};
 use crate::tui::theme::{Palette, Role, Theme};
 use crate::tui::{command, keys};
 use ratatui::buffer::Buffer;

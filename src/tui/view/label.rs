@@ -1,9 +1,9 @@
 //! A node in a few words: what it is, and what it came to.
 
-use super::text::{Piece, shown};
 use crate::log::{Decision, RayKind, Step, What};
 use crate::report::words;
 use crate::tui::model::Model;
+use crate::tui::text::{Piece, shown};
 use crate::tui::theme::{Role, Theme};
 
 /// A node in a row of its own: what it is, how much it hides when it is closed, and what it came to.

@@ -1,11 +1,12 @@
 //! A list, over everything else.
 
 use super::table::{Table, cut};
-use super::text::{shown, width_of};
 use super::{clear, draw_frame, inner, put, put_all};
 use crate::report::language::viewer::Hints;
-use crate::tui::list::{Kind, Listing, listing};
+use crate::tui::listing::listing;
 use crate::tui::model::Model;
+use crate::tui::model::list::{Kind, Listing};
+use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Palette, Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

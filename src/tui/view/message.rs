@@ -3,9 +3,9 @@
 
 use super::status::positions;
 use super::table::cut;
-use super::text::{shown, width_of, wrap};
 use super::{clear, put, put_all};
 use crate::tui::model::Model;
+use crate::tui::text::{shown, width_of, wrap};
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -13,14 +13,12 @@ mod picture;
 mod schematic;
 mod status;
 mod table;
-mod text;
 mod tree;
 
 pub(super) use list::last_shift;
-pub(super) use picture::dots_of_picture;
-pub(super) use text::{ascii, shown, wrap};
 
 use super::model::{Model, Overlay, Pane};
+use super::text::shown;
 use super::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -1,11 +1,11 @@
 //! The picture, two dots to a character: half blocks, or shades where there are no colours.
 
-use super::text::{shown, width_of};
 use super::{put, title};
 use crate::log::Value;
-use crate::tui::layout::Layout;
+use crate::tui::model::layout::Layout;
+use crate::tui::model::picture::{Dot, Layer, PictureView};
 use crate::tui::model::{Model, Pane};
-use crate::tui::picture::{Dot, Layer, PictureView};
+use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Palette, Theme, of_index};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -17,7 +17,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     let range = view.image.range(view.layer);
     title(model, Pane::Picture, name(model, view, range, theme), &remark(view), theme, area, buffer);
     let body = Layout::body(area);
-    let dots = dots_of_picture(area);
+    let dots = Layout::dots(area);
     let brush = Brush { view, range, theme, screen: [dots.width.into(), 2 * u32::from(dots.height)] };
     for place in dots.intersection(buffer.area).positions() {
         let cell = brush.cell([u32::from(place.x - dots.x), 2 * u32::from(place.y - dots.y)]);
@@ -27,12 +27,6 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
     let below = Rect { y: dots.bottom(), height: body.height - dots.height, ..body };
     put(buffer, below, Line::raw(shown(&under_cursor(model, view, usize::from(below.width)), theme)));
-}
-
-/// Where in the pane the picture itself lies: below the title, and above the row that says what the cursor is on.
-pub(in crate::tui) fn dots_of_picture(area: Rect) -> Rect {
-    let body = Layout::body(area);
-    Rect { height: body.height.saturating_sub(u16::from(body.height > 3)), ..body }
 }
 
 fn name(model: &Model, view: &PictureView, range: Option<[f64; 2]>, theme: &Theme) -> String {

@@ -1,11 +1,10 @@
 //! The bottom line: where one is, and the keys to begin with.
 
 use super::put;
-use super::text::{shown, width_of};
 use crate::log::What;
 use crate::report::tag::tag;
-use crate::tui::guide;
 use crate::tui::model::{Model, Pane};
+use crate::tui::text::{shown, width_of};
 use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -33,8 +32,22 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
 pub(super) fn positions(model: &Model, theme: &Theme) -> [String; 2] {
     let step = (model.texts().status.step)(model.step(), model.log.events.len());
     let score = model.score().map(|score| format!("  {score}")).unwrap_or_default();
-    let modes: String = guide::modes(model).iter().map(|mode| format!("  {mode}")).collect();
+    let modes: String = modes(model).iter().map(|mode| format!("  {mode}")).collect();
     [format!("{step}{score}{modes}"), step].map(|position| shown(&position, theme))
+}
+
+/// The modes that are on, in words for the bottom line.
+fn modes(model: &Model) -> Vec<String> {
+    let (guide, status) = (&model.guide, &model.texts().status);
+    let search = guide.search.as_ref().map(|search| search.place(model.event, status));
+    let modes = [
+        guide.pace.is_playing.then(|| (status.playing)(guide.pace.rate())),
+        guide.grown.map(|_| status.growing.to_owned()),
+        search,
+        guide.filter.as_ref().map(|_| status.filtered.to_owned()),
+        guide.has_mouse.then(|| status.mouse.to_owned()),
+    ];
+    modes.into_iter().flatten().collect()
 }
 
 /// The line that is being typed, with its cursor; of a long one the part around the cursor.

@@ -1,8 +1,8 @@
 //! A list as lines: its cells in columns under their titles, and lines that are longer than their place.
 
-use super::text::{shown, width_of};
 use crate::files::escape::cells;
-use crate::tui::list::{CELL_END, Listing};
+use crate::tui::model::list::{CELL_END, Listing};
+use crate::tui::text::{shown, width_of};
 use crate::tui::theme::Theme;
 
 /// The lines of a list.
@@ -86,7 +86,7 @@ fn columns_of(text: &str, begin: usize, count: usize) -> String {
 mod tests {
     use super::*;
     use crate::report::language::viewer::List;
-    use crate::tui::list::Entry;
+    use crate::tui::model::list::Entry;
     use crate::tui::theme::{Palette, Role};
 
     #[track_caller]

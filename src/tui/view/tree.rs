@@ -3,11 +3,11 @@
 use super::{highlight, label};
 use super::{put, title};
 use crate::report::words;
-use crate::tui::fold::has_children;
-use crate::tui::layout::Layout;
+use crate::tui::model::fold::has_children;
+use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
+use crate::tui::text::shown;
 use crate::tui::theme::{Role, Theme};
-use crate::tui::view::text::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};

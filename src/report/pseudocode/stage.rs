@@ -2,20 +2,20 @@
 
 use crate::log::{Decision, Event, Log, Name, RayKind, Step, Term, Tree, What, scope};
 
-macro_rules! places {
-    ($($(#[$doc:meta])* $place:ident,)*) => {
-        /// A place in the algorithm of ray tracing.
+macro_rules! stages {
+    ($($(#[$doc:meta])* $stage:ident,)*) => {
+        /// A stage of the algorithm of ray tracing.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum Stage { $($(#[$doc])* $place,)* }
+        pub enum Stage { $($(#[$doc])* $stage,)* }
 
         impl Stage {
-            /// Every place.
-            pub const ALL: &[Stage] = &[$(Stage::$place,)*];
+            /// Every stage.
+            pub const ALL: &[Stage] = &[$(Stage::$stage,)*];
         }
     };
 }
 
-places! {
+stages! {
     /// A pixel begins.
     Pixel,
     /// A sample of it is chosen.
@@ -65,7 +65,7 @@ places! {
 }
 
 /// Where an event is.
-pub fn place(log: &Log, tree: &Tree, event: usize) -> Stage {
+pub fn stage(log: &Log, tree: &Tree, event: usize) -> Stage {
     let Some(happening) = log.events.get(event) else { return Stage::Pixel };
     let node = tree.owner(event);
     match tree.nodes()[node].step {
@@ -98,7 +98,7 @@ pub fn place(log: &Log, tree: &Tree, event: usize) -> Stage {
     }
 }
 
-/// The place of a call inside a ray.
+/// The stage of a call inside a ray.
 pub(super) fn of_call(inner: RayKind) -> Stage {
     match inner {
         RayKind::Camera => Stage::Mean,

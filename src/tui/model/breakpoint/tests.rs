@@ -2,7 +2,7 @@
 
 use super::condition::{Operator, Part, Quantity};
 use super::*;
-use crate::log::{Event, Log, Name, Value};
+use crate::log::{Event, Log, Name, Value, What};
 use crate::report::Style;
 use crate::report::language::Language;
 use crate::report::language::viewer::Breakpoints;

@@ -1,8 +1,5 @@
 //! The picture: its dots as far as they are there, the cursor pixel in it, and how it is looked at.
 
-use super::keys::Action;
-use super::model::{Model, Pane};
-use super::update::Effect;
 use crate::report::language::Language;
 use std::fmt;
 use std::sync::Arc;
@@ -155,7 +152,7 @@ impl PictureView {
     }
 
     /// Shows a picture with more dots.
-    pub(super) fn show(&mut self, image: Arc<Image>) {
+    pub fn show(&mut self, image: Arc<Image>) {
         self.is_finished = image.dots.iter().all(|dot| dot.is_some_and(|dot| dot.error.is_some()));
         self.image = image;
     }
@@ -184,61 +181,15 @@ impl PictureView {
     }
 
     /// Another layer.
-    fn next_layer(&mut self) {
+    pub fn next_layer(&mut self) {
         self.layer = Layer::ALL[(self.layer as usize + 1) % Layer::ALL.len()];
     }
 
     /// Brighter by these half stops.
-    fn expose(&mut self, half_stops: i64) {
+    pub fn expose(&mut self, half_stops: i64) {
         self.exposure = (i64::from(self.exposure) + half_stops).clamp(-60, 60) as i32;
     }
 }
 
 /// The most that the picture is enlarged, in powers of two.
-const MOST_ZOOM: u32 = 12;
-
-/// Does in the picture what an action means there; `None` if it means the same as elsewhere.
-pub(super) fn update(model: &mut Model, action: Action, count: Option<u32>) -> Option<Effect> {
-    if model.focus != Pane::Picture {
-        return None;
-    }
-    let view = model.picture.as_mut()?;
-    let times = i64::from(count.unwrap_or(1));
-    match action {
-        Action::Enter => model.focus_on(Pane::Tree),
-        Action::ZoomIn => view.zoom = (view.zoom + 1).min(MOST_ZOOM),
-        Action::ZoomOut => view.zoom = view.zoom.saturating_sub(1),
-        Action::Brighter => view.expose(times),
-        Action::Darker => view.expose(-times),
-        Action::NextView => view.next_layer(),
-        _ => return moved(model, action, count),
-    }
-    Some(Effect::None)
-}
-
-/// Moves the cursor by an action for it.
-fn moved(model: &mut Model, action: Action, count: Option<u32>) -> Option<Effect> {
-    let (page, times) = (model.page() as i64, i64::from(count.unwrap_or(1)));
-    let view = model.picture.as_ref()?;
-    let by = match action {
-        Action::Down => [0, times],
-        Action::Up => [0, -times],
-        Action::Out => [-times, 0],
-        Action::In if count.is_none() => [1, 0],
-        Action::In => [times, 0],
-        Action::HalfPageDown | Action::PageDown => [0, page * times],
-        Action::HalfPageUp | Action::PageUp => [0, -page * times],
-        Action::First => [i64::MIN / 2, 0],
-        // With a count it is the step of this number, as everywhere.
-        Action::Last if count.is_none() => [i64::MAX / 2, 0],
-        _ => return None,
-    };
-    let moved = |at: u32, by: i64, size: u32| (i64::from(at) + by).clamp(0, i64::from(size) - 1) as u32;
-    let target = [0, 1].map(|axis| moved(view.cursor[axis], by[axis], view.image.size[axis]));
-    if target == view.cursor && model.log.header.subject == crate::log::Subject::Pixel(target) {
-        model.say(model.texts().panes.picture.ends);
-        return Some(Effect::None);
-    }
-    // The cursor goes there with the log, if there is one.
-    Some(Effect::Trace(target))
-}
+pub const MOST_ZOOM: u32 = 12;

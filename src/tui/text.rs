@@ -9,11 +9,11 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 /// Some text in a style.
-pub(in crate::tui) type Piece = (String, Style);
+pub(super) type Piece = (String, Style);
 
 /// Breaks pieces into lines of at most `width` columns, the second and later ones indented. Lines break at spaces, inside
 /// a list such as a triple and beside `=` only when it doesn't fit, and anywhere else only when nothing else helps.
-pub(in crate::tui) fn wrap(pieces: &[Piece], width: usize, indent: usize) -> Vec<Line<'static>> {
+pub(super) fn wrap(pieces: &[Piece], width: usize, indent: usize) -> Vec<Line<'static>> {
     let mut paper = Paper { width, indent: indent.min(width / 2), lines: vec![Line::default()], used: 0 };
     for (text, style) in pieces {
         for word in split(text, |before, after| !matches!(before, ',' | '=') && after != '=') {
@@ -24,7 +24,7 @@ pub(in crate::tui) fn wrap(pieces: &[Piece], width: usize, indent: usize) -> Vec
 }
 
 /// The text of a theme: itself, or in ASCII.
-pub(in crate::tui) fn shown(text: &str, theme: &Theme) -> String {
+pub(super) fn shown(text: &str, theme: &Theme) -> String {
     if theme.is_ascii() { ascii(text) } else { text.to_owned() }
 }
 
@@ -110,7 +110,7 @@ fn split(text: &str, may_break: impl Fn(char, char) -> bool) -> impl Iterator<It
 }
 
 /// A text in ASCII: symbols by their usual names.
-pub(in crate::tui) fn ascii(text: &str) -> String {
+pub(super) fn ascii(text: &str) -> String {
     let mut out = String::new();
     let mut is_raised = false;
     for character in text.chars() {

@@ -1,8 +1,5 @@
 //! The scene as lines, for the schematic, and from where it is looked at.
 
-use super::keys::Action;
-use super::model::{Model, Pane};
-use super::update::Effect;
 use crate::report::language::Language;
 pub use crate::report::schematic::Wireframe;
 use std::fmt;
@@ -49,7 +46,8 @@ impl Projection {
         language.texts().viewer.panes.schematic.views[self as usize]
     }
 
-    fn next(self) -> Projection {
+    /// The next one.
+    pub fn next(self) -> Projection {
         match self {
             Projection::Top => Projection::Front,
             Projection::Front => Projection::Camera,
@@ -67,25 +65,3 @@ impl Projection {
         place.iter().all(|number| number.is_finite()).then_some(place)
     }
 }
-
-/// Does in the schematic what an action means there; `None` if it means the same as elsewhere.
-pub(super) fn update(model: &mut Model, action: Action) -> Option<Effect> {
-    if model.focus != Pane::Schematic {
-        return None;
-    }
-    match action {
-        Action::NextView => {
-            model.projection = model.projection.next();
-            if model.projection == Projection::Camera && model.drawing.is_none() {
-                model.projection = Projection::Top;
-            }
-        }
-        Action::ZoomIn => model.magnification = (model.magnification + 1).min(MOST),
-        Action::ZoomOut => model.magnification = model.magnification.saturating_sub(1),
-        _ => return None,
-    }
-    Some(Effect::None)
-}
-
-/// The most that the schematic is enlarged, in powers of two.
-const MOST: u32 = 10;

@@ -1,7 +1,26 @@
 //! Where the panes lie, by the size of the terminal.
 
-use super::model::Pane;
 use ratatui::layout::Rect;
+
+/// A pane, in the order of `Tab`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pane {
+    /// The picture.
+    Picture,
+    /// The ray tree.
+    Tree,
+    /// The computation of the selected node.
+    Computation,
+    /// The algorithm as the source text writes it.
+    Code,
+    /// The scene with the rays in it.
+    Schematic,
+}
+
+impl Pane {
+    /// All panes.
+    pub const ALL: [Pane; 5] = [Pane::Picture, Pane::Tree, Pane::Computation, Pane::Code, Pane::Schematic];
+}
 
 /// What decides where the panes lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,6 +102,12 @@ impl Layout {
     /// The place below the title of a pane.
     pub fn body(pane: Rect) -> Rect {
         Rect { y: pane.y + u16::from(pane.height > 0), height: pane.height.saturating_sub(1), ..pane }
+    }
+
+    /// Where in its pane the picture itself lies: below the title, and above the row that says what the cursor is on.
+    pub fn dots(pane: Rect) -> Rect {
+        let body = Layout::body(pane);
+        Rect { height: body.height.saturating_sub(u16::from(body.height > 3)), ..body }
     }
 
     fn put(&mut self, pane: Pane, area: Rect) {

@@ -7,7 +7,7 @@ use crate::files::suggest;
 use crate::log::{Log, Name, Value, What};
 use crate::report::language::viewer::Breakpoints;
 use crate::report::words::plain;
-use crate::tui::view::ascii;
+use crate::tui::text::ascii;
 
 /// The operators, those that begin like another one before it.
 const OPERATORS: &[(&str, Operator)] = &[

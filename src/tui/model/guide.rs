@@ -1,0 +1,89 @@
+//! What the user has set to find the way: breakpoints, bookmarks, a search, the pace of playing.
+
+use super::breakpoint::Breakpoint;
+use super::fold::Folds;
+use super::history::History;
+use super::jumps::{Jumps, Spot};
+use super::search::Search;
+use crate::log::tree::Place;
+
+/// What the user has set to find the way.
+#[derive(Clone, Debug, Default)]
+pub struct Guide {
+    /// Where to stop.
+    pub breakpoints: Vec<Breakpoint>,
+    /// Where runs have stopped, the latest last.
+    pub stops: Vec<Stopped>,
+    /// How fast it plays, and whether.
+    pub pace: Pace,
+    /// While the tree grows: the event up to which it has.
+    pub grown: Option<usize>,
+    /// What is searched.
+    pub search: Option<Search>,
+    /// What the rows of the tree must match.
+    pub filter: Option<String>,
+    /// The places to come back to.
+    pub bookmarks: Vec<Bookmark>,
+    /// Where jumps began.
+    pub jumps: Jumps,
+    /// What was open in the trees of other pixels.
+    pub folds: Folds,
+    /// The lines that were typed.
+    pub history: History,
+    /// Whether the mouse selects and scrolls.
+    pub has_mouse: bool,
+    /// What the rows of the help must contain.
+    pub help: String,
+}
+
+impl Guide {
+    /// Whether an event has happened, as far as one may see.
+    pub fn is_known(&self, event: usize) -> bool {
+        self.grown.is_none_or(|grown| event <= grown)
+    }
+}
+
+/// A place where a run stopped.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stopped {
+    /// The step.
+    pub spot: Spot,
+    /// What was there.
+    pub what: String,
+    /// The breakpoint that stopped it, as it was typed.
+    pub breakpoint: String,
+}
+
+/// A place to come back to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bookmark {
+    /// The letter that it is called by.
+    pub letter: char,
+    /// Where it is, in any log.
+    pub place: Place,
+    /// The same in words.
+    pub address: String,
+    /// Where it is in this log, if it is there.
+    pub event: Option<usize>,
+}
+
+/// Whether it plays, and how fast.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pace {
+    /// Whether it plays.
+    pub is_playing: bool,
+    /// How often one step a second is doubled.
+    doublings: u32,
+}
+
+impl Pace {
+    /// Steps a second: 1, 2, 4, up to 32.
+    pub fn rate(self) -> u32 {
+        1 << self.doublings
+    }
+
+    /// Changes the rate, within what the eye can follow.
+    pub fn change(&mut self, to: fn(u32) -> u32) {
+        self.doublings = to(self.rate()).clamp(1, 32).ilog2();
+    }
+}
