@@ -43,7 +43,7 @@ fn layers_belong_to_the_picture() {
             continue;
         }
         let counts = rendered.counts.unwrap();
-        let sum = |of: fn(&raywalk::render::layers::Seen) -> u64| layered.pixels().iter().map(of).sum::<u64>();
+        let sum = |of: fn(&raywalk::render::layers::PixelFacts) -> u64| layered.pixels().iter().map(of).sum::<u64>();
         assert_eq!(sum(|seen| seen.rays), counts.rays());
         assert_eq!(sum(|seen| seen.samples), counts.samples());
         assert_eq!(sum(|seen| seen.primitive_tests), counts.primitive_tests());
