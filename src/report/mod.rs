@@ -43,7 +43,7 @@ use crate::log::Header;
 pub struct Style {
     /// Decimals, 3 as in the source text unless asked otherwise.
     pub digits: u32,
-    /// Whether a number below 1 that loses digits keeps as many significant ones, 3 at most: `0.00208`, not `0.002`.
+    /// Whether a number below 1 has at least as many significant digits, or 3 if those are fewer: `0.00208`, not `0.002`.
     pub keeps_small: bool,
 }
 

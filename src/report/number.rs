@@ -23,8 +23,7 @@ pub fn number(x: f64, style: Style) -> String {
 /// How many decimals a number has that isn't whole.
 fn decimals(x: f64, style: Style) -> u32 {
     const LEAST_SIGNIFICANT: u32 = 3;
-    let rounded = round_half_away(x, style.digits);
-    if !style.keeps_small || rounded.abs() >= 1.0 || rounded == x {
+    if !style.keeps_small || round_half_away(x, style.digits).abs() >= 1.0 {
         return style.digits;
     }
     // The exponent after rounding: 0.09996 is 0.100.
@@ -145,9 +144,8 @@ mod tests {
         shows(0.099_96, "0.100");
         shows(0.999_96, "1.000");
         shows(0.000_512_3, "0.000512");
-        // Nothing is lost of these.
-        shows(0.05, "0.050");
-        shows(0.002, "0.002");
+        shows(0.05, "0.0500");
+        shows(0.5, "0.500");
         let by_hand = Style { keeps_small: false, ..Style::default() };
         assert_eq!(number(1.0 / 480.0, by_hand), "0.002");
         for (digits, expected) in [(3, "0.00208"), (4, "0.00208"), (6, "0.002083")] {
