@@ -77,6 +77,12 @@ impl Failure {
         ExitCode::from(self.code)
     }
 
+    /// The first line of the message, without its label.
+    pub fn line(&self) -> &str {
+        let line = self.message.lines().next().unwrap_or_default();
+        line.strip_prefix("error: ").unwrap_or(line)
+    }
+
     /// Prints the message to standard error.
     pub fn print(&self) {
         if !self.message.is_empty() {

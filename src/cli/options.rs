@@ -138,9 +138,9 @@ impl TracingOptions {
         rounded.flatten().unwrap_or(self.arithmetic)
     }
 
-    /// The scene with these options, ready to be traced.
-    pub fn apply(&self, loaded: Loaded) -> Result<Scene, Failure> {
-        let Loaded { scene: mut file, meshes, frame: frame_number, .. } = loaded;
+    /// The scene with what these options say instead of it.
+    pub fn settled(&self, mut loaded: Loaded) -> Result<Loaded, Failure> {
+        let file = &mut loaded.scene;
         if let Some(size) = self.size {
             file.camera.resolution = size;
         }
@@ -153,8 +153,6 @@ impl TracingOptions {
         if let Some(sampling) = self.sampling {
             file.sampling = sampling;
         }
-        let frame = file.frames.filter(|frames| frames.count > 1);
-        let frame = frame.map(|frames| FrameId { number: frame_number, time: frames.time_of(frame_number) });
         if let Some(seed) = self.seed {
             file.seed = seed;
         }
@@ -172,10 +170,18 @@ impl TracingOptions {
             return Err(Failure::caller(message));
         }
         file.output = self.shown.over(file.output);
-        if self.arithmetic == Arithmetic::Printed && !is_the_numeric_example(&file) {
+        if self.arithmetic == Arithmetic::Printed && !is_the_numeric_example(file) {
             return Err(Failure::caller("--arithmetic printed: only for the built-in scene `textbook` as it is"));
         }
         file.tracing.formulas = self.formulas.or(file.tracing.formulas);
+        Ok(loaded)
+    }
+
+    /// The scene with these options, ready to be traced.
+    pub fn apply(&self, loaded: Loaded) -> Result<Scene, Failure> {
+        let Loaded { scene: file, meshes, frame: number, .. } = self.settled(loaded)?;
+        let frame = file.frames.filter(|frames| frames.count > 1);
+        let frame = frame.map(|frames| FrameId { number, time: frames.time_of(number) });
         let around = Around {
             formulas: self.arithmetic.implied_formulas(),
             skip: self.skip.unwrap_or(Skip::ALL),

@@ -38,6 +38,11 @@ pub struct Loaded {
 }
 
 impl Input {
+    /// Where it was read from; `None` if it is built in.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
     /// The files of the scene in this text: its own and the meshes beside it, whether they are there or not.
     pub fn files(&self, scene: &SceneFile) -> Inputs {
         let Some(path) = &self.path else { return Inputs::none() };
@@ -124,13 +129,25 @@ fn no_scene(beginning: &[u8]) -> Option<&'static str> {
 /// Checks a scene that was read, and reads its meshes; prints their warnings.
 pub fn scene(input: &Input, import: &Import) -> Result<Loaded, Failure> {
     let scene = without_meshes(input, import)?;
-    let source = Source { name: &input.name, text: &input.bytes };
-    let folder = input.path.as_ref().map_or(Folder::BuiltIn(builtin::mesh), |path| Folder::OfScene(path));
-    let loaded = mesh::load(&scene, &source, folder);
-    let (meshes, warnings) = loaded.map_err(|error| Failure::scene(&error))?;
+    let (meshes, warnings) = meshes(input, &scene).map_err(|error| Failure::scene(&error))?;
     warn(&warnings.told, warnings.more);
     let inputs = input.files(&scene);
     Ok(Loaded { scene, meshes, frame: 1, inputs })
+}
+
+/// The same without a word about what is odd, where there is no place for it.
+pub fn quietly(input: &Input, import: &Import) -> Result<Loaded, FileError> {
+    let scene = file::check_as(&input.bytes, &input.name, import)?.scene;
+    let (meshes, _) = meshes(input, &scene)?;
+    let inputs = input.files(&scene);
+    Ok(Loaded { scene, meshes, frame: 1, inputs })
+}
+
+/// The meshes that a scene names, which lie beside its text.
+pub fn meshes(input: &Input, scene: &SceneFile) -> Result<(Meshes, mesh::Warnings), FileError> {
+    let source = Source { name: &input.name, text: &input.bytes };
+    let folder = input.path.as_ref().map_or(Folder::BuiltIn(builtin::mesh), |path| Folder::OfScene(path));
+    mesh::load(scene, &source, folder)
 }
 
 /// Checks a scene that was read, but doesn't look for its meshes; prints its warnings.

@@ -4,6 +4,7 @@ use super::failure::{Failure, HUNG_UP, INTERRUPTED, TERMINATED, shown};
 use super::frames;
 use super::inputs::Inputs;
 use super::live::Session;
+use super::live::workbench::Workbench;
 use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
@@ -98,7 +99,7 @@ impl Walk {
             None => Named::Scene(scene_argument::built_in("textbook")?),
         };
         let Walked { name, log, warning, mut session, inputs } = match named {
-            Named::Scene(input) => self.of_scene(&input)?,
+            Named::Scene(input) => self.of_scene(input)?,
             Named::Log(opened) => self.of_log(opened, walked)?,
         };
         let was_log = session.is_none();
@@ -140,22 +141,23 @@ impl Walk {
     }
 
     /// The log of what is traced now.
-    fn of_scene(&self, input: &Input) -> Result<Walked, Failure> {
+    fn of_scene(&self, input: Input) -> Result<Walked, Failure> {
         // Only here it may be a log, too.
         if input.bytes.trim_ascii().is_empty() {
             let name = escape_hidden(&input.name);
             return Err(Failure::caller(format!("{name}: expected a scene or a log, found an empty file")));
         }
-        let loaded = scene_argument::scene(input, &self.tracing.import())?;
-        let inputs = loaded.inputs.clone();
-        let scene = self.tracing.apply(frames::at_one(loaded, self.frames)?)?;
+        let loaded = scene_argument::scene(&input, &self.tracing.import())?;
+        let (inputs, name) = (loaded.inputs.clone(), escape_hidden(&input.name).to_string());
+        let workbench = Workbench::new(input, loaded, self.tracing.clone(), self.frames);
+        let scene = workbench.scene()?;
         let part = self.subject.part(&scene, self.tracing.arithmetic())?;
         let warning = biased_effects(&scene).filter(|_| self.subject.ray.is_none());
         let warning = warning.map(|effects| (self.warnings().biased)(&effects));
         let log = short_log(&scene, part, self.tracing.arithmetic())?;
         // For a screenshot there is nothing to be shown before the whole of it.
-        let session = Some(Session::new(scene, self.tracing.arithmetic(), self.screenshot.is_some()));
-        Ok(Walked { name: escape_hidden(&input.name).to_string(), log, warning, session, inputs })
+        let session = Some(Session::new(scene, workbench, self.screenshot.is_some()));
+        Ok(Walked { name, log, warning, session, inputs })
     }
 
     fn warnings(&self) -> &'static Warnings {

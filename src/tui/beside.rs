@@ -89,7 +89,7 @@ pub fn run(mut beside: Beside, theme: &Theme) -> io::Result<Exit> {
     show(&mut beside, &mut terminal, theme).or_else(|error| terminal.left_by(error))
 }
 
-fn show(beside: &mut Beside, terminal: &mut Terminal, theme: &Theme) -> io::Result<Exit> {
+pub(super) fn show(beside: &mut Beside, terminal: &mut Terminal, theme: &Theme) -> io::Result<Exit> {
     loop {
         beside.resize(terminal.size()?.1);
         terminal.draw(|buffer| view::draw(beside, theme, buffer))?;

@@ -1,12 +1,12 @@
 //! The command line: what is typed behind `:`.
 
-use super::effect::{Effect, Exit};
+use super::effect::{Change, Effect, Exit};
 use super::keys::Walk;
 use super::model::prompt::Purpose;
 use super::model::{Model, breakpoint};
 use super::{bookmarks, breakpoints, jumps, search, walk};
 use crate::files::suggest;
-use crate::log::{Step, Subject};
+use crate::log::{Decision, Step, Subject, What};
 use crate::report::language::Language;
 use crate::report::language::viewer::Commands;
 use crate::report::words::plain;
@@ -30,6 +30,10 @@ enum Argument {
     Text,
     Pixel,
     Language,
+    Parameter,
+    File,
+    Number,
+    Name,
 }
 
 impl Argument {
@@ -42,16 +46,37 @@ impl Argument {
             Argument::Text => texts.text,
             Argument::Pixel => "X,Y",
             Argument::Language => "en|es",
+            Argument::Parameter => texts.path_and_value,
+            Argument::File => texts.file,
+            Argument::Number => texts.number,
+            Argument::Name => texts.name,
         }
     }
 }
 
 /// Every command; a beginning that only one of them has stands for it.
 const COMMANDS: &[Command] = &[
+    Command {
+        name: "algorithm",
+        argument: Argument::Name,
+        run: |_, word| Ok(Effect::Change(Change::Algorithm(word.to_owned()))),
+    },
+    Command {
+        name: "arithmetic",
+        argument: Argument::Name,
+        run: |_, word| Ok(Effect::Change(Change::Arithmetic(word.to_owned()))),
+    },
     Command { name: "bookmark", argument: Argument::Letter, run: bookmark },
     Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| go(model, Walk::Marks) },
     Command { name: "break", argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
     Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| go(model, Walk::Breakpoints) },
+    Command { name: "compare", argument: Argument::Nothing, run: |_, _| Ok(Effect::Beside) },
+    Command {
+        name: "depth",
+        argument: Argument::Number,
+        run: |_, number| Ok(Effect::Change(Change::Depth(number.to_owned()))),
+    },
+    Command { name: "edit", argument: Argument::Nothing, run: |model, _| Ok(edit(model)) },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
     Command { name: "grow", argument: Argument::Nothing, run: |model, _| go(model, Walk::Grow) },
     Command { name: "help", argument: Argument::Nothing, run: |model, _| Ok(walk::open_help(model)) },
@@ -60,9 +85,20 @@ const COMMANDS: &[Command] = &[
     Command { name: "pixel", argument: Argument::Pixel, run: pixel },
     Command { name: "play", argument: Argument::Nothing, run: |model, _| go(model, Walk::Play) },
     Command { name: "quit", argument: Argument::Nothing, run: |_, _| Ok(Effect::Leave(Exit::Quit)) },
+    Command {
+        name: "sampling",
+        argument: Argument::Name,
+        run: |_, spec| Ok(Effect::Change(Change::Sampling(spec.to_owned()))),
+    },
     Command { name: "search", argument: Argument::Text, run: |model, text| plainly(search::begin(model, text)) },
+    Command { name: SET, argument: Argument::Parameter, run: set },
     Command { name: "stops", argument: Argument::Nothing, run: |model, _| go(model, Walk::Stops) },
+    Command { name: "undo", argument: Argument::Nothing, run: |_, _| Ok(Effect::Change(Change::Undo)) },
+    Command { name: "write", argument: Argument::File, run: |_, path| Ok(Effect::Save(path.to_owned())) },
 ];
+
+/// The command for parameters of the scene.
+const SET: &str = "set";
 
 /// The command for the language.
 const LANG: &str = "lang";
@@ -81,6 +117,9 @@ pub(super) fn run(model: &mut Model, text: &str) -> Done {
     let command = find(word, texts)?;
     if command.argument == Argument::Nothing && !rest.is_empty() {
         return Err((texts.nothing_behind)(command.name));
+    }
+    if matches!(command.argument, Argument::File | Argument::Number | Argument::Name) && rest.trim().is_empty() {
+        return Err((texts.expected_more)(command.name, command.argument.word(texts)));
     }
     (command.run)(model, rest.trim())
 }
@@ -156,6 +195,29 @@ fn language(model: &mut Model, code: &str) -> Done {
     }
 }
 
+/// Another value of a parameter. A path has no blanks unless a name in it has: then it ends where the value begins, which is the last word.
+fn set(model: &mut Model, text: &str) -> Done {
+    let Some((path, value)) = text.split_once(char::is_whitespace) else {
+        return Err(model.texts().messages.no_path.to_owned());
+    };
+    Ok(Effect::Change(Change::Set { path: path.to_owned(), value: value.trim().to_owned() }))
+}
+
+/// Opens the scene where it has the object that the current step is about.
+pub(super) fn edit(model: &Model) -> Effect {
+    let of_node = |node: usize| match model.tree.nodes()[node].step {
+        Some(Step::Test { object, .. } | Step::Shade { object } | Step::Motion { object }) => Some(object),
+        _ => None,
+    };
+    let here = model.log.events.get(model.event).and_then(|event| match event.what {
+        What::Mark(
+            Decision::Nearest { object } | Decision::Occluded { object } | Decision::Attenuated { object, .. },
+        ) => Some(object),
+        _ => None,
+    });
+    Effect::Edit(here.or_else(|| model.tree.around(model.tree.owner(model.event)).find_map(of_node)))
+}
+
 fn bookmark(model: &mut Model, text: &str) -> Done {
     let mut characters = text.chars();
     match (characters.next(), characters.next()) {
@@ -196,6 +258,11 @@ fn pixel(model: &mut Model, text: &str) -> Done {
     }
 }
 
+/// Whether a line is about a parameter, whose paths only the scene knows.
+pub(super) fn is_of_parameter(line: &str) -> bool {
+    line.strip_prefix(SET).is_some_and(|rest| rest.starts_with(' '))
+}
+
 /// How the typed text may go on, if something can go on there.
 pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<String> {
     let of_break = |before: &str, text: &str| -> Vec<String> {
@@ -205,6 +272,7 @@ pub(super) fn completions(model: &Model, purpose: Purpose, text: &str) -> Vec<St
     match (purpose, text.strip_prefix("break ")) {
         (Purpose::Break, _) => of_break("", text),
         (Purpose::Command, Some(condition)) => of_break("break ", condition),
+        (Purpose::Command, None) if is_of_parameter(text) => Vec::new(),
         (Purpose::Command, None) => {
             let begun = COMMANDS.iter().filter(|command| command.name.starts_with(text));
             let gap = |command: &Command| if command.argument == Argument::Nothing { "" } else { " " };

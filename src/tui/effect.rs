@@ -19,6 +19,38 @@ pub enum Effect {
     Compare,
     /// Put this text on the clipboard.
     Copy(String),
+    /// Change the scene, and trace what is shown anew.
+    Change(Change),
+    /// Show what was before the last change beside what is now.
+    Beside,
+    /// Save the scene under this name.
+    Save(String),
+    /// Open the scene in an editor, where it has this object.
+    Edit(Option<u32>),
+    /// Complete the path of a parameter in the line that is being typed.
+    Complete,
+}
+
+/// A change of the scene, or of how it is traced, in the words that were typed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// Another value of a parameter.
+    Set {
+        /// Its path, such as `objects.sphere.shape.sphere.radius`.
+        path: String,
+        /// The value: JSON, numbers with blanks between them, or a word.
+        value: String,
+    },
+    /// Another arithmetic.
+    Arithmetic(String),
+    /// Another algorithm.
+    Algorithm(String),
+    /// Another sampling.
+    Sampling(String),
+    /// Another depth limit.
+    Depth(String),
+    /// Take the last change back.
+    Undo,
 }
 
 /// Why the viewer was left.

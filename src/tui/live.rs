@@ -1,17 +1,21 @@
 //! What the viewer can ask of a scene that is traced while one looks, and how it shows the answers. A saved log has nobody to ask.
 
-use super::effect::Effect;
+use super::effect::{Change, Effect};
 use super::model::Model;
+use super::model::changed::Changed;
 use super::model::drawing::Drawing;
 use super::model::facts::Facts;
 use super::model::fold::Fold;
 use super::model::list::Kind;
 use super::model::picture::{Image, PictureView};
-use super::{bookmarks, jumps, search, understanding};
+use super::{bookmarks, jumps, prompt, search, understanding};
 use crate::log::tree::Place;
 use crate::log::{Log, Subject, Tree};
+use crate::report::Style;
 use crate::report::language::Language;
+use crate::report::words::plain;
 use std::mem;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Traces the scene that the viewer shows.
@@ -32,6 +36,36 @@ pub trait Live {
     /// The logs of the same pixel or ray in other arithmetics: by hand, in single precision, in f64 with the digits that can
     /// be trusted.
     fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, Refusal>;
+
+    /// Changes the scene, and traces what is shown of it.
+    fn change(&mut self, _change: &Change, _subject: Subject) -> Result<Log, Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    /// The log of the scene before its last change.
+    fn before(&mut self, _subject: Subject) -> Result<Log, Refusal> {
+        Err(Refusal::NothingChanged)
+    }
+
+    /// The log of the scene if its files have changed since they were read; why it can't be read, if it can't.
+    fn reload(&mut self, _subject: Subject) -> Option<Result<Log, Refusal>> {
+        None
+    }
+
+    /// The paths of the scene's parameters that begin so, with their values.
+    fn parameters(&mut self, _beginning: &str) -> Vec<(String, String)> {
+        Vec::new()
+    }
+
+    /// Saves the scene.
+    fn save(&mut self, _path: &str) -> Result<(), Refusal> {
+        Err(Refusal::NoScene)
+    }
+
+    /// The file of the scene, and the line where it has an object, from 1.
+    fn source(&mut self, _object: Option<u32>) -> Option<(PathBuf, usize)> {
+        None
+    }
 }
 
 /// Why there is no log.
@@ -47,6 +81,12 @@ pub enum Refusal {
     TooLong(usize),
     /// There is no memory for it.
     NoMemory,
+    /// The scene is as it was read.
+    NothingChanged,
+    /// No path was typed.
+    NoPath,
+    /// A path leads nowhere; what is there instead.
+    NoParameter(String, Vec<String>),
     /// Another reason, in the words of who has it.
     Other(String),
 }
@@ -61,6 +101,9 @@ impl Refusal {
             Refusal::RegionsNotCompared => messages.regions_not_compared.to_owned(),
             Refusal::TooLong(most) => (messages.too_long)(*most),
             Refusal::NoMemory => messages.no_memory.to_owned(),
+            Refusal::NothingChanged => messages.nothing_changed.to_owned(),
+            Refusal::NoPath => messages.no_path.to_owned(),
+            Refusal::NoParameter(path, known) => (messages.no_parameter)(&plain(path), &plain(&known.join(", "))),
             Refusal::Other(why) => why.clone(),
         }
     }
@@ -69,7 +112,8 @@ impl Refusal {
 /// Has somebody do what is left to do outside the model, as far as it concerns the scene.
 pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut dyn Live>) {
     let asked = match (effect, live) {
-        (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_), _) => return,
+        // The terminal is needed for these.
+        (Effect::None | Effect::Leave(_) | Effect::Suspend | Effect::Copy(_) | Effect::Edit(_), _) => return,
         (_, None) => Err(Refusal::NoScene),
         (Effect::Trace(pixel), Some(live)) => live.trace(pixel).map(|log| show_log(model, log)),
         (Effect::Revisit(pixel, spot), Some(live)) => live.trace(pixel).map(|log| {
@@ -80,10 +124,48 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
             model.others = logs;
             understanding::open(model, Kind::Arithmetics);
         }),
+        (Effect::Change(change), Some(live)) => {
+            live.change(&change, model.log.header.subject).map(|log| show_changed(model, log))
+        }
+        (Effect::Beside, Some(live)) => live.before(model.log.header.subject).map(|log| model.before = Some(log)),
+        (Effect::Save(path), Some(live)) => {
+            live.save(&path).map(|()| model.say(&(model.texts().messages.saved)(&plain(&path))))
+        }
+        (Effect::Complete, Some(live)) => {
+            prompt::complete_path(model, |beginning| live.parameters(beginning));
+            Ok(())
+        }
     };
     if let Err(why) = asked {
         model.say(&why.text(model.language));
     }
+}
+
+/// Looks whether the files of the scene have changed, and shows it anew if they have.
+pub(super) fn reload(model: &mut Model, live: &mut Option<&mut dyn Live>) {
+    match live.as_mut().and_then(|live| live.reload(model.log.header.subject)) {
+        None => {}
+        Some(Ok(log)) => show_changed(model, log),
+        Some(Err(why)) => model.say(&(model.texts().messages.not_reloaded)(&why.text(model.language))),
+    }
+}
+
+/// Shows the log of the scene after a change, and marks what has changed.
+fn show_changed(model: &mut Model, log: Log) {
+    let before = model.log.clone();
+    show_log(model, log);
+    model.numbers = Style::of(&model.log.header, model.numbers.digits);
+    // The picture and the lines are those of the scene before.
+    model.drawing = None;
+    if let Some(view) = &mut model.picture {
+        view.is_finished = false;
+    }
+    model.changed = Changed::between(before, &model.log, &model.tree);
+    let said = match &model.changed {
+        Changed { count: 0, .. } => model.texts().messages.no_value_differs.to_owned(),
+        Changed { count, first, .. } => (model.texts().messages.values_differ)(*count, &plain(first)),
+    };
+    model.say(&said);
 }
 
 /// Looks whether there is more of the picture; `whole` waits for all of it.
@@ -112,6 +194,7 @@ pub fn show_log(model: &mut Model, log: Log) {
     model.guide.folds.keep(left, fold);
     model.guide.folds.restore(model.pixel(), &mut model.fold);
     model.others.clear();
+    model.changed = Changed::default();
     // A quiz goes on; what was opened was of the other log.
     model.understanding.listing = None;
     let (Ok(event) | Err(event)) = place.find(&model.log, &model.tree);

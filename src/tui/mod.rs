@@ -44,7 +44,7 @@ mod update;
 mod view;
 mod walk;
 
-pub use effect::{Effect, Exit};
+pub use effect::{Change, Effect, Exit};
 pub use keys::{Action, Walk};
 pub use live::{Live, Refusal, show_log};
 pub use model::drawing::{Drawing, PlaceOf, Projection, Wireframe};
@@ -58,13 +58,18 @@ pub use model::{Model, Overlay, Pane, Pending};
 pub use theme::{Palette, Theme};
 pub use update::update;
 
-use crate::log::{Log, Subject};
-use crate::report::Style as Numbers;
+use crate::log::{Log, Subject, Tree};
+use crate::report::diff::{Rows, Tolerance};
 use crate::report::language::Language;
+use crate::report::side_by_side::Run;
+use crate::report::{Style as Numbers, words};
+use beside::Beside;
 use keys::Typed;
+use model::changed::renumber;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::io;
+use std::time::Duration;
 use terminal::{Asker, Input, Terminal};
 
 /// How the viewer starts.
@@ -114,6 +119,9 @@ pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::R
     Ok(Outcome { exit, position: position(&model), language: model.language })
 }
 
+/// How often the files of the scene are looked at.
+const LOOKS: Duration = Duration::from_millis(500);
+
 /// Draws and reacts until something asks to leave.
 fn show(
     model: &mut Model,
@@ -126,9 +134,10 @@ fn show(
         terminal.draw(|buffer| view::draw(model, theme, buffer))?;
         terminal.use_mouse(model.guide.has_mouse)?;
         let waits = model.picture.as_ref().is_some_and(|view| !view.is_finished) || search::is_looking(model);
-        let mut input = Some(terminal.next(waits, play::interval(model))?);
+        let looks = live.is_some().then_some(LOOKS);
+        let mut input = Some(terminal.next(waits, play::interval(model).or(looks))?);
         while let Some(now) = input {
-            if let Some(exit) = react(model, terminal, live, now)? {
+            if let Some(exit) = react(model, terminal, live, theme, now)? {
                 return Ok(exit);
             }
             input = terminal.next_at_once()?;
@@ -210,6 +219,7 @@ fn react(
     model: &mut Model,
     terminal: &mut Terminal,
     live: &mut Option<&mut dyn Live>,
+    theme: &Theme,
     input: Input,
 ) -> io::Result<Option<Exit>> {
     match input {
@@ -223,9 +233,11 @@ fn react(
         Input::Size(width, height) => {
             update(model, Action::Resize(width, height));
         }
-        Input::Beat => {
+        Input::Beat if play::interval(model).is_some() => {
             update(model, Action::Walk(Walk::Tick));
+            live::reload(model, live);
         }
+        Input::Beat => live::reload(model, live),
         Input::Mouse(event) => {
             if let Some(action) = mouse::meant(model, event) {
                 let asked = update(model, action);
@@ -239,12 +251,50 @@ fn react(
                 Some(Effect::Leave(exit)) => return Ok(Some(exit)),
                 Some(Effect::Suspend) => suspend(model, terminal, Asker::Key)?,
                 Some(Effect::Copy(text)) => terminal.copy(&text)?,
+                Some(Effect::Edit(object)) => edit(model, terminal, live, object)?,
                 Some(asked) => live::answer(model, asked, live),
                 None => {}
+            }
+            if let Some(before) = model.before.take() {
+                return beside(model, terminal, before, theme);
             }
         }
     }
     Ok(None)
+}
+
+/// Shows what was before the last change beside what is now, until that is left.
+fn beside(model: &mut Model, terminal: &mut Terminal, mut before: Log, theme: &Theme) -> io::Result<Option<Exit>> {
+    renumber(&mut before, &model.log);
+    let tree = Tree::of(&before.events);
+    let rows =
+        Rows::of(Run { log: &before, tree: &tree }, Run { log: &model.log, tree: &model.tree }, Tolerance::default());
+    let name = words::plain(&model.log.header.scene.name);
+    let title = |which: &&str| format!("{name} - {which}");
+    let [of_before, of_now] = model.texts().messages.before_and_now;
+    let exit = beside::show(&mut Beside::new(rows, [title(&of_before), title(&of_now)]), terminal, theme)?;
+    resized(model, terminal)?;
+    Ok(Some(exit).filter(|exit| *exit != Exit::Quit))
+}
+
+/// Lets the user edit the scene where it has an object, and shows what was changed.
+fn edit(
+    model: &mut Model,
+    terminal: &mut Terminal,
+    live: &mut Option<&mut dyn Live>,
+    object: Option<u32>,
+) -> io::Result<()> {
+    let Some((path, line)) = live.as_mut().and_then(|live| live.source(object)) else {
+        model.say(model.texts().messages.no_source);
+        return Ok(());
+    };
+    let edited = terminal.edit(&path, line)?;
+    resized(model, terminal)?;
+    match edited {
+        Ok(()) => live::reload(model, live),
+        Err(why) => model.say(&(model.texts().messages.no_editor)(&words::plain(&why))),
+    }
+    Ok(())
 }
 
 fn suspend(model: &mut Model, terminal: &mut Terminal, asked_by: Asker) -> io::Result<()> {

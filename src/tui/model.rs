@@ -1,6 +1,7 @@
 //! The state of the viewer: the log, the place in it, and what of it is shown. It draws nothing and reads no keys.
 
 pub mod breakpoint;
+pub mod changed;
 pub mod drawing;
 pub mod facts;
 pub mod fold;
@@ -23,6 +24,7 @@ use crate::log::tree::{Item, Place};
 use crate::log::{Log, Subject, Tree};
 use crate::report::Style as Numbers;
 use crate::report::language::Language;
+use changed::Changed;
 use drawing::{Drawing, Projection};
 use facts::Facts;
 use fold::Fold;
@@ -83,6 +85,10 @@ pub struct Model {
     pub language: Language,
     /// What is shown, in other arithmetics, once somebody asked for it.
     pub others: Vec<Log>,
+    /// What the last change of the scene has changed here.
+    pub changed: Changed,
+    /// What was before it, while it is to be shown beside what is now.
+    pub before: Option<Log>,
     /// Breakpoints, the search, bookmarks and other navigation.
     pub guide: Guide,
     /// Lists that explain, and the quiz.
@@ -147,6 +153,8 @@ impl Model {
             numbers: Numbers::default(),
             language: Language::default(),
             others: Vec::new(),
+            changed: Changed::default(),
+            before: None,
             guide: Guide::default(),
             understanding: Understanding::default(),
         };

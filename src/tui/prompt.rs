@@ -39,6 +39,9 @@ pub(super) fn typed(model: &mut Model, key: KeyEvent) -> Effect {
     match key.code {
         KeyCode::Esc => model.prompt = None,
         KeyCode::Backspace if prompt.line.value().is_empty() => model.prompt = None,
+        KeyCode::Tab if prompt.purpose == Purpose::Command && command::is_of_parameter(prompt.line.value()) => {
+            return Effect::Complete;
+        }
         KeyCode::Tab => complete(model),
         KeyCode::Up => recall(model, |back| back + 1),
         KeyCode::Down => recall(model, |back| back.saturating_sub(1)),
@@ -81,22 +84,42 @@ fn recall(model: &mut Model, further: fn(usize) -> usize) {
     prompt.recalled = place;
 }
 
+/// Completes the path of a parameter, and says which values there are.
+pub(super) fn complete_path(model: &mut Model, parameters: impl FnOnce(&str) -> Vec<(String, String)>) {
+    let Some(prompt) = &model.prompt else { return };
+    let Some((command, typed)) = prompt.line.value().split_once(' ') else { return };
+    // Behind the path is the value.
+    let path = typed.split(' ').next().unwrap_or_default();
+    let found = parameters(path);
+    let ways: Vec<_> = found.iter().map(|(path, _)| format!("{command} {path} ")).collect();
+    let nothing = (model.texts().messages.no_parameter)(&plain(path), "");
+    complete_to(model, &ways);
+    let some: Vec<_> = found.iter().take(8).map(|(path, value)| format!("{path} = {value}")).collect();
+    model.say(&if some.is_empty() { nothing } else { plain(&some.join("   ")) });
+}
+
 /// Completes the line as far as there is no choice, and says what there is where there is one.
 fn complete(model: &mut Model) {
     let Some(prompt) = &model.prompt else { return };
-    let typed = prompt.line.value().to_owned();
-    let ways = command::completions(model, prompt.purpose, &typed);
-    let Some(first) = ways.first() else { return };
+    let ways = command::completions(model, prompt.purpose, prompt.line.value());
+    if !complete_to(model, &ways) && ways.len() > 1 {
+        let some: Vec<_> = ways.iter().take(12).map(|way| plain(way.trim_end())).collect();
+        model.say(&some.join("  "));
+    }
+}
+
+/// Completes the line as far as all ways have in common, and says whether that is further than it was.
+fn complete_to(model: &mut Model, ways: &[String]) -> bool {
+    let (Some(prompt), Some(first)) = (&model.prompt, ways.first()) else { return false };
     let common = ways.iter().skip(1).fold(first.as_str(), |common, way| {
         let same = common.char_indices().zip(way.chars()).find(|((_, ours), theirs)| ours != theirs);
         &common[..same.map_or(common.len().min(way.len()), |((at, _), _)| at)]
     });
-    if common.len() > typed.len() {
+    let is_longer = common.len() > prompt.line.value().len();
+    if is_longer {
         model.prompt = Some(Prompt { line: common.into(), ..prompt.clone() });
-    } else if ways.len() > 1 {
-        let some: Vec<_> = ways.iter().take(12).map(|way| plain(way.trim_end())).collect();
-        model.say(&some.join("  "));
     }
+    is_longer
 }
 
 /// Does what a finished line asks for.

@@ -25,6 +25,8 @@ use signal_hook::{flag, low_level};
 use std::cell::Cell;
 use std::io::{self, IsTerminal, Stdout, Write};
 use std::mem::ManuallyDrop;
+use std::path::Path;
+use std::process::Command;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Once};
 use std::time::{Duration, Instant};
@@ -159,6 +161,24 @@ impl Terminal {
             self.resume()?;
         }
         Ok(has_shell)
+    }
+
+    /// Gives the terminal to the user's editor at a line of a file, and takes it back. Inside, why there is no editor, or what it ended with.
+    pub(super) fn edit(&mut self, file: &Path, line: usize) -> io::Result<Result<(), String>> {
+        let editor =
+            ["VISUAL", "EDITOR"].into_iter().find_map(|name| std::env::var(name).ok().filter(|word| !word.is_empty()));
+        restore();
+        // The variable is a command with its options, as a shell reads it.
+        let command = format!("{} \"$@\"", editor.unwrap_or_else(|| "vi".to_owned()));
+        let mut words = Command::new("sh");
+        words.args(["-c", &command, "sh", &format!("+{line}")]).arg(file);
+        let status = words.status();
+        self.resume()?;
+        Ok(match status {
+            Ok(status) if status.success() => Ok(()),
+            Ok(status) => Err(status.to_string()),
+            Err(error) => Err(error.to_string()),
+        })
     }
 
     /// Takes the terminal over again, and redraws everything.

@@ -1,7 +1,9 @@
 //! The scene behind the viewer, which is traced while one looks.
 
 pub mod drawing;
+mod paths;
 mod picture;
+pub mod workbench;
 
 use glam::DVec3;
 use picture::Rendering;
@@ -9,13 +11,15 @@ use raywalk::log::{Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::scene::Scene;
-use raywalk::tui::{Drawing, Image, Live, Refusal};
+use raywalk::tui::{Change, Drawing, Image, Live, Refusal};
+use std::path::PathBuf;
 use std::sync::Arc;
+use workbench::Workbench;
 
-/// A scene and the arithmetic that it is shown in.
+/// A scene and how it is traced.
 pub struct Session {
     scene: Arc<Scene>,
-    arithmetic: Arithmetic,
+    workbench: Workbench,
     waits: bool,
     /// The picture; begun when somebody wants to see it.
     rendering: Option<Rendering>,
@@ -23,29 +27,53 @@ pub struct Session {
 
 impl Session {
     /// The session of a scene; one that waits shows nothing of a picture before all of it is there.
-    pub fn new(scene: Scene, arithmetic: Arithmetic, waits: bool) -> Session {
-        Session { scene: Arc::new(scene), arithmetic, waits, rendering: None }
+    pub fn new(scene: Scene, workbench: Workbench, waits: bool) -> Session {
+        Session { scene: Arc::new(scene), workbench, waits, rendering: None }
     }
 
     fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
-        record::bounded(&self.scene, part, arithmetic).map_err(|cut_off| match cut_off {
-            CutOff::TooLong { most } => Refusal::TooLong(most),
-            CutOff::Memory => Refusal::NoMemory,
-            CutOff::Io(error) => Refusal::Other(error.to_string()),
-        })
+        log_of(&self.scene, part, arithmetic)
+    }
+
+    /// Goes on with another scene, and traces the same of it.
+    fn go_on_with(&mut self, scene: Scene, subject: Subject) -> Result<Log, Refusal> {
+        self.scene = Arc::new(scene);
+        self.rendering = None;
+        self.log(part_in(&self.scene, subject)?, self.workbench.arithmetic())
+    }
+}
+
+fn log_of(scene: &Scene, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
+    record::bounded(scene, part, arithmetic).map_err(|cut_off| match cut_off {
+        CutOff::TooLong { most } => Refusal::TooLong(most),
+        CutOff::Memory => Refusal::NoMemory,
+        CutOff::Io(error) => Refusal::Other(error.to_string()),
+    })
+}
+
+/// What is traced again of a scene, of which the picture may be smaller than it was.
+fn part_in(scene: &Scene, subject: Subject) -> Result<Part, Refusal> {
+    let [width, height] = scene.camera.resolution;
+    match subject {
+        Subject::Pixel([x, y]) => Ok(Part::Pixel([x.min(width - 1), y.min(height - 1)])),
+        Subject::Ray([ox, oy, oz, dx, dy, dz]) => {
+            Ok(Part::Ray { origin: DVec3::new(ox, oy, oz), direction: DVec3::new(dx, dy, dz) })
+        }
+        Subject::Region(_) => Err(Refusal::RegionsNotCompared),
     }
 }
 
 impl Live for Session {
     fn trace(&mut self, pixel: [u32; 2]) -> Result<Log, Refusal> {
-        if self.arithmetic == Arithmetic::Printed {
+        let arithmetic = self.workbench.arithmetic();
+        if arithmetic == Arithmetic::Printed {
             return Err(Refusal::OnePixelPrinted);
         }
-        self.log(Part::Pixel(pixel), self.arithmetic)
+        self.log(Part::Pixel(pixel), arithmetic)
     }
 
     fn picture(&mut self, whole: bool) -> Option<Arc<Image>> {
-        let (scene, arithmetic, whole) = (&self.scene, self.arithmetic, whole || self.waits);
+        let (scene, arithmetic, whole) = (&self.scene, self.workbench.arithmetic(), whole || self.waits);
         // The printed values are those of one pixel; the others are as by hand.
         let arithmetic = if arithmetic == Arithmetic::Printed { Arithmetic::Decimal(3) } else { arithmetic };
         let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic, whole));
@@ -60,15 +88,36 @@ impl Live for Session {
     }
 
     fn compare(&mut self, subject: Subject) -> Result<Vec<Log>, Refusal> {
-        let part = match subject {
-            Subject::Pixel(pixel) => Part::Pixel(pixel),
-            Subject::Ray([ox, oy, oz, dx, dy, dz]) => {
-                Part::Ray { origin: DVec3::new(ox, oy, oz), direction: DVec3::new(dx, dy, dz) }
-            }
-            Subject::Region(_) => return Err(Refusal::RegionsNotCompared),
-        };
+        let part = part_in(&self.scene, subject)?;
         // The perturbed runs say how many digits of f64 can be trusted.
         let arithmetics = [Arithmetic::Decimal(3), Arithmetic::F32, Arithmetic::F64, Arithmetic::Perturbed(0)];
         arithmetics.into_iter().map(|arithmetic| self.log(part, arithmetic)).collect()
+    }
+
+    fn change(&mut self, change: &Change, subject: Subject) -> Result<Log, Refusal> {
+        let scene = self.workbench.change(change)?;
+        self.go_on_with(scene, subject)
+    }
+
+    fn before(&mut self, subject: Subject) -> Result<Log, Refusal> {
+        let (scene, arithmetic) = self.workbench.before()?;
+        log_of(&scene, part_in(&scene, subject)?, arithmetic)
+    }
+
+    fn reload(&mut self, subject: Subject) -> Option<Result<Log, Refusal>> {
+        let scene = self.workbench.reload()?;
+        Some(scene.and_then(|scene| self.go_on_with(scene, subject)))
+    }
+
+    fn parameters(&mut self, beginning: &str) -> Vec<(String, String)> {
+        self.workbench.parameters(beginning)
+    }
+
+    fn save(&mut self, path: &str) -> Result<(), Refusal> {
+        self.workbench.save(path)
+    }
+
+    fn source(&mut self, object: Option<u32>) -> Option<(PathBuf, usize)> {
+        self.workbench.place(object)
     }
 }

@@ -177,6 +177,32 @@ pub fn compare(a: Run, b: Run, tolerance: &Tolerance) -> Comparison {
     }
 }
 
+/// What of B isn't as it is in A.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Differing {
+    /// The events of B that differ, or that A doesn't have.
+    pub events: Vec<usize>,
+    /// How many values, decisions and nodes differ, those that only A has too.
+    pub count: usize,
+    /// What the first is called, and where it is.
+    pub first: Option<String>,
+}
+
+/// What differs between two logs, in short. Their objects and lights must have the same numbers, see [`Numbering`].
+pub fn differing(a: Run, b: Run) -> Differing {
+    let alignment = Rc::new(align::align(a, b));
+    let comparing = Comparing { causes: Causes::of(a, b, alignment.clone()), tolerance: Tolerance::default() };
+    let spots: Vec<Spot> = alignment.spots.iter().copied().filter(|spot| comparing.differs(*spot)).collect();
+    let event = |spot: &Spot| match spot {
+        Spot::Both(_, Item::Event(event) | Item::Input(event, _))
+        | Spot::OnlyB(Item::Event(event) | Item::Input(event, _)) => Some(*event),
+        Spot::OnlyB(Item::Node(node)) => Some(b.tree.nodes()[*node].events.start),
+        Spot::Both(_, Item::Node(_)) | Spot::OnlyA(_) => None,
+    };
+    let first = spots.first().map(|spot| text::label_with_path(&comparing.entry(*spot)));
+    Differing { events: spots.iter().filter_map(event).collect(), count: spots.len(), first }
+}
+
 struct Comparing<'a> {
     causes: Causes<'a>,
     tolerance: Tolerance,

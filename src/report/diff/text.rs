@@ -312,6 +312,11 @@ fn label(entry: &Entry) -> String {
     }
 }
 
+/// The same with its ray.
+pub(super) fn label_with_path(entry: &Entry) -> String {
+    if entry.path.is_empty() { label(entry) } else { format!("{} ({})", label(entry), entry.path) }
+}
+
 /// The same with its ray, if that is another one than that of `of`.
 fn label_from(entry: &Entry, of: &Entry) -> String {
     let elsewhere = Some(&entry.path).filter(|path| **path != of.path && !path.is_empty());

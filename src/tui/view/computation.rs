@@ -35,24 +35,40 @@ fn lines(model: &Model, theme: &Theme, width: usize, height: usize) -> Vec<Line<
     let current = items.iter().position(|item| is_current(model, *item)).unwrap_or(0);
     // Every item has a line at least, so that no item further off can be on the screen.
     let first = current.saturating_sub(height);
-    let mut lines = Vec::new();
+    let (mut lines, mut changed) = (Vec::new(), Vec::new());
     let (mut begin, mut mark, mut end) = (0, 0, 0);
     for (index, item) in items.iter().enumerate().skip(first).take(2 * height + 1) {
         let (block, marked) = block(model, *item, width, theme);
         if index == current {
             (begin, mark, end) = (lines.len(), lines.len() + marked, lines.len() + block.len());
         }
+        if is_changed(model, *item) {
+            changed.push(lines.len() + marked);
+        }
         lines.extend(block);
     }
     let at_mark = Span::styled(format!("{} ", theme.glyphs.current), theme.style(Role::Current));
     let with_margin = |(number, line): (usize, Line<'static>)| {
-        let margin = if number == mark { at_mark.clone() } else { Span::raw("  ") };
+        let is_changed = changed.contains(&number);
+        let margin = match number == mark {
+            true => at_mark.clone(),
+            false if is_changed => Span::styled(format!("{} ", theme.glyphs.differs), theme.style(Role::Warning)),
+            false => Span::raw("  "),
+        };
         Line::from_iter(std::iter::once(margin).chain(line.spans))
     };
     let skipped = begin.saturating_sub(height / 3).min(lines.len().saturating_sub(height));
     // All of the step, or, if there is too much of it, the line with the mark.
     let skipped = skipped.max(end.saturating_sub(height)).min(mark);
     lines.into_iter().enumerate().map(with_margin).skip(skipped).take(height).collect()
+}
+
+/// Whether the last change of the scene has changed an item.
+fn is_changed(model: &Model, item: Item) -> bool {
+    match item {
+        Item::Event(event) => model.changed.events.contains(&event),
+        Item::Node(node) => model.changed.nodes.contains(&node),
+    }
 }
 
 fn is_current(model: &Model, item: Item) -> bool {

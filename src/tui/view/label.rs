@@ -10,6 +10,9 @@ use crate::tui::theme::{Role, Theme};
 pub(super) fn row(model: &Model, node: usize, theme: &Theme) -> Vec<Piece> {
     let mut pieces = name(model, node, theme);
     pieces.extend(hidden_rays(model, node, theme));
+    if model.changed.nodes.contains(&node) {
+        pieces.push((format!("  {}", theme.glyphs.differs), theme.style(Role::Warning)));
+    }
     pieces.extend(outcome(model, node, theme));
     pieces
 }

@@ -12,6 +12,46 @@ texts! {
     no_shell = "there is no shell to go to", "no hay intérprete de órdenes al que ir";
     /// A saved log can't be traced.
     no_scene = "a saved log has no scene to trace", "un registro guardado no tiene escena que trazar";
+    /// Nothing was changed that could be taken back or compared.
+    nothing_changed = "the scene is as it was read; :set changes it", "la escena está como se leyó; :set la cambia";
+    /// `:set` was typed alone.
+    no_path =
+        "expected a path and a value, such as :set objects.sphere.shape.sphere.radius 2.5; Tab completes it",
+        "se espera una ruta y un valor, como :set objects.sphere.shape.sphere.radius 2.5; Tab la completa";
+    /// A path leads nowhere.
+    no_parameter: fn(&str, &str) -> String =
+        |path, known| match known {
+            "" => format!("nothing is inside of `{path}`"),
+            known => format!("no `{path}`; there is {known}"),
+        },
+        |path, known| match known {
+            "" => format!("no hay nada dentro de `{path}`"),
+            known => format!("no hay `{path}`; hay {known}"),
+        };
+    /// A change of the scene changes nothing here.
+    no_value_differs = "nothing differs here", "aquí no cambia nada";
+    /// How much a change of the scene changes here.
+    values_differ: fn(usize, &str) -> String =
+        |count, first| match count {
+            1 => format!("1 difference: {first}; :compare shows both"),
+            _ => format!("{count} differences, first {first}; :compare shows both"),
+        },
+        |count, first| match count {
+            1 => format!("1 diferencia: {first}; :compare muestra ambos"),
+            _ => format!("{count} diferencias, la primera {first}; :compare muestra ambos"),
+        };
+    /// The scene was read anew.
+    reloaded(what: &str) = "reloaded: {what}", "leída de nuevo: {what}";
+    /// The files of the scene have changed, and it can't be read any more.
+    not_reloaded(why: &str) = "not reloaded: {why}", "no se ha vuelto a leer: {why}";
+    /// The scene was saved.
+    saved(path: &str) = "saved as {path}", "guardada como {path}";
+    /// There is no file to edit.
+    no_source = "this scene has no file of its own to edit", "esta escena no tiene un archivo propio que editar";
+    /// The editor couldn't be run.
+    no_editor(why: &str) = "can't run $EDITOR: {why}", "no se puede ejecutar $EDITOR: {why}";
+    /// The titles of what was before a change, and of what is now.
+    before_and_now: [&'static str; 2] = ["before", "now"], ["antes", "ahora"];
     /// The key is for other panes.
     other_pane =
         "that is for the picture and the schematic; Tab goes there",
@@ -317,6 +357,16 @@ texts! {
     may_be(text: &str, commands: &str) = ":{text} may be {commands}", ":{text} puede ser {commands}";
     /// How many steps there are.
     steps(count: usize) = "there are steps 1 to {count}", "hay pasos del 1 al {count}";
+    /// What represents a path and its value.
+    path_and_value = "PATH VALUE", "RUTA VALOR";
+    /// What represents a file.
+    file = "FILE", "ARCHIVO";
+    /// What represents a number.
+    number = "N", "N";
+    /// What represents a name.
+    name = "NAME", "NOMBRE";
+    /// Nothing follows a command that needs something.
+    expected_more(command: &str, what: &str) = "expected :{command} {what}", "se espera :{command} {what}";
     /// What follows `bookmark`.
     expected_letter = "expected one letter, such as :bookmark a", "se espera una letra, como :bookmark a";
     /// What follows `pixel`.

@@ -1,0 +1,206 @@
+//! Paths in a scene as people type them: `objects.sphere.shape.sphere.radius`. What a list holds is named by its `name`, or counted from 0.
+
+use serde_json::Value;
+
+/// Why a value can't be set.
+#[derive(Debug, PartialEq, Eq)]
+pub enum PathError {
+    /// There is no path.
+    NoPath,
+    /// A step leads nowhere: the path up to it, and what is there instead.
+    Unknown { step: String, known: Vec<String> },
+}
+
+/// The most paths in a list.
+const MAX_LISTED: usize = 1000;
+
+/// Sets the value at a path. A key that is missing is added: whether a scene may have it is the reader's to say.
+pub fn set(scene: &mut Value, path: &str, text: &str) -> Result<(), PathError> {
+    let mut at = scene;
+    let mut rest = path;
+    if rest.is_empty() {
+        return Err(PathError::NoPath);
+    }
+    loop {
+        let (step, behind) = step(at, rest);
+        let unknown =
+            || PathError::Unknown { step: path[..path.len() - rest.len() + step.len()].to_owned(), known: names(at) };
+        let is_last = behind.is_empty();
+        let index = index_of(at, step);
+        if index.is_none() && !(is_last && at.is_object()) {
+            return Err(unknown());
+        }
+        let next = match (&mut *at, index) {
+            (Value::Object(map), _) => map.entry(step).or_insert(Value::Null),
+            (Value::Array(list), Some(index)) => &mut list[index],
+            _ => return Err(PathError::NoPath),
+        };
+        if is_last {
+            *next = value(text);
+            return Ok(());
+        }
+        (at, rest) = (next, behind);
+    }
+}
+
+/// The first step of a path and the rest behind its dot. Names may have dots, so the longest that is there counts.
+fn step<'p>(at: &Value, path: &'p str) -> (&'p str, &'p str) {
+    let ends = path.match_indices('.').map(|(end, _)| end).chain([path.len()]);
+    let end = ends.clone().filter(|end| index_of(at, &path[..*end]).is_some()).last();
+    let end = end.or_else(|| ends.clone().next()).unwrap_or(path.len());
+    (&path[..end], path.get(end + 1..).unwrap_or_default())
+}
+
+/// Where in an object or a list something is.
+fn index_of(at: &Value, step: &str) -> Option<usize> {
+    match at {
+        Value::Object(map) => map.keys().position(|key| key == step),
+        Value::Array(list) => {
+            let named = list.iter().position(|item| name(item) == Some(step));
+            named.or_else(|| step.parse().ok().filter(|index| *index < list.len()))
+        }
+        _ => None,
+    }
+}
+
+fn name(item: &Value) -> Option<&str> {
+    item.get("name")?.as_str()
+}
+
+/// What an object or a list has.
+fn names(at: &Value) -> Vec<String> {
+    match at {
+        Value::Object(map) => map.keys().cloned().collect(),
+        Value::Array(list) => list.iter().enumerate().map(|(index, item)| label(index, item)).collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn label(index: usize, item: &Value) -> String {
+    name(item).map_or_else(|| index.to_string(), str::to_owned)
+}
+
+/// The value in a text: JSON, numbers with blanks or commas between them, or a word.
+fn value(text: &str) -> Value {
+    if let Ok(value) = serde_json::from_str(text) {
+        return value;
+    }
+    let numbers: Option<Vec<f64>> = text
+        .trim_matches(['(', ')'])
+        .split([',', ' '])
+        .filter(|part| !part.is_empty())
+        .map(|part| part.parse().ok().filter(|number: &f64| number.is_finite()))
+        .collect();
+    match numbers {
+        Some(numbers) if numbers.len() > 1 => numbers.into(),
+        _ => text.into(),
+    }
+}
+
+/// The paths that begin so, with their values, at most [`MAX_LISTED`].
+pub fn list(scene: &Value, beginning: &str) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    collect(scene, String::new(), beginning, &mut found);
+    found
+}
+
+fn collect(at: &Value, path: String, beginning: &str, found: &mut Vec<(String, String)>) {
+    let common = path.len().min(beginning.len());
+    if found.len() == MAX_LISTED || path.as_bytes()[..common] != beginning.as_bytes()[..common] {
+        return;
+    }
+    let inside = |step: &str| if path.is_empty() { step.to_owned() } else { format!("{path}.{step}") };
+    match at {
+        Value::Object(map) if !map.is_empty() => {
+            map.iter()
+                .filter(|(key, _)| *key != "format")
+                .for_each(|(key, item)| collect(item, inside(key), beginning, found));
+        }
+        Value::Array(list) if list.iter().any(|item| item.is_object()) => {
+            for (index, item) in list.iter().enumerate() {
+                collect(item, inside(&label(index, item)), beginning, found);
+            }
+        }
+        leaf if path.starts_with(beginning) => found.push((path, leaf.to_string())),
+        _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn scene() -> Value {
+        json!({
+            "format": "raywalk-scene/1",
+            "objects": [
+                {"name": "ball", "shape": {"sphere": {"center": [1, 2, 3], "radius": 2}}},
+                {"name": "a.b", "shape": {"plane": {"coefficients": [0, 1, 0, 0]}}},
+            ],
+            "tracing": {"algorithm": "recursive"},
+        })
+    }
+
+    #[track_caller]
+    fn sets(path: &str, text: &str, place: &str, expected: Value) {
+        let mut changed = scene();
+        assert_eq!(set(&mut changed, path, text), Ok(()), "{path}");
+        assert_eq!(changed.pointer(place), Some(&expected), "{path}");
+    }
+
+    #[test]
+    fn values_are_set_by_names_and_by_numbers() {
+        sets("objects.ball.shape.sphere.radius", "2.5", "/objects/0/shape/sphere/radius", json!(2.5));
+        sets("objects.0.shape.sphere.radius", "2.5", "/objects/0/shape/sphere/radius", json!(2.5));
+        sets("objects.ball.shape.sphere.center.1", "7", "/objects/0/shape/sphere/center/1", json!(7));
+        sets(
+            "objects.ball.shape.sphere.center",
+            "(1, 2.5, -3)",
+            "/objects/0/shape/sphere/center",
+            json!([1.0, 2.5, -3.0]),
+        );
+        sets(
+            "objects.a.b.shape.plane.coefficients",
+            "0 0 1 4",
+            "/objects/1/shape/plane/coefficients",
+            json!([0.0, 0.0, 1.0, 4.0]),
+        );
+        sets("tracing.algorithm", "foley", "/tracing/algorithm", json!("foley"));
+        sets("tracing.max_depth", "3", "/tracing/max_depth", json!(3));
+        sets("sampling", r#"{"regular": {"n": 3}}"#, "/sampling/regular/n", json!(3));
+    }
+
+    #[test]
+    fn a_step_that_leads_nowhere_says_what_is_there() {
+        let known = |path: &str| match set(&mut scene(), path, "1") {
+            Err(PathError::Unknown { step, known }) => (step, known.join(" ")),
+            other => panic!("{path}: {other:?}"),
+        };
+        assert_eq!(known("objects.bal.shape"), ("objects.bal".to_owned(), "ball a.b".to_owned()));
+        assert_eq!(known("objects.2"), ("objects.2".to_owned(), "ball a.b".to_owned()));
+        assert_eq!(known("object.ball.x"), ("object".to_owned(), "format objects tracing".to_owned()));
+        assert_eq!(known("tracing.algorithm.x").1, "");
+        assert_eq!(set(&mut scene(), "", "1"), Err(PathError::NoPath));
+    }
+
+    #[test]
+    fn paths_are_listed_with_their_values() {
+        let listed = list(&scene(), "objects.b");
+        assert_eq!(
+            listed,
+            [
+                ("objects.ball.name", "\"ball\""),
+                ("objects.ball.shape.sphere.center", "[1,2,3]"),
+                ("objects.ball.shape.sphere.radius", "2")
+            ]
+            .map(|(path, value)| (path.to_owned(), value.to_owned()))
+        );
+        // Each of them leads to its value.
+        for (path, value) in list(&scene(), "") {
+            let mut same = scene();
+            set(&mut same, &path, &value).expect("a path that was listed");
+            assert_eq!(same, scene(), "{path}");
+        }
+    }
+}
