@@ -22,7 +22,7 @@ mod part;
 pub mod path_class;
 pub mod provenance;
 pub mod pseudocode;
-pub mod ray_group;
+pub(crate) mod ray_group;
 pub mod ray_tree;
 pub mod schematic;
 pub mod segments;
