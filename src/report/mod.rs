@@ -48,7 +48,7 @@ pub struct Style {
 }
 
 impl Style {
-    /// That of a log with this header. By hand a number is what its decimals say.
+    /// How people see the numbers of a log with this header. By hand a number is what its decimals say.
     pub fn of(header: &Header, digits: u32) -> Style {
         let is_by_hand = header.arithmetic == "printed" || header.arithmetic.starts_with("decimal:");
         Style { digits, keeps_small: !is_by_hand }
@@ -67,6 +67,6 @@ impl Style {
 
 impl Default for Style {
     fn default() -> Self {
-        Style { digits: 3, keeps_small: true }
+        Style { digits: 3, keeps_small: false }
     }
 }

@@ -139,19 +139,22 @@ mod tests {
 
     #[test]
     fn small_ones_keep_three_significant_digits() {
-        shows(1.0 / 480.0, "0.00208");
-        shows(-0.012_345, "-0.0123");
-        shows(0.099_96, "0.100");
-        shows(0.999_96, "1.000");
-        shows(0.000_512_3, "0.000512");
-        shows(0.05, "0.0500");
-        shows(0.5, "0.500");
-        let by_hand = Style { keeps_small: false, ..Style::default() };
-        assert_eq!(number(1.0 / 480.0, by_hand), "0.002");
-        for (digits, expected) in [(3, "0.00208"), (4, "0.00208"), (6, "0.002083")] {
-            let style = Style::default().with(digits);
-            assert_eq!(number(1.0 / 480.0, style), expected);
+        let keeping = Style { keeps_small: true, ..Style::default() };
+        for (x, expected) in [
+            (1.0 / 480.0, "0.00208"),
+            (-0.012_345, "-0.0123"),
+            (0.099_96, "0.100"),
+            (0.999_96, "1.000"),
+            (0.000_512_3, "0.000512"),
+            (0.05, "0.0500"),
+            (0.5, "0.500"),
+        ] {
+            assert_eq!(number(x, keeping), expected);
         }
+        for (digits, expected) in [(1, "2.1·10⁻³"), (3, "0.00208"), (4, "0.00208"), (6, "0.002083")] {
+            assert_eq!(number(1.0 / 480.0, keeping.with(digits)), expected);
+        }
+        shows(1.0 / 480.0, "0.002");
     }
 
     #[test]
