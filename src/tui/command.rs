@@ -4,9 +4,9 @@ use super::effect::{Change, Effect, Exit};
 use super::keys::Walk;
 use super::model::prompt::Purpose;
 use super::model::{Model, breakpoint};
-use super::{bookmarks, breakpoints, jumps, search, walk};
+use super::{bookmarks, breakpoints, edit, jumps, search, walk};
 use crate::files::suggest;
-use crate::log::{Decision, Step, Subject, What};
+use crate::log::{Step, Subject};
 use crate::report::language::Language;
 use crate::report::language::viewer::Commands;
 use crate::report::words::plain;
@@ -76,7 +76,7 @@ const COMMANDS: &[Command] = &[
         argument: Argument::Number,
         run: |_, number| Ok(Effect::Change(Change::Depth(number.to_owned()))),
     },
-    Command { name: "edit", argument: Argument::Nothing, run: |model, _| Ok(edit(model)) },
+    Command { name: "edit", argument: Argument::Nothing, run: |model, _| Ok(edit::object(model)) },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
     Command { name: "grow", argument: Argument::Nothing, run: |model, _| go(model, Walk::Grow) },
     Command { name: "help", argument: Argument::Nothing, run: |model, _| Ok(walk::open_help(model)) },
@@ -201,21 +201,6 @@ fn set(model: &mut Model, text: &str) -> Done {
         return Err(model.texts().messages.no_path.to_owned());
     };
     Ok(Effect::Change(Change::Set { path: path.to_owned(), value: value.trim().to_owned() }))
-}
-
-/// Opens the scene where it has the object that the current step is about.
-pub(super) fn edit(model: &Model) -> Effect {
-    let of_node = |node: usize| match model.tree.nodes()[node].step {
-        Some(Step::Test { object, .. } | Step::Shade { object } | Step::Motion { object }) => Some(object),
-        _ => None,
-    };
-    let here = model.log.events.get(model.event).and_then(|event| match event.what {
-        What::Mark(
-            Decision::Nearest { object } | Decision::Occluded { object } | Decision::Attenuated { object, .. },
-        ) => Some(object),
-        _ => None,
-    });
-    Effect::Edit(here.or_else(|| model.tree.around(model.tree.owner(model.event)).find_map(of_node)))
 }
 
 fn bookmark(model: &mut Model, text: &str) -> Done {

@@ -124,9 +124,10 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
             model.others = logs;
             understanding::open(model, Kind::Arithmetics);
         }),
-        (Effect::Change(change), Some(live)) => {
-            live.change(&change, model.log.header.subject).map(|log| show_changed(model, log))
-        }
+        (Effect::Change(change), Some(live)) => live.change(&change, model.log.header.subject).map(|log| {
+            let said = show_changed(model, log);
+            model.say(&said);
+        }),
         (Effect::Beside, Some(live)) => live.before(model.log.header.subject).map(|log| model.before = Some(log)),
         (Effect::Save(path), Some(live)) => {
             live.save(&path).map(|()| model.say(&(model.texts().messages.saved)(&plain(&path))))
@@ -145,13 +146,16 @@ pub(super) fn answer(model: &mut Model, effect: Effect, live: &mut Option<&mut d
 pub(super) fn reload(model: &mut Model, live: &mut Option<&mut dyn Live>) {
     match live.as_mut().and_then(|live| live.reload(model.log.header.subject)) {
         None => {}
-        Some(Ok(log)) => show_changed(model, log),
+        Some(Ok(log)) => {
+            let said = show_changed(model, log);
+            model.say(&(model.texts().messages.reloaded)(&said));
+        }
         Some(Err(why)) => model.say(&(model.texts().messages.not_reloaded)(&why.text(model.language))),
     }
 }
 
-/// Shows the log of the scene after a change, and marks what has changed.
-fn show_changed(model: &mut Model, log: Log) {
+/// Shows the log of the scene after a change, and marks what has changed. Gives what to say of it.
+fn show_changed(model: &mut Model, log: Log) -> String {
     let before = model.log.clone();
     show_log(model, log);
     model.numbers = Style::of(&model.log.header, model.numbers.digits);
@@ -161,11 +165,10 @@ fn show_changed(model: &mut Model, log: Log) {
         view.is_finished = false;
     }
     model.changed = Changed::between(before, &model.log, &model.tree);
-    let said = match &model.changed {
+    match &model.changed {
         Changed { count: 0, .. } => model.texts().messages.no_value_differs.to_owned(),
         Changed { count, first, .. } => (model.texts().messages.values_differ)(*count, &plain(first)),
-    };
-    model.say(&said);
+    }
 }
 
 /// Looks whether there is more of the picture; `whole` waits for all of it.

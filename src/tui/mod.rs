@@ -12,6 +12,7 @@ mod breakpoints;
 mod command;
 mod copy;
 pub mod dump;
+mod edit;
 mod effect;
 mod jumps;
 pub mod keys;

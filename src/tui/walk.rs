@@ -6,7 +6,7 @@ use super::model::list::Kind;
 use super::model::prompt::{Prompt, Purpose};
 use super::model::{Model, Overlay};
 use super::steps::Step;
-use super::{bookmarks, breakpoints, copy, jumps, listing, mouse, play, run, search};
+use super::{bookmarks, breakpoints, copy, edit, jumps, listing, mouse, play, run, search};
 
 /// Does it; `count` is the number typed before.
 pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effect {
@@ -41,6 +41,7 @@ pub(super) fn update(model: &mut Model, walk: Walk, count: Option<u32>) -> Effec
         Walk::CopyPath => return copy::path(model),
         Walk::Command => model.prompt = Some(Prompt::new(Purpose::Command)),
         Walk::Mouse => mouse::toggle(model),
+        Walk::Edit => return edit::object(model),
         Walk::Click(x, y) => return mouse::click(model, x, y),
         Walk::Wheel(..) | Walk::Tick | Walk::Delete => {}
     }

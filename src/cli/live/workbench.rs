@@ -1,15 +1,16 @@
 //! The scene of a session as it is now, and how it is traced: what is changed in the viewer, taken back, saved and read anew.
 
 use super::paths::{self, PathError};
-use crate::cli::failure::{Failure, shown};
+use crate::cli::failure::Failure;
 use crate::cli::frames;
 use crate::cli::options::TracingOptions;
 use crate::cli::output::Output;
 use crate::cli::sampling_spec;
 use crate::cli::scene_argument::{self, Input, Loaded, mesh_paths};
 use clap::ValueEnum;
-use raywalk::files::{FileError, KeyPath};
-use raywalk::record::Arithmetic;
+use clap::builder::PossibleValue;
+use raywalk::files::{FileError, KeyPath, unknown};
+use raywalk::record::{Arithmetic, ArithmeticError};
 use raywalk::scene::file::validate::Finding;
 use raywalk::scene::file::{self, validate::limits::MAX_DEPTH};
 use raywalk::scene::{Algorithm, Scene};
@@ -68,19 +69,27 @@ impl Workbench {
         let next = match change {
             Change::Undo => self.past.last().cloned().ok_or(Refusal::NothingChanged)?,
             Change::Set { path, value } => State { loaded: self.with(path, value)?, ..self.now.clone() },
-            Change::Arithmetic(word) => self.traced(|tracing| Ok(tracing.arithmetic = word.parse()?))?,
+            Change::Arithmetic(word) => {
+                let arithmetic = word.parse().map_err(|error: ArithmeticError| Refusal::Other(error.to_string()))?;
+                self.traced(TracingOptions { arithmetic, ..self.now.tracing.clone() })
+            }
             Change::Algorithm(word) => {
-                self.traced(|tracing| Ok(tracing.algorithm = Some(Algorithm::from_str(word, false)?)))?
+                let algorithm = Some(Algorithm::from_str(word, false).map_err(|_| unknown_algorithm(word))?);
+                self.traced(TracingOptions { algorithm, ..self.now.tracing.clone() })
             }
             Change::Sampling(spec) => {
-                self.traced(|tracing| Ok(tracing.sampling = Some(sampling_spec::sampling(spec)?)))?
+                let sampling = Some(sampling_spec::sampling(spec).map_err(Refusal::Other)?);
+                self.traced(TracingOptions { sampling, ..self.now.tracing.clone() })
             }
-            Change::Depth(number) => self.traced(|tracing| {
-                let depth = number.parse().ok().filter(|depth| *depth <= MAX_DEPTH);
-                tracing.max_depth =
-                    Some(depth.ok_or_else(|| format!("expected a whole number from 0 to {MAX_DEPTH}"))?);
-                Ok(())
-            })?,
+            Change::Depth(number) => {
+                let max_depth = number.parse().ok().filter(|depth| *depth <= MAX_DEPTH);
+                if max_depth.is_none() {
+                    return Err(Refusal::Other(format!(
+                        "expected a whole number from 0 to {MAX_DEPTH}, found `{number}`"
+                    )));
+                }
+                self.traced(TracingOptions { max_depth, ..self.now.tracing.clone() })
+            }
         };
         let scene = self.built(&next).map_err(refused)?;
         let left = std::mem::replace(&mut self.now, next);
@@ -99,10 +108,8 @@ impl Workbench {
         self.past.push(state);
     }
 
-    fn traced(&self, change: impl FnOnce(&mut TracingOptions) -> Result<(), String>) -> Result<State, Refusal> {
-        let mut state = self.now.clone();
-        change(&mut state.tracing).map_err(Refusal::Other)?;
-        Ok(state)
+    fn traced(&self, tracing: TracingOptions) -> State {
+        State { loaded: self.now.loaded.clone(), tracing }
     }
 
     /// The scene with another value at a path.
@@ -160,6 +167,12 @@ impl Workbench {
         let placed = file::placed(finding.as_slice(), &self.input.bytes, &self.input.name);
         Some((path, placed.first().map_or(1, |problem| problem.line.max(1))))
     }
+}
+
+fn unknown_algorithm(word: &str) -> Refusal {
+    let values: Vec<_> = Algorithm::value_variants().iter().filter_map(ValueEnum::to_possible_value).collect();
+    let known: Vec<_> = values.iter().map(PossibleValue::get_name).collect();
+    Refusal::Other(unknown("algorithm", word, &known))
 }
 
 /// What a command would say of it, in one line.

@@ -39,6 +39,7 @@ pub enum Walk {
     CopyPath,
     Command,
     Mouse,
+    Edit,
     /// A click into this column and row.
     Click(u16, u16),
     /// The wheel was turned by this many rows, at this column and row.
@@ -78,6 +79,7 @@ pub(super) const TABLE: &[Row] = &[
     row(|groups| groups.keep, &["y"], Action::Walk(Walk::CopyValue), |keys| keys.copy_value),
     row(|groups| groups.keep, &["Y"], Action::Walk(Walk::CopyPath), |keys| keys.copy_path),
     row(|groups| groups.keep, &[":"], Action::Walk(Walk::Command), |keys| keys.command),
+    row(|groups| groups.keep, &["^e"], Action::Walk(Walk::Edit), |keys| keys.edit),
     row(|groups| groups.keep, &["^t"], Action::Walk(Walk::Mouse), |keys| keys.mouse),
     row(|groups| groups.breakpoints, &["d"], Action::Walk(Walk::Delete), |keys| keys.delete),
 ];

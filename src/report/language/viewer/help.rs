@@ -154,6 +154,7 @@ texts! {
     copy_value = "copy the value with all its digits", "copiar el valor con todas sus cifras";
     copy_path = "copy the address, such as C R S1 shade.n_dot_l", "copiar la dirección, como C R S1 shade.n_dot_l";
     command = "type a command; :help lists them", "escribir una orden; :help las enumera";
+    edit = "open the scene in $EDITOR, at the object of this step", "abrir la escena en $EDITOR, en el objeto de este paso";
     mouse = "let the mouse select and scroll, or not", "que el ratón seleccione y desplace, o no";
     delete =
         "delete it; Space turns it on or off, Enter goes to its next place",
