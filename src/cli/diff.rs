@@ -5,6 +5,7 @@ mod pictures;
 
 use super::failure::Failure;
 use super::inputs;
+use super::look::Look;
 use super::options::{ColorChoice, ReportFormat};
 use super::walk::has_terminal;
 use clap::Args;
@@ -72,9 +73,8 @@ pub struct Diff {
     /// Walk through both logs in the terminal, side by side; for regions, through the first pixel that differs
     #[arg(long, conflicts_with_all = ["format", "brief"])]
     walk: bool,
-    /// Draw the walk with ASCII characters only
-    #[arg(long, requires = "walk")]
-    ascii: bool,
+    #[command(flatten)]
+    look: Look,
     /// Write the differences of two pictures as a picture: black where they are equal, white where they differ most
     #[arg(long, short, value_name = "HEAT.png")]
     output: Option<PathBuf>,
@@ -92,6 +92,9 @@ impl Diff {
     pub fn run(self, colors: ColorChoice, signals: Option<Endings>) -> Result<bool, Failure> {
         if [&self.a, &self.b].iter().all(|path| **path == Path::new("-")) {
             return Err(Failure::caller("diff - -: only one of the two can come from standard input"));
+        }
+        if self.look != Look::default() && !self.walk {
+            return Err(Failure::caller("--ascii and --theme: only with --walk"));
         }
         inputs::reads([&self.a, &self.b]);
         let [a, b] = [open(&self.a)?, open(&self.b)?];

@@ -11,6 +11,7 @@ mod layers;
 mod live;
 mod lock;
 mod log;
+mod look;
 mod merge;
 mod options;
 mod output;

@@ -5,6 +5,7 @@ use super::frames;
 use super::inputs::Inputs;
 use super::live::Session;
 use super::live::workbench::Workbench;
+use super::look::Look;
 use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
@@ -18,7 +19,7 @@ use raywalk::log::{Header, Log};
 use raywalk::report::language::Language;
 use raywalk::report::language::viewer::Warnings;
 use raywalk::report::{self, Style};
-use raywalk::tui::{self, Exit, Outcome, Palette, Theme};
+use raywalk::tui::{self, Exit, Outcome, Theme};
 use raywalk_guard::Endings;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -41,9 +42,8 @@ pub struct Walk {
     /// Print the walk as text instead of opening the viewer
     #[arg(long)]
     plain: bool,
-    /// Draw the viewer with ASCII characters only
-    #[arg(long)]
-    ascii: bool,
+    #[command(flatten)]
+    look: Look,
     /// The language of the viewer and of the walk as text; `:lang` in the viewer changes it
     #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
     lang: Lang,
@@ -107,7 +107,7 @@ impl Walk {
         if let Some(path) = &self.screenshot {
             self.check_screenshot(path)?;
             let [width, height] = self.screen.unwrap_or(SCREEN);
-            let options = self.options(&log.header, Palette::True, warning);
+            let options = self.options(&log.header, self.look.in_picture(), warning);
             let picture = tui::picture(log, &options, live, &self.keys, (width, height));
             return Output::create(Some(path), &inputs)?.commit(picture.as_bytes());
         }
@@ -124,7 +124,7 @@ impl Walk {
         if let Some(signals) = signals {
             signals.give_up();
         }
-        let options = self.options(&log.header, palette(colors), warning);
+        let options = self.options(&log.header, self.look.in_terminal(colors), warning);
         let outcome = tui::run(log, options, live)
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
         self.leave(walked, was_log, &outcome)
@@ -164,9 +164,9 @@ impl Walk {
         &Language::from(self.lang).texts().viewer.messages.warnings
     }
 
-    fn options(&self, header: &Header, palette: Palette, warning: Option<String>) -> tui::Options {
+    fn options(&self, header: &Header, theme: Theme, warning: Option<String>) -> tui::Options {
         let (numbers, language) = (Style::of(header, self.digits), self.lang.into());
-        tui::Options { theme: Theme::new(palette, self.ascii), start: self.at, warning, note: None, numbers, language }
+        tui::Options { theme, start: self.at, warning, note: None, numbers, language }
     }
 
     /// The call that leads back to the place where the viewer was left: this one, with the pixel and the step.
@@ -271,16 +271,6 @@ fn quoted(word: &str) -> String {
         word.to_owned()
     } else {
         format!("'{}'", escape_hidden(word).replace('\'', "'\\''"))
-    }
-}
-
-/// The colours that the terminal is asked for.
-pub fn palette(colors: ColorChoice) -> Palette {
-    let has_true_color = std::env::var("COLORTERM").is_ok_and(|said| said == "truecolor" || said == "24bit");
-    match (colors.applies_to(&io::stdout()), has_true_color) {
-        (false, _) => Palette::None,
-        (true, false) => Palette::Indexed,
-        (true, true) => Palette::True,
     }
 }
 

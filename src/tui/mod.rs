@@ -56,7 +56,7 @@ pub use model::picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
 pub use model::prompt::{Message, Prompt, Purpose};
 pub use model::understanding::{Quiz, Understanding};
 pub use model::{Model, Overlay, Pane, Pending};
-pub use theme::{Palette, Theme};
+pub use theme::{Background, Palette, Theme};
 pub use update::update;
 
 use crate::log::{Log, Subject, Tree};
@@ -213,7 +213,7 @@ pub fn picture(
     (width, height): (u16, u16),
 ) -> String {
     let model = opened_with_keys(log, options, live, keys, (width, height));
-    screenshot::svg(&frame(&model, width, height, &options.theme))
+    screenshot::svg(&frame(&model, width, height, &options.theme), options.theme.background)
 }
 
 fn react(

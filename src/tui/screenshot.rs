@@ -1,7 +1,7 @@
-//! A frame as a picture: a self-contained SVG of monospace text on a dark background.
+//! A frame as a picture: a self-contained SVG of monospace text.
 
 use super::dump::rows;
-use super::theme::of_index;
+use super::theme::{Background, of_index};
 use crate::report::escape::xml_of_visible;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier, Style};
@@ -11,11 +11,18 @@ use std::fmt::Write;
 const CELL: (f64, f64) = (8.4, 18.0);
 const LETTERS: f64 = 14.0;
 const MARGIN: f64 = 8.0;
-const BACKGROUND: &str = "#16181d";
-const FOREGROUND: &str = "#d8dee9";
 
-/// The frame as SVG.
-pub fn svg(buffer: &Buffer) -> String {
+/// The colours of the terminal itself: behind the text, and that of the text.
+fn own_colors(background: Background) -> [&'static str; 2] {
+    match background {
+        Background::Dark => ["#16181d", "#d8dee9"],
+        Background::Light => ["#ffffff", "#24292f"],
+    }
+}
+
+/// The frame as SVG, on this background.
+pub fn svg(buffer: &Buffer, background: Background) -> String {
+    let own = own_colors(background);
     let (width, height) = (f64::from(buffer.area.width), f64::from(buffer.area.height));
     let (width, height) = (width * CELL.0 + 2.0 * MARGIN, height * CELL.1 + 2.0 * MARGIN);
     let mut svg = String::new();
@@ -25,11 +32,11 @@ pub fn svg(buffer: &Buffer) -> String {
          height=\"{height:.1}\" font-family=\"ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace\" \
          font-size=\"{LETTERS}\" xml:space=\"preserve\">"
     );
-    let _ = writeln!(svg, "<rect width=\"100%\" height=\"100%\" rx=\"6\" fill=\"{BACKGROUND}\"/>");
+    let _ = writeln!(svg, "<rect width=\"100%\" height=\"100%\" rx=\"6\" fill=\"{}\"/>", own[0]);
     for (number, row) in rows(buffer).enumerate() {
         let mut column = 0;
         for run in row.chunk_by(|a, b| a.style() == b.style()) {
-            draw_run(&mut svg, run, column, number);
+            draw_run(&mut svg, run, [column, number], own);
             column += run.len();
         }
     }
@@ -37,8 +44,8 @@ pub fn svg(buffer: &Buffer) -> String {
     svg
 }
 
-fn draw_run(svg: &mut String, run: &[Cell], column: usize, row: usize) {
-    let look = Look::of(run[0].style());
+fn draw_run(svg: &mut String, run: &[Cell], [column, row]: [usize; 2], own: [&str; 2]) {
+    let look = Look::of(run[0].style(), own);
     let (x, y) = (MARGIN + column as f64 * CELL.0, MARGIN + row as f64 * CELL.1);
     if let Some(fill) = &look.background {
         let width = run.len() as f64 * CELL.0;
@@ -89,13 +96,13 @@ struct Look {
 }
 
 impl Look {
-    fn of(style: Style) -> Look {
+    fn of(style: Style, [ground, ink]: [&str; 2]) -> Look {
         let has = |modifier| style.add_modifier.contains(modifier);
         let mut foreground = style.fg.and_then(hex);
         let mut background = style.bg.and_then(hex);
         if has(Modifier::REVERSED) {
-            let light = foreground.take().unwrap_or_else(|| FOREGROUND.to_owned());
-            foreground = Some(background.take().unwrap_or_else(|| BACKGROUND.to_owned()));
+            let light = foreground.take().unwrap_or_else(|| ink.to_owned());
+            foreground = Some(background.take().unwrap_or_else(|| ground.to_owned()));
             background = Some(light);
         }
         let mut attributes = String::new();
@@ -107,7 +114,7 @@ impl Look {
         ] {
             attributes.push_str(if has(modifier) { attribute } else { "" });
         }
-        Look { foreground: foreground.unwrap_or_else(|| FOREGROUND.to_owned()), background, attributes }
+        Look { foreground: foreground.unwrap_or_else(|| ink.to_owned()), background, attributes }
     }
 }
 
@@ -116,8 +123,11 @@ fn hex(color: Color) -> Option<String> {
     let [r, g, b] = match color {
         Color::Rgb(r, g, b) => [r, g, b],
         Color::Indexed(index) => of_index(index),
-        // Of the colours with names the viewer uses this one.
-        Color::DarkGray => of_index(8),
+        Color::Red => of_index(1),
+        Color::Green => of_index(2),
+        Color::Yellow => of_index(3),
+        Color::Blue => of_index(4),
+        Color::Magenta => of_index(5),
         _ => return None,
     };
     Some(format!("#{r:02x}{g:02x}{b:02x}"))
@@ -132,7 +142,7 @@ mod tests {
     fn picture(text: &str) -> String {
         let mut buffer = Buffer::empty(Rect::new(0, 0, 20, 1));
         buffer.set_span(0, 0, &text.fg(Color::Indexed(74)).bold(), 20);
-        svg(&buffer)
+        svg(&buffer, Background::Dark)
     }
 
     #[test]
@@ -145,9 +155,9 @@ mod tests {
     fn reversed_text_has_a_background() {
         let mut buffer = Buffer::empty(Rect::new(0, 0, 4, 1));
         buffer.set_span(0, 0, &"x".reversed(), 4);
-        let svg = svg(&buffer);
-        assert!(svg.contains(&format!("height=\"18\" fill=\"{FOREGROUND}\"")), "{svg}");
-        assert!(svg.contains(&format!("fill=\"{BACKGROUND}\">x</text>")), "{svg}");
+        let svg = svg(&buffer, Background::Dark);
+        assert!(svg.contains(&format!("height=\"18\" fill=\"{}\"", own_colors(Background::Dark)[1])), "{svg}");
+        assert!(svg.contains(&format!("fill=\"{}\">x</text>", own_colors(Background::Dark)[0])), "{svg}");
     }
 
     #[test]
@@ -160,6 +170,6 @@ mod tests {
     #[test]
     fn blank_frames_have_no_text() {
         assert!(!picture("").contains("<text"));
-        assert!(svg(&Buffer::empty(Rect::default())).ends_with("</svg>\n"));
+        assert!(svg(&Buffer::empty(Rect::default()), Background::Dark).ends_with("</svg>\n"));
     }
 }

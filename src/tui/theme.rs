@@ -1,7 +1,7 @@
 //! How the viewer looks: colours and glyphs. The caller decides; nothing here reads the terminal or the environment.
 //!
-//! Colours are those of Okabe and Ito, which colour-blind people tell apart, on the terminal's own background. No state
-//! is shown by a colour alone: each also has a glyph or a word.
+//! Colours are those of Okabe and Ito, which colour-blind people tell apart, on the terminal's own background; on a light one darker
+//! shades of them. No state is shown by a colour alone: each also has a glyph or a word.
 
 use crate::log::{RayKind, Step};
 use ratatui::style::{Color, Modifier, Style};
@@ -11,6 +11,8 @@ use ratatui::style::{Color, Modifier, Style};
 pub struct Theme {
     /// Which colours the terminal has.
     pub palette: Palette,
+    /// What they are seen on.
+    pub background: Background,
     /// Which characters it has.
     pub glyphs: &'static Glyphs,
 }
@@ -20,10 +22,22 @@ pub struct Theme {
 pub enum Palette {
     /// None (`NO_COLOR`): bold, dim and reversed text only.
     None,
+    /// The first eight, which a terminal's own colour scheme chooses so that they are seen on its background.
+    Sixteen,
     /// The 256 colours that nearly every terminal has.
     Indexed,
     /// 24-bit colours.
     True,
+}
+
+/// The background of the terminal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Background {
+    /// Dark, as that of most terminals.
+    #[default]
+    Dark,
+    /// Light.
+    Light,
 }
 
 /// What a piece of the screen stands for.
@@ -107,7 +121,12 @@ glyphs! {
 impl Theme {
     /// The look with these colours, in ASCII or not.
     pub fn new(palette: Palette, ascii: bool) -> Theme {
-        Theme { palette, glyphs: if ascii { &ASCII } else { &UNICODE } }
+        Theme { palette, background: Background::Dark, glyphs: if ascii { &ASCII } else { &UNICODE } }
+    }
+
+    /// The same on this background.
+    pub fn on(self, background: Background) -> Theme {
+        Theme { background, ..self }
     }
 
     /// Whether only ASCII may be shown.
@@ -115,29 +134,53 @@ impl Theme {
         *self.glyphs == ASCII
     }
 
+    /// Whether it can't show the colours of a picture.
+    pub fn has_few_colors(&self) -> bool {
+        matches!(self.palette, Palette::None | Palette::Sixteen)
+    }
+
     /// How something with this role is written.
     pub fn style(&self, role: Role) -> Style {
-        let color = match role {
-            Role::Text | Role::Title | Role::Faint | Role::Value => None,
-            Role::Camera => Some((74, 0x56B4E9)),
-            Role::Reflected | Role::Hit => Some((36, 0x009E73)),
-            Role::Transmitted => Some((175, 0xCC79A7)),
-            Role::Shadow => Some((172, 0xC78300)),
-            Role::Light | Role::Current => Some((214, 0xE69F00)),
-            Role::Blocked | Role::Warning => Some((166, 0xD55E00)),
-        };
-        let color = color.and_then(|(index, rgb)| match self.palette {
-            Palette::None => None,
-            Palette::Indexed => Some(Color::Indexed(index)),
-            Palette::True => Some(Color::from_u32(rgb)),
-        });
         let modifier = match role {
             Role::Title | Role::Current | Role::Warning | Role::Value => Modifier::BOLD,
-            Role::Faint => Modifier::DIM,
+            // Dimmed, black text on white is too pale in some terminals: there it is grey.
+            Role::Faint if self.color(role).is_none() => Modifier::DIM,
             _ => Modifier::empty(),
         };
         let style = Style::new().add_modifier(modifier);
-        color.map_or(style, |color| style.fg(color))
+        self.color(role).map_or(style, |color| style.fg(color))
+    }
+
+    /// The colour of a role; `None` for the terminal's own.
+    fn color(&self, role: Role) -> Option<Color> {
+        // Of the 16, of the 256 and in full; the last two on a dark background and on a light one.
+        let (named, dark, light) = match role {
+            Role::Text | Role::Title | Role::Value => return None,
+            Role::Faint if self.background == Background::Light => (None, (0, 0), (241, 0x626262)),
+            Role::Faint => return None,
+            Role::Camera => (Some(Color::Blue), (74, 0x56B4E9), (25, 0x00619A)),
+            Role::Reflected | Role::Hit => (Some(Color::Green), (36, 0x009E73), (23, 0x006B4E)),
+            Role::Transmitted => (Some(Color::Magenta), (175, 0xCC79A7), (126, 0x9C3F75)),
+            Role::Shadow => (Some(Color::Yellow), (172, 0xC78300), (94, 0x7D5200)),
+            Role::Light | Role::Current => (Some(Color::Yellow), (214, 0xE69F00), (94, 0x875D00)),
+            Role::Blocked | Role::Warning => (Some(Color::Red), (166, 0xD55E00), (124, 0xA84A00)),
+        };
+        let (index, rgb) = if self.background == Background::Light { light } else { dark };
+        match self.palette {
+            Palette::None => None,
+            Palette::Sixteen => named,
+            Palette::Indexed => Some(Color::Indexed(index)),
+            Palette::True => Some(Color::from_u32(rgb)),
+        }
+    }
+
+    /// The colour of lines that stand back.
+    pub fn line(&self) -> Color {
+        match (self.palette, self.background) {
+            (Palette::None | Palette::Sixteen, _) => Color::Reset,
+            (_, Background::Dark) => Color::Indexed(244),
+            (_, Background::Light) => Color::Indexed(242),
+        }
     }
 
     /// The glyph and the role of a kind of rays.
@@ -181,5 +224,81 @@ pub fn of_index(index: u8) -> [u8; 3] {
             [cube / 36, cube / 6 % 6, cube % 6].map(level)
         }
         232..=255 => [8 + 10 * (index - 232); 3],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROLES: [Role; 13] = [
+        Role::Text,
+        Role::Title,
+        Role::Faint,
+        Role::Camera,
+        Role::Reflected,
+        Role::Transmitted,
+        Role::Shadow,
+        Role::Light,
+        Role::Hit,
+        Role::Blocked,
+        Role::Value,
+        Role::Current,
+        Role::Warning,
+    ];
+
+    /// The relative luminance of WCAG 2.1.
+    fn luminance(color: [u8; 3]) -> f64 {
+        let [r, g, b] = color.map(|level| match f64::from(level) / 255.0 {
+            low if low <= 0.04045 => low / 12.92,
+            high => libm::pow((high + 0.055) / 1.055, 2.4),
+        });
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    fn contrast(one: [u8; 3], other: [u8; 3]) -> f64 {
+        let [one, other] = [one, other].map(luminance);
+        (one.max(other) + 0.05) / (one.min(other) + 0.05)
+    }
+
+    fn rgb(color: Color) -> [u8; 3] {
+        match color {
+            Color::Rgb(r, g, b) => [r, g, b],
+            Color::Indexed(index) => of_index(index),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn contrast_is_that_of_the_standard() {
+        assert_eq!(contrast([255; 3], [0; 3]), 21.0);
+        // The standard's own example of a grey that is just enough.
+        assert!((contrast([255; 3], [0x76; 3]) - 4.54).abs() < 0.005);
+    }
+
+    #[test]
+    fn every_role_is_seen_on_its_background() {
+        const SOLARIZED: [[u8; 3]; 2] = [[0x00, 0x2b, 0x36], [0xfd, 0xf6, 0xe3]];
+        for (background, own, solarized) in
+            [(Background::Dark, [0; 3], SOLARIZED[0]), (Background::Light, [255; 3], SOLARIZED[1])]
+        {
+            for palette in [Palette::Indexed, Palette::True] {
+                let theme = Theme::new(palette, false).on(background);
+                for (role, color) in ROLES.into_iter().filter_map(|role| Some((role, theme.style(role).fg?))) {
+                    let seen = contrast(rgb(color), own);
+                    assert!(seen >= 4.5, "{role:?} on {background:?}, {palette:?}: {seen}");
+                    let seen = contrast(rgb(color), solarized);
+                    assert!(seen >= 3.0, "{role:?} on Solarized {background:?}, {palette:?}: {seen}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn of_the_sixteen_only_those_that_no_scheme_uses_for_backgrounds() {
+        let theme = Theme::new(Palette::Sixteen, false);
+        let colors = ROLES.into_iter().filter_map(|role| theme.style(role).fg);
+        let known = [Color::Red, Color::Green, Color::Yellow, Color::Blue, Color::Magenta];
+        assert!(colors.into_iter().all(|color| known.contains(&color)));
     }
 }

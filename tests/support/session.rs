@@ -27,6 +27,9 @@ pub fn spawned(program: &OsStr, arguments: &[&str], columns: u16, rows: u16) -> 
     command.args(arguments);
     command.cwd(env!("CARGO_MANIFEST_DIR"));
     command.env("TERM", "xterm-256color");
+    // Nobody asks the terminal what it is like.
+    command.env("COLORFGBG", "15;0");
+    command.env("LC_ALL", "C.UTF-8");
     command.env_remove("NO_COLOR");
     let child = pair.slave.spawn_command(command).expect("the program starts");
     let reader = pair.master.try_clone_reader().expect("a reader");

@@ -6,7 +6,7 @@ use crate::cli::options::ColorChoice;
 use crate::cli::options::ReportFormat;
 use crate::cli::output;
 use crate::cli::saved_log::{self, MAX_LOG_BYTES};
-use crate::cli::walk::{left, palette};
+use crate::cli::walk::left;
 use raywalk::files::{Opened, escape_hidden};
 use raywalk::log::file::{PixelEvents, PixelReader};
 use raywalk::log::{Events, Header, Log, Subject, Tree};
@@ -14,7 +14,6 @@ use raywalk::report::diff::{self, Format, Json, Numbering, Pixel, Rows, Side, Su
 use raywalk::report::side_by_side::Run;
 use raywalk::report::words;
 use raywalk::report::{Language, forms};
-use raywalk::tui::Theme;
 use raywalk::tui::beside::{self, Beside};
 use raywalk_guard::Endings;
 use std::cmp::Ordering;
@@ -105,8 +104,7 @@ impl Diff {
         if let Some(signals) = signals {
             signals.give_up();
         }
-        let theme = Theme::new(palette(colors), self.ascii);
-        let exit = beside::run(beside, &theme)
+        let exit = beside::run(beside, &self.look.in_terminal(colors))
             .map_err(|error| Failure::machine(format!("the terminal can't be used: {error}")))?;
         left(exit).and(is_whole).map(|()| is_same)
     }

@@ -6,7 +6,7 @@ use crate::tui::model::layout::Layout;
 use crate::tui::model::picture::{Dot, Layer, PictureView};
 use crate::tui::model::{Model, Pane};
 use crate::tui::text::{shown, width_of};
-use crate::tui::theme::{Palette, Theme, of_index};
+use crate::tui::theme::{Background, Palette, Theme, of_index};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
@@ -98,8 +98,7 @@ impl Brush<'_> {
         if self.has_cursor([column, row]) {
             return Some(self.cursor(above.or(below)));
         }
-        let has_shades = self.theme.palette == Palette::None || self.theme.is_ascii();
-        if has_shades {
+        if self.theme.has_few_colors() || self.theme.is_ascii() {
             let light = luminance(above.or(below).unwrap_or_default()) * 0.5
                 + luminance(below.or(above).unwrap_or_default()) * 0.5;
             return Some((self.shade(light), Style::reset()));
@@ -121,7 +120,7 @@ impl Brush<'_> {
 
     fn cursor(&self, color: Option<[u8; 3]>) -> (&'static str, Style) {
         let symbol = if self.theme.is_ascii() { "X" } else { "╳" };
-        if self.theme.palette == Palette::None {
+        if self.theme.has_few_colors() {
             return (symbol, Style::reset().add_modifier(Modifier::REVERSED | Modifier::BOLD));
         }
         let ground = color.unwrap_or_default();
@@ -148,6 +147,8 @@ impl Brush<'_> {
     fn shade(&self, light: f64) -> &'static str {
         const ASCII: [&str; 10] = [" ", ".", ":", "-", "=", "+", "*", "#", "%", "@"];
         const BLOCKS: [&str; 5] = [" ", "░", "▒", "▓", "█"];
+        // The denser the sign, the more of it is ink.
+        let light = if self.theme.background == Background::Light { 1.0 - light } else { light };
         let of =
             |shades: &'static [&'static str]| shades[((light * shades.len() as f64) as usize).min(shades.len() - 1)];
         if self.theme.is_ascii() { of(&ASCII) } else { of(&BLOCKS) }
@@ -157,7 +158,7 @@ impl Brush<'_> {
         match self.theme.palette {
             Palette::True => Color::Rgb(r, g, b),
             Palette::Indexed => Color::Indexed(indexed([r, g, b])),
-            Palette::None => Color::Reset,
+            Palette::Sixteen | Palette::None => Color::Reset,
         }
     }
 }

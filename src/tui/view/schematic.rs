@@ -10,7 +10,7 @@ use crate::report::segments::{Segment, around, reach, segment, segments};
 use crate::tui::model::drawing::{Drawing, Projection, Wireframe};
 use crate::tui::model::layout::Layout;
 use crate::tui::model::{Model, Pane};
-use crate::tui::theme::{Palette, Role, Theme};
+use crate::tui::theme::{Role, Theme};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
@@ -51,7 +51,7 @@ pub(super) fn draw(model: &Model, theme: &Theme, area: Rect, buffer: &mut Buffer
     }
     let color = |role: Role| theme.style(role).fg.unwrap_or(Color::Reset);
     // Objects are grey: a canvas can't dim them.
-    let gray = if theme.palette == Palette::None { Color::Reset } else { Color::DarkGray };
+    let gray = theme.line();
     Canvas::default()
         .marker(if theme.is_ascii() { Marker::Dot } else { Marker::Braille })
         .x_bounds(stage.x)
