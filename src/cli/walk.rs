@@ -4,7 +4,7 @@ use super::failure::{Failure, HUNG_UP, INTERRUPTED, TERMINATED, shown};
 use super::frames;
 use super::inputs::Inputs;
 use super::live::Session;
-use super::options::{ColorChoice, TracingOptions, biased_effects, numbers};
+use super::options::{ColorChoice, TracingOptions, biased_effects};
 use super::output::{self, Output};
 use super::progress::ProgressOptions;
 use super::saved_log::{self, Saved};
@@ -47,7 +47,7 @@ pub struct Walk {
     #[arg(long, value_enum, value_name = "LANGUAGE", default_value = "en")]
     lang: Lang,
     /// Decimals
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=15))]
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(0..=i64::from(Style::MOST_DIGITS)))]
     digits: u32,
     /// Write a picture of the viewer instead of opening it
     #[arg(long, value_name = "FILE.svg")]
@@ -56,7 +56,7 @@ pub struct Walk {
     #[arg(long, value_name = "KEYS", requires = "screenshot", default_value = "", hide_default_value = true)]
     keys: String,
     /// The size of the screenshot in characters
-    #[arg(long, value_name = "COLUMNS,ROWS", requires = "screenshot", value_parser = numbers::<u16, 2>)]
+    #[arg(long, value_name = "COLUMNSxROWS", requires = "screenshot", value_parser = screen)]
     screen: Option<[u16; 2]>,
     #[command(flatten)]
     tracing: TracingOptions,
@@ -173,7 +173,8 @@ impl Walk {
         let walked = self.walked.is_none().then(|| walked.to_string_lossy().into_owned());
         let pixel = outcome.position.pixel.filter(|_| !was_log);
         let language = Some(outcome.language).filter(|language| *language != self.lang.into());
-        let words = words_back(words, walked, pixel, language, outcome.position.at);
+        let digits = Some(outcome.numbers.digits).filter(|digits| *digits != self.digits);
+        let words = words_back(words, walked, pixel, (language, digits), outcome.position.at);
         let words: Vec<_> = words.iter().map(|word| quoted(word)).collect();
         format!("raywalk {}", words.join(" "))
     }
@@ -183,13 +184,13 @@ impl Walk {
             return Err(Failure::caller(format!("{}: expected a name that ends in .svg", shown(path))));
         }
         if let Some(name) = tui::keys::unknown_name(&self.keys) {
-            let message = format!("--keys: no key is called `<{}>`; `?` in the viewer lists them", escape_hidden(name));
+            let message = format!("--keys: no key is called `{}`; `?` in the viewer lists them", escape_hidden(name));
             return Err(Failure::caller(message));
         }
         match self.screen {
             Some([0, _] | [_, 0]) => Err(Failure::caller("--screen: at least 1 column and 1 row".to_owned())),
             Some([width, height]) if width > MAX_SCREEN || height > MAX_SCREEN => {
-                Err(Failure::caller(format!("--screen {width},{height}: at most {MAX_SCREEN} columns and rows")))
+                Err(Failure::caller(format!("--screen {width}x{height}: at most {MAX_SCREEN} columns and rows")))
             }
             _ => Ok(()),
         }
@@ -207,6 +208,16 @@ impl Walk {
     }
 }
 
+/// The size of a screen: `110x30`, or with a comma.
+fn screen(text: &str) -> Result<[u16; 2], String> {
+    let size =
+        || text.split_once(['x', 'X', ',']).map(|(columns, rows)| [columns, rows].map(|side| side.trim().parse().ok()));
+    match size() {
+        Some([Some(columns), Some(rows)]) => Ok([columns, rows]),
+        _ => Err("expected columns and rows, such as 110x30".to_owned()),
+    }
+}
+
 /// Ends as a viewer was left.
 pub fn left(exit: Exit) -> Result<(), Failure> {
     let code = match exit {
@@ -218,13 +229,14 @@ pub fn left(exit: Exit) -> Result<(), Failure> {
     Err(Failure::silent(code))
 }
 
-/// The words of a call, so that they lead to a pixel (if it isn't that of a ray or a log), a language (if it was changed) and a step.
+/// The words of a call, so that they lead to a pixel (if it isn't that of a ray or a log), a language and decimals (if they were changed) and a
+/// step.
 /// `walked` is the scene if the call named none.
 fn words_back(
     words: Vec<String>,
     walked: Option<String>,
     pixel: Option<[u32; 2]>,
-    language: Option<Language>,
+    (language, digits): (Option<Language>, Option<u32>),
     at: u32,
 ) -> Vec<String> {
     let mut options = words;
@@ -241,6 +253,9 @@ fn words_back(
     if language.is_some() {
         forget("--lang");
     }
+    if digits.is_some() {
+        forget("--digits");
+    }
     if pixel.is_some() {
         forget("--pixel");
         forget("--ray");
@@ -256,6 +271,9 @@ fn words_back(
     }
     if let Some(language) = language {
         options.extend(["--lang".to_owned(), language.code().to_owned()]);
+    }
+    if let Some(digits) = digits {
+        options.extend(["--digits".to_owned(), digits.to_string()]);
     }
     options.extend(["--at".to_owned(), at.to_string()]);
     options.extend(rest);
@@ -296,7 +314,11 @@ mod tests {
     #[track_caller]
     fn leads(call: &str, walked: Option<&str>, pixel: Option<[u32; 2]>, expected: &str) {
         let words = call.split_whitespace().map(str::to_owned).collect();
-        assert_eq!(words_back(words, walked.map(str::to_owned), pixel, None, 7).join(" "), expected, "after {call}");
+        assert_eq!(
+            words_back(words, walked.map(str::to_owned), pixel, (None, None), 7).join(" "),
+            expected,
+            "after {call}"
+        );
     }
 
     #[test]
@@ -311,8 +333,8 @@ mod tests {
         let options = "--color never walk --arithmetic f32";
         leads(options, Some("textbook"), there, "--color never walk textbook --arithmetic f32 --pixel 10,20 --at 7");
         let words = "walk a.json --lang en".split(' ').map(str::to_owned).collect();
-        let back = words_back(words, None, None, Some(Language::Spanish), 7);
-        assert_eq!(back.join(" "), "walk a.json --lang es --at 7");
+        let back = words_back(words, None, None, (Some(Language::Spanish), Some(6)), 7);
+        assert_eq!(back.join(" "), "walk a.json --lang es --digits 6 --at 7");
         leads("walk -- a.json", None, there, "walk --pixel 10,20 --at 7 -- a.json");
     }
 }

@@ -1,17 +1,28 @@
-//! How many digits can be trusted, in words.
+//! What there is to say of a value beside it: how many digits can be trusted, and where it comes from if that isn't its formula.
 
 use super::language::Language;
-use crate::log::{Digits, Event, What};
+use super::{Style, evaluate, forms};
+use crate::log::{Digits, Event, Log, Tree, What};
 
-/// What follows a value with twice the digits, and a value or a decision of several perturbed runs, such as ` (14 digits)`;
-/// nothing otherwise.
-pub fn marker(language: Language, event: &Event) -> String {
+/// What follows a value with twice the digits, one that the book prints against its formula, and a value or a decision of several perturbed
+/// runs, such as ` (14 digits)`; nothing otherwise.
+pub fn marker(language: Language, log: &Log, tree: &Tree, event: usize) -> String {
     let texts = language.texts();
-    let doubled = match event.what {
+    let happening = &log.events[event];
+    let own = match happening.what {
         What::Note { name, .. } if name.form().starts_with("doubled") => format!(" ({})", texts.twice_the_digits),
+        What::Note { .. } if is_printed_otherwise(log, tree, event) => format!(" ({})", texts.printed),
         _ => String::new(),
     };
-    doubled + &of_runs(language, event)
+    own + &of_runs(language, happening)
+}
+
+/// Whether a value of the book isn't what its formula gives with the values before it, to the last printed digit.
+fn is_printed_otherwise(log: &Log, tree: &Tree, event: usize) -> bool {
+    let What::Note { name, value } = log.events[event].what else { return false };
+    let computed = || evaluate::evaluate(log, tree, event, name).and_then(Result::ok);
+    log.header.arithmetic == "printed"
+        && computed().is_some_and(|computed| !forms::is_near(log, &computed, &value, Style::default().digits))
 }
 
 /// How far perturbed runs agree.

@@ -7,6 +7,7 @@ use super::model::{Model, breakpoint};
 use super::{bookmarks, breakpoints, jumps, search, walk};
 use crate::files::suggest;
 use crate::log::{Step, Subject};
+use crate::report::Style;
 use crate::report::language::Language;
 use crate::report::language::viewer::Commands;
 use crate::report::words::plain;
@@ -30,6 +31,7 @@ enum Argument {
     Text,
     Pixel,
     Language,
+    Decimals,
 }
 
 impl Argument {
@@ -42,6 +44,7 @@ impl Argument {
             Argument::Text => texts.text,
             Argument::Pixel => "X,Y",
             Argument::Language => "en|es",
+            Argument::Decimals => "N",
         }
     }
 }
@@ -52,6 +55,7 @@ const COMMANDS: &[Command] = &[
     Command { name: "bookmarks", argument: Argument::Nothing, run: |model, _| go(model, Walk::Marks) },
     Command { name: "break", argument: Argument::Condition, run: |model, text| plainly(breakpoints::add(model, text)) },
     Command { name: "breakpoints", argument: Argument::Nothing, run: |model, _| go(model, Walk::Breakpoints) },
+    Command { name: "digits", argument: Argument::Decimals, run: digits },
     Command { name: "filter", argument: Argument::Text, run: |model, text| plainly(search::filter(model, text)) },
     Command { name: "grow", argument: Argument::Nothing, run: |model, _| go(model, Walk::Grow) },
     Command { name: "help", argument: Argument::Nothing, run: |model, _| Ok(walk::open_help(model)) },
@@ -154,6 +158,20 @@ fn language(model: &mut Model, code: &str) -> Done {
         }
         None => Err(model.texts().commands.expected_language.to_owned()),
     }
+}
+
+/// Shows numbers with so many decimals.
+fn digits(model: &mut Model, text: &str) -> Done {
+    let texts = &model.texts().commands;
+    let Some(digits) = text.parse().ok().filter(|digits| *digits <= Style::MOST_DIGITS) else {
+        return Err((texts.expected_decimals)(Style::MOST_DIGITS));
+    };
+    model.numbers = model.numbers.with(digits);
+    model.say(&(texts.decimals)(digits));
+    // What was made is written with the others, and values are searched as they are shown.
+    model.understanding.listing = None;
+    search::renew(model);
+    Ok(Effect::None)
 }
 
 fn bookmark(model: &mut Model, text: &str) -> Done {

@@ -51,7 +51,7 @@ pub use model::drawing::{Drawing, PlaceOf, Projection, Wireframe};
 pub use model::guide::Guide;
 pub use model::jumps::Spot;
 pub use model::list::{Entry, Kind, Listing};
-pub use model::picture::{COARSEST, Dot, Image, Layer, Levels, PictureView};
+pub use model::picture::{COARSEST, Dot, Image, Layer, Levels, PictureView, Wanted};
 pub use model::prompt::{Message, Prompt, Purpose};
 pub use model::understanding::{Quiz, Understanding};
 pub use model::{Model, Overlay, Pane, Pending};
@@ -93,6 +93,8 @@ pub struct Outcome {
     pub position: Position,
     /// Its language at the end.
     pub language: Language,
+    /// How numbers were shown at the end.
+    pub numbers: Numbers,
 }
 
 /// A place in a log that a link can lead back to.
@@ -108,10 +110,10 @@ pub struct Position {
 pub fn run(log: Log, options: Options, mut live: Option<&mut dyn Live>) -> io::Result<Outcome> {
     let theme = options.theme;
     let mut model = opened(log, &options);
-    live::look(&mut model, &mut live, false);
+    live::look(&mut model, &mut live, Wanted::Latest);
     let mut terminal = Terminal::enter()?;
     let exit = show(&mut model, &mut terminal, &mut live, &theme).or_else(|error| terminal.left_by(error))?;
-    Ok(Outcome { exit, position: position(&model), language: model.language })
+    Ok(Outcome { exit, position: position(&model), language: model.language, numbers: model.numbers })
 }
 
 /// Draws and reacts until something asks to leave.
@@ -141,6 +143,7 @@ pub fn opened(log: Log, options: &Options) -> Model {
     let mut model = Model::new(log);
     model.numbers = options.numbers;
     model.language = options.language;
+    model.is_ascii = options.theme.is_ascii();
     if let Some(note) = &options.note {
         model.say(note);
     }
@@ -173,7 +176,7 @@ pub fn opened_with_keys(
     (width, height): (u16, u16),
 ) -> Model {
     let mut model = opened(log, options);
-    live::look(&mut model, &mut live, false);
+    live::look(&mut model, &mut live, Wanted::Latest);
     update(&mut model, Action::Resize(width, height));
     for typed in keys::script(keys) {
         let key = match typed {
@@ -188,9 +191,7 @@ pub fn opened_with_keys(
         }
     }
     search::finish(&mut model);
-    if !model.layout(model.size).area(Pane::Picture).is_empty() {
-        live::look(&mut model, &mut live, true);
-    }
+    live::look_at_what_is_seen(&mut model, &mut live);
     model
 }
 
@@ -215,7 +216,7 @@ fn react(
     match input {
         Input::Leave(exit) => return Ok(Some(exit)),
         Input::Tick => {
-            live::look(model, live, false);
+            live::look(model, live, Wanted::Latest);
             search::look_on(model);
         }
         Input::Suspend => suspend(model, terminal, Asker::Signal)?,

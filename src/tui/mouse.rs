@@ -1,10 +1,11 @@
 //! The mouse: off until it is asked for, because a terminal can't select text while the viewer has it.
 
 use super::effect::Effect;
-use super::jumps;
 use super::keys::{Action, Walk};
 use super::model::layout::Layout;
 use super::model::{Model, Pane};
+use super::{jumps, view};
+use crate::log::tree::Item;
 use crossterm::event::{MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::Position;
 
@@ -22,9 +23,7 @@ pub(super) fn meant(model: &Model, event: MouseEvent) -> Option<Action> {
         MouseEventKind::ScrollUp if is_covered => Some(Action::Up),
         MouseEventKind::ScrollDown => Some(Action::Walk(Walk::Wheel(NOTCH, event.column, event.row))),
         MouseEventKind::ScrollUp => Some(Action::Walk(Walk::Wheel(-NOTCH, event.column, event.row))),
-        MouseEventKind::Down(MouseButton::Left) if !is_covered => {
-            Some(Action::Walk(Walk::Click(event.column, event.row)))
-        }
+        MouseEventKind::Down(MouseButton::Left) => Some(Action::Walk(Walk::Click(event.column, event.row))),
         _ => None,
     }
 }
@@ -37,7 +36,7 @@ pub(super) fn toggle(model: &mut Model) {
     model.say(now);
 }
 
-/// Selects the row of the tree that was clicked, the pixel of the picture, or the pane.
+/// Selects the row of the tree that was clicked, the step of the computation, the pixel of the picture, or the pane.
 pub(super) fn click(model: &mut Model, x: u16, y: u16) -> Effect {
     let layout = model.layout(model.size);
     let at = Position { x, y };
@@ -50,6 +49,11 @@ pub(super) fn click(model: &mut Model, x: u16, y: u16) -> Effect {
         if count == below {
             model.go_to_node(row);
         }
+    }
+    match view::item_at(model, layout.area(Pane::Computation), at) {
+        Some(Item::Event(event)) => model.event = event,
+        Some(Item::Node(node)) => model.go_to_node(node),
+        None => {}
     }
     let Some(pixel) = pixel_at(model, &layout, at) else { return Effect::None };
     jumps::remember(model);

@@ -25,6 +25,7 @@ pub fn update(model: &mut Model, action: Action) -> Effect {
         Action::Typed(key) => effect = prompt::typed(model, key),
         _ => effect = by_key(model, action),
     }
+    quiz::visit(model);
     keep_in_view(model);
     effect
 }
@@ -35,7 +36,7 @@ const MOST: u32 = 1_000_000_000;
 /// Does the action of a whole key, with the count typed before it.
 fn by_key(model: &mut Model, action: Action) -> Effect {
     let count = std::mem::take(&mut model.pending).count;
-    if action != Action::Close && model.message.as_ref().is_some_and(|message| !message.is_warning) {
+    if action != Action::Close {
         model.message = None;
     }
     match model.overlay {
@@ -114,11 +115,10 @@ fn in_panes(model: &mut Model, action: Action, count: Option<u32>) -> Effect {
 fn in_help(model: &mut Model, action: Action, top: usize, count: Option<u32>) -> Effect {
     match action {
         Action::Search => model.prompt = Some(Prompt::new(Purpose::Help)),
-        Action::Close | Action::Help | Action::Quit => {
+        Action::Close | Action::Help | Action::Quit | Action::Interrupt => {
             model.overlay = None;
             return Effect::None;
         }
-        Action::Interrupt => return Effect::Leave(Exit::Interrupted),
         Action::Suspend => return Effect::Suspend,
         _ => {}
     }

@@ -58,7 +58,7 @@ fn step_by(model: &mut Model, step: Step, times: usize) {
 
 /// Ends the latest of what can be ended: the message, playing, the search, the filter.
 pub(super) fn close(model: &mut Model) {
-    if model.message.take().is_some() {
+    if model.message.take().is_some() || model.warning.take().is_some() {
     } else if model.guide.pace.is_playing {
         model.guide.pace.is_playing = false;
     } else if model.guide.search.take().is_none() {

@@ -9,22 +9,22 @@ use raywalk::log::{Log, Subject};
 use raywalk::probe::CutOff;
 use raywalk::record::{self, Arithmetic, Part};
 use raywalk::scene::Scene;
-use raywalk::tui::{Drawing, Image, Live, Refusal};
+use raywalk::tui::{Drawing, Image, Live, Refusal, Wanted};
 use std::sync::Arc;
 
 /// A scene and the arithmetic that it is shown in.
 pub struct Session {
     scene: Arc<Scene>,
     arithmetic: Arithmetic,
-    waits: bool,
+    is_still: bool,
     /// The picture; begun when somebody wants to see it.
     rendering: Option<Rendering>,
 }
 
 impl Session {
-    /// The session of a scene; one that waits shows nothing of a picture before all of it is there.
-    pub fn new(scene: Scene, arithmetic: Arithmetic, waits: bool) -> Session {
-        Session { scene: Arc::new(scene), arithmetic, waits, rendering: None }
+    /// The session of a scene. That of a still viewer renders nothing but what is seen in the end.
+    pub fn new(scene: Scene, arithmetic: Arithmetic, is_still: bool) -> Session {
+        Session { scene: Arc::new(scene), arithmetic, is_still, rendering: None }
     }
 
     fn log(&self, part: Part, arithmetic: Arithmetic) -> Result<Log, Refusal> {
@@ -44,12 +44,18 @@ impl Live for Session {
         self.log(Part::Pixel(pixel), self.arithmetic)
     }
 
-    fn picture(&mut self, whole: bool) -> Option<Arc<Image>> {
-        let (scene, arithmetic, whole) = (&self.scene, self.arithmetic, whole || self.waits);
+    fn picture(&mut self, wanted: Wanted) -> Option<Arc<Image>> {
+        let (scene, arithmetic) = (&self.scene, self.arithmetic);
         // The printed values are those of one pixel; the others are as by hand.
         let arithmetic = if arithmetic == Arithmetic::Printed { Arithmetic::Decimal(3) } else { arithmetic };
-        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic, whole));
-        if whole {
+        match wanted {
+            Wanted::Latest if self.is_still => return Some(picture::empty(scene)),
+            Wanted::Pixels(pixels) if self.is_still => return Some(picture::of(scene, arithmetic, pixels)),
+            _ => {}
+        }
+        let is_whole = wanted != Wanted::Latest;
+        let rendering = self.rendering.get_or_insert_with(|| Rendering::start(Arc::clone(scene), arithmetic, is_whole));
+        if is_whole {
             rendering.finish();
         }
         rendering.latest()
